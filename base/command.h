@@ -90,6 +90,12 @@ struct command {
     const struct command_example *examples;          /* the last has no line */
 };
 
+/* For the table of commands of a program, a macro COMMANDS(ROW) with a row ROW(name) for
+ * each: COMMANDS(COMMAND_DECLARE) declares them, COMMANDS(COMMAND_ADDRESS) lists their
+ * addresses. */
+#define COMMAND_DECLARE(name) extern const struct command name##_command;
+#define COMMAND_ADDRESS(name) &name##_command,
+
 struct command_program {
     const char *name, *summary, *version;
     const struct command *const *commands; /* NULL at the end */

@@ -1,5 +1,5 @@
-/* command_options.h - options with the same meaning in every program: rows for the
- * lists of command.h. Each takes the offset of its value.
+/* command_options.h - options with the same meaning or form in every program: rows for
+ * the lists of command.h. Each takes the offset of its value.
  */
 #ifndef BASE_COMMAND_OPTIONS_H
 #define BASE_COMMAND_OPTIONS_H
@@ -11,14 +11,23 @@
 command_choice command_model_choice;
 
 /* clang-format off */
-#define COMMAND_OPTION_MODEL(place) \
+#define OPTION_MODEL(place) \
     { .name = "model", .value = "NAME|FILE", .kind = COMMAND_INPUT, \
       .offset = place, .preset_text = C205_DEFAULT_MODEL, \
       .choice = command_model_choice, .help = "machine model" }
-#define COMMAND_OPTION_INCLUDE(place) \
+#define OPTION_INCLUDE(place) \
     { .name = "include", .letter = 'I', .value = "DIR", \
       .kind = COMMAND_FOLDER, .many = true, .offset = place, \
       .help = "also search this folder for included files" }
+#define OPTION_OUTPUT(place, text) \
+    { .name = "output", .letter = 'o', .value = "FILE", .kind = COMMAND_OUTPUT, \
+      .offset = place, .help = text }
+#define OPTION_FLAG(option, place, text) \
+    { .name = option, .kind = COMMAND_FLAG, .offset = place, .help = text }
+/* In braces, with other members of the row. */
+#define OPTION_COUNT(option, place, first, last, usual, text) \
+    .name = option, .value = "N", .kind = COMMAND_COUNT, .offset = place, \
+    .least = first, .most = (double)(last), .preset = usual, .help = text
 /* clang-format on */
 
 #endif

@@ -143,10 +143,12 @@ static bool add_table(const struct command_output *results, const struct table *
     return !results->json || table_json(table, results->json, key);
 }
 
-bool output_part(const struct command_output *results, const struct table *table,
+bool output_part(const struct command_output *results, struct table *table,
                  const char *key, const char *heading)
 {
-    return add_table(results, table, key, heading);
+    bool good = add_table(results, table, key, heading);
+    table_free(table);
+    return good;
 }
 
 bool output_table(const struct command_output *results, const struct table *table,

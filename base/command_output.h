@@ -84,8 +84,8 @@ void output_model(const struct command_output *results, const c205_model *model)
 bool output_table(const struct command_output *results, const struct table *table,
                   const char *key, const char *heading);
 /* Does the work of output_table, with the heading in text format too: "Heading" without
- * a colon. */
-bool output_part(const struct command_output *results, const struct table *table,
+ * a colon. Frees the table. */
+bool output_part(const struct command_output *results, struct table *table,
                  const char *key, const char *heading);
 /* Does the work of output_table, and frees the table. Returns CMD_DONE, or CMD_FAILED
  * after an error message if memory was exhausted. */

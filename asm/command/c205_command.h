@@ -69,12 +69,12 @@ command_take cmd_take_define;
 command_take cmd_take_warning;
 
 /* clang-format off */
-#define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
+#define CMD_MODEL OPTION_MODEL(CMD_PLACE(model))
 #define CMD_RESULTS OUTPUT_OPTIONS(struct c205_arguments, results)
 /* The options of results that depend on a model. */
 #define CMD_FIGURES \
     CMD_RESULTS, OUTPUT_OPTION_PROVENANCE(struct c205_arguments, results)
-#define CMD_INCLUDE COMMAND_OPTION_INCLUDE(CMD_PLACE(folders))
+#define CMD_INCLUDE OPTION_INCLUDE(CMD_PLACE(folders))
 #define CMD_DEFINE \
     { .name = "define", .value = "NAME=VALUE", .kind = COMMAND_CUSTOM, \
       .offset = CMD_PLACE(defines), .take = cmd_take_define, \

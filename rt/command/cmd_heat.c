@@ -7,55 +7,48 @@
 #include "base/error.h"
 #include "base/plural.h"
 #include "base/provenance.h"
-#include "rt/command/rt205_command.h"
+#include "rt/command/cmd_heat.h"
 #include "rt/heat/heat_picture.h"
 #include "rt/heat/heat_tables.h"
 #include "rt/study/stages.h"
-
-/* Returns true if this process collects the results of all packets. */
-static bool collects(const struct rt205_arguments *arguments)
-{
-    return job_set_collects(&arguments->units.job_set);
-}
 
 /* ---- The request ------------------------------------------------------------ */
 
 /* Returns the lines of each repeat: the smallest power of two such that all
  * repeats have at least the requested number together. */
-static size_t lines_of_repeat(const struct cmd_heat *chosen)
+static size_t lines_of_repeat(const struct heat_arguments *args)
 {
     size_t lines = 1;
 
-    while (chosen->repeats * lines < chosen->lines)
+    while (args->repeats * lines < args->lines)
         lines *= 2;
     return lines;
 }
 
-static struct heat_request request_of(const struct rt205_arguments *arguments)
+static struct heat_request request_of(const struct heat_arguments *args)
 {
-    const struct cmd_heat *chosen = &arguments->heat;
-    const struct trace_options *trace = &arguments->trace;
-    bool by_lines = chosen->lines > 0;
+    const struct trace_options *trace = &args->shared.trace;
+    bool by_lines = args->lines > 0;
     size_t most = by_lines ? (size_t)1 << MAX_GLOBAL_LINES_LOG : MAX_FACTORS_POINTS;
 
     return (struct heat_request){
         .mode = trace->mode,
         .queue = trace->queue,
         .jobs = trace->jobs,
-        .by = (enum surfaces_by)chosen->by,
+        .by = (enum surfaces_by)args->by,
         .by_lines = by_lines,
-        .drawn = by_lines ? lines_of_repeat(chosen) : chosen->rays,
-        .repeats = chosen->repeats,
-        .lattice = chosen->points == 0,
-        .seed = chosen->seed,
-        .tolerance = chosen->tolerance,
-        .limit = chosen->limit < most ? chosen->limit : most,
-        .smooth = chosen->smooth,
-        .exchange = chosen->exchange,
-        .emissivities = chosen->emissivities.items,
-        .emissivity_count = chosen->emissivities.count,
-        .temperatures = chosen->temperatures.items,
-        .temperature_count = chosen->temperatures.count,
+        .drawn = by_lines ? lines_of_repeat(args) : args->rays,
+        .repeats = args->repeats,
+        .lattice = args->points == 0,
+        .seed = args->seed,
+        .tolerance = args->tolerance,
+        .limit = args->limit < most ? args->limit : most,
+        .smooth = args->smooth,
+        .exchange = args->exchange,
+        .emissivities = args->emissivities.items,
+        .emissivity_count = args->emissivities.count,
+        .temperatures = args->temperatures.items,
+        .temperature_count = args->temperatures.count,
         .job_set = trace->job_set,
         .model = trace->model,
         .progress = trace->progress,
@@ -64,7 +57,7 @@ static struct heat_request request_of(const struct rt205_arguments *arguments)
 }
 
 /* Warns about primitives without emission. Lines need no emission. */
-static void warn_of_receivers(const struct rt205_arguments *arguments,
+static void warn_of_receivers(const struct heat_arguments *args,
                               const struct heat *heat)
 {
     const struct scene *scene = heat->scene;
@@ -74,7 +67,7 @@ static void warn_of_receivers(const struct rt205_arguments *arguments,
             cmd_print_line(stderr,
                            "%s:%zu: warning: the %s receives radiation but "
                            "emits none: %s",
-                           arguments->scene, scene->primitives[i].line,
+                           args->scene.path, scene->primitives[i].line,
                            primitive_kind_name(scene->primitives[i].kind),
                            heat->refusals[i]);
 }
@@ -114,16 +107,6 @@ static bool find_stages(const struct heat *heat, struct stages *stages,
 
 /* ---- Output ----------------------------------------------------------------- */
 
-/* Prints a table and frees it. */
-static bool print_part(const struct command_output *results, struct table *table,
-                       const char *key, const char *heading)
-{
-    bool good = table && output_part(results, table, key, heading);
-
-    table_free(table);
-    return good;
-}
-
 /* Prints the areas. JSON always has all of them. */
 static bool print_areas(const struct heat *heat, bool details,
                         const struct command_output *results)
@@ -133,9 +116,9 @@ static bool print_areas(const struct heat *heat, bool details,
 
     printed.json = NULL;
     kept.file = NULL;
-    if (!print_part(&printed, heat_table_of_areas(heat, details), "areas",
-                    "Visible areas")
-        || !print_part(&kept, heat_table_of_areas(heat, true), "areas", NULL))
+    if (!output_part(&printed, heat_table_of_areas(heat, details), "areas",
+                     "Visible areas")
+        || !output_part(&kept, heat_table_of_areas(heat, true), "areas", NULL))
         return false;
     if (unseen > 0)
         output_printf(results, "\n%zu surface%s no visible area; --details lists %s\n",
@@ -148,39 +131,39 @@ static bool print_tables(const struct heat *heat, const struct stages *stages,
                          bool details, const struct command_output *results)
 {
     return print_areas(heat, details, results)
-           && print_part(results, heat_table_of_factors(heat), "factors", "Factors")
+           && output_part(results, heat_table_of_factors(heat), "factors", "Factors")
            && (!heat->request->smooth
-               || print_part(results, heat_table_of_smoothed(heat), "smoothed",
-                             "Smoothed factors"))
+               || output_part(results, heat_table_of_smoothed(heat), "smoothed",
+                              "Smoothed factors"))
            && (!heat->request->exchange
-               || print_part(results, heat_table_of_flows(heat), "flows", "Flows"))
-           && print_part(results, accounts_of_run(&heat->accounts), "clocks",
-                         "Where the clocks went")
+               || output_part(results, heat_table_of_flows(heat), "flows", "Flows"))
+           && output_part(results, accounts_of_run(&heat->accounts), "clocks",
+                          "Where the clocks went")
            && (!stages
-               || print_part(results, stages_table(stages), "stages", "Three stages"));
+               || output_part(results, stages_table(stages), "stages", "Three stages"));
 }
 
-static bool print_result(const struct rt205_arguments *arguments,
-                         const struct heat *heat, const struct stages *stages,
+static bool print_result(const struct heat_arguments *args, const struct heat *heat,
+                         const struct stages *stages,
                          const struct command_output *results)
 {
     const struct heat_request *request = heat->request;
     struct json *json = results->json;
 
-    output_printf(results, "%s: %zu repeats of %zu %s%s %s, %s\n", arguments->scene,
+    output_printf(results, "%s: %zu repeats of %zu %s%s %s, %s\n", args->scene.path,
                   request->repeats, heat->drawn, request->by_lines ? "line" : "point",
                   plural(heat->drawn),
                   request->by_lines ? "through the scene" : "of each primitive",
                   request->lattice ? "of the lattice" : "random");
     output_model(results, request->model);
     if (json) {
-        json_text(json, "scene", arguments->scene);
+        json_text(json, "scene", args->scene.path);
         json_count(json, request->by_lines ? "lines" : "points", heat->drawn);
         json_count(json, "repeats", request->repeats);
         json_count(json, "seed", (size_t)request->seed);
         provenance_json(request->model, json);
     }
-    return print_tables(heat, stages, arguments->details, results);
+    return print_tables(heat, stages, args->details, results);
 }
 
 /* A larger difference between the two directions is not random. Closure is exact. */
@@ -219,113 +202,112 @@ static bool check_precision(const struct heat *heat, c205_error *error)
 
 /* ---- The command -------------------------------------------------------------- */
 
-static bool draw(const struct rt205_arguments *arguments, const struct heat *heat,
+static bool draw(const struct heat_arguments *args, const struct heat *heat,
                  const struct command_output *results, c205_error *error)
 {
-    struct heat_look look = { .shown = (enum heat_shown)arguments->heat.shown,
-                              .from = arguments->heat.from,
-                              .trace = arguments->trace,
-                              .path = arguments->output };
+    struct heat_look look = { .shown = (enum heat_shown)args->shown,
+                              .from = args->from,
+                              .trace = args->shared.trace,
+                              .path = args->shared.output };
     struct heat_drawn drawn;
 
-    if (!arguments->output)
+    if (!args->shared.output)
         return true;
     look.trace.job_set = NULL;
     if (!heat_draw(heat, &look, &drawn, error))
         return false;
     output_printf(results, "\npicture %s: %s from %g to %g%s; %llu clocks\n",
-                  arguments->output, heat_shown_name(look.shown), drawn.least,
+                  args->shared.output, heat_shown_name(look.shown), drawn.least,
                   drawn.most, heat_shown_unit(look.shown),
                   (unsigned long long)drawn.clocks);
     if (results->json)
-        json_text(results->json, "picture", arguments->output);
+        json_text(results->json, "picture", args->shared.output);
     return true;
 }
 
 /* Prints everything, then removes the checkpoint files. */
-static bool print_all(const struct rt205_arguments *arguments, const struct heat *heat,
+static bool print_all(const struct heat_arguments *args, const struct heat *heat,
                       const struct command_output *results, c205_error *error)
 {
     struct stages stages;
 
-    if (!collects(arguments)) {
-        cmd_print_share(arguments, heat->units);
+    if (!job_set_collects(&args->jobs.job_set)) {
+        cmd_print_share(args->shared.command, &args->jobs.job_set, heat->units);
         return true;
     }
-    if (arguments->heat.stages && !find_stages(heat, &stages, error))
+    if (args->stages && !find_stages(heat, &stages, error))
         return false;
-    if (!print_result(arguments, heat, arguments->heat.stages ? &stages : NULL,
-                      results))
+    if (!print_result(args, heat, args->stages ? &stages : NULL, results))
         return error_set(error, "out of memory");
     if (!check_precision(heat, error)
-        || (arguments->strict && !check_strictly(heat, error))
-        || !draw(arguments, heat, results, error))
+        || (args->scene.strict && !check_strictly(heat, error))
+        || !draw(args, heat, results, error))
         return false;
-    job_set_close(arguments->trace.job_set, true);
+    job_set_close(args->shared.trace.job_set, true);
     return true;
 }
 
-static bool find_and_print(const struct rt205_arguments *arguments,
-                           const struct scene *scene,
-                           const struct command_output *results, c205_error *error)
+static int find_and_print(struct session *session, const struct heat_arguments *args)
 {
-    struct heat_request request = request_of(arguments);
+    const struct scene *scene = session_scene(session, &args->scene);
+    struct heat_request request = request_of(args);
+    c205_error error = { "" };
     struct heat heat;
     bool good;
 
-    good = heat_begin(scene, &request, &heat, error);
+    if (!scene)
+        return CMD_FAILED;
+    good = heat_begin(scene, &request, &heat, &error);
     if (good && !request.by_lines)
-        warn_of_receivers(arguments, &heat);
-    good = good && heat_find(&heat, error)
-           && print_all(arguments, &heat, results, error);
+        warn_of_receivers(args, &heat);
+    good = good && heat_find(&heat, &error)
+           && print_all(args, &heat, &session->results, &error);
     heat_free(&heat);
-    return good;
-}
-
-static int find_in_scene(const struct rt205_arguments *arguments,
-                         const struct command_output *results)
-{
-    return cmd_with_scene(arguments, results,
-                          arguments->heat.hits ? cmd_heat_hits : find_and_print);
+    return good ? CMD_DONE : cmd_failed(args->shared.command, "%s", error.message);
 }
 
 /* Returns the reason why some options exclude each other, or NULL. */
-static const char *contradiction(const struct rt205_arguments *arguments)
+static const char *contradiction(const struct heat_arguments *args)
 {
-    const struct cmd_units *units = &arguments->units;
-    bool apart = units->ranks > 0 || units->job_set.parts > 0;
+    const struct job_arguments *jobs = &args->jobs;
+    bool apart = jobs->ranks > 0 || jobs->job_set.parts > 0;
 
-    if (arguments->heat.hits && (apart || units->resume.count > 0))
+    if (args->hits && (apart || jobs->resume.count > 0))
         return "--hits cannot be combined with --ranks, --part or --resume";
-    if (arguments->heat.stages && apart)
+    if (args->stages && apart)
         return "--stages cannot be combined with --ranks or --part";
-    if (arguments->heat.hits
-        && (arguments->heat.stages || arguments->heat.smooth || arguments->heat.exchange
-            || arguments->heat.tolerance > 0 || arguments->output))
+    if (args->hits
+        && (args->stages || args->smooth || args->exchange || args->tolerance > 0
+            || args->shared.output))
         return "--hits cannot be combined with --stages, --smooth, --exchange, "
                "--tolerance or -o";
-    if (arguments->output && arguments->heat.shown == SHOWN_FLOW
-        && !arguments->heat.exchange)
+    if (args->shared.output && args->shown == SHOWN_FLOW && !args->exchange)
         return "-o requires --exchange, or --show factor --from NAME";
-    if (arguments->output && arguments->heat.shown == SHOWN_FACTOR
-        && !arguments->heat.from)
+    if (args->shared.output && args->shown == SHOWN_FACTOR && !args->from)
         return "--show factor requires --from NAME";
-    if (arguments->heat.tolerance > 0 && units->job_set.parts > 0)
+    if (args->tolerance > 0 && jobs->job_set.parts > 0)
         return "--part cannot be combined with --tolerance: each round depends on "
                "all units";
     return NULL;
 }
 
-static int run_command_line(void *given)
+static int cmd_heat(void *given)
 {
-    struct rt205_arguments *arguments = given;
-    const char *why = contradiction(arguments);
+    struct heat_arguments *args = given;
+    const char *why = contradiction(args);
+    struct session session;
     int code;
 
     if (why)
-        return cmd_usage(arguments->command, "%s", why);
-    code = cmd_check_picture(arguments);
-    return code == CMD_DONE ? cmd_with_jobs(arguments, find_in_scene) : code;
+        return cmd_usage(args->shared.command, "%s", why);
+    code = cmd_check_picture(&args->shared);
+    if (code != CMD_DONE)
+        return code;
+    code = session_open(&session, &args->shared, &args->jobs);
+    if (code == CMD_DONE)
+        code = args->hits ? cmd_heat_hits(&session, args)
+                          : find_and_print(&session, args);
+    return session_close(&session, code);
 }
 
 static const char *points_choice(size_t number)
@@ -351,94 +333,96 @@ static const char *shown_choice(size_t number)
     return heat_shown_name((enum heat_shown)number);
 }
 
+#define PLACE(member) offsetof(struct heat_arguments, member)
+
 static const struct command_option options[] = {
-    { .name = "output",
-      .letter = 'o',
-      .value = "FILE",
-      .kind = COMMAND_OUTPUT,
-      .offset = CMD_PLACE(output),
-      .help = "a picture of the scene in colours of flows or factors: .png "
-              ".jpg, .exr .tif (with the values as a channel)" },
+    CMD_OUTPUT("a picture of the scene in colours of flows or factors: .png "
+               ".jpg, .exr .tif (with the values as a channel)"),
     { .name = "show",
       .value = "WHAT",
       .kind = COMMAND_CHOICE,
-      .offset = CMD_PLACE(heat.shown),
+      .offset = PLACE(shown),
       .choice = shown_choice,
       .help = "quantity in the picture; factor requires --from" },
     CMD_SIZE(320, 240),
     { .name = "by",
       .value = "WHAT",
       .kind = COMMAND_CHOICE,
-      .offset = CMD_PLACE(heat.by),
+      .offset = PLACE(by),
       .choice = by_choice,
       .help = "the group of primitives that forms one surface" },
-    CMD_FLAG("exchange", heat.exchange,
-             "also the net flow of each surface, grey and diffuse; lengths are metres"),
-    CMD_FLAG("smooth", heat.smooth,
-             "also the nearest factors that have reciprocity and closure; --exchange "
-             "uses these"),
+    OPTION_FLAG(
+        "exchange", PLACE(exchange),
+        "also the net flow of each surface, grey and diffuse; lengths are metres"),
+    OPTION_FLAG(
+        "smooth", PLACE(smooth),
+        "also the nearest factors that have reciprocity and closure; --exchange "
+        "uses these"),
     { .name = "temperature",
       .value = "NAME=KELVINS",
       .kind = COMMAND_TEXT,
       .many = true,
-      .offset = CMD_PLACE(heat.temperatures),
+      .offset = PLACE(temperatures),
       .help = "temperature of a part, a material, environment (0 K), or default for "
               "all others; adiabatic instead of a number: no net flow" },
     { .name = "emissivity",
       .value = "NAME=SHARE",
       .kind = COMMAND_TEXT,
       .many = true,
-      .offset = CMD_PLACE(heat.emissivities),
+      .offset = PLACE(emissivities),
       .help = "emissivity of a part or a material; all others have 1" },
     { .name = "from",
       .value = "NAME",
       .kind = COMMAND_TEXT,
-      .offset = CMD_PLACE(heat.from),
+      .offset = PLACE(from),
       .help = "the emitting part or material, with --hits; else the surface whose "
               "factors are shown" },
-    CMD_FLAG("hits", heat.hits,
-             "only test whether rays hit cylinders: in scalar form, and in queues up "
-             "to the longest"),
-    { CMD_COUNT("lines", heat.lines, 0, 1 << 30, 0,
-                "at least N lines through the scene, over all repeats, instead of "
-                "rays") },
-    { CMD_COUNT("rays", heat.rays, 1, MAX_FACTORS_POINTS, 1024,
-                "points on a surface in each repeat; each visible point emits a ray") },
-    { CMD_COUNT("repeats", heat.repeats, 2, 1000, 16,
-                "repeats; errors are computed from their spread") },
+    OPTION_FLAG(
+        "hits", PLACE(hits),
+        "only test whether rays hit cylinders: in scalar form, and in queues up "
+        "to the longest"),
+    { OPTION_COUNT("lines", PLACE(lines), 0, 1 << 30, 0,
+                   "at least N lines through the scene, over all repeats, instead of "
+                   "rays") },
+    { OPTION_COUNT(
+        "rays", PLACE(rays), 1, MAX_FACTORS_POINTS, 1024,
+        "points on a surface in each repeat; each visible point emits a ray") },
+    { OPTION_COUNT("repeats", PLACE(repeats), 2, 1000, 16,
+                   "repeats; errors are computed from their spread") },
     { .name = "tolerance",
       .value = "ERROR",
       .kind = COMMAND_NUMBER,
-      .offset = CMD_PLACE(heat.tolerance),
+      .offset = PLACE(tolerance),
       .most = 1,
       .preset_text = "none",
       .help = "multiply the rays or lines by 4 until no factor has a larger standard "
               "error" },
-    { CMD_COUNT("limit", heat.limit, 1, 1 << MAX_GLOBAL_LINES_LOG, 32768,
-                "at most N rays or lines in a repeat, with --tolerance") },
+    { OPTION_COUNT("limit", PLACE(limit), 1, 1 << MAX_GLOBAL_LINES_LOG, 32768,
+                   "at most N rays or lines in a repeat, with --tolerance") },
     { .name = "points",
       .value = "KIND",
       .kind = COMMAND_CHOICE,
-      .offset = CMD_PLACE(heat.points),
+      .offset = PLACE(points),
       .choice = points_choice,
       .help = "source of the sample points" },
-    { CMD_COUNT("seed", heat.seed, 0, 1e9, 1, "seed of the sample points") },
+    { OPTION_COUNT("seed", PLACE(seed), 0, 1e9, 1, "seed of the sample points") },
     CMD_MODE(cmd_mode_choice, "form of the programs; kernels is that of 1984"),
-    CMD_FLAG("stages", heat.stages,
-             "also run the other two modes, whose results must be equal: clocks of "
-             "all, step by step"),
-    CMD_FLAG("details", details, "also list surfaces without visible area"),
+    OPTION_FLAG("stages", PLACE(stages),
+                "also run the other two modes, whose results must be equal: clocks of "
+                "all, step by step"),
+    OPTION_FLAG("details", PLACE(details), "also list surfaces without visible area"),
     CMD_QUEUE("points and rays in the vector queue"),
     CMD_JOBS("packets of rays at a time"),
-    CMD_RESUME("packets"),
-    CMD_PART("packets"),
-    CMD_RANKS,
+    CMD_RESUME(PLACE(jobs), "packets"),
+    CMD_PART(PLACE(jobs), "packets"),
+    CMD_RANKS(PLACE(jobs)),
     CMD_MODEL,
-    CMD_READ,
+    CMD_READ(PLACE(scene)),
     CMD_RESULTS,
     COMMAND_END
 };
-static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
+static const struct command_option operands[] = { CMD_SCENE(PLACE(scene)),
+                                                  COMMAND_END };
 static const struct command_example examples[] = {
     { "rt205 heat SCENE --by part --rays 4096", "factors between its parts" },
     { "rt205 heat SCENE --by part --tolerance 1e-3",
@@ -454,8 +438,8 @@ static const struct command_example examples[] = {
 const struct command heat_command = {
     .name = "heat",
     .summary = "shape factors between the surfaces of a scene",
-    .function = run_command_line,
-    .arguments_size = sizeof(struct rt205_arguments),
+    .function = cmd_heat,
+    .arguments_size = sizeof(struct heat_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/plural.h"
 #include "base/provenance.h"
-#include "rt/command/rt205_command.h"
+#include "rt/command/cmd_heat.h"
 #include "rt/heat/hits.h"
 #include "rt/study/speedup.h"
 
@@ -15,7 +15,7 @@
 enum way { WAY_PROJECTED, WAY_SCALAR, WAY_QUEUE, WAY_LONGEST, WAYS };
 
 struct hits_ways {
-    const struct rt205_arguments *arguments;
+    const struct heat_arguments *args;
     const struct scene *scene;
     struct named_parts parts;
     c205_model *other; /* the machine of the projection */
@@ -25,23 +25,23 @@ struct hits_ways {
 
 static size_t queue_of(const struct hits_ways *ways, enum way way)
 {
-    return way == WAY_QUEUE     ? ways->arguments->trace.queue
-           : way == WAY_LONGEST ? ways->arguments->heat.rays
+    return way == WAY_QUEUE     ? ways->args->shared.trace.queue
+           : way == WAY_LONGEST ? ways->args->rays
                                 : 1;
 }
 
 static bool find_way(struct hits_ways *ways, enum way way)
 {
-    const struct rt205_arguments *arguments = ways->arguments;
+    const struct heat_arguments *args = ways->args;
     const struct hits_options options = {
         .mode = way < WAY_QUEUE ? TRACE_SCALAR : TRACE_VECTOR,
         .queue = queue_of(ways, way),
-        .points = arguments->heat.rays,
-        .repeats = arguments->heat.repeats,
-        .lattice = arguments->heat.points == 0,
-        .seed = arguments->heat.seed,
-        .from = arguments->heat.from,
-        .model = arguments->trace.model,
+        .points = args->rays,
+        .repeats = args->repeats,
+        .lattice = args->points == 0,
+        .seed = args->seed,
+        .from = args->from,
+        .model = args->shared.trace.model,
         .projection = way == WAY_SCALAR ? ways->other : NULL,
     };
 
@@ -81,7 +81,7 @@ static double seconds_of(const struct hits_ways *ways, enum way way)
 {
     if (way == WAY_PROJECTED)
         return accounts_seconds(ways->other, ways->found[WAY_SCALAR].projected);
-    return accounts_seconds(ways->arguments->trace.model,
+    return accounts_seconds(ways->args->shared.trace.model,
                             ways->found[way].accounts.clocks);
 }
 
@@ -127,29 +127,27 @@ static struct table *table_of_ways(const struct hits_ways *ways)
 static bool print_result(const struct hits_ways *ways,
                          const struct command_output *results)
 {
-    const struct rt205_arguments *arguments = ways->arguments;
+    const struct heat_arguments *args = ways->args;
     const struct hits *found = &ways->found[WAY_LONGEST];
-    struct table *table = table_of_ways(ways);
     bool good;
 
     output_printf(results,
                   "%s: %llu of %llu ray%s from %s strike one of %zu cylinder%s: "
                   "the factor is %.6f +- %.6f\n",
-                  arguments->scene, (unsigned long long)found->struck,
-                  (unsigned long long)found->rays, plural(found->rays),
-                  arguments->heat.from, found->cylinders, plural(found->cylinders),
-                  found->factor.value, found->factor.error);
-    output_model(results, arguments->trace.model);
+                  args->scene.path, (unsigned long long)found->struck,
+                  (unsigned long long)found->rays, plural(found->rays), args->from,
+                  found->cylinders, plural(found->cylinders), found->factor.value,
+                  found->factor.error);
+    output_model(results, args->shared.trace.model);
     if (results->json) {
-        json_text(results->json, "scene", arguments->scene);
+        json_text(results->json, "scene", args->scene.path);
         json_count(results->json, "rays", found->rays);
         json_count(results->json, "struck", found->struck);
         json_number(results->json, "factor", found->factor.value);
         json_number(results->json, "error", found->factor.error);
-        provenance_json(arguments->trace.model, results->json);
+        provenance_json(args->shared.trace.model, results->json);
     }
-    good = table && output_part(results, table, "hits", "Rays that hit");
-    table_free(table);
+    good = output_part(results, table_of_ways(ways), "hits", "Rays that hit");
     output_printf(results, "The paper reports 600 s on a CDC 6600 and 3 s, a speedup "
                            "of 200; its geometry is unknown.\n");
     return good;
@@ -159,10 +157,10 @@ static bool print_result(const struct hits_ways *ways,
 
 static bool begin(struct hits_ways *ways)
 {
-    const char *other = speedup_projection_model(ways->arguments->trace.model,
+    const char *other = speedup_projection_model(ways->args->shared.trace.model,
                                                  SPEEDUP_6600);
 
-    if (!ways->arguments->heat.from)
+    if (!ways->args->from)
         return error_set(&ways->error, "--hits requires --from NAME, the emitting "
                                        "part");
     if (!named_parts_find(ways->scene, &ways->parts))
@@ -171,18 +169,20 @@ static bool begin(struct hits_ways *ways)
     return ways->other;
 }
 
-bool cmd_heat_hits(const struct rt205_arguments *arguments, const struct scene *scene,
-                   const struct command_output *results, c205_error *error)
+int cmd_heat_hits(struct session *session, const struct heat_arguments *args)
 {
-    struct hits_ways ways = { .arguments = arguments, .scene = scene };
-    bool good = begin(&ways) && find_ways(&ways)
-                && (print_result(&ways, results)
-                    || error_set(&ways.error, "out of memory"));
+    const struct scene *scene = session_scene(session, &args->scene);
+    struct hits_ways ways = { .args = args, .scene = scene };
+    bool good;
 
-    *error = ways.error;
+    if (!scene)
+        return CMD_FAILED;
+    good = begin(&ways) && find_ways(&ways)
+           && (print_result(&ways, &session->results)
+               || error_set(&ways.error, "out of memory"));
     for (int way = 0; way < WAYS; way++)
         hits_free(&ways.found[way]);
     named_parts_free(&ways.parts);
     c205_model_free(ways.other);
-    return good;
+    return good ? CMD_DONE : cmd_failed(args->shared.command, "%s", ways.error.message);
 }

@@ -8,34 +8,48 @@
 #include "base/error.h"
 #include "base/plural.h"
 #include "base/provenance.h"
-#include "rt/command/rt205_command.h"
+#include "rt/command/session.h"
 #include "rt/mass/mass_tables.h"
 #include "rt/study/stages.h"
 
-static struct mass_request request_of(const struct rt205_arguments *arguments)
+struct mass_arguments {
+    struct shared_arguments shared;
+    struct scene_arguments scene;
+    struct job_arguments jobs;
+    size_t rays, repeats, limit, seed; /* rays and limit: of a view, in all shifts */
+    double tolerance;                  /* 0: none */
+    int points, by;
+    bool overlaps, stages;
+    struct command_texts parts;   /* names; none: all */
+    struct command_texts density; /* NAME=VALUE */
+    const char *densities;        /* a file of densities, or NULL */
+    double about[3];
+    struct mass_units units;
+};
+
+static struct mass_request request_of(const struct mass_arguments *args)
 {
-    const struct cmd_mass *chosen = &arguments->mass;
-    const struct trace_options *trace = &arguments->trace;
+    const struct trace_options *trace = &args->shared.trace;
 
     return (struct mass_request){
         .mode = trace->mode,
         .queue = trace->queue,
         .jobs = trace->jobs,
-        .parts = chosen->parts.items,
-        .part_count = chosen->parts.count,
-        .densities = chosen->density.items,
-        .density_count = chosen->density.count,
-        .density_file = chosen->densities,
-        .units = chosen->units,
-        .about = { chosen->about[0], chosen->about[1], chosen->about[2] },
-        .by = (enum mass_by)chosen->by,
-        .overlaps = chosen->overlaps,
-        .points = (enum columns_points)chosen->points,
-        .rays = chosen->rays,
-        .repeats = chosen->repeats,
-        .seed = chosen->seed,
-        .tolerance = chosen->tolerance,
-        .limit = chosen->limit,
+        .parts = args->parts.items,
+        .part_count = args->parts.count,
+        .densities = args->density.items,
+        .density_count = args->density.count,
+        .density_file = args->densities,
+        .units = args->units,
+        .about = { args->about[0], args->about[1], args->about[2] },
+        .by = (enum mass_by)args->by,
+        .overlaps = args->overlaps,
+        .points = (enum columns_points)args->points,
+        .rays = args->rays,
+        .repeats = args->repeats,
+        .seed = args->seed,
+        .tolerance = args->tolerance,
+        .limit = args->limit,
         .job_set = trace->job_set,
         .model = trace->model,
         .progress = trace->progress,
@@ -87,7 +101,7 @@ static bool find_stages(const struct mass *mass, struct stages *stages,
 
 /* ---- Output --------------------------------------------------------------- */
 
-static void print_run(const struct rt205_arguments *arguments, const struct mass *mass,
+static void print_run(const struct mass_arguments *args, const struct mass *mass,
                       const struct command_output *results)
 {
     const double *about = mass->request->about;
@@ -103,12 +117,12 @@ static void print_run(const struct rt205_arguments *arguments, const struct mass
                   "errors are half the interval of 95 %%; inertia I about "
                   "<%g, %g, %g>, J about the centroid; Ixy = - integral of x y "
                   "dm\n",
-                  arguments->scene, mass->sums.repeats, plural(mass->sums.repeats),
+                  args->scene.path, mass->sums.repeats, plural(mass->sums.repeats),
                   rays, plural(rays), (unsigned long long)mass->sums.crossings,
                   plural(mass->sums.crossings), mode, sum, about[0], about[1],
                   about[2]);
     if (results->json) {
-        json_text(results->json, "scene", arguments->scene);
+        json_text(results->json, "scene", args->scene.path);
         json_text(results->json, "mode", mode);
         json_count(results->json, "rays", mass_rays(mass));
         json_count(results->json, "repeats", mass->sums.repeats);
@@ -158,94 +172,94 @@ static bool check_precision(const struct mass *mass, c205_error *error)
 
 /* ---- The command --------------------------------------------------------- */
 
-static bool print_all(const struct rt205_arguments *arguments, const struct mass *mass,
+static bool print_all(const struct mass_arguments *args, const struct mass *mass,
                       const struct command_output *results, c205_error *error)
 {
     struct stages stages;
 
-    if (!job_set_collects(&arguments->units.job_set)) {
-        cmd_print_share(arguments, mass->sums.units);
+    if (!job_set_collects(&args->jobs.job_set)) {
+        cmd_print_share(args->shared.command, &args->jobs.job_set, mass->sums.units);
         return true;
     }
-    if (arguments->mass.stages && !find_stages(mass, &stages, error))
+    if (args->stages && !find_stages(mass, &stages, error))
         return false;
-    print_run(arguments, mass, results);
-    if (!print_tables(mass, arguments->mass.stages ? &stages : NULL, results))
+    print_run(args, mass, results);
+    if (!print_tables(mass, args->stages ? &stages : NULL, results))
         return error_set(error, "out of memory");
     if (!check_precision(mass, error))
         return false;
-    job_set_close(arguments->trace.job_set, true);
+    job_set_close(args->shared.trace.job_set, true);
     return true;
 }
 
-static void warn_of_endless(const struct rt205_arguments *arguments,
-                            const struct mass *mass)
+static void warn_of_endless(const struct mass_arguments *args, const struct mass *mass)
 {
     for (size_t i = 0; i < mass->parts.count; i++) {
         const struct named_part *part = &mass->parts.list[i];
 
         if (part->endless && part->left_out && mass->request->part_count == 0)
             cmd_print_line(stderr, "%s: warning: %s is unbounded and is ignored",
-                           arguments->scene, part->name);
+                           args->scene.path, part->name);
     }
 }
 
-static bool find_and_print(const struct rt205_arguments *arguments,
-                           const struct scene *scene,
-                           const struct command_output *results, c205_error *error)
+static int find_and_print(struct session *session, const struct mass_arguments *args)
 {
-    struct mass_request request = request_of(arguments);
+    const struct scene *scene = session_scene(session, &args->scene);
+    struct mass_request request = request_of(args);
     struct diagnostics reports = { 0 };
+    c205_error error = { "" };
     struct mass mass;
-    bool good = mass_begin(scene, &request, &mass, &reports, error);
+    bool good;
 
+    if (!scene)
+        return CMD_FAILED;
+    good = mass_begin(scene, &request, &mass, &reports, &error);
     diagnostics_print(&reports, stderr);
     diagnostics_free(&reports);
-    warn_of_endless(arguments, &mass);
-    good = good && mass_find(&mass, error)
-           && print_all(arguments, &mass, results, error);
+    warn_of_endless(args, &mass);
+    good = good && mass_find(&mass, &error)
+           && print_all(args, &mass, &session->results, &error);
     mass_free(&mass);
-    return good;
-}
-
-static int find_in_scene(const struct rt205_arguments *arguments,
-                         const struct command_output *results)
-{
-    return cmd_with_scene(arguments, results, find_and_print);
+    return good ? CMD_DONE : cmd_failed(args->shared.command, "%s", error.message);
 }
 
 /* Moves a share such as 1/4 from the list of parts to the job set. No part has a name
  * with a slash. */
-static void take_share(struct rt205_arguments *arguments)
+static void take_share(struct mass_arguments *args)
 {
-    struct command_texts *parts = &arguments->mass.parts;
+    struct command_texts *parts = &args->parts;
     struct job_set share = { .parts = 0 };
     size_t kept = 0;
 
     for (size_t i = 0; i < parts->count; i++)
         if (cmd_is_part(parts->items[i], &share))
-            arguments->units.job_set = share;
+            args->jobs.job_set = share;
         else
             parts->items[kept++] = parts->items[i];
     parts->items[kept] = NULL;
     parts->count = kept;
 }
 
-static int run_command_line(void *given)
+static int cmd_mass(void *given)
 {
-    struct rt205_arguments *arguments = given;
+    struct mass_arguments *args = given;
+    struct session session;
+    int code;
 
-    take_share(arguments);
-    if (arguments->mass.stages
-        && (arguments->units.ranks > 0 || arguments->units.job_set.parts > 0))
-        return cmd_usage(arguments->command,
+    take_share(args);
+    if (args->stages && (args->jobs.ranks > 0 || args->jobs.job_set.parts > 0))
+        return cmd_usage(args->shared.command,
                          "--stages cannot be combined with --ranks or --part K/N");
-    if (arguments->units.job_set.parts > 0 && arguments->mass.tolerance > 0)
-        return cmd_usage(arguments->command,
+    if (args->jobs.job_set.parts > 0 && args->tolerance > 0)
+        return cmd_usage(args->shared.command,
                          "--part cannot be combined with --tolerance: each round "
                          "depends on all units");
-    arguments->trace.width = arguments->trace.height = 1;
-    return cmd_with_jobs(arguments, find_in_scene);
+    args->shared.trace.width = args->shared.trace.height = 1;
+    code = session_open(&session, &args->shared, &args->jobs);
+    if (code == CMD_DONE)
+        code = find_and_print(&session, args);
+    return session_close(&session, code);
 }
 
 static const char *points_choice(size_t number)
@@ -286,29 +300,31 @@ static bool take_units(char *text, void *value)
 
 enum { MAX_RAYS = 1 << 24, MAX_REPEATS = 256 };
 
+#define PLACE(member) offsetof(struct mass_arguments, member)
+
 static const struct command_option options[] = {
     { .name = "part",
       .value = "NAME|K/N",
       .kind = COMMAND_TEXT,
       .many = true,
-      .offset = CMD_PLACE(mass.parts),
+      .offset = PLACE(parts),
       .help = "only this part or material (default: all bounded ones); K/N: only the "
               "K-th of N shares of the packets, stored by --resume" },
     { .name = "density",
       .value = "NAME=VALUE",
       .kind = COMMAND_TEXT,
       .many = true,
-      .offset = CMD_PLACE(mass.density),
+      .offset = PLACE(density),
       .help = "density of a part, a material, or default for all others" },
     { .name = "densities",
       .value = "FILE",
       .kind = COMMAND_INPUT,
-      .offset = CMD_PLACE(mass.densities),
+      .offset = PLACE(densities),
       .help = "file of densities; a line has a number, a density and a name" },
     { .name = "units",
       .value = "LENGTH,MASS",
       .kind = COMMAND_CUSTOM,
-      .offset = CMD_PLACE(mass.units),
+      .offset = PLACE(units),
       .take = take_units,
       .wants = "a length (mm cm dm m in ft) and a mass (mg g kg t oz lb), separated "
                "by a comma",
@@ -316,7 +332,7 @@ static const struct command_option options[] = {
     { .name = "about",
       .value = "X,Y,Z",
       .kind = COMMAND_CUSTOM,
-      .offset = CMD_PLACE(mass.about),
+      .offset = PLACE(about),
       .take = take_about,
       .wants = "three numbers separated by commas",
       .preset_text = "0,0,0",
@@ -324,47 +340,49 @@ static const struct command_option options[] = {
     { .name = "by",
       .value = "WHAT",
       .kind = COMMAND_CHOICE,
-      .offset = CMD_PLACE(mass.by),
+      .offset = PLACE(by),
       .choice = by_choice,
       .preset = MASS_BY_PART,
       .help = "the group of solids whose results are added" },
-    CMD_FLAG("overlaps", mass.overlaps,
-             "also the volumes in which two objects overlap, pair by pair"),
-    { CMD_COUNT("rays", mass.rays, 1, MAX_RAYS, 65536,
-                "rays of a view, over all shifts; rounded to a power of two in each") },
-    { CMD_COUNT("repeats", mass.repeats, 4, MAX_REPEATS, 16,
-                "shifts of the points; errors are computed from their spread") },
+    OPTION_FLAG("overlaps", PLACE(overlaps),
+                "also the volumes in which two objects overlap, pair by pair"),
+    { OPTION_COUNT(
+        "rays", PLACE(rays), 1, MAX_RAYS, 65536,
+        "rays of a view, over all shifts; rounded to a power of two in each") },
+    { OPTION_COUNT("repeats", PLACE(repeats), 4, MAX_REPEATS, 16,
+                   "shifts of the points; errors are computed from their spread") },
     { .name = "tolerance",
       .value = "SHARE",
       .kind = COMMAND_NUMBER,
-      .offset = CMD_PLACE(mass.tolerance),
+      .offset = PLACE(tolerance),
       .most = 1,
       .preset_text = "none",
       .help = "multiply the rays by 4 until no error is larger" },
-    { CMD_COUNT("limit", mass.limit, 1, MAX_RAYS, 1 << 19,
-                "at most N rays of a view, with --tolerance") },
+    { OPTION_COUNT("limit", PLACE(limit), 1, MAX_RAYS, 1 << 19,
+                   "at most N rays of a view, with --tolerance") },
     { .name = "points",
       .value = "KIND",
       .kind = COMMAND_CHOICE,
-      .offset = CMD_PLACE(mass.points),
+      .offset = PLACE(points),
       .choice = points_choice,
       .preset = POINTS_LATTICE,
       .help = "positions of the rays" },
-    { CMD_COUNT("seed", mass.seed, 0, 1000000, 1, "seed of shifts and points") },
+    { OPTION_COUNT("seed", PLACE(seed), 0, 1000000, 1, "seed of shifts and points") },
     CMD_MODE(cmd_mode_choice, "form of the programs; kernels is that of 1984"),
-    CMD_FLAG("stages", mass.stages,
-             "also run the other two modes, whose results must be equal: clocks of "
-             "all, step by step"),
+    OPTION_FLAG("stages", PLACE(stages),
+                "also run the other two modes, whose results must be equal: clocks of "
+                "all, step by step"),
     CMD_QUEUE("rays in the vector queue"),
     CMD_MODEL,
     CMD_JOBS("packets of rays at a time"),
-    CMD_RESUME("packets"),
-    CMD_RANKS,
-    CMD_READ,
+    CMD_RESUME(PLACE(jobs), "packets"),
+    CMD_RANKS(PLACE(jobs)),
+    CMD_READ(PLACE(scene)),
     CMD_RESULTS,
     COMMAND_END
 };
-static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
+static const struct command_option operands[] = { CMD_SCENE(PLACE(scene)),
+                                                  COMMAND_END };
 static const struct command_example examples[] = {
     { "rt205 mass SCENE --density default=1", "all solids of one material" },
     { "rt205 mass SCENE --density Copper=8.96 --units mm,g --tolerance 1e-3",
@@ -375,8 +393,8 @@ static const struct command_example examples[] = {
 const struct command mass_command = {
     .name = "mass",
     .summary = "volume, area, mass, centroid and inertia of solids",
-    .function = run_command_line,
-    .arguments_size = sizeof(struct rt205_arguments),
+    .function = cmd_mass,
+    .arguments_size = sizeof(struct mass_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

@@ -2,25 +2,30 @@
 #include <stdio.h>
 
 #include "base/provenance.h"
-#include "rt/command/rt205_command.h"
+#include "rt/command/session.h"
 #include "rt/study/profile.h"
 
-static void print_head(const struct rt205_arguments *arguments,
-                       const struct trace *trace, const struct command_output *results)
+struct profile_arguments {
+    struct shared_arguments shared;
+    struct scene_arguments scene;
+};
+
+static void print_head(const struct profile_arguments *args, const struct trace *trace,
+                       const struct command_output *results)
 {
-    const struct trace_options *options = &arguments->trace;
+    const struct trace_options *options = &args->shared.trace;
     struct json *json = results->json;
     char text[17];
 
     snprintf(text, sizeof text, "%016llX", (unsigned long long)trace_checksum(trace));
     output_printf(results,
                   "%s: %zu x %zu, a queue of %zu; frame checksum %s in all stages\n",
-                  arguments->scene, options->width, options->height, options->queue,
+                  args->scene.path, options->width, options->height, options->queue,
                   text);
     output_model(results, options->model);
     if (!json)
         return;
-    json_text(json, "scene", arguments->scene);
+    json_text(json, "scene", args->scene.path);
     json_count(json, "width", options->width);
     json_count(json, "height", options->height);
     json_count(json, "samples", trace_samples(trace));
@@ -48,46 +53,50 @@ static bool print_table(enum profile_table kind, const struct profile *profile,
                         const struct command_output *results)
 {
     struct command_output chosen = results_of(kind, results);
-    struct table *table = profile_table(kind, profile);
-    bool good = output_part(&chosen, table, profile_table_key(kind),
-                            profile_table_heading(kind));
 
-    table_free(table);
-    return good;
+    return output_part(&chosen, profile_table(kind, profile), profile_table_key(kind),
+                       profile_table_heading(kind));
 }
 
-static bool print_result(const struct rt205_arguments *arguments,
+static bool print_result(const struct profile_arguments *args,
                          const struct profile *profile,
                          const struct command_output *results)
 {
     bool good = true;
 
-    print_head(arguments, profile->traces[0], results);
+    print_head(args, profile->traces[0], results);
     for (int kind = 0; kind < PROFILE_TABLES && good; kind++)
         good = print_table((enum profile_table)kind, profile, results);
     return good;
 }
 
-static int run(const struct rt205_arguments *arguments,
-               const struct command_output *results)
+static int profile_scene(struct session *session, const struct profile_arguments *args)
 {
-    struct scene *scene = cmd_read_scene(arguments);
+    const struct scene *scene = session_scene(session, &args->scene);
     struct profile profile = { .traces = { NULL } };
     c205_error error = { "out of memory" };
-    bool good = scene != NULL && profile_run(&profile, scene, &arguments->trace, &error)
-                && print_result(arguments, &profile, results);
+    bool good;
 
-    profile_free(&profile);
     if (!scene)
         return CMD_FAILED;
-    scene_free(scene);
-    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
+    good = profile_run(&profile, scene, &args->shared.trace, &error)
+           && print_result(args, &profile, &session->results);
+    profile_free(&profile);
+    return good ? CMD_DONE : cmd_failed(args->shared.command, "%s", error.message);
 }
 
-static int run_command_line(void *arguments)
+static int cmd_profile(void *given)
 {
-    return cmd_with_machine(arguments, run);
+    struct profile_arguments *args = given;
+    struct session session;
+    int code = session_open(&session, &args->shared, NULL);
+
+    if (code == CMD_DONE)
+        code = profile_scene(&session, args);
+    return session_close(&session, code);
 }
+
+#define PLACE(member) offsetof(struct profile_arguments, member)
 
 static const struct command_option options[] = {
     CMD_SIZE(320, 240),
@@ -98,17 +107,18 @@ static const struct command_option options[] = {
     CMD_MODEL,
     CMD_BOUNDS,
     CMD_JOBS("bands of the frame traced at a time"),
-    CMD_READ,
+    CMD_READ(PLACE(scene)),
     CMD_RESULTS,
     COMMAND_END
 };
-static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
+static const struct command_option operands[] = { CMD_SCENE(PLACE(scene)),
+                                                  COMMAND_END };
 
 const struct command profile_command = {
     .name = "profile",
     .summary = "clocks of each part of a frame, in three stages",
-    .function = run_command_line,
-    .arguments_size = sizeof(struct rt205_arguments),
+    .function = cmd_profile,
+    .arguments_size = sizeof(struct profile_arguments),
     .options = options,
     .operands = operands,
     .details = "Traces the frame three times: scalar; kernels, as in 1984 "

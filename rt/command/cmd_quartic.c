@@ -8,10 +8,17 @@
 #include "base/error.h"
 #include "base/plural.h"
 #include "base/provenance.h"
-#include "rt/command/rt205_command.h"
+#include "rt/command/session.h"
 #include "rt/roots/polynomials.h"
 #include "rt/study/quartic_costs.h"
 #include "rt/platform/thread_pool.h"
+
+struct quartic_arguments {
+    struct shared_arguments shared;
+    const char *file;
+    bool all, first; /* roots of a polynomial */
+    int falsi;       /* the rule; FALSI_RULES: compare all */
+};
 
 static const struct table_column root_columns[] = {
     { "polynomial", "polynomial", TABLE_COUNT, 0 },
@@ -86,7 +93,7 @@ static void write_roots(size_t index, const struct polynomial_roots *roots,
 
 /* Prints the roots. Returns the number of rejected polynomials, which are reported
  * on stderr. */
-static size_t print_all_roots(const struct rt205_arguments *arguments,
+static size_t print_all_roots(const struct quartic_arguments *args,
                               const struct polynomials *polynomials,
                               const struct polynomial_roots *roots, struct table *table,
                               const struct command_output *results)
@@ -101,7 +108,7 @@ static size_t print_all_roots(const struct rt205_arguments *arguments,
             cmd_print_line(stderr,
                            "%s:%zu:1: error: polynomial %zu: the sizes of the "
                            "coefficients are too far apart for the machine's exponents",
-                           arguments->scene, polynomials->lines[i], i);
+                           args->file, polynomials->lines[i], i);
             refused++;
             continue;
         }
@@ -139,17 +146,17 @@ static size_t count_roots(const struct polynomial_roots *roots, size_t count)
 
 /* ---- The search --------------------------------------------------------- */
 
-static struct roots_options search_options(const struct rt205_arguments *arguments,
+static struct roots_options search_options(const struct quartic_arguments *args,
                                            enum trace_mode mode, enum falsi falsi)
 {
     struct roots_options options = {
         .mode = mode,
-        .queue = arguments->trace.queue,
-        .first = arguments->first,
+        .queue = args->shared.trace.queue,
+        .first = args->first,
         .falsi = falsi,
-        .model = arguments->trace.model,
-        .progress = arguments->trace.progress,
-        .context = arguments->trace.context,
+        .model = args->shared.trace.model,
+        .progress = args->shared.trace.progress,
+        .context = args->shared.trace.context,
     };
     return options;
 }
@@ -171,14 +178,14 @@ static struct root_search *search(const struct polynomials *polynomials,
     return NULL;
 }
 
-static int solve(const struct rt205_arguments *arguments,
+static int solve(const struct quartic_arguments *args,
                  const struct polynomials *polynomials,
                  const struct command_output *results)
 {
     c205_error error = { "out of memory" };
     struct iterations iterations;
-    struct roots_options options = search_options(arguments, arguments->trace.mode,
-                                                  (enum falsi)arguments->falsi);
+    struct roots_options options = search_options(args, args->shared.trace.mode,
+                                                  (enum falsi)args->falsi);
     struct root_search *found = search(polynomials, &options, &iterations, &error);
     struct polynomial_roots *roots = calloc(polynomials->count + 1, sizeof *roots);
     bool good = found && roots && roots_read(found, roots, &error);
@@ -188,7 +195,7 @@ static int solve(const struct rt205_arguments *arguments,
     good = good && table;
     if (good) {
         const struct quartic_costs costs = {
-            .file = arguments->scene,
+            .file = args->file,
             .options = &options,
             .search = found,
             .iterations = &iterations,
@@ -196,14 +203,14 @@ static int solve(const struct rt205_arguments *arguments,
             .roots = count_roots(roots, polynomials->count),
         };
 
-        refused = print_all_roots(arguments, polynomials, roots, table, results);
+        refused = print_all_roots(args, polynomials, roots, table, results);
         good = print_table(table, results) && quartic_costs_print(&costs, results);
     }
     table_free(table);
     roots_free(found);
     free(roots);
     if (!good)
-        return cmd_failed(arguments->command, "%s", error.message);
+        return cmd_failed(args->shared.command, "%s", error.message);
     return refused > 0 ? CMD_FAILED : CMD_DONE;
 }
 
@@ -216,7 +223,7 @@ struct rule_run {
 };
 
 struct comparison {
-    const struct rt205_arguments *arguments;
+    const struct quartic_arguments *args;
     const struct polynomials *polynomials;
     struct rule_run runs[FALSI_RULES][TRACE_FORMS];
 };
@@ -227,7 +234,7 @@ static bool run_rule(void *context, const struct task *task, c205_error *error)
     size_t rule = task->number / TRACE_FORMS;
     size_t mode = task->number % TRACE_FORMS;
     struct rule_run *run = &comparison->runs[rule][mode];
-    struct roots_options options = search_options(comparison->arguments,
+    struct roots_options options = search_options(comparison->args,
                                                   (enum trace_mode)mode,
                                                   (enum falsi)rule);
     struct root_search *found;
@@ -272,7 +279,7 @@ static void add_rule(struct table *table, const struct comparison *comparison,
 
 static bool run_rules(struct comparison *comparison, c205_error *error)
 {
-    const struct trace_options *trace = &comparison->arguments->trace;
+    const struct trace_options *trace = &comparison->args->shared.trace;
     const struct thread_pool pool = { .count = FALSI_RULES * TRACE_FORMS,
                                       .jobs = trace->jobs,
                                       .run = run_rule,
@@ -284,12 +291,12 @@ static bool run_rules(struct comparison *comparison, c205_error *error)
     return thread_pool_run(&pool, error);
 }
 
-static int compare_rules(const struct rt205_arguments *arguments,
+static int compare_rules(const struct quartic_arguments *args,
                          const struct polynomials *polynomials,
                          const struct command_output *results)
 {
     c205_error error = { "out of memory" };
-    struct comparison comparison = { arguments, polynomials, { { { 0 } } } };
+    struct comparison comparison = { args, polynomials, { { { 0 } } } };
     struct table *table = table_new(TABLE_COLUMNS(rules));
     bool good = table != NULL && run_rules(&comparison, &error);
 
@@ -298,44 +305,47 @@ static int compare_rules(const struct rt205_arguments *arguments,
     if (good) {
         output_printf(results, "%s%zu polynomial%s, a queue of %zu, %s\n",
                       results->format == OUTPUT_TEXT ? "# " : "", polynomials->count,
-                      plural(polynomials->count), arguments->trace.queue,
-                      arguments->first ? "first roots" : "all roots");
-        quartic_costs_model(results, arguments->trace.model);
+                      plural(polynomials->count), args->shared.trace.queue,
+                      args->first ? "first roots" : "all roots");
+        quartic_costs_model(results, args->shared.trace.model);
         if (results->json)
-            provenance_json(arguments->trace.model, results->json);
+            provenance_json(args->shared.trace.model, results->json);
         good = quartic_costs_part(results, table, "rules", "The rules of falsi");
     }
     table_free(table);
-    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
+    return good ? CMD_DONE : cmd_failed(args->shared.command, "%s", error.message);
 }
 
 /* ---- The command -------------------------------------------------------- */
 
-static int run(const struct rt205_arguments *arguments,
-               const struct command_output *results)
+static int read_and_solve(const struct quartic_arguments *args,
+                          const struct command_output *results)
 {
     struct polynomials polynomials = { 0, NULL, NULL };
     struct diagnostics reports = { 0 };
     int code = CMD_FAILED;
 
-    if (polynomials_read(&polynomials, arguments->scene, &reports))
-        code = arguments->falsi == FALSI_RULES
-                   ? compare_rules(arguments, &polynomials, results)
-                   : solve(arguments, &polynomials, results);
+    if (polynomials_read(&polynomials, args->file, &reports))
+        code = args->falsi == FALSI_RULES ? compare_rules(args, &polynomials, results)
+                                          : solve(args, &polynomials, results);
     diagnostics_print(&reports, stderr);
     diagnostics_free(&reports);
     polynomials_free(&polynomials);
     return code;
 }
 
-static int run_command_line(void *given)
+static int cmd_quartic(void *given)
 {
-    struct rt205_arguments *arguments = given;
+    struct quartic_arguments *args = given;
+    struct session session;
+    int code;
 
-    if (arguments->all && arguments->first)
-        return cmd_usage(arguments->command, "--all cannot be combined with --first");
-    arguments->trace.width = arguments->trace.height = 1;
-    return cmd_with_machine(arguments, run);
+    if (args->all && args->first)
+        return cmd_usage(args->shared.command, "--all cannot be combined with --first");
+    code = session_open(&session, &args->shared, NULL);
+    if (code == CMD_DONE)
+        code = read_and_solve(args, &session.results);
+    return session_close(&session, code);
 }
 
 static const char *falsi_choice(size_t number)
@@ -345,15 +355,17 @@ static const char *falsi_choice(size_t number)
     return number < FALSI_RULES ? falsi_name((enum falsi)number) : NULL;
 }
 
+#define PLACE(member) offsetof(struct quartic_arguments, member)
+
 static const struct command_option options[] = {
-    CMD_FLAG("all", all, "all roots (the default)"),
-    CMD_FLAG("first", first, "only the first root of each polynomial"),
+    OPTION_FLAG("all", PLACE(all), "all roots (the default)"),
+    OPTION_FLAG("first", PLACE(first), "only the first root of each polynomial"),
     CMD_MODE(cmd_form_choice, "form of the program"),
     CMD_QUEUE("polynomials in the vector queue"),
     { .name = "falsi",
       .value = "RULE",
       .kind = COMMAND_CHOICE,
-      .offset = CMD_PLACE(falsi),
+      .offset = PLACE(falsi),
       .choice = falsi_choice,
       .preset = FALSI_DEFAULT,
       .help = "rule of the root solver; all: compare the clocks of all rules" },
@@ -365,7 +377,7 @@ static const struct command_option options[] = {
 static const struct command_option operands[] = {
     { .value = "FILE",
       .kind = COMMAND_INPUT,
-      .offset = CMD_PLACE(scene),
+      .offset = PLACE(file),
       .help =
           "a file of polynomials: lines c4,c3,c2,c1,c0 with an optional bound (0)" },
     COMMAND_END
@@ -374,8 +386,8 @@ static const struct command_option operands[] = {
 const struct command quartic_command = {
     .name = "quartic",
     .summary = "real roots of polynomials, and their clocks",
-    .function = run_command_line,
-    .arguments_size = sizeof(struct rt205_arguments),
+    .function = cmd_quartic,
+    .arguments_size = sizeof(struct quartic_arguments),
     .options = options,
     .operands = operands,
     .details = "Prints index: root root .., the real roots above the bound, "

@@ -1,14 +1,29 @@
 /* cmd_render.c - rt205 render: traces a scene, writes a picture, and reports the
- * clocks. */
+ * clocks; or debugs the program of a frame. */
 #include <stdio.h>
 
+#include "asm/command/repl.h"
 #include "base/accounts_show.h"
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "base/plural.h"
 #include "base/provenance.h"
-#include "rt/command/rt205_command.h"
+#include "base/visible_text.h"
+#include "rt/command/session.h"
+#include "rt/picture/picture.h"
+#include "rt/trace/form.h"
 #include "rt/view/frame_profile.h"
+#include "rt/view/pixel_verbs.h"
+
+struct render_arguments {
+    struct shared_arguments shared;
+    struct scene_arguments scene;
+    struct job_arguments jobs;
+    bool no_picture, half;
+    bool accounts, profile, in_order;
+    struct pixel_arguments pixel; /* given: debug */
+    struct command_texts scripts; /* for the debugger */
+};
 
 static bool write_rows(const struct trace_options *options, const struct trace *trace,
                        struct picture *picture, struct picture_error *why)
@@ -28,20 +43,20 @@ static bool write_rows(const struct trace_options *options, const struct trace *
     return good;
 }
 
-static bool write_picture(const struct rt205_arguments *arguments,
+static bool write_picture(const struct render_arguments *args,
                           const struct trace *trace, c205_error *error)
 {
     const struct accounts *accounts = trace_accounts(trace);
-    bool whole = trace_rows_done(trace) == arguments->trace.height;
-    const struct trace_options *options = &arguments->trace;
+    bool whole = trace_rows_done(trace) == args->shared.trace.height;
+    const struct trace_options *options = &args->shared.trace;
     struct picture *picture;
     struct picture_error why;
     char clocks[32], rows[48];
     const struct picture_note notes[] = {
         { "Software", "rt205 " C205_VERSION },
-        { "rt205:scene", arguments->scene },
+        { "rt205:scene", args->scene.path },
         { "rt205:model", c205_model_name(accounts->model) },
-        { "rt205:mode", trace_mode_name(arguments->trace.mode) },
+        { "rt205:mode", trace_mode_name(args->shared.trace.mode) },
         { "rt205:clocks", clocks },
         { whole ? NULL : "rt205:rows", rows },
         { NULL, NULL },
@@ -50,9 +65,9 @@ static bool write_picture(const struct rt205_arguments *arguments,
 
     snprintf(clocks, sizeof clocks, "%llu", (unsigned long long)accounts->clocks);
     snprintf(rows, sizeof rows, "%zu of %zu", trace_rows_done(trace),
-             arguments->trace.height);
-    picture = picture_begin(arguments->output, options->width, options->height, notes,
-                            arguments->half, NULL, &why);
+             args->shared.trace.height);
+    picture = picture_begin(args->shared.output, options->width, options->height, notes,
+                            args->half, NULL, &why);
     good = picture && write_rows(options, trace, picture, &why);
     good = picture && picture_end(picture, good, &why);
     if (!good)
@@ -64,7 +79,7 @@ static bool write_picture(const struct rt205_arguments *arguments,
 
 /* The results of a run, which are printed as lines, a table or JSON. */
 struct result {
-    const struct rt205_arguments *arguments;
+    const struct render_arguments *args;
     const c205_model *model;
     uint64_t clocks;
     size_t samples;    /* rays of a pixel, across and down */
@@ -72,11 +87,11 @@ struct result {
     char checksum[17];
 };
 
-static struct result result_of(const struct rt205_arguments *arguments,
+static struct result result_of(const struct render_arguments *args,
                                const struct trace *trace)
 {
     const struct accounts *accounts = trace_accounts(trace);
-    struct result result = { .arguments = arguments,
+    struct result result = { .args = args,
                              .model = accounts->model,
                              .clocks = accounts->clocks,
                              .samples = trace_samples(trace),
@@ -92,7 +107,7 @@ static struct result result_of(const struct rt205_arguments *arguments,
 static void print_rays(const struct result *result,
                        const struct command_output *results)
 {
-    const struct trace_options *trace = &result->arguments->trace;
+    const struct trace_options *trace = &result->args->shared.trace;
     double all = (double)trace->width * (double)trace->height
                  * (double)(result->samples * result->samples);
 
@@ -106,8 +121,8 @@ static void print_rays(const struct result *result,
 static void print_result(const struct result *result,
                          const struct command_output *results)
 {
-    const struct rt205_arguments *arguments = result->arguments;
-    const struct trace_options *trace = &arguments->trace;
+    const struct render_arguments *args = result->args;
+    const struct trace_options *trace = &args->shared.trace;
     bool sampled = result->samples > 1;
     size_t tried = sampled ? trace->width * trace->height : result->rays;
     char queue[48] = "", samples[64] = "", time[ACCOUNTS_TIME];
@@ -119,7 +134,7 @@ static void print_result(const struct result *result,
         snprintf(queue, sizeof queue, ", a queue of %zu", trace->queue);
     accounts_time(result->model, result->clocks, time);
     output_printf(results, "%s: %zu x %zu%s, %s%s; %zu of %zu %s%s hit\n",
-                  arguments->scene, trace->width, trace->height, samples,
+                  args->scene.path, trace->width, trace->height, samples,
                   trace_mode_name(trace->mode), queue, result->hits, tried,
                   sampled ? "pixel" : "ray", plural(tried));
     output_printf(results,
@@ -129,8 +144,8 @@ static void print_result(const struct result *result,
                   result->checksum);
     if (trace->threshold > 0)
         print_rays(result, results);
-    if (arguments->output)
-        output_printf(results, "picture %s\n", arguments->output);
+    if (args->shared.output)
+        output_printf(results, "picture %s\n", args->shared.output);
 }
 
 /* Returns the results as a table. */
@@ -149,13 +164,13 @@ static struct table *table_of(const struct result *result)
         { "checksum", "checksum", TABLE_TEXT, 0 },
         { "picture", "picture", TABLE_TEXT, 0 },
     };
-    const struct rt205_arguments *arguments = result->arguments;
-    const struct trace_options *trace = &arguments->trace;
+    const struct render_arguments *args = result->args;
+    const struct trace_options *trace = &args->shared.trace;
     struct table *table = table_new(TABLE_COLUMNS(columns));
 
     if (!table)
         return NULL;
-    table_text(table, arguments->scene);
+    table_text(table, args->scene.path);
     table_count(table, trace->width);
     table_count(table, trace->height);
     table_text(table, trace_mode_name(trace->mode));
@@ -165,15 +180,15 @@ static struct table *table_of(const struct result *result)
     table_count(table, result->clocks);
     table_number(table, accounts_seconds(result->model, result->clocks));
     table_text(table, result->checksum);
-    table_text(table, arguments->output ? arguments->output : "");
+    table_text(table, args->shared.output ? args->shared.output : "");
     return table;
 }
 
 static void write_result(const struct result *result, struct json *json)
 {
-    const struct trace_options *trace = &result->arguments->trace;
+    const struct trace_options *trace = &result->args->shared.trace;
 
-    json_text(json, "scene", result->arguments->scene);
+    json_text(json, "scene", result->args->scene.path);
     json_text(json, "mode", trace_mode_name(trace->mode));
     json_count(json, "width", trace->width);
     json_count(json, "height", trace->height);
@@ -187,8 +202,8 @@ static void write_result(const struct result *result, struct json *json)
     json_count(json, "clocks", result->clocks);
     json_number(json, "seconds", accounts_seconds(result->model, result->clocks));
     json_text(json, "checksum", result->checksum);
-    if (result->arguments->output)
-        json_text(json, "picture", result->arguments->output);
+    if (result->args->shared.output)
+        json_text(json, "picture", result->args->shared.output);
     provenance_json(result->model, json);
 }
 
@@ -210,13 +225,13 @@ static int print_and_check(const struct result *result,
 }
 
 /* Prints the accounts if requested. JSON always has them. */
-static int print_accounts(const struct rt205_arguments *arguments,
+static int print_accounts(const struct render_arguments *args,
                           const struct trace *trace,
                           const struct command_output *results)
 {
     struct command_output accounts = *results;
 
-    if (!arguments->accounts)
+    if (!args->accounts)
         accounts.file = NULL;
     else if (results->file)
         output_gap(results);
@@ -224,18 +239,17 @@ static int print_accounts(const struct rt205_arguments *arguments,
 }
 
 /* Prints all results. The profile may be NULL. */
-static int print_trace(const struct rt205_arguments *arguments,
-                       const struct trace *trace, const struct line_profile *profile,
+static int print_trace(const struct render_arguments *args, const struct trace *trace,
+                       const struct line_profile *profile,
                        const struct command_output *results)
 {
-    struct profile_view view = { arguments->in_order ? PROFILE_AS_WRITTEN
-                                                     : PROFILE_HOTTEST,
+    struct profile_view view = { args->in_order ? PROFILE_AS_WRITTEN : PROFILE_HOTTEST,
                                  true };
-    struct result result = result_of(arguments, trace);
+    struct result result = result_of(args, trace);
     int code = print_and_check(&result, results);
 
     if (code == CMD_DONE)
-        code = print_accounts(arguments, trace, results);
+        code = print_accounts(args, trace, results);
     return code == CMD_DONE && profile ? line_profile_show(profile, view, results)
                                        : code;
 }
@@ -243,223 +257,253 @@ static int print_trace(const struct rt205_arguments *arguments,
 /* ---- A run --------------------------------------------------------------- */
 
 /* Reports the bands that the files of --resume have already. */
-static void print_kept(const struct rt205_arguments *arguments,
-                       const struct trace *trace)
+static void print_kept(const struct render_arguments *args, const struct trace *trace)
 {
-    const char *path = arguments->units.resume.items[0];
+    const char *path = args->jobs.resume.items[0];
 
-    if (arguments->units.job_set.kept > 0)
+    if (args->jobs.job_set.kept > 0)
         cmd_print_line(stderr, "%s: the frame continues from %s: %zu of %zu band%s",
-                       arguments->command, path, arguments->units.job_set.kept,
+                       args->shared.command, path, args->jobs.job_set.kept,
                        trace_bands(trace), plural(trace_bands(trace)));
     else
         cmd_print_line(stderr, "%s: the frame starts: %s has no band yet",
-                       arguments->command, path);
-}
-
-static bool keep(const struct rt205_arguments *arguments, struct trace *trace,
-                 c205_error *error)
-{
-    if (!trace_keep(trace, error))
-        return false;
-    if (arguments->units.resume.count > 0)
-        print_kept(arguments, trace);
-    return true;
+                       args->shared.command, path);
 }
 
 /* After Ctrl-C, writes a picture of the finished rows, and formats a message about
  * it. */
-static void save_rows(const struct rt205_arguments *arguments,
-                      const struct trace *trace, char *reported, size_t size)
+static void save_rows(const struct render_arguments *args, const struct trace *trace,
+                      char *reported, size_t size)
 {
     size_t rows = trace_rows_done(trace);
     c205_error why;
 
     if (rows == 0)
         snprintf(reported, size, "; no row is done, so no picture is written");
-    else if (!write_picture(arguments, trace, &why))
+    else if (!write_picture(args, trace, &why))
         snprintf(reported, size, "; %s", why.message);
     else
         snprintf(reported, size, "; %.100s has %zu of %zu row%s, the others are black",
-                 arguments->output, rows, arguments->trace.height,
-                 plural(arguments->trace.height));
+                 args->shared.output, rows, args->shared.trace.height,
+                 plural(args->shared.trace.height));
 }
 
 /* Formats a message about the bands that a later run with --resume can use. */
-static void print_resume(const struct rt205_arguments *arguments,
-                         const struct trace *trace, char *reported, size_t size)
+static void print_resume(const struct render_arguments *args, const struct trace *trace,
+                         char *reported, size_t size)
 {
     size_t kept = trace_bands_done(trace);
 
-    if (arguments->units.resume.count > 0 && kept > 0)
+    if (args->jobs.resume.count > 0 && kept > 0)
         snprintf(reported, size, "; --resume continues from %.100s: %zu of %zu band%s",
-                 arguments->units.resume.items[0], kept, trace_bands(trace),
+                 args->jobs.resume.items[0], kept, trace_bands(trace),
                  plural(trace_bands(trace)));
-    else if (arguments->units.resume.count > 0)
+    else if (args->jobs.resume.count > 0)
         snprintf(reported, size, "; no band is done: --resume starts again");
 }
 
-static int end_early(const struct rt205_arguments *arguments, const struct trace *trace,
+static int end_early(const struct render_arguments *args, const struct trace *trace,
                      const c205_error *why)
 {
     char rows[300] = "", bands[200] = "";
 
-    if (interrupt_pending() && arguments->output)
-        save_rows(arguments, trace, rows, sizeof rows);
-    print_resume(arguments, trace, bands, sizeof bands);
-    return cmd_failed(arguments->command, "%s%s%s", why->message, rows, bands);
+    if (interrupt_pending() && args->shared.output)
+        save_rows(args, trace, rows, sizeof rows);
+    print_resume(args, trace, bands, sizeof bands);
+    return cmd_failed(args->shared.command, "%s%s%s", why->message, rows, bands);
 }
 
-/* *profile is set only when a band has been observed. */
-static int trace_and_write(const struct rt205_arguments *arguments, struct trace *trace,
-                           struct line_profile *const *profile,
-                           const struct command_output *results)
-{
-    c205_error error = { "out of memory" };
-
-    if (!trace_run(trace, &error))
-        return end_early(arguments, trace, &error);
-    if (!job_set_collects(&arguments->units.job_set))
-        return cmd_print_share(arguments, trace_bands(trace));
-    if (!arguments->output || write_picture(arguments, trace, &error)) {
-        trace_forget(trace);
-        return print_trace(arguments, trace, *profile, results);
-    }
-    return cmd_failed(arguments->command, "%s", error.message);
-}
-
-/* Traces and writes. The library that writes pictures is loaded in the background
- * while the machine runs. */
-static int run(const struct rt205_arguments *arguments, struct trace *trace,
-               struct line_profile *const *profile,
-               const struct command_output *results)
+/* Opens the checkpoint files, and starts to load the library that writes pictures, which
+ * takes place while the machine runs. */
+static bool prepare(const struct render_arguments *args, struct trace *trace,
+                    struct picture_loader **loader, c205_error *error)
 {
     struct picture_error why;
-    struct picture_loader *loader;
-    int code;
 
-    if (!arguments->output)
-        return trace_and_write(arguments, trace, profile, results);
-    loader = picture_load(&why);
-    if (!loader)
-        return cmd_failed(arguments->command, "%s", why.message);
-    code = trace_and_write(arguments, trace, profile, results);
-    picture_loaded(loader);
-    return code;
+    if (!trace_keep(trace, error))
+        return false;
+    if (args->jobs.resume.count > 0)
+        print_kept(args, trace);
+    if (!args->shared.output)
+        return true;
+    *loader = picture_load(&why);
+    return *loader || error_set(error, "%s", why.message);
 }
 
-static int render(const struct rt205_arguments *arguments, const struct scene *scene,
+/* Writes the picture and prints the results of a frame. */
+static int finish(const struct render_arguments *args, struct trace *trace,
+                  const struct line_profile *profile,
                   const struct command_output *results)
 {
-    struct line_profile *profile = NULL;
+    c205_error error;
+
+    if (!job_set_collects(&args->jobs.job_set))
+        return cmd_print_share(args->shared.command, &args->jobs.job_set,
+                               trace_bands(trace));
+    if (args->shared.output && !write_picture(args, trace, &error))
+        return cmd_failed(args->shared.command, "%s", error.message);
+    trace_forget(trace);
+    return print_trace(args, trace, profile, results);
+}
+
+static int render(struct session *session, const struct render_arguments *args)
+{
+    struct line_profile *profile = NULL; /* set when a band has been observed */
     struct observer observer = frame_profile_observer(&profile);
     const struct observer *const observers[] = { &observer, NULL };
-    struct trace_options options = arguments->trace;
+    struct trace_options options = args->shared.trace;
+    const struct scene *scene = session_scene(session, &args->scene);
+    struct picture_loader *loader = NULL;
     c205_error error = { "out of memory" };
     struct trace *trace;
     int code;
 
-    if (arguments->profile)
+    if (!scene)
+        return CMD_FAILED;
+    if (args->profile)
         options.observers = observers;
     trace = trace_new(scene, &options, &error);
-    code = trace && keep(arguments, trace, &error)
-               ? run(arguments, trace, &profile, results)
-               : cmd_failed(arguments->command, "%s", error.message);
+    if (!trace || !prepare(args, trace, &loader, &error))
+        code = cmd_failed(args->shared.command, "%s", error.message);
+    else if (!trace_run(trace, &error))
+        code = end_early(args, trace, &error);
+    else
+        code = finish(args, trace, profile, &session->results);
+    picture_loaded(loader);
     line_profile_free(profile);
     trace_free(trace);
     return code;
 }
 
-static int render_scene(const struct rt205_arguments *arguments,
-                        const struct command_output *results)
-{
-    struct scene *scene = cmd_read_scene(arguments);
-    int code = !scene ? CMD_FAILED : render(arguments, scene, results);
+/* ---- The debugger -------------------------------------------------------- */
 
-    scene_free(scene);
+static int hold_debugger(const struct render_arguments *args, struct frame_pixel *pixel)
+{
+    const struct trace_options *options = &args->shared.trace;
+    const struct debugger_setup setup = { .object = trace_program(pixel->trace),
+                                          .name = form_program(options->mode),
+                                          .model = options->model,
+                                          .out = visible_stream(stdout),
+                                          .printed = stream_sink(stdout),
+                                          .clocks_most = C205_NO_LIMIT,
+                                          .interrupted = repl_interrupted,
+                                          .machine = pixel_machine,
+                                          .verbs = pixel_verbs,
+                                          .context = pixel };
+    const struct repl_setup repl = { .command = args->shared.command,
+                                     .prompt = "(rt205) ",
+                                     .verb = pixel_verb,
+                                     .scripts = &args->scripts };
+    c205_error error;
+    struct debugger *debugger = debugger_new(&setup, &error);
+    int code;
+
+    if (!debugger)
+        return cmd_failed(args->shared.command, "%s", error.message);
+    code = repl_hold(&repl, debugger);
+    debugger_free(debugger);
     return code;
 }
 
-/* Checks the requested files. Returns the exit code, or CMD_DONE if they are
- * valid. */
-static int check_files(const struct rt205_arguments *arguments)
+/* Debugs the program of the frame, in the band that contains the pixel. */
+static int debug(struct session *session, const struct render_arguments *args)
 {
+    const struct scene *scene = session_scene(session, &args->scene);
+    c205_error error = { "out of memory" };
+    struct frame_pixel pixel;
+    struct trace *trace;
     int code;
 
-    if (arguments->output && arguments->no_picture)
-        return cmd_usage(arguments->command, "-o cannot be combined with --no-picture");
-    if (arguments->half && arguments->no_picture)
-        return cmd_usage(arguments->command, "--half cannot be combined with "
-                                             "--no-picture");
-    if (arguments->no_picture)
-        return CMD_DONE;
-    if (!arguments->output && arguments->units.job_set.parts > 0)
-        return CMD_DONE;
-    if (!arguments->output)
-        return cmd_usage(arguments->command, "expected -o FILE or --no-picture");
-    code = cmd_check_picture(arguments);
-    if (code != CMD_DONE)
-        return code;
-    if (arguments->half && !picture_holds_half(arguments->output))
-        return cmd_usage(arguments->command, "--half requires a picture in .exr");
-    return CMD_DONE;
+    if (!scene)
+        return CMD_FAILED;
+    trace = trace_new(scene, &args->shared.trace, &error);
+    if (trace && frame_pixel_find(&pixel, trace, args->pixel.x, args->pixel.y, &error))
+        code = hold_debugger(args, &pixel);
+    else
+        code = cmd_failed(args->shared.command, "%s", error.message);
+    trace_free(trace);
+    return code;
 }
+
+/* ---- The command --------------------------------------------------------- */
 
 /* Checks the options of --debug, which only starts a debugger. */
-static int check_debug(const struct rt205_arguments *arguments)
+static int check_debug(const struct render_arguments *args)
 {
-    const struct cmd_units *units = &arguments->units;
+    const struct job_arguments *jobs = &args->jobs;
 
-    if (arguments->output || arguments->accounts || arguments->profile
-        || arguments->results.path || units->resume.count > 0 || units->ranks > 1)
-        return cmd_usage(arguments->command,
+    if (args->shared.output || args->accounts || args->profile
+        || args->shared.results.path || jobs->resume.count > 0 || jobs->ranks > 1)
+        return cmd_usage(args->shared.command,
                          "--debug cannot be combined with -o, --accounts, --profile, "
                          "--json, --resume or --ranks");
-    return cmd_check_pixel(arguments);
+    return cmd_check_pixel(&args->shared, &args->pixel);
 }
 
-/* Checks the options of --profile. Bands of other processes and of earlier runs
- * are not observed. */
-static int check_profile(const struct rt205_arguments *arguments)
+static int check_picture(const struct render_arguments *args)
 {
-    const struct cmd_units *units = &arguments->units;
+    const struct shared_arguments *shared = &args->shared;
+    int code;
 
-    if (arguments->in_order && !arguments->profile)
-        return cmd_usage(arguments->command, "--in-order requires --profile");
-    if (arguments->profile
-        && (units->resume.count > 0 || units->ranks > 1 || ranks_are_many()))
-        return cmd_usage(arguments->command,
+    if (shared->output && args->no_picture)
+        return cmd_usage(shared->command, "-o cannot be combined with --no-picture");
+    if (args->half && args->no_picture)
+        return cmd_usage(shared->command,
+                         "--half cannot be combined with --no-picture");
+    if (args->no_picture || (!shared->output && args->jobs.job_set.parts > 0))
+        return CMD_DONE;
+    if (!shared->output)
+        return cmd_usage(shared->command, "expected -o FILE or --no-picture");
+    code = cmd_check_picture(shared);
+    if (code == CMD_DONE && args->half && !picture_holds_half(shared->output))
+        code = cmd_usage(shared->command, "--half requires a picture in .exr");
+    return code;
+}
+
+/* Checks the options of a frame. Bands of other processes and of earlier runs cannot be
+ * profiled. */
+static int check_frame(const struct render_arguments *args)
+{
+    const struct job_arguments *jobs = &args->jobs;
+    int code;
+
+    if (args->scripts.count > 0)
+        return cmd_usage(args->shared.command, "-x requires --debug");
+    code = check_picture(args);
+    if (code != CMD_DONE)
+        return code;
+    if (args->in_order && !args->profile)
+        return cmd_usage(args->shared.command, "--in-order requires --profile");
+    if (args->profile
+        && (jobs->resume.count > 0 || jobs->ranks > 1 || ranks_are_many()))
+        return cmd_usage(args->shared.command,
                          "--profile cannot be combined with --resume or --ranks: it "
                          "needs all bands in one process");
     return CMD_DONE;
 }
 
-static int run_command_line(void *given)
+static int cmd_render(void *given)
 {
-    struct rt205_arguments *arguments = given;
-    int code;
+    struct render_arguments *args = given;
+    struct session session;
+    bool debugs = args->pixel.given;
+    int code = debugs ? check_debug(args) : check_frame(args);
 
-    if (arguments->pixel.given) {
-        code = check_debug(arguments);
-        return code == CMD_DONE ? cmd_with_machine(arguments, cmd_debug_pixel) : code;
-    }
-    if (arguments->scripts.count > 0)
-        return cmd_usage(arguments->command, "-x requires --debug");
-    code = check_files(arguments);
+    if (code != CMD_DONE)
+        return code;
+    code = session_open(&session, &args->shared, debugs ? NULL : &args->jobs);
     if (code == CMD_DONE)
-        code = check_profile(arguments);
-    return code == CMD_DONE ? cmd_with_jobs(arguments, render_scene) : code;
+        code = debugs ? debug(&session, args) : render(&session, args);
+    return session_close(&session, code);
 }
 
+#define PLACE(member) offsetof(struct render_arguments, member)
+
 static const struct command_option options[] = {
-    { .name = "output",
-      .letter = 'o',
-      .value = "FILE",
-      .kind = COMMAND_OUTPUT,
-      .offset = CMD_PLACE(output),
-      .help = "the picture: .png .jpg (8-bit sRGB), .exr .tif (linear, with "
-              "depth, normal and id); on stdout a .png" },
-    CMD_FLAG("no-picture", no_picture, "write no picture, only report the clocks"),
+    CMD_OUTPUT("the picture: .png .jpg (8-bit sRGB), .exr .tif (linear, with "
+               "depth, normal and id); on stdout a .png"),
+    OPTION_FLAG("no-picture", PLACE(no_picture),
+                "write no picture, only report the clocks"),
     CMD_SIZE(640, 480),
     CMD_MODE(cmd_mode_choice, "form of the programs; kernels is that of 1984"),
     CMD_QUEUE("rays in the vector queue"),
@@ -469,29 +513,32 @@ static const struct command_option options[] = {
     CMD_MODEL,
     CMD_BOUNDS,
     CMD_JOBS("bands of the frame traced at a time"),
-    CMD_RESUME("bands"),
-    CMD_PART("bands"),
-    CMD_RANKS,
-    CMD_FLAG("accounts", accounts, "also the clocks by cause and by region"),
-    CMD_FLAG("profile", profile,
-             "also the clocks by line of the kernels, hottest region first; a macro "
-             "counts where it is called"),
-    CMD_FLAG("in-order", in_order, "lines of --profile in the order of memory"),
-    CMD_FLAG("half", half, "16-bit colours in an .exr"),
-    CMD_PIXEL("debug", "start a debugger for the band of this pixel; write no picture"),
+    CMD_RESUME(PLACE(jobs), "bands"),
+    CMD_PART(PLACE(jobs), "bands"),
+    CMD_RANKS(PLACE(jobs)),
+    OPTION_FLAG("accounts", PLACE(accounts), "also the clocks by cause and by region"),
+    OPTION_FLAG("profile", PLACE(profile),
+                "also the clocks by line of the kernels, hottest region first; a macro "
+                "counts where it is called"),
+    OPTION_FLAG("in-order", PLACE(in_order),
+                "lines of --profile in the order of memory"),
+    OPTION_FLAG("half", PLACE(half), "16-bit colours in an .exr"),
+    CMD_PIXEL("debug", PLACE(pixel),
+              "start a debugger for the band of this pixel; write no picture"),
     { .name = "script",
       .letter = 'x',
       .value = "FILE",
       .kind = COMMAND_INPUT,
       .many = true,
-      .offset = CMD_PLACE(scripts),
+      .offset = PLACE(scripts),
       .help = "commands for the debugger; the exit status is 1 if one fails, such as "
               "an assert" },
-    CMD_READ,
+    CMD_READ(PLACE(scene)),
     CMD_RESULTS,
     COMMAND_END
 };
-static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
+static const struct command_option operands[] = { CMD_SCENE(PLACE(scene)),
+                                                  COMMAND_END };
 static const struct command_example examples[] = {
     { "rt205 render SCENE -o PICTURE", "the picture, and its clocks" },
     { "rt205 render SCENE --no-picture --accounts", "the clocks by cause and region" },
@@ -505,8 +552,8 @@ static const struct command_example examples[] = {
 const struct command render_command = {
     .name = "render",
     .summary = "trace a scene, write a picture",
-    .function = run_command_line,
-    .arguments_size = sizeof(struct rt205_arguments),
+    .function = cmd_render,
+    .arguments_size = sizeof(struct render_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

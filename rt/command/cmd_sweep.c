@@ -7,7 +7,22 @@
 #include "base/file.h"
 #include "base/outputs.h"
 #include "base/provenance.h"
-#include "rt/command/rt205_command.h"
+#include "rt/command/session.h"
+#include "rt/study/sweep/sweep_types.h"
+
+/* Lengths of the queue, in increasing order. */
+struct points {
+    size_t count;
+    size_t items[MAX_SWEEP_LENGTHS];
+};
+
+struct sweep_arguments {
+    struct shared_arguments shared;
+    struct scene_arguments scene; /* possibly the name of a primitive */
+    struct speedup_view view;     /* angle 0: not given */
+    struct points points;
+    int sweep; /* index of the kind */
+};
 
 /* ---- The request --------------------------------------------------------- */
 
@@ -19,46 +34,36 @@ static bool names_scene(const char *name)
            || (length > 4 && strcmp(name + length - 4, ".pov") == 0);
 }
 
-/* Returns the first subject with this name. */
-static const struct speedup_subject *subject_named(const char *name)
-{
-    for (size_t i = 0; i < speedup_subject_count; i++)
-        if (speedup_is_named(&speedup_subjects[i], name))
-            return &speedup_subjects[i];
-    return NULL;
-}
-
-static int check_lengths(const struct rt205_arguments *arguments,
+static int check_lengths(const struct sweep_arguments *args,
                          const struct sweep_kind *kind)
 {
-    size_t rays = arguments->trace.width * arguments->trace.height;
-    size_t longest = arguments->points.count > 0
-                         ? arguments->points.items[arguments->points.count - 1]
-                         : 0;
+    size_t rays = args->shared.trace.width * args->shared.trace.height;
+    size_t longest = args->points.count > 0 ? args->points.items[args->points.count - 1]
+                                            : 0;
 
     if (longest > 0 && !kind->takes_lengths)
-        return cmd_usage(arguments->command,
+        return cmd_usage(args->shared.command,
                          "--points requires a sweep of queue or length");
-    if (kind->takes_lengths && arguments->trace.queue != TRACE_QUEUE)
-        return cmd_usage(arguments->command,
+    if (kind->takes_lengths && args->shared.trace.queue != TRACE_QUEUE)
+        return cmd_usage(args->shared.command,
                          "--queue requires a sweep of pipes or hits; use --points "
                          "for lengths");
     if (kind == &sweep_queue && longest > rays)
-        return cmd_usage(arguments->command, "%zu ray%s not fill a queue of %zu", rays,
-                         rays == 1 ? " does" : "s do", longest);
+        return cmd_usage(args->shared.command, "%zu ray%s not fill a queue of %zu",
+                         rays, rays == 1 ? " does" : "s do", longest);
     return CMD_DONE;
 }
 
-static int check_subject(const struct rt205_arguments *arguments,
+static int check_subject(const struct sweep_arguments *args,
                          const struct sweep_kind *kind)
 {
-    const char *name = arguments->scene;
+    const char *name = args->scene.path;
 
     if (kind->primitive_only && names_scene(name))
-        return cmd_usage(arguments->command, "%s requires a primitive, not a scene",
+        return cmd_usage(args->shared.command, "%s requires a primitive, not a scene",
                          kind->name);
-    if (!names_scene(name) && !subject_named(name))
-        return cmd_usage(arguments->command,
+    if (!names_scene(name) && !speedup_subject_named(name))
+        return cmd_usage(args->shared.command,
                          "%s: expected a primitive of Table 1 (sphere, cylinder, "
                          "Steiner, torus) or a .pov file",
                          name);
@@ -66,40 +71,40 @@ static int check_subject(const struct rt205_arguments *arguments,
 }
 
 /* Checks the plot's three files, and the JSON. */
-static int check_files(const struct rt205_arguments *arguments)
+static int check_files(const struct sweep_arguments *args)
 {
     const char *endings[] = { NULL, "dat", "gp" };
     c205_error error;
 
-    if (!arguments->output)
+    if (!args->shared.output)
         return CMD_DONE;
-    if (!plot_check_path(arguments->output, &error))
-        return plot_is_named(arguments->output)
-                   ? cmd_failed(arguments->command, "%s", error.message)
-                   : cmd_usage(arguments->command, "%s", error.message);
-    endings[0] = arguments->output + strlen(arguments->output) - 3;
+    if (!plot_check_path(args->shared.output, &error))
+        return plot_is_named(args->shared.output)
+                   ? cmd_failed(args->shared.command, "%s", error.message)
+                   : cmd_usage(args->shared.command, "%s", error.message);
+    endings[0] = args->shared.output + strlen(args->shared.output) - 3;
     for (int i = 0; i < 3; i++) {
         char path[4096];
 
-        snprintf(path, sizeof path, "%.*s%s", (int)strlen(arguments->output) - 3,
-                 arguments->output, endings[i]);
-        if (arguments->results.path && file_is_one(path, arguments->results.path))
-            return cmd_usage(arguments->command, "-o and --json name the same file");
+        snprintf(path, sizeof path, "%.*s%s", (int)strlen(args->shared.output) - 3,
+                 args->shared.output, endings[i]);
+        if (args->shared.results.path && file_is_one(path, args->shared.results.path))
+            return cmd_usage(args->shared.command, "-o and --json name the same file");
         if (!outputs_add(path))
-            return cmd_failed(arguments->command, "out of memory");
+            return cmd_failed(args->shared.command, "out of memory");
     }
     return CMD_DONE;
 }
 
-static int check(const struct rt205_arguments *arguments)
+static int check(const struct sweep_arguments *args)
 {
-    const struct sweep_kind *kind = sweep_kinds[arguments->sweep];
+    const struct sweep_kind *kind = sweep_kinds[args->sweep];
     int code;
 
-    code = check_subject(arguments, kind);
+    code = check_subject(args, kind);
     if (code == CMD_DONE)
-        code = check_lengths(arguments, kind);
-    return code == CMD_DONE ? check_files(arguments) : code;
+        code = check_lengths(args, kind);
+    return code == CMD_DONE ? check_files(args) : code;
 }
 
 /* ---- Results ------------------------------------------------------------- */
@@ -111,11 +116,11 @@ static bool has_frame(const struct sweep_kind *kind)
     return kind != &sweep_length;
 }
 
-static void print_head(const struct rt205_arguments *arguments,
-                       const struct sweep *sweep, const struct sweep_kind *kind,
+static void print_head(const struct sweep_arguments *args, const struct sweep *sweep,
+                       const struct sweep_kind *kind,
                        const struct command_output *results)
 {
-    const struct trace_options *trace = &arguments->trace;
+    const struct trace_options *trace = &args->shared.trace;
     char queue[48] = "", rays[64] = "", view[96] = "";
 
     if (!kind->takes_lengths)
@@ -128,7 +133,7 @@ static void print_head(const struct rt205_arguments *arguments,
     output_printf(results,
                   "%s of %s, %s%s%s%s;\n%s.\nAt each point the scalar and the "
                   "other frame are equal, bit for bit.\n",
-                  kind->name, sweep->subject ? sweep->subject->name : arguments->scene,
+                  kind->name, sweep->subject ? sweep->subject->name : args->scene.path,
                   trace_mode_name(trace->mode), queue, rays, view,
                   sweep->subject ? "the kernel and its calls alone"
                                  : "the whole frame");
@@ -136,15 +141,14 @@ static void print_head(const struct rt205_arguments *arguments,
 }
 
 /* Writes the parameters of the sweep. Those that it does not use are left out. */
-static void write_head(const struct rt205_arguments *arguments,
-                       const struct sweep *sweep, const struct sweep_kind *kind,
-                       struct json *json)
+static void write_head(const struct sweep_arguments *args, const struct sweep *sweep,
+                       const struct sweep_kind *kind, struct json *json)
 {
-    const struct trace_options *trace = &arguments->trace;
+    const struct trace_options *trace = &args->shared.trace;
 
     json_text(json, "sweep", kind->name);
     json_text(json, sweep->subject ? "primitive" : "scene",
-              sweep->subject ? sweep->subject->name : arguments->scene);
+              sweep->subject ? sweep->subject->name : args->scene.path);
     json_text(json, "mode", trace_mode_name(trace->mode));
     if (!kind->takes_lengths)
         json_count(json, "queue", trace->queue);
@@ -159,30 +163,30 @@ static void write_head(const struct rt205_arguments *arguments,
     provenance_json(trace->model, json);
 }
 
-static bool draw(const struct rt205_arguments *arguments, const struct sweep *sweep,
+static bool draw(const struct sweep_arguments *args, const struct sweep *sweep,
                  const struct sweep_kind *kind, const struct sweep_report *report,
                  c205_error *error)
 {
-    const c205_model *model = arguments->trace.model;
+    const c205_model *model = args->shared.trace.model;
     char title[160], on[160], belief[PROVENANCE_LINE];
     const char *const subtitles[] = { on, belief };
     struct plot plot = report->plot;
 
     snprintf(title, sizeof title, "%s: %.100s", kind->title,
-             sweep->subject ? sweep->subject->name : arguments->scene);
+             sweep->subject ? sweep->subject->name : args->scene.path);
     snprintf(on, sizeof on,
              "form %s; cycle-accounted, not cycle-accurate, "
              "on the model %.60s",
-             trace_mode_name(arguments->trace.mode), c205_model_name(model));
+             trace_mode_name(args->shared.trace.mode), c205_model_name(model));
     provenance_line(model, belief);
     plot.title = title;
     plot.subtitles = subtitles;
     plot.subtitle_count = 2;
-    return plot_write(&plot, report->plotted, arguments->output, error);
+    return plot_write(&plot, report->plotted, args->shared.output, error);
 }
 
 /* Prints everything except the plot. */
-static bool report_progress(const struct rt205_arguments *arguments,
+static bool report_progress(const struct sweep_arguments *args,
                             const struct sweep *sweep, const struct sweep_kind *kind,
                             const struct sweep_report *report,
                             const struct command_output *results, c205_error *error)
@@ -190,25 +194,25 @@ static bool report_progress(const struct rt205_arguments *arguments,
     bool good = true;
 
     error_set(error, "out of memory");
-    print_head(arguments, sweep, kind, results);
+    print_head(args, sweep, kind, results);
     if (results->file)
         good = sweep_report_write(report, output_table_format(results), results->file);
     if (good && results->json) {
-        write_head(arguments, sweep, kind, results->json);
+        write_head(args, sweep, kind, results->json);
         good = sweep_report_json(report, sweep, results->json);
     }
     return good;
 }
 
-static struct sweep sweep_of(const struct rt205_arguments *arguments,
+static struct sweep sweep_of(const struct sweep_arguments *args,
                              const struct scene *scene, const struct sweep_kind *kind)
 {
     struct sweep sweep = {
-        .subject = !scene ? subject_named(arguments->scene) : NULL,
+        .subject = !scene ? speedup_subject_named(args->scene.path) : NULL,
         .scene = scene,
-        .base = { .trace = arguments->trace, .view = arguments->view },
-        .lengths = arguments->points.items,
-        .length_count = arguments->points.count,
+        .base = { .trace = args->shared.trace, .view = args->view },
+        .lengths = args->points.items,
+        .length_count = args->points.count,
     };
 
     if (sweep.base.view.angle == 0)
@@ -216,47 +220,46 @@ static struct sweep sweep_of(const struct rt205_arguments *arguments,
     return sweep;
 }
 
-static int sweep_target(const struct rt205_arguments *arguments,
-                        const struct scene *scene, const struct command_output *results)
+/* If only the plot cannot be drawn, the other results are valid: *drawn is then false,
+ * and the code CMD_DONE. */
+static int measure_and_draw(struct session *session, const struct sweep_arguments *args,
+                            bool *drawn)
 {
-    const struct sweep_kind *kind = sweep_kinds[arguments->sweep];
-    struct sweep sweep = sweep_of(arguments, scene, kind);
+    const struct sweep_kind *kind = sweep_kinds[args->sweep];
+    bool of_scene = names_scene(args->scene.path);
+    const struct scene *scene = of_scene ? session_scene(session, &args->scene) : NULL;
+    struct sweep sweep = sweep_of(args, scene, kind);
     struct sweep_report report = { .part_count = 0 };
     c205_error error;
-    int code = CMD_DONE;
+    bool good;
 
-    if (!kind->measure(&sweep, &error) || !kind->report(&sweep, &report, &error)
-        || !report_progress(arguments, &sweep, kind, &report, results, &error))
-        code = CMD_FAILED;
-    else if (arguments->output && !draw(arguments, &sweep, kind, &report, &error))
-        code = CMD_UNDRAWN;
-    if (code != CMD_DONE)
-        cmd_failed(arguments->command, "%s", error.message);
+    if (of_scene && !scene)
+        return CMD_FAILED;
+    good = kind->measure(&sweep, &error) && kind->report(&sweep, &report, &error)
+           && report_progress(args, &sweep, kind, &report, &session->results, &error);
+    *drawn = good
+             && (!args->shared.output || draw(args, &sweep, kind, &report, &error));
+    if (!*drawn)
+        cmd_failed(args->shared.command, "%s", error.message);
     sweep_report_free(&report);
     sweep_free(&sweep);
-    return code;
+    return good ? CMD_DONE : CMD_FAILED;
 }
 
-static int sweep(const struct rt205_arguments *arguments,
-                 const struct command_output *results)
+static int cmd_sweep(void *given)
 {
-    struct scene *scene;
-    int code;
+    struct sweep_arguments *args = given;
+    struct session session;
+    bool drawn = true;
+    int code = check(args);
 
-    if (!names_scene(arguments->scene))
-        return sweep_target(arguments, NULL, results);
-    scene = cmd_read_scene(arguments);
-    code = !scene ? CMD_FAILED : sweep_target(arguments, scene, results);
-    scene_free(scene);
-    return code;
-}
-
-static int run_command_line(void *given)
-{
-    struct rt205_arguments *arguments = given;
-    int code = check(arguments);
-
-    return code == CMD_DONE ? cmd_with_machine(arguments, sweep) : code;
+    if (code != CMD_DONE)
+        return code;
+    code = session_open(&session, &args->shared, NULL);
+    if (code == CMD_DONE)
+        code = measure_and_draw(&session, args, &drawn);
+    code = session_close(&session, code);
+    return drawn ? code : CMD_FAILED;
 }
 
 /* ---- The command line ---------------------------------------------------- */
@@ -275,7 +278,7 @@ static const char *queue_mode_choice(size_t number)
 /* Parses increasing numbers, separated by commas. */
 static bool take_points(char *text, void *value)
 {
-    struct cmd_points *points = value;
+    struct points *points = value;
     size_t last = 0;
 
     points->count = 0;
@@ -292,41 +295,43 @@ static bool take_points(char *text, void *value)
     return true;
 }
 
+#define PLACE(member) offsetof(struct sweep_arguments, member)
+
 static const struct command_option options[] = {
     { .name = "output",
       .letter = 'o',
       .value = "FILE",
       .kind = COMMAND_FILE,
-      .offset = CMD_PLACE(output),
+      .offset = CMD_SHARED(output),
       .help = "plot by gnuplot, NAME.svg or .png; also writes NAME.dat and NAME.gp" },
     { .name = "points",
       .value = "N,N,..",
       .kind = COMMAND_CUSTOM,
-      .offset = CMD_PLACE(points),
+      .offset = PLACE(points),
       .take = take_points,
       .wants = "ascending numbers up to 65535, separated by commas",
       .help = "lengths for queue and length (1, 2, 4 .. 65535, 2000)" },
     CMD_SIZE(256, 256),
-    CMD_VIEW(0, "10; hits: 37"),
+    CMD_VIEW(PLACE(view), 0, "10; hits: 37"),
     CMD_MODE(queue_mode_choice, "form of the queues; kernels is that of 1984"),
     CMD_QUEUE("rays in the queue (pipes, hits)"),
     CMD_ORDER(ORDER_ROWS),
     CMD_MODEL,
     CMD_BOUNDS,
     CMD_JOBS("frames traced at a time"),
-    CMD_READ,
+    CMD_READ(PLACE(scene)),
     CMD_RESULTS,
     COMMAND_END
 };
 static const struct command_option operands[] = {
     { .value = "WHAT",
       .kind = COMMAND_CHOICE,
-      .offset = CMD_PLACE(sweep),
+      .offset = PLACE(sweep),
       .choice = kind_choice,
       .help = "the quantity that changes" },
     { .value = "SCENE|PRIMITIVE",
       .kind = COMMAND_INPUT,
-      .offset = CMD_PLACE(scene),
+      .offset = PLACE(scene.path),
       .help = "a scene file or a primitive" },
     COMMAND_END
 };
@@ -342,8 +347,8 @@ static const struct command_example examples[] = {
 const struct command sweep_command = {
     .name = "sweep",
     .summary = "clocks per ray against one quantity, as table and plot",
-    .function = run_command_line,
-    .arguments_size = sizeof(struct rt205_arguments),
+    .function = cmd_sweep,
+    .arguments_size = sizeof(struct sweep_arguments),
     .options = options,
     .operands = operands,
     .details = "A primitive is sphere, cylinder, Steiner, 'Steiner, ours' or torus; "

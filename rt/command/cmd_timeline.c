@@ -6,27 +6,34 @@
 #include "asm/timeline/timeline.h"
 #include "base/error.h"
 #include "base/plural.h"
-#include "rt/command/rt205_command.h"
+#include "rt/command/session.h"
 #include "rt/view/pixel_clocks.h"
 
+struct timeline_arguments {
+    struct shared_arguments shared;
+    struct scene_arguments scene;
+    struct pixel_arguments pixel;
+    const char *region; /* of the program, or NULL */
+    uint64_t from, to;  /* clocks; C205_NO_LIMIT: not given */
+};
+
 /* Finds the clocks of the band to show. The default is the pixel's queue. */
-static bool find_stretch(const struct rt205_arguments *arguments,
+static bool find_stretch(const struct timeline_arguments *args,
                          const struct frame_pixel *pixel, struct clock_stretch *stretch,
                          c205_error *error)
 {
     if (!pixel_queue_clocks(pixel, stretch, error))
         return false;
-    if (arguments->from != C205_NO_LIMIT)
-        stretch->from = arguments->from;
-    if (arguments->to != C205_NO_LIMIT)
-        stretch->to = arguments->to;
+    if (args->from != C205_NO_LIMIT)
+        stretch->from = args->from;
+    if (args->to != C205_NO_LIMIT)
+        stretch->to = args->to;
     if (stretch->from >= stretch->to)
         return error_set(error,
                          "the range of clocks %" PRIu64 " to %" PRIu64
                          " is empty: change --from or --to",
                          stretch->from, stretch->to);
-    return !arguments->region
-           || pixel_region_clocks(pixel, arguments->region, stretch, error);
+    return !args->region || pixel_region_clocks(pixel, args->region, stretch, error);
 }
 
 /* Records whole instructions, up to one that starts after the range. */
@@ -58,9 +65,8 @@ static bool listen(const struct frame_pixel *pixel, struct timeline *timeline,
            || error_set(error, "no instruction runs in this range of clocks");
 }
 
-static bool save(const struct rt205_arguments *arguments,
-                 const struct frame_pixel *pixel, struct timeline *timeline,
-                 c205_error *error)
+static bool save(const struct timeline_arguments *args, const struct frame_pixel *pixel,
+                 struct timeline *timeline, c205_error *error)
 {
     const struct trace_options *how = trace_how(pixel->trace);
     char title[400];
@@ -69,30 +75,29 @@ static bool save(const struct rt205_arguments *arguments,
     snprintf(title, sizeof title,
              "%.150s, %s, the queue of pixel %zu,%zu of %zu x %zu, clocks "
              "%" PRIu64 " to %" PRIu64 " on %.80s",
-             arguments->scene, trace_mode_name(how->mode), pixel->x, pixel->y,
+             args->scene.path, trace_mode_name(how->mode), pixel->x, pixel->y,
              how->width, how->height, timeline->from, timeline->to,
              c205_model_name(how->model));
-    return timeline_save(timeline, arguments->output, title, error);
+    return timeline_save(timeline, args->shared.output, title, error);
 }
 
-static bool draw(const struct rt205_arguments *arguments,
-                 const struct frame_pixel *pixel, const struct command_output *results,
-                 c205_error *error)
+static bool draw(const struct timeline_arguments *args, const struct frame_pixel *pixel,
+                 const struct command_output *results, c205_error *error)
 {
     struct clock_stretch stretch;
     struct timeline timeline = { .from = 0 };
     bool good;
 
-    if (!find_stretch(arguments, pixel, &stretch, error))
+    if (!find_stretch(args, pixel, &stretch, error))
         return false;
     timeline.from = stretch.from;
     timeline.to = stretch.to;
-    good = listen(pixel, &timeline, error) && save(arguments, pixel, &timeline, error);
+    good = listen(pixel, &timeline, error) && save(args, pixel, &timeline, error);
     if (good)
         output_printf(results,
                       "%s: %zu instruction%s, clocks %" PRIu64 " to %" PRIu64
                       " of band %zu of %zu\n",
-                      arguments->output, timeline_instructions(&timeline),
+                      args->shared.output, timeline_instructions(&timeline),
                       plural(timeline_instructions(&timeline)), timeline.from,
                       timeline.to, pixel->band + 1, trace_bands(pixel->trace));
     timeline_free(&timeline);
@@ -100,14 +105,14 @@ static bool draw(const struct rt205_arguments *arguments,
 }
 
 /* The default pixel is the one in the centre. */
-static int trace_and_draw(const struct rt205_arguments *arguments,
-                          const struct command_output *results)
+static int trace_and_draw(struct session *session,
+                          const struct timeline_arguments *args)
 {
-    const struct trace_options *how = &arguments->trace;
-    const struct cmd_pixel *asked = &arguments->pixel;
+    const struct trace_options *how = &args->shared.trace;
+    const struct pixel_arguments *asked = &args->pixel;
     size_t x = asked->given ? asked->x : how->width / 2;
     size_t y = asked->given ? asked->y : how->height / 2;
-    struct scene *scene = cmd_read_scene(arguments);
+    const struct scene *scene = session_scene(session, &args->scene);
     struct trace *trace;
     struct frame_pixel pixel;
     c205_error error = { "out of memory" };
@@ -117,56 +122,59 @@ static int trace_and_draw(const struct rt205_arguments *arguments,
         return CMD_FAILED;
     trace = trace_new(scene, how, &error);
     good = trace && frame_pixel_find(&pixel, trace, x, y, &error)
-           && draw(arguments, &pixel, results, &error);
+           && draw(args, &pixel, &session->results, &error);
     trace_free(trace);
-    scene_free(scene);
-    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
+    return good ? CMD_DONE : cmd_failed(args->shared.command, "%s", error.message);
 }
 
-static int run_command_line(void *given)
+static int cmd_timeline(void *given)
 {
-    struct rt205_arguments *arguments = given;
+    struct timeline_arguments *args = given;
+    struct session session;
+    int code;
 
-    if (!arguments->output)
-        return cmd_usage(arguments->command, "expected -o FILE");
-    if (!timeline_is_named(arguments->output))
-        return cmd_usage(arguments->command,
+    if (!args->shared.output)
+        return cmd_usage(args->shared.command, "expected -o FILE");
+    if (!timeline_is_named(args->shared.output))
+        return cmd_usage(args->shared.command,
                          "%s: the name of a timeline must end in "
                          ".svg, .kanata or .json",
-                         arguments->output);
-    if (arguments->from != C205_NO_LIMIT && arguments->from >= arguments->to)
-        return cmd_usage(arguments->command, "--from must be below --to");
-    return cmd_check_pixel(arguments) == CMD_DONE
-               ? cmd_with_machine(arguments, trace_and_draw)
-               : CMD_USAGE;
+                         args->shared.output);
+    if (args->from != C205_NO_LIMIT && args->from >= args->to)
+        return cmd_usage(args->shared.command, "--from must be below --to");
+    code = cmd_check_pixel(&args->shared, &args->pixel);
+    if (code != CMD_DONE)
+        return code;
+    code = session_open(&session, &args->shared, NULL);
+    if (code == CMD_DONE)
+        code = trace_and_draw(&session, args);
+    return session_close(&session, code);
 }
 
+#define PLACE(member) offsetof(struct timeline_arguments, member)
+
 static const struct command_option options[] = {
-    { .name = "output",
-      .letter = 'o',
-      .value = "FILE",
-      .kind = COMMAND_OUTPUT,
-      .offset = CMD_PLACE(output),
-      .help = ".svg, a picture; .kanata, for Konata; .json, trace events for "
-              "Perfetto" },
-    CMD_PIXEL("pixel", "show the queue with the ray of this pixel (default: the "
-                       "centre)"),
+    CMD_OUTPUT(".svg, a picture; .kanata, for Konata; .json, trace events for "
+               "Perfetto"),
+    CMD_PIXEL("pixel", PLACE(pixel),
+              "show the queue with the ray of this pixel (default: the "
+              "centre)"),
     { .name = "region",
       .value = "NAME",
       .kind = COMMAND_TEXT,
-      .offset = CMD_PLACE(region),
+      .offset = PLACE(region),
       .help = "show only the first execution of this region in the queue" },
     { .name = "from",
       .value = "CLOCK",
       .kind = COMMAND_CLOCKS,
-      .offset = CMD_PLACE(from),
+      .offset = PLACE(from),
       .preset = -1,
       .help = "show instructions from this clock of the band on (default: the start "
               "of the queue)" },
     { .name = "to",
       .value = "CLOCK",
       .kind = COMMAND_CLOCKS,
-      .offset = CMD_PLACE(to),
+      .offset = PLACE(to),
       .preset = -1,
       .help = "show instructions before this clock (default: the end of the queue)" },
     CMD_SIZE(640, 480),
@@ -175,10 +183,11 @@ static const struct command_option options[] = {
     CMD_ORDER(ORDER_DEFAULT),
     CMD_MODEL,
     CMD_BOUNDS,
-    CMD_READ,
+    CMD_READ(PLACE(scene)),
     COMMAND_END
 };
-static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
+static const struct command_option operands[] = { CMD_SCENE(PLACE(scene)),
+                                                  COMMAND_END };
 static const struct command_example examples[] = {
     { "rt205 timeline SCENE --pixel 320,240 --region sphere -o sphere.svg",
       "a queue in the kernel of the sphere" },
@@ -190,8 +199,8 @@ static const struct command_example examples[] = {
 const struct command timeline_command = {
     .name = "timeline",
     .summary = "a queue of a frame clock by clock, as a picture",
-    .function = run_command_line,
-    .arguments_size = sizeof(struct rt205_arguments),
+    .function = cmd_timeline,
+    .arguments_size = sizeof(struct timeline_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

@@ -1,5 +1,6 @@
 /* rt205.c - the command rt205: traces scenes with programs of the machine. */
-#include "rt/command/rt205_command.h"
+#include "rt/command/commands.h"
+#include "vm/c205.h"
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -18,11 +19,7 @@ static void keep_memory(void)
 
 int main(int argc, char **argv)
 {
-    static const struct command *const commands[] = {
-        &render_command, &profile_command,  &speedup_command,
-        &sweep_command,  &quartic_command,  &heat_command,
-        &mass_command,   &timeline_command, NULL
-    };
+    static const struct command *const commands[] = { COMMANDS(COMMAND_ADDRESS) NULL };
     static const struct command_example files[] = {
         { "NAME.pov", "A scene, in the supported part of POV-Ray's language." },
         { "NAME.model",

@@ -1,7 +1,7 @@
 /* watch.c - shows progress on the terminal while the machine runs, and handles
  * Ctrl-C. */
 #include "base/interrupt.h"
-#include "rt/command/rt205_command.h"
+#include "rt/command/session.h"
 
 static bool watch_progress(void *context, size_t done, size_t all)
 {
@@ -14,10 +14,10 @@ static bool watch_progress(void *context, size_t done, size_t all)
     return !interrupt_pending();
 }
 
-void cmd_watch(struct rt205_arguments *arguments)
+void session_watch(struct session *session)
 {
     interrupt_catch();
-    progress_begin(&arguments->progress);
-    arguments->trace.progress = watch_progress;
-    arguments->trace.context = &arguments->progress;
+    progress_begin(&session->progress);
+    session->shared->trace.progress = watch_progress;
+    session->shared->trace.context = &session->progress;
 }

@@ -64,7 +64,7 @@ bool quartic_costs_part(const struct command_output *results, const struct table
             return false;
         rest.file = NULL;
     }
-    return output_part(&rest, table, key, heading);
+    return output_table(&rest, table, key, heading);
 }
 
 void quartic_costs_model(const struct command_output *results, const c205_model *model)

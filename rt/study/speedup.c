@@ -73,6 +73,14 @@ bool speedup_is_named(const struct speedup_subject *subject, const char *name)
            || (strlen(name) == stem && strncasecmp(subject->name, name, stem) == 0);
 }
 
+const struct speedup_subject *speedup_subject_named(const char *name)
+{
+    for (size_t i = 0; i < speedup_subject_count; i++)
+        if (speedup_is_named(&speedup_subjects[i], name))
+            return &speedup_subjects[i];
+    return NULL;
+}
+
 const struct speedup_subject speedup_formulations[] = {
     { .name = "Cychosz and Waggenspack, surfaces noted",
       CYLINDER_ROW,

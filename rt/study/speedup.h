@@ -51,6 +51,8 @@ extern const size_t speedup_subject_count;
 /* Returns true if the name is that of a row, complete or up to its comma. The case
  * of letters is ignored. */
 bool speedup_is_named(const struct speedup_subject *subject, const char *name);
+/* Returns the first row with this name, or NULL. */
+const struct speedup_subject *speedup_subject_named(const char *name);
 
 /* Table 1's cylinder in several formulations. The first one is that of Table 1. */
 extern const struct speedup_subject speedup_formulations[];

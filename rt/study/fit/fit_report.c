@@ -432,14 +432,10 @@ static bool add_part(const struct study *study, const struct report_part *part,
                      const double *written, const struct command_output *results)
 {
     struct table *table = table_new(part->columns, part->count);
-    bool good;
 
-    if (!table)
-        return false;
-    part->fill(study, written, table);
-    good = output_part(results, table, part->key, part->heading);
-    table_free(table);
-    return good;
+    if (table)
+        part->fill(study, written, table);
+    return output_part(results, table, part->key, part->heading);
 }
 
 bool report_print(const struct study *study, const double *written,

@@ -5,7 +5,7 @@
 
 #include "base/json.h"
 #include "base/sink.h"
-#include "rt/command/rt205_command.h"
+#include "rt/command/session.h"
 #include "web/tracer/platform/png.h"
 
 /* Imports from web/tracer/tracer.js. */
@@ -96,8 +96,8 @@ static void look(void *context, const struct trace *trace,
     band_free(&band);
 }
 
-void cmd_watch(struct rt205_arguments *arguments)
+void session_watch(struct session *session)
 {
-    arguments->trace.progress = report_progress;
-    arguments->trace.look = look;
+    session->shared->trace.progress = report_progress;
+    session->shared->trace.look = look;
 }
