@@ -20,8 +20,8 @@ const struct camera_setting camera_default = {
 };
 
 struct camera_reading {
-    struct camera_setting setting;
-    double angle; /* degrees; 0: not given */
+    struct camera_setting setting; /* first member: a named camera replaces it */
+    double angle;                  /* degrees; 0: not given */
     double look_at[3];
     bool looks;
     bool spans; /* right or up is given */
@@ -243,11 +243,9 @@ bool camera_read(struct reader *reader, const struct scene_token *at,
     struct camera_reading reading = { *setting, 0,     { 0, 0, 1 }, false,
                                       false,    { 0 }, false,       placement_none };
     struct camera *camera = &reading.setting.camera;
-    struct block block;
 
-    if (!block_open_from(reader, &block, VALUE_CAMERA, &reading.setting,
-                         sizeof reading.setting)
-        || !block_items(reader, &block, &grammar, &reading, true))
+    if (!block_read_from(reader, &grammar, VALUE_CAMERA, &reading,
+                         sizeof reading.setting))
         return false;
     apply_angle(camera, reading.angle);
     if (reading.looks && !apply_look_at(reader, at, &reading))

@@ -12,36 +12,6 @@
 
 /* ---- Values -------------------------------------------------------------- */
 
-static bool declare_object(struct reader *reader, const struct item *item)
-{
-    struct scene_value *value = item->subject;
-
-    value->kind = VALUE_OBJECT;
-    return shape_read(reader, &value->is.object, item);
-}
-
-/* Reads a pigment or a map; a pigment_map yields the pigment of its first entry. */
-static bool declare_pigment(struct reader *reader, const struct item *item)
-{
-    struct scene_value *value = item->subject;
-    struct pigment *pigment = &value->is.pigment;
-
-    value->kind = (enum scene_value_kind)item->keyword->detail;
-    *pigment = reader->default_texture.pigment;
-    return value->kind == VALUE_COLOR_MAP     ? color_map_read(reader, pigment)
-           : value->kind == VALUE_PIGMENT_MAP ? pigment_map_read(reader, pigment)
-                                              : pigment_read(reader, pigment);
-}
-
-static bool declare_finish(struct reader *reader, const struct item *item)
-{
-    struct scene_value *value = item->subject;
-
-    value->kind = VALUE_FINISH;
-    value->is.finish = reader->default_texture.finish;
-    return finish_read(reader, &value->is.finish);
-}
-
 /* Reads the textures that follow, since a texture may have layers. */
 static bool read_layers(struct reader *reader, struct texture *texture)
 {
@@ -55,121 +25,95 @@ static bool read_layers(struct reader *reader, struct texture *texture)
     return done;
 }
 
-static bool declare_texture(struct reader *reader, const struct item *item)
-{
-    struct scene_value *value = item->subject;
-    struct texture *texture = &value->is.texture;
-
-    value->kind = (enum scene_value_kind)item->keyword->detail;
-    *texture = reader->default_texture;
-    if (value->kind == VALUE_TEXTURE_MAP)
-        return texture_map_read(reader, texture);
-    return texture_read(reader, texture) && read_layers(reader, texture);
-}
-
-/* Reads a normal, or a normal with a map. */
-static bool declare_normal(struct reader *reader, const struct item *item)
-{
-    struct scene_value *value = item->subject;
-    struct bumps *bumps = &value->is.bumps;
-
-    value->kind = (enum scene_value_kind)item->keyword->detail;
-    *bumps = reader->default_texture.bumps;
-    return value->kind == VALUE_NORMAL_MAP  ? normal_map_read(reader, bumps)
-           : value->kind == VALUE_SLOPE_MAP ? slope_map_read(reader, bumps)
-                                            : normal_read(reader, bumps);
-}
-
-static bool declare_function(struct reader *reader, const struct item *item)
-{
-    struct scene_value *value = item->subject;
-
-    value->kind = VALUE_FUNCTION;
-    value->is.formula = formula_read(reader);
-    return value->is.formula;
-}
-
 /* Skips a feature that is not drawn. It is reported where it is used. */
-static bool declare_look(struct reader *reader, const struct item *item)
+static bool skip_look(struct reader *reader)
 {
-    struct scene_value *value = item->subject;
-
-    value->kind = VALUE_LOOK;
     if (!reader_at_sign(reader, '{'))
         return reader_expected(reader, "'{'");
     block_skip(reader);
     return true;
 }
 
-static bool declare_sky(struct reader *reader, const struct item *item)
+/* Sets the value that the text modifies. */
+static void begin_value(const struct reader *reader, struct scene_value *value)
 {
-    struct scene_value *value = item->subject;
+    const struct texture *usual = &reader->default_texture;
 
-    value->kind = VALUE_SKY;
-    return sky_read(reader, &value->is.sky);
+    switch (value->kind) {
+    case VALUE_PIGMENT:
+    case VALUE_COLOR_MAP:
+    case VALUE_PIGMENT_MAP: value->is.pigment = usual->pigment; break;
+    case VALUE_FINISH: value->is.finish = usual->finish; break;
+    case VALUE_TEXTURE:
+    case VALUE_TEXTURE_MAP: value->is.texture = *usual; break;
+    case VALUE_NORMAL:
+    case VALUE_NORMAL_MAP:
+    case VALUE_SLOPE_MAP: value->is.bumps = usual->bumps; break;
+    case VALUE_INTERIOR: value->is.interior = 1; break;
+    case VALUE_CAMERA: value->is.camera = camera_default; break;
+    default: break;
+    }
 }
 
-static bool declare_fog(struct reader *reader, const struct item *item)
+/* detail: the kind of value */
+static bool read_declared(struct reader *reader, const struct item *item)
 {
     struct scene_value *value = item->subject;
 
-    value->kind = VALUE_FOG;
-    return fog_read(reader, &value->is.fog);
+    value->kind = (enum scene_value_kind)item->keyword->detail;
+    begin_value(reader, value);
+    switch (value->kind) {
+    case VALUE_PIGMENT: return pigment_read(reader, &value->is.pigment);
+    case VALUE_COLOR_MAP: return color_map_read(reader, &value->is.pigment);
+    case VALUE_PIGMENT_MAP: return pigment_map_read(reader, &value->is.pigment);
+    case VALUE_FINISH: return finish_read(reader, &value->is.finish);
+    case VALUE_TEXTURE:
+        return texture_read(reader, &value->is.texture)
+               && read_layers(reader, &value->is.texture);
+    case VALUE_TEXTURE_MAP: return texture_map_read(reader, &value->is.texture);
+    case VALUE_NORMAL: return normal_read(reader, &value->is.bumps);
+    case VALUE_NORMAL_MAP: return normal_map_read(reader, &value->is.bumps);
+    case VALUE_SLOPE_MAP: return slope_map_read(reader, &value->is.bumps);
+    case VALUE_SKY: return sky_read(reader, &value->is.sky);
+    case VALUE_FOG: return fog_read(reader, &value->is.fog);
+    case VALUE_INTERIOR: return interior_read(reader, &value->is.interior);
+    case VALUE_MATERIAL: return material_read(reader, &value->is.material);
+    case VALUE_TRANSFORM: return transform_read(reader, &value->is.transform);
+    case VALUE_CAMERA: return camera_read(reader, &item->at, &value->is.camera);
+    case VALUE_FUNCTION:
+        value->is.formula = formula_read(reader);
+        return value->is.formula;
+    default: return skip_look(reader);
+    }
 }
 
-static bool declare_interior(struct reader *reader, const struct item *item)
+static bool declare_object(struct reader *reader, const struct item *item)
 {
     struct scene_value *value = item->subject;
 
-    value->kind = VALUE_INTERIOR;
-    value->is.interior = 1;
-    return interior_read(reader, &value->is.interior);
-}
-
-static bool declare_material(struct reader *reader, const struct item *item)
-{
-    struct scene_value *value = item->subject;
-
-    value->kind = VALUE_MATERIAL;
-    return material_read(reader, &value->is.material);
-}
-
-static bool declare_transform(struct reader *reader, const struct item *item)
-{
-    struct scene_value *value = item->subject;
-
-    value->kind = VALUE_TRANSFORM;
-    return transform_read(reader, &value->is.transform);
-}
-
-static bool declare_camera(struct reader *reader, const struct item *item)
-{
-    struct scene_value *value = item->subject;
-
-    value->kind = VALUE_CAMERA;
-    value->is.camera = camera_default;
-    return camera_read(reader, &item->at, &value->is.camera);
+    value->kind = VALUE_OBJECT;
+    return shape_read(reader, &value->is.object, item);
 }
 
 static const struct keyword declared_words[] = {
-    { "pigment", declare_pigment, VALUE_PIGMENT },
-    { "finish", declare_finish, 0 },
-    { "texture", declare_texture, VALUE_TEXTURE },
-    { "normal", declare_normal, VALUE_NORMAL },
-    { "normal_map", declare_normal, VALUE_NORMAL_MAP },
-    { "slope_map", declare_normal, VALUE_SLOPE_MAP },
-    { "color_map colour_map", declare_pigment, VALUE_COLOR_MAP },
-    { "pigment_map", declare_pigment, VALUE_PIGMENT_MAP },
-    { "texture_map", declare_texture, VALUE_TEXTURE_MAP },
-    { "sky_sphere", declare_sky, 0 },
-    { "fog", declare_fog, 0 },
-    { "interior", declare_interior, 0 },
-    { "material", declare_material, 0 },
-    { "transform", declare_transform, 0 },
-    { "camera", declare_camera, 0 },
-    { "function", declare_function, 0 },
+    { "pigment", read_declared, VALUE_PIGMENT },
+    { "finish", read_declared, VALUE_FINISH },
+    { "texture", read_declared, VALUE_TEXTURE },
+    { "normal", read_declared, VALUE_NORMAL },
+    { "normal_map", read_declared, VALUE_NORMAL_MAP },
+    { "slope_map", read_declared, VALUE_SLOPE_MAP },
+    { "color_map colour_map", read_declared, VALUE_COLOR_MAP },
+    { "pigment_map", read_declared, VALUE_PIGMENT_MAP },
+    { "texture_map", read_declared, VALUE_TEXTURE_MAP },
+    { "sky_sphere", read_declared, VALUE_SKY },
+    { "fog", read_declared, VALUE_FOG },
+    { "interior", read_declared, VALUE_INTERIOR },
+    { "material", read_declared, VALUE_MATERIAL },
+    { "transform", read_declared, VALUE_TRANSFORM },
+    { "camera", read_declared, VALUE_CAMERA },
+    { "function", read_declared, VALUE_FUNCTION },
+    { "density density_map media rainbow", read_declared, VALUE_LOOK },
     { "spline", spline_read, 0 },
-    { "density density_map media rainbow", declare_look, 0 },
     { NULL, NULL, 0 },
 };
 

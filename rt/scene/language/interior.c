@@ -13,8 +13,5 @@ static const struct grammar grammar = { "a keyword of interior", .tables = { wor
 
 bool interior_read(struct reader *reader, double *ior)
 {
-    struct block block;
-
-    return block_open_from(reader, &block, VALUE_INTERIOR, ior, sizeof *ior)
-           && block_items(reader, &block, &grammar, ior, true);
+    return block_read_from(reader, &grammar, VALUE_INTERIOR, ior, sizeof *ior);
 }

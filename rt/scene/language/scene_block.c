@@ -173,6 +173,15 @@ bool block_read(struct reader *reader, const struct grammar *grammar, void *subj
            && block_items(reader, &block, grammar, subject, true);
 }
 
+bool block_read_from(struct reader *reader, const struct grammar *grammar,
+                     enum scene_value_kind kind, void *subject, size_t size)
+{
+    struct block block;
+
+    return block_open_from(reader, &block, kind, subject, size)
+           && block_items(reader, &block, grammar, subject, true);
+}
+
 void block_pass(struct reader *reader, const struct block *block)
 {
     while (!at_close(reader, block))

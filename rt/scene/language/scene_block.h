@@ -73,6 +73,9 @@ bool block_items(struct reader *reader, const struct block *block,
                  const struct grammar *grammar, void *subject, bool good);
 /* Opens a block and reads its words. */
 bool block_read(struct reader *reader, const struct grammar *grammar, void *subject);
+/* Like block_read, for a block that block_open_from opens. */
+bool block_read_from(struct reader *reader, const struct grammar *grammar,
+                     enum scene_value_kind kind, void *subject, size_t size);
 /* Skips the rest of an open block, with its closing sign. */
 bool block_finish(struct reader *reader, const struct block *block);
 /* Skips the rest of an open block; the closing sign is not consumed. */

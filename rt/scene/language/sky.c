@@ -30,11 +30,8 @@ static const struct grammar grammar = { "a keyword of sky_sphere",
 
 bool sky_read(struct reader *reader, struct sky_setting *sky)
 {
-    struct block block;
-
     *sky = (struct sky_setting){ .pigment = reader->default_texture.pigment };
-    return block_open_from(reader, &block, VALUE_SKY, sky, sizeof *sky)
-           && block_items(reader, &block, &grammar, sky, true);
+    return block_read_from(reader, &grammar, VALUE_SKY, sky, sizeof *sky);
 }
 
 /* Puts a sky into the scene; one of a single colour becomes the background. */

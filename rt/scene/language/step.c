@@ -104,7 +104,7 @@ const struct keyword step_words[] = {
 };
 
 struct transform_reading {
-    struct placement placement;
+    struct placement placement; /* first member: a named transform replaces it */
     bool inverse;
 };
 
@@ -127,14 +127,13 @@ static const struct grammar grammar = { "translate, rotate, scale, matrix or inv
 bool transform_read(struct reader *reader, struct placement *placement)
 {
     struct transform_reading reading = { placement_none, false };
-    struct block block;
+    struct scene_token at = reader->token;
 
-    if (!block_open_from(reader, &block, VALUE_TRANSFORM, &reading.placement,
-                         sizeof reading.placement)
-        || !block_items(reader, &block, &grammar, &reading, true))
+    if (!block_read_from(reader, &grammar, VALUE_TRANSFORM, &reading,
+                         sizeof reading.placement))
         return false;
     *placement = reading.inverse ? placement_inverse(&reading.placement)
                                  : reading.placement;
     return placement_is_finite(placement)
-           || reader_fault(reader, &block.open, "the transform is out of range");
+           || reader_fault(reader, &at, "the transform is out of range");
 }

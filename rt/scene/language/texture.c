@@ -122,10 +122,8 @@ static const struct grammar finish_grammar = { "a keyword of finish",
 
 bool finish_read(struct reader *reader, struct finish *finish)
 {
-    struct block block;
-
-    return block_open_from(reader, &block, VALUE_FINISH, finish, sizeof *finish)
-           && block_items(reader, &block, &finish_grammar, finish, true);
+    return block_read_from(reader, &finish_grammar, VALUE_FINISH, finish,
+                           sizeof *finish);
 }
 
 bool texture_part_read(struct reader *reader, const struct item *item,
