@@ -82,7 +82,7 @@ some_as_before\@:
         VTOV    [red], [s3]
         .endm
 
-        .macro  go_on_by address
+        .macro  advance_by address
         SHIFTI  h, 6, s2
         ADDX    \address, s2, \address
         .endm
@@ -107,8 +107,8 @@ fine_power:
         power_of_positive
         ADDLEN  fine_there, h, s3
         VTOV    [v0], [s3]
-        go_on_by fine_at
-        go_on_by fine_there
+        advance_by fine_at
+        advance_by fine_there
         SUBX    fine_left_over, h, fine_left_over
         BIM     fine_power
 fine_powers:
@@ -119,7 +119,7 @@ fine_distance:
         some_of fine_left_over, fine_begun
         first_distance fine_next_at, 0
         first_distance fine_row_step, 1
-        go_on_by fine_at
+        advance_by fine_at
         SUBX    fine_left_over, h, fine_left_over
         BIM     fine_distance
 fine_begun:
@@ -159,7 +159,7 @@ fine_begun:
         CMPGEV  [\from], visit_limit, [\bits]
         .endm
 
-        .macro  go_on_from a0, a1, b0, b1, before
+        .macro  advance_from a0, a1, b0, b1, before
         RTOR    \a0, s2
         IX      s2, -\before
         MASKB   [\a1], [\a0], [\b0] ? [s2]
@@ -215,11 +215,11 @@ fine_row:
 fine_row_visited:
         ORB     [visit_t], [visit_d], [visit_a0]
         ORB     [visit_t], [visit_e], [visit_a1]
-        go_on_from visit_a0, visit_a1, visit_b0, visit_b1, 1
-        go_on_from visit_b0, visit_b1, visit_a0, visit_a1, 2
-        go_on_from visit_a0, visit_a1, visit_b0, visit_b1, 4
-        go_on_from visit_b0, visit_b1, visit_a0, visit_a1, 8
-        go_on_from visit_a0, visit_a1, visit_b0, visit_b1, 16
+        advance_from visit_a0, visit_a1, visit_b0, visit_b1, 1
+        advance_from visit_b0, visit_b1, visit_a0, visit_a1, 2
+        advance_from visit_a0, visit_a1, visit_b0, visit_b1, 4
+        advance_from visit_b0, visit_b1, visit_a0, visit_a1, 8
+        advance_from visit_a0, visit_a1, visit_b0, visit_b1, 16
         RTOR    visit_b0, s2
         IX      s2, -1
         MASKB   [visit_e], [visit_d], [visit_right] ? [s2]
@@ -370,7 +370,7 @@ fine_mean_sample:
         IBXNE   mean_planes_left, minus_one_index, r0, fine_mean_plane, mean_planes_left
         put_distance px, 0
         put_distance py, 1
-        go_on_by mean_list
+        advance_by mean_list
         MPYX    s2, mean_samples, s2
         ADDX    mean_sampled, s2, mean_sampled
         SUBX    fine_left_over, h, fine_left_over

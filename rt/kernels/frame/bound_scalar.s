@@ -33,7 +33,7 @@
 
 ; A leaf's fields in its tree, in the registers of its bound.
         .share  local
-        .regs   r62, l_state_kernel, l_state_inner, l_at_hand, l_segments
+        .regs   r62, l_state_kernel, l_state_inner, l_next_hit, l_segments
         .regs   r66, l_events, l_first_state, l_first_event
         .endshare
 

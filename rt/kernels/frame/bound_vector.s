@@ -235,7 +235,7 @@ take_least:
 take_lower:
         EX      wlower, least_store
         .if     INTERIORS
-        EX      s0, passed_at_hand
+        EX      s0, passed_current
         STO     [s0], r0
         IBXNE   shadows, r0, r0, take_shadow
         load_word queue_passed, s3
@@ -272,7 +272,7 @@ take_passed:
         MASKV   tmin, s0, [wlower] ? [s2]
         describe s3, passed_store + 64 * QUEUE, near
         MASKV   s1, s0, [s3] ? [s2]
-        EX      s0, passed_at_hand
+        EX      s0, passed_current
         STO     [s0], one_index
         BIM     0, link_inner
         .endif

@@ -77,7 +77,7 @@ simple_next:
         .if     INTERIORS
         LOD     [from_least, loop_index], w_lower
         .endif
-        CFPGE   w_lower, segment_in, simple_behind
+        CFPGE   w_lower, segment_in, simple_second
 simple_ahead:
         CFPGE   segment_in, ray_limit, simple_tie
 simple_taken:
@@ -92,7 +92,7 @@ simple_taken:
         STO     [to_hit_s, loop_place], segment_in
         STO     [to_hit_t, loop_place], segment_out
         BIM     simple_skip
-simple_behind:
+simple_second:
         RTOR    segment_out, segment_in
         CFPLT   w_lower, segment_in, simple_ahead
         BIM     simple_skip

@@ -19,7 +19,7 @@
         ADDLEN  \into, tile_count, \into
         .endm
 
-        .macro  tile_behind base
+        .macro  tile_advance base
         ADDX    \base, s9, \base
         .endm
 
@@ -110,9 +110,9 @@ tile_some:
         ADDN    strip_row, r0, s8
         ADDNV   [s6], s8, [s6]
         SHIFTI  tile_count, 6, s9
-        tile_behind s2
-        tile_behind s3
-        tile_behind s4
+        tile_advance s2
+        tile_advance s3
+        tile_advance s4
         SUBX    tile_left, tile_count, tile_left
         ADDX    strip_at, tile_count, strip_at
         MPYX    strip_height, columns, s0

@@ -142,7 +142,7 @@ near_bit_store: .space 3 * QUEUE_BIT_WORDS
 queue_bits:     .space QUEUE_BIT_WORDS
         .if     INTERIORS
 passed_bits:    .space QUEUE_BIT_WORDS
-passed_at_hand: .word 0                 ; 1: wlower is in passed_store, or, for
+passed_current: .word 0                 ; 1: wlower is in passed_store, or, for
                                         ; few rays, in few_least; the one to be
                                         ; scaled follows QUEUE words later
 queue_passed:   .word 0                 ; descriptor of the rank of the region

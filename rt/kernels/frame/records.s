@@ -175,7 +175,7 @@
                                    ; scalar form only
         .field  P_STATE_KERNEL     ; of an open shape in a tree: routines for
         .field  P_STATE_INNER      ; the segments of the closed shape; else 0
-        .field  P_AT_HAND          ; in a tree, written by scalar code: the next
+        .field  P_NEXT_HIT         ; in a tree, written by scalar code: the next
                                    ; primitive that the ray hits, or 0
         .field  P_SEGMENTS         ; most segments of a ray, an integer; 0: a
                                    ; surface without inside

@@ -38,7 +38,7 @@ transformed:
         dot_constant wdx, wdy, wdz, m20, m21, m22, ldz, w0
         normalise ldx, ldy, ldz, w0, lscale
         .if     INTERIORS
-        load_word passed_at_hand, s0
+        load_word passed_current, s0
         IBXNE   s0, r0, r0, transformed_passed
         .endif
         EX      s0, k_lower

@@ -2,7 +2,7 @@
 ;
 ; The vector kernels intersected all current rays with each leaf that any of
 ; them comes near. Before VISIBLE is called for a ray, its leaves are examined
-; once: P_AT_HAND chains those that it hits, and required leaves narrow its span
+; once: P_NEXT_HIT chains those that it hits, and required leaves narrow its span
 ; (span_scalar.s), as in nodes_scalar.s.
 ;
 ; The including file processes the crossings:
@@ -115,7 +115,7 @@ tree_leaf:
         CFPGE   w_in, m_big, tree_missed
         STO     [chain_at], leaf_primitive
         RTOR    leaf_primitive, chain_at
-        IX      chain_at, 64 * P_AT_HAND
+        IX      chain_at, 64 * P_NEXT_HIT
         ES      w_met, 1
         IBXEQ   leaf_needed, r0, r0, tree_leaf_next
         IBXEQ   leaf_segments, r0, r0, tree_leaf_next

@@ -34,7 +34,7 @@ area_store:     .space 3 * QUEUE        ; sum of the transmitted light
         .endm
 
 ; Stores the next point of the area and the number of points left.
-        .macro  area_go_on
+        .macro  area_continue
         EX      loop_at, area_at
         ELEN    loop_at, 2
         SWAP    [r0], area_next_at, [loop_at]
@@ -94,7 +94,7 @@ area_ray\@:
         ELEN    loop_at, 2
         SWAP    [loop_at], area_next_at, [r0]
 area_begin\@:
-        area_go_on
+        area_continue
         IBXEQ   area_next_at, r0, r0, area_begun\@
         EX      loop_at, area_rays
         STO     [loop_at], lit_count
@@ -127,7 +127,7 @@ area_dark\@:
         load_at area_at, 2, area_next_at
         IX      area_next_at, 64 * LIGHT_POINT_SIZE
         IX      area_next_left, -1
-        area_go_on
+        area_continue
         IBXEQ   area_next_left, r0, r0, area_last\@
         area_rays_to_point
         BIM     \walk

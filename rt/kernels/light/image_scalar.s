@@ -6,7 +6,7 @@
         .share  local
         .regs   r48, row_words, pixel_words, column_at, column_before
         .regs   r52, row_at, row_before, image_u, texel, weight
-        .regs   r58, corner_r, corner_g, corner_b, edge_before, edge_behind
+        .regs   r58, corner_r, corner_g, corner_b, edge_before, edge_after
         .regs   r63, weight_sum
         .endshare
 
@@ -67,14 +67,14 @@
         ADDX    \at, m_index_minus_one, \before
         FLR     \count, y_4
         ADDX    y_4, m_index_minus_one, y_4
-        ES      edge_behind, 0
+        ES      edge_after, 0
         RTOR    y_4, edge_before
         CFPEQ   map_d, r0, neighbours_repeated\@
-        RTOR    y_4, edge_behind
+        RTOR    y_4, edge_after
         ES      edge_before, 0
 neighbours_repeated\@:
         CFPNE   y_3, \count, neighbours_within\@
-        RTOR    edge_behind, \at
+        RTOR    edge_after, \at
 neighbours_within\@:
         CFPNE   y_3, r0, neighbours_found\@
         RTOR    edge_before, \before

@@ -5,7 +5,7 @@
 ; Out: cr cg cb.  Changes v0-v7, red, green, blue, hits1-hits3, s0-s9.
 
         .share
-        .regs   r7, row_words, pixel_words, edge_before, edge_behind, last_column
+        .regs   r7, row_words, pixel_words, edge_before, edge_after, last_column
         .endshare
 
 ; [v0] = the pattern radial of x, z.
@@ -89,14 +89,14 @@ outside_found\@:
         ADDXV   [\at], minus_one_index, [\before]
         FLR     \count, last_column
         ADDX    last_column, minus_one_index, last_column
-        ES      edge_behind, 0
+        ES      edge_after, 0
         RTOR    last_column, edge_before
         CFPEQ   map_d, r0, neighbours_repeated\@
-        RTOR    last_column, edge_behind
+        RTOR    last_column, edge_after
         ES      edge_before, 0
 neighbours_repeated\@:
         CMPEQV  [v4], \count, [hits1]
-        VTOV    edge_behind, [\at] ? [hits1]
+        VTOV    edge_after, [\at] ? [hits1]
         CMPEQV  [v4], r0, [hits1]
         VTOV    edge_before, [\before] ? [hits1]
         MPYLV   [\at], \words, [\at]

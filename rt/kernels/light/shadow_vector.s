@@ -141,7 +141,7 @@ found_shadow:
 shadow_of_parts:
         leaves_begin
 shadow_leaf:
-        leaf_at_hand
+        load_leaf_record
         load_field P_ID, identity
         CMPEQV  [event_met], identity, [bits0]
         ANDB    [bits0], [seen], [bits0]

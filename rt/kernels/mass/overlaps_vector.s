@@ -10,7 +10,7 @@
         .include "mass/crossed_vector.s"
 
         .regs   r60, v_counts, v_other, v_before, v_field
-        .regs   r64, b_level, b_before, b_behind
+        .regs   r64, b_level, b_before, b_after
         .regs   r67, ovl_zero, ovl_n, ovl_distance, ovl_level_bits
         .regs   r71, ovl_at, ovl_left, ovl_level_at, ovl_level_left, ovl_carry
         .regs   r76, ovl_first, ovl_second
@@ -82,15 +82,15 @@ add_next\@:
         .macro  find_changes
         load_two ovl_at                 ; PAIR_LEVELS
         find_bits ovl_first, b_level
-        find_bits ovl_second, b_behind
+        find_bits ovl_second, b_after
         EX      b_before, on_bits
         ADDLEN  b_before, ovl_n, b_before
-        ANDB    [b_level], [b_behind], [b_before]
+        ANDB    [b_level], [b_after], [b_before]
         EX      b_before, on_bits
-        ADDX    b_before, col_index_one, b_behind
+        ADDX    b_before, col_index_one, b_after
         ADDLEN  b_before, col_n, b_before
-        ADDLEN  b_behind, col_n, b_behind
-        XORB    [b_before], [b_behind], [b_seen]
+        ADDLEN  b_after, col_n, b_after
+        XORB    [b_before], [b_after], [b_seen]
         CNTOB   [b_seen], col_count
         .endm
 
@@ -133,7 +133,7 @@ overlaps_level:
 overlaps_pair:
         find_changes
         IBXEQ   col_count, r0, r0, overlaps_added
-        ANDB    [b_seen], [b_behind], [b_enter]
+        ANDB    [b_seen], [b_after], [b_enter]
         find_weights
         MPYSV   [v_w], [v_s], [v_w]
         ADDNV   [col_at], [v_w], [col_at] ? [b_seen]

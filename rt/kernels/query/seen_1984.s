@@ -11,7 +11,7 @@
 
 ; Operands from queue_vector.s.
         .share  loop
-        .regs   r236, to_stride, to_step, to_left, to_from, to_first, to_counts, to_behind
+        .regs   r236, to_stride, to_step, to_left, to_from, to_first, to_counts, to_start
         .equ    SEEN_OPERANDS, 7
 
         .regs   r208, c_count, c_slot, c_before, c_plane, c_other, c_least, c_line
@@ -127,8 +127,8 @@ tree_noted:
         EX      loop_at, line_ray
         find_normal_there loop_at
         .endif
-        CFPEQ   to_behind, r0, tree_from_origin
-        SUBN    c_distance, to_behind, c_distance
+        CFPEQ   to_start, r0, tree_from_origin
+        SUBN    c_distance, to_start, c_distance
 tree_from_origin:
         LOD     [to_counts, loop_place], c_count
         ADDX    c_count, m_index_one, c_other

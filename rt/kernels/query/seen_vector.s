@@ -87,7 +87,7 @@ find_normals:
         EX      part_at, line_part
         leaves_begin
 normals_leaf:
-        leaf_at_hand
+        load_leaf_record
         load_field P_ID, identity
         describe near_bits, queue_bits, line_taken
         CMPEQV  [taken_met], identity, [near_bits]

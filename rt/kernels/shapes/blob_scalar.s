@@ -452,13 +452,13 @@ blob_walk:
         signs_at_beginning
         take_roots
         RTOR    e6, way_inside
-        BIM     blob_go_on
+        BIM     blob_continue
 blob_outside:
         ES      e6, 0
 blob_alike:
         signs_at_beginning
         RTOR    e6, way_inside
-blob_go_on:
+blob_continue:
         RTOR    way_end, way_t
         CFPLT   way_t, big, blob_walk
 blob_end:

@@ -669,21 +669,21 @@ blob_first:
         take_first
 blob_ended:
         inside_at_end
-        BIM     blob_go_on
+        BIM     blob_continue
 
 ; No root: the only possible crossing is at the interval's start.
 blob_passed:
         signs_at_beginning
         ORB     [hits0], [hits0], [lane_inside]
         CNTOB   [hits1], s0
-        IBXEQ   s0, r0, r0, blob_go_on
+        IBXEQ   s0, r0, r0, blob_continue
         VTOV    [way_t], [e0]
         IBXNE   nearest_way, r0, r0, blob_there
         take_crossing
-        BIM     blob_go_on
+        BIM     blob_continue
 blob_there:
         take_nearest
-blob_go_on:
+blob_continue:
         VTOV    [way_end], [way_t]
         leave_lanes blob_done
         BIM     blob_walk

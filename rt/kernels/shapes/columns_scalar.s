@@ -34,10 +34,10 @@ insert_next\@:
         IBXEQ   list_at, r0, a_segment, insert_store\@
         IX      list_at, -64
         LOD     [list_at], t1
-        CFPGE   crossed_at, t1, insert_behind\@
+        CFPGE   crossed_at, t1, insert_after\@
         STO     [list_at, index_one], t1
         BIM     insert_next\@
-insert_behind\@:
+insert_after\@:
         IX      list_at, 64
 insert_store\@:
         STO     [list_at], crossed_at

@@ -52,9 +52,9 @@ list_next\@:
         LOD     [a_segment, t1], sorted_t
         LOD     [sorted_triangles, t1], sorted_triangle
         CFPLT   sorted_t, t0, list_here\@
-        CFPNE   sorted_t, t0, list_behind\@
+        CFPNE   sorted_t, t0, list_after\@
         IBXLT   sorted_triangle, r0, triangle, list_here\@
-list_behind\@:
+list_after\@:
         STO     [a_segment, sorted_at], sorted_t
         STO     [sorted_triangles, sorted_at], sorted_triangle
         RTOR    t1, sorted_at

@@ -276,7 +276,7 @@ meet_every:
         BIM     every_counted
 every_ahead:
         .if     INTERIORS
-        load_word passed_at_hand, s0
+        load_word passed_current, s0
         IBXNE   s0, r0, r0, every_passed
         .endif
         CMPLTV  r0, [side_z0], [side_bits]

@@ -2,7 +2,7 @@
 ;
 ; The nodes are in preorder. If the ray does not come near a node, the node and
 ; everything below it are skipped. The kernels of other primitives store their
-; crossings at P_FIRST_STATE and P_FIRST_EVENT. P_AT_HAND chains the primitives
+; crossings at P_FIRST_STATE and P_FIRST_EVENT. P_NEXT_HIT chains the primitives
 ; that the ray hits, beginning in span. Branches that the ray comes near are
 ; listed. The value of a missed node is 0.
 ;
@@ -94,7 +94,7 @@ meet_events:
         CFPGE   w_in, m_big, meet_missed
         STO     [w_chain], n_primitive
         RTOR    n_primitive, w_chain
-        IX      w_chain, 64 * P_AT_HAND
+        IX      w_chain, 64 * P_NEXT_HIT
         ES      w_met, 1
         IBXEQ   n_needed, r0, r0, meet_next
         IBXEQ   l_segments, r0, r0, meet_next

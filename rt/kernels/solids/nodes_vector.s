@@ -53,7 +53,7 @@
         RTOR    first_leaf, leaf_at
         .endm
 
-        .macro  leaf_at_hand
+        .macro  load_leaf_record
         ELEN    leaf_at, LEAF_NEEDED
         SWAP    [leaf_at], leaf_primitive, [r0]
         RTOR    leaf_primitive, primitive
@@ -100,7 +100,7 @@
         .endm
 
 ; Computes the offset from the mesh's crossings to their triangles.
-        .macro  triangles_behind into
+        .macro  triangles_offset into
         load_field P_SHAPE + 1, \into
         FLR     \into, \into
         EX      s0, 64 * CROSSING_SIZE
@@ -111,7 +111,7 @@
 ; The words of a node after its bound.
         .share  shape
         .regs   r61, node_steps, node_step_count, node_primitive, node_needed
-        .regs   r65, node_behind, node_value
+        .regs   r65, node_after, node_value
         .if     MESH_CROSSINGS
         .reg    node_mesh, r67
         .endif
@@ -236,7 +236,7 @@ nodes_met:
         BIM     few_met
 node_far:
         clear_value
-        RTOR    node_behind, node_at
+        RTOR    node_after, node_at
         BIM     node_next
 node_near:
         IX      node_at, 64 * N_SIZE

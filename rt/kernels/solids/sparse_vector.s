@@ -58,7 +58,7 @@ node_few:
         IX      s3, 64 * 7
         STO     [s3], near_limit
         STO     [s3, one_index], nodes_end
-        RTOR    node_behind, nodes_end
+        RTOR    node_after, nodes_end
         EX      s2, few_store
         CPSV    [iota], [s2] ? [near_bits]
         EX      s3, few_places
@@ -77,7 +77,7 @@ node_few:
         gather_few woz, 3
 few_gathered:
         .if     INTERIORS
-        load_word passed_at_hand, s3
+        load_word passed_current, s3
         IBXEQ   s3, r0, r0, few_passed_none
         describe s3, few_least, s9
         EX      s4, 64 * QUEUE

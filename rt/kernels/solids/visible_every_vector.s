@@ -40,7 +40,7 @@ every_solids:
         VTOV    r0, [nearest_met]
         leaves_begin
 every_leaf:
-        leaf_at_hand
+        load_leaf_record
         load_field P_ID, column_identity
         find_slot leaf_first_event
         RTOR    slot, column

@@ -7,7 +7,7 @@
 ; and leaves each segment, and from P_FIRST_EVENT on its events, the crossings
 ; that may be visible. They are CROSSING_SIZE words apart. A miss is big,
 ; minus_big. SPAN = last, limit, address after the last active branch, and the
-; first leaf that the ray hits; P_AT_HAND chains the other leaves (4 words). The
+; first leaf that the ray hits; P_NEXT_HIT chains the other leaves (4 words). The
 ; value of a missed leaf is 0. EVENT = the least visible distance with last <
 ; distance < limit, and the record of its primitive; big, 0 if there is none (2
 ; words).
@@ -38,7 +38,7 @@
         .regs   r45, v_last, v_limit, v_branches_end, v_first
         .regs   r49, v_distance, v_leaf
         .regs   r51, v_primitive, v_at, v_left, v_crossing, v_in, v_out
-        .regs   r57, v_delta, v_before, v_behind, v_value
+        .regs   r57, v_delta, v_before, v_after, v_value
         .regs   r61, t_operation, t_left, t_right, t_result
         .regs   r65, v_index_two, v_index_three, v_others, v_visible
         .endshare
@@ -72,7 +72,7 @@ event_found:    .space 2
 
         .macro  load_leaf
         RTOR    v_primitive, v_at
-        IX      v_at, 64 * P_AT_HAND
+        IX      v_at, 64 * P_NEXT_HIT
         ELEN    v_at, 6
         SWAP    [v_at], v_next, [r0]
         .endm
@@ -86,7 +86,7 @@ event_found:    .space 2
 ; Branches to `other` if the crossing is farther than delta from the event.
         .macro  crossing_near other
         CFPLT   v_crossing, v_before, \other
-        CFPLT   v_behind, v_crossing, \other
+        CFPLT   v_after, v_crossing, \other
         .endm
 
 ; Branches to `same` if the two bits of a value are equal.
@@ -153,7 +153,7 @@ visible_not_this:
 
 ; Computes the values of the leaves before and after it.
         SUBN    v_distance, v_delta, v_before
-        ADDN    v_distance, v_delta, v_behind
+        ADDN    v_distance, v_delta, v_after
         ES      v_others, 0
         RTOR    v_first, v_primitive
 visible_state:
@@ -164,8 +164,8 @@ visible_state:
 visible_segment:
         next_crossing v_in
         next_crossing v_out
-        CFPLT   v_behind, v_in, visible_next_segment
-        CFPGE   v_behind, v_out, visible_left
+        CFPLT   v_after, v_in, visible_next_segment
+        CFPGE   v_after, v_out, visible_left
         OR      v_value, m_index_one, v_value
 visible_left:
         CFPGE   v_in, v_before, visible_next_segment

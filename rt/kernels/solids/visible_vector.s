@@ -79,7 +79,7 @@
 
 ; Loads an active leaf and its value.
         .macro  leaf_with_value
-        leaf_at_hand
+        load_leaf_record
         value_of leaf_value, value, value_after
         .endm
 
@@ -124,7 +124,7 @@ tree_next:
         VTOV    r0, [event_met]
         leaves_begin
 event_leaf:
-        leaf_at_hand
+        load_leaf_record
         load_field P_ID, identity
         find_slot leaf_first_event
         IBXEQ   leaf_segments, r0, r0, event_next
@@ -173,14 +173,14 @@ tree_values:
         RTOR    event, column
         EX      target, find_seen
         BSAVE   link_inner, [target]
-        IBXEQ   s0, r0, r0, tree_go_on
+        IBXEQ   s0, r0, r0, tree_continue
         BSAVE   link_kernel, [found]
         ANDNB   [active], [seen], [active]
         CNTOB   [active], s9
         IBXEQ   s9, r0, r0, walk_skip
         VTOV    big, [event] ? [seen]
         BIM     tree_left_over
-tree_go_on:
+tree_continue:
         CNTOB   [active], s9
 tree_left_over:
         describe last, last_store, near
@@ -383,11 +383,11 @@ squeeze_slot\@:
 squeeze_rays:
         leaves_begin
 squeeze_leaf:
-        leaf_at_hand
+        load_leaf_record
         .if     MESH_CROSSINGS
         unless_mesh squeeze_no_mesh
         IBXNE   shadows, r0, r0, squeeze_triangles
-        triangles_behind s4
+        triangles_offset s4
         ADDX    leaf_first_event, s4, s4
         squeeze_slots leaf_events, s4
 squeeze_triangles:
@@ -427,7 +427,7 @@ found_nearest:
         describe s4, found_bits, s2
         leaves_begin
 found_counted:
-        leaf_at_hand
+        load_leaf_record
         load_record P_ID, 1, identity
         load_field P_YIELD, s3
         CFPEQ   s3, r0, found_counted_next
@@ -475,7 +475,7 @@ found_taken:
 found_points:
         leaves_begin
 found_leaf:
-        leaf_at_hand
+        load_leaf_record
         .if     MESH_CROSSINGS
         load_field P_ON_PATCH, s0
         SHIFTI  s0, -1, s0
@@ -503,7 +503,7 @@ found_none:
 ; crossing leaves a solid. The normals of a mesh with a body decide this.
 found_mesh:
         found_rays
-        triangles_behind s3
+        triangles_offset s3
         find_slot leaf_first_event
         ES      s6, 0
 found_triangle:
