@@ -69,7 +69,7 @@ near\@:
         .reg    b_lost, r71
         .endshare
 
-        .macro  skip_beside_axis c1, c2, d1, d2, h1, h2, a1, a2, beside
+        .macro  skip_if_separated c1, c2, d1, d2, h1, h2, a1, a2, box_missed
         MPYS    \c1, \d2, w_t0
         MPYS    \c2, \d1, w_t1
         MPYS    \h1, \a2, w_t2
@@ -77,10 +77,10 @@ near\@:
         SUBN    w_t0, w_t1, w_t0
         ADDN    w_t2, w_t3, w_t2
         ABS     w_t0, w_t0
-        CFPLT   w_t2, w_t0, \beside
+        CFPLT   w_t2, w_t0, \box_missed
         .endm
 
-        .macro  skip_beside beside
+        .macro  skip_if_box_missed box_missed
         RTOR    w_region, w_at
         IX      w_at, 64 * R_BOX
         ELEN    w_at, 6
@@ -102,17 +102,17 @@ near\@:
         ADDN    b_hx, w_t0, b_hx
         ADDN    b_hy, w_t1, b_hy
         ADDN    b_hz, w_t2, b_hz
-        skip_beside_axis b_cy, b_cz, w_dy, w_dz, b_hy, b_hz, b_dy, b_dz, \beside
-        skip_beside_axis b_cz, b_cx, w_dz, w_dx, b_hz, b_hx, b_dz, b_dx, \beside
-        skip_beside_axis b_cx, b_cy, w_dx, w_dy, b_hx, b_hy, b_dx, b_dy, \beside
+        skip_if_separated b_cy, b_cz, w_dy, w_dz, b_hy, b_hz, b_dy, b_dz, \box_missed
+        skip_if_separated b_cz, b_cx, w_dz, w_dx, b_hz, b_hx, b_dz, b_dx, \box_missed
+        skip_if_separated b_cx, b_cy, w_dx, w_dy, b_hx, b_hy, b_dx, b_dy, \box_missed
         .endm
 
 ; Branches for a region that is not only simple: to `tree` if it has no box, to
-; `beside` if the ray misses the box, to `simple` if it is simple with a box.
+; `box_missed` if the ray misses the box, to `simple` if it is simple with a box.
 ; Otherwise continues: a tree in its box.
-        .macro  meet_box tree, simple, beside
+        .macro  test_box tree, simple, box_missed
         IBXEQ   w_way, r0, r0, \tree
-        skip_beside \beside
+        skip_if_box_missed \box_missed
         ES      w_at, REGION_BOXED
         IBXNE   w_way, r0, w_at, \simple
         .endm

@@ -117,7 +117,7 @@ load_set:
         load_word walk_set, s7
         EX      s0, queue_set
         IBXNE   s7, r0, s0, set_of_some
-        look_at_rays aox, aoy, aoz, adx, ady, adz, aox
+        set_rays aox, aoy, aoz, adx, ady, adz, aox
         RTOR    n, s8
         RTOR    nearest, s9
         BIM     0, link_inner

@@ -22,7 +22,7 @@
 
 ; Products and sums are linked if L and H are in registers. With vectors, a link
 ; would read three.
-        .macro  beside_axis c1, c2, d1, d2, h1, h2, a1, a2, bits, vectors
+        .macro  separating_axis c1, c2, d1, d2, h1, h2, a1, a2, bits, vectors
         MPYSV   \c1, [\d2], [w9]
         MPYSV   \h1, [\a2], [w11]
         .if     !\vectors
@@ -39,30 +39,30 @@
         CMPGEV  [w11], [w9], [\bits]
         .endm
 
-        .macro  beside_more
+        .macro  separating_next
         ANDB    [near_bits], [bits0], [near_bits]
         CNTOB   [near_bits], s6
-        IBXEQ   s6, r0, r0, beside_taken
+        IBXEQ   s6, r0, r0, box_taken
         .endm
 
-        .macro  beside_axes x, y, z, hx, hy, hz, vectors
-        beside_axis \y, \z, wdy, wdz, \hy, \hz, w1, w2, near_bits, \vectors
+        .macro  separating_axes x, y, z, hx, hy, hz, vectors
+        separating_axis \y, \z, wdy, wdz, \hy, \hz, w1, w2, near_bits, \vectors
         CNTOB   [near_bits], s6
-        IBXEQ   s6, r0, r0, beside_taken
-        beside_axis \z, \x, wdz, wdx, \hz, \hx, w2, w0, bits0, \vectors
-        beside_more
-        beside_axis \x, \y, wdx, wdy, \hx, \hy, w0, w1, bits0, \vectors
-        beside_more
+        IBXEQ   s6, r0, r0, box_taken
+        separating_axis \z, \x, wdz, wdx, \hz, \hx, w2, w0, bits0, \vectors
+        separating_next
+        separating_axis \x, \y, wdx, wdy, \hx, \hy, w0, w1, bits0, \vectors
+        separating_next
         .endm
 
-        .macro  beside_common c, p, h, work
+        .macro  box_from_point c, p, h, work
         SUBN    \c, \p, \c
         ABS     \c, \work
         MPYS    \work, box_lost, \work
         ADDN    \h, \work, \h
         .endm
 
-        .macro  beside_each c, o, h, away, size
+        .macro  box_from_origins c, o, h, away, size
         SUBNV   \c, [\o], [\away]
         ABSV    [\away], [\size]
         LINKV
@@ -71,7 +71,7 @@
         .endm
 
         .kernel bound
-take_beside:
+take_box_hits:
         RTOR    region, s0
         IX      s0, 64 * R_BOX
         ELEN    s0, 6
@@ -82,27 +82,27 @@ take_beside:
         ABSV    [wdy], [w1]
         ABSV    [wdz], [w2]
         RTOR    shadows, s0
-        if_to_point beside_point, s1
+        if_to_point box_of_point, s1
         EX      s0, queue_origin
-        IBXNE   from_one_point, r0, r0, beside_point
-        beside_each box_x, wox, box_hx, w3, w6
-        beside_each box_y, woy, box_hy, w4, w7
-        beside_each box_z, woz, box_hz, w5, w8
-        beside_axes [w3], [w4], [w5], [w6], [w7], [w8], 1
-        BIM     beside_tested
-beside_point:
+        IBXNE   from_one_point, r0, r0, box_of_point
+        box_from_origins box_x, wox, box_hx, w3, w6
+        box_from_origins box_y, woy, box_hy, w4, w7
+        box_from_origins box_z, woz, box_hz, w5, w8
+        separating_axes [w3], [w4], [w5], [w6], [w7], [w8], 1
+        BIM     box_tested
+box_of_point:
         ELEN    s0, 3
         SWAP    [s0], s3, [r0]
-        beside_common box_x, s3, box_hx, s7
-        beside_common box_y, s4, box_hy, s8
-        beside_common box_z, s5, box_hz, s9
-        beside_axes box_x, box_y, box_z, box_hx, box_hy, box_hz, 0
-beside_tested:
-        if_few  s6, near, beside_few
-beside_taken:
+        box_from_point box_x, s3, box_hx, s7
+        box_from_point box_y, s4, box_hy, s8
+        box_from_point box_z, s5, box_hz, s9
+        separating_axes box_x, box_y, box_z, box_hx, box_hy, box_hz, 0
+box_tested:
+        if_few  s6, near, box_sparse
+box_taken:
         BIM     0, link_inner
 
-beside_few:
+box_sparse:
         set_near s6
         leave_only place, place_store, 0, near_bits
         leave_only near_limit, place_store, 1, near_bits

@@ -380,7 +380,7 @@ spheres_found:
 ; Lists the materials of the hits. A material that is repeated in consecutive
 ; pairs is processed once.
         pair_field pair_node, P_MATERIAL, pair_x
-spheres_look:
+spheres_compare:
         LOD     [pair_x], s2
         RTOR    s2, s3
         IX      s3, 64 * P_SHARED
@@ -400,7 +400,7 @@ spheres_listed:
         ADDLEN  pair_x, s3, pair_x
         SHIFTI  s1, 6, s1
         ADDX    pair_x, s1, pair_x
-        BIM     spheres_look
+        BIM     spheres_compare
 
 ; Finds the nearest hit of each ray.
 spheres_nearest:

@@ -83,7 +83,7 @@
 ; Rays that a kernel intersects, in world or object space.
         .regs   r116, ox, oy, oz, dx, dy, dz, lower
 
-        .macro  look_at_rays x0, x1, x2, d0, d1, d2, least
+        .macro  set_rays x0, x1, x2, d0, d1, d2, least
         RTOR    \x0, ox
         RTOR    \x1, oy
         RTOR    \x2, oz

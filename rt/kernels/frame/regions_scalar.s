@@ -256,7 +256,7 @@ nearest_done:
         .endkernel
         .kernel bound
 nearest_other:
-        meet_box nearest_tree, nearest_simple, nearest_skip
+        test_box nearest_tree, nearest_simple, nearest_skip
         .endkernel
         .kernel visible
 nearest_tree:

@@ -101,7 +101,7 @@ walk_taken:
         BSAVE   link_inner, [target]
         IBXEQ   region_way, r0, one_index, walk_simple
         IBXEQ   region_way, r0, r0, walk_nodes
-        EX      target, take_beside
+        EX      target, take_box_hits
         BSAVE   link_inner, [target]
         IBXEQ   s6, r0, r0, walk_skip
         ES      s0, REGION_BOXED
@@ -162,7 +162,7 @@ walk_simple:
         .endkernel
         .kernel call
         RTOR    region_first, primitive
-        look_at_rays wox, woy, woz, wdx, wdy, wdz, wlower
+        set_rays wox, woy, woz, wdx, wdy, wdz, wlower
         describe tin, found_store, near
         describe tout, found_store + 64 * QUEUE, near
         ES      segments_wanted, 1

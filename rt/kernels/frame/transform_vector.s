@@ -48,7 +48,7 @@ transformed_least:
         LOD     [s0], s0
         MPYSV   [w0], s0, [llower]
 transformed_carried:
-        look_at_rays lox, loy, loz, ldx, ldy, ldz, llower
+        set_rays lox, loy, loz, ldx, ldy, ldz, llower
         RTOR    link_kernel, link_inner
         BSAVE   link_kernel, [inner_kernel]
         RTOR    link_inner, link_kernel

@@ -61,7 +61,7 @@ shadow_done:
         .endkernel
         .kernel bound
 shadow_other:
-        meet_box shadow_tree, shadow_simple, shadow_next
+        test_box shadow_tree, shadow_simple, shadow_next
         .endkernel
         .kernel shadow
 shadow_tree:

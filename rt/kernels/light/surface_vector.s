@@ -50,7 +50,7 @@ set_part:
 ; face the ray; then normal and facing include the bumps.
 find_normal:
         RTOR    link_kernel, link_inner
-        look_at_points px, py, pz
+        set_points px, py, pz
         load_field P_TRANSFORMED, s9
         RTOR    part_at, s0
         IX      s0, 64 * PART_SHARED
@@ -64,7 +64,7 @@ find_normal:
         ADDNV   [ly], m13, [ly]
         dot_constant px, py, pz, m20, m21, m22, lz, v0
         ADDNV   [lz], m23, [lz]
-        look_at_points lx, ly, lz
+        set_points lx, ly, lz
 normal_own:
         load_field P_NORMAL, target
         BSAVE   link_kernel, [target]

@@ -79,7 +79,7 @@ see_line:
 line_region:
         load_region
         skip_far w_cx, w_cy, w_cz, w_radius, w_square, w_limit, line_skip
-        meet_box line_tree, line_tree, line_skip
+        test_box line_tree, line_tree, line_skip
         .endkernel
         .kernel visible
 line_tree:

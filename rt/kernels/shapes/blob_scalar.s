@@ -333,7 +333,7 @@ way_next:
         .endm
 
 ; Branches to differ if the sign of k is not the one in e6.  e6 = 1 if the field
-; is at least T at the start of the interval.  look_along branches to alike if
+; is at least T at the start of the interval.  test_interval branches to alike if
 ; all Bernstein coefficients on the interval have that sign.
         .macro  signs_of k, differ
         CFPGE   \k, r0, signs_above\@
@@ -344,12 +344,12 @@ signs_above\@:
 signs_same\@:
         .endm
 
-        .macro  look_along alike
+        .macro  test_interval alike
         SUBN    way_end, way_t, way_length
         ES      e6, 1
-        CFPGE   k0, r0, look_begins\@
+        CFPGE   k0, r0, interval_begins\@
         ES      e6, 0
-look_begins\@:
+interval_begins\@:
         MPYS    way_length, way_length, t4
         MPYS    k1, way_length, t0
         MPYS    t4, way_length, t5
@@ -362,20 +362,20 @@ look_begins\@:
         MPYS    t2, blob_quarter, t6
         ADDN    k0, t4, t7
         ADDN    t4, t5, t4
-        signs_of t7, look_differ
+        signs_of t7, interval_signs_differ
         ADDN    t7, t4, t8
         ADDN    t4, t5, t4
-        signs_of t8, look_differ
+        signs_of t8, interval_signs_differ
         ADDN    t4, t6, t4
         ADDN    k0, t0, t9
         ADDN    t8, t4, t8
         ADDN    t9, t1, t9
-        signs_of t8, look_differ
+        signs_of t8, interval_signs_differ
         ADDN    t9, t2, t9
         ADDN    t9, t3, t9
-        signs_of t9, look_differ
+        signs_of t9, interval_signs_differ
         BIM     \alike
-look_differ:
+interval_signs_differ:
         .endm
 
 ; Records a crossing, relative to the ray's origin instead of its closest
@@ -448,7 +448,7 @@ blob_begin:
 blob_walk:
         next_way
         IBXEQ   way_pieces, r0, r0, blob_outside
-        look_along blob_alike
+        test_interval blob_alike
         signs_at_beginning
         take_roots
         RTOR    e6, way_inside

@@ -479,7 +479,7 @@ way_next\@:
         ORB     [hits1], [hits2], [hits1]
         .endm
 
-        .macro  look_along
+        .macro  test_interval
         SUBNV   [way_end], [way_t], [way_length]
         CMPLTV  [way_end], big, [hits2]
         VTOV    r0, [way_length] ?! [hits2]
@@ -657,7 +657,7 @@ blob_lanes:
         leave_lanes blob_done
 blob_walk:
         next_way
-        look_along
+        test_interval
         CNTOB   [hits1], s0
         IBXEQ   s0, r0, r0, blob_passed
         solve_way

@@ -161,7 +161,7 @@
         .endm
 
 ; [beyond] = the row's corner is beyond the hyperbola.
-        .macro  look_at_corner
+        .macro  find_corner_side
         LINKV
         MPYSV   [dx], row_height, [w0]
         ADDNV   [w0], [turn_x], [w0]
@@ -313,7 +313,7 @@ segment\@:
         IX      segment_at, 64 * LATHE_SIZE
         CFPLT   row_height, queue_low, corner_far\@
         CFPLT   queue_high, row_height, corner_far\@
-        look_at_corner
+        find_corner_side
         BIM     corner_known\@
 corner_far\@:
         XORB    [beyond], [beyond], [beyond]

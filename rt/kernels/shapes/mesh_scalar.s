@@ -132,8 +132,8 @@ limit_none\@:
         .endm
 
 ; Tests the box of the node at node_at, which advances to its links.  Branches
-; to beside if the ray misses the box.
-        .macro  near_boxes beside
+; to box_missed if the ray misses the box.
+        .macro  near_boxes box_missed
         LOD     [node_at], box_x
         IX      node_at, 64
         LOD     [node_at], box_y
@@ -166,9 +166,9 @@ limit_none\@:
         greater low_x, low_z
         lesser  high_x, high_z
         MPYS    low_x, mesh_less, low_x
-        CFPLT   high_x, r0, \beside
-        CFPLT   high_x, low_x, \beside
-        CFPGE   low_x, tin, \beside
+        CFPLT   high_x, r0, \box_missed
+        CFPLT   high_x, low_x, \box_missed
+        CFPGE   low_x, tin, \box_missed
         .endm
 
         .if     MESH_BOXES == 0
@@ -183,7 +183,7 @@ limit_none\@:
 mesh_node\@:
         SHIFTI  node, 6, node_at
         ADDX    node_at, \rows, node_at
-        near_\way mesh_beside\@
+        near_\way mesh_box_missed\@
         LOD     [node_at, signs], node
         IBXLT   node, r0, met_link, mesh_node\@
         SUBX    node, met_link, node
@@ -191,7 +191,7 @@ mesh_node\@:
         ELEN    node_at, 2
         SWAP    [node_at], triangle, [r0]       ; also triangles_left
         BIM     mesh_triangle\@
-mesh_beside\@:
+mesh_box_missed\@:
         IX      node_at, 64
         LOD     [node_at, signs], node
         IBXNE   node, r0, r0, mesh_node\@

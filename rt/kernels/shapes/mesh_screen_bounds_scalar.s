@@ -90,7 +90,7 @@ viewpoint_ahead\@:
         ES      signs, 0                        ; one order for all rays
         .endm
 
-        .macro  near_screen_bounds beside
+        .macro  near_screen_bounds box_missed
         LOD     [node_at], low_x
         IX      node_at, 64
         LOD     [node_at], high_x
@@ -102,10 +102,10 @@ viewpoint_ahead\@:
         LOD     [node_at], low_z
         IX      node_at, 64
         MPYS    tin, mesh_forward, high_z
-        CFPLT   mesh_u, low_x, \beside
-        CFPLT   high_x, mesh_u, \beside
-        CFPLT   mesh_v, low_y, \beside
-        CFPLT   high_y, mesh_v, \beside
-        CFPGE   low_z, high_z, \beside
+        CFPLT   mesh_u, low_x, \box_missed
+        CFPLT   high_x, mesh_u, \box_missed
+        CFPLT   mesh_v, low_y, \box_missed
+        CFPLT   high_y, mesh_v, \box_missed
+        CFPGE   low_z, high_z, \box_missed
         .endm
 

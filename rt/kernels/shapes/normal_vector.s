@@ -10,7 +10,7 @@
         .regs   r185, qx, qy, qz            ; point
         .endshare
 
-        .macro  look_at_points x0, x1, x2
+        .macro  set_points x0, x1, x2
         RTOR    \x0, qx
         RTOR    \x1, qy
         RTOR    \x2, qz

@@ -37,7 +37,7 @@ quadratic_save: .space QUADRATIC_REGISTERS
         .endm
 
 ; Branches to passed if side does not return to the value of the corners.
-        .macro  look_for_both passed
+        .macro  find_both_roots passed
         CFPLT   side_lead, r0, both_falls\@
         IBXNE   left, r0, r0, \passed
         ADDN    side_lead, side_bend, t0
@@ -131,7 +131,7 @@ curve_sided\@:
         CFPNE   begins, r0, curve_passed\@
         load_curve
         IBXNE   left, r0, left_before, curve_once\@
-        look_for_both curve_passed\@
+        find_both_roots curve_passed\@
         square_of_root
         CFPGE   r0, t0, curve_passed\@
         solve_curve

@@ -54,7 +54,7 @@
 
 ; [both] = the lanes in which the slope of side changes its sign and side first
 ; approaches 0.
-        .macro  look_for_both
+        .macro  find_both_roots
         ADDNV   [side_lead], [side_bend], [w1]
         CMPLTV  [side_lead], r0, [bits0]
         CMPLTV  [w1], r0, [both]
@@ -122,7 +122,7 @@ curve\@:
         XORB    [left], [left_before], [crossed]
         cross_row bend_x, bend_z, side_bend
         cross_row lead_x, lead_z, side_lead
-        look_for_both
+        find_both_roots
         pass_unless_crossed curve_passed\@
         MPYSV   [side_lead], [side_lead], [w0]
         MPYSV   [side_bend], [side_before], [w1]

@@ -215,7 +215,7 @@ node_next:
         ELEN    node_at, NODE_WORDS
         SWAP    [node_at], bound_x, [r0]
         CFPGE   bound_r, least_culled, node_near
-        look_at_rays wox, woy, woz, wdx, wdy, wdz, wlower
+        set_rays wox, woy, woz, wdx, wdy, wdz, wlower
         RTOR    near, s8
         RTOR    near_limit, s9
         EX      target, test_bound
@@ -252,7 +252,7 @@ node_leaf:
         .endkernel
 
         .kernel call
-        look_at_rays wox, woy, woz, wdx, wdy, wdz, wlower
+        set_rays wox, woy, woz, wdx, wdy, wdz, wlower
         find_segments leaf_first_event
         RTOR    leaf_segments, segments_wanted
         IBXNE   leaf_segments, r0, r0, node_solid

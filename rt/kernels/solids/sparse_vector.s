@@ -139,7 +139,7 @@ few_kernel:
         ADDX    tin2, s3, tout2
         ADDX    tout2, s3, tin3
         ADDX    tin3, s3, tout3
-        look_at_rays wox, woy, woz, wdx, wdy, wdz, wlower
+        set_rays wox, woy, woz, wdx, wdy, wdz, wlower
         RTOR    shape_at, s4
         load_field P_SEGMENTS, segments_wanted
         RTOR    s4, shape_at
