@@ -171,7 +171,7 @@ take_all:
 ; Gathering is faster than compressing if 4 count + GATHER_LESS is below all.
         .equ    GATHER_LESS, 64
 
-        .macro  few_to_gather count, all, work, few
+        .macro  if_gather_pays count, all, work, few
         ADDX    \count, \count, \work
         ADDX    \work, \work, \work
         IX      \work, GATHER_LESS
@@ -203,7 +203,7 @@ take_some:
         IX      s1, 64 * SET_PLACE
         LOD     [s1], s3
         take_near s3, place, place_store, 0
-        few_to_gather near, s8, s0, take_fewer
+        if_gather_pays near, s8, s0, take_sparse
         take_near s9, near_limit, place_store, 1
         take_near dx, wdx, world_store, 3
         take_near dy, wdy, world_store, 4
@@ -215,7 +215,7 @@ take_some:
         BIM     take_least
 
 ; Gathers few rays from the queue.
-take_fewer:
+take_sparse:
         gather_near nearest, near_limit, place_store, 1
         gather_near adx, wdx, world_store, 3
         gather_near ady, wdy, world_store, 4

@@ -11,7 +11,7 @@
 ; their limits. The first set is the queue itself. The others are stored
 ; consecutively in an arena, each after its parent. The next node to visit
 ; belongs to an earlier set, and the memory after that set is free. Each set has
-; less than FEW / FEW_OF = 3/4 of the rays of its parent, so all sets together
+; less than SPARSE / SPARSE_OF = 3/4 of the rays of its parent, so all sets together
 ; have fewer than n (3/4 + 9/16 + ..) = 3 n rays. A ray has 8 words.
 ;
 ; The limits of a set are those of its rays when it was formed. They are
@@ -158,7 +158,7 @@ walk_node:
         BSAVE   link_inner, [target]
         IBXEQ   s0, r0, r0, walk_pop
         RTOR    s0, s6
-        if_few  s6, s8, walk_narrow
+        if_sparse  s6, s8, walk_narrow
 walk_below:
         IBXNE   hierarchy_count, r0, r0, walk_leaf
         .ifdef  PAIRS
@@ -224,7 +224,7 @@ walk_narrow:
         ADDLEN  s5, s6, s5
         SHIFTI  s6, 6, s2
         set_take s3
-        few_to_gather s6, s8, s0, walk_gather
+        if_gather_pays s6, s8, s0, walk_gather
         RTOR    s9, s4
         set_take s4
         set_take dx

@@ -98,7 +98,7 @@ box_of_point:
         box_from_point box_z, s5, box_hz, s9
         separating_axes box_x, box_y, box_z, box_hx, box_hy, box_hz, 0
 box_tested:
-        if_few  s6, near, box_sparse
+        if_sparse  s6, near, box_sparse
 box_taken:
         BIM     0, link_inner
 

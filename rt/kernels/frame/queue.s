@@ -143,7 +143,7 @@ queue_bits:     .space QUEUE_BIT_WORDS
         .if     INTERIORS
 passed_bits:    .space QUEUE_BIT_WORDS
 passed_current: .word 0                 ; 1: wlower is in passed_store, or, for
-                                        ; few rays, in few_least; the one to be
+                                        ; few rays, in sparse_least; the one to be
                                         ; scaled follows QUEUE words later
 queue_passed:   .word 0                 ; descriptor of the rank of the region
                                         ; whose clear surface each ray passed

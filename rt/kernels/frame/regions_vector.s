@@ -36,15 +36,15 @@ hidden_class:   .word 0                 ; class of rays that do not see the
         .code
         .endif
 
-; Rays are compressed if they are fewer than FEW / FEW_OF of all. With more rays
-; compressing does not pay.
-        .equ    FEW, 3
-        .equ    FEW_OF, 4
+; Rays are compressed if they are fewer than SPARSE / SPARSE_OF of all. With
+; more rays compressing does not pay.
+        .equ    SPARSE, 3
+        .equ    SPARSE_OF, 4
 
-        .macro  if_few count, all, few
-        ES      s0, FEW_OF
+        .macro  if_sparse count, all, few
+        ES      s0, SPARSE_OF
         MPYX    \count, s0, s0
-        ES      s1, FEW
+        ES      s1, SPARSE
         MPYX    \all, s1, s1
         IBXLT   s0, r0, s1, \few
         .endm
@@ -95,7 +95,7 @@ walk_near:
         IBXNE   region_shadow, r0, one_index, walk_mark
 walk_take:
         EX      target, take_some
-        if_few  s6, s8, walk_taken
+        if_sparse  s6, s8, walk_taken
         EX      target, take_all
 walk_taken:
         BSAVE   link_inner, [target]

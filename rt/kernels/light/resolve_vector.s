@@ -14,7 +14,7 @@
         .regs   r233, child_kind, child_parent, child_weight, child_color
         .regs   r237, parent_color, of_kind, chosen_parent, chosen_weight
         .regs   r241, chosen_color, children, children_left, child_stride
-        .regs   r245, parent_stride, channels_left, wanted_kind, few_children
+        .regs   r245, parent_stride, channels_left, wanted_kind, child_count
         .reg    child_list, r249
         .endshare
 
@@ -48,9 +48,9 @@ add_kind:
         CMPEQV  [child_kind], wanted_kind, [of_kind]
         CNTOB   [of_kind], s0
         IBXEQ   s0, r0, r0, add_kind_done
-        SUBX    s0, children, few_children
+        SUBX    s0, children, child_count
         RTOR    child_parent, chosen_parent
-        IBXEQ   few_children, r0, r0, add_parents
+        IBXEQ   child_count, r0, r0, add_parents
         choose_child child_parent, chosen_parent, 0
 add_parents:
         RTOR    child_kind, child_weight
@@ -73,7 +73,7 @@ add_channels:
 add_channel:
         RTOR    child_weight, chosen_weight
         RTOR    child_color, chosen_color
-        IBXEQ   few_children, r0, r0, add_weighted
+        IBXEQ   child_count, r0, r0, add_weighted
         choose_child child_weight, chosen_weight, 1
         choose_child child_color, chosen_color, 2
 add_weighted:

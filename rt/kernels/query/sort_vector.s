@@ -73,7 +73,7 @@ sort_compared:
         RTOR    sort_low, s2
         RTOR    sort_high, s3
         ES      s4, SEEN_FOUND
-        few_to_gather s0, n, s5, sort_few
+        if_gather_pays s0, n, s5, sort_sparse
 sort_exchange:
         VTOV    [s2], [w0]
         VTOV    [s3], [s2] ? [bits0]
@@ -84,7 +84,7 @@ sort_exchange:
         BIM     sort_next
 
 ; Gathers the elements if only few are exchanged.
-sort_few:
+sort_sparse:
         describe s6, count_store, n
         EX      s5, sort_store
         CPSV    [s6], [s5] ? [bits0]

@@ -348,7 +348,7 @@ mesh_on\@:
         CMPNEV  [mesh_at], r0, [mesh_bits]
         CNTOB   [mesh_bits], s2
         IBXEQ   s2, r0, r0, mesh_walked\@
-        if_few  s2, m, mesh_narrow\@
+        if_sparse  s2, m, mesh_narrow\@
         BIM     mesh_step\@
 mesh_narrow\@:
         keep_\way

@@ -227,13 +227,13 @@ node_next:
         .if     MESH_CROSSINGS
         IBXNE   node_mesh, r0, r0, node_near
         .endif
-        load_word few_outer, s1
-        IBXEQ   s1, r0, r0, node_few
+        load_word sparse_outer, s1
+        IBXEQ   s1, r0, r0, node_sparse
         BIM     node_near
 nodes_met:
-        load_word few_outer, s9
+        load_word sparse_outer, s9
         IBXEQ   s9, r0, r0, walk_tree
-        BIM     few_met
+        BIM     sparse_hit
 node_far:
         clear_value
         RTOR    node_after, node_at
@@ -245,10 +245,10 @@ node_near:
         list_branch
         BIM     node_next
 node_leaf:
-        load_word few_outer, s9
+        load_word sparse_outer, s9
         list_leaf
         RTOR    node_needed, leaf_needed
-        IBXNE   s9, r0, r0, few_leaf
+        IBXNE   s9, r0, r0, sparse_leaf
         .endkernel
 
         .kernel call

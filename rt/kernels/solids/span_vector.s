@@ -87,7 +87,7 @@ node_limit:
         CMPLTV  [last], [near_limit], [active]
         CNTOB   [active], s9
         IBXEQ   s9, r0, r0, walk_skip
-        if_few  s9, near, node_squeeze
+        if_sparse  s9, near, node_squeeze
         BIM     node_next
 node_squeeze:
         EX      target, squeeze_span

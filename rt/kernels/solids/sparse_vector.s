@@ -10,76 +10,76 @@
 ; Source: derived here.
 
         .share  phase
-        .reg    link_few, r188
+        .reg    link_sparse, r188
         .endshare
 
 ; The largest number of crossings of a gathered ray.
         .if     MAX_CROSSINGS > 3 * PATCH_CROSSINGS
-        .equ    FEW_CROSSINGS, MAX_CROSSINGS
+        .equ    SPARSE_CROSSINGS, MAX_CROSSINGS
         .else
-        .equ    FEW_CROSSINGS, 3 * PATCH_CROSSINGS
+        .equ    SPARSE_CROSSINGS, 3 * PATCH_CROSSINGS
         .endif
 
         .data
-few_outer:      .word 0                 ; rays before gathering, 0 if not done
-few_saved:      .space 9                ; wox .. wlower, near_limit, nodes_end
-few_places:     .word 0                 ; descriptor: places of gathered rays
-few_first:      .word 0                 ; address of the primitive's crossings
+sparse_outer:   .word 0                 ; rays before gathering, 0 if not done
+sparse_saved:   .space 9                ; wox .. wlower, near_limit, nodes_end
+sparse_places:  .word 0                 ; descriptor: places of gathered rays
+sparse_first:   .word 0                 ; address of the primitive's crossings
         .align  64
         .if     INTERIORS
-few_least:      .space 2 * QUEUE        ; as passed_store
+sparse_least:   .space 2 * QUEUE        ; as passed_store
         .endif
-few_store:      .space (8 + FEW_CROSSINGS) * QUEUE ; positions, rays, limits,
+sparse_store:   .space (8 + SPARSE_CROSSINGS) * QUEUE ; positions, rays, limits,
                                                    ; crossings
         .code
 
-        .macro  gather_few vector, number
-        describe s3, few_store + 64 * QUEUE * \number, s9
+        .macro  gather_sparse vector, number
+        describe s3, sparse_store + 64 * QUEUE * \number, s9
         VXTOV   [s2], [\vector], [s3]
         RTOR    s3, \vector
         .endm
 
 ; Stores the next vector of the region's crossings: those of the gathered rays,
 ; and `none` for the other rays.
-        .macro  spread_few vector, none
+        .macro  expand_sparse vector, none
         VTOV    \none, [slot]
         VTOVX   [s4], [\vector], [slot]
         ADDX    slot, slot_size, slot
         .endm
 
         .kernel bound
-node_few:
+node_sparse:
         RTOR    s0, s9
-        EX      s3, few_outer
+        EX      s3, sparse_outer
         STO     [s3], near
-        EX      s3, few_saved
+        EX      s3, sparse_saved
         ELEN    s3, 7
         SWAP    [r0], wox, [s3]                 ; wox .. wlower
         IX      s3, 64 * 7
         STO     [s3], near_limit
         STO     [s3, one_index], nodes_end
         RTOR    node_after, nodes_end
-        EX      s2, few_store
+        EX      s2, sparse_store
         CPSV    [iota], [s2] ? [near_bits]
-        EX      s3, few_places
+        EX      s3, sparse_places
         STO     [s3], s2
-        gather_few wdx, 4
-        gather_few wdy, 5
-        gather_few wdz, 6
-        gather_few near_limit, 7
+        gather_sparse wdx, 4
+        gather_sparse wdy, 5
+        gather_sparse wdz, 6
+        gather_sparse near_limit, 7
         SUBX    s9, near, s4
         ADDLEN  wox, s4, wox
         ADDLEN  woy, s4, woy
         ADDLEN  woz, s4, woz
-        IBXNE   from_one_point, r0, r0, few_gathered
-        gather_few wox, 1
-        gather_few woy, 2
-        gather_few woz, 3
-few_gathered:
+        IBXNE   from_one_point, r0, r0, sparse_gathered
+        gather_sparse wox, 1
+        gather_sparse woy, 2
+        gather_sparse woz, 3
+sparse_gathered:
         .if     INTERIORS
         load_word passed_current, s3
-        IBXEQ   s3, r0, r0, few_passed_none
-        describe s3, few_least, s9
+        IBXEQ   s3, r0, r0, sparse_passed_none
+        describe s3, sparse_least, s9
         EX      s4, 64 * QUEUE
         VXTOV   [s2], [wlower], [s3]
         ADDX    wlower, s4, s5
@@ -89,7 +89,7 @@ few_gathered:
         set_near s9
         ES      space, 0
         BIM     node_near
-few_passed_none:
+sparse_passed_none:
         .endif
         set_near s9
         EX      target, take_least
@@ -97,10 +97,10 @@ few_passed_none:
         BIM     node_near
 
 ; Everything below the node is done. The rays before gathering are current.
-few_met:
-        EX      s3, few_outer
+sparse_hit:
+        EX      s3, sparse_outer
         STO     [s3], r0
-        EX      s3, few_saved
+        EX      s3, sparse_saved
         ELEN    s3, 7
         SWAP    [s3], wox, [r0]
         IX      s3, 64 * 7
@@ -112,27 +112,27 @@ few_met:
         .endkernel
 
         .kernel call
-few_leaf:
-        EX      s3, few_first
+sparse_leaf:
+        EX      s3, sparse_first
         STO     [s3], leaf_first_event
         RTOR    primitive, shape_at
-        EX      target, few_kernel
-        BSAVE   link_few, [target]
+        EX      target, sparse_kernel
+        BSAVE   link_sparse, [target]
         load_field P_STATE_KERNEL, s0
         IBXEQ   s0, r0, r0, node_next
         load_field P_FIRST_STATE, s0
-        EX      s3, few_first
+        EX      s3, sparse_first
         STO     [s3], s0
         RTOR    primitive, shape_at
         IX      shape_at, 64 * P_STATE_KERNEL
-        EX      target, few_kernel
-        BSAVE   link_few, [target]
+        EX      target, sparse_kernel
+        BSAVE   link_sparse, [target]
         BIM     node_next
 
 ; Calls the kernel at shape_at for the gathered rays and stores its crossings
-; from few_first on.
-few_kernel:
-        describe tin, few_store + 64 * QUEUE * 8, near
+; from sparse_first on.
+sparse_kernel:
+        describe tin, sparse_store + 64 * QUEUE * 8, near
         EX      s3, 64 * QUEUE
         ADDX    tin, s3, tout
         ADDX    tout, s3, tin2
@@ -143,47 +143,47 @@ few_kernel:
         RTOR    shape_at, s4
         load_field P_SEGMENTS, segments_wanted
         RTOR    s4, shape_at
-        IBXNE   segments_wanted, r0, r0, few_solid
+        IBXNE   segments_wanted, r0, r0, sparse_solid
         find_parameters
-few_solid:
+sparse_solid:
         call_kernel
         load_record P_SEGMENTS, 4, leaf_segments
         EX      slot_size, 64 * CROSSING_SIZE
-        load_word few_outer, s1
-        load_word few_first, s4
+        load_word sparse_outer, s1
+        load_word sparse_first, s4
         ADDLEN  s4, s1, slot
-        load_word few_places, s4
-        IBXEQ   leaf_segments, r0, r0, few_patch
-        spread_few tin, big
-        spread_few tout, minus_big
-        IBXEQ   leaf_segments, r0, one_index, few_spread
-        spread_few tin2, big
-        spread_few tout2, minus_big
+        load_word sparse_places, s4
+        IBXEQ   leaf_segments, r0, r0, sparse_patch
+        expand_sparse tin, big
+        expand_sparse tout, minus_big
+        IBXEQ   leaf_segments, r0, one_index, sparse_expanded
+        expand_sparse tin2, big
+        expand_sparse tout2, minus_big
         ES      s1, 2
-        IBXEQ   leaf_segments, r0, s1, few_spread
-        spread_few tin3, big
-        spread_few tout3, minus_big
+        IBXEQ   leaf_segments, r0, s1, sparse_expanded
+        expand_sparse tin3, big
+        expand_sparse tout3, minus_big
         .if     MAX_CROSSINGS > 6
         RTOR    tout3, s3
         ES      s1, -3
         ADDX    leaf_segments, s1, leaf_segments
-few_more:
-        IBXEQ   leaf_segments, r0, r0, few_spread
+sparse_more:
+        IBXEQ   leaf_segments, r0, r0, sparse_expanded
         EX      s1, 64 * QUEUE
         ADDX    s3, s1, s3
-        spread_few s3, big
+        expand_sparse s3, big
         ADDX    s3, s1, s3
-        spread_few s3, minus_big
-        IBXNE   leaf_segments, minus_one_index, r0, few_more, leaf_segments
+        expand_sparse s3, minus_big
+        IBXNE   leaf_segments, minus_one_index, r0, sparse_more, leaf_segments
         .endif
-few_spread:
-        BIM     0, link_few
-few_patch:
-        IBXNE   shadows, r0, r0, few_crossing
+sparse_expanded:
+        BIM     0, link_sparse
+sparse_patch:
+        IBXNE   shadows, r0, r0, sparse_crossing
         ES      leaf_events, 3 * PATCH_CROSSINGS ; with its parameters
-few_crossing:
-        spread_few tin, big
+sparse_crossing:
+        expand_sparse tin, big
         ADDX    tin, slot_size, tin
-        IBXNE   leaf_events, minus_one_index, r0, few_crossing, leaf_events
-        BIM     0, link_few
+        IBXNE   leaf_events, minus_one_index, r0, sparse_crossing, leaf_events
+        BIM     0, link_sparse
         .endkernel
