@@ -204,7 +204,7 @@ static bool make_lines(struct global_packet *packet)
 }
 
 /* The planes of an end, as in gaps.s. */
-enum { GAP_DISTANCE, GAP_SURFACE, GAP_WITHIN, GAP_PLANES };
+enum { GAP_DISTANCE, GAP_SURFACE, GAP_SCENE_DEPTH, GAP_PLANES };
 
 struct ends {
     size_t count;
@@ -217,7 +217,7 @@ static void add_end(struct ends *ends, c205_word distance, size_t surface, int w
 
     ends->planes[GAP_DISTANCE][i] = distance;
     ends->planes[GAP_SURFACE][i] = c205_from_integer((int64_t)surface);
-    ends->planes[GAP_WITHIN][i] = c205_from_integer(within);
+    ends->planes[GAP_SCENE_DEPTH][i] = c205_from_integer(within);
 }
 
 static size_t surface_of(const struct global_packet *packet, size_t primitive)

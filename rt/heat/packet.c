@@ -166,7 +166,7 @@ static void begin_run(const struct packet_work *work, const struct object *progr
 }
 
 /* The planes of a crossing, as in faces.s. */
-enum { FACE_DISTANCE, FACE_PRIMITIVE, FACE_POINT, FACE_SENSE, FACE_PLANES };
+enum { FACE_DISTANCE, FACE_PRIMITIVE, FACE_POINT, FACE_SIGN, FACE_PLANES };
 
 static c205_word *lay_crossings(const struct ray_hits *found)
 {
@@ -181,7 +181,7 @@ static c205_word *lay_crossings(const struct ray_hits *found)
             planes[FACE_PRIMITIVE * count + i] = c205_from_integer(
                 (int64_t)seen->primitive);
             planes[FACE_POINT * count + i] = c205_from_integer((int64_t)line);
-            planes[FACE_SENSE * count + i] = c205_from_integer(seen->crossing + 2);
+            planes[FACE_SIGN * count + i] = c205_from_integer(seen->crossing + 2);
         }
     return planes;
 }

@@ -84,29 +84,29 @@ static void layout_rays(struct record_layout *layout,
     if (words)
         layout_words(layout, rays, words, 6 * count);
     free(words);
-    layout_word(layout, "lines_rays", rays);
+    layout_word(layout, "query_rays", rays);
 }
 
 static void layout_packet(struct record_layout *layout,
                           const struct query_layout *whole,
                           struct packet_layout *packet)
 {
-    size_t size = (size_t)layout_symbol(layout, "SEEN_SIZE");
+    size_t size = (size_t)layout_symbol(layout, "RAY_HIT_SIZE");
     size_t most = whole->most, objects = whole->objects;
 
     layout_rays(layout, packet);
     packet->counts = layout_reserve(layout, packet->count);
     packet->found = layout_reserve(layout, size * most * packet->count);
-    layout_word(layout, "lines_count", c205_from_integer((int64_t)packet->count));
-    layout_word(layout, "lines_behind", c205_from_double(packet->behind));
-    layout_word(layout, "lines_counts", packet->counts);
-    layout_word(layout, "lines_found", packet->found);
-    layout_word(layout, "lines_list", layout_reserve(layout, size * most));
-    if (object_symbol(layout->program, "INSIDE_SIZE"))
-        layout_word(layout, "lines_inside",
+    layout_word(layout, "query_count", c205_from_integer((int64_t)packet->count));
+    layout_word(layout, "query_start", c205_from_double(packet->behind));
+    layout_word(layout, "query_counts", packet->counts);
+    layout_word(layout, "query_hits", packet->found);
+    layout_word(layout, "query_list", layout_reserve(layout, size * most));
+    if (object_symbol(layout->program, "DEPTH_SIZE"))
+        layout_word(layout, "query_depths",
                     layout_reserve(layout,
                                    objects
-                                       * (size_t)layout_symbol(layout, "INSIDE_SIZE")));
+                                       * (size_t)layout_symbol(layout, "DEPTH_SIZE")));
 }
 
 bool query_layout_put(const struct query_layout *whole, c205 *machine,

@@ -18,7 +18,7 @@ struct packet_layout {
     size_t count;    /* of the lines */
     double behind;   /* distance before their origins at which they begin */
     uint64_t counts; /* address of a plane: the number of crossings of each line */
-    uint64_t found;  /* address of SEEN_SIZE planes for each crossing */
+    uint64_t found;  /* address of RAY_HIT_SIZE planes for each crossing */
 };
 
 /* The part of memory that all machines share. The scene must have every_crossing

@@ -254,9 +254,9 @@ enum {
     CROSSED_NORMAL,
     CROSSED_RAY,
     CROSSED_PART,
-    CROSSED_SENSE,
-    CROSSED_INSIDE,
-    CROSSED_WITHIN,
+    CROSSED_SIGN,
+    CROSSED_OBJECT_DEPTH,
+    CROSSED_SCENE_DEPTH,
     CROSSED_SIZE
 };
 
@@ -271,9 +271,9 @@ static void lay_crossing(const struct columns_packet *packet, size_t ray, size_t
     planes[CROSSED_RAY * count + i] = c205_from_integer((int64_t)ray);
     planes[CROSSED_PART * count + i] = c205_from_integer(
         (int64_t)part_of[seen->object]);
-    planes[CROSSED_SENSE * count + i] = c205_from_integer(seen->crossing);
-    planes[CROSSED_INSIDE * count + i] = c205_from_integer(seen->object_depth);
-    planes[CROSSED_WITHIN * count + i] = c205_from_integer(seen->scene_depth);
+    planes[CROSSED_SIGN * count + i] = c205_from_integer(seen->crossing);
+    planes[CROSSED_OBJECT_DEPTH * count + i] = c205_from_integer(seen->object_depth);
+    planes[CROSSED_SCENE_DEPTH * count + i] = c205_from_integer(seen->scene_depth);
 }
 
 static bool lay_crossings(const struct columns_packet *packet, c205_word *planes)

@@ -169,7 +169,7 @@ struct object *form_assemble_lines(enum trace_mode mode, size_t queue, bool norm
     if (normals)
         define(&defines, "NORMALS", 1);
     if (bodies)
-        define(&defines, "BODIES", 1);
+        define(&defines, "DEPTHS", 1);
     return program_assemble(programs[mode], defines.list, error);
 }
 

@@ -145,7 +145,7 @@ void ray_hits_free(struct ray_hits *found)
 }
 
 /* The offsets of the fields of a crossing, in planes of its column. */
-struct seen_fields {
+struct ray_hit_fields {
     size_t size, distance, primitive, crossing, point;
     size_t normal, object_depth, scene_depth; /* if requested */
 };
@@ -157,24 +157,24 @@ static size_t field(const struct ray_query *query, const char *name)
     return symbol ? (size_t)symbol->value : 0;
 }
 
-static struct seen_fields find_fields(const struct ray_query *query)
+static struct ray_hit_fields find_fields(const struct ray_query *query)
 {
-    return (struct seen_fields){
-        .size = field(query, "SEEN_SIZE"),
-        .distance = field(query, "SEEN_DISTANCE"),
-        .primitive = field(query, "SEEN_PRIMITIVE"),
-        .crossing = field(query, "SEEN_SENSE"),
-        .point = field(query, "SEEN_POINT"),
-        .normal = field(query, "SEEN_NORMAL"),
-        .object_depth = field(query, "SEEN_OBJECT_DEPTH"),
-        .scene_depth = field(query, "SEEN_SCENE_DEPTH"),
+    return (struct ray_hit_fields){
+        .size = field(query, "RAY_HIT_SIZE"),
+        .distance = field(query, "RAY_HIT_DISTANCE"),
+        .primitive = field(query, "RAY_HIT_PRIMITIVE"),
+        .crossing = field(query, "RAY_HIT_CROSSING"),
+        .point = field(query, "RAY_HIT_POINT"),
+        .normal = field(query, "RAY_HIT_NORMAL"),
+        .object_depth = field(query, "RAY_HIT_OBJECT_DEPTH"),
+        .scene_depth = field(query, "RAY_HIT_SCENE_DEPTH"),
     };
 }
 
 /* The planes of one column: the k-th crossing of every line, a word for each line. */
 struct column {
     const struct ray_query *query;
-    struct seen_fields fields;
+    struct ray_hit_fields fields;
     size_t count; /* of the lines */
     c205_word *words;
 };
@@ -205,7 +205,7 @@ static size_t triangle_of(const struct column *column, size_t line, size_t primi
 static struct ray_hit crossing_of(const struct column *column, size_t line)
 {
     const struct ray_query *query = column->query;
-    const struct seen_fields *fields = &column->fields;
+    const struct ray_hit_fields *fields = &column->fields;
     size_t id = (size_t)integer_of(column, fields->primitive, line) - 1;
     struct ray_hit seen = {
         .distance = word_of(column, fields->distance, line),

@@ -4,9 +4,9 @@
 ; their only definition. Numbers are normalised 64-bit words in world units.
 ; Colours are linear.
 
-; 1: counts the bodies along lines (query/query.s).
-        .ifndef BODIES
-        .equ    BODIES, 0
+; 1: counts the bodies that contain each ray (query/query.s).
+        .ifndef DEPTHS
+        .equ    DEPTHS, 0
         .endif
 
 ; 1: some finishes depend on the angle (light/gloss.s).
@@ -158,7 +158,7 @@
         .field  P_REFLECTION_METALLIC
         .field  P_REFLECTION_KIND ; 0: constant, 1: a power, 2: Fresnel's law
         .endif
-        .if     BODIES
+        .if     DEPTHS
         .field  P_OBJECT           ; object of the scene, an integer from 0
         .endif
         .if     INTERIORS

@@ -5,7 +5,7 @@
 ; primitive nearer than FACE_NEAR to the origin, because crossings within
 ; k_delta of a point are at the point. If faces of several objects coincide and
 ; have one direction, the first primitive in the scene owns them: a point is
-; dropped if an equally near crossing of the same sense is on an earlier
+; dropped if an equally near crossing of the same direction is on an earlier
 ; primitive.
 ;
 ; If the line enters a body at the point, the normal points inward, because
@@ -22,7 +22,7 @@
         .field  FACE_DISTANCE           ; from the origin of its line
         .field  FACE_PRIMITIVE          ; number of the primitive, an integer
         .field  FACE_POINT              ; number of the line, an integer
-        .field  FACE_SENSE              ; 1: the line leaves a body, 2: no body
+        .field  FACE_SIGN               ; 1: the line leaves a body, 2: no body
                                         ; is known, 3: it enters one
         .endrecord
 
@@ -37,14 +37,14 @@ faces_list:     .word 0                 ; address of their planes
 faces_primitive: .word 0                ; number of the primitive
 faces_vectors:  .word 0                 ; bit k: plane k is of a reversed vector
 faces_kept:     .word 0                 ; address of a plane of zeros; later the
-                                        ; sense of each point on a face
+                                        ; direction of each point on a face
                 .word 1e-7              ; FACE_NEAR
                 .word 1, -1
                 .equ    FACES_GIVEN, 12
         .code
 
         .regs   r10, face_points, face_planes, face_from, face_made, face_crossings, face_list
-        .equ    FACE_INWARD, 3          ; a sense
+        .equ    FACE_INWARD, 3          ; a direction
         .regs   r16, face_primitive, face_vectors, face_kept, face_near, face_one, face_minus_one
         .regs   r22, face_stride        ; bits between planes of points
         .regs   r23, face_step          ; bits between planes of crossings

@@ -2,7 +2,7 @@
 
         .include "heat/faces.s"
 
-        .regs   r31, face_distance, face_own, face_point, face_sense, face_found
+        .regs   r31, face_distance, face_own, face_point, face_sign, face_found
         .regs   r36, face_plane_left, face_zero, face_inward, face_turned
 
 ; Loads the next crossing. Branches to `none` if none is left, to `far` if it is
@@ -17,7 +17,7 @@
         CFPGE   face_distance, face_near, \far
         LOD     [face_at], face_point
         ADDX    face_at, face_step, face_at
-        LOD     [face_at], face_sense
+        LOD     [face_at], face_sign
         .endm
 
         .macro  crossing_done again
@@ -37,7 +37,7 @@ faces:
 faces_own:
         crossing_next faces_found, faces_marked
         IBXNE   face_own, r0, face_primitive, faces_marked
-        STO     [face_kept, face_point], face_sense
+        STO     [face_kept, face_point], face_sign
 faces_marked:
         crossing_done faces_own
 
@@ -48,7 +48,7 @@ faces_other:
         crossing_next faces_left, faces_cleared
         IBXGE   face_own, r0, face_primitive, faces_cleared
         LOD     [face_kept, face_point], face_found
-        IBXNE   face_found, r0, face_sense, faces_cleared
+        IBXNE   face_found, r0, face_sign, faces_cleared
         STO     [face_kept, face_point], face_zero
 faces_cleared:
         crossing_done faces_other

@@ -3,7 +3,7 @@
         .include "heat/faces.s"
 
         .equ    STRIP, 4096
-        .regs   r31, v_distance, v_primitive, v_point, v_sense, v_list, v_senses, v_kept
+        .regs   r31, v_distance, v_primitive, v_point, v_sign, v_list, v_signs, v_kept
         .regs   r38, b_near, b_own, b_kept, b_inward, face_n, face_zero, face_inward
 
         .data
@@ -30,7 +30,7 @@ strip_full\@:
         ADDLEN  face_row, face_n, v_primitive
         ADDX    v_primitive, face_step, v_primitive
         ADDX    v_primitive, face_step, v_point
-        ADDX    v_point, face_step, v_sense
+        ADDX    v_point, face_step, v_sign
         EX      v_distance, face_store
         ADDLEN  v_distance, face_n, v_distance
         face_bit b_near, 0
@@ -40,7 +40,7 @@ strip_full\@:
         CMPLTV  [v_distance], face_near, [b_near]
         .endm
 
-; Collects the points and senses of the crossings that are in [b_near] and
+; Collects the points and directions of the crossings that are in [b_near] and
 ; [b_own]. Branches to `none` if there are no such crossings.
         .macro  strip_points none
         ANDB    [b_near], [b_own], [b_near]
@@ -48,10 +48,10 @@ strip_full\@:
         IBXEQ   face_count, r0, r0, \none
         EX      v_list, face_store
         ADDLEN  v_list, face_count, v_list
-        EX      v_senses, face_store + 64 * STRIP
-        ADDLEN  v_senses, face_count, v_senses
+        EX      v_signs, face_store + 64 * STRIP
+        ADDLEN  v_signs, face_count, v_signs
         CPSV    [v_point], [v_list] ? [b_near]
-        CPSV    [v_sense], [v_senses] ? [b_near]
+        CPSV    [v_sign], [v_signs] ? [b_near]
         .endm
 
         .macro  strip_done again
@@ -72,7 +72,7 @@ faces_own:
         strip_next faces_found
         CMPEQV  [v_primitive], face_primitive, [b_own]
         strip_points faces_marked
-        VTOVX   [v_list], [v_senses], [face_kept]
+        VTOVX   [v_list], [v_signs], [face_kept]
 faces_marked:
         strip_done faces_own
 
@@ -88,7 +88,7 @@ faces_other:
         VXTOV   [v_list], [face_kept], [v_kept]
         EX      b_own, face_bits + STRIP
         ADDLEN  b_own, face_count, b_own
-        CMPEQV  [v_kept], [v_senses], [b_own]
+        CMPEQV  [v_kept], [v_signs], [b_own]
         CNTOB   [b_own], face_count
         IBXEQ   face_count, r0, r0, faces_cleared
         EX      face_work, face_store + 64 * STRIP

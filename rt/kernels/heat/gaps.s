@@ -17,7 +17,7 @@
         .record GAP_END
         .field  GAP_DISTANCE            ; along the line
         .field  GAP_SURFACE             ; an integer from 0
-        .field  GAP_WITHIN              ; number of bodies that contain the line
+        .field  GAP_SCENE_DEPTH         ; number of bodies that contain the line
                                         ; after it, an integer
         .endrecord
 
@@ -34,7 +34,7 @@ gaps_least:     .word 0                 ; a length
         .code
 
         .regs   r10, gap_count, gap_surfaces, gap_distances, gap_counts, gap_room, gap_least, gap_one
-        .regs   r17, gap_kinds, gap_withins, gap_from, gap_to, gap_row, gap_work
+        .regs   r17, gap_kinds, gap_scene_depths, gap_from, gap_to, gap_row, gap_work
 
         .macro  gaps_begin
         EX      gap_work, gaps_given
@@ -43,6 +43,6 @@ gaps_least:     .word 0                 ; a length
         ADDX    gap_count, gap_one, gap_work
         SHIFTI  gap_work, 6, gap_work
         ADDX    gap_distances, gap_work, gap_kinds
-        ADDX    gap_kinds, gap_work, gap_withins
+        ADDX    gap_kinds, gap_work, gap_scene_depths
         SHIFTI  gap_surfaces, 6, gap_row
         .endm

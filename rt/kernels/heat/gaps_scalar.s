@@ -10,7 +10,7 @@ gaps:
         gaps_begin
         ES      gap_at, 0
 gaps_next:
-        LOD     [gap_withins, gap_at], gap_work
+        LOD     [gap_scene_depths, gap_at], gap_work
         LOD     [gap_distances, gap_at], gap_near
         LOD     [gap_kinds, gap_at], gap_from
         ADDX    gap_at, gap_one, gap_at

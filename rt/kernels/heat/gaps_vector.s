@@ -5,7 +5,7 @@
 
         .include "heat/gaps.s"
 
-        .regs   r30, v_near, v_far, v_length, v_kind, v_next, v_within, v_from, v_to, v_row
+        .regs   r30, v_near, v_far, v_length, v_kind, v_next, v_scene_depth, v_from, v_to, v_row
         .regs   r39, b_gap, b_open, b_own, gap_left, gap_own, gap_zero
 
         .data
@@ -41,7 +41,7 @@ gap_bits:       .space 65536 / 64 * 2
         SUBNV   [v_far], [v_near], [v_length]
         ABSV    [v_length], [v_length]
         CMPGEV  [v_length], gap_least, [b_gap]
-        CMPEQV  [v_within], gap_zero, [b_open]
+        CMPEQV  [v_scene_depth], gap_zero, [b_open]
         ANDB    [b_gap], [b_open], [b_gap]
         .endm
 
@@ -53,7 +53,7 @@ gaps:
         SHIFTI  gap_count, 6, gap_work
         gap_plane gap_distances, v_near, v_far
         gap_plane gap_kinds, v_kind, v_next
-        ADDLEN  gap_withins, gap_count, v_within
+        ADDLEN  gap_scene_depths, gap_count, v_scene_depth
         find_gaps
         CNTOB   [b_gap], gap_left
         IBXEQ   gap_left, r0, r0, gaps_counted

@@ -49,11 +49,11 @@ columns_next:
         crossed_next columns_fold
         LOD     [col_places, col_ray], col_p
         LOD     [col_q_at, col_ray], col_q
-        find_weight col_inside, columns_within
+        find_weight col_object_depth, columns_within
         find_moments
         add_moments col_part
 columns_within:
-        find_weight col_within, columns_added
+        find_weight col_scene_depth, columns_added
         find_moments
         add_moments col_last
 columns_added:

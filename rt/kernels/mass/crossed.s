@@ -23,10 +23,10 @@
         .field  CROSSED_RAY             ; number of the ray in its packet, an
                                         ; integer, like all words below
         .field  CROSSED_PART            ; number of the part, from 0
-        .field  CROSSED_SENSE           ; 1: it enters a body, -1: it leaves one
-        .field  CROSSED_INSIDE          ; number of the object's bodies that
+        .field  CROSSED_SIGN            ; 1: it enters a body, -1: it leaves one
+        .field  CROSSED_OBJECT_DEPTH    ; number of the object's bodies that
                                         ; contain the ray after it
-        .field  CROSSED_WITHIN          ; the same for all objects
+        .field  CROSSED_SCENE_DEPTH     ; the same for all objects
         .endrecord
 
         .data

@@ -1,6 +1,6 @@
 ; crossed_scalar.s - iterates over crossings one by one, for the scalar forms.
 
-        .regs   r32, col_s, col_normal, col_ray, col_part, col_sense, col_inside, col_within
+        .regs   r32, col_s, col_normal, col_ray, col_part, col_sign, col_object_depth, col_scene_depth
         .regs   r39, col_w, col_lane, col_lanes_most
 
 ; Loads the next crossing, or branches to `none` if none is left.
@@ -11,9 +11,9 @@
         crossed_word col_normal
         crossed_word col_ray
         crossed_word col_part
-        crossed_word col_sense
-        crossed_word col_inside
-        crossed_word col_within
+        crossed_word col_sign
+        crossed_word col_object_depth
+        crossed_word col_scene_depth
         .endm
 
         .macro  crossed_word register
@@ -37,8 +37,8 @@
 ; Sets col_w to w, which is -1 where the ray enters by the count `bodies`.
 ; Branches to `unseen` if the ray neither enters nor leaves.
         .macro  find_weight bodies, unseen
-        IBXEQ   col_sense, r0, r0, \unseen
-        IBXNE   col_sense, r0, col_index_one, weight_leaves\@
+        IBXEQ   col_sign, r0, r0, \unseen
+        IBXNE   col_sign, r0, col_index_one, weight_leaves\@
         IBXNE   \bodies, r0, col_index_one, \unseen
         RTOR    col_minus_one, col_w
         BIM     weight_found\@

@@ -1,6 +1,6 @@
 ; crossed_vector.s - iterates over LANES crossings at a time, in vector form.
 
-        .regs   r32, v_s, v_normal, v_ray, v_part, v_sense, v_inside, v_within
+        .regs   r32, v_s, v_normal, v_ray, v_part, v_sign, v_object_depth, v_scene_depth
         .regs   r39, b_enter, b_leave, b_seen, b_part
         .regs   r43, v_w, col_n, col_count
 
@@ -34,9 +34,9 @@ crossed_full\@:
         crossed_plane v_normal
         crossed_plane v_ray
         crossed_plane v_part
-        crossed_plane v_sense
-        crossed_plane v_inside
-        crossed_plane v_within
+        crossed_plane v_sign
+        crossed_plane v_object_depth
+        crossed_plane v_scene_depth
         EX      v_w, crossed_store
         ADDLEN  v_w, col_n, v_w
         crossed_bit b_enter, 0
@@ -55,10 +55,10 @@ crossed_full\@:
 ; Marks the crossings where the ray enters, where it leaves, and both, by the
 ; count `bodies`.
         .macro  find_seen bodies
-        CMPEQV  [v_sense], col_index_one, [b_enter]
+        CMPEQV  [v_sign], col_index_one, [b_enter]
         CMPEQV  [\bodies], col_index_one, [b_part]
         ANDB    [b_enter], [b_part], [b_enter]
-        CMPEQV  [v_sense], col_index_minus_one, [b_leave]
+        CMPEQV  [v_sign], col_index_minus_one, [b_leave]
         CMPEQV  [\bodies], r0, [b_part]
         ANDB    [b_leave], [b_part], [b_leave]
         ORB     [b_enter], [b_leave], [b_seen]

@@ -64,7 +64,7 @@ overlaps:
         ES      ovl_zero, 0
 overlaps_next:
         crossed_next overlaps_fold
-        find_weight col_inside, overlaps_done
+        find_weight col_object_depth, overlaps_done
         ES      ovl_part_at, 64 * PART_SIZE
         MPYX    col_part, ovl_part_at, ovl_part_at
         ADDX    ovl_parts, ovl_part_at, ovl_part_at
@@ -72,7 +72,7 @@ overlaps_next:
         IBXEQ   ovl_level_left, r0, r0, overlaps_done
         MPYS    col_w, col_s, ovl_term
         IX      ovl_part_at, 64 * PART_COUNT
-        IBXNE   col_sense, r0, col_index_one, overlaps_leaves
+        IBXNE   col_sign, r0, col_index_one, overlaps_leaves
         ADDX    ovl_count, col_index_one, ovl_count
         STO     [ovl_part_at], ovl_count
         change_levels 1

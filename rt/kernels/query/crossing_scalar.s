@@ -1,4 +1,4 @@
-; crossing_scalar.s - computes the sense and the normal of a visible crossing.
+; crossing_scalar.s - computes the direction and the normal of a visible crossing.
 
         .data
 normal_save:    .space SHADE_REGISTERS
@@ -10,29 +10,29 @@ normal_distance: .space 1
 normal_found:   .space 3
         .code
 
-; Sets c_sense to 1 where the line enters the body of the region, to -1 where it
+; Sets c_crossing to 1 where the ray enters the body of the region, to -1 where it
 ; leaves, and to 0 if there is no body. The value of the region's tree after the
 ; crossing decides.
-        .macro  find_sense
+        .macro  find_crossing
         RTOR    w_region, w_at
         IX      w_at, 64 * R_BODY
-        LOD     [w_at], c_sense
+        LOD     [w_at], c_crossing
         IX      w_at, 64 * (R_RESULT - R_BODY)
         LOD     [w_at], w_t0
         LOD     [w_t0], w_t0
         AND     w_t0, m_index_one, w_t0         ; the value after the crossing
-        IBXNE   w_t0, r0, r0, sense_found\@
-        SUBX    r0, c_sense, c_sense
-sense_found\@:
+        IBXNE   w_t0, r0, r0, crossing_found\@
+        SUBX    r0, c_crossing, c_crossing
+crossing_found\@:
         .endm
 
-        .macro  find_normal_there ray
+        .macro  find_normal_at ray
         EX      w_at, normal_list
         STO     [w_at], \ray
         STO     [w_at, m_index_one], w_leaf
         EX      w_at, normal_distance
         STO     [w_at], c_distance
-        call    normal_there, normal_list
+        call    normal_at_hit, normal_list
         EX      w_at, normal_found
         ELEN    w_at, 3
         SWAP    [w_at], c_nx, [r0]
@@ -43,7 +43,7 @@ sense_found\@:
 ; RAY = O, D (6 words). PRIMITIVE = the record of the primitive that it hit.
 ; DISTANCE (1). NORMAL = of length one, against the ray (3).
         .kernel shade
-normal_there:
+normal_at_hit:
         EX      save_at, normal_save
         ELEN    save_at, SHADE_REGISTERS
         SWAP    [r0], r32, [save_at]

@@ -1,10 +1,10 @@
-; depth_1984.s - counts the bodies that contain each line, line by line.
+; depth_1984.s - counts the bodies that contain each ray, ray by ray.
 ;
 ; Computes the same as depth_vector.s, in kernels mode.
 
         .share  loop
-        .regs   r225, line_work, seen_at, seen_left
-        .regs   r228, to_primitive, to_sense, to_inside, to_within
+        .regs   r225, query_work, ray_hit_at, ray_hits_left
+        .regs   r228, to_primitive, to_crossing, to_object_depth, to_scene_depth
         .endshare
 
         .macro  plane_of field, into
@@ -12,58 +12,58 @@
         MPYX    \into, to_stride, \into
         .endm
 
-; Sets body_at to the address of the count for the object crossed at seen_at.
-        .macro  find_object_there
-        LOD     [seen_at, to_primitive], body_at
+; Sets depth_at to the address of the count for the object crossed at ray_hit_at.
+        .macro  find_object_at
+        LOD     [ray_hit_at, to_primitive], depth_at
         find_count
         .endm
 
-; Finds the first crossing of the line. Branches to `none` if it has no
+; Finds the first crossing of the ray. Branches to `none` if it has no
 ; crossing.
-        .macro  begin_seen none
-        LOD     [to_counts, loop_index], seen_left
-        IBXEQ   seen_left, r0, r0, \none
-        SHIFTI  loop_index, 6, seen_at
-        ADDX    seen_at, to_first, seen_at
+        .macro  begin_ray_hits none
+        LOD     [to_counts, loop_index], ray_hits_left
+        IBXEQ   ray_hits_left, r0, r0, \none
+        SHIFTI  loop_index, 6, ray_hit_at
+        ADDX    ray_hit_at, to_first, ray_hit_at
         .endm
 
-        .macro  next_seen again
-        ADDX    seen_at, to_step, seen_at
-        IBXNE   seen_left, m_index_minus_one, r0, \again, seen_left
+        .macro  next_ray_hit again
+        ADDX    ray_hit_at, to_step, ray_hit_at
+        IBXNE   ray_hits_left, m_index_minus_one, r0, \again, ray_hits_left
         .endm
 
         .kernel lines
-count_bodies:
-        hand_over line_stride, SEEN_OPERANDS, 0, seen_operands
+count_depths:
+        hand_over query_stride, QUERY_OPERANDS, 0, query_operands
         to_scalar
-        load_at seen_operands, SEEN_OPERANDS, to_stride
+        load_at query_operands, QUERY_OPERANDS, to_stride
         SHIFTI  to_stride, -6, to_stride        ; in words, like indices
-        plane_of SEEN_PRIMITIVE, to_primitive
-        plane_of SEEN_SENSE, to_sense
-        plane_of SEEN_OBJECT_DEPTH, to_inside
-        plane_of SEEN_SCENE_DEPTH, to_within
+        plane_of RAY_HIT_PRIMITIVE, to_primitive
+        plane_of RAY_HIT_CROSSING, to_crossing
+        plane_of RAY_HIT_OBJECT_DEPTH, to_object_depth
+        plane_of RAY_HIT_SCENE_DEPTH, to_scene_depth
         RTOR    n, loop_count
         ES      loop_index, 0
-bodies_line:
-        begin_seen bodies_none
-        ES      body_all, 0
-bodies_next:
-        find_object_there
-        LOD     [seen_at, to_sense], body_sense
-        LOD     [body_at], body_count
-        ADDX    body_count, body_sense, body_count
-        ADDX    body_all, body_sense, body_all
-        STO     [body_at], body_count
-        STO     [seen_at, to_inside], body_count
-        STO     [seen_at, to_within], body_all
-        next_seen bodies_next
-        begin_seen bodies_none
-bodies_clear:
-        find_object_there
-        STO     [body_at], r0
-        next_seen bodies_clear
-bodies_none:
-        loop_next bodies_line
+depths_ray:
+        begin_ray_hits depths_none
+        ES      depth_scene, 0
+depths_next:
+        find_object_at
+        LOD     [ray_hit_at, to_crossing], depth_crossing
+        LOD     [depth_at], depth_object
+        ADDX    depth_object, depth_crossing, depth_object
+        ADDX    depth_scene, depth_crossing, depth_scene
+        STO     [depth_at], depth_object
+        STO     [ray_hit_at, to_object_depth], depth_object
+        STO     [ray_hit_at, to_scene_depth], depth_scene
+        next_ray_hit depths_next
+        begin_ray_hits depths_none
+depths_clear:
+        find_object_at
+        STO     [depth_at], r0
+        next_ray_hit depths_clear
+depths_none:
+        loop_next depths_ray
         to_vector
         BIM     0, link_kernel
         .endkernel

@@ -1,20 +1,21 @@
-; query.s - arguments and results of the programs that follow lines.
+; query.s - arguments and results of the ray queries.
 ;
-; The programs compute all visible crossings along each line, in order. A line
-; is a ray with an origin and a direction of any length but 0, which the
-; programs normalise, so distances are lengths in the world. It begins
-; lines_behind before its origin, where distances are negative.
+; A ray query computes all visible crossings along each ray, in order. A ray has
+; an origin and a direction of any length but 0, which the program normalises,
+; so distances are lengths in the world. It starts query_start before its
+; origin, where distances are negative.
 ;
 ; A crossing is visible if the tree of its region changes there
 ; (solids/visible_scalar.s). Regions are independent of each other. Crossings
 ; are ordered by distance. At equal distances the lower primitive number is
-; first. The words of the k-th crossing of line r are at
+; first. The words of the k-th crossing of ray r are at
 ;
-;   lines_found + 64 (lines_count (SEEN_SIZE k + w) + r)    w: a field of SEEN
+;   query_hits + 64 (query_count (RAY_HIT_SIZE k + w) + r)    w: a field of
+;                                                             RAY_HIT
 ;
 ; These are planes, a column of planes for each k, so that a field of the k-th
-; crossings of a queue's lines is a vector. Words after the last crossing of a
-; line are undefined.
+; crossings of a queue's rays is a vector. Words after the last crossing of a
+; ray are undefined.
 ; Source: derived here, from the project's notes on ray tracing, 4.1.
 
 ; 1: the normals at crossings are requested.
@@ -22,41 +23,41 @@
         .equ    NORMALS, 0
         .endif
 
-        .record SEEN
-        .field  SEEN_DISTANCE           ; from the line's origin
-        .field  SEEN_PRIMITIVE          ; P_ID of the primitive
-        .field  SEEN_SENSE              ; an integer, 1: the line enters the
+        .record RAY_HIT
+        .field  RAY_HIT_DISTANCE        ; from the ray's origin
+        .field  RAY_HIT_PRIMITIVE       ; P_ID of the primitive
+        .field  RAY_HIT_CROSSING        ; an integer, 1: the ray enters the
                                         ; body of the region, -1: it leaves it,
                                         ; 0: the region has none (R_BODY)
-        .field  SEEN_POINT, 2           ; P_PATCH_POINT of a patch, mesh; or 0
+        .field  RAY_HIT_POINT, 2        ; P_PATCH_POINT of a patch, mesh; or 0
         .if     NORMALS
-        .field  SEEN_NORMAL, 3          ; in the world, of length one, against
-                                        ; the line
+        .field  RAY_HIT_NORMAL, 3       ; in the world, of length one, against
+                                        ; the ray
         .endif
-        .if     BODIES
-        .field  SEEN_OBJECT_DEPTH             ; number of bodies of the object that
-                                        ; contain the line after the crossing:
-                                        ; sum of senses, an integer
-        .field  SEEN_SCENE_DEPTH             ; the same for all objects
+        .if     DEPTHS
+        .field  RAY_HIT_OBJECT_DEPTH    ; number of bodies of the object that
+                                        ; contain the ray after the crossing:
+                                        ; sum of RAY_HIT_CROSSING, an integer
+        .field  RAY_HIT_SCENE_DEPTH     ; the same for all objects
         .endif
         .endrecord
 
-        .if     BODIES
-        .equ    SEEN_FOUND, SEEN_OBJECT_DEPTH ; words stored for each crossing
+        .if     DEPTHS
+        .equ    RAY_HIT_WORDS, RAY_HIT_OBJECT_DEPTH ; words stored for each crossing
         .else
-        .equ    SEEN_FOUND, SEEN_SIZE
+        .equ    RAY_HIT_WORDS, RAY_HIT_SIZE
         .endif
 
         .data
-lines_count:    .word 0                 ; number of lines, an integer
-lines_rays:     .word 0                 ; address of the planes of O and D
-lines_behind:   .word 0.0               ; a number
-lines_counts:   .word 0                 ; address of a plane: number of
-                                        ; crossings of each line, an integer;
+query_count:    .word 0                 ; number of rays, an integer
+query_rays:     .word 0                 ; address of the planes of O and D
+query_start:    .word 0.0               ; a number
+query_counts:   .word 0                 ; address of a plane: number of
+                                        ; crossings of each ray, an integer;
                                         ; zeros when the program begins
-lines_found:    .word 0                 ; address of the planes of crossings
-lines_list:     .word 0                 ; address of room for one line's
+query_hits:     .word 0                 ; address of the planes of crossings
+query_list:     .word 0                 ; address of room for one ray's
                                         ; crossings; scalar form only
-lines_inside:   .word 0                 ; address of INSIDE_SIZE words for each
-                                        ; object: zeros before and after a line
+query_depths:   .word 0                 ; address of DEPTH_SIZE words for each
+                                        ; object: zeros before and after a ray
         .code

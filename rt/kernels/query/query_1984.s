@@ -1,7 +1,7 @@
-; query_1984.s - all visible crossings along lines in kernels mode, as in 1984.
+; query_1984.s - all visible crossings along rays in kernels mode, as in 1984.
 ;
-; Vector kernels intersect queues of lines with the primitives; the rest is done
-; line by line. Arguments and results: query.s.
+; Vector kernels intersect queues of rays with the primitives; the rest is done
+; ray by ray. Arguments and results: query.s.
 ;
 ; Queues, kernels and bounding spheres are those of the vector form. The visible
 ; crossings of a tree, the order of crossings and the counts of bodies are loops
@@ -24,12 +24,12 @@ lines:
         begin_queues
         EX      target, begin_scalar
         BSAVE   link_kernel, [target]
-lines_next:
+query_next:
         begin_queue
         EX      target, walk_regions
         BSAVE   link, [target]
-        .if     BODIES
-        EX      target, count_bodies
+        .if     DEPTHS
+        EX      target, count_depths
         BSAVE   link_kernel, [target]
         .endif
         next_queue
@@ -52,8 +52,8 @@ lines_next:
         .include "shapes/normal_scalar.s"
         .include "shapes/every_normal_scalar.s"
         .include "query/crossing_scalar.s"
-        .include "query/seen_1984.s"
-        .if     BODIES
+        .include "query/ray_hits_1984.s"
+        .if     DEPTHS
         .include "query/depth_scalar.s"
         .include "query/depth_1984.s"
         .endif

@@ -1,4 +1,4 @@
-; query_scalar.s - all visible crossings along lines: the scalar form.
+; query_scalar.s - all visible crossings along rays: the scalar form.
 ;
 ; Arguments and results: query.s.
 
@@ -12,10 +12,10 @@
         .equ    VALUE_SIZE, 1
 
 ; Registers of the main program, in addition to those of linkage.s.
-        .regs   r156, line_ox, line_oy, line_oz, line_dx, line_dy, line_dz
-        .regs   r162, line_least, line_lower, line_behind, line_stride
-        .regs   r166, line_step, line_at, line_counts, line_found, lines_left
-        .regs   r171, line_length, line_work, seen_at, seen_left, seen_plane, seen_slot
+        .regs   r156, query_ox, query_oy, query_oz, query_dx, query_dy, query_dz
+        .regs   r162, query_least, query_lower, query_start_distance, query_stride
+        .regs   r166, query_step, query_at, query_counts_at, query_hits_at, query_left
+        .regs   r171, query_length, query_work, ray_hit_at, ray_hits_left, ray_hit_plane, ray_hit_slot
 
         .include "shapes/slab_scalar.s"
         .include "shapes/quadratic_scalar.s"
@@ -31,44 +31,44 @@
         .include "light/surface_scalar.s"
         .include "shapes/normal_scalar.s"
         .include "shapes/every_normal_scalar.s"
-        .include "query/seen_scalar.s"
+        .include "query/ray_hits_scalar.s"
         .include "solids/unseen_scalar.s"
 
         .data
-line_ray:       .space 8
-line_list:      .descriptor 8, line_ray
-line_room:      .word 0
-                .descriptor 1, line_seen
-line_seen:      .space 1
+query_ray:      .space 8
+query_arguments: .descriptor 8, query_ray
+query_hits_room: .word 0
+                .descriptor 1, query_hit_count
+query_hit_count: .space 1
         .code
 
-; Loads the line's word of the next plane.
-        .macro  load_of_line register
-        LOD     [line_work], \register
-        ADDX    line_work, line_stride, line_work
+; Loads the ray's word of the next plane.
+        .macro  load_of_query register
+        LOD     [query_work], \register
+        ADDX    query_work, query_stride, query_work
         .endm
 
-; Moves the start of the line back by line_behind.
+; Moves the start of the ray back by query_start_distance.
         .macro  move_behind o, d
-        MPYS    line_behind, \d, line_work
-        SUBN    \o, line_work, \o
+        MPYS    query_start_distance, \d, query_work
+        SUBN    \o, query_work, \o
         .endm
 
-; Loads the number of the line's crossings and the address of the first one.
-        .macro  load_seen
-        load_of line_seen, seen_left
-        load_of lines_list, seen_at
+; Loads the number of the ray's crossings and the address of the first one.
+        .macro  load_ray_hits
+        load_of query_hit_count, ray_hits_left
+        load_of query_list, ray_hit_at
         .endm
 
-; Copies the next word of the crossing at seen_at to its plane.
+; Copies the next word of the crossing at ray_hit_at to its plane.
         .macro  store_in_plane
-        LOD     [seen_at], line_work
-        STO     [seen_plane], line_work
-        IX      seen_at, 64
-        ADDX    seen_plane, line_stride, seen_plane
+        LOD     [ray_hit_at], query_work
+        STO     [ray_hit_plane], query_work
+        IX      ray_hit_at, 64
+        ADDX    ray_hit_plane, query_stride, ray_hit_plane
         .endm
 
-        .if     BODIES
+        .if     DEPTHS
         .include "query/depth_scalar.s"
         .endif
 
@@ -76,55 +76,55 @@ line_seen:      .space 1
         .kernel lines
 lines:
         load_main_constants
-        load_of k_tmin, line_least
-        load_of k_lower, line_lower
-        load_of lines_behind, line_behind
-        load_of lines_count, lines_left
-        load_of lines_rays, line_at
-        load_of lines_counts, line_counts
-        load_of lines_found, line_found
-        load_of lines_list, line_work
-        EX      seen_at, line_room
-        STO     [seen_at], line_work
-        SHIFTI  lines_left, 6, line_stride
-        ES      line_step, SEEN_SIZE
-        MPYX    line_step, line_stride, line_step
-lines_next:
-        RTOR    line_at, line_work
-        load_of_line line_ox
-        load_of_line line_oy
-        load_of_line line_oz
-        load_of_line line_dx
-        load_of_line line_dy
-        load_of_line line_dz
-        normalise_by m_one, line_dx, line_dy, line_dz, line_length, line_work
-        CFPEQ   line_behind, r0, lines_begin
-        move_behind line_ox, line_dx
-        move_behind line_oy, line_dy
-        move_behind line_oz, line_dz
-lines_begin:
-        EX      line_work, line_ray
-        ELEN    line_work, 8
-        SWAP    [r0], line_ox, [line_work]
-        call    see_line, line_list
-        load_seen
-        STO     [line_counts], seen_left
-        IBXEQ   seen_left, r0, r0, lines_stored
-        .if     BODIES
-        count_bodies_of_line
+        load_of k_tmin, query_least
+        load_of k_lower, query_lower
+        load_of query_start, query_start_distance
+        load_of query_count, query_left
+        load_of query_rays, query_at
+        load_of query_counts, query_counts_at
+        load_of query_hits, query_hits_at
+        load_of query_list, query_work
+        EX      ray_hit_at, query_hits_room
+        STO     [ray_hit_at], query_work
+        SHIFTI  query_left, 6, query_stride
+        ES      query_step, RAY_HIT_SIZE
+        MPYX    query_step, query_stride, query_step
+query_next:
+        RTOR    query_at, query_work
+        load_of_query query_ox
+        load_of_query query_oy
+        load_of_query query_oz
+        load_of_query query_dx
+        load_of_query query_dy
+        load_of_query query_dz
+        normalise_by m_one, query_dx, query_dy, query_dz, query_length, query_work
+        CFPEQ   query_start_distance, r0, query_begin
+        move_behind query_ox, query_dx
+        move_behind query_oy, query_dy
+        move_behind query_oz, query_dz
+query_begin:
+        EX      query_work, query_ray
+        ELEN    query_work, 8
+        SWAP    [r0], query_ox, [query_work]
+        call    find_ray_hits, query_arguments
+        load_ray_hits
+        STO     [query_counts_at], ray_hits_left
+        IBXEQ   ray_hits_left, r0, r0, query_stored
+        .if     DEPTHS
+        count_depths_of_ray
         .endif
-        RTOR    line_found, seen_slot
-lines_seen:
-        RTOR    seen_slot, seen_plane
-        .rept   SEEN_SIZE
+        RTOR    query_hits_at, ray_hit_slot
+query_hit:
+        RTOR    ray_hit_slot, ray_hit_plane
+        .rept   RAY_HIT_SIZE
         store_in_plane
         .endr
-        ADDX    seen_slot, line_step, seen_slot
-        IBXNE   seen_left, m_index_minus_one, r0, lines_seen, seen_left
-lines_stored:
-        IX      line_at, 64
-        IX      line_counts, 64
-        IX      line_found, 64
-        IBXNE   lines_left, m_index_minus_one, r0, lines_next, lines_left
+        ADDX    ray_hit_slot, query_step, ray_hit_slot
+        IBXNE   ray_hits_left, m_index_minus_one, r0, query_hit, ray_hits_left
+query_stored:
+        IX      query_at, 64
+        IX      query_counts_at, 64
+        IX      query_hits_at, 64
+        IBXNE   query_left, m_index_minus_one, r0, query_next, query_left
         EXIT
         .endkernel

@@ -1,9 +1,9 @@
-; query_vector.s - all visible crossings along lines: the vector form.
+; query_vector.s - all visible crossings along rays: the vector form.
 ;
 ; Arguments and results: query.s. In each region, the search steps along the
-; crossings of each line to its end (visible_vector.s). Each visible crossing is
-; scattered to the planes when it is found, after the crossings that its line
-; has (seen_vector.s). After all regions the planes of the queue are sorted
+; crossings of each ray to its end (visible_vector.s). Each visible crossing is
+; scattered to the planes when it is found, after the crossings that its ray
+; has (ray_hits_vector.s). After all regions the planes of the queue are sorted
 ; (sort_vector.s).
 
         .include "frame/records.s"
@@ -22,14 +22,14 @@ lines:
         begin_machine
         EX      found, found_crossings
         begin_queues
-lines_next:
+query_next:
         begin_queue
         EX      target, walk_regions
         BSAVE   link, [target]
         EX      target, sort_crossings
         BSAVE   link_kernel, [target]
-        .if     BODIES
-        EX      target, count_bodies
+        .if     DEPTHS
+        EX      target, count_depths
         BSAVE   link_kernel, [target]
         .endif
         next_queue
@@ -44,9 +44,9 @@ lines_next:
         .include "shapes/normal_vector.s"
         .include "shapes/every_normal_vector.s"
         .include "light/surface_vector.s"
-        .include "query/seen_vector.s"
+        .include "query/ray_hits_vector.s"
         .include "query/sort_vector.s"
-        .if     BODIES
+        .if     DEPTHS
         .include "query/depth_vector.s"
         .endif
         .include "solids/unseen_vector.s"

@@ -1,27 +1,27 @@
-; queue_vector.s - queues of lines, for the vector form and the kernels mode.
+; queue_vector.s - queues of rays, for the vector form and the kernels mode.
 ;
-; It loads the lines of a queue and makes descriptors of its results:
+; It loads the rays of a queue and makes descriptors of its results:
 ;
 ;   lines:
 ;           begin_machine
 ;           begin_queues
-;   lines_next:
+;   query_next:
 ;           begin_queue             ; the next queue
-;           ..                      ; visible crossings along its lines
-;           next_queue              ; to lines_next, until there is none
+;           ..                      ; visible crossings along its rays
+;           next_queue              ; to query_next, until there is none
 
 ; In bits: the distance from the word of one field to that of the next, and from
 ; one crossing to the next.
-        .regs   r201, line_stride, line_step
-        .regs   r203, lines_left, lines_from    ; index of the queue's first
-        .regs   r205, seen_first                ; first plane, of the queue
-        .regs   r206, line_counts               ; counts of the queue's lines
-        .regs   r207, line_behind
+        .regs   r201, query_stride, query_step
+        .regs   r203, query_left, query_from    ; index of the queue's first
+        .regs   r205, ray_hits_first            ; first plane, of the queue
+        .regs   r206, query_counts_at           ; counts of the queue's rays
+        .regs   r207, query_start_distance
 
-; Moves the origins [o] back by line_behind, into vectors of the queue.
+; Moves the origins [o] back by query_start_distance, into vectors of the queue.
         .macro  move_behind o, d, number
         LINKV
-        MPYSV   [\d], line_behind, [w2]
+        MPYSV   [\d], query_start_distance, [w2]
         SUBNV   [\o], [w2], [w3]
         describe \o, queue_store + 64 * QUEUE * \number, n
         VTOV    [w3], [\o]
@@ -42,51 +42,51 @@
         .endm
 
         .macro  begin_queues
-        load_word lines_count, lines_left
-        load_word lines_behind, line_behind
-        SHIFTI  lines_left, 6, line_stride
-        ES      line_step, SEEN_SIZE
-        MPYX    line_step, line_stride, line_step
-        ES      lines_from, 0
+        load_word query_count, query_left
+        load_word query_start, query_start_distance
+        SHIFTI  query_left, 6, query_stride
+        ES      query_step, RAY_HIT_SIZE
+        MPYX    query_step, query_stride, query_step
+        ES      query_from, 0
         .endm
 
         .macro  begin_queue
         EX      n, QUEUE
-        IBXLE   n, r0, lines_left, queue_full\@
-        RTOR    lines_left, n
+        IBXLE   n, r0, query_left, queue_full\@
+        RTOR    query_left, n
 queue_full\@:
-        EX      target, begin_lines
+        EX      target, begin_query
         BSAVE   link_kernel, [target]
         .endm
 
         .macro  next_queue
-        ADDX    lines_from, n, lines_from
-        SUBX    lines_left, n, lines_left
-        IBXNE   lines_left, r0, r0, lines_next
+        ADDX    query_from, n, query_from
+        SUBX    query_left, n, query_left
+        IBXNE   query_left, r0, r0, query_next
         EXIT
         .endm
 
         .kernel lines
 ; Prepares the queue's rays and the descriptors of its crossings.
-begin_lines:
+begin_query:
         set_near n
         set_hits_of_queue
         load_word k_far, s0
         VTOV    s0, [nearest]
         VTOV    r0, [hit_s]
         VTOV    r0, [hit_t]
-        SHIFTI  lines_from, 6, s4
-        load_word lines_counts, s2
+        SHIFTI  query_from, 6, s4
+        load_word query_counts, s2
         ADDX    s2, s4, s2
-        ADDLEN  s2, n, line_counts
-        load_word lines_found, s2
+        ADDLEN  s2, n, query_counts_at
+        load_word query_hits, s2
         ADDX    s2, s4, s2
-        ADDLEN  s2, n, seen_first
-        load_word lines_rays, s2
+        ADDLEN  s2, n, ray_hits_first
+        load_word query_rays, s2
         ADDX    s2, s4, s2
-        three_planes s2, line_stride, aox, aoy, aoz
-        ADDX    aoz, line_stride, s2
-        three_planes s2, line_stride, s4, s5, s6
+        three_planes s2, query_stride, aox, aoy, aoz
+        ADDX    aoz, query_stride, s2
+        three_planes s2, query_stride, s4, s5, s6
         EX      s2, queue_store + 64 * QUEUE * 3
         EX      s3, 64 * QUEUE
         three_planes s2, s3, adx, ady, adz
@@ -94,10 +94,10 @@ begin_lines:
         VTOV    [s5], [ady]
         VTOV    [s6], [adz]
         normalise adx, ady, adz, w2, w3
-        CFPEQ   line_behind, r0, begin_made
+        CFPEQ   query_start_distance, r0, begin_query_done
         move_behind aox, adx, 0
         move_behind aoy, ady, 1
         move_behind aoz, adz, 2
-begin_made:
+begin_query_done:
         BIM     0, link_kernel
         .endkernel

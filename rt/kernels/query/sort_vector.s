@@ -1,9 +1,9 @@
-; sort_vector.s - sorts the crossings of a queue's lines by distance.
+; sort_vector.s - sorts the crossings of a queue's rays by distance.
 ;
 ; At equal distances the lower primitive number is first. Column k has the k-th
-; crossing of each line, found in any order. A line with fewer crossings has
+; crossing of each ray, found in any order. A ray with fewer crossings has
 ; misses there, farther away than those in the columns before. A step puts two
-; columns in order for all lines at once: elements in the wrong order are
+; columns in order for all rays at once: elements in the wrong order are
 ; exchanged, with all their fields. The sequence of column pairs does not depend
 ; on the data. It is a sorting network, Batcher's merge exchange, for any number
 ; N of columns. With 2^t >= N, p is halved from 2^(t-1) to 1. For each p:
@@ -12,7 +12,7 @@
 ;   d = 2 q - p, r = p;  columns i and i + d are compared for each i < N - d
 ;   whose bit p equals that of r
 ;
-; In:  line_counts, seen_first, n.  Out: the planes of the queue.
+; In:  query_counts_at, ray_hits_first, n.  Out: the planes of the queue.
 ; Source: Knuth, The Art of Computer Programming 3, 5.2.2, algorithm M.
 
         .regs   r213, sort_count, sort_top, sort_p, sort_q, sort_r, sort_d
@@ -25,17 +25,17 @@ sort_store:     .space 3 * QUEUE
 
         .kernel lines
 sort_crossings:
-        MAXV    [line_counts], s0, sort_count
+        MAXV    [query_counts_at], s0, sort_count
         IBXLE   sort_count, r0, one_index, sort_done
         set_near n
-        RTOR    seen_first, sort_low
+        RTOR    ray_hits_first, sort_low
         ES      sort_index, 0
         RTOR    big, s2
 sort_fill:
-        CMPGEV  sort_index, [line_counts], [bits0]
+        CMPGEV  sort_index, [query_counts_at], [bits0]
         VTOV    s2, [sort_low] ? [bits0]
         ADDN    s2, big, s2
-        ADDX    sort_low, line_step, sort_low
+        ADDX    sort_low, query_step, sort_low
         IBXNE   sort_index, one_index, sort_count, sort_fill, sort_index
         ES      sort_top, 1
 sort_double:
@@ -52,8 +52,8 @@ sort_pass:
 sort_merge:
         SUBX    sort_count, sort_d, sort_end
         ES      sort_index, 0
-        RTOR    seen_first, sort_low
-        MPYX    sort_d, line_step, sort_high
+        RTOR    ray_hits_first, sort_low
+        MPYX    sort_d, query_step, sort_high
         ADDX    sort_low, sort_high, sort_high
 sort_pair:
         AND     sort_index, sort_p, s0
@@ -62,8 +62,8 @@ sort_pair:
         CMPEQV  [sort_high], [sort_low], [bits1]
         CNTOB   [bits1], s0
         IBXEQ   s0, r0, r0, sort_compared
-        ADDX    sort_low, line_stride, s2
-        ADDX    sort_high, line_stride, s3
+        ADDX    sort_low, query_stride, s2
+        ADDX    sort_high, query_stride, s3
         CMPLTV  [s3], [s2], [bits2]
         ANDB    [bits1], [bits2], [bits1]
         ORB     [bits0], [bits1], [bits0]
@@ -72,14 +72,14 @@ sort_compared:
         IBXEQ   s0, r0, r0, sort_next
         RTOR    sort_low, s2
         RTOR    sort_high, s3
-        ES      s4, SEEN_FOUND
+        ES      s4, RAY_HIT_WORDS
         if_gather_pays s0, n, s5, sort_sparse
 sort_exchange:
         VTOV    [s2], [w0]
         VTOV    [s3], [s2] ? [bits0]
         VTOV    [w0], [s3] ? [bits0]
-        ADDX    s2, line_stride, s2
-        ADDX    s3, line_stride, s3
+        ADDX    s2, query_stride, s2
+        ADDX    s3, query_stride, s3
         IBXNE   s4, minus_one_index, r0, sort_exchange, s4
         BIM     sort_next
 
@@ -95,12 +95,12 @@ sort_gather:
         VXTOV   [s5], [s3], [s7]
         VTOVX   [s5], [s6], [s3]
         VTOVX   [s5], [s7], [s2]
-        ADDX    s2, line_stride, s2
-        ADDX    s3, line_stride, s3
+        ADDX    s2, query_stride, s2
+        ADDX    s3, query_stride, s3
         IBXNE   s4, minus_one_index, r0, sort_gather, s4
 sort_next:
-        ADDX    sort_low, line_step, sort_low
-        ADDX    sort_high, line_step, sort_high
+        ADDX    sort_low, query_step, sort_low
+        ADDX    sort_high, query_step, sort_high
         IBXNE   sort_index, one_index, sort_end, sort_pair, sort_index
         IBXEQ   sort_q, r0, sort_p, sort_narrow
         SUBX    sort_q, sort_p, sort_d

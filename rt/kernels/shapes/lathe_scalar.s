@@ -168,9 +168,9 @@ once_rises\@:
         CFPLT   cone_b, r0, once_sign\@
         XOR     t0, index_one, t0
 once_sign\@:
-        CFPNE   row_rises, r0, once_sense\@
+        CFPNE   row_rises, r0, once_direction\@
         XOR     t0, index_one, t0
-once_sense\@:
+once_direction\@:
         RTOR    cone_q, t1
         RTOR    cone_a, t2
         IBXEQ   t0, r0, r0, once_chosen\@

@@ -1,9 +1,9 @@
-; seen_scalar.s - computes all visible crossings along one line, in order.
+; ray_hits_scalar.s - computes all visible crossings along one ray, in order.
 ;
-;       CALL SEE_LINE (RAY, ROOM, COUNT)
+;       CALL FIND_RAY_HITS (RAY, ROOM, COUNT)
 ;
 ; RAY = O, D, the least distance, and the least distance enlarged, to be scaled
-; (8 words). ROOM = SEEN_SIZE words for each crossing (query.s), consecutive,
+; (8 words). ROOM = RAY_HIT_SIZE words for each crossing (query.s), consecutive,
 ; for the most crossings of the scene. COUNT = number of crossings (1).
 ;
 ; Regions are visited in turn (hierarchy_scalar.s). VISIBLE is called in each
@@ -15,13 +15,13 @@
 
         .share  local
         .regs   r89, c_count, c_first, c_end, c_at, c_before
-        .regs   r94, c_distance, c_primitive, c_sense, c_s, c_t, c_nx, c_ny, c_nz
+        .regs   r94, c_distance, c_primitive, c_crossing, c_s, c_t, c_nx, c_ny, c_nz
         .regs   r102, c_other_distance, c_other_primitive, c_other_rest
         .endshare
-        .equ    SEEN_REGISTERS, 78      ; another crossing uses 8, SEEN_FOUND
+        .equ    QUERY_REGISTERS, 78     ; another crossing uses 8, RAY_HIT_WORDS
 
         .data
-line_save:      .space SEEN_REGISTERS
+query_save:     .space QUERY_REGISTERS
         .code
 
 ; Loads the parameters on w_leaf, if it is a patch or a mesh.
@@ -44,80 +44,80 @@ point_found\@:
 ; Inserts the crossing among those found so far.
         .macro  put_in_order
         RTOR    c_end, c_at
-        IX      c_end, 64 * SEEN_SIZE
+        IX      c_end, 64 * RAY_HIT_SIZE
         ADDX    c_count, m_index_one, c_count
 put_next\@:
         IBXEQ   c_at, r0, c_first, put_here\@
         RTOR    c_at, c_before
-        IX      c_before, -64 * SEEN_SIZE
-        ELEN    c_before, SEEN_FOUND
+        IX      c_before, -64 * RAY_HIT_SIZE
+        ELEN    c_before, RAY_HIT_WORDS
         SWAP    [c_before], c_other_distance, [r0]
         CFPLT   c_other_distance, c_distance, put_here\@
         CFPNE   c_other_distance, c_distance, put_move\@
         IBXLT   c_other_primitive, r0, c_primitive, put_here\@
 put_move\@:
-        ELEN    c_at, SEEN_FOUND
+        ELEN    c_at, RAY_HIT_WORDS
         SWAP    [r0], c_other_distance, [c_at]
         RTOR    c_before, c_at
         BIM     put_next\@
 put_here\@:
-        ELEN    c_at, SEEN_FOUND
+        ELEN    c_at, RAY_HIT_WORDS
         SWAP    [r0], c_distance, [c_at]
         .endm
 
         .kernel visible
-see_line:
-        enter_walk line_save, SEEN_REGISTERS, 3
+find_ray_hits:
+        enter_walk query_save, QUERY_REGISTERS, 3
         EX      w_at, k_far
         LOD     [w_at], w_limit
         ES      c_count, 0
         RTOR    w_argument, c_first
         RTOR    c_first, c_end
-        IBXEQ   w_regions_left, r0, r0, line_leaf
+        IBXEQ   w_regions_left, r0, r0, query_leaf
         .endkernel
         .kernel bound
-line_region:
+query_region:
         load_region
-        skip_far w_cx, w_cy, w_cz, w_radius, w_square, w_limit, line_skip
-        test_box line_tree, line_tree, line_skip
+        skip_far w_cx, w_cy, w_cz, w_radius, w_square, w_limit, query_skip
+        test_box query_tree, query_tree, query_skip
         .endkernel
         .kernel visible
-line_tree:
+query_tree:
         RTOR    w_limit, w_end
         EX      target, meet_tree
         BSAVE   w_back, [target]
-        IBXEQ   w_met, r0, r0, line_skip
-line_next:
-        next_visible w_least, line_skip
+        IBXEQ   w_met, r0, r0, query_skip
+query_next_region:
+        next_visible w_least, query_skip
         RTOR    w_in, c_distance
         RTOR    w_out, w_leaf
         RTOR    w_out, w_at
         IX      w_at, 64 * P_ID
         LOD     [w_at], c_primitive
-        find_sense
+        find_crossing
         find_point
         .if     NORMALS
-        find_normal_there w_ray
+        find_normal_at w_ray
         .endif
-        EX      w_at, lines_behind
+        EX      w_at, query_start
         LOD     [w_at], w_t0
-        CFPEQ   w_t0, r0, line_from_origin
+        CFPEQ   w_t0, r0, query_from_origin
         SUBN    c_distance, w_t0, c_distance
-line_from_origin:
+query_from_origin:
         put_in_order
         EX      w_at, k_delta                   ; within delta: the same place
         LOD     [w_at], w_t0
         ADDN    w_in, w_t0, w_least
-        BIM     line_next
+        BIM     query_next_region
         .endkernel
         .kernel bound
-line_skip:
-        next_region line_region
-line_leaf:
-        next_leaf line_region, line_done
+query_skip:
+        next_region query_region
+query_leaf:
+        next_leaf query_region, query_done
         .endkernel
         .kernel visible
-line_done:
+query_done:
         STO     [w_result_at], c_count
-        leave_walk line_save, SEEN_REGISTERS
+        leave_walk query_save, QUERY_REGISTERS
         .endkernel

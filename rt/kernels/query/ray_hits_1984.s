@@ -1,9 +1,9 @@
-; seen_1984.s - stores the visible crossings of a queue's lines, line by line.
+; ray_hits_1984.s - stores the visible crossings of a queue's rays, ray by ray.
 ;
-; Each crossing of a region is inserted into the planes of its line, after those
+; Each crossing of a region is inserted into the planes of its ray, after those
 ; that are not farther.
 ;
-; simple_met is not used, because regions of lines are never simple
+; simple_met is not used, because regions of rays are never simple
 ; (rt/layout/query_layout.c).
 ; Source: insertion: Knuth, The Art of Computer Programming 3, 5.2.1.
 
@@ -12,35 +12,35 @@
 ; Operands from queue_vector.s.
         .share  loop
         .regs   r236, to_stride, to_step, to_left, to_from, to_first, to_counts, to_start
-        .equ    SEEN_OPERANDS, 7
+        .equ    QUERY_OPERANDS, 7
 
-        .regs   r208, c_count, c_slot, c_before, c_plane, c_other, c_least, c_line
-        .regs   r215, c_distance, c_primitive, c_sense, c_s, c_t, c_nx, c_ny, c_nz
+        .regs   r208, c_count, c_slot, c_before, c_plane, c_other, c_least, c_first_hit
+        .regs   r215, c_distance, c_primitive, c_crossing, c_s, c_t, c_nx, c_ny, c_nz
         .regs   r223, c_other_distance, c_other_primitive
         .endshare
 
         .data
-seen_operands:  .space SEEN_OPERANDS
-line_ray:       .space 6
+query_operands: .space QUERY_OPERANDS
+query_ray:      .space 6
         .code
 
-        .macro  take_seen_operands
-        load_at seen_operands, SEEN_OPERANDS, to_stride
+        .macro  load_query_operands
+        load_at query_operands, QUERY_OPERANDS, to_stride
         .endm
 
-; Stores the line for the normals.
-        .macro  load_line
+; Stores the ray for the normals.
+        .macro  load_query_ray
         load_ray
-        EX      loop_at, line_ray
+        EX      loop_at, query_ray
         ELEN    loop_at, 6
         SWAP    [r0], w_ox, [loop_at]
         .endm
 
-; Sets c_line to the address of the line's first crossing.
-        .macro  find_line
-        ES      c_line, 64
-        MPYX    loop_place, c_line, c_line
-        ADDX    c_line, to_first, c_line
+; Sets c_first_hit to the address of the ray's first crossing.
+        .macro  find_query_hits
+        ES      c_first_hit, 64
+        MPYX    loop_place, c_first_hit, c_first_hit
+        ADDX    c_first_hit, to_first, c_first_hit
         .endm
 
 ; Moves one word from the previous slot to this slot.
@@ -56,10 +56,10 @@ line_ray:       .space 6
         ADDX    c_plane, to_stride, c_plane
         .endm
 
-; Inserts crossing number c_count of the line.
+; Inserts crossing number c_count of the ray.
         .macro  put_in_order
         MPYX    c_count, to_step, c_slot
-        ADDX    c_slot, c_line, c_slot
+        ADDX    c_slot, c_first_hit, c_slot
 put_next\@:
         IBXEQ   c_count, r0, r0, put_here\@
         SUBX    c_slot, to_step, c_before
@@ -72,7 +72,7 @@ put_next\@:
 put_move\@:
         RTOR    c_slot, c_plane
         RTOR    c_before, c_slot
-        .rept   SEEN_FOUND
+        .rept   RAY_HIT_WORDS
         move_word
         .endr
         ADDX    c_count, m_index_minus_one, c_count
@@ -81,7 +81,7 @@ put_here\@:
         RTOR    c_slot, c_plane
         store_word c_distance
         store_word c_primitive
-        store_word c_sense
+        store_word c_crossing
         store_word c_s
         store_word c_t
         .if     NORMALS
@@ -96,11 +96,11 @@ simple_met:
         BIM     walk_skip
 
 walk_tree:
-        hand_over line_stride, SEEN_OPERANDS, 0, seen_operands
-        walk_rays take_seen_operands
-        find_line
+        hand_over query_stride, QUERY_OPERANDS, 0, query_operands
+        walk_rays load_query_operands
+        find_query_hits
         .if     NORMALS
-        load_line
+        load_query_ray
         .endif
 tree_seen:
         RTOR    w_in, c_distance
@@ -108,7 +108,7 @@ tree_seen:
         RTOR    w_out, w_at
         IX      w_at, 64 * P_ID
         LOD     [w_at], c_primitive
-        find_sense
+        find_crossing
         load_at k_delta, 1, c_least
         ADDN    w_in, c_least, c_least          ; within delta: the same place
         RTOR    r0, segment_in
@@ -124,8 +124,8 @@ tree_noted:
         RTOR    segment_in, c_s
         RTOR    segment_out, c_t
         .if     NORMALS
-        EX      loop_at, line_ray
-        find_normal_there loop_at
+        EX      loop_at, query_ray
+        find_normal_at loop_at
         .endif
         CFPEQ   to_start, r0, tree_from_origin
         SUBN    c_distance, to_start, c_distance
