@@ -155,7 +155,7 @@ static void put_links(const struct threading *threading, size_t node, double mis
 
     links[1] = miss;
     if (nodes[node].count > 0) {
-        links[0] = miss + MESH_MET;
+        links[0] = miss + MESH_LEAF_HIT;
         return;
     }
     if (upper_first(threading, node)) {

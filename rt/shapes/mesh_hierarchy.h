@@ -51,11 +51,11 @@ struct mesh_rows {
     size_t size;   /* words of a row */
 };
 /* An offset that is greater than that of any row. */
-#define MESH_MET 0x1p40
+#define MESH_LEAF_HIT 0x1p40
 
 /* Stores the links of each node for a traversal without a stack: the next node of rays
  * that hit its bound, and of rays that miss it. After a leaf both continue at the same
- * node; the link of the hit is greater by MESH_MET, which marks the leaf. */
+ * node; the link of the hit is greater by MESH_LEAF_HIT, which marks the leaf. */
 void mesh_hierarchy_thread(const struct mesh_hierarchy *hierarchy,
                            const unsigned char *orders, const struct mesh_rows *rows);
 

@@ -160,7 +160,8 @@ static void list_words(const struct pixel_look *look, const struct pixel_element
 }
 
 static const char *const rays[] = { "aox", "aoy", "aoz", "adx", "ady", "adz", NULL };
-static const char *const met[] = { "nearest", "met", "hit_s", "hit_t", NULL };
+static const char *const hit_symbols[] = { "nearest", "nearest_primitive", "hit_s",
+                                           "hit_t", NULL };
 static const char *const colours[] = { "out_red", "out_green", "out_blue", NULL };
 static const char *const planes[] = { "out_red",   "out_green", "out_blue",
                                       "out_depth", "out_nx",    "out_ny",
@@ -182,7 +183,7 @@ static void list_queue(const struct pixel_look *look, const struct queue *queue,
         list_words(look, &of, rays,
                    in_list + list_vector(look, queue->list, value_of(look, "LIST_RAY")),
                    value_of(look, "LIST"));
-    list_words(look, &of, met, store + 64 * 6 * length, length);
+    list_words(look, &of, hit_symbols, store + 64 * 6 * length, length);
     if (queue->list == 0)
         list_words(look, &of, planes,
                    word_of(look, "scene_frame") + 64 * place_of_ray(look, queue, ray),
@@ -209,7 +210,7 @@ static bool meets_near(const struct pixel_look *look)
 {
     static const char *const regions[] = { "bound",     "visible",     "call",
                                            "transform", "root_solver", "quartic" };
-    const struct asm_symbol *pairs = object_symbol(look->program, "meet_spheres");
+    const struct asm_symbol *pairs = object_symbol(look->program, "intersect_spheres");
     uint64_t pc = c205_pc(look->machine);
     const char *region = object_region(look->program, pc);
 
@@ -217,7 +218,7 @@ static bool meets_near(const struct pixel_look *look)
         if (strcmp(region, regions[i]) == 0)
             return false;
     return is_seeking(look)
-           && !(pairs && is_between(look, pc, "meet_spheres", "spheres_least"));
+           && !(pairs && is_between(look, pc, "intersect_spheres", "spheres_least"));
 }
 
 static void list_near(const struct pixel_look *look, const struct queue *queue,

@@ -261,7 +261,7 @@ static void follow(void *context, const struct pixel_element *element)
     *(element->group == PIXEL_NEAR ? &following->near : &following->hits) += 1;
     check_same(following, element);
     if (element->group == PIXEL_HITS) {
-        assert_true(c205_to_double(ray_word(following, "met")) != 0);
+        assert_true(c205_to_double(ray_word(following, "nearest_primitive")) != 0);
         static const char *const names[] = { "px", "py", "pz" };
         static const char *const colours[] = { "red", "green", "blue" };
         for (size_t i = 0; following->shaded && i < 3; i++) {
@@ -304,7 +304,7 @@ static void check_rays(struct following *following)
             || trace_how(pixel->trace)->mode == TRACE_SCALAR)
             continue;
         /* Before a queue is shaded, the hit of its ray must be that of the picture. */
-        bool hit = c205_to_double(ray_word(following, "met")) != 0;
+        bool hit = c205_to_double(ray_word(following, "nearest_primitive")) != 0;
         assert_int_equal(hit, c205_to_integer(channel_of(pixel, CHANNEL_ID)) != 0);
         if (hit)
             assert_int_equal(ray_word(following, "nearest"),

@@ -14,7 +14,7 @@
 
         .share  local
         .regs   r32, w_ray, w_argument, w_result_at
-        .regs   r35, w_link, w_back, w_at, w_met
+        .regs   r35, w_link, w_back, w_at, w_hit
         .regs   r39, w_region, w_regions_left
         .regs   r41, w_ox, w_oy, w_oz, w_dx, w_dy, w_dz, w_lower
         .regs   r48, w_limit, w_leaf

@@ -2,14 +2,15 @@
 ;
 ; The vector kernels compute the crossings. The rest is done ray by ray.
 ;
-; find_nearest: In: the queue's rays.  Out: nearest, met = the primitive's
+; find_nearest: In: the queue's rays.  Out: nearest, nearest_primitive = the
+; primitive's
 ;               record (0: none); hit_s, hit_t on patches.
-; simple_met:   In: the segments of the current rays in a simple region, in
+; simple_hit:   In: the segments of the current rays in a simple region, in
 ;               found_store.
 ; walk_tree:    In: the crossings of the current rays with a region's
 ;               primitives.
 ;
-; simple_met and walk_tree update the results of find_nearest. For a shadow ray
+; simple_hit and walk_tree update the results of find_nearest. For a shadow ray
 ; they set nearest = minus_big if it is blocked, and light_left to the
 ; transmitted light. Methods as in regions_scalar.s, shadow_scalar.s and
 ; trees_1984.s.
@@ -39,7 +40,7 @@ light_left:     .space 3 * QUEUE        ; transmitted light of each shadow ray
         .macro  take_nearer distance, taken
         CFPLT   \distance, loop_work, \taken
         CFPNE   \distance, loop_work, tree_skip
-        LOD     [to_met, loop_place], loop_work
+        LOD     [to_nearest_primitive, loop_place], loop_work
         IBXGE   w_out, r0, loop_work, tree_skip
 \taken:
         STO     [to_nearest, loop_place], \distance
@@ -49,7 +50,7 @@ light_left:     .space 3 * QUEUE        ; transmitted light of each shadow ray
 find_nearest:
         load_word k_far, s1
         VTOV    s1, [nearest]
-        VTOV    r0, [met]
+        VTOV    r0, [nearest_primitive]
         .if     KEYS
         describe s0, depth_store, n
         VTOV    s1, [s0]
@@ -57,7 +58,7 @@ find_nearest:
         ES      shadows, 0
         BIM     walk_regions
 
-simple_met:
+simple_hit:
         hand_over_rays
         to_scalar
         load_at operands, SIMPLE_OPERANDS, to_nearest
@@ -85,7 +86,7 @@ simple_taken:
         IBXNE   to_lights, r0, r0, simple_dark
         STO     [to_nearest, loop_place], segment_in
         store_depth segment_in
-        STO     [to_met, loop_place], its_primitive
+        STO     [to_nearest_primitive, loop_place], its_primitive
         IBXEQ   its_patch, r0, r0, simple_skip
         LOD     [from_patch_s, loop_index], segment_in
         LOD     [from_patch_t, loop_index], segment_out
@@ -100,7 +101,7 @@ simple_tie:
         CFPNE   segment_in, ray_limit, simple_skip
         IBXNE   to_lights, r0, r0, simple_skip
         find_place
-        LOD     [to_met, loop_place], loop_work
+        LOD     [to_nearest_primitive, loop_place], loop_work
         IBXLT   its_primitive, r0, loop_work, simple_taken
         BIM     simple_skip
 simple_dark:
@@ -126,7 +127,7 @@ walk_tree:
         .else
         take_nearer w_in, tree_taken
         .endif
-        STO     [to_met, loop_place], w_out
+        STO     [to_nearest_primitive, loop_place], w_out
         store_depth w_in
         find_point tree_skip
         STO     [to_hit_s, loop_place], segment_in

@@ -5,9 +5,10 @@
 ; the ray's limit. In other regions the crossings are examined in order
 ; (visible_vector.s).
 ;
-; find_nearest: In: the queue's rays.  Out: nearest, met (0: none); hit_s,
+; find_nearest: In: the queue's rays.  Out: nearest, nearest_primitive (0:
+; none); hit_s,
 ;               hit_t on patches.
-; simple_met:   In: tin, tout of the current rays, and of a shadow ray its
+; simple_hit:   In: tin, tout of the current rays, and of a shadow ray its
 ;               limit; found, of other rays.  Out: as find_nearest; for a
 ;               shadow ray nearest = minus_big.
 ; Source: the paper.
@@ -18,14 +19,14 @@
 
 ; Hits: positions in the queue, distances, primitives.
         .share  crossings
-        .regs   r107, taken_at, taken_distance, taken_met
+        .regs   r107, taken_at, taken_distance, taken_primitive
         .if     KEYS
         .reg    taken_depth, r110
         .endif
         .endshare
 
         .data
-first_met:      .word 1                 ; address of the material hit last, or 1
+first_material: .word 1                 ; address of the material hit last, or 1
         .if     KEYS
 taken_store:    .space 4 * QUEUE
         .else
@@ -47,7 +48,7 @@ found_bits:     .space 3 * QUEUE_BIT_WORDS
         .endm
 
 ; Adds the primitive's material to the list of those that rays of the queue hit.
-        .macro  mark_met
+        .macro  mark_tested
         load_record P_MATERIAL, 2, s2               ; P_MATERIAL, P_TESTED
         IBXEQ   s2, r0, primitive, mark_own\@
         RTOR    s2, s3
@@ -57,7 +58,7 @@ found_bits:     .space 3 * QUEUE_BIT_WORDS
         LOD     [s3], s3
 mark_own\@:
         IBXNE   s3, r0, r0, marked\@
-        EX      s3, first_met
+        EX      s3, first_material
         LOD     [s3], s4
         STO     [s3], s2
         IX      s2, 64 * P_TESTED
@@ -69,7 +70,7 @@ marked\@:
 find_nearest:
         load_word k_far, s0
         VTOV    s0, [nearest]
-        VTOV    r0, [met]
+        VTOV    r0, [nearest_primitive]
         .if     KEYS
         describe s1, depth_store, n
         VTOV    s0, [s1]
@@ -78,7 +79,7 @@ find_nearest:
         EX      found, found_nearest
         BIM     walk_regions
 
-simple_met:
+simple_hit:
         CMPLTV  [wlower], [tin], [bits0]
         MASKV   [tin], [tout], [w0] ? [bits0]
         CMPLTV  [wlower], [w0], [bits0]
@@ -92,7 +93,7 @@ simple_met:
         ANDB    [bits0], [bits1], [bits1]
         CNTOB   [bits1], s1
         IBXEQ   s1, r0, r0, simple_nearer
-        VXTOV   [place], [met], [w1]
+        VXTOV   [place], [nearest_primitive], [w1]
         CMPGEV  identity, [w1], [bits2]
         ANDB    [bits1], [bits2], [bits1]
         XORB    [bits0], [bits1], [bits0]
@@ -102,10 +103,10 @@ simple_nearer:
         region_took_hits
         IBXEQ   near, r0, n, simple_all
         take_found place, taken_at, 0, bits0
-        mark_met
+        mark_tested
         take_found w0, taken_distance, 1, bits0
         VTOVX   [taken_at], [taken_distance], [nearest]
-        VTOVX   [taken_at], identity, [met]
+        VTOVX   [taken_at], identity, [nearest_primitive]
         scatter_depth taken_distance
         IBXEQ   on_patch, r0, r0, walk_skip
         take_found patch_s, taken_distance, 1, bits0
@@ -116,9 +117,9 @@ simple_nearer:
 
 ; All rays of the queue are current.
 simple_all:
-        mark_met
+        mark_tested
         VTOV    [w0], [nearest] ? [bits0]
-        VTOV    identity, [met] ? [bits0]
+        VTOV    identity, [nearest_primitive] ? [bits0]
         .if     KEYS
         describe s0, depth_store, n
         VTOV    [w0], [s0] ? [bits0]

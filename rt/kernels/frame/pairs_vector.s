@@ -147,7 +147,7 @@ finish_pairs:
         STO     [s3], r0
         EX      target, mix_pairs
         BSAVE   link_kernel, [target]
-        EX      target, meet_spheres
+        EX      target, intersect_spheres
         BSAVE   link_kernel, [target]
         BIM     0, link_inner
 
@@ -183,7 +183,7 @@ drain_pairs:
         EX      s1, PAIRS
         IBXLT   s0, r0, s1, pairs_take
         RTOR    link_kernel, link
-        EX      target, meet_spheres
+        EX      target, intersect_spheres
         BSAVE   link_kernel, [target]
         RTOR    link, link_kernel
 pairs_take:
@@ -324,9 +324,9 @@ pairs_drained:
 
 ; Intersects the pairs of the list.
         .kernel sphere
-meet_spheres:
+intersect_spheres:
         load_word sphere_count, pair_count
-        IBXEQ   pair_count, r0, r0, spheres_met
+        IBXEQ   pair_count, r0, r0, spheres_hit
         EX      s0, sphere_count
         STO     [s0], r0
         set_pairs pair_count
@@ -371,7 +371,7 @@ spheres_found:
         CMPGEV  [pair_limit], [pair_hit], [pair_more]
         ANDB    [pair_bits], [pair_more], [pair_bits]
         CNTOB   [pair_bits], pair_count
-        IBXEQ   pair_count, r0, r0, spheres_met
+        IBXEQ   pair_count, r0, r0, spheres_hit
         CPSV    [pair_place], [pair_place] ? [pair_bits]
         CPSV    [pair_hit], [pair_hit] ? [pair_bits]
         CPSV    [pair_node], [pair_node] ? [pair_bits]
@@ -388,7 +388,7 @@ spheres_compare:
         IX      s3, 64 * (P_TESTED - P_SHARED)
         LOD     [s3], s4
         IBXNE   s4, r0, r0, spheres_listed
-        EX      s5, first_met
+        EX      s5, first_material
         LOD     [s5], s4
         STO     [s3], s4
         STO     [s5], s2
@@ -412,7 +412,7 @@ spheres_better:
         CMPEQV  [pair_hit], [pair_limit], [pair_more]
         CNTOB   [pair_more], s0
         IBXEQ   s0, r0, r0, spheres_no_tie
-        VXTOV   [pair_place], [met], [pair_limit]
+        VXTOV   [pair_place], [nearest_primitive], [pair_limit]
         CMPLTV  [pair_y], [pair_limit], [pair_tie]
         ANDB    [pair_more], [pair_tie], [pair_more]
         ORB     [pair_bits], [pair_more], [pair_bits]
@@ -435,7 +435,7 @@ spheres_scatter:
         describe s0, depth_store, n
         VTOVX   [pair_place], [pair_hit], [s0]
         .endif
-        VTOVX   [pair_place], [pair_y], [met]
+        VTOVX   [pair_place], [pair_y], [nearest_primitive]
         BIM     spheres_better
 
 ; Blocks shadow rays.
@@ -443,17 +443,17 @@ spheres_stop:
         CMPLTV  [pair_hit], [pair_limit], [pair_more]
         ANDB    [pair_bits], [pair_more], [pair_bits]
         CNTOB   [pair_bits], pair_left
-        IBXEQ   pair_left, r0, r0, spheres_met
+        IBXEQ   pair_left, r0, r0, spheres_hit
         CPSV    [pair_place], [pair_place] ? [pair_bits]
         VTOVX   [pair_place], minus_big, [nearest]
 spheres_stamp:
-        IBXEQ   pair_left, r0, r0, spheres_met
+        IBXEQ   pair_left, r0, r0, spheres_hit
         load_word pair_stamp, s0
         IX      s0, 1
         EX      s1, pair_stamp
         STO     [s1], s0
         EX      s1, walk_last
         STO     [s1], s0
-spheres_met:
+spheres_hit:
         BIM     0, link_kernel
         .endkernel

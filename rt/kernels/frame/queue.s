@@ -49,7 +49,7 @@
 ; Queue vectors, n long: the nearest hit so far or another limit of the ray; the
 ; number of the primitive hit (0: none); parameters of hits on patches; the
 ; rays; the bits of the rays that come near a region.
-        .regs   r70, nearest, met, hit_s, hit_t
+        .regs   r70, nearest, nearest_primitive, hit_s, hit_t
         .regs   r170, aox, aoy, aoz, adx, ady, adz
         .reg    near_bits, r112
         .reg    from_one_point, r193    ; 1: all rays have one origin
@@ -153,7 +153,8 @@ queue_passed:   .word 0                 ; descriptor of the rank of the region
         .align 64
 near_store:     .space (NEAR_VECTORS - 3) * QUEUE
 found_store:    .space 2 * QUEUE        ; tin, tout, if stored nowhere else
-queue_store:    .space 10 * QUEUE       ; rays, nearest, met, hit_s, hit_t
+queue_store:    .space 10 * QUEUE       ; rays, nearest,
+                                        ; nearest_primitive, hit_s, hit_t
 place_store:    .space 2 * QUEUE        ; place, near_limit
 world_store:    .space 6 * QUEUE        ; wox ..
 least_store:    .space QUEUE            ; QUEUE copies of tmin
@@ -240,7 +241,7 @@ near_set\@:
 ; Makes the descriptors of the hits of the queue.
         .macro  set_hits_of_queue
         describe nearest, queue_store + 64 * QUEUE * 6, n
-        describe met, queue_store + 64 * QUEUE * 7, n
+        describe nearest_primitive, queue_store + 64 * QUEUE * 7, n
         describe hit_s, queue_store + 64 * QUEUE * 8, n
         describe hit_t, queue_store + 64 * QUEUE * 9, n
         .endm

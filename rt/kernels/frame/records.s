@@ -331,7 +331,7 @@
 ; viewpoints. A row is identified by its offset in words. A node has two links
 ; for each combination of signs of a ray's direction (1: x below 0, 2: y, 4: z):
 ; the next node for rays that come near it, and for other rays. 0 is the end. At
-; a leaf the two are equal, but MESH_MET is added to the first. MESH_FIRST and
+; a leaf the two are equal, but MESH_LEAF_HIT is added to the first. MESH_FIRST and
 ; MESH_COUNT of the first row are the offset and number of the viewpoints' rows
 ; (rt/shapes/screen_bounds.h).
         .record MESH
@@ -341,7 +341,7 @@
         .field  MESH_COUNT         ; of a leaf: number of its triangles
         .at     25              ; odd, against bank conflicts
         .endrecord
-        .equ    MESH_MET, 1 << 40
+        .equ    MESH_LEAF_HIT, 1 << 40
 
 ; A viewpoint, and a row of its windows. Nodes are in the same order as above.
         .record VIEWPOINT

@@ -89,7 +89,7 @@ kernel_primitive: .word 0
 
 ; Sets w_in to the hit in a simple region. Branches to `near` if it is before
 ; the limit, to `miss` if there is none.
-        .macro  meet_simple near, miss
+        .macro  intersect_simple near, miss
         EX      w_at, kernel_primitive
         STO     [w_at], w_first
         ELEN    w_first, 2
@@ -230,7 +230,7 @@ nearest_least:
         .kernel call
         IBXNE   w_way, r0, m_index_one, nearest_other
 nearest_simple:
-        meet_simple nearest_hit, nearest_skip
+        intersect_simple nearest_hit, nearest_skip
         CFPNE   w_in, w_limit, nearest_skip
         IBXGE   w_first, r0, w_leaf, nearest_skip
 nearest_hit:
@@ -268,9 +268,9 @@ nearest_tree:
         LOD     [w_at], w_t0
         ADDN    w_end, w_t0, w_end
         .endif
-        EX      target, meet_tree
+        EX      target, intersect_tree
         BSAVE   w_back, [target]
-        IBXEQ   w_met, r0, r0, nearest_skip
+        IBXEQ   w_hit, r0, r0, nearest_skip
         next_visible w_least, nearest_skip
         .if     KEYS
         count_hit

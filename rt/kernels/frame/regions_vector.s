@@ -5,7 +5,7 @@
 ; has a box, the rays near the box are compressed again (miss_box_vector.s). The
 ; kernels compute the segments inside the region's primitives.
 ;
-; simple_met processes the segments of a simple region, walk_tree those of
+; simple_hit processes the segments of a simple region, walk_tree those of
 ; others. Both continue at walk_skip.
 ;
 ; In:  the queue's rays, their limits in nearest, shadows.
@@ -168,5 +168,5 @@ walk_simple:
         ES      segments_wanted, 1
         RTOR    primitive, shape_at
         call_kernel
-        BIM     simple_met
+        BIM     simple_hit
         .endkernel

@@ -16,11 +16,11 @@
 ; once for a region.
 ;
 ; In: the crossings of the current rays with a region's primitives. begin_span
-; and node_met do nothing, because each ray is examined separately.
+; and node_hit do nothing, because each ray is examined separately.
 
 ; Operands from the vector program.
         .share  loop
-        .regs   r156, to_nearest, to_met, to_hit_s, to_hit_t, from_place
+        .regs   r156, to_nearest, to_nearest_primitive, to_hit_s, to_hit_t, from_place
         .regs   r161, from_limit, from_patch_s, from_patch_t, from_least
         .regs   r165, its_primitive, to_lights
         .equ    SIMPLE_OPERANDS, 11
@@ -106,7 +106,7 @@ tree_next:
         .endif
         RTOR    first_leaf, its_leaf
         EX      chain_at, span + 64 * 3
-        ES      w_met, 0
+        ES      w_hit, 0
 tree_leaf:
         ELEN    its_leaf, LEAF_SIZE
         SWAP    [its_leaf], leaf_primitive, [r0]
@@ -116,14 +116,14 @@ tree_leaf:
         STO     [chain_at], leaf_primitive
         RTOR    leaf_primitive, chain_at
         IX      chain_at, 64 * P_NEXT_HIT
-        ES      w_met, 1
+        ES      w_hit, 1
         IBXEQ   leaf_needed, r0, r0, tree_leaf_next
         IBXEQ   leaf_segments, r0, r0, tree_leaf_next
         narrow_span leaf_first_state, leaf_segments, apart, tree_skip
 tree_leaf_next:
         IX      its_leaf, 64 * LEAF_SIZE
         IBXNE   its_leaf, r0, leaves_last, tree_leaf
-        IBXEQ   w_met, r0, r0, tree_skip
+        IBXEQ   w_hit, r0, r0, tree_skip
         STO     [chain_at], r0
         next_visible w_least, tree_skip
         find_place
@@ -212,6 +212,6 @@ tree_missed:
         .kernel visible
 begin_span:
         BIM     0, link_inner
-node_met:
+node_hit:
         BIM     node_next
         .endkernel

@@ -88,11 +88,11 @@ exchange_flows:
         RTOR    exc_h, lin_to
         RTOR    lin_n, lin_count
         ES      lin_k, 0
-exchange_meets:
+exchange_incident:
         LOD     [lin_x, lin_k], lin_work0
         add_times lin_work0
         ADDX    lin_from, lin_stride, lin_from
-        IBXNE   lin_k, lin_one, lin_n, exchange_meets, lin_k
+        IBXNE   lin_k, lin_one, lin_n, exchange_incident, lin_k
 
 ; Q = A (J - H). The spare column gets A F_e (J_e - J) of the environment.
         ES      lin_i, 0

@@ -67,14 +67,14 @@ exchange_flows:
         ADDLEN  exc_h, lin_n, v_b
         ADDLEN  exc_factors, lin_n, v_a
         ES      lin_k, 0
-exchange_meets:
+exchange_incident:
         LOD     [lin_x, lin_k], lin_work0
         RTOR    v_b, v_d
         LINKV
         MPYSV   [v_a], lin_work0, [v_d]
         ADDNV   [v_d], [v_b], [v_b]
         ADDX    v_a, lin_stride, v_a
-        IBXNE   lin_k, lin_one, lin_n, exchange_meets, lin_k
+        IBXNE   lin_k, lin_one, lin_n, exchange_incident, lin_k
 
 ; Q = A (J - H). The spare column gets A F_e (J_e - J) of the environment.
         ADDLEN  lin_x, lin_n, v_c

@@ -3,9 +3,9 @@
 ; level, and at the end to the pixels of the frame.
 ;
 ; fog_list: In: level, its list traced.  fog_frame: In: the frame's planes.
-; fog_depths: In: the queue's nearest and met.  Out: its part of LIST_DEPTH.
-; fog_list and fog_frame pass QUEUE rays at a time to fog_rays (fog_vector.s,
-; fog_1984.s).
+; fog_depths: In: the queue's nearest and nearest_primitive.  Out: its part of
+; LIST_DEPTH. fog_list and fog_frame pass QUEUE rays at a time to fog_rays
+; (fog_vector.s, fog_1984.s).
 
         .include "light/fog.s"
 
@@ -62,7 +62,7 @@ fog_depths:
         ADDLEN  s2, n, s2
         VTOV    [nearest], [s2]
         describe near_bits, queue_bits, n
-        CMPEQV  [met], r0, [near_bits]
+        CMPEQV  [nearest_primitive], r0, [near_bits]
         load_word fog_far, s3
         VTOV    s3, [s2] ? [near_bits]
         BIM     0, link

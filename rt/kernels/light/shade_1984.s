@@ -1,12 +1,12 @@
 ; shade_1984.s - computes the colours of a queue of rays, hit by hit.
 ;
-; In, out: as for shade_vector.s; met holds records.  The light of all hits is
-; computed source by source, so that the rays to a light form a queue, which the
-; kernels intersect with the regions.
+; In, out: as for shade_vector.s; nearest_primitive holds records.  The light of
+; all hits is computed source by source, so that the rays to a light form a
+; queue, which the kernels intersect with the regions.
 
 ; Operands that are passed for all loops of a queue.
         .share  loop
-        .regs   r156, of_nearest, of_met, of_hit_s, of_hit_t
+        .regs   r156, of_nearest, of_primitive, of_hit_s, of_hit_t
         .regs   r160, of_ox, of_oy, of_oz, of_dx, of_dy, of_dz
         .regs   r166, of_red, of_green, of_blue, of_depth, of_nx, of_ny, of_nz
         .regs   r173, of_id, of_first, of_position, of_next
@@ -129,7 +129,7 @@ shade_first:
         EX      hit_at, hits
         ES      lit_count, 0
 shade_ray:
-        LOD     [of_met, loop_index], new_primitive
+        LOD     [of_primitive, loop_index], new_primitive
         IBXEQ   new_primitive, r0, r0, shade_background
         LOD     [of_ox, loop_index], new_ox
         LOD     [of_oy, loop_index], new_oy

@@ -1,7 +1,7 @@
 ; shade_vector.s - computes the colours of a queue of rays.
 ;
 ; The h rays that hit something are sorted by material, for all primitives in a
-; list of those that may have been hit, which mark_met makes.  The hits of one
+; list of those that may have been hit, which mark_tested makes.  The hits of one
 ; material are selected by a compare and a compress.  Points, directions,
 ; normals and so on are vectors of length h in which the parts of the materials
 ; are contiguous; a table has their starts.  Operations that are equal for all
@@ -11,7 +11,7 @@
 ;   colour = ambient c
 ;          + the light of each source (light_vector.s)
 ;
-; In:  the queue's rays, nearest, met; the scene.
+; In:  the queue's rays, nearest, nearest_primitive; the scene.
 ; Out: colours in out_red ..; for the first level the other planes of the frame;
 ;      the reflected and refracted rays in the next level's list.
 ; Source: POV-Ray's finish (phong and Blinn's halfway vector).
@@ -90,19 +90,19 @@ shade:
         unless_first_level shade_sky
         describe near_bits, queue_bits, n
         VTOV    r0, [out_depth]
-        CMPNEV  [met], r0, [near_bits]
+        CMPNEV  [nearest_primitive], r0, [near_bits]
         VTOV    [nearest], [out_depth] ? [near_bits]
         VTOV    r0, [out_nx]
         VTOV    r0, [out_ny]
         VTOV    r0, [out_nz]
-        VTOV    [met], [out_id]
+        VTOV    [nearest_primitive], [out_id]
 
 ; Computes the colour of the sky for the rays that hit nothing.
 shade_sky:
         load_word scene_sky + 64 * 4, s0
         IBXEQ   s0, r0, r0, shade_sort
         describe near_bits, queue_bits, n
-        CMPEQV  [met], r0, [near_bits]
+        CMPEQV  [nearest_primitive], r0, [near_bits]
         CNTOB   [near_bits], h
         IBXEQ   h, r0, r0, shade_sort
         EX      target, set_hits
@@ -141,24 +141,24 @@ shade_sky_store:
 shade_sort:
         ES      h, 0
         ES      parts_left, 0
-        load_word first_met, primitive
+        load_word first_material, primitive
         IBXEQ   primitive, r0, one_index, shade_done
-        EX      s0, first_met
+        EX      s0, first_material
         STO     [s0], one_index
         EX      at, shade_store
         EX      part_at, hit_parts
         RTOR    n, s8
         describe s4, count_store, n
-        RTOR    met, s5
+        RTOR    nearest_primitive, s5
         load_word scene_alike, s6
         IBXEQ   s6, r0, r0, sort_next
         describe near_bits, queue_bits, n
-        CMPNEV  [met], r0, [near_bits]
+        CMPNEV  [nearest_primitive], r0, [near_bits]
         CNTOB   [near_bits], s8
         EX      s4, found_store
         EX      s5, found_store + 64 * QUEUE
         CPSV    [iota], [s4] ? [near_bits]
-        CPSV    [met], [s5] ? [near_bits]
+        CPSV    [nearest_primitive], [s5] ? [near_bits]
         find_records s5, s5, P_MATERIAL, s1
         VXTOV   [s5], [s1], [s5]
 
@@ -228,7 +228,7 @@ sort_done:
         order_hits s3
         VXTOV   [at], [s2], [s3]
         VTOVX   [s3], [v0], [out_depth]
-        VXTOV   [at], [met], [v1]
+        VXTOV   [at], [nearest_primitive], [v1]
         VTOVX   [s3], [v1], [out_id]
 shade_points:
         IBXNE   from_one_point, r0, r0, shade_view

@@ -47,7 +47,7 @@ shadow_region:
         .kernel call
         IBXNE   w_way, r0, m_index_one, shadow_other
 shadow_simple:
-        meet_simple shadow_dark, shadow_next
+        intersect_simple shadow_dark, shadow_next
         BIM     shadow_next
         .endkernel
         .kernel shadow
@@ -67,9 +67,9 @@ shadow_other:
 shadow_tree:
         IBXNE   w_shadow, r0, m_index_one, shadow_wait
         RTOR    w_limit, w_end
-        EX      target, meet_tree
+        EX      target, intersect_tree
         BSAVE   w_back, [target]
-        IBXEQ   w_met, r0, r0, shadow_next
+        IBXEQ   w_hit, r0, r0, shadow_next
         next_visible w_least, shadow_next
         BIM     shadow_dark
 
@@ -108,9 +108,9 @@ shadow_waiting:
         IX      s_waiting, 64
         load_region
         RTOR    w_limit, w_end
-        EX      target, meet_tree
+        EX      target, intersect_tree
         BSAVE   w_back, [target]
-        IBXEQ   w_met, r0, r0, shadow_waiting
+        IBXEQ   w_hit, r0, r0, shadow_waiting
         next_visible w_least, shadow_waiting
 shadow_clear:
         pass_through shadow_dark

@@ -143,7 +143,7 @@ shadow_of_parts:
 shadow_leaf:
         load_leaf_record
         load_field P_ID, identity
-        CMPEQV  [event_met], identity, [bits0]
+        CMPEQV  [event_primitive], identity, [bits0]
         ANDB    [bits0], [seen], [bits0]
         CNTOB   [bits0], m
         IBXEQ   m, r0, r0, shadow_next

@@ -311,7 +311,7 @@ spawn_counted:
         IX      s0, 64 * PART_SHARED
         LOD     [s0], s0
         IBXEQ   s0, r0, r0, spawn_passed
-        VXTOV   [at], [met], [v4]
+        VXTOV   [at], [nearest_primitive], [v4]
         find_records v4, v4, P_RANK, s1
         VXTOV   [v4], [s1], [v6]
 spawn_passed:

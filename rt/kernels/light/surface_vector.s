@@ -104,7 +104,7 @@ normal_sided:
 
 ; Spheres of one material: as normal_sphere, with a centre for each hit.
 normal_shared:
-        VXTOV   [at], [met], [v1]
+        VXTOV   [at], [nearest_primitive], [v1]
         find_records v1, v1, P_SHAPE, s1
         VXTOV   [v1], [s1], [lx]
         IX      s1, 64

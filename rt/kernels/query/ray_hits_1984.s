@@ -3,7 +3,7 @@
 ; Each crossing of a region is inserted into the planes of its ray, after those
 ; that are not farther.
 ;
-; simple_met is not used, because regions of rays are never simple
+; simple_hit is not used, because regions of rays are never simple
 ; (rt/layout/query_layout.c).
 ; Source: insertion: Knuth, The Art of Computer Programming 3, 5.2.1.
 
@@ -92,7 +92,7 @@ put_here\@:
         .endm
 
         .kernel visible
-simple_met:
+simple_hit:
         BIM     walk_skip
 
 walk_tree:

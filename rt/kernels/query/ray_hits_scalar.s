@@ -84,9 +84,9 @@ query_region:
         .kernel visible
 query_tree:
         RTOR    w_limit, w_end
-        EX      target, meet_tree
+        EX      target, intersect_tree
         BSAVE   w_back, [target]
-        IBXEQ   w_met, r0, r0, query_skip
+        IBXEQ   w_hit, r0, r0, query_skip
 query_next_region:
         next_visible w_least, query_skip
         RTOR    w_in, c_distance

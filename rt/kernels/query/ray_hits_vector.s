@@ -4,7 +4,7 @@
 ; occurs twice in one scatter.
 ;
 ; found_crossings: In: the crossings of the rays of [seen] at [event], on
-;                  event_met; the values of the region's tree after them.
+;                  event_primitive; the values of the region's tree after them.
 ;                  Out: [seen] is empty, so all rays continue.
 ; Source: derived here.
 
@@ -37,7 +37,7 @@ found_crossings:
         BSAVE   link_kernel, [target]
         take_found place, taken_at, 0, seen
         take_found event, taken_distance, 1, seen
-        take_found event_met, taken_met, 2, seen
+        take_found event_primitive, taken_primitive, 2, seen
         LTOR    taken_at, query_taken
         describe query_index, query_store, query_taken
         describe s3, query_store + 64 * QUEUE, query_taken
@@ -56,7 +56,7 @@ found_crossings:
 found_from_origin:
         RTOR    ray_hits_first, s4
         to_plane [taken_distance]
-        to_plane [taken_met]
+        to_plane [taken_primitive]
 
 ; The directions of crossing follow from the values after the crossings.
         RTOR    region, s6
@@ -90,7 +90,7 @@ normals_leaf:
         load_leaf_record
         load_field P_ID, identity
         describe near_bits, queue_bits, query_taken
-        CMPEQV  [taken_met], identity, [near_bits]
+        CMPEQV  [taken_primitive], identity, [near_bits]
         CNTOB   [near_bits], h
         IBXEQ   h, r0, r0, normals_next
         EX      target, set_hits

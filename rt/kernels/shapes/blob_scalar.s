@@ -383,7 +383,7 @@ interval_signs_differ:
 ; BLOB_SOLID stores the crossing if there is room.
         .macro  take_crossing at
         SUBN    \at, along, blob_crossed_at
-        IBXEQ   columns_end, r0, r0, blob_met
+        IBXEQ   columns_end, r0, r0, blob_hit
         IBXEQ   column_at, r0, columns_end, take_full\@
         STO     [column_at], blob_crossed_at
         IX      column_at, 64
@@ -471,7 +471,7 @@ blob_fill:
         BIM     blob_fill
 blob_filled:
         leave_segments blob_save, BLOB_REGISTERS
-blob_met:
+blob_hit:
         RTOR    blob_crossed_at, tin
         RTOR    blob_crossed_at, tout
         leave_solver blob_save, BLOB_REGISTERS

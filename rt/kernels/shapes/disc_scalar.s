@@ -21,7 +21,7 @@ disc_save:      .space DISC_REGISTERS
         .kernel disc
 disc:
         enter_kernel disc_save, DISC_REGISTERS, 9, tiny
-        meet_plane disc_missed
+        intersect_plane disc_missed
         RTOR    t2, tin
         disc_axis ox, dx, sh4, t0, t3
         disc_axis oy, dy, sh5, t1, t4

@@ -21,7 +21,7 @@
         .kernel disc
 disc:
         load_record P_SHAPE, 9, sh0
-        meet_plane
+        intersect_plane
         disc_axis ox, dx, sh4, w4
         disc_axis oy, dy, sh5, w5
         disc_axis oz, dz, sh6, w6

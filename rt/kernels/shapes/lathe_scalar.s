@@ -107,7 +107,7 @@ lathe_level\@:
         .endm
 
 ; Computes the coefficients of the segment's cone, and cone_e = E.
-        .macro  meet_cone
+        .macro  intersect_cone
         MPYS    near_y, line_ny, line_e
         MPYS    dy, line_ny, line_f
         MPYS    level_square, line_nr2, cone_a
@@ -228,7 +228,7 @@ segment_before\@:
         CFPLT   ray_high, row_low, segment_passed\@
         CFPLT   row_high, ray_low, segment_passed\@
         load_line
-        meet_cone
+        intersect_cone
         keep_twice segment_passed\@
         solve_cone
         DIVS    cone_q, cone_a, crossed_at
@@ -240,7 +240,7 @@ segment_before\@:
         BIM     segment_passed\@
 segment_once\@:
         load_line
-        meet_cone
+        intersect_cone
         CFPGE   cone_e, r0, segment_real\@
         ADDN    r0, r0, cone_e
 segment_real\@:

@@ -195,7 +195,7 @@
         .endm
 
 ; Computes the coefficients of the segment's cone, and [w0] = E.
-        .macro  meet_cone
+        .macro  intersect_cone
         LINKV
         MPYSV   [lane_oy], line_ny, [line_e]
         SUBNV   line_k, [line_e], [line_e]
@@ -322,7 +322,7 @@ corner_known\@:
         CFPLT   row_high, queue_low, segment_passed\@
         CFPLT   queue_high, row_low, segment_passed\@
         sort_rays segment_passed\@
-        meet_cone
+        intersect_cone
         keep_twice segment_passed\@
         solve_cone
         CNTOB   [once], s0

@@ -151,11 +151,11 @@ crossings_any:
         STO     [a_primitive], sorted_count
         leave_segments crossings_save, MESH_CROSSING_REGISTERS
 crossings_solid:
-        IBXNE   sorted_count, r0, r0, solid_met
+        IBXNE   sorted_count, r0, r0, solid_hit
         STO     [a_segment], big
         STO     [a_segment, index_one], minus_big
         ES      sorted_count, 2
-solid_met:
+solid_hit:
         AND     sorted_count, index_one, t2
         IBXEQ   t2, r0, r0, solid_even
         RTOR    minus_big, t0

@@ -133,7 +133,7 @@ crossings_room:
         ES      s0, 0
         VTOV    s0, [mesh_counts]
         start_walk w9
-        walk_mesh meet_every, 0
+        walk_mesh intersect_every, 0
 
 ; Adds minus_big to the lists with an odd number of crossings.
         IBXEQ   mesh_is_solid, r0, r0, crossings_fill
@@ -237,7 +237,7 @@ crossings_given:
         BIM     0, link_kernel
 
 ; Tests the mesh_pairs pairs and appends their crossings.
-meet_every:
+intersect_every:
         set_crossing_sides mesh_pairs
         ES      mesh_pairs, 0
         take_corners
@@ -249,7 +249,7 @@ meet_every:
         cross_edge side_b2, side_b0, side_x2, side_y2, side_x0, side_y0, side_v
         cross_edge side_b0, side_b1, side_x0, side_y0, side_x1, side_y1, side_w
         CNTOB   [side_bits], s2
-        IBXEQ   s2, r0, r0, every_met
+        IBXEQ   s2, r0, r0, every_hit
         keep_sides
         set_crossing_sides s2
         ABSV    [side_u], [side_u]
@@ -282,7 +282,7 @@ every_ahead:
         CMPLTV  r0, [side_z0], [side_bits]
 every_counted:
         CNTOB   [side_bits], s3
-        IBXEQ   s3, r0, r0, every_met
+        IBXEQ   s3, r0, r0, every_hit
         IBXEQ   s3, r0, s2, every_turn
         RTOR    s3, s2
 every_keep:
@@ -303,7 +303,7 @@ every_turn:
         CMPNEV  [side_x2], [side_triangle], [side_bits]
         CNTOB   [side_bits], s2
         IBXNE   s2, r0, r0, every_keep
-every_met:
+every_hit:
         BIM     0, lane_link
         .if     INTERIORS
 every_passed:

@@ -13,7 +13,7 @@
         .endif
 
         .share  local
-        .regs   r79, mesh_table, mesh_row, node, node_at, signs, met_link
+        .regs   r79, mesh_table, mesh_row, node, node_at, signs, hit_link
         .regs   r85, axis_x, axis_y, axis_z             ; the ray's axes, 0-2
         .regs   r88, own_ox, own_oy, own_oz, shear_x, shear_y, own_z
         .regs   r94, inverse_x, inverse_y, inverse_z, size_x, size_y, size_z
@@ -93,7 +93,7 @@ lesser\@:
         EX      t0, mesh_numbers
         ELEN    t0, 2
         SWAP    [t0], mesh_less, [r0]
-        EX      met_link, MESH_MET
+        EX      hit_link, MESH_LEAF_HIT
         ABS     dx, t0
         ABS     dy, t1
         ABS     dz, t2
@@ -119,7 +119,7 @@ mesh_turned\@:
 ; (mesh_stops = 1).  A hit at its limit does not count.
         .macro  begin_limit
         ES      mesh_stops, 0
-        RTOR    met_link, nearest_side          ; after all triangles
+        RTOR    hit_link, nearest_side          ; after all triangles
         .if     CASTS_SHADOWS
         EX      t0, shadow_ray
         IBXNE   t0, r0, a_ray, limit_none\@
@@ -185,8 +185,8 @@ mesh_node\@:
         ADDX    node_at, \rows, node_at
         near_\way mesh_box_missed\@
         LOD     [node_at, signs], node
-        IBXLT   node, r0, met_link, mesh_node\@
-        SUBX    node, met_link, node
+        IBXLT   node, r0, hit_link, mesh_node\@
+        SUBX    node, hit_link, node
         IX      node_at, 64 * (\first)
         ELEN    node_at, 2
         SWAP    [node_at], triangle, [r0]       ; also triangles_left
@@ -269,7 +269,7 @@ mesh_side\@:
 mesh_nearer\@:
         RTOR    t0, tin
         RTOR    triangle, nearest_side
-        IBXNE   mesh_stops, r0, r0, mesh_met
+        IBXNE   mesh_stops, r0, r0, mesh_hit
 mesh_next\@:
         .endm
 
@@ -289,7 +289,7 @@ mesh_boxes:
 mesh_walk_done:
         IBXEQ   nearest_side, r0, r0, mesh_missed
         CFPGE   tin, big, mesh_missed
-mesh_met:
+mesh_hit:
         RTOR    tin, tout
         IX      a_primitive, 64 * P_PATCH_POINT
         STO     [a_primitive], nearest_side

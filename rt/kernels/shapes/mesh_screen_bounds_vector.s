@@ -91,8 +91,8 @@ viewpoint_turned\@:
         IBXEQ   shadows, r0, r0, screen_bounds_tested\@
         CMPLTV  [mesh_forward], r0, [mesh_bits]
         VXTOV   [mesh_place], [near_limit], [mesh_limit]
-        CMPGEV  s7, [mesh_limit], [mesh_met]
-        ANDB    [mesh_bits], [mesh_met], [mesh_bits]
+        CMPGEV  s7, [mesh_limit], [mesh_hit]
+        ANDB    [mesh_bits], [mesh_hit], [mesh_bits]
 screen_bounds_tested\@:
         CNTOB   [mesh_bits], m
         IBXEQ   m, r0, r0, \none
@@ -147,8 +147,8 @@ far_placed\@:
         .endm
 
         .macro  screen_bounds_below least, greatest
-        CMPGEV  \greatest, \least, [mesh_met]
-        ANDB    [mesh_bits], [mesh_met], [mesh_bits]
+        CMPGEV  \greatest, \least, [mesh_hit]
+        ANDB    [mesh_bits], [mesh_hit], [mesh_bits]
         .endm
 
 ; Gathers the next word of the windows.
@@ -169,8 +169,8 @@ far_placed\@:
         screen_bounds_word
         screen_bounds_below [mesh_v], [mesh_g0]
         screen_bounds_word
-        CMPLTV  [mesh_g0], [mesh_limit], [mesh_met]
-        ANDB    [mesh_bits], [mesh_met], [mesh_bits]
+        CMPLTV  [mesh_g0], [mesh_limit], [mesh_hit]
+        ANDB    [mesh_bits], [mesh_hit], [mesh_bits]
         ADDXV   [mesh_at], one_index, [mesh_at] ?! [mesh_bits]
         VXTOV   [mesh_at], [s0], [mesh_g1]
         .endm

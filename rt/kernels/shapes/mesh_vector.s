@@ -51,7 +51,7 @@
         .regs   r141, mesh_ix, mesh_iy, mesh_iz, mesh_ax, mesh_ay, mesh_az
         .regs   r147, mesh_signs, mesh_limit
         .regs   r149, mesh_low, mesh_high, mesh_g0, mesh_g1, mesh_g2, mesh_g3
-        .regs   r155, mesh_bits, mesh_met
+        .regs   r155, mesh_bits, mesh_hit
         .equ    WALK_VECTORS, 21
         .regs   r157, mesh_table, mesh_row, mesh_links, mesh_leaf_link
         .reg    mesh_pairs, r161
@@ -248,7 +248,7 @@ side_bases:
         .macro  begin_mesh
         RTOR    mesh_table, mesh_links
         IX      mesh_links, 64 * MESH_LINKS
-        EX      mesh_leaf_link, MESH_MET
+        EX      mesh_leaf_link, MESH_LEAF_HIT
         ES      mesh_pairs, 0
         RTOR    near, m
         set_walk
@@ -276,10 +276,10 @@ side_bases:
         box_next 2, mesh_oz, mesh_iz, mesh_az
         MPYSV   [mesh_low], s1, [mesh_low]
         CMPGEV  [mesh_high], [mesh_low], [mesh_bits]
-        CMPGEV  [mesh_high], r0, [mesh_met]
-        ANDB    [mesh_bits], [mesh_met], [mesh_bits]
-        CMPLTV  [mesh_low], [mesh_limit], [mesh_met]
-        ANDB    [mesh_bits], [mesh_met], [mesh_bits]
+        CMPGEV  [mesh_high], r0, [mesh_hit]
+        ANDB    [mesh_bits], [mesh_hit], [mesh_bits]
+        CMPLTV  [mesh_low], [mesh_limit], [mesh_hit]
+        ANDB    [mesh_bits], [mesh_hit], [mesh_bits]
         ADDXV   [mesh_at], [mesh_signs], [mesh_g0]
         ADDXV   [mesh_g0], one_index, [mesh_g0] ?! [mesh_bits]
         VXTOV   [mesh_g0], [mesh_links], [mesh_g1]
@@ -335,13 +335,13 @@ side_bases:
         .include "shapes/mesh_screen_bounds_vector.s"
         .endif
 
-; Traverses to the end.  The routine meet tests the pairs; limits = 1: it may
+; Traverses to the end.  The routine `intersect` tests the pairs; limits = 1: it may
 ; change limits.  first = the offset of a leaf's triangles from the links.
-        .macro  walk_mesh meet, limits, way=boxes, first=MESH_FIRST - MESH_LINKS
+        .macro  walk_mesh intersect, limits, way=boxes, first=MESH_FIRST - MESH_LINKS
 mesh_step\@:
         step_\way
-        CMPGEV  [mesh_g1], mesh_leaf_link, [mesh_met]
-        CNTOB   [mesh_met], leaf_count
+        CMPGEV  [mesh_g1], mesh_leaf_link, [mesh_hit]
+        CNTOB   [mesh_hit], leaf_count
         IBXNE   leaf_count, r0, r0, mesh_leaves\@
 mesh_on\@:
         VTOV    [mesh_g1], [mesh_at]
@@ -358,12 +358,12 @@ mesh_narrow\@:
 
 ; leaf_count rays are at leaves: each makes a pair with each triangle.
 mesh_leaves\@:
-        SUBXV   [mesh_g1], mesh_leaf_link, [mesh_g1] ? [mesh_met]
+        SUBXV   [mesh_g1], mesh_leaf_link, [mesh_g1] ? [mesh_hit]
         RTOR    w10, leaf_triangle
         RTOR    w11, leaf_place
         RTOR    mesh_g0, leaf_left
-        CPSV    [mesh_at], [leaf_triangle] ? [mesh_met]
-        CPSV    [mesh_place], [leaf_place] ? [mesh_met]
+        CPSV    [mesh_at], [leaf_triangle] ? [mesh_hit]
+        CPSV    [mesh_place], [leaf_place] ? [mesh_hit]
         RTOR    mesh_links, s0
         IX      s0, 64 * (\first + 1)
         VXTOV   [leaf_triangle], [s0], [leaf_left]
@@ -372,7 +372,7 @@ mesh_leaves\@:
 leaf_next\@:
         ADDX    mesh_pairs, leaf_count, s0
         IBXLE   s0, r0, m, leaf_pairs\@
-        EX      target, \meet
+        EX      target, \intersect
         BSAVE   lane_link, [target]
         .if     \limits
         limit_\way w9
@@ -395,7 +395,7 @@ leaf_pairs\@:
 
 mesh_walked\@:
         IBXEQ   mesh_pairs, r0, r0, mesh_done\@
-        EX      target, \meet
+        EX      target, \intersect
         BSAVE   lane_link, [target]
 mesh_done\@:
         .endm
@@ -424,7 +424,7 @@ mesh_begin:
         .if     MESH_BOXES == 0
         find_viewpoint mesh_no_viewpoint
         start_screen_bounds mesh_by_screen_bounds
-        walk_mesh meet_sides, 1, screen_bounds, SCREEN_FIRST - SCREEN_LINKS
+        walk_mesh intersect_sides, 1, screen_bounds, SCREEN_FIRST - SCREEN_LINKS
 mesh_by_screen_bounds:
         find_far mesh_walk_done
         BIM     mesh_boxes
@@ -435,7 +435,7 @@ mesh_boxes:
         .else
         start_walk near_limit
         .endif
-        walk_mesh meet_sides, 1
+        walk_mesh intersect_sides, 1
 mesh_walk_done:
         CMPLTV  [tin], big, [bits0]
         MASKV   [tin], minus_big, [tout] ? [bits0]
@@ -443,7 +443,7 @@ mesh_walk_done:
 
 ; Tests the mesh_pairs pairs.  Changes w9, tin, patch_s of the rays that are
 ; hit.
-meet_sides:
+intersect_sides:
         set_sides mesh_pairs
         ES      mesh_pairs, 0
         take_corners
@@ -458,7 +458,7 @@ meet_sides:
         side_and side_more, r0, [side_w]
         ORB     [side_bits], [side_more], [side_bits]
         CNTOB   [side_bits], s2
-        IBXEQ   s2, r0, r0, sides_met
+        IBXEQ   s2, r0, r0, sides_hit
         keep_sides
         set_sides s2
         MPYSV   [side_u], [side_z0], [side_z0]
@@ -492,7 +492,7 @@ sides_better:
         ORB     [side_more], [side_tie], [side_more]
         ANDB    [side_bits], [side_more], [side_bits]
         CNTOB   [side_bits], s2
-        IBXEQ   s2, r0, r0, sides_met
+        IBXEQ   s2, r0, r0, sides_hit
         side_keep side_place
         side_keep side_triangle
         side_keep side_z0
@@ -504,7 +504,7 @@ sides_better:
         BIM     sides_turn
 sides_stop:
         VTOVX   [side_place], minus_big, [w9]
-sides_met:
+sides_hit:
         BIM     0, lane_link
         .endkernel
 

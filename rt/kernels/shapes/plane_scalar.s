@@ -12,7 +12,7 @@
 plane_save:     .space PLANE_REGISTERS
         .code
 ; Computes t0 = d - N . O, t1 = N . D, t2 = t for the plane in sh0-sh3.
-        .macro  meet_plane parallel
+        .macro  intersect_plane parallel
         dot     ox, oy, oz, sh0, sh1, sh2, t0, t2
         SUBN    sh3, t0, t0
         dot     dx, dy, dz, sh0, sh1, sh2, t1, t2
@@ -24,7 +24,7 @@ plane_save:     .space PLANE_REGISTERS
         .kernel plane
 plane:
         enter_kernel plane_save, PLANE_REGISTERS, 4, tiny
-        meet_plane plane_parallel
+        intersect_plane plane_parallel
         CFPLT   t1, r0, plane_enters
         RTOR    minus_big, tin
         RTOR    t2, tout

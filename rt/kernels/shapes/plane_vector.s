@@ -13,7 +13,7 @@
 
 ; Computes [w0] = d - N . O, [w1] = N . D, or one for the parallel rays (bits0),
 ; and [w2] = t, for the plane in sh0-sh3.
-        .macro  meet_plane
+        .macro  intersect_plane
         dot_constant ox, oy, oz, sh0, sh1, sh2, w0, w2
         SUBNV   sh3, [w0], [w0]
         dot_constant dx, dy, dz, sh0, sh1, sh2, w1, w2
@@ -25,7 +25,7 @@
         .kernel plane
 plane:
         load_record P_SHAPE, 4, sh0
-        meet_plane
+        intersect_plane
         CMPLTV  [w1], r0, [bits1]
         MASKV   [w2], minus_big, [tin] ? [bits1]
         MASKV   big, [w2], [tout] ? [bits1]

@@ -167,11 +167,11 @@ trace:
         load_at hit, 2, distance
         RTOR    distance, first_distance
         RTOR    hit_primitive, first_primitive
-        BIM     trace_met
+        BIM     trace_hit
 trace_next:
         call_level nearest, L_NEAREST
         load_at hit, 2, distance
-trace_met:
+trace_hit:
         IBXEQ   hit_primitive, r0, r0, trace_background
         .if     FOG
         of_level L_DISTANCE

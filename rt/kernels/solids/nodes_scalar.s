@@ -13,7 +13,7 @@
 ; replaces that of the first node.
 ;
 ; In:  w_ray .., the region, w_end: the ray's limit.
-; Out: w_met = 1 if something may be visible, then between w_least and w_end;
+; Out: w_hit = 1 if something may be visible, then between w_least and w_end;
 ;      the branches and leaves that the ray hits, in span (visible_scalar.s).
 
         .data
@@ -38,45 +38,45 @@ leaf_list:      .space 3
         .endm
 
         .kernel visible
-meet_tree:
+intersect_tree:
         load_two_delta
         EX      w_chain, span + 64 * 3
         EX      w_at, scene_branches
         LOD     [w_at], w_branch
-        ES      w_met, 0
+        ES      w_hit, 0
         RTOR    w_lower, w_least
         RTOR    w_nodes, w_node
         load_node
-        BIM     meet_near
+        BIM     intersect_near
         .endkernel
         .kernel bound
-meet_node:
+intersect_node:
         load_node
-        skip_far n_cx, n_cy, n_cz, n_radius, n_square, w_end, meet_far
+        skip_far n_cx, n_cy, n_cz, n_radius, n_square, w_end, intersect_far
         .endkernel
         .kernel call
-meet_near:
-        IBXNE   n_primitive, r0, r0, meet_leaf
+intersect_near:
+        IBXNE   n_primitive, r0, r0, intersect_leaf
         IX      w_node, 64 * N_SIZE
         STO     [w_branch], n_steps
         STO     [w_branch, m_index_one], n_step_count
-        IBXEQ   n_step_count, r0, r0, meet_no_branch
+        IBXEQ   n_step_count, r0, r0, intersect_no_branch
         IX      w_branch, 64 * BRANCH_SIZE
-meet_no_branch:
-        IBXNE   w_node, r0, w_nodes_end, meet_node
-        BIM     meet_end
-meet_leaf:
+intersect_no_branch:
+        IBXNE   w_node, r0, w_nodes_end, intersect_node
+        BIM     intersect_end
+intersect_leaf:
         RTOR    n_primitive, w_at
         IX      w_at, 64 * P_STATE_KERNEL
         ELEN    w_at, 7
         SWAP    [w_at], l_state_kernel, [r0]
-        IBXEQ   l_state_kernel, r0, r0, meet_events
+        IBXEQ   l_state_kernel, r0, r0, intersect_events
         ADDLEN  l_first_state, l_segments, l_crossing
         ADDLEN  l_crossing, l_segments, l_crossing
         RTOR    l_state_kernel, target
         RTOR    l_state_inner, inner
         call_leaf
-meet_events:
+intersect_events:
         ADDLEN  l_first_event, l_events, l_crossing
         ELEN    n_primitive, 2
         SWAP    [n_primitive], target, [r0]     ; target, inner
@@ -91,31 +91,31 @@ meet_events:
         .kernel visible
         RTOR    l_first_state, l_crossing
         LOD     [l_first_state], w_in
-        CFPGE   w_in, m_big, meet_missed
+        CFPGE   w_in, m_big, intersect_missed
         STO     [w_chain], n_primitive
         RTOR    n_primitive, w_chain
         IX      w_chain, 64 * P_NEXT_HIT
-        ES      w_met, 1
-        IBXEQ   n_needed, r0, r0, meet_next
-        IBXEQ   l_segments, r0, r0, meet_next
-        narrow_span l_crossing, l_segments, m_index_one, meet_nothing
-meet_next:
-        IBXNE   n_next, r0, w_nodes_end, meet_node, w_node
-meet_end:
+        ES      w_hit, 1
+        IBXEQ   n_needed, r0, r0, intersect_next
+        IBXEQ   l_segments, r0, r0, intersect_next
+        narrow_span l_crossing, l_segments, m_index_one, intersect_nothing
+intersect_next:
+        IBXNE   n_next, r0, w_nodes_end, intersect_node, w_node
+intersect_end:
         STO     [w_chain], r0
         EX      w_at, span + 64 * 2
         STO     [w_at], w_branch
         BIM     0, w_back
 
-meet_far:
-        IBXNE   n_needed, r0, r0, meet_nothing
+intersect_far:
+        IBXNE   n_needed, r0, r0, intersect_nothing
         STO     [n_value], r0
-        IBXNE   n_next, r0, w_nodes_end, meet_node, w_node
-        BIM     meet_end
-meet_missed:
+        IBXNE   n_next, r0, w_nodes_end, intersect_node, w_node
+        BIM     intersect_end
+intersect_missed:
         STO     [n_value], r0
-        IBXEQ   n_needed, r0, r0, meet_next
-meet_nothing:
-        ES      w_met, 0
+        IBXEQ   n_needed, r0, r0, intersect_next
+intersect_nothing:
+        ES      w_hit, 0
         BIM     0, w_back
         .endkernel

@@ -18,7 +18,7 @@
 ; Spheres with less than half of the region's radius are tested. Those of
 ; required nodes are not smaller than that. If few rays come near a node, those
 ; rays are gathered for everything below it (sparse_vector.s). After each primitive
-; the walk continues at node_met, with the segments in tin .., and after all
+; the walk continues at node_hit, with the segments in tin .., and after all
 ; primitives at walk_tree.
 ;
 ; After an earlier hit, crossings slightly beyond the limits are computed too.
@@ -211,7 +211,7 @@ walk_limited:
         MPYS    bound_r, half, least_culled
         BIM     node_near                       ; the region's own bound
 node_next:
-        IBXEQ   node_at, r0, nodes_end, nodes_met
+        IBXEQ   node_at, r0, nodes_end, nodes_hit
         ELEN    node_at, NODE_WORDS
         SWAP    [node_at], bound_x, [r0]
         CFPGE   bound_r, least_culled, node_near
@@ -230,7 +230,7 @@ node_next:
         load_word sparse_outer, s1
         IBXEQ   s1, r0, r0, node_sparse
         BIM     node_near
-nodes_met:
+nodes_hit:
         load_word sparse_outer, s9
         IBXEQ   s9, r0, r0, walk_tree
         BIM     sparse_hit
@@ -270,7 +270,7 @@ node_listed:
         .if     MESH_CROSSINGS
         IBXEQ   s0, r0, r0, node_counted
         .else
-        IBXEQ   s0, r0, r0, node_met
+        IBXEQ   s0, r0, r0, node_hit
         .endif
         load_record P_SEGMENTS, 4, leaf_segments
         find_segments leaf_first_state
@@ -284,7 +284,7 @@ node_listed:
 node_counted:
         load_field P_ON_PATCH, s0
         ES      s1, 2
-        IBXLT   s0, r0, s1, node_met
+        IBXLT   s0, r0, s1, node_hit
         load_record P_SEGMENTS, 2, s2           ; s2, s3
         load_word leaves_end, s0
         IX      s0, -64 * (LEAF_SIZE - LEAF_PART)
@@ -292,5 +292,5 @@ node_counted:
         SWAP    [r0], s2, [s0]
         RTOR    s2, segments_wanted
         .endif
-        BIM     node_met
+        BIM     node_hit
         .endkernel

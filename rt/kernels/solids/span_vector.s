@@ -17,7 +17,7 @@
 
 ; Events of the current rays (visible_vector.s).
         .share  scratch
-        .regs   r233, event, last, event_met, before, after, active, seen
+        .regs   r233, event, last, event_primitive, before, after, active, seen
         .reg    inside, r240            ; of one segment
         .endshare
 
@@ -51,7 +51,7 @@ begin_span:
         VTOV    [wlower], [last]
         BIM     0, link_inner
 
-node_met:
+node_hit:
         IBXEQ   leaf_needed, r0, r0, node_next
         load_word k_delta, s2
         ADDN    s2, s2, s2

@@ -19,12 +19,12 @@
 ; The leaf whose columns are tested.
         .share  hits
         .regs   r144, columns_left, column_identity, column_leaf
-        .reg    nearest_met, r148       ; primitive at the nearest so far
+        .reg    best_primitive, r148    ; primitive at the nearest so far
         .endshare
 
         .data
         .align  64
-nearest_met_store: .space QUEUE
+best_primitive_store: .space QUEUE
         .code
 
         .kernel visible
@@ -35,9 +35,9 @@ walk_every:
         LOD     [s0], s0
         IBXNE   s0, r0, one_index, tree_next
 every_solids:
-        describe nearest_met, nearest_met_store, near
+        describe best_primitive, best_primitive_store, near
         VTOV    [near_limit], [event]
-        VTOV    r0, [nearest_met]
+        VTOV    r0, [best_primitive]
         leaves_begin
 every_leaf:
         load_leaf_record
@@ -52,20 +52,20 @@ every_column:
         ANDB    [bits0], [active], [active]
         CNTOB   [active], s0
         IBXEQ   s0, r0, r0, every_later
-        VTOV    column_identity, [event_met]
+        VTOV    column_identity, [event_primitive]
         EX      target, find_seen
         BSAVE   link_inner, [target]
         IBXEQ   s0, r0, r0, every_later
         VTOV    [column], [event] ? [seen]
-        VTOV    [event_met], [nearest_met] ? [seen]
+        VTOV    [event_primitive], [best_primitive] ? [seen]
 every_later:
         EX      slot_size, 64 * CROSSING_SIZE
         ADDX    column, slot_size, column
         IBXNE   columns_left, minus_one_index, r0, every_column, columns_left
         RTOR    column_leaf, leaf_at
         leaves_next every_leaf
-        RTOR    nearest_met, event_met
-        CMPNEV  [event_met], r0, [seen]
+        RTOR    best_primitive, event_primitive
+        CMPNEV  [event_primitive], r0, [seen]
         CNTOB   [seen], s0
         IBXEQ   s0, r0, r0, walk_skip
         BSAVE   link_kernel, [found]

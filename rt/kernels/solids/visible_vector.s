@@ -24,7 +24,7 @@
 ;
 ; In:  region, its crossings, the current rays; found: a routine that
 ;      processes the visible crossings at [event] on the primitives
-;      [event_met] of the rays of [seen], and leaves in [seen] the rays that
+;      [event_primitive] of the rays of [seen], and leaves in [seen] the rays that
 ;      are done.
 ;
 ; VISIBLE selects the method when the program is assembled. The default was
@@ -62,7 +62,7 @@
 ; Makes the vectors of the events of the current rays.
         .macro  set_events
         describe event, event_store, near
-        describe event_met, event_store + 64 * QUEUE, near
+        describe event_primitive, event_store + 64 * QUEUE, near
         describe before, event_store + 64 * QUEUE * 2, near
         describe after, event_store + 64 * QUEUE * 3, near
         describe active, event_bits, near
@@ -121,7 +121,7 @@ walk_tree:
 ; Finds the next event of each ray.
 tree_next:
         VTOV    [near_limit], [event]
-        VTOV    r0, [event_met]
+        VTOV    r0, [event_primitive]
         leaves_begin
 event_leaf:
         load_leaf_record
@@ -136,7 +136,7 @@ event_next:
         CNTOB   [bits0], s0
         IBXEQ   s0, r0, r0, event_later
         VTOV    [slot], [event] ? [bits0]
-        VTOV    identity, [event_met] ? [bits0]
+        VTOV    identity, [event_primitive] ? [bits0]
 event_later:
         ADDX    slot, slot_size, slot
         IBXNE   leaf_events, minus_one_index, r0, event_next, leaf_events
@@ -153,19 +153,19 @@ event_segment:
         CNTOB   [bits0], s0
         IBXEQ   s0, r0, r0, event_later_segment
         VTOV    [w0], [event] ? [bits0]
-        VTOV    identity, [event_met] ? [bits0]
+        VTOV    identity, [event_primitive] ? [bits0]
 event_later_segment:
         ADDX    slot, slot_size, slot
         IBXNE   leaf_segments, minus_one_index, r0, event_segment, leaf_segments
 event_none:
         leaves_next event_leaf
-        CMPNEV  [event_met], r0, [active]
+        CMPNEV  [event_primitive], r0, [active]
         CNTOB   [active], s9
         IBXEQ   s9, r0, r0, walk_skip
         ADDX    s9, s9, s0
         IBXGE   s0, r0, near, tree_values
         CPSV    [event], [event] ? [active]
-        CPSV    [event_met], [event_met] ? [active]
+        CPSV    [event_primitive], [event_primitive] ? [active]
         EX      target, squeeze_rays
         BSAVE   link_inner, [target]
 
@@ -196,8 +196,8 @@ tree_squeeze:
 
 ; Finds the visible crossings at the events of a column, one for each ray.
 ;
-; In:  column, with its primitives in event_met; active.
-; Out: seen, a part of active; s0 = the count of its ones; event_met: the
+; In:  column, with its primitives in event_primitive; active.
+; Out: seen, a part of active; s0 = the count of its ones; event_primitive: the
 ;      visible primitive; its P_TESTED.
 find_seen:
         load_word k_delta, s0
@@ -276,11 +276,11 @@ other_leaf:
         CNTOB   [bits0], s1
         IBXEQ   s1, r0, r0, other_next
         load_field P_ID, identity
-        CMPNEV  [event_met], identity, [bits1]
+        CMPNEV  [event_primitive], identity, [bits1]
         ANDB    [bits0], [bits1], [bits0]
         ORB     [inside], [bits0], [inside]
         IBXNE   shadows, r0, r0, other_next
-        mark_met
+        mark_tested
 other_next:
         leaves_next other_leaf
         CNTOB   [inside], s1
@@ -315,7 +315,7 @@ show_parts:
 ; Finds the first primitive that shows, and the rays whose event is a crossing
 ; of a primitive that shows.
         XORB    [seen], [seen], [seen]
-        VTOV    big, [event_met]
+        VTOV    big, [event_primitive]
         leaves_begin
 shown_leaf:
         leaf_with_value
@@ -332,10 +332,10 @@ shown_crossing:
         ADDX    slot, slot_size, slot
         IBXNE   leaf_events, minus_one_index, r0, shown_crossing, leaf_events
         load_field P_ID, identity
-        CMPLTV  identity, [event_met], [bits0]
+        CMPLTV  identity, [event_primitive], [bits0]
         ANDB    [inside], [value], [inside]
         ANDB    [inside], [bits0], [inside]
-        VTOV    identity, [event_met] ? [inside]
+        VTOV    identity, [event_primitive] ? [inside]
 shown_next:
         leaves_next shown_leaf
         CNTOB   [seen], s0
@@ -346,7 +346,7 @@ seen_found:
 ; of their distances.
         .macro  found_rays
         load_field P_ID, identity
-        CMPEQV  [event_met], identity, [bits0]
+        CMPEQV  [event_primitive], identity, [bits0]
         ANDB    [s5], [bits0], [bits0]
         CNTOB   [bits0], s0
         IBXEQ   s0, r0, r0, found_next
@@ -419,7 +419,7 @@ squeeze_next:
 found_nearest:
         take_found place, taken_at, 0, seen
         take_found event, taken_distance, 1, seen
-        take_found event_met, taken_met, 2, seen
+        take_found event_primitive, taken_primitive, 2, seen
         RTOR    seen, s5
         .if     KEYS
         take_found event, taken_depth, 3, seen
@@ -433,7 +433,7 @@ found_counted:
         CFPEQ   s3, r0, found_counted_next
         load_word k_delta, s2
         MPYS    s3, s2, s3
-        CMPEQV  [taken_met], identity, [s4]
+        CMPEQV  [taken_primitive], identity, [s4]
         ADDNV   [taken_distance], s3, [taken_distance] ? [s4]
 found_counted_next:
         leaves_next found_counted
@@ -450,15 +450,15 @@ found_counted_next:
         describe s6, found_bits + 64 * QUEUE_BIT_WORDS, s2
         describe s7, found_bits + 64 * QUEUE_BIT_WORDS * 2, s2
         CMPEQV  [taken_distance], [s3], [s6]
-        VXTOV   [taken_at], [met], [s3]
-        CMPLTV  [taken_met], [s3], [s7]
+        VXTOV   [taken_at], [nearest_primitive], [s3]
+        CMPLTV  [taken_primitive], [s3], [s7]
         ANDB    [s6], [s7], [s6]
         ORB     [s4], [s6], [s4]
         CNTOB   [s4], s0
         IBXEQ   s0, r0, r0, found_none
         CPSV    [taken_at], [taken_at] ? [s4]
         CPSV    [taken_distance], [taken_distance] ? [s4]
-        CPSV    [taken_met], [taken_met] ? [s4]
+        CPSV    [taken_primitive], [taken_primitive] ? [s4]
         .if     KEYS
         CPSV    [taken_depth], [taken_depth] ? [s4]
         .endif
@@ -468,10 +468,11 @@ found_counted_next:
 found_taken:
         region_took_hits
         VTOVX   [taken_at], [taken_distance], [nearest]
-        VTOVX   [taken_at], [taken_met], [met]
+        VTOVX   [taken_at], [taken_primitive], [nearest_primitive]
         scatter_depth taken_depth
 
-; Stores the parameters of the rays of s5 whose event_met is a patch or a mesh.
+; Stores the parameters of the rays of s5 whose event_primitive is a patch or a
+; mesh.
 found_points:
         leaves_begin
 found_leaf:
