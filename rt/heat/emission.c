@@ -114,7 +114,7 @@ static bool lay_out(struct emission *emission, const struct primitive *primitive
 
     record_begin(&record, &layout, "EMISSION_SIZE", 1, table_size(emitter));
     record.line = primitive->line;
-    layout_word(&layout, "emission_given", record.address);
+    layout_word(&layout, "emission_arguments", record.address);
     put_place(&record, primitive, emitter);
     record_numbers(&record, "EMISSION_FORM", emitter->form, EMITTER_FORM);
     record_routine(&record, "EMISSION_KERNEL", emitter->kernel);
@@ -122,8 +122,8 @@ static bool lay_out(struct emission *emission, const struct primitive *primitive
         put_pieces(&record, emitter);
     record_write(&record);
     record_end(&record);
-    emission->choice = layout_symbol(&layout, "points_given");
-    emission->made = layout_symbol(&layout, "emission_made");
+    emission->choice = layout_symbol(&layout, "points_arguments");
+    emission->made = layout_symbol(&layout, "emission_results");
     return !layout.failed;
 }
 

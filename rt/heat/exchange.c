@@ -83,7 +83,7 @@ static bool run(const struct exchange_given *given, struct object *program,
     layout_word(&run.layout, "exchange_emissivities", planes + 64 * n);
     layout_word(&run.layout, "exchange_temperatures", planes + 128 * n);
     single_run_room(&run, "exchange_matrix", NULL, (n + 2) * n);
-    at = single_run_room(&run, "exchange_made", NULL, count);
+    at = single_run_room(&run, "exchange_results", NULL, count);
     single_run_number(&run, "exchange_outside", 0, given->outside);
     return single_run_end(&run, at, made, count, &clocks);
 }

@@ -233,7 +233,7 @@ static bool run_spots(const struct heat_source *source, const c205_word *lines,
     single_run_word(&run, "spots_crossings", made->count);
     single_run_room(&run, "spots_from", lines, EMITTED_PLANES * source->chords.count);
     single_run_room(&run, "spots_list", crossings, CROSSED_PLANES * made->count);
-    at = single_run_room(&run, "spots_made", NULL, words);
+    at = single_run_room(&run, "spots_results", NULL, words);
     single_run_number(&run, "spots_weight", 0, chords_weight(&source->chords));
     return single_run_end(&run, at, made->planes, words, &clocks);
 }

@@ -132,7 +132,7 @@ static bool run_hits(struct hits_work *work)
     layout_word(&run.layout, "hits_towards", at + UINT64_C(64) * EMITTED_RAY * points);
     single_run_word(&run, "hits_cylinders", count);
     single_run_room(&run, "hits_list", words, numbers);
-    made = single_run_room(&run, "hits_made", NULL, points);
+    made = single_run_room(&run, "hits_results", NULL, points);
     free(words);
     return single_run_end(&run, made, work->reported, points, &clocks);
 }

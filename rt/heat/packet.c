@@ -198,7 +198,7 @@ static bool run_faces(const struct packet_work *work, const c205_word *list,
     single_run_word(&run, "faces_points", points);
     single_run_word(&run, "faces_planes", EMITTED_PLANES);
     single_run_room(&run, "faces_from", work->made.planes, words);
-    made = single_run_room(&run, "faces_made", NULL, words + 1);
+    made = single_run_room(&run, "faces_results", NULL, words + 1);
     single_run_word(&run, "faces_crossings", crossings);
     single_run_room(&run, "faces_list", list, FACE_PLANES * crossings);
     single_run_word(&run, "faces_primitive", work->choice.primitive);

@@ -79,7 +79,7 @@ static bool run(const struct smooth_given *given, struct object *program,
     layout_word(&run.layout, "smooth_variances", at + 64 * size);
     layout_word(&run.layout, "smooth_areas", at + 128 * size);
     single_run_room(&run, "smooth_matrix", NULL, (n + 3) * n);
-    at = single_run_room(&run, "smooth_made", NULL, made_size(n));
+    at = single_run_room(&run, "smooth_results", NULL, made_size(n));
     return single_run_end(&run, at, made, made_size(n), &clocks);
 }
 

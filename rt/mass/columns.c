@@ -199,7 +199,7 @@ static bool make_rays(struct columns_packet *packet)
         single_run_number(&run, "rays_width", i, sums->width[axis]);
         single_run_number(&run, "rays_middle", i, sums->middle[axis]);
     }
-    made = single_run_room(&run, "rays_made", NULL, RAY_PLANES * count);
+    made = single_run_room(&run, "rays_results", NULL, RAY_PLANES * count);
     return single_run_end(&run, made, packet->rays, RAY_PLANES * count,
                           &work->clocks[packet->unit][STAGE_RAYS]);
 }
@@ -469,7 +469,7 @@ static bool add_packets(struct columns_work *work, c205_error *error)
     single_run_word(&run, "total_rows", work->packets);
     single_run_word(&run, "total_width", width);
     single_run_room(&run, "totals_from", work->words, groups * work->packets * width);
-    made = single_run_room(&run, "totals_made", NULL, groups * width);
+    made = single_run_room(&run, "totals_results", NULL, groups * width);
     return single_run_end(&run, made, sums->words, groups * width,
                           &sums->clocks[STAGE_TOTALS]);
 }

@@ -77,8 +77,8 @@ static bool prepare(struct point_maker *maker, c205_error *error)
                                       defines, error);
     if (!maker->program)
         return false;
-    maker->given = (uint64_t)object_symbol(maker->program, "points_given")->value;
-    maker->made = (uint64_t)object_symbol(maker->program, "points_made")->value;
+    maker->given = (uint64_t)object_symbol(maker->program, "points_arguments")->value;
+    maker->made = (uint64_t)object_symbol(maker->program, "points_results")->value;
     maker->model = c205_model_find("cyber205-2pipe", error);
     maker->machine = maker->model ? c205_new(maker->model, error) : NULL;
     return maker->machine != NULL;

@@ -165,7 +165,7 @@ TEST(staying)
             single_run_word(&run, "faces_points", given.points);
             single_run_word(&run, "faces_planes", PLANES);
             single_run_room(&run, "faces_from", given.planes, words);
-            uint64_t from = single_run_room(&run, "faces_made", NULL, words + 1);
+            uint64_t from = single_run_room(&run, "faces_results", NULL, words + 1);
             single_run_word(&run, "faces_crossings", given.crossings);
             single_run_room(&run, "faces_list", given.list,
                             LIST_PLANES * given.crossings);

@@ -107,7 +107,7 @@ static void run(const struct bundle *bundle, const char *form, size_t queue,
     layout_word(&run.layout, "hits_towards", at + UINT64_C(192) * n);
     single_run_word(&run, "hits_cylinders", bundle->cylinders);
     single_run_room(&run, "hits_list", words, WORDS * bundle->cylinders);
-    uint64_t made = single_run_room(&run, "hits_made", NULL, n);
+    uint64_t made = single_run_room(&run, "hits_results", NULL, n);
     REQUIRE(single_run_end(&run, made, reported, n, &clocks));
 }
 

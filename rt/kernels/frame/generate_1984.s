@@ -4,9 +4,9 @@
 
         .share  loop
         .regs   r156, first_pixel, to_dx, to_dy, to_dz
-        .regs   r160, made_dx, made_dy, made_dz
+        .regs   r160, result_dx, result_dy, result_dz
         .if     ORIGINS_DIFFER
-        .regs   r178, to_ox, to_oy, to_oz, made_ox, made_oy, made_oz
+        .regs   r178, to_ox, to_oy, to_oz, result_ox, result_oy, result_oz
         .endif
         .endshare
 
@@ -16,10 +16,10 @@
 
         .data
 pixel:          .space 2
-made_ray:       .space 6
+result_ray:     .space 6
 generate_list:  .descriptor 2, pixel
                 .descriptor VIEW_SIZE, view
-                .descriptor 6, made_ray
+                .descriptor 6, result_ray
         .code
 
         .kernel generate
@@ -68,15 +68,15 @@ generate_aimed:
         STO     [loop_at, m_index_one], row
         .endif
         call    generate_ray, generate_list
-        load_at made_ray + 64 * 3, 3, made_dx
-        STO     [to_dx, loop_index], made_dx
-        STO     [to_dy, loop_index], made_dy
-        STO     [to_dz, loop_index], made_dz
+        load_at result_ray + 64 * 3, 3, result_dx
+        STO     [to_dx, loop_index], result_dx
+        STO     [to_dy, loop_index], result_dy
+        STO     [to_dz, loop_index], result_dz
         .if     ORIGINS_DIFFER
-        load_at made_ray, 3, made_ox
-        STO     [to_ox, loop_index], made_ox
-        STO     [to_oy, loop_index], made_oy
-        STO     [to_oz, loop_index], made_oz
+        load_at result_ray, 3, result_ox
+        STO     [to_ox, loop_index], result_ox
+        STO     [to_oy, loop_index], result_oy
+        STO     [to_oz, loop_index], result_oz
         .endif
         IBXNE   tile_places, r0, r0, generate_next_of_tile
         ADDN    column, m_one, column
@@ -85,9 +85,9 @@ generate_aimed:
         ADDN    row, m_one, row
 generate_same_row:
         loop_next generate_next
-        IBXEQ   tile_places, r0, r0, generate_made
+        IBXEQ   tile_places, r0, r0, generate_stored
         tiles_end
-generate_made:
+generate_stored:
         to_vector
         BIM     0, link_kernel
 

@@ -24,19 +24,19 @@
         .kernel carry
 emission_carry:
         carry_rows own_face_x, own_face_y, own_face_z, to_face0, to_face1, to_face2, to_face3, to_face4, to_face5, to_face6, to_face7, to_face8, face_x, face_y, face_z
-        each_times face_x, face_x, toil0
-        each_times face_y, face_y, toil1
-        each_times face_z, face_z, toil2
-        each_plus toil0, toil1, toil0
-        each_plus toil0, toil2, toil0
-        each_root toil0, toil0                        ; N|
+        each_times face_x, face_x, temp0
+        each_times face_y, face_y, temp1
+        each_times face_z, face_z, temp2
+        each_plus temp0, temp1, temp0
+        each_plus temp0, temp2, temp0
+        each_root temp0, temp0                        ; N|
         carry_rows own_spot_x, own_spot_y, own_spot_z, to_world0, to_world1, to_world2, to_world4, to_world5, to_world6, to_world8, to_world9, to_world10, spot_x, spot_y, spot_z
         each_shift spot_x, to_world3, spot_x
         each_shift spot_y, to_world7, spot_y
         each_shift spot_z, to_world11, spot_z
-        each_reciprocal toil0, toil1
-        each_times weight, toil0, weight
-        each_times face_x, toil1, face_x
-        each_times face_y, toil1, face_y
-        each_times face_z, toil1, face_z
+        each_reciprocal temp0, temp1
+        each_times weight, temp0, weight
+        each_times face_x, temp1, face_x
+        each_times face_y, temp1, face_y
+        each_times face_z, temp1, face_z
         .endkernel

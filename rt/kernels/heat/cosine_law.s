@@ -20,25 +20,25 @@
 
         .kernel direction
 emission_direction:
-        each_root draw2, toil5                        ; r
-        each_from each_one, draw2, toil6
-        circle  draw3, ray_y, ray_x, toil0, toil1, toil2, toil3, toil4
-        each_root toil6, toil6                        ; z
-        each_times toil5, ray_x, ray_x
-        each_times toil5, ray_y, ray_y
-        each_sign face_z, toil2
-        each_times ray_x, face_x, toil3
-        each_times ray_y, face_y, toil4
-        each_plus toil2, face_z, toil0
-        each_times toil2, ray_x, ray_x
-        each_times toil2, ray_y, ray_y
-        each_plus toil3, toil4, toil3                 ; q
-        each_over toil3, toil0, toil0
-        each_times toil6, face_z, ray_z
-        each_minus ray_z, toil3, ray_z
-        each_minus toil6, toil0, toil6                ; g
-        each_times toil6, face_x, toil3
-        each_times toil6, face_y, toil4
-        each_plus ray_x, toil3, ray_x
-        each_plus ray_y, toil4, ray_y
+        each_root draw2, temp5                        ; r
+        each_from each_one, draw2, temp6
+        circle  draw3, ray_y, ray_x, temp0, temp1, temp2, temp3, temp4
+        each_root temp6, temp6                        ; z
+        each_times temp5, ray_x, ray_x
+        each_times temp5, ray_y, ray_y
+        each_sign face_z, temp2
+        each_times ray_x, face_x, temp3
+        each_times ray_y, face_y, temp4
+        each_plus temp2, face_z, temp0
+        each_times temp2, ray_x, ray_x
+        each_times temp2, ray_y, ray_y
+        each_plus temp3, temp4, temp3                 ; q
+        each_over temp3, temp0, temp0
+        each_times temp6, face_z, ray_z
+        each_minus ray_z, temp3, ray_z
+        each_minus temp6, temp0, temp6                ; g
+        each_times temp6, face_x, temp3
+        each_times temp6, face_y, temp4
+        each_plus ray_x, temp3, ray_x
+        each_plus ray_y, temp4, ray_y
         .endkernel

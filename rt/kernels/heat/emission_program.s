@@ -17,8 +17,8 @@
 ; Each computes a point, a normal and a weight in object space. It continues
 ; with carry.s, which continues with cosine_law.s.
 ;
-; In:  emission_given: address of an EMISSION.
-; Out: emission_made: EMITTED_SIZE planes of POINTS words.
+; In:  emission_arguments: address of an EMISSION.
+; Out: emission_results: EMITTED_SIZE planes of POINTS words.
 ;
 ; The mean of the weights is the area of the surface.
 
@@ -39,7 +39,7 @@
         .equ    EMISSION_WORK, 28
         .reg    each_linked, r91
         .regs   r92, own_spot_x, own_spot_y, own_spot_z, own_face_x, own_face_y, own_face_z
-        .regs   r98, toil0, toil1, toil2, toil3, toil4, toil5, toil6, toil7, toil8
+        .regs   r98, temp0, temp1, temp2, temp3, temp4, temp5, temp6, temp7, temp8
         .regs   r107, piece0, piece1, piece2, piece3, piece4, piece5, piece6, piece7, piece8, piece9, piece10, piece11
         .regs   r119, draw0, draw1, draw2, draw3, draw4
         .regs   r124, spot_x, spot_y, spot_z, face_x, face_y, face_z, weight, ray_x, ray_y, ray_z
@@ -57,15 +57,15 @@
         .regs   r186, emission_link, emission_at, emission_left, emission_plane, emission_stride
 
         .data
-emission_given: .word 0
-emission_made:  .space POINTS * EMITTED_SIZE
+emission_arguments: .word 0
+emission_results: .space POINTS * EMITTED_SIZE
         .code
 
         .include "heat/circle.s"
         .include "heat/pieces.s"
 
         .macro  emission_begin
-        EX      emission_plane, emission_given
+        EX      emission_plane, emission_arguments
         LOD     [emission_plane], emission_plane
         ELEN    emission_plane, EMISSION_SIZE
         SWAP    [emission_plane], emission_area, [r0]

@@ -14,13 +14,13 @@
 
 emission_next:
         .kernel queue
-        EX      emission_plane, points_made
+        EX      emission_plane, points_results
         .rept   STREAM_DRAWS
         LOD     [emission_plane, emission_at], draw\+
         ADDX    emission_plane, emission_stride, emission_plane
         .endr
         BSAVE   emission_link, [emission_kernel]
-        EX      emission_plane, emission_made
+        EX      emission_plane, emission_results
         .rept   EMITTED_SIZE
         STO     [emission_plane, emission_at], emitted\+
         ADDX    emission_plane, emission_stride, emission_plane

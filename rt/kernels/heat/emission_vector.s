@@ -54,8 +54,8 @@ emission_full:
         SWAP    [piece_at], each_linked, [r0]
         EX      each_bits, emission_bits
         ADDLEN  each_bits, emission_now, each_bits
-        emission_planes points_made, STREAM_DRAWS, draw\+
-        emission_planes emission_made, EMITTED_SIZE, emitted\+
+        emission_planes points_results, STREAM_DRAWS, draw\+
+        emission_planes emission_results, EMITTED_SIZE, emitted\+
         BSAVE   emission_link, [emission_kernel]
         SHIFTI  emission_now, 6, emission_high
         ADDX    emission_at, emission_high, emission_at

@@ -20,24 +20,24 @@
         .kernel emit
 emit_frustum:
         pick_piece 6
-        each_times piece2, piece2, toil0
-        each_times piece3, piece3, toil1
-        each_plus piece2, piece3, toil5
-        each_minus toil1, toil0, toil1
-        each_times draw0, toil5, toil5
-        each_times draw0, toil1, toil1
-        each_plus toil1, toil0, toil1
-        each_root toil1, toil6                        ; r
-        circle  draw1, own_face_z, own_face_x, toil0, toil1, toil2, toil3, toil4
-        each_plus piece2, toil6, toil0
-        each_over toil5, toil0, toil5                 ; l
-        each_times toil6, own_face_x, own_spot_x
-        each_times toil6, own_face_z, own_spot_z
+        each_times piece2, piece2, temp0
+        each_times piece3, piece3, temp1
+        each_plus piece2, piece3, temp5
+        each_minus temp1, temp0, temp1
+        each_times draw0, temp5, temp5
+        each_times draw0, temp1, temp1
+        each_plus temp1, temp0, temp1
+        each_root temp1, temp6                        ; r
+        circle  draw1, own_face_z, own_face_x, temp0, temp1, temp2, temp3, temp4
+        each_plus piece2, temp6, temp0
+        each_over temp5, temp0, temp5                 ; l
+        each_times temp6, own_face_x, own_spot_x
+        each_times temp6, own_face_z, own_spot_z
         each_times piece4, own_face_x, own_face_x
         each_times piece4, own_face_z, own_face_z
         each_copy piece5, own_face_y
         each_same emission_area, weight
-        each_times toil5, piece1, piece1
+        each_times temp5, piece1, piece1
         each_plus piece1, piece0, own_spot_y
         BIM     emission_carry
         .endkernel

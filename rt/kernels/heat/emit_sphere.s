@@ -10,14 +10,14 @@
 
         .kernel emit
 emit_sphere:
-        each_from each_one, draw0, toil0
-        each_times draw0, toil0, toil5
-        each_minus toil0, draw0, own_spot_y
-        each_root toil5, toil5
-        circle  draw1, own_spot_z, own_spot_x, toil0, toil1, toil2, toil3, toil4
-        each_plus toil5, toil5, toil5                 ; r
-        each_times toil5, own_spot_x, own_spot_x
-        each_times toil5, own_spot_z, own_spot_z
+        each_from each_one, draw0, temp0
+        each_times draw0, temp0, temp5
+        each_minus temp0, draw0, own_spot_y
+        each_root temp5, temp5
+        circle  draw1, own_spot_z, own_spot_x, temp0, temp1, temp2, temp3, temp4
+        each_plus temp5, temp5, temp5                 ; r
+        each_times temp5, own_spot_x, own_spot_x
+        each_times temp5, own_spot_z, own_spot_z
         each_copy own_spot_x, own_face_x
         each_copy own_spot_y, own_face_y
         each_copy own_spot_z, own_face_z

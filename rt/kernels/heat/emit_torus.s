@@ -18,17 +18,17 @@
 
         .kernel emit
 emit_torus:
-        circle  draw0, own_face_y, own_spot_y, toil0, toil1, toil2, toil3, toil4
-        circle  draw1, own_face_z, own_face_x, toil0, toil1, toil2, toil3, toil4
-        each_scale own_spot_y, form1, toil0
-        each_scale own_spot_y, form2, toil1
+        circle  draw0, own_face_y, own_spot_y, temp0, temp1, temp2, temp3, temp4
+        circle  draw1, own_face_z, own_face_x, temp0, temp1, temp2, temp3, temp4
+        each_scale own_spot_y, form1, temp0
+        each_scale own_spot_y, form2, temp1
         each_scale own_face_y, form2, own_spot_y
         each_scale own_face_y, form1, own_face_y
-        each_shift toil0, form0, toil0                ; rho
-        each_times toil0, own_face_x, own_spot_x
-        each_times toil0, own_face_z, own_spot_z
-        each_times toil1, own_face_x, own_face_x
-        each_times toil1, own_face_z, own_face_z
-        each_scale toil0, emission_area, weight
+        each_shift temp0, form0, temp0                ; rho
+        each_times temp0, own_face_x, own_spot_x
+        each_times temp0, own_face_z, own_spot_z
+        each_times temp1, own_face_x, own_face_x
+        each_times temp1, own_face_z, own_face_z
+        each_scale temp0, emission_area, weight
         BIM     emission_carry
         .endkernel

@@ -10,8 +10,8 @@
 ; (1990).
 
         .macro  triangle_axis corner, first, second, normal, axis
-        each_times toil0, \first, \first
-        each_times toil1, \second, \second
+        each_times temp0, \first, \first
+        each_times temp1, \second, \second
         each_plus \first, \corner, \first
         each_plus \first, \second, own_spot_\axis
         each_copy \normal, own_face_\axis
@@ -20,9 +20,9 @@
         .kernel emit
 emit_triangle:
         pick_piece 12
-        each_root draw0, toil0                        ; s
-        each_times toil0, draw1, toil1
-        each_minus toil0, toil1, toil0
+        each_root draw0, temp0                        ; s
+        each_times temp0, draw1, temp1
+        each_minus temp0, temp1, temp0
         triangle_axis piece0, piece3, piece6, piece9, x
         triangle_axis piece1, piece4, piece7, piece10, y
         triangle_axis piece2, piece5, piece8, piece11, z

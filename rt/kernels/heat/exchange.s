@@ -19,44 +19,44 @@
 ; Sums are formed by halves: of m words, the last m / 2 are added to the first.
 ;
 ; In:  the words below.
-; Out: exchange_made: planes J, H, Q of n words, then Q_e, the sum of all
+; Out: exchange_results: planes J, H, Q of n words, then Q_e, the sum of all
 ;      flows, and the number of the surface, from 1, without a solution, or 0.
 ; Source: Hottel and Sarofim, Radiative Transfer (1967); sigma: CODATA 2018.
 
         .include "heat/elimination.s"
 
         .data
-exchange_given:
+exchange_arguments:
 exchange_count: .word 0                 ; surfaces, n, an integer
 exchange_factors: .word 0               ; address of n + 1 columns F_1j .. F_nj
 exchange_areas: .word 0                 ; address of the plane A
 exchange_emissivities: .word 0          ; address of the plane e
 exchange_temperatures: .word 0          ; address of the plane T
 exchange_matrix: .word 0                ; address of n columns, b and a column
-exchange_made:  .word 0                 ; address of the results
+exchange_results: .word 0               ; address of the results
 exchange_outside: .word 0.0             ; T_e
                 .word 5.670374419e-8    ; sigma
                 .word 1.0, 1e-12         ; 1, LEAST
                 .word 1, -1
-                .equ    EXCHANGE_GIVEN, 13
+                .equ    EXCHANGE_ARGUMENTS, 13
         .code
 
         .regs   r10, lin_n, exc_factors, exc_areas, exc_emissivities, exc_temperatures
-        .regs   r15, lin_matrix, exc_made, exc_outside, exc_sigma, exc_unit, lin_least
+        .regs   r15, lin_matrix, exc_results, exc_outside, exc_sigma, exc_unit, lin_least
         .regs   r21, lin_one, lin_minus_one
         .regs   r23, lin_stride         ; bits between columns, or planes
         .regs   r24, lin_b, exc_spare   ; addresses of b and of the next column
         .regs   r26, lin_x, exc_h, exc_q, exc_end
 
         .macro  exchange_begin
-        EX      lin_work0, exchange_given
-        ELEN    lin_work0, EXCHANGE_GIVEN
+        EX      lin_work0, exchange_arguments
+        ELEN    lin_work0, EXCHANGE_ARGUMENTS
         SWAP    [lin_work0], lin_n, [r0]
         SHIFTI  lin_n, 6, lin_stride
         MPYX    lin_n, lin_stride, lin_b
         ADDX    lin_matrix, lin_b, lin_b
         ADDX    lin_b, lin_stride, exc_spare
-        RTOR    exc_made, lin_x
+        RTOR    exc_results, lin_x
         ADDX    lin_x, lin_stride, exc_h
         ADDX    exc_h, lin_stride, exc_q
         ADDX    exc_q, lin_stride, exc_end

@@ -13,7 +13,7 @@
 ; then reversed.
 ;
 ; In:  the words below.
-; Out: faces_made: the planes of the kept points, in order, each as long as
+; Out: faces_results: the planes of the kept points, in order, each as long as
 ;      those of all points; after the planes the number of kept points, an
 ;      integer.
 ; Source: derived here, from the project's notes on radiant heat.
@@ -27,11 +27,11 @@
         .endrecord
 
         .data
-faces_given:
+faces_arguments:
 faces_points:   .word 0                 ; points, 1 .. 65535, an integer
 faces_planes:   .word 0                 ; planes of a point, an integer
 faces_from:     .word 0                 ; address of the planes
-faces_made:     .word 0                 ; address of as many planes, and a word
+faces_results:  .word 0                 ; address of as many planes, and a word
 faces_crossings: .word 0                ; number of crossings, an integer
 faces_list:     .word 0                 ; address of their planes
 faces_primitive: .word 0                ; number of the primitive
@@ -40,10 +40,10 @@ faces_kept:     .word 0                 ; address of a plane of zeros; later the
                                         ; direction of each point on a face
                 .word 1e-7              ; FACE_NEAR
                 .word 1, -1
-                .equ    FACES_GIVEN, 12
+                .equ    FACES_ARGUMENTS, 12
         .code
 
-        .regs   r10, face_points, face_planes, face_from, face_made, face_crossings, face_list
+        .regs   r10, face_points, face_planes, face_from, face_results, face_crossings, face_list
         .equ    FACE_INWARD, 3          ; a direction
         .regs   r16, face_primitive, face_vectors, face_kept, face_near, face_one, face_minus_one
         .regs   r22, face_stride        ; bits between planes of points
@@ -51,8 +51,8 @@ faces_kept:     .word 0                 ; address of a plane of zeros; later the
         .regs   r24, face_count, face_at, face_to, face_work, face_left, face_row
 
         .macro  faces_begin
-        EX      face_work, faces_given
-        ELEN    face_work, FACES_GIVEN
+        EX      face_work, faces_arguments
+        ELEN    face_work, FACES_ARGUMENTS
         SWAP    [face_work], face_points, [r0]
         SHIFTI  face_points, 6, face_stride
         SHIFTI  face_crossings, 6, face_step

@@ -60,7 +60,7 @@ faces_point:
         LOD     [face_kept, face_point], face_found
         IBXEQ   face_found, r0, r0, faces_copied
         RTOR    face_from, face_at
-        RTOR    face_made, face_to
+        RTOR    face_results, face_to
         RTOR    face_planes, face_plane_left
         RTOR    face_vectors, face_turned
         IBXEQ   face_found, r0, face_inward, faces_plane
@@ -80,7 +80,7 @@ faces_as_it_is:
 faces_copied:
         IBXNE   face_point, face_one, face_points, faces_point, face_point
         MPYX    face_planes, face_stride, face_work
-        ADDX    face_made, face_work, face_made
-        STO     [face_made], face_count
+        ADDX    face_results, face_work, face_results
+        STO     [face_results], face_count
         EXIT
         .endkernel

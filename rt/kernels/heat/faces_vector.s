@@ -110,7 +110,7 @@ faces_left:
         CMPEQV  [face_work], face_inward, [b_inward]
         CNTOB   [b_inward], face_left
         ADDLEN  face_from, face_points, face_at
-        ADDLEN  face_made, face_count, face_to
+        ADDLEN  face_results, face_count, face_to
 faces_plane:
         IBXEQ   face_count, r0, r0, faces_none
         IBXEQ   face_left, r0, r0, faces_as_they_are

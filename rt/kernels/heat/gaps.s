@@ -22,7 +22,7 @@
         .endrecord
 
         .data
-gaps_given:
+gaps_arguments:
 gaps_count:     .word 0                 ; ends less one, 1 .. 65534, an integer
 gaps_surfaces:  .word 0                 ; surfaces, including the environment
 gaps_ends:      .word 0                 ; address of the planes of ends
@@ -30,15 +30,15 @@ gaps_counts:    .word 0                 ; address of the counts, zeros
 gaps_room:      .word 0                 ; address of three words for each gap
 gaps_least:     .word 0                 ; a length
                 .word 1
-                .equ    GAPS_GIVEN, 7
+                .equ    GAPS_ARGUMENTS, 7
         .code
 
         .regs   r10, gap_count, gap_surfaces, gap_distances, gap_counts, gap_room, gap_least, gap_one
         .regs   r17, gap_kinds, gap_scene_depths, gap_from, gap_to, gap_row, gap_work
 
         .macro  gaps_begin
-        EX      gap_work, gaps_given
-        ELEN    gap_work, GAPS_GIVEN
+        EX      gap_work, gaps_arguments
+        ELEN    gap_work, GAPS_ARGUMENTS
         SWAP    [gap_work], gap_count, [r0]
         ADDX    gap_count, gap_one, gap_work
         SHIFTI  gap_work, 6, gap_work

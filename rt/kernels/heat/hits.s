@@ -16,7 +16,7 @@
 ; miss.
 ;
 ; In:  the words below.
-; Out: hits_made, for each ray 1: it hits one, 0: it hits none.
+; Out: hits_results, for each ray 1: it hits one, 0: it hits none.
 ; Source: derived here; "it is only of interest knowing that the ray strikes the
 ; tube and not where": Plunkett, Cychosz and Bailey 1984.
 
@@ -28,27 +28,27 @@
         .endrecord
 
         .data
-hits_given:
+hits_arguments:
 hits_rays:      .word 0                 ; number of rays, an integer
 hits_from:      .word 0                 ; address of the planes of O: x, y, z
 hits_towards:   .word 0                 ; address of the planes of D
 hits_cylinders: .word 0                 ; cylinders, 1 or more, an integer
 hits_list:      .word 0                 ; address of their records
-hits_made:      .word 0                 ; address of a plane
+hits_results:   .word 0                 ; address of a plane
                 .word 1, -1
                 .word 1.0
-                .equ    HITS_GIVEN, 9
+                .equ    HITS_ARGUMENTS, 9
         .code
 
-        .regs   r10, hit_rays, hit_from, hit_towards, hit_cylinders, hit_list, hit_made
+        .regs   r10, hit_rays, hit_from, hit_towards, hit_cylinders, hit_list, hit_results
         .regs   r16, hit_one, hit_minus_one, hit_unit
         .regs   r19, hit_stride         ; bits between planes
         .regs   r20, cyl_x, cyl_y, cyl_z, cyl_ax, cyl_ay, cyl_az, cyl_length, cyl_square
         .regs   r28, hit_at, hit_left, hit_work
 
         .macro  hits_begin
-        EX      hit_work, hits_given
-        ELEN    hit_work, HITS_GIVEN
+        EX      hit_work, hits_arguments
+        ELEN    hit_work, HITS_ARGUMENTS
         SWAP    [hit_work], hit_rays, [r0]
         SHIFTI  hit_rays, 6, hit_stride
         .endm

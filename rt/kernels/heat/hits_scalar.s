@@ -4,7 +4,7 @@
 
         .regs   r32, ox, oy, oz, dx, dy, dz
         .regs   r39, s0, s1, s2, s3, s4, s5, s6
-        .regs   r46, hit_told
+        .regs   r46, hit_reported
 
         .macro  load_plane address, register
         LOD     [\address], \register
@@ -41,7 +41,7 @@ hits_next:
         load_plane hit_work, dz
         RTOR    hit_list, hit_at
         RTOR    hit_cylinders, hit_left
-        ES      hit_told, 0
+        ES      hit_reported, 0
 
 hits_cylinder:
         load_cylinder
@@ -88,15 +88,15 @@ hits_high:
         CFPGE   s1, s0, hits_struck
         CFPLT   s1, s6, hits_passed
 hits_struck:
-        RTOR    hit_one, hit_told
-        BIM     hits_told
+        RTOR    hit_one, hit_reported
+        BIM     hits_reported
 hits_passed:
         IBXNE   hit_left, hit_minus_one, r0, hits_cylinder, hit_left
-hits_told:
-        STO     [hit_made], hit_told
+hits_reported:
+        STO     [hit_results], hit_reported
         IX      hit_from, 64
         IX      hit_towards, 64
-        IX      hit_made, 64
+        IX      hit_results, 64
         IBXNE   hit_rays, hit_minus_one, r0, hits_next, hit_rays
 hits_done:
         EXIT

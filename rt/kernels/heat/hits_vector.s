@@ -4,7 +4,7 @@
 
         .include "heat/hits.s"
 
-        .regs   r32, ox, oy, oz, dx, dy, dz, v_made
+        .regs   r32, ox, oy, oz, dx, dy, dz, v_results
         .regs   r39, v0, v1, v2, v3, v4, v5, v6
         .regs   r46, u0, u1, u2, u3, u4, u5, u6         ; of the near rays
         .regs   r53, b_hit, b_near, b_ok, b_one, b_other, b_none
@@ -77,7 +77,7 @@ hits_full:
         hits_plane hit_work, dx
         hits_plane hit_work, dy
         hits_plane hit_work, dz
-        ADDLEN  hit_made, hit_n, v_made
+        ADDLEN  hit_results, hit_n, v_results
         EX      hit_work, hits_store
         .rept   7
         ADDLEN  hit_work, hit_n, v\+
@@ -154,12 +154,12 @@ hits_cylinder:
 hits_passed:
         IBXNE   hit_left, hit_minus_one, r0, hits_cylinder, hit_left
 
-        VTOV    hit_zero, [v_made]
-        VTOV    hit_one, [v_made] ? [b_hit]
+        VTOV    hit_zero, [v_results]
+        VTOV    hit_one, [v_results] ? [b_hit]
         SHIFTI  hit_n, 6, hit_work
         ADDX    hit_from, hit_work, hit_from
         ADDX    hit_towards, hit_work, hit_towards
-        ADDX    hit_made, hit_work, hit_made
+        ADDX    hit_results, hit_work, hit_results
         SUBX    hit_rays, hit_n, hit_rays
         BIM     hits_next
 hits_done:

@@ -12,18 +12,18 @@
 ; variables with general distributions" (1977).
 
         .macro  piece_word into
-        each_pick toil1, piece_at, \into
+        each_pick temp1, piece_at, \into
         ADDX    piece_at, piece_stride, piece_at
         .endm
 
         .macro  pick_piece count
         RTOR    emission_table, piece_at
-        each_scale draw4, emission_pieces, toil0
-        each_floor toil0, toil1
-        each_minus toil0, toil1, toil0
-        piece_word toil2
-        piece_word toil3
-        each_choose toil0, toil2, toil1, toil3
+        each_scale draw4, emission_pieces, temp0
+        each_floor temp0, temp1
+        each_minus temp0, temp1, temp0
+        piece_word temp2
+        piece_word temp3
+        each_choose temp0, temp2, temp1, temp3
         .rept   \count
         piece_word piece\+
         .endr

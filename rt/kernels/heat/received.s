@@ -15,7 +15,7 @@
 ; Source: derived here, from the project's notes on radiant heat.
 
         .data
-received_given:
+received_arguments:
 received_rays:  .word 0                 ; number of rays, 1 .. 65535, an integer
 received_receivers: .word 0             ; number of receivers, an integer
 received_weights: .word 0               ; address of the weights
@@ -25,7 +25,7 @@ received_counts: .word 0                ; address of the counts, zeros
 received_room:  .word 0                 ; address of a word for each ray
 received_places: .word 0                ; address of a word for each receiver
                 .word 1, -1
-                .equ    RECEIVED_GIVEN, 10
+                .equ    RECEIVED_ARGUMENTS, 10
         .code
 
         .regs   r10, rec_rays, rec_left, rec_weights, rec_list, rec_sums, rec_counts
@@ -33,7 +33,7 @@ received_places: .word 0                ; address of a word for each receiver
         .regs   r20, rec_count, rec_half, rec_at, rec_upper, rec_work
 
         .macro  received_begin
-        EX      rec_work, received_given
-        ELEN    rec_work, RECEIVED_GIVEN
+        EX      rec_work, received_arguments
+        ELEN    rec_work, RECEIVED_ARGUMENTS
         SWAP    [rec_work], rec_rays, [r0]
         .endm

@@ -24,7 +24,7 @@
 ; solution.
 ;
 ; In:  the words below.
-; Out: smooth_made: n + 1 columns y_1j .. y_nj, then l, then the number of the
+; Out: smooth_results: n + 1 columns y_1j .. y_nj, then l, then the number of the
 ;      surface, from 1, without a solution, or 0.
 ; Source: M. E. Larsen and J. R. Howell, "Least-squares smoothing of
 ; direct-exchange areas in zonal analysis", J. Heat Transfer 108 (1986); the
@@ -33,30 +33,30 @@
         .include "heat/elimination.s"
 
         .data
-smooth_given:
+smooth_arguments:
 smooth_count:   .word 0                 ; surfaces, n, an integer
 smooth_flows:   .word 0                 ; address of n + 1 columns x_1j .. x_nj
 smooth_variances: .word 0               ; address of n + 1 columns v_1j .. v_nj
 smooth_areas:   .word 0                 ; address of the plane A
 smooth_matrix:  .word 0                 ; address of n columns, b, two planes
-smooth_made:    .word 0                 ; address of the results
+smooth_results: .word 0                 ; address of the results
                 .word 1.0, 1e-12         ; 1, LEAST
                 .word 1, -1
-                .equ    SMOOTH_GIVEN, 10
+                .equ    SMOOTH_ARGUMENTS, 10
         .code
 
-        .regs   r10, lin_n, smo_flows, smo_variances, smo_areas, lin_matrix, smo_made
+        .regs   r10, lin_n, smo_flows, smo_variances, smo_areas, lin_matrix, smo_results
         .regs   r16, smo_unit, lin_least, lin_one, lin_minus_one
         .regs   r20, lin_stride, lin_b, smo_d, smo_sum
         .regs   r24, lin_x, smo_end     ; l; the word after it
 
         .macro  smooth_begin
-        EX      lin_work0, smooth_given
-        ELEN    lin_work0, SMOOTH_GIVEN
+        EX      lin_work0, smooth_arguments
+        ELEN    lin_work0, SMOOTH_ARGUMENTS
         SWAP    [lin_work0], lin_n, [r0]
         SHIFTI  lin_n, 6, lin_stride
         MPYX    lin_n, lin_stride, lin_b
-        ADDX    smo_made, lin_b, lin_x
+        ADDX    smo_results, lin_b, lin_x
         ADDX    lin_x, lin_stride, lin_x
         ADDX    lin_x, lin_stride, smo_end
         ADDX    lin_matrix, lin_b, lin_b

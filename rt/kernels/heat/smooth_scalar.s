@@ -65,7 +65,7 @@ smooth_entry:
 smooth_flow:
         RTOR    smo_variances, lin_from
         RTOR    smo_flows, lin_column
-        RTOR    smo_made, lin_to
+        RTOR    smo_results, lin_to
         ES      lin_k, 0
 smooth_next:
         LOD     [lin_x, lin_k], lin_pivot

@@ -60,7 +60,7 @@ smooth_column:
 smooth_flow:
         ADDLEN  smo_variances, lin_n, v_a
         ADDLEN  smo_flows, lin_n, v_b
-        ADDLEN  smo_made, lin_n, v_c
+        ADDLEN  smo_results, lin_n, v_c
         ADDLEN  lin_x, lin_n, v_e
         ES      lin_k, 0
 smooth_next:

@@ -8,7 +8,7 @@
 ; and the normal point inward, and faces.s reverses them.
 ;
 ; In:  the words below.
-; Out: spots_made: EMITTED_SIZE planes, a word for each crossing.
+; Out: spots_results: EMITTED_SIZE planes, a word for each crossing.
 ; Source: M. Sbert, "An integral geometry based method for fast form-factor
 ; computation" (1993).
 
@@ -21,22 +21,22 @@
         .endrecord
 
         .data
-spots_given:
+spots_arguments:
 spots_lines:    .word 0                 ; number of lines, an integer
 spots_crossings: .word 0                ; crossings, 1 .. 65535, an integer
 spots_from:     .word 0                 ; address of the lines' EMITTED planes
 spots_list:     .word 0                 ; address of the planes of crossings
-spots_made:     .word 0                 ; address of the results
+spots_results:  .word 0                 ; address of the results
 spots_weight:   .word 0.0               ; an area
                 .word 1
-                .equ    SPOTS_GIVEN, 7
+                .equ    SPOTS_ARGUMENTS, 7
         .code
 
-        .regs   r10, spot_lines, spot_count, spot_from, spot_list, spot_made, spot_weight, spot_one
+        .regs   r10, spot_lines, spot_count, spot_from, spot_list, spot_results, spot_weight, spot_one
         .regs   r17, spot_line_stride, spot_stride, spot_work
         .regs   r20, spot_origin, spot_way      ; planes of the lines
         .regs   r22, spot_distance, spot_line, spot_normal
-        .regs   r25, made_spot, made_face, made_weight, made_ray
+        .regs   r25, result_spot, result_face, result_weight, result_ray
 
 ; Computes the address of a field's plane. The distance between planes is
 ; `stride`.
@@ -47,8 +47,8 @@ spots_weight:   .word 0.0               ; an area
         .endm
 
         .macro  spots_begin
-        EX      spot_work, spots_given
-        ELEN    spot_work, SPOTS_GIVEN
+        EX      spot_work, spots_arguments
+        ELEN    spot_work, SPOTS_ARGUMENTS
         SWAP    [spot_work], spot_lines, [r0]
         SHIFTI  spot_lines, 6, spot_line_stride
         SHIFTI  spot_count, 6, spot_stride
@@ -57,10 +57,10 @@ spots_weight:   .word 0.0               ; an area
         plane_at spot_list, spot_stride, CROSSED_DISTANCE, spot_distance
         plane_at spot_list, spot_stride, CROSSED_LINE, spot_line
         plane_at spot_list, spot_stride, CROSSED_NORMAL, spot_normal
-        plane_at spot_made, spot_stride, EMITTED_SPOT, made_spot
-        plane_at spot_made, spot_stride, EMITTED_FACE, made_face
-        plane_at spot_made, spot_stride, EMITTED_WEIGHT, made_weight
-        plane_at spot_made, spot_stride, EMITTED_RAY, made_ray
+        plane_at spot_results, spot_stride, EMITTED_SPOT, result_spot
+        plane_at spot_results, spot_stride, EMITTED_FACE, result_face
+        plane_at spot_results, spot_stride, EMITTED_WEIGHT, result_weight
+        plane_at spot_results, spot_stride, EMITTED_RAY, result_ray
         .endm
 
 ; Advances to the planes of the next axis.
@@ -68,7 +68,7 @@ spots_weight:   .word 0.0               ; an area
         ADDX    spot_origin, spot_line_stride, spot_origin
         ADDX    spot_way, spot_line_stride, spot_way
         ADDX    spot_normal, spot_stride, spot_normal
-        ADDX    made_spot, spot_stride, made_spot
-        ADDX    made_face, spot_stride, made_face
-        ADDX    made_ray, spot_stride, made_ray
+        ADDX    result_spot, spot_stride, result_spot
+        ADDX    result_face, spot_stride, result_face
+        ADDX    result_ray, spot_stride, result_ray
         .endm

@@ -13,11 +13,11 @@ spots_word\@:
         LOD     [spot_origin, spot_number], spot_o
         MPYS    spot_t, spot_d, spot_t
         ADDN    spot_o, spot_t, spot_t
-        STO     [made_ray, spot_i], spot_d
-        STO     [made_spot, spot_i], spot_t
+        STO     [result_ray, spot_i], spot_d
+        STO     [result_spot, spot_i], spot_t
         LOD     [spot_normal, spot_i], spot_o
         SUBN    r0, spot_o, spot_o
-        STO     [made_face, spot_i], spot_o
+        STO     [result_face, spot_i], spot_o
         IBXNE   spot_i, spot_one, spot_count, spots_word\@, spot_i
         .endm
 
@@ -32,7 +32,7 @@ spots:
         spots_axis
         ES      spot_i, 0
 spots_weigh:
-        STO     [made_weight, spot_i], spot_weight
+        STO     [result_weight, spot_i], spot_weight
         IBXNE   spot_i, spot_one, spot_count, spots_weigh, spot_i
         EXIT
         .endkernel

@@ -41,13 +41,13 @@
         .endrecord
 
         .data
-columns_given:
+columns_arguments:
 column_parts:   .word 0                 ; number of parts, an integer
 column_rays:    .word 0                 ; number of rays, an integer
 column_places:  .word 0                 ; address of p and q, two planes of
                                         ; column_rays words
                 .word 0.5, 0.333333333333333333
-                .equ    COLUMNS_GIVEN, 5
+                .equ    COLUMNS_ARGUMENTS, 5
         .code
 
         .regs   r26, col_parts, col_rays, col_places, col_half, col_third
@@ -55,8 +55,8 @@ column_places:  .word 0                 ; address of p and q, two planes of
 
         .macro  columns_begin
         crossed_begin
-        EX      col_work0, columns_given
-        ELEN    col_work0, COLUMNS_GIVEN
+        EX      col_work0, columns_arguments
+        ELEN    col_work0, COLUMNS_ARGUMENTS
         SWAP    [col_work0], col_parts, [r0]
         SHIFTI  col_rays, 6, col_q_at
         ADDX    col_places, col_q_at, col_q_at

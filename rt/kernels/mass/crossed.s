@@ -30,7 +30,7 @@
         .endrecord
 
         .data
-crossed_given:
+crossed_arguments:
 crossed_count:  .word 0                 ; number of crossings, an integer
 crossed_planes: .word 0                 ; address of the planes of crossings
 crossed_totals: .word 0                 ; number of sums, an integer
@@ -38,7 +38,7 @@ crossed_lanes:  .word 0                 ; address of LANES zeros for each sum
 crossed_sums:   .word 0                 ; address of the sums
                 .word 1, -1             ; col_index_one, col_index_minus_one
                 .word 1.0, -1.0
-                .equ    CROSSED_GIVEN, 9
+                .equ    CROSSED_ARGUMENTS, 9
         .code
 
         .regs   r10, col_left, col_planes, col_totals, col_lanes, col_sums
@@ -48,8 +48,8 @@ crossed_sums:   .word 0                 ; address of the sums
         .regs   r23, col_work0, col_work1, col_work2
 
         .macro  crossed_begin
-        EX      col_work0, crossed_given
-        ELEN    col_work0, CROSSED_GIVEN
+        EX      col_work0, crossed_arguments
+        ELEN    col_work0, CROSSED_ARGUMENTS
         SWAP    [col_work0], col_left, [r0]
         SHIFTI  col_left, 6, col_stride
         .endm

@@ -57,7 +57,7 @@
         .endrecord
 
         .data
-overlaps_given:
+overlaps_arguments:
 overlap_groups: .word 0                 ; number of groups
 overlap_group:  .word 0                 ; address of the groups
 overlap_levels: .word 0                 ; address of the levels
@@ -65,7 +65,7 @@ overlap_pairs:  .word 0                 ; address of the pairs
 overlap_parts:  .word 0                 ; address of the parts
 overlap_carries: .word 0                ; address of a word per group, zeros
 overlap_bits:   .word 0                 ; address of LEVEL_BITS bits per level
-                .equ    OVERLAPS_GIVEN, 7
+                .equ    OVERLAPS_ARGUMENTS, 7
         .code
 
 ; Bits of a level: before the first of LANES crossings, and after each of them.
@@ -75,7 +75,7 @@ overlap_bits:   .word 0                 ; address of LEVEL_BITS bits per level
 
         .macro  overlaps_begin
         crossed_begin
-        EX      col_work0, overlaps_given
-        ELEN    col_work0, OVERLAPS_GIVEN
+        EX      col_work0, overlaps_arguments
+        ELEN    col_work0, OVERLAPS_ARGUMENTS
         SWAP    [col_work0], ovl_groups, [r0]
         .endm

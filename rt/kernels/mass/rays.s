@@ -18,7 +18,7 @@
 ;
 ; Constants: POINTS, 0: of the stream, 1: of the lattice, 2: of the grid.
 ; In:  the words below.
-; Out: at rays_made planes of rays_count words: p, q, x_p, x_q, lengths in the
+; Out: at rays_results planes of rays_count words: p, q, x_p, x_q, lengths in the
 ;      world.
 ; Source: random shifts, R. Cranley, T. N. L. Patterson (1976); the rest is
 ; derived here.
@@ -30,21 +30,21 @@
         .equ    POINTS_GRID, 2
 
         .data
-rays_given:
+rays_arguments:
 rays_seed:      .word 0                 ; integers
 rays_first:     .word 0                 ; number of the first point
 rays_m:         .word 0                 ; of 2^m points
 rays_shift:     .word 0                 ; number of the shift
 rays_number:    .word 0                 ; number of the stream's ray for point 0
 rays_count:     .word 0                 ; number of rays
-rays_made:      .word 0                 ; address of four planes
+rays_results:   .word 0                 ; address of four planes
 rays_width:     .word 0.0, 0.0          ; w_p, w_q
 rays_middle:    .word 0.0, 0.0          ; c_p, c_q
                 .word 0.5
-                .equ    RAYS_GIVEN, 12
+                .equ    RAYS_ARGUMENTS, 12
         .code
 
-        .regs   r10, ray_seed, ray_point, ray_log, ray_shift, ray_number, ray_count, ray_made
+        .regs   r10, ray_seed, ray_point, ray_log, ray_shift, ray_number, ray_count, ray_results
         .regs   r17, ray_width_p, ray_width_q, ray_middle_p, ray_middle_q, ray_half
         stream_registers r32
         lattice_registers r48
@@ -53,8 +53,8 @@ rays_middle:    .word 0.0, 0.0          ; c_p, c_q
 
 ; Loads arguments and constants.
         .macro  rays_begin
-        EX      ray_work0, rays_given
-        ELEN    ray_work0, RAYS_GIVEN
+        EX      ray_work0, rays_arguments
+        ELEN    ray_work0, RAYS_ARGUMENTS
         SWAP    [ray_work0], ray_seed, [r0]
         SHIFTI  ray_count, 6, ray_stride
         stream_load ray_work0

@@ -30,7 +30,7 @@
         .kernel rays
 rays:
         rays_begin
-        RTOR    ray_made, ray_p
+        RTOR    ray_results, ray_p
         ADDX    ray_p, ray_stride, ray_q
         ADDX    ray_q, ray_stride, ray_x0
         ADDX    ray_x0, ray_stride, ray_x1

@@ -50,7 +50,7 @@ rays:
         EX      ray_u, ray_store + 64 * RAYS
         ADDLEN  ray_u, ray_count, ray_u
         RTOR    ray_u, ray_scratch
-        ADDLEN  ray_made, ray_count, ray_to
+        ADDLEN  ray_results, ray_count, ray_to
         .if     POINTS == POINTS_RANDOM
         stream_seeds ray_states_at, ray_count, ray_state, ray_work0, ray_work1, ray_work2, ray_work3, ray_work4
         .else

@@ -19,10 +19,10 @@ totals_row:
         ADDN    tot_work0, tot_work1, tot_work0
 totals_more:
         IBXNE   tot_left, tot_index_minus_one, r0, totals_row, tot_left
-        STO     [tot_made, tot_at], tot_work0
+        STO     [tot_results, tot_at], tot_work0
         IBXNE   tot_at, tot_index_one, tot_width, totals_word, tot_at
         ADDX    tot_row, tot_stride, tot_from
-        ADDX    tot_made, tot_stride, tot_made
+        ADDX    tot_results, tot_stride, tot_results
         IBXNE   tot_groups, tot_index_minus_one, r0, totals_next, tot_groups
         EXIT
         .endkernel

@@ -7,7 +7,7 @@
 totals:
         totals_begin
 totals_next:
-        ADDLEN  tot_made, tot_width, tot_at
+        ADDLEN  tot_results, tot_width, tot_at
         ADDLEN  tot_from, tot_width, tot_row
         VTOV    [tot_row], [tot_at]
         RTOR    tot_rows, tot_left
@@ -18,7 +18,7 @@ totals_row:
 totals_more:
         ADDX    tot_from, tot_stride, tot_from
         IBXNE   tot_left, tot_index_minus_one, r0, totals_row, tot_left
-        ADDX    tot_made, tot_stride, tot_made
+        ADDX    tot_results, tot_stride, tot_results
         IBXNE   tot_groups, tot_index_minus_one, r0, totals_next, tot_groups
         EXIT
         .endkernel

@@ -12,7 +12,7 @@
 ;
 ; In:  points_seed; points_first, the number of the first ray or point; for the
 ;      lattice points_m and points_shift: N = 2^m points, the shift k; integers.
-; Out: points_made, POINTS words for each coordinate.
+; Out: points_results, POINTS words for each coordinate.
 
         .ifndef QUEUE
         .equ    QUEUE, 2000
@@ -31,12 +31,12 @@
         .endif
 
         .data
-points_given:
+points_arguments:
 points_seed:    .word 0
 points_first:   .word 0
 points_m:       .word 20
 points_shift:   .word 0
-points_made:    .space POINTS * COORDINATES
+points_results: .space POINTS * COORDINATES
         .code
 
 ; Runs after the points. A program that continues with them defines its own
@@ -49,7 +49,7 @@ points_made:    .space POINTS * COORDINATES
 
         .regs   r10, points_s, points_i, points_log, points_k ; arguments
         .regs   r14, points_at, points_left
-        .regs   r20, made0, made1, made2, made3, made4, made5
+        .regs   r20, result0, result1, result2, result3, result4, result5
         .regs   r26, work0, work1, work2, work3, work4, work5
         stream_registers r32
         lattice_registers r48
@@ -57,7 +57,7 @@ points_made:    .space POINTS * COORDINATES
 ; Loads arguments and constants. For the stream, sets points_x to the state of
 ; the first ray.
         .macro  points_begin
-        EX      points_at, points_given
+        EX      points_at, points_arguments
         ELEN    points_at, 4
         SWAP    [points_at], points_s, [r0]
         stream_load points_at

@@ -13,26 +13,26 @@ points_scalar:
         ES      points_at, 0
         EX      points_left, POINTS
         .rept   COORDINATES
-        EX      plane\+, points_made + 64 * POINTS * \+
+        EX      plane\+, points_results + 64 * POINTS * \+
         .endr
         .endkernel
 points_next:
         .kernel points
         .if     LATTICE
-        lattice_words points_i, COORDINATES, made\+
+        lattice_words points_i, COORDINATES, result\+
         ADDX    points_i, stream_one, points_i
         .else
-        stream_words points_x, made\+, work\+
+        stream_words points_x, result\+, work\+
         .endif
         .endkernel
         .if     NUMBERS
         .kernel units
-        stream_units COORDINATES, made\+, made\+
+        stream_units COORDINATES, result\+, result\+
         .endkernel
         .endif
         .kernel store
         .rept   COORDINATES
-        STO     [plane\+, points_at], made\+
+        STO     [plane\+, points_at], result\+
         .endr
         IBXNE   points_at, stream_one, points_left, points_next, points_at
         .endkernel

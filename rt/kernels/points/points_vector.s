@@ -15,14 +15,14 @@ points_scratch: .space 1
         .macro  make_coordinate coordinate
         .kernel points
         .if     LATTICE
-        lattice_coordinate states, \coordinate, made0
+        lattice_coordinate states, \coordinate, result0
         .else
-        stream_draw states, \coordinate, made0, points_work
+        stream_draw states, \coordinate, result0, points_work
         .endif
         .endkernel
         .if     NUMBERS
         .kernel units
-        stream_unit made0, made0
+        stream_unit result0, result0
         .endkernel
         .endif
         .endm
@@ -32,7 +32,7 @@ points_vector:
         .kernel begin
         points_begin
         stream_vector_load
-        EX      plane, points_made
+        EX      plane, points_results
         EX      points_left, POINTS
         EX      points_queue, QUEUE
         EX      states_at, points_states
@@ -61,12 +61,12 @@ points_full:
         INTVLV  points_i, stream_one, [states]
         ADDX    points_i, points_now, points_i
         .endif
-        ADDLEN  plane, points_now, made0
+        ADDLEN  plane, points_now, result0
         .endkernel
         .rept   COORDINATES
         make_coordinate \+
         .kernel queue
-        IX      made0, 64 * POINTS
+        IX      result0, 64 * POINTS
         .endkernel
         .endr
         .kernel queue

@@ -24,10 +24,10 @@
 ; Arguments of the solver: five coefficients and the interval, in the order of
 ; the registers from c4 on, and the roots that it returns.
 roots_handed:   .space 8
-roots_given:    .space 5
+roots_arguments: .space 5
 quartic_list:   .descriptor 5, roots_handed
                 .descriptor 3, roots_handed + 64 * 5
-                .descriptor 5, roots_given
+                .descriptor 5, roots_arguments
         .code
 
         .macro  load_input register
@@ -42,7 +42,7 @@ quartic_list:   .descriptor 5, roots_handed
         SWAP    [r0], c4, [s0]
         EX      arguments, quartic_list
         BSAVE   link, [routine]
-        EX      s0, roots_given
+        EX      s0, roots_arguments
         ELEN    s0, 5
         SWAP    [s0], root0, [r0]
         .endm

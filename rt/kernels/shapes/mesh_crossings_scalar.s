@@ -167,9 +167,9 @@ solid_even:
         STO     [a_primitive], t2
         IX      a_primitive, 64 * (P_STATE_KERNEL - P_SEGMENTS)
         LOD     [a_primitive], t0
-        IBXNE   t0, r0, r0, crossings_given
+        IBXNE   t0, r0, r0, crossings_stored
         IX      a_primitive, 64 * (P_EVENTS - P_STATE_KERNEL)
         STO     [a_primitive], sorted_count
-crossings_given:
+crossings_stored:
         leave_segments crossings_save, MESH_CROSSING_REGISTERS
         .endkernel

@@ -230,10 +230,10 @@ crossings_count:
         SHIFTI  s2, -1, s3
         store_field P_SEGMENTS, s3
         load_field P_STATE_KERNEL, s0
-        IBXNE   s0, r0, r0, crossings_given
+        IBXNE   s0, r0, r0, crossings_stored
 crossings_store:
         store_field P_EVENTS, s2
-crossings_given:
+crossings_stored:
         BIM     0, link_kernel
 
 ; Tests the mesh_pairs pairs and appends their crossings.

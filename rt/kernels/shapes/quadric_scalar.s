@@ -69,13 +69,13 @@ quadric_solid:
         sort_roots t0, t1
 solid_two:
         move_back shift
-        CFPGE   quad_a, r0, solid_given
+        CFPGE   quad_a, r0, solid_stored
         RTOR    tin, t7
         RTOR    tout, t8
         RTOR    big, t9
         RTOR    minus_big, tin
         RTOR    t7, tout
-        BIM     solid_given
+        BIM     solid_stored
 solid_double:
         CFPEQ   quad_a, r0, solid_constant
         DIVS    t2, quad_a, tin
@@ -85,19 +85,19 @@ solid_one:
         SUBN    t1, shift, t1
         RTOR    minus_big, tin
         RTOR    t1, tout
-        CFPGE   quad_b, r0, solid_given
+        CFPGE   quad_b, r0, solid_stored
         RTOR    t1, tin
         RTOR    big, tout
-        BIM     solid_given
+        BIM     solid_stored
 solid_constant:
         RTOR    quad_c, quad_a
 solid_uncrossed:
         RTOR    big, tin
         RTOR    minus_big, tout
-        CFPGE   quad_a, r0, solid_given
+        CFPGE   quad_a, r0, solid_stored
         RTOR    minus_big, tin
         RTOR    big, tout
-solid_given:
+solid_stored:
         ES      t7, 2
         STO     [a_segment, t7], t8
         IX      t7, 1

@@ -80,7 +80,7 @@ quadric_solid:
         VTOV    minus_big, [tout] ?! [bits0]
         CMPLTV  r0, [w10], [bits1]
         CNTOB   [bits1], s0
-        IBXEQ   s0, r0, near, solid_given       ; a > 0 for all
+        IBXEQ   s0, r0, near, solid_stored      ; a > 0 for all
         CMPLTV  [w10], r0, [bits1]              ; a < 0
         ANDB    [bits0], [bits1], [bits2]
         VTOV    [tout], [tin2] ? [bits2]
@@ -92,7 +92,7 @@ quadric_solid:
         VTOV    big, [tout] ? [bits2]
         CMPEQV  [w10], r0, [bits1]
         CNTOB   [bits1], s0
-        IBXEQ   s0, r0, r0, solid_given
+        IBXEQ   s0, r0, r0, solid_stored
         ANDB    [bits0], [bits1], [bits0]       ; a = 0: one crossing
         ANDNB   [bits1], [bits0], [bits1]       ; a = 0: no crossing
         CMPGEV  [w11], r0, [bits2]
@@ -105,6 +105,6 @@ quadric_solid:
         ANDB    [bits1], [bits2], [bits2]       ; inside everywhere
         VTOV    minus_big, [tin] ? [bits2]
         VTOV    big, [tout] ? [bits2]
-solid_given:
+solid_stored:
         BIM     0, link_kernel
         .endkernel

@@ -401,9 +401,9 @@ steiner_done:
         STO     [a_primitive, index_one], patch_t
         leave_solver patch_save, PATCH_REGISTERS
 steiner_miss:
-        IBXNE   crossings_wanted, r0, r0, steiner_given
+        IBXNE   crossings_wanted, r0, r0, steiner_stored
         miss_near patch_save, PATCH_REGISTERS
-steiner_given:
+steiner_stored:
         leave_segments patch_save, PATCH_REGISTERS
 
 ; The second conic is a pair of lines: t is a root of the first conic.

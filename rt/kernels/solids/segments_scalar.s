@@ -51,13 +51,13 @@ segments_end\@:
         IX      a_segment, 64
         IX      e3, -1
 segments_even\@:
-        IBXEQ   e3, r0, r0, segments_given\@
+        IBXEQ   e3, r0, r0, segments_stored\@
         STO     [a_segment], big
         STO     [a_segment, index_one], minus_big
         IX      a_segment, 64 * 2
         IX      e3, -2
         BIM     segments_even\@
-segments_given\@:
+segments_stored\@:
         .endm
 
         .macro  leave_segments save=near_save, registers=LANE_REGISTERS
