@@ -200,7 +200,7 @@ static void put_carry(struct record *record, const struct transform *to_local,
     if (transform_invert(to_local, &to_world)) {
         for (int i = 0; i < 3; i++)
             scale3(length, to_world.rows[i]);
-        put_back(record, &to_world, "BUMP_CARRY");
+        put_back(record, &to_world, "BUMP_TRANSFORM");
     } else {
         layout_fail(record->layout, "the normal of line %zu is out of range",
                     record->line);

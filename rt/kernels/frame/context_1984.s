@@ -31,7 +31,7 @@ operands:       .space OPERANDS
         .endm
 
 ; Passes `number` registers, from `register` on, as operands from `place` on.
-        .macro  hand_over register, number=1, place=0, into=operands
+        .macro  pass_operands register, number=1, place=0, into=operands
         EX      s0, \into + 64 * \place
         ELEN    s0, \number
         SWAP    [r0], \register, [s0]

@@ -26,10 +26,10 @@ generate_list:  .descriptor 2, pixel
 generate:
         load_word scene_first_pixel, s1
         ADDX    s1, position, s1
-        hand_over s1
-        hand_over adx, 3, 1
+        pass_operands s1
+        pass_operands adx, 3, 1
         .if     ORIGINS_DIFFER
-        hand_over aox, 3, 4
+        pass_operands aox, 3, 4
         .endif
         to_scalar
         load_at operands, 4, first_pixel

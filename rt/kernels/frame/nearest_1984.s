@@ -59,7 +59,7 @@ find_nearest:
         BIM     walk_regions
 
 simple_hit:
-        hand_over_rays
+        pass_rays
         to_scalar
         load_at operands, SIMPLE_OPERANDS, to_nearest
         RTOR    near, loop_count

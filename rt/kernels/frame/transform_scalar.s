@@ -38,7 +38,7 @@ transformed:
         LOD     [t5], t6
         EX      t7, own_ray
         ELEN    t7, 8
-        IBXEQ   t4, r0, t6, transform_carried
+        IBXEQ   t4, r0, t6, transform_shifted
         STO     [t5], t4
         SWAP    [a_ray], ox, [r0]
         RTOR    a_primitive, t0
@@ -56,7 +56,7 @@ transformed:
         MPYS    t0, own_lower, own_lower
         SWAP    [r0], own_ox, [t7]
         BIM     transform_call
-transform_carried:
+transform_shifted:
         ES      t1, 7
         LOD     [t7, t1], own_scale
 transform_call:

@@ -24,7 +24,7 @@
         .kernel transform
 transformed:
         load_field P_SPACE, s9
-        IBXEQ   s9, r0, space, transformed_carried
+        IBXEQ   s9, r0, space, transformed_shifted
         RTOR    s9, space
         load_record P_LOCAL, 12, m00
         dot_constant wox, woy, woz, m00, m01, m02, lox, w0
@@ -47,7 +47,7 @@ transformed:
 transformed_least:
         LOD     [s0], s0
         MPYSV   [w0], s0, [llower]
-transformed_carried:
+transformed_shifted:
         set_rays lox, loy, loz, ldx, ldy, ldz, llower
         RTOR    link_kernel, link_inner
         BSAVE   link_kernel, [inner_kernel]
@@ -81,7 +81,7 @@ transformed_passed:
         EX      s0, 64 * QUEUE
         ADDX    wlower, s0, s0
         MPYSV   [w0], [s0], [llower]
-        BIM     transformed_carried
+        BIM     transformed_shifted
         .endif
 
 ; A single segment of any transformed shape is a miss or has two finite ends.

@@ -41,13 +41,13 @@
         .regs   r195, its_leaf, first_leaf, leaves_last, chain_at, apart, point_at
         .endshare
 
-        .macro  hand_over_rays
-        hand_over nearest, 4
-        hand_over place, 2, 4
-        hand_over patch_s, 2, 6
-        hand_over wlower, 1, 8
-        hand_over primitive, 1, 9
-        hand_over shadows, 1, 10
+        .macro  pass_rays
+        pass_operands nearest, 4
+        pass_operands place, 2, 4
+        pass_operands patch_s, 2, 6
+        pass_operands wlower, 1, 8
+        pass_operands primitive, 1, 9
+        pass_operands shadows, 1, 10
         .endm
 
 ; Sets loop_place to the position of the current ray in the queue.
@@ -75,9 +75,9 @@ found_place\@:
         .endm
 
         .macro  walk_rays prepare=
-        hand_over_rays
-        hand_over region, 1, 11
-        hand_over aox, 6, 12
+        pass_rays
+        pass_operands region, 1, 11
+        pass_operands aox, 6, 12
         to_scalar
         load_at operands, TREE_OPERANDS, to_nearest
         \prepare

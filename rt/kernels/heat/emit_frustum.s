@@ -39,5 +39,5 @@ emit_frustum:
         each_same emission_area, weight
         each_times temp5, piece1, piece1
         each_plus piece1, piece0, own_spot_y
-        BIM     emission_carry
+        BIM     emission_transform
         .endkernel

@@ -22,5 +22,5 @@ emit_sphere:
         each_copy own_spot_y, own_face_y
         each_copy own_spot_z, own_face_z
         each_same emission_area, weight
-        BIM     emission_carry
+        BIM     emission_transform
         .endkernel

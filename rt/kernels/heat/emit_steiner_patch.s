@@ -69,5 +69,5 @@ emit_steiner_patch:
         patch_normal piece4, piece1, piece0, piece5, own_face_y
         patch_normal piece0, piece3, piece2, piece1, own_face_z
         each_same emission_area, weight
-        BIM     emission_carry
+        BIM     emission_transform
         .endkernel

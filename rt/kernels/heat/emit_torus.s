@@ -30,5 +30,5 @@ emit_torus:
         each_times temp1, own_face_x, own_face_x
         each_times temp1, own_face_z, own_face_z
         each_scale temp0, emission_area, weight
-        BIM     emission_carry
+        BIM     emission_transform
         .endkernel

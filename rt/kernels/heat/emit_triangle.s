@@ -27,5 +27,5 @@ emit_triangle:
         triangle_axis piece1, piece4, piece7, piece10, y
         triangle_axis piece2, piece5, piece8, piece11, z
         each_same emission_area, weight
-        BIM     emission_carry
+        BIM     emission_transform
         .endkernel

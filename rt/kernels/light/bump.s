@@ -55,7 +55,7 @@
         .field  BUMP_HEIGHTS            ; address of the first HEIGHT, which
                                         ; precedes the first value, or 0
         .field  BUMP_TO_LOCAL, 12       ; from the world to the function's space
-        .field  BUMP_CARRY, 9           ; M^T, by rows
+        .field  BUMP_TRANSFORM, 9       ; M^T, by rows
         .field  BUMP_BACK, 9            ; L^T; of an entry from its map's space
         .field  BUMP_SCALED             ; 1: N' is normalised; the next: N is
         .field  BUMP_NORMALISED

@@ -153,7 +153,7 @@ bumped\@:
 ; lx, ly, lz = the normal by the bump in bump_at, in the space of its map.
 find_bump:
         bump_place bump_x, bump_y, bump_z
-        bump_words BUMP_CARRY, 9, sh0
+        bump_words BUMP_TRANSFORM, 9, sh0
         bump_rows raw_x, raw_y, raw_z, lx, ly, lz
         bump_word BUMP_SCALED, t1
         IBXEQ   t1, r0, r0, bump_unscaled

@@ -216,7 +216,7 @@ bumped_each:
 ; lx, ly, lz = the normals by the bump in bump_at, in the space of its map.
 find_bump:
         bump_place red, green, blue
-        load_bump BUMP_CARRY, 9, m00
+        load_bump BUMP_TRANSFORM, 9, m00
         bump_rows nx, ny, nz, lx, ly, lz
         load_bump_field BUMP_SCALED, s1
         IBXEQ   s1, r0, r0, bump_unscaled

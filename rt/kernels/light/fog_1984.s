@@ -11,9 +11,9 @@
 
         .kernel resolve
 fog_rays:
-        hand_over fog_depth
-        hand_over out_red, 3, 1
-        hand_over n, 1, 4
+        pass_operands fog_depth
+        pass_operands out_red, 3, 1
+        pass_operands n, 1, 4
         to_scalar
         load_at operands, 4, fog_depths_at
         load_at operands + 64 * 4, 1, loop_count

@@ -28,7 +28,7 @@
 
         .kernel resolve
 add_children:
-        hand_over level
+        pass_operands level
         to_scalar
         load_at operands, 1, child_level
         LOD     [child_level], loop_count

@@ -100,23 +100,23 @@ pixel\@:
 
         .kernel shade
 shade:
-        hand_over nearest, 4, 0, shade_operands
-        hand_over aox, 6, 4, shade_operands
-        hand_over out_red, 8, 10, shade_operands
+        pass_operands nearest, 4, 0, shade_operands
+        pass_operands aox, 6, 4, shade_operands
+        pass_operands out_red, 8, 10, shade_operands
         .if     ORIGINS_DIFFER
         load_word scene_levels, s1
         ES      s2, 1
         IBXEQ   level, r0, s1, shade_first
         ES      s2, 0
 shade_first:
-        hand_over s2, 1, 18, shade_operands
+        pass_operands s2, 1, 18, shade_operands
         .else
-        hand_over from_one_point, 1, 18, shade_operands
+        pass_operands from_one_point, 1, 18, shade_operands
         .endif
-        hand_over position, 1, 19, shade_operands
-        hand_over next_level, 1, 20, shade_operands
-        hand_over link_queue, 1, 0, shade_link
-        hand_over n, 1, 0, shade_n
+        pass_operands position, 1, 19, shade_operands
+        pass_operands next_level, 1, 20, shade_operands
+        pass_operands link_queue, 1, 0, shade_link
+        pass_operands n, 1, 0, shade_n
         to_scalar
 
 ; Computes for each ray the surface of its hit, or the background.

@@ -34,7 +34,7 @@
 
         .kernel lines
 count_depths:
-        hand_over query_stride, QUERY_OPERANDS, 0, query_operands
+        pass_operands query_stride, QUERY_OPERANDS, 0, query_operands
         to_scalar
         load_at query_operands, QUERY_OPERANDS, to_stride
         SHIFTI  to_stride, -6, to_stride        ; in words, like indices

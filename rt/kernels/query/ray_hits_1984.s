@@ -96,7 +96,7 @@ simple_hit:
         BIM     walk_skip
 
 walk_tree:
-        hand_over query_stride, QUERY_OPERANDS, 0, query_operands
+        pass_operands query_stride, QUERY_OPERANDS, 0, query_operands
         walk_rays load_query_operands
         find_query_hits
         .if     NORMALS

@@ -254,29 +254,29 @@ is_zero\@:
         IBXEQ   q_u, r0, r0, \none
         .endm
 
-; Keeps only the lanes of q_alive.  squeeze_input moves an input of the caller
+; Keeps only the lanes of q_alive.  compress_input moves an input of the caller
 ; to a vector of the solver.
-        .macro  squeeze vector
+        .macro  compress_vector vector
         CPSV    [\vector], [\vector] ? [q_alive]
         .endm
 
-        .macro  squeeze_input vector, number
+        .macro  compress_input vector, number
         EX      q_target, solver_inputs + 64 * QUEUE * \number
         CPSV    [\vector], [q_target] ? [q_alive]
         RTOR    q_target, \vector
         .endm
 
-        .macro  squeeze_inputs
-        squeeze_input q_c4, 0
-        squeeze_input q_c3, 1
-        squeeze_input q_c2, 2
-        squeeze_input q_c1, 3
-        squeeze_input q_c0, 4
-        squeeze_input q_high, 5
-        squeeze q_place
+        .macro  compress_inputs
+        compress_input q_c4, 0
+        compress_input q_c3, 1
+        compress_input q_c2, 2
+        compress_input q_c1, 3
+        compress_input q_c0, 4
+        compress_input q_high, 5
+        compress_vector q_place
         .endm
 
-        .macro  squeezed
+        .macro  compressed
         RTOR    q_alive_count, q_lanes
         lengthen q_lanes, q_right_slope
         lengthen q_lanes, q_next
@@ -436,20 +436,20 @@ search_none\@:
         exchange q_left_slope, q_right_slope
         exchange q_left_flat, q_right_flat
         if_half_alive search_alive\@
-        squeeze_inputs
-        squeeze q_s3
-        squeeze q_s2
-        squeeze q_s1
-        squeeze q_bend1
-        squeeze q_bend2
-        squeeze q_left_slope
-        squeeze q_knot
-        squeeze q_most_value
-        squeeze q_most_slope
-        squeeze q_knot_f
+        compress_inputs
+        compress_vector q_s3
+        compress_vector q_s2
+        compress_vector q_s1
+        compress_vector q_bend1
+        compress_vector q_bend2
+        compress_vector q_left_slope
+        compress_vector q_knot
+        compress_vector q_most_value
+        compress_vector q_most_slope
+        compress_vector q_knot_f
         CPSB    [q_left_flat], [q_left_flat] ? [q_alive]
         CPSB    [q_knot_touch], [q_knot_touch] ? [q_alive]
-        squeezed
+        compressed
 search_alive\@:
         RTOR    \right, q_left
         .endm
@@ -505,8 +505,8 @@ search_alive\@:
         CNTOB   [q_alive], q_alive_count
         IBXEQ   q_alive_count, r0, r0, solver_end
         if_half_alive enter_alive\@
-        squeeze_inputs
-        squeeze_input q_low, 6
+        compress_inputs
+        compress_input q_low, 6
         lengthen q_alive_count, q_s3
         lengthen q_alive_count, q_s2
         lengthen q_alive_count, q_s1
@@ -519,7 +519,7 @@ search_alive\@:
         lengthen q_alive_count, q_knot_f
         lengthen q_alive_count, q_most_value
         lengthen q_alive_count, q_most_slope
-        squeezed
+        compressed
 enter_alive\@:
         VTOV    [q_place], [q_position]
         VTOV    r0, [q_count]

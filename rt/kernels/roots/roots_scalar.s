@@ -23,10 +23,10 @@
         .data
 ; Arguments of the solver: five coefficients and the interval, in the order of
 ; the registers from c4 on, and the roots that it returns.
-roots_handed:   .space 8
+roots_passed:   .space 8
 roots_arguments: .space 5
-quartic_list:   .descriptor 5, roots_handed
-                .descriptor 3, roots_handed + 64 * 5
+quartic_list:   .descriptor 5, roots_passed
+                .descriptor 3, roots_passed + 64 * 5
                 .descriptor 5, roots_arguments
         .code
 
@@ -37,7 +37,7 @@ quartic_list:   .descriptor 5, roots_handed
 
 ; Computes the roots between interval_low and interval_high.
         .macro  call_quartic
-        EX      s0, roots_handed
+        EX      s0, roots_passed
         ELEN    s0, 8
         SWAP    [r0], c4, [s0]
         EX      arguments, quartic_list

@@ -35,7 +35,7 @@ event_store:    .space 4 * QUEUE
 last_store:     .space QUEUE
         .code
 
-        .macro  squeeze_own vector
+        .macro  compress_own vector
         CPSV    [\vector], [\vector] ? [active]
         .endm
 
@@ -87,42 +87,42 @@ node_limit:
         CMPLTV  [last], [near_limit], [active]
         CNTOB   [active], s9
         IBXEQ   s9, r0, r0, walk_skip
-        if_sparse  s9, near, node_squeeze
+        if_sparse  s9, near, node_compress
         BIM     node_next
-node_squeeze:
-        EX      target, squeeze_span
+node_compress:
+        EX      target, compress_span
         BSAVE   link_kernel, [target]
         BIM     node_next
 
 ; Makes the s9 rays of active the only current rays.
-squeeze_span:
+compress_span:
         CPSV    [last], [last] ? [active]
         leave_only wdx, world_store, 3, active
         leave_only wdy, world_store, 4, active
         leave_only wdz, world_store, 5, active
-        IBXEQ   from_one_point, r0, r0, squeeze_origins
+        IBXEQ   from_one_point, r0, r0, compress_origins
         SUBX    s9, near, s3
         ADDLEN  wox, s3, wox
         ADDLEN  woy, s3, woy
         ADDLEN  woz, s3, woz
-        BIM     squeeze_spaces
-squeeze_origins:
+        BIM     compress_spaces
+compress_origins:
         leave_only wox, world_store, 0, active
         leave_only woy, world_store, 1, active
         leave_only woz, world_store, 2, active
-squeeze_spaces:
-        IBXEQ   space, r0, r0, squeeze_crossings
-        squeeze_own lox
-        squeeze_own loy
-        squeeze_own loz
-        squeeze_own ldx
-        squeeze_own ldy
-        squeeze_own ldz
-        squeeze_own lscale
-        squeeze_own llower
-squeeze_crossings:
+compress_spaces:
+        IBXEQ   space, r0, r0, compress_crossings
+        compress_own lox
+        compress_own loy
+        compress_own loz
+        compress_own ldx
+        compress_own ldy
+        compress_own ldz
+        compress_own lscale
+        compress_own llower
+compress_crossings:
         load_leaves
-        EX      target, squeeze_rays
+        EX      target, compress_rays
         BSAVE   link_inner, [target]
         EX      target, take_lower
         BSAVE   link_inner, [target]

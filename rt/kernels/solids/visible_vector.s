@@ -166,7 +166,7 @@ event_none:
         IBXGE   s0, r0, near, tree_values
         CPSV    [event], [event] ? [active]
         CPSV    [event_primitive], [event_primitive] ? [active]
-        EX      target, squeeze_rays
+        EX      target, compress_rays
         BSAVE   link_inner, [target]
 
 tree_values:
@@ -185,12 +185,12 @@ tree_continue:
 tree_left_over:
         describe last, last_store, near
         ADDX    s9, s9, s0
-        IBXLT   s0, r0, near, tree_squeeze
+        IBXLT   s0, r0, near, tree_compress
         VTOV    [event], [last]
         BIM     tree_next
-tree_squeeze:
+tree_compress:
         CPSV    [event], [last] ? [active]
-        EX      target, squeeze_rays
+        EX      target, compress_rays
         BSAVE   link_inner, [target]
         BIM     tree_next
 
@@ -370,43 +370,43 @@ seen_found:
         .endm
 
 ; Makes the s9 rays of active the only current rays.
-        .macro  squeeze_slots count, first
+        .macro  compress_slots count, first
         RTOR    \count, s2
         find_slot \first
-squeeze_slot\@:
+compress_slot\@:
         RTOR    slot, s3
         CPSV    [s3], [s3] ? [active]
         ADDX    slot, slot_size, slot
-        IBXNE   s2, minus_one_index, r0, squeeze_slot\@, s2
+        IBXNE   s2, minus_one_index, r0, compress_slot\@, s2
         .endm
 
-squeeze_rays:
+compress_rays:
         leaves_begin
-squeeze_leaf:
+compress_leaf:
         load_leaf_record
         .if     MESH_CROSSINGS
-        unless_mesh squeeze_no_mesh
-        IBXNE   shadows, r0, r0, squeeze_triangles
+        unless_mesh compress_no_mesh
+        IBXNE   shadows, r0, r0, compress_triangles
         triangles_offset s4
         ADDX    leaf_first_event, s4, s4
-        squeeze_slots leaf_events, s4
-squeeze_triangles:
-        IBXEQ   leaf_segments, r0, r0, squeeze_patch_slots
-squeeze_no_mesh:
+        compress_slots leaf_events, s4
+compress_triangles:
+        IBXEQ   leaf_segments, r0, r0, compress_patch_slots
+compress_no_mesh:
         .endif
-        IBXEQ   leaf_segments, r0, r0, squeeze_patch
+        IBXEQ   leaf_segments, r0, r0, compress_patch
         ADDX    leaf_segments, leaf_segments, leaf_segments
-        squeeze_slots leaf_segments, leaf_first_state
-        IBXEQ   leaf_first_state, r0, leaf_first_event, squeeze_next
-        squeeze_slots leaf_events, leaf_first_event
-        BIM     squeeze_next
-squeeze_patch:
-        IBXNE   shadows, r0, r0, squeeze_patch_slots
+        compress_slots leaf_segments, leaf_first_state
+        IBXEQ   leaf_first_state, r0, leaf_first_event, compress_next
+        compress_slots leaf_events, leaf_first_event
+        BIM     compress_next
+compress_patch:
+        IBXNE   shadows, r0, r0, compress_patch_slots
         ES      leaf_events, 3 * PATCH_CROSSINGS ; with its parameters
-squeeze_patch_slots:
-        squeeze_slots leaf_events, leaf_first_event
-squeeze_next:
-        leaves_next squeeze_leaf
+compress_patch_slots:
+        compress_slots leaf_events, leaf_first_event
+compress_next:
+        leaves_next compress_leaf
         leave_only place, place_store, 0, active
         leave_only near_limit, place_store, 1, active
         set_near s9
