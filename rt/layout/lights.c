@@ -170,7 +170,7 @@ static void put_beam(struct record *record, const struct light *light, uint64_t 
 
     subtract3(light->position, light->point_at, way);
     scale3(1 / length3(way), way);
-    record_integer(record, "BEAM_DIMS", dims(light));
+    record_integer(record, "BEAM_ATTENUATES", dims(light));
     record_integer(record, "BEAM_PARALLEL", light->parallel);
     record_integer(record, "BEAM_KIND", light->beam);
     if (light->beam != BEAM_NONE || light->parallel)
@@ -194,7 +194,7 @@ static void put_light(struct record *record, const struct light *light)
 
     record_numbers(record, "LIGHT_POSITION", light->position, 3);
     record_numbers(record, "LIGHT_COLOR", light->color, 3);
-    record_numbers(record, "LIGHT_GLEAMS", &gleams, 1);
+    record_numbers(record, "LIGHT_HIGHLIGHTS", &gleams, 1);
 }
 
 static void layout_beams(struct record_layout *layout, const struct scene *scene,

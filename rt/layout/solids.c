@@ -244,7 +244,7 @@ static void put_surface(struct record *record, const struct scene *scene,
     else
         record_numbers(record, "P_PATTERN", &pigment->to_local.rows[0][0], 12);
     record_integer(record, "P_CLEAR", pigment_is_clear(pigment));
-    record_numbers(record, "P_PASSING", &passing[0][0], 8);
+    record_numbers(record, "P_TRANSMITTED", &passing[0][0], 8);
     put_finish(record, scene, &primitive->finish,
                metal ? surface_opacity(pigment, 0) : 1);
     put_gloss(record, &primitive->finish);
@@ -350,9 +350,10 @@ static uint64_t material_of(struct record *record, const struct primitive *primi
         const char *field;
         size_t count; /* words */
     } fields[] = {
-        { "P_PIGMENT", 1 },  { "P_COLOR", 6 },   { "P_PATTERN", 12 }, { "P_FINISH", 8 },
-        { "P_INVERTED", 9 }, { "P_PASSING", 8 }, { "P_GLOSS", 8 },    { "P_MAP", 8 },
-        { "P_INTERIOR", 1 }, { "P_BUMP", 1 },
+        { "P_PIGMENT", 1 }, { "P_COLOR", 6 },    { "P_PATTERN", 12 },
+        { "P_FINISH", 8 },  { "P_INVERTED", 9 }, { "P_TRANSMITTED", 8 },
+        { "P_GLOSS", 8 },   { "P_MAP", 8 },      { "P_INTERIOR", 1 },
+        { "P_BUMP", 1 },
     };
     c205_word words[MATERIAL_WORDS] = { 0 }, transformed = 0;
     size_t at = 0;

@@ -19,10 +19,10 @@ TEST(surfaces)
     static const double reflection[4] = { .1, .3, .2, .3 };
     static const double index[2] = { 1.6, .625 };
     SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
-    check_numbers(&stage, 0, "P_PASSING", passing, 8);
+    check_numbers(&stage, 0, "P_TRANSMITTED", passing, 8);
     check_numbers(&stage, 0, "P_REFLECTION", reflection, 4);
     check_numbers(&stage, 0, "P_INDEX", index, 2);
-    check_numbers(&stage, 1, "P_PASSING", checker, 8);
+    check_numbers(&stage, 1, "P_TRANSMITTED", checker, 8);
     check_numbers(&stage, 1, "P_COLOR", colors, 6);
     check_numbers(&stage, 2, "P_COLOR", (const double[]){ .5, .5, .5 }, 3);
     for (size_t i = 0; i < 3; i++) {
@@ -97,7 +97,7 @@ TEST(odd_surfaces)
     check_numbers(&stage, 1, "P_COLOR", (const double[]){ .75, 1.5, 0 }, 3);
     check_numbers(&stage, 1, "P_REFLECTION", (const double[]){ .25, -.5, 0, .5 }, 4);
     for (size_t i = 0; i < COUNT(numbers); i++)
-        check_numbers(&stage, i, "P_PASSING", numbers[i], 4);
+        check_numbers(&stage, i, "P_TRANSMITTED", numbers[i], 4);
 }
 
 /* Two lists share their steps only if their waves are equal too. */

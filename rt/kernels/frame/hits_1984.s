@@ -22,7 +22,7 @@
         .field  HIT_DDOTL
         .field  HIT_WAY
         .field  HIT_PIGMENT, 3
-        .field  HIT_DIM                 ; dimming by a beam
+        .field  HIT_ATTENUATION         ; dimming by a beam
         .if     BUMPS
         .at     35              ; odd, against bank conflicts
         .else
@@ -89,9 +89,9 @@ surface:
         .regs   r47, px, py, pz, lx, ly, lz, ndotl, ddotl, light_distance
         .regs   r56, light_x, light_y, light_z, light_r, light_g, light_b
         .if     BEAMS
-        .regs   r62, light_gleams, light_beam
+        .regs   r62, light_highlights, light_beam
         .else
-        .reg    light_gleams, r62
+        .reg    light_highlights, r62
         .endif
         .endshare
 
@@ -104,11 +104,11 @@ surface:
         .endshare
         .if     BEAMS
         .share  local
-        .regs   r64, beam_dims, beam_parallel, beam_kind
+        .regs   r64, beam_attenuates, beam_parallel, beam_kind
         .regs   r67, beam_x, beam_y, beam_z, beam_narrow, beam_low, beam_steep
         .regs   r73, beam_tightness, beam_fade, beam_power
         .regs   r76, beam_off, beam_q, beam_three
-        .reg    dim, r33                ; register of a_light, free once loaded
+        .reg    attenuation, r33        ; register of a_light, free once loaded
         .endshare
         .equ    TOWARDS_REGISTERS, 47
         .else
@@ -132,7 +132,7 @@ towards_none:
 towards_found:
         store_hit HIT_LIGHT, 6, lx
         .if     BEAMS
-        store_hit HIT_DIM, 1, dim
+        store_hit HIT_ATTENUATION, 1, attenuation
         .endif
         leave_hit TOWARDS_REGISTERS
 
@@ -142,8 +142,8 @@ shine:
         SWAP    [a_light], light_x, [r0]
         .if     BEAMS
         IBXEQ   light_beam, r0, r0, shine_all_around
-        load_hit HIT_DIM, 1, dim
-        dim_light
+        load_hit HIT_ATTENUATION, 1, attenuation
+        attenuate_light
 shine_all_around:
         .endif
         load_hit HIT_RAY, HIT_PLACE, ox

@@ -195,7 +195,7 @@
         .field  P_INDEX, 2         ; index of refraction, its reciprocal
         .field  P_REFLECTION, 4    ; colour (the least one, if it depends on the
                                    ; angle), greatest component
-        .field  P_PASSING, 8       ; for both colours of P_COLOR: transmitted
+        .field  P_TRANSMITTED, 8   ; for both colours of P_COLOR: transmitted
                                    ; colour and its greatest component, negative
                                    ; if too dim to be followed
         .field  P_MATERIAL             ; address of the first primitive with the
@@ -471,7 +471,7 @@
         .record LIGHT
         .field  LIGHT_POSITION, 3
         .field  LIGHT_COLOR, 3
-        .field  LIGHT_GLEAMS       ; 1: it makes highlights (POV-Ray's
+        .field  LIGHT_HIGHLIGHTS   ; 1: it makes highlights (POV-Ray's
                                    ; shadowless lights make none)
         .if     BEAMS
         .field  LIGHT_BEAM         ; address of its beam, or 0: it shines

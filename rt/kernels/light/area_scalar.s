@@ -5,7 +5,7 @@
         .share  local
         .regs   r58, area_x, area_y, area_z, area_weight, area_at, area_left
         .regs   r64, area_r, area_g, area_b, area_distance
-        .regs   r68, area_passing_r, area_passing_g, area_passing_b
+        .regs   r68, area_transmitted_r, area_transmitted_g, area_transmitted_b
         .endshare
 
 ; area_at, area_left = address and number of the points of light_beam.  Branches
@@ -19,8 +19,8 @@
         IBXEQ   area_at, r0, r0, \none
         .endm
 
-        .macro  area_add sum, passing
-        MPYS    area_weight, \passing, t0
+        .macro  area_add sum, transmitted
+        MPYS    area_weight, \transmitted, t0
         ADDN    \sum, t0, \sum
         .endm
 
@@ -41,10 +41,10 @@ area_point\@:
         SWAP    [r0], area_x, [here]
         cast_shadow area_distance, area_at
         ELEN    here, 3
-        SWAP    [here], area_passing_r, [r0]
-        area_add area_r, area_passing_r
-        area_add area_g, area_passing_g
-        area_add area_b, area_passing_b
+        SWAP    [here], area_transmitted_r, [r0]
+        area_add area_r, area_transmitted_r
+        area_add area_g, area_transmitted_g
+        area_add area_b, area_transmitted_b
         IX      area_at, 64 * LIGHT_POINT_SIZE
         IBXNE   area_left, m_index_minus_one, r0, area_point\@, area_left
         RTOR    area_r, light_r

@@ -6,7 +6,7 @@
 ; distance is A . (P - X); nothing is between such a light and a point on its
 ; far side.  The light's colour reaches X with the factor
 ;
-;   dim = s(q) q^tightness  2 / (1 + (distance / fade_distance)^fade_power)
+;   attenuation = s(q) q^tightness  2 / (1 + (distance / fade_distance)^fade_power)
 ;
 ;   q = L . A                                  for a cone (parallel rays: 1),
 ;       1 - |P - X - A (A . (P - X))| / falloff    for a cylinder, but 0 for
@@ -27,7 +27,7 @@
 ; pictures.
 
         .record BEAM
-        .field  BEAM_DIMS               ; 1: dim varies
+        .field  BEAM_ATTENUATES         ; 1: the attenuation varies
         .field  BEAM_PARALLEL           ; 1: its rays are parallel
         .field  BEAM_KIND               ; 0: none, 1: cone, 2: cylinder
         .field  BEAM_AXIS, 3            ; A

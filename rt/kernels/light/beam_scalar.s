@@ -5,10 +5,10 @@
         .include "light/beam.s"
 
         .share  local
-        .regs   r112, beam_dims, beam_parallel, beam_kind
+        .regs   r112, beam_attenuates, beam_parallel, beam_kind
         .regs   r115, beam_x, beam_y, beam_z, beam_narrow, beam_low, beam_steep
         .regs   r121, beam_tightness, beam_fade, beam_power
-        .regs   r124, dim, beam_off, beam_q, beam_three
+        .regs   r124, attenuation, beam_off, beam_q, beam_three
         .endshare
 
 ; Computes the direction to the light whose beam is light_beam, as beam_vector.s
@@ -19,7 +19,7 @@
         .macro  beam_towards
         RTOR    light_beam, here
         ELEN    here, BEAM_WORDS
-        SWAP    [here], beam_dims, [r0]
+        SWAP    [here], beam_attenuates, [r0]
         IBXNE   beam_parallel, r0, r0, beam_rays\@
         normalise_by m_one, lx, ly, lz, light_distance, t1
         BIM     beam_way\@
@@ -48,59 +48,59 @@ beam_way\@:
         BSAVE   power_link, [target]
         .endm
 
-; Computes dim, or branches to none if it is 0.
-        .macro  find_dim none
-        RTOR    m_one, dim
-        IBXEQ   beam_kind, r0, r0, dim_fading\@
-        IBXNE   beam_kind, r0, m_index_one, dim_cylinder\@
+; Computes the attenuation, or branches to none if it is 0.
+        .macro  find_attenuation none
+        RTOR    m_one, attenuation
+        IBXEQ   beam_kind, r0, r0, attenuation_fading\@
+        IBXNE   beam_kind, r0, m_index_one, attenuation_cylinder\@
         dot     lx, ly, lz, beam_x, beam_y, beam_z, beam_q, t0
-        BIM     dim_edge\@
-dim_cylinder\@:
+        BIM     attenuation_edge\@
+attenuation_cylinder\@:
         CFPGE   r0, light_distance, \none
         MPYS    beam_off, beam_narrow, t0
         SUBN    m_one, t0, beam_q
-dim_edge\@:
+attenuation_edge\@:
         CFPGE   r0, beam_q, \none
         SUBN    beam_q, beam_low, t0
         MPYS    t0, beam_steep, t0
-        CFPGE   t0, r0, dim_inside\@
+        CFPGE   t0, r0, attenuation_inside\@
         RTOR    m_zero, t0
-dim_inside\@:
-        CFPGE   m_one, t0, dim_on_edge\@
+attenuation_inside\@:
+        CFPGE   m_one, t0, attenuation_on_edge\@
         RTOR    m_one, t0
-dim_on_edge\@:
+attenuation_on_edge\@:
         ADDN    m_one, m_two, beam_three
-        MPYS    t0, t0, dim
+        MPYS    t0, t0, attenuation
         MPYS    t0, m_two, t0
         SUBN    beam_three, t0, t0
-        MPYS    t0, dim, dim
-        CFPEQ   beam_tightness, r0, dim_fading\@
+        MPYS    t0, attenuation, attenuation
+        CFPEQ   beam_tightness, r0, attenuation_fading\@
         beam_raise beam_q, beam_tightness
-        MPYS    dim, p_x, dim
-dim_fading\@:
-        CFPEQ   beam_power, r0, dim_found\@
+        MPYS    attenuation, p_x, attenuation
+attenuation_fading\@:
+        CFPEQ   beam_power, r0, attenuation_found\@
         ABS     light_distance, beam_q
         MPYS    beam_q, beam_fade, beam_q
-        CFPGE   m_one, beam_q, dim_near\@
+        CFPGE   m_one, beam_q, attenuation_near\@
         DIVS    m_one, beam_q, t0               ; farther than fade_distance
         beam_raise t0, beam_power
         ADDN    p_x, m_one, t1
-        BIM     dim_faded\@
-dim_near\@:
+        BIM     attenuation_faded\@
+attenuation_near\@:
         beam_raise beam_q, beam_power
         ADDN    p_x, m_one, t1
         RTOR    m_one, p_x
-dim_faded\@:
+attenuation_faded\@:
         MPYS    p_x, m_two, t0
         DIVS    t0, t1, t0
-        MPYS    dim, t0, dim
-dim_found\@:
-        CFPGE   r0, dim, \none
+        MPYS    attenuation, t0, attenuation
+attenuation_found\@:
+        CFPGE   r0, attenuation, \none
         .endm
 
-; Multiplies the light's colour, or its transmitted part, by dim.
-        .macro  dim_light
-        MPYS    dim, light_r, light_r
-        MPYS    dim, light_g, light_g
-        MPYS    dim, light_b, light_b
+; Multiplies the light's colour, or its transmitted part, by the attenuation.
+        .macro  attenuate_light
+        MPYS    attenuation, light_r, light_r
+        MPYS    attenuation, light_g, light_g
+        MPYS    attenuation, light_b, light_b
         .endm

@@ -7,14 +7,14 @@
         .reg    light_beam, r248        ; after the light's other words
         .endshare
         .share  shape
-        .regs   r40, beam_dims, beam_parallel, beam_kind
+        .regs   r40, beam_attenuates, beam_parallel, beam_kind
         .regs   r43, beam_x, beam_y, beam_z, beam_narrow, beam_low, beam_steep
         .regs   r49, beam_tightness, beam_fade, beam_power
         .endshare
 
         .data
         .align  64
-dim_store:      .space QUEUE            ; dim of all hits
+attenuation_store: .space QUEUE         ; of all hits
         .code
 
 ; Clamps [v] to 0 .. 1.
@@ -52,7 +52,7 @@ beam_shadows\@:
 beam_towards:
         RTOR    light_beam, s0
         ELEN    s0, BEAM_WORDS
-        SWAP    [s0], beam_dims, [r0]
+        SWAP    [s0], beam_attenuates, [r0]
         IBXNE   beam_parallel, r0, r0, beam_parallel_rays
         normalise lx, ly, lz, v0, v1
         BIM     0, link_inner
@@ -70,25 +70,25 @@ beam_directions:
         VTOV    beam_z, [lz]
         BIM     0, link_inner
 
-; Computes dim in dim_store.
+; Computes the attenuation in attenuation_store.
 ;
 ; In:  the results of beam_towards; hits3: the s8 points that face the light.
 ; Out: hits3, s8: those that the light reaches; ndotl = 0 for the others.
 ; Changes v0-v7, hits1, hits2, s0, s1.
-find_dim:
+find_attenuation:
         VTOV    [v0], [v6]
         VTOV    one, [v7]
-        IBXEQ   beam_kind, r0, r0, dim_fading
-        IBXNE   beam_kind, r0, one_index, dim_cylinder
+        IBXEQ   beam_kind, r0, r0, attenuation_fading
+        IBXNE   beam_kind, r0, one_index, attenuation_cylinder
         dot_constant lx, ly, lz, beam_x, beam_y, beam_z, v0, v1
-        BIM     dim_edge
-dim_cylinder:
+        BIM     attenuation_edge
+attenuation_cylinder:
         LINKV
         MPYSV   [v5], beam_narrow, [v0]
         SUBNV   one, [v0], [v0]
         CMPLTV  r0, [v6], [hits1]
         VTOV    r0, [v0] ?! [hits1]
-dim_edge:
+attenuation_edge:
         CMPLTV  r0, [v0], [hits1]
         ANDB    [hits1], [hits3], [hits3]
         LINKV
@@ -101,14 +101,14 @@ dim_edge:
         MPYSV   [v1], two, [v2]
         SUBNV   s0, [v2], [v2]
         MPYSV   [v2], [v7], [v7]
-        CFPEQ   beam_tightness, r0, dim_fading
+        CFPEQ   beam_tightness, r0, attenuation_fading
         MASKV   [v0], one, [v0] ? [hits3]
         RTOR    beam_tightness, exponent
         EX      target, power
         BSAVE   link_inner, [target]
         MPYSV   [v7], [v0], [v7]
-dim_fading:
-        CFPEQ   beam_power, r0, dim_found
+attenuation_fading:
+        CFPEQ   beam_power, r0, attenuation_found
         ABSV    [v6], [v0]
         MPYSV   [v0], beam_fade, [v0]
         CMPLTV  one, [v0], [hits2]      ; farther than fade_distance
@@ -123,37 +123,37 @@ dim_fading:
         MPYSV   [v0], two, [v0]
         DIVSV   [v0], [v1], [v0]
         MPYSV   [v7], [v0], [v7]
-dim_found:
+attenuation_found:
         CMPLTV  r0, [v7], [hits1]
         ANDB    [hits1], [hits3], [hits3]
         CNTOB   [hits3], s8
         VTOV    r0, [ndotl] ?! [hits3]
-        describe s0, dim_store, h
+        describe s0, attenuation_store, h
         VTOV    [v7], [s0]
         VTOV    [v6], [v0]
         BIM     0, link
         .endkernel
 
-; Computes one channel of the light that reaches the hits: dim times the light's
-; colour or its transmitted part.
-        .macro  dim_channel light, number
+; Computes one channel of the light that reaches the hits: the attenuation times
+; the light's colour or its transmitted part.
+        .macro  attenuate_channel light, number
         describe s1, hit_tint_store + 64 * QUEUE * \number, h
-        IBXNE   tinted, r0, r0, dim_tinted\@
+        IBXNE   tinted, r0, r0, attenuate_tinted\@
         MPYSV   [s0], \light, [s1]
-        BIM     dim_channel\@
-dim_tinted\@:
+        BIM     attenuate_channel\@
+attenuate_tinted\@:
         MPYSV   [s0], [s1], [s1]
-dim_channel\@:
+attenuate_channel\@:
         .endm
 
-        .macro  dim_light
-        IBXEQ   light_beam, r0, r0, dim_light\@
+        .macro  attenuate_light
+        IBXEQ   light_beam, r0, r0, attenuate_light\@
         LOD     [light_beam], s0
-        IBXEQ   s0, r0, r0, dim_light\@
-        describe s0, dim_store, h
-        dim_channel light_r, 0
-        dim_channel light_g, 1
-        dim_channel light_b, 2
+        IBXEQ   s0, r0, r0, attenuate_light\@
+        describe s0, attenuation_store, h
+        attenuate_channel light_r, 0
+        attenuate_channel light_g, 1
+        attenuate_channel light_b, 2
         ES      tinted, 1
-dim_light\@:
+attenuate_light\@:
         .endm

@@ -27,7 +27,7 @@ towards_way\@:
         CFPNE   ndotl, ndotl, \none     ; indefinite: L = 0
         .if     BEAMS
         IBXEQ   light_beam, r0, r0, towards_lit\@
-        find_dim \none
+        find_attenuation \none
 towards_lit\@:
         .endif
         .endm
@@ -64,7 +64,7 @@ towards_lit\@:
         add_diffuse light_r, color0r, red
         add_diffuse light_g, color0g, green
         add_diffuse light_b, color0b, blue
-        CFPEQ   light_gleams, r0, shine_end\@
+        CFPEQ   light_highlights, r0, shine_end\@
         .if     GLOSS
         find_metal
         .endif

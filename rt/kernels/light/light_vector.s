@@ -19,7 +19,7 @@
 
         .share  scratch
         .regs   r241, light_x, light_y, light_z, light_r, light_g, light_b
-        .regs   r247, light_gleams
+        .regs   r247, light_highlights
         .endshare
         .share  phase
         .regs   r196, tint_r, tint_g, tint_b    ; the transmitted light
@@ -93,7 +93,7 @@
         add_diffuse \light_r, cr, red
         add_diffuse \light_g, cg, green
         add_diffuse \light_b, cb, blue
-        CFPEQ   light_gleams, r0, illuminate_done\@
+        CFPEQ   light_highlights, r0, illuminate_done\@
         ADDN    f_phong, f_specular, s0
         CFPGE   r0, s0, illuminate_done\@
         dot_vectors hdx, hdy, hdz, lx, ly, lz, v6, v0
@@ -161,12 +161,12 @@ illuminate_way:
         IBXEQ   s8, r0, r0, illuminate_none
         .if     BEAMS
         IBXEQ   light_beam, r0, r0, illuminate_cast
-        EX      target, find_dim
+        EX      target, find_attenuation
         BSAVE   link, [target]
         IBXEQ   s8, r0, r0, illuminate_none
 illuminate_cast:
         .endif
-        CFPEQ   light_gleams, r0, illuminate_parts      ; shadowless
+        CFPEQ   light_highlights, r0, illuminate_parts  ; shadowless
         .if     AREAS
         area_of_light s0, illuminate_point
         EX      target, cast_from_area
@@ -180,7 +180,7 @@ illuminate_point:
         BSAVE   link, [target]
 illuminate_parts:
         .if     BEAMS
-        dim_light
+        attenuate_light
         .endif
         parts_begin
 illuminate_next:

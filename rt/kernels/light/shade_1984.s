@@ -16,7 +16,7 @@
         .regs   r181, new_ox, new_oy, new_oz, new_dx, new_dy, new_dz
         .regs   r187, new_distance, new_primitive, new_place
         .regs   r190, lit_ndotl, lit_ddotl, lit_distance, lit_red, lit_green
-        .regs   r195, lit_blue, lit_gleams, lit_at, lit_count, lit_limit
+        .regs   r195, lit_blue, lit_highlights, lit_at, lit_count, lit_limit
         .endshare
         .share  loop
         .reg    of_order, r192          ; indices in the planes, or 0
@@ -185,8 +185,8 @@ shade_towards_hit:
         call_hit towards
         in_hit  HIT_NDOTL, 3, lit_ndotl         ; D . L, distance
         CFPGE   r0, lit_ndotl, shade_towards_next
-        load_at shade_light + 64 * 3, 4, lit_red ; lit_red .. lit_gleams
-        CFPEQ   lit_gleams, r0, shade_towards_next
+        load_at shade_light + 64 * 3, 4, lit_red ; lit_red .. lit_highlights
+        CFPEQ   lit_highlights, r0, shade_towards_next
         SUBN    lit_distance, lit_least, lit_limit
         left_vector 0, lit_red
         left_vector 1, lit_green
@@ -260,8 +260,8 @@ shade_shine:
 shade_shine_hit:
         in_hit  HIT_NDOTL, 1, lit_ndotl
         CFPGE   r0, lit_ndotl, shade_shine_next
-        load_at shade_light + 64 * 6, 1, lit_gleams
-        CFPEQ   lit_gleams, r0, shade_shines
+        load_at shade_light + 64 * 6, 1, lit_highlights
+        CFPEQ   lit_highlights, r0, shade_shines
         EX      lit_at, lit_store + 64 * QUEUE * 6
         LOD     [lit_at, lit_count], lit_limit
         EX      lit_at, light_left

@@ -84,7 +84,7 @@ shade_light:
         ELEN    light_at, LIGHT_SIZE
         SWAP    [light_at], light_x, [r0]
         towards_light shade_next_light
-        CFPEQ   light_gleams, r0, shade_lit
+        CFPEQ   light_highlights, r0, shade_lit
         EX      here, shadow_ray
         ELEN    here, 6
         SWAP    [r0], px, [here]
@@ -107,8 +107,8 @@ shade_passed:
 shade_lit:
         .if     BEAMS
         IBXEQ   light_beam, r0, r0, shade_all_around
-        IBXEQ   beam_dims, r0, r0, shade_all_around
-        dim_light
+        IBXEQ   beam_attenuates, r0, r0, shade_all_around
+        attenuate_light
 shade_all_around:
         .endif
         shine

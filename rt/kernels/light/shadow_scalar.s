@@ -18,7 +18,7 @@
         .share  local
         .regs   r96, s_waiting, s_waiting_end
         .endshare
-        .equ    SHADOW_REGISTERS, WALK_REGISTERS + PASSING_REGISTERS + 2
+        .equ    SHADOW_REGISTERS, WALK_REGISTERS + TRANSMITTED_REGISTERS + 2
 
         .data
 shadow_save:    .space SHADOW_REGISTERS

@@ -46,10 +46,10 @@ hit_tint_store: .space 3 * QUEUE
 
 ; Multiplies channel number of the rays of taken_at by the transmitted colour, a
 ; number or a vector.
-        .macro  tint_channel number, passing
+        .macro  tint_channel number, transmitted
         EX      s0, tint_store + 64 * QUEUE * \number
         VXTOV   [taken_at], [s0], [v1]
-        MPYSV   [v1], \passing, [v1]
+        MPYSV   [v1], \transmitted, [v1]
         VTOVX   [taken_at], [v1], [s0]
         .endm
 
@@ -165,7 +165,7 @@ shadow_clear:
         tint_begin light_b, 2
 shadow_tinted:
         set_lanes m, at
-        load_record P_PASSING, 8, sh0
+        load_record P_TRANSMITTED, 8, sh0
         load_field P_PIGMENT, s0
         IBXNE   s0, r0, r0, shadow_checker
         tint_channel 0, sh0

@@ -215,7 +215,7 @@ spawn_interiors:
 spawn_no_interiors:
         ADDN    sp_own_level, m_one, sp_level
         IBXEQ   sp_clear, r0, r0, spawn_reflected
-        weigh   P_PASSING, sp_cell
+        weigh   P_TRANSMITTED, sp_cell
         CFPLT   sp_greatest, r0, spawn_reflected
         CFPGE   sp_weight, sp_least, spawn_through
         ES      sp_clear, 0

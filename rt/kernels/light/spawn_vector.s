@@ -147,10 +147,10 @@ spawn_no_mirror:
 
 ; Transmitted colour: sh8 .. sh11, in the odd cells of a checker (hits3) sh12 ..
 ; sh15.
-        load_record P_PASSING, 8, sh8
+        load_record P_TRANSMITTED, 8, sh8
         XORB    [hits3], [hits3], [hits3]
         load_field P_PIGMENT, spawn_checker
-        IBXEQ   spawn_checker, r0, r0, spawn_passing
+        IBXEQ   spawn_checker, r0, r0, spawn_transmitted
         .if     IMAGES
         EX      target, find_cells
         .else
@@ -158,7 +158,7 @@ spawn_no_mirror:
         .endif
         BSAVE   link_inner, [target]
         BIM     spawn_bend
-spawn_passing:
+spawn_transmitted:
         CFPGE   sh11, r0, spawn_bend
         ES      spawn_clear, 0
         BIM     spawn_reflected

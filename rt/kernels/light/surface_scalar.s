@@ -17,9 +17,9 @@
         .regs   r92, ndotl, ddotl, light_distance
         .regs   r132, light_x, light_y, light_z, light_r, light_g, light_b
         .if     BEAMS
-        .regs   r138, light_gleams, light_beam
+        .regs   r138, light_highlights, light_beam
         .else
-        .reg    light_gleams, r138
+        .reg    light_highlights, r138
         .endif
         .endshare
 

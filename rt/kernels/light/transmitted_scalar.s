@@ -1,19 +1,19 @@
-; passing_scalar.s - computes the light that a surface between a point and a
+; transmitted_scalar.s - computes the light that a surface between a point and a
 ; light transmits.  This macro is a part of the subroutines that trace shadow
 ; rays.
 
         .share  local
         .regs   r89, s_red, s_green, s_blue     ; the remaining light
-        .regs   r92, s_clear, s_passing_r, s_passing_g, s_passing_b
+        .regs   r92, s_clear, s_transmitted_r, s_transmitted_g, s_transmitted_b
         .endshare
-        .equ    PASSING_REGISTERS, 7
+        .equ    TRANSMITTED_REGISTERS, 7
 
         .data
-passing_point:  .space 3
-passing_list:   .descriptor 3, passing_point
-passing_primitive: .word 0
-                .descriptor 1, passing_cell
-passing_cell:   .space 1
+transmitted_point: .space 3
+transmitted_list: .descriptor 3, transmitted_point
+transmitted_primitive: .word 0
+                .descriptor 1, transmitted_cell
+transmitted_cell: .space 1
         .code
 
 ; Multiplies the light by the colour that the primitive w_out transmits at the
@@ -29,19 +29,19 @@ passing_cell:   .space 1
         ADDN    w_ox, w_t0, w_t0
         ADDN    w_oy, w_t1, w_t1
         ADDN    w_oz, w_t2, w_t2
-        EX      w_at, passing_point
+        EX      w_at, transmitted_point
         ELEN    w_at, 3
         SWAP    [r0], w_t0, [w_at]
-        EX      w_at, passing_primitive
+        EX      w_at, transmitted_primitive
         STO     [w_at], w_out
-        call    pigment_cell, passing_list
-        EX      w_at, passing_cell
+        call    pigment_cell, transmitted_list
+        EX      w_at, transmitted_cell
         LOD     [w_at], w_t0
         ADDX    w_out, w_t0, w_at
-        IX      w_at, 64 * P_PASSING
+        IX      w_at, 64 * P_TRANSMITTED
         ELEN    w_at, 3
-        SWAP    [w_at], s_passing_r, [r0]
-        MPYS    s_red, s_passing_r, s_red
-        MPYS    s_green, s_passing_g, s_green
-        MPYS    s_blue, s_passing_b, s_blue
+        SWAP    [w_at], s_transmitted_r, [r0]
+        MPYS    s_red, s_transmitted_r, s_red
+        MPYS    s_green, s_transmitted_g, s_green
+        MPYS    s_blue, s_transmitted_b, s_blue
         .endm
