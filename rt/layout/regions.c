@@ -248,7 +248,7 @@ static void layout_region(struct record *record, const struct places *places, si
         way += layout_symbol(record->layout, "REGION_BOXED");
         layout_box(record, bound);
     }
-    record_integer(record, "R_WAY", (size_t)way);
+    record_integer(record, "R_FLAGS", (size_t)way);
     record_integer(record, "R_SHADOW", shadow_of(scene, region));
     record_address(record, "R_CLEAR", places->clear[i]);
     record_address(record, "R_FIRST",
@@ -328,7 +328,7 @@ static void layout_hierarchy_node(struct record *record, const struct places *pl
         record_address(record, "H_REGIONS", row_at(&places->regions, node->first));
     } else {
         record_address(record, "H_REGIONS", row_at(row, nodes[i + 1].next));
-        record_numbers(record, "H_WAY", node->way, 3);
+        record_numbers(record, "H_DIRECTION", node->way, 3);
     }
     record_write(record);
 }

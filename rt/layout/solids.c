@@ -293,7 +293,7 @@ static void put_rank(struct record *record, const struct scene *scene, size_t i,
 {
     double yield;
 
-    if (!object_symbol(record->layout->program, "P_YIELD"))
+    if (!object_symbol(record->layout->program, "P_TIE_OFFSET"))
         return;
     if (i == ranks->end) {
         const struct region *region = &scene->regions[ranks->region++];
@@ -307,7 +307,7 @@ static void put_rank(struct record *record, const struct scene *scene, size_t i,
                 : ranks->yield;
     if (object_symbol(record->layout->program, "P_RANK"))
         record_integer(record, "P_RANK", ranks->rank);
-    record_numbers(record, "P_YIELD", &yield, 1);
+    record_numbers(record, "P_TIE_OFFSET", &yield, 1);
 }
 
 static void put_mirror(struct record *record, const struct primitive *primitive)
@@ -424,7 +424,7 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
     }
     record_end(&record);
     materials_free(materials);
-    layout_word(layout, "scene_alike", alike);
+    layout_word(layout, "scene_shared_materials", alike);
     layout_word(layout, "scene_primitives", row.first);
     layout_word(layout, "scene_primitive_count",
                 c205_from_integer((int64_t)scene->primitive_count));

@@ -88,7 +88,7 @@ const struct speedup_subject speedup_formulations[] = {
     { .name = "the same without surfaces",
       CYLINDER_ROW,
       .historical = true,
-      .variant = "CYLINDER_UNNOTED" },
+      .variant = "CYLINDER_UNRECORDED" },
     { .name = "the first, one reciprocal for three divisions",
       CYLINDER_ROW,
       .historical = true,

@@ -61,7 +61,7 @@ static const struct shape_row {
 /* Returns REGION_SIMPLE and REGION_BOXED of a region. */
 static int64_t way_of(const struct stage *stage, size_t i)
 {
-    return c205_to_integer(region(stage, i, "R_WAY"));
+    return c205_to_integer(region(stage, i, "R_FLAGS"));
 }
 
 /* Returns the offset from the first primitive's first crossing or value, in crossings

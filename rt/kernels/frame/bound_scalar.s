@@ -18,7 +18,7 @@
         .regs   r39, w_region, w_regions_left
         .regs   r41, w_ox, w_oy, w_oz, w_dx, w_dy, w_dz, w_lower
         .regs   r48, w_limit, w_leaf
-        .regs   r50, w_cx, w_cy, w_cz, w_radius, w_square, w_way, w_shadow
+        .regs   r50, w_cx, w_cy, w_cz, w_radius, w_square, w_flags, w_shadow
         .regs   r57, w_nodes, w_nodes_end, w_first
         .equ    REGION_LOADED, R_FIRST + 1
         .regs   r60, w_two_delta, w_less
@@ -111,8 +111,8 @@ near\@:
 ; `box_missed` if the ray misses the box, to `simple` if it is simple with a box.
 ; Otherwise continues: a tree in its box.
         .macro  test_box tree, simple, box_missed
-        IBXEQ   w_way, r0, r0, \tree
+        IBXEQ   w_flags, r0, r0, \tree
         skip_if_box_missed \box_missed
         ES      w_at, REGION_BOXED
-        IBXNE   w_way, r0, w_at, \simple
+        IBXNE   w_flags, r0, w_at, \simple
         .endm

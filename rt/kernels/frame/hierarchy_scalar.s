@@ -13,10 +13,10 @@
 ; A node. It uses registers of the trees, which are free here.
         .share  local
         .regs   r62, h_cx, h_cy, h_cz, h_radius, h_square
-        .regs   r67, h_regions, h_region_count, h_wayx, h_wayy, h_wayz
+        .regs   r67, h_regions, h_region_count, h_dirx, h_diry, h_dirz
         .reg    h_node, r75
         .endshare
-        .equ    HIERARCHY_LOADED, H_WAY + 3
+        .equ    HIERARCHY_LOADED, H_DIRECTION + 3
 
         .data
 hierarchy_stack: .space HIERARCHY_DEPTH + 2
@@ -44,9 +44,9 @@ leaf_node\@:
         IBXEQ   h_region_count, r0, m_index_one, leaf_found\@
         skip_far h_cx, h_cy, h_cz, h_radius, h_square, w_limit, leaf_pop\@
         IBXNE   h_region_count, r0, r0, leaf_found\@
-        MPYS    h_wayx, w_dx, w_t0
-        MPYS    h_wayy, w_dy, w_t1
-        MPYS    h_wayz, w_dz, w_t2
+        MPYS    h_dirx, w_dx, w_t0
+        MPYS    h_diry, w_dy, w_t1
+        MPYS    h_dirz, w_dz, w_t2
         IX      h_node, 64 * H_SIZE
         ADDN    w_t0, w_t1, w_t0
         ADDN    w_t0, w_t2, w_t0

@@ -42,7 +42,7 @@
 ; A node, while its bound is tested.
         .share  shape
         .regs   r61, hierarchy_regions, hierarchy_count
-        .regs   r63, hierarchy_wayx, hierarchy_wayy, hierarchy_wayz
+        .regs   r63, hierarchy_dirx, hierarchy_diry, hierarchy_dirz
         .reg    hierarchy_spheres, r66
         .endshare
 
@@ -173,9 +173,9 @@ walk_nodes_below:
         LOD     [dz, s8], s3
         IX      region, 64 * H_SIZE
         RTOR    hierarchy_regions, s4
-        MPYS    s1, hierarchy_wayx, s1
-        MPYS    s2, hierarchy_wayy, s2
-        MPYS    s3, hierarchy_wayz, s3
+        MPYS    s1, hierarchy_dirx, s1
+        MPYS    s2, hierarchy_diry, s2
+        MPYS    s3, hierarchy_dirz, s3
         ADDN    s1, s2, s1
         ADDN    s1, s3, s1
         load_word walk_top, s0

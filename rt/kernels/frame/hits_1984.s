@@ -20,7 +20,7 @@
         .field  HIT_LIGHT, 3            ; L
         .field  HIT_NDOTL               ; N . L, D . L, distance
         .field  HIT_DDOTL
-        .field  HIT_WAY
+        .field  HIT_TO_LIGHT
         .field  HIT_PIGMENT, 3
         .field  HIT_ATTENUATION         ; dimming by a beam
         .if     BUMPS

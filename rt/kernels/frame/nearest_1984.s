@@ -118,7 +118,7 @@ walk_tree:
         LOD     [to_nearest, loop_place], loop_work
         .if     KEYS
         RTOR    w_out, loop_at
-        IX      loop_at, 64 * P_YIELD
+        IX      loop_at, 64 * P_TIE_OFFSET
         LOD     [loop_at], segment_out
         load_at k_delta, 1, ray_limit
         MPYS    segment_out, ray_limit, next_in

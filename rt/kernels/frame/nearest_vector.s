@@ -14,7 +14,7 @@
 ; Source: the paper.
 
 ; With KEYS, nearest holds the least key so far: the distance of a hit plus
-; P_YIELD times k_delta. depth_store holds the distance of this hit
+; P_TIE_OFFSET times k_delta. depth_store holds the distance of this hit
 ; (docs/solids.md).
 
 ; Hits: positions in the queue, distances, primitives.

@@ -164,7 +164,7 @@ count_store:    .space QUEUE            ; 0, 1, 2, ...
 passed_store:   .space 3 * QUEUE        ; least distances; to be scaled; ranks
         .endif
         .if     KEYS
-depth_store:    .space QUEUE            ; hit distances without P_YIELD
+depth_store:    .space QUEUE            ; hit distances without P_TIE_OFFSET
         .endif
         .code
 

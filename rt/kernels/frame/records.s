@@ -168,7 +168,7 @@
                                    ; 0: not one of them
         .endif
         .if     KEYS
-        .field  P_YIELD            ; times k_delta, added to the distance of a
+        .field  P_TIE_OFFSET       ; times k_delta, added to the distance of a
                                    ; hit before regions are compared
         .endif
         .field  P_PATCH_POINT, 2   ; parameters of the last hit, written by the
@@ -377,7 +377,7 @@
         .record R
         .field  R_BOUND, 5         ; bounding sphere: centre 3, radius, square
                                    ; of the radius; big: no bound
-        .field  R_WAY              ; REGION_SIMPLE: one primitive whose nearest
+        .field  R_FLAGS            ; REGION_SIMPLE: one primitive whose nearest
                                    ; crossing ahead is the result; REGION_BOXED:
                                    ; with a box; both, or 0
         .field  R_SHADOW           ; 0: casts no shadow, 1: a full one, 2: parts
@@ -411,7 +411,7 @@
         .field  H_REGIONS          ; of a leaf: address of its first region;
                                    ; otherwise: of the second child
         .field  H_REGION_COUNT     ; number of regions of a leaf; 0: no leaf
-        .field  H_WAY, 3           ; from the first child's centre to the second
+        .field  H_DIRECTION, 3     ; from the first child's centre to the second
         .field  H_SPHERES          ; 1: all regions below are opaque spheres, at
                                    ; most MAX_SPHERES in a leaf
         .at     13              ; odd, against conflicts of gathered fields
@@ -494,7 +494,7 @@ scene_first_pixel: .word 0      ; its first pixel in the frame, an integer
 scene_pixels:     .word 0       ; pixels of the band, an integer
 scene_primitives: .word 0       ; address of the first primitive; their number
 scene_primitive_count: .word 0
-scene_alike:      .word 0       ; 1: some primitives share a material
+scene_shared_materials: .word 0 ; 1: some primitives share a material
 scene_regions:    .word 0       ; address of the first region
 scene_region_count: .word 0     ; regions outside the hierarchy, stored first
 scene_region_total: .word 0     ; all regions

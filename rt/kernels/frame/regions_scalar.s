@@ -16,7 +16,7 @@
 ; another may be equally near. Regions that the ray does not come near cost only
 ; the test.
 ;
-; With KEYS the least key wins: a distance plus P_YIELD times k_delta. w_limit
+; With KEYS the least key wins: a distance plus P_TIE_OFFSET times k_delta. w_limit
 ; is the least key so far, w_depth the distance of that hit. With INTERIORS a
 ; ray that has passed a clear surface hits regions of a lower rank from -k_delta
 ; on (docs/solids.md).
@@ -111,7 +111,7 @@ simple_ahead\@:
 ; Stores the parameters of the crossing at w_in on w_leaf (and w_out), in a
 ; tree, in its P_PATCH_POINT, if it is a patch or a mesh. Then branches to
 ; `done`.
-        .macro  note_point done
+        .macro  store_point done
         RTOR    w_out, w_at
         IX      w_at, 64 * P_ON_PATCH
         LOD     [w_at], w_t0
@@ -185,7 +185,7 @@ point_enters\@:
 ; Sets w_t0 to the key of a hit at w_in on w_out.
         .macro  count_hit
         RTOR    w_out, w_at
-        IX      w_at, 64 * P_YIELD
+        IX      w_at, 64 * P_TIE_OFFSET
         LOD     [w_at], w_t0
         EX      w_at, k_delta
         LOD     [w_at], w_t1
@@ -228,7 +228,7 @@ nearest_least:
         .endif
         .endkernel
         .kernel call
-        IBXNE   w_way, r0, m_index_one, nearest_other
+        IBXNE   w_flags, r0, m_index_one, nearest_other
 nearest_simple:
         intersect_simple nearest_hit, nearest_skip
         CFPNE   w_in, w_limit, nearest_skip
@@ -289,7 +289,7 @@ nearest_seen:
         RTOR    w_in, w_limit
         .endif
         RTOR    w_out, w_leaf
-        note_point nearest_skip
+        store_point nearest_skip
 
         .if     INTERIORS
 ; The ray passed a clear surface. It hits regions of a lower rank at its start.

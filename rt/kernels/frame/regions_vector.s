@@ -22,7 +22,7 @@
 
 ; A region, while its bound is tested.
         .share  shape
-        .regs   r61, region_way, region_shadow, region_nodes
+        .regs   r61, region_flags, region_shadow, region_nodes
         .regs   r64, region_nodes_end, region_first
         .endshare
         .equ    REGION_WORDS, R_FIRST + 1
@@ -99,13 +99,13 @@ walk_take:
         EX      target, take_all
 walk_taken:
         BSAVE   link_inner, [target]
-        IBXEQ   region_way, r0, one_index, walk_simple
-        IBXEQ   region_way, r0, r0, walk_nodes
+        IBXEQ   region_flags, r0, one_index, walk_simple
+        IBXEQ   region_flags, r0, r0, walk_nodes
         EX      target, take_box_hits
         BSAVE   link_inner, [target]
         IBXEQ   s6, r0, r0, walk_skip
         ES      s0, REGION_BOXED
-        IBXNE   region_way, r0, s0, walk_simple
+        IBXNE   region_flags, r0, s0, walk_simple
         BIM     walk_nodes
 walk_mark:
         RTOR    region, s1

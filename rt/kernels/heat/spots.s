@@ -34,7 +34,7 @@ spots_weight:   .word 0.0               ; an area
 
         .regs   r10, spot_lines, spot_count, spot_from, spot_list, spot_results, spot_weight, spot_one
         .regs   r17, spot_line_stride, spot_stride, spot_work
-        .regs   r20, spot_origin, spot_way      ; planes of the lines
+        .regs   r20, spot_origin, spot_direction ; planes of the lines
         .regs   r22, spot_distance, spot_line, spot_normal
         .regs   r25, result_spot, result_face, result_weight, result_ray
 
@@ -53,7 +53,7 @@ spots_weight:   .word 0.0               ; an area
         SHIFTI  spot_lines, 6, spot_line_stride
         SHIFTI  spot_count, 6, spot_stride
         plane_at spot_from, spot_line_stride, EMITTED_SPOT, spot_origin
-        plane_at spot_from, spot_line_stride, EMITTED_RAY, spot_way
+        plane_at spot_from, spot_line_stride, EMITTED_RAY, spot_direction
         plane_at spot_list, spot_stride, CROSSED_DISTANCE, spot_distance
         plane_at spot_list, spot_stride, CROSSED_LINE, spot_line
         plane_at spot_list, spot_stride, CROSSED_NORMAL, spot_normal
@@ -66,7 +66,7 @@ spots_weight:   .word 0.0               ; an area
 ; Advances to the planes of the next axis.
         .macro  spots_next
         ADDX    spot_origin, spot_line_stride, spot_origin
-        ADDX    spot_way, spot_line_stride, spot_way
+        ADDX    spot_direction, spot_line_stride, spot_direction
         ADDX    spot_normal, spot_stride, spot_normal
         ADDX    result_spot, spot_stride, result_spot
         ADDX    result_face, spot_stride, result_face

@@ -9,7 +9,7 @@
 spots_word\@:
         LOD     [spot_line, spot_i], spot_number
         LOD     [spot_distance, spot_i], spot_t
-        LOD     [spot_way, spot_number], spot_d
+        LOD     [spot_direction, spot_number], spot_d
         LOD     [spot_origin, spot_number], spot_o
         MPYS    spot_t, spot_d, spot_t
         ADDN    spot_o, spot_t, spot_t

@@ -11,7 +11,7 @@
         .macro  spots_axis
         as_vector result_ray, v_ray
         as_vector result_spot, v_spot
-        VXTOV   [v_line], [spot_way], [v_ray]
+        VXTOV   [v_line], [spot_direction], [v_ray]
         VXTOV   [v_line], [spot_origin], [v_temp]
         MPYSV   [v_distance], [v_ray], [v_spot]
         ADDNV   [v_temp], [v_spot], [v_spot]

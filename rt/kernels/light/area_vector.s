@@ -57,7 +57,7 @@ area_store:     .space 3 * QUEUE        ; sum of the light, for all hits
         .endm
 
 ; lx, ly, lz = the directions from the hits to a point.
-        .macro  area_way x, y, z
+        .macro  area_direction x, y, z
         SUBNV   \x, [px], [lx]
         SUBNV   \y, [py], [ly]
         SUBNV   \z, [pz], [lz]
@@ -83,7 +83,7 @@ cast_from_point:
         RTOR    shadows, s3
         ELEN    s3, LIGHT_POINT_SIZE
         SWAP    [s3], s4, [r0]
-        area_way s4, s5, s6
+        area_direction s4, s5, s6
         CMPEQV  [v0], r0, [hits1]
         CNTOB   [hits1], s0
         IBXEQ   s0, r0, r0, cast_to_point
@@ -117,7 +117,7 @@ area_next:
         area_end 1
         area_end 2
         ES      tinted, 1
-        area_way light_x, light_y, light_z
+        area_direction light_x, light_y, light_z
         dot_vectors nx, ny, nz, lx, ly, lz, ndotl, v1
         VTOV    r0, [ndotl] ?! [hits3]
         load_word area_link, s0

@@ -22,7 +22,7 @@
         SWAP    [here], beam_attenuates, [r0]
         IBXNE   beam_parallel, r0, r0, beam_rays\@
         normalise_by m_one, lx, ly, lz, light_distance, t1
-        BIM     beam_way\@
+        BIM     beam_direction\@
 beam_rays\@:
         dot     lx, ly, lz, beam_x, beam_y, beam_z, light_distance, t0
         IBXEQ   beam_kind, r0, r0, beam_axis\@
@@ -38,7 +38,7 @@ beam_axis\@:
         RTOR    beam_x, lx
         RTOR    beam_y, ly
         RTOR    beam_z, lz
-beam_way\@:
+beam_direction\@:
         .endm
 
         .macro  beam_raise base, to

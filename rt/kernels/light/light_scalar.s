@@ -17,10 +17,10 @@
         .endif
         normalise_by m_one, lx, ly, lz, light_distance, t1
         .if     BEAMS
-        BIM     towards_way\@
+        BIM     towards_direction\@
 towards_beam\@:
         beam_towards
-towards_way\@:
+towards_direction\@:
         .endif
         dot     nx, ny, nz, lx, ly, lz, ndotl, t0
         CFPGE   r0, ndotl, \none

@@ -148,11 +148,11 @@ illuminate:
         .endif
         normalise lx, ly, lz, v0, v1
         .if     BEAMS
-        BIM     illuminate_way
+        BIM     illuminate_direction
 illuminate_beam:
         EX      target, beam_towards
         BSAVE   link_inner, [target]
-illuminate_way:
+illuminate_direction:
         .endif
         dot_vectors nx, ny, nz, lx, ly, lz, ndotl, v1
         CMPLTV  r0, [ndotl], [hits3]

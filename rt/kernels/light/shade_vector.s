@@ -150,7 +150,7 @@ shade_sort:
         RTOR    n, s8
         describe s4, count_store, n
         RTOR    nearest_primitive, s5
-        load_word scene_alike, s6
+        load_word scene_shared_materials, s6
         IBXEQ   s6, r0, r0, sort_next
         describe near_bits, queue_bits, n
         CMPNEV  [nearest_primitive], r0, [near_bits]

@@ -45,7 +45,7 @@ shadow_region:
         skip_far w_cx, w_cy, w_cz, w_radius, w_square, w_limit, shadow_next
         .endkernel
         .kernel call
-        IBXNE   w_way, r0, m_index_one, shadow_other
+        IBXNE   w_flags, r0, m_index_one, shadow_other
 shadow_simple:
         intersect_simple shadow_dark, shadow_next
         BIM     shadow_next

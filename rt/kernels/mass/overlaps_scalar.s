@@ -36,17 +36,17 @@ partner_off\@:
         .endm
 
 ; Turns levels of the part on (1) after an entry, or off (0) after an exit.
-        .macro  change_levels comes
+        .macro  change_levels enters
 level_next\@:
         load_fields ovl_level, LEVEL_LEAST, 4, ovl_least
         IBXNE   ovl_count, r0, ovl_least, level_done\@
         RTOR    ovl_level, ovl_at
         IX      ovl_at, 64 * LEVEL_ON
-        .if     \comes
+        .if     \enters
         STO     [ovl_at], col_index_one
         .endif
         add_pairs
-        .if     \comes == 0
+        .if     \enters == 0
         RTOR    ovl_level, ovl_at
         IX      ovl_at, 64 * LEVEL_ON
         STO     [ovl_at], ovl_zero

@@ -39,10 +39,10 @@ points_vector:
         .if     1 - LATTICE
         RTOR    points_queue, work0
         IBXGE   points_queue, r0, points_left, points_short
-        BIM     points_sow
+        BIM     points_seed_stream
 points_short:
         RTOR    points_left, work0
-points_sow:
+points_seed_stream:
         stream_seeds states_at, work0, points_x, work1, work2, work3, work4, work5
         stream_leap points_queue, leap, work0, work1, work2
         .endif

@@ -32,7 +32,7 @@
         RTOR    stream_ahead4, \factor
 double\@:
         SUBX    \count, \done, \left
-        IBXLE   \left, r0, r0, sown\@
+        IBXLE   \left, r0, r0, seeded\@
         SHIFTI  \done, 6, \into
         ADDX    \at, \into, \into
         IBXLE   \left, r0, \done, last\@
@@ -44,7 +44,7 @@ last\@:
         MPYL    \factor, \factor, \factor
         ADDX    \done, \done, \done
         BIM     double\@
-sown\@:
+seeded\@:
         .endm
 
 ; `leap` := a^(5 rays). Multiplied by it, [states] advance by the number `rays`.

@@ -113,14 +113,14 @@ tree_seen:
         ADDN    w_in, c_least, c_least          ; within delta: the same place
         RTOR    r0, segment_in
         RTOR    r0, segment_out
-        find_point tree_noted
+        find_point tree_stored
         .if     NORMALS
         RTOR    w_leaf, w_at
         IX      w_at, 64 * P_PATCH_POINT
         STO     [w_at], segment_in
         STO     [w_at, m_index_one], segment_out
         .endif
-tree_noted:
+tree_stored:
         RTOR    segment_in, c_s
         RTOR    segment_out, c_t
         .if     NORMALS

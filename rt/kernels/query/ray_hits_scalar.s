@@ -28,8 +28,8 @@ query_save:     .space QUERY_REGISTERS
         .macro  find_point
         RTOR    r0, c_s
         RTOR    r0, c_t
-        note_point point_noted\@
-point_noted\@:
+        store_point point_stored\@
+point_stored\@:
         RTOR    w_leaf, w_at
         IX      w_at, 64 * P_ON_PATCH
         LOD     [w_at], w_t0

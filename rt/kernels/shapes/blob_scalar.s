@@ -22,9 +22,9 @@
         .regs   r112, piece_enter, piece_leave, piece_a, piece_b, piece_c, piece_strength
         .regs   r118, u0, u1, u2, p0, p1, p2, side_a, side_b, side_c
         .regs   r127, first_z, first_at, last_z, last_at, cap_z
-        .regs   r132, way_t, way_end, way_length, most_field, way_inside
+        .regs   r132, interval_t, interval_end, interval_length, most_field, interval_inside
         .regs   r137, blob_row, blob_rows_left, piece_at, pieces_end
-        .regs   r141, columns_end, column_at, walk_first, way_pieces
+        .regs   r141, columns_end, column_at, walk_first, interval_pieces
         .regs   r145, blob_quarter, blob_sixth, blob_four, blob_crossed_at
         .regs   r149, f0, f1, f2, f3
         .endshare
@@ -54,12 +54,12 @@ blob_list:      .space PIECE_WORDS * BLOB_PIECES
         .endm
 
 ; Branches to none if the piece piece_enter .. piece_leave is empty or not ahead
-; of the ray.  Otherwise lowers way_t to piece_enter.
+; of the ray.  Otherwise lowers interval_t to piece_enter.
         .macro  take_piece none
         CFPGE   piece_enter, piece_leave, \none
         CFPGE   near_low, piece_leave, \none
-        CFPGE   piece_enter, way_t, take_piece\@
-        RTOR    piece_enter, way_t
+        CFPGE   piece_enter, interval_t, take_piece\@
+        RTOR    piece_enter, interval_t
 take_piece\@:
         .endm
 
@@ -237,14 +237,15 @@ end_none\@:
         take_end last_z, enter_at, last_at
         .endm
 
-; Lists the pieces of all components.  Sets way_t, where the walk starts: at the
-; lower limit or at the first entry into a piece, whichever is later.  Branches
-; to none if the ray enters no piece, or if the sum of their maxima is below T.
+; Lists the pieces of all components.  Sets interval_t, where the walk starts:
+; at the lower limit or at the first entry into a piece, whichever is later.
+; Branches to none if the ray enters no piece, or if the sum of their maxima is
+; below T.
         .macro  take_pieces none
         RTOR    t0, u0
         RTOR    t1, u1
         RTOR    t2, u2
-        RTOR    big, way_t
+        RTOR    big, interval_t
         ADDN    r0, r0, most_field
         EX      pieces_end, blob_list
         RTOR    a_primitive, t1
@@ -272,21 +273,21 @@ blob_next_row:
         IX      blob_row, 64 * BLOB_SIZE
         SUBN    blob_rows_left, one, blob_rows_left
         CFPLT   r0, blob_rows_left, blob_part
-        CFPGE   way_t, big, \none
+        CFPGE   interval_t, big, \none
         CFPLT   most_field, sh4, \none
-        rise_to near_low, way_t
+        rise_to near_low, interval_t
         .endm
 
 ; ---- The walk
 
         .macro  add_piece
-        MPYS    piece_a, way_t, t0
+        MPYS    piece_a, interval_t, t0
         MPYS    piece_strength, blob_four, t4
         ADDN    piece_b, t0, t1                 ; b'
         MPYS    piece_a, piece_strength, t3
         ADDN    piece_b, t1, t2
         MPYS    t1, t4, t4
-        MPYS    t2, way_t, t2
+        MPYS    t2, interval_t, t2
         MPYS    t3, piece_a, t5
         ADDN    t2, piece_c, t2                 ; c'
         MPYS    t4, piece_a, t6
@@ -304,32 +305,32 @@ blob_next_row:
         ADDN    k0, t8, k0
         .endm
 
-; Computes the interval way_t .. way_end, and in k4 .. k0 the field minus T on
-; it.  way_pieces: 1 if any piece covers the interval.  way_end = big: the
-; interval is the last one.
-        .macro  next_way
-        RTOR    big, way_end
+; Computes the interval interval_t .. interval_end, and in k4 .. k0 the field
+; minus T on it.  interval_pieces: 1 if any piece covers the interval.
+; interval_end = big: the interval is the last one.
+        .macro  next_interval
+        RTOR    big, interval_end
         ADDN    r0, r0, k4
         ADDN    r0, r0, k3
         ADDN    r0, r0, k2
         ADDN    r0, r0, k1
         SUBN    r0, sh4, k0
-        ES      way_pieces, 0
+        ES      interval_pieces, 0
         EX      piece_at, blob_list
-way_piece:
+interval_piece:
         ELEN    piece_at, PIECE_WORDS
         SWAP    [piece_at], piece_enter, [r0]
         IX      piece_at, 64 * PIECE_WORDS
-        CFPGE   way_t, piece_leave, way_next
-        CFPLT   way_t, piece_enter, way_ahead
-        ES      way_pieces, 1
-        sink_to piece_leave, way_end
+        CFPGE   interval_t, piece_leave, interval_next
+        CFPLT   interval_t, piece_enter, interval_ahead
+        ES      interval_pieces, 1
+        sink_to piece_leave, interval_end
         add_piece
-        BIM     way_next
-way_ahead:
-        sink_to piece_enter, way_end
-way_next:
-        IBXNE   piece_at, r0, pieces_end, way_piece
+        BIM     interval_next
+interval_ahead:
+        sink_to piece_enter, interval_end
+interval_next:
+        IBXNE   piece_at, r0, pieces_end, interval_piece
         .endm
 
 ; Branches to differ if the sign of k is not the one in e6.  e6 = 1 if the field
@@ -345,14 +346,14 @@ signs_same\@:
         .endm
 
         .macro  test_interval alike
-        SUBN    way_end, way_t, way_length
+        SUBN    interval_end, interval_t, interval_length
         ES      e6, 1
         CFPGE   k0, r0, interval_begins\@
         ES      e6, 0
 interval_begins\@:
-        MPYS    way_length, way_length, t4
-        MPYS    k1, way_length, t0
-        MPYS    t4, way_length, t5
+        MPYS    interval_length, interval_length, t4
+        MPYS    k1, interval_length, t0
+        MPYS    t4, interval_length, t5
         MPYS    k2, t4, t1
         MPYS    t4, t4, t6
         MPYS    k3, t5, t2
@@ -390,26 +391,26 @@ interval_signs_differ:
 take_full\@:
         .endm
 
-; Records a crossing at way_t if the sign there differs from the sign at the
+; Records a crossing at interval_t if the sign there differs from the sign at the
 ; end of the previous interval.
         .macro  signs_at_beginning
         IBXNE   walk_first, r0, r0, signs_done\@
-        IBXEQ   e6, r0, way_inside, signs_done\@
-        take_crossing way_t
+        IBXEQ   e6, r0, interval_inside, signs_done\@
+        take_crossing interval_t
 signs_done\@:
         ES      walk_first, 0
         .endm
 
         .macro  take_roots
         ADDN    r0, r0, near_low
-        RTOR    way_length, near_high
+        RTOR    interval_length, near_high
         solve_all sh6                           ; e0 roots, from address e1 on
 take_root:
         CFPGE   r0, e0, take_last
         LOD     [e1], t3
         IX      e1, 64
         SUBN    e0, one, e0
-        ADDN    way_t, t3, t3
+        ADDN    interval_t, t3, t3
         XOR     e6, index_one, e6
         take_crossing t3
         BIM     take_root
@@ -429,7 +430,7 @@ blob_solid:
         SUBN    ox, sh0, f0
         SUBN    oy, sh1, f1
         SUBN    oz, sh2, f2
-        come_anywhere f0, f1, f2, sh3, blob_fill
+        clip_line_to_bound f0, f1, f2, sh3, blob_fill
         BIM     blob_begin
 blob:
         enter_solver 7, blob_save, BLOB_REGISTERS
@@ -438,29 +439,29 @@ blob:
         SUBN    ox, sh0, f0
         SUBN    oy, sh1, f1
         SUBN    oz, sh2, f2
-        come_near f0, f1, f2, sh3, blob_miss
+        clip_to_bound f0, f1, f2, sh3, blob_miss
 blob_begin:
         EX      t3, blob_numbers
         ELEN    t3, 3
         SWAP    [t3], blob_quarter, [r0]        ; and blob_sixth, blob_four
         take_pieces blob_end
-        ES      way_inside, 0
+        ES      interval_inside, 0
 blob_walk:
-        next_way
-        IBXEQ   way_pieces, r0, r0, blob_outside
+        next_interval
+        IBXEQ   interval_pieces, r0, r0, blob_outside
         test_interval blob_alike
         signs_at_beginning
         take_roots
-        RTOR    e6, way_inside
+        RTOR    e6, interval_inside
         BIM     blob_continue
 blob_outside:
         ES      e6, 0
 blob_alike:
         signs_at_beginning
-        RTOR    e6, way_inside
+        RTOR    e6, interval_inside
 blob_continue:
-        RTOR    way_end, way_t
-        CFPLT   way_t, big, blob_walk
+        RTOR    interval_end, interval_t
+        CFPLT   interval_t, big, blob_walk
 blob_end:
         IBXEQ   columns_end, r0, r0, blob_miss
 blob_fill:

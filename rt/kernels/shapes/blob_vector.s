@@ -47,11 +47,11 @@
 ; sum of the maxima of the pieces; for solids the index of the next crossing in
 ; the columns, and the number of free columns.
         .share  scratch
-        .regs   r233, way_t, way_end, way_length, most_field, crossing_at, columns_free
+        .regs   r233, interval_t, interval_end, interval_length, most_field, crossing_at, columns_free
         .equ    BLOB_VECTORS, 6
         .regs   r239, piece_a, piece_b, piece_c, piece_enter, piece_leave
         .regs   r244, pieces_used
-        .reg    nearest_way, r245       ; 0: all crossings; 1, 2: the nearest;
+        .reg    nearest_interval, r245  ; 0: all crossings; 1, 2: the nearest;
         .endshare                       ; 1: in the first interval, 2: later
         .regs   s4, strength_at, pieces_left, blob_row, blob_rows_left
         .regs   m00, blob_quarter, blob_sixth, blob_four        ; in the walk
@@ -87,7 +87,7 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
 
         .macro  set_blob_lanes
         set_lanes m
-        set_lengths m, m_high, lane_bases, lane_descriptors, BLOB_VECTORS, way_t
+        set_lengths m, m_high, lane_bases, lane_descriptors, BLOB_VECTORS, interval_t
         .endm
 
 ; ---- The pieces
@@ -131,7 +131,7 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
         .endm
 
 ; Stores the interval [from] .. [to] of the lanes of hits0 as a piece and lowers
-; way_t to its start.  hits1 = the lanes that have it ahead of them.  Branches
+; interval_t to its start.  hits1 = the lanes that have it ahead of them.  Branches
 ; to none if there are none.
         .macro  take_piece from, to, none
         CMPLTV  [\from], [\to], [hits1]
@@ -142,9 +142,9 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
         IBXEQ   s0, r0, r0, \none
         MASKV   [\from], big, [piece_enter] ? [hits1]
         MASKV   [\to], big, [piece_leave] ? [hits1]
-        CMPLTV  [\from], [way_t], [hits2]
+        CMPLTV  [\from], [interval_t], [hits2]
         ANDB    [hits1], [hits2], [hits2]
-        VTOV    [\from], [way_t] ? [hits2]
+        VTOV    [\from], [interval_t] ? [hits2]
         STO     [strength_at], sh14
         IX      pieces_used, 1
         .endm
@@ -328,12 +328,12 @@ end_none\@:
         take_end
         .endm
 
-; Stores the pieces of all components.  Sets way_t, where the walk starts: at
+; Stores the pieces of all components.  Sets interval_t, where the walk starts: at
 ; the lower limit or at the first entry into a piece, whichever is later.
         .macro  take_pieces
         set_blob_lanes
         first_piece
-        VTOV    big, [way_t]
+        VTOV    big, [interval_t]
         VTOV    r0, [most_field]
         ES      pieces_used, 0
         load_field P_TABLE, blob_row
@@ -359,8 +359,8 @@ blob_next_row:
         SUBN    blob_rows_left, one, blob_rows_left
         CFPLT   r0, blob_rows_left, blob_part
         CMPLTV  [most_field], sh4, [hits0]
-        VTOV    big, [way_t] ? [hits0]
-        rise_to lane_low, way_t
+        VTOV    big, [interval_t] ? [hits0]
+        rise_to lane_low, interval_t
         VTOV    [lane_at], [crossing_at]
         load_field P_SEGMENTS, s2
         ADDN    s2, s2, s2
@@ -380,7 +380,7 @@ blob_next_row:
         .macro  keep_lanes
         CPSV    [lane_at], [lane_at] ? [hits1]
         CPSV    [lane_along], [lane_along] ? [hits1]
-        CPSV    [way_t], [way_t] ? [hits1]
+        CPSV    [interval_t], [interval_t] ? [hits1]
         CPSV    [crossing_at], [crossing_at] ? [hits1]
         CPSV    [columns_free], [columns_free] ? [hits1]
         CPSB    [lane_inside], [lane_inside] ? [hits1]
@@ -401,7 +401,7 @@ keep_piece\@:
 ; Branches to none if every lane has finished its walk.  Removes the finished
 ; lanes if they are more than half.
         .macro  leave_lanes none
-        CMPLTV  [way_t], big, [hits1]
+        CMPLTV  [interval_t], big, [hits1]
         CNTOB   [hits1], s0
         IBXEQ   s0, r0, r0, \none
         ADDX    s0, s0, s0
@@ -418,10 +418,10 @@ leave_lanes\@:
         .macro  add_piece
         LOD     [strength_at], s2
         MPYS    s2, blob_four, s3
-        MPYSV   [piece_a], [way_t], [e0]
+        MPYSV   [piece_a], [interval_t], [e0]
         ADDNV   [piece_b], [e0], [e1]           ; b'
         ADDNV   [piece_b], [e1], [e2]
-        MPYSV   [e2], [way_t], [e2]
+        MPYSV   [e2], [interval_t], [e2]
         ADDNV   [e2], [piece_c], [e2]           ; c'
         MPYSV   [piece_a], s2, [e3]             ; S a
         MPYSV   [e1], s3, [e4]                  ; 4 S b'
@@ -441,10 +441,10 @@ leave_lanes\@:
         add_to  k0
         .endm
 
-; Computes the interval way_t .. way_end of each lane, and in k4 .. k0 the field
-; minus T on it.  way_end = big: the interval is the last one.
-        .macro  next_way
-        VTOV    big, [way_end]
+; Computes the interval interval_t .. interval_end of each lane, and in k4 .. k0
+; the field minus T on it.  interval_end = big: the interval is the last one.
+        .macro  next_interval
+        VTOV    big, [interval_end]
         VTOV    r0, [k4]
         VTOV    r0, [k3]
         VTOV    r0, [k2]
@@ -453,22 +453,22 @@ leave_lanes\@:
         VTOV    s2, [k0]
         first_piece
         RTOR    pieces_used, pieces_left
-way_piece\@:
-        CMPLTV  [way_t], [piece_leave], [hits1]
+interval_piece\@:
+        CMPLTV  [interval_t], [piece_leave], [hits1]
         CNTOB   [hits1], s0
-        IBXEQ   s0, r0, r0, way_next\@
-        CMPLTV  [way_t], [piece_enter], [hits0]
+        IBXEQ   s0, r0, r0, interval_next\@
+        CMPLTV  [interval_t], [piece_enter], [hits0]
         MASKV   [piece_enter], [piece_leave], [e0] ? [hits0]
-        CMPLTV  [e0], [way_end], [hits2]
+        CMPLTV  [e0], [interval_end], [hits2]
         ANDB    [hits1], [hits2], [hits2]
-        VTOV    [e0], [way_end] ? [hits2]
+        VTOV    [e0], [interval_end] ? [hits2]
         ANDNB   [hits1], [hits0], [hits1]
         CNTOB   [hits1], s0
-        IBXEQ   s0, r0, r0, way_next\@
+        IBXEQ   s0, r0, r0, interval_next\@
         add_piece
-way_next\@:
+interval_next\@:
         next_piece
-        IBXNE   pieces_left, minus_one_index, r0, way_piece\@, pieces_left
+        IBXNE   pieces_left, minus_one_index, r0, interval_piece\@, pieces_left
         .endm
 
 ; hits0 = the field is at least T at the start of the interval.  hits1 = the
@@ -480,13 +480,13 @@ way_next\@:
         .endm
 
         .macro  test_interval
-        SUBNV   [way_end], [way_t], [way_length]
-        CMPLTV  [way_end], big, [hits2]
-        VTOV    r0, [way_length] ?! [hits2]
-        MPYSV   [k1], [way_length], [e0]
-        MPYSV   [way_length], [way_length], [e4]
+        SUBNV   [interval_end], [interval_t], [interval_length]
+        CMPLTV  [interval_end], big, [hits2]
+        VTOV    r0, [interval_length] ?! [hits2]
+        MPYSV   [k1], [interval_length], [e0]
+        MPYSV   [interval_length], [interval_length], [e4]
         MPYSV   [k2], [e4], [e1]
-        MPYSV   [e4], [way_length], [e5]
+        MPYSV   [e4], [interval_length], [e5]
         MPYSV   [k3], [e5], [e2]
         MPYSV   [e4], [e4], [e5]
         MPYSV   [k4], [e5], [e3]
@@ -511,13 +511,13 @@ way_next\@:
         differ  e10
         .endm
 
-; Computes the roots of the lanes of hits1, relative to way_t.
-        .macro  solve_way
+; Computes the roots of the lanes of hits1, relative to interval_t.
+        .macro  solve_interval
         VTOV    r0, [e5]
-        VTOV    r0, [way_length] ?! [hits1]
+        VTOV    r0, [interval_length] ?! [hits1]
         RTOR    link_inner, lane_link
         EX      target, solve_quartic_signs
-        call_quartic target, k4, k3, k2, k1, k0, e5, way_length, sh6
+        call_quartic target, k4, k3, k2, k1, k0, e5, interval_length, sh6
         RTOR    lane_link, link_inner
         .endm
 
@@ -526,7 +526,7 @@ way_next\@:
         SUBNV   [e0], [lane_along], [e0]
         VTOVX   [lane_at], [e0], [tin] ? [hits1]
         VTOVX   [lane_at], [e0], [tout] ? [hits1]
-        VTOV    big, [way_end] ? [hits1]
+        VTOV    big, [interval_end] ? [hits1]
         .endm
 
 ; Appends the crossing [e0] of the lanes of hits1 if a column is free.
@@ -540,15 +540,15 @@ way_next\@:
         SUBNV   [columns_free], one, [columns_free] ? [hits2]
         .endm
 
-; hits1 = the lanes that cross at way_t: inside by the previous interval and
+; hits1 = the lanes that cross at interval_t: inside by the previous interval and
 ; outside by this one, or vice versa.  The first interval has no predecessor.
         .macro  signs_at_beginning
         XORB    [lane_inside], [hits0], [hits1]
-        IBXNE   nearest_way, r0, one_index, signs_walked\@
+        IBXNE   nearest_interval, r0, one_index, signs_walked\@
         XORB    [hits1], [hits1], [hits1]
-        ES      nearest_way, 2
+        ES      nearest_interval, 2
 signs_walked\@:
-        CMPLTV  [way_t], big, [hits2]
+        CMPLTV  [interval_t], big, [hits2]
         ANDB    [hits1], [hits2], [hits1]
         .endm
 
@@ -596,8 +596,8 @@ blob_more:
         ANDNB   [bits2], [bits0], [bits2]
         CNTOB   [bits0], m
         IBXEQ   m, r0, r0, blob_done
-        IBXEQ   nearest_way, r0, r0, begin_lanes\@
-        ES      nearest_way, 1
+        IBXEQ   nearest_interval, r0, r0, begin_lanes\@
+        ES      nearest_interval, 1
 begin_lanes\@:
         .endif
         take_lanes
@@ -613,12 +613,12 @@ begin_lanes\@:
 ; Records the crossing at the interval's start and the roots.
         .macro  take_root number, root
         CMPLTV  \number, [root_count], [hits1]
-        ADDNV   [way_t], [\root], [e0]
+        ADDNV   [interval_t], [\root], [e0]
         take_crossing
         .endm
 
         .macro  take_crossings
-        VTOV    [way_t], [e0]
+        VTOV    [interval_t], [e0]
         take_crossing
         take_root r0, root0
         take_root one, root1
@@ -628,8 +628,8 @@ begin_lanes\@:
         .endm
 
         .macro  take_first
-        ADDNV   [way_t], [root0], [e0]
-        VTOV    [way_t], [e0] ? [hits1]
+        ADDNV   [interval_t], [root0], [e0]
+        VTOV    [interval_t], [e0] ? [hits1]
         CMPLTV  r0, [root_count], [hits2]
         ORB     [hits1], [hits2], [hits1]
         take_nearest
@@ -638,14 +638,14 @@ begin_lanes\@:
         .kernel blob
 blob_solid:
         clear_segments
-        ES      nearest_way, 0
+        ES      nearest_interval, 0
         begin_blob
         find_all_lanes w8, w9, w10, sh3, blob_missed
         BIM     blob_lanes
 blob:
         VTOV    big, [tin]
         VTOV    minus_big, [tout]
-        ES      nearest_way, 1
+        ES      nearest_interval, 1
         begin_blob
         find_lanes w8, w9, w10, sh3, blob_missed
 blob_lanes:
@@ -656,13 +656,13 @@ blob_lanes:
         SWAP    [s2], blob_quarter, [r0]        ; also blob_sixth, blob_four
         leave_lanes blob_done
 blob_walk:
-        next_way
+        next_interval
         test_interval
         CNTOB   [hits1], s0
         IBXEQ   s0, r0, r0, blob_passed
-        solve_way
+        solve_interval
         signs_at_beginning
-        IBXNE   nearest_way, r0, r0, blob_first
+        IBXNE   nearest_interval, r0, r0, blob_first
         take_crossings
         BIM     blob_ended
 blob_first:
@@ -677,14 +677,14 @@ blob_passed:
         ORB     [hits0], [hits0], [lane_inside]
         CNTOB   [hits1], s0
         IBXEQ   s0, r0, r0, blob_continue
-        VTOV    [way_t], [e0]
-        IBXNE   nearest_way, r0, r0, blob_there
+        VTOV    [interval_t], [e0]
+        IBXNE   nearest_interval, r0, r0, blob_there
         take_crossing
         BIM     blob_continue
 blob_there:
         take_nearest
 blob_continue:
-        VTOV    [way_end], [way_t]
+        VTOV    [interval_end], [interval_t]
         leave_lanes blob_done
         BIM     blob_walk
 blob_done:

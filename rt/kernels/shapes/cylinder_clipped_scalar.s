@@ -18,8 +18,8 @@
 clipped_save:   .space CLIPPED_REGISTERS
         .code
 
-        .macro  note surface, where
-        .ifndef CYLINDER_UNNOTED
+        .macro  record_surface surface, where
+        .ifndef CYLINDER_UNRECORDED
         RTOR    \surface, \where
         .endif
         .endm
@@ -79,8 +79,8 @@ side_along\@:
         RTOR    minus_big, tin
         RTOR    big, tout
 side_crossed\@:
-        note    r0, surface_in
-        note    r0, surface_out
+        record_surface    r0, surface_in
+        record_surface    r0, surface_out
         .endm
 
         .macro  clip p0, p1, p2, q, surface, miss
@@ -103,13 +103,13 @@ side_crossed\@:
         CFPGE   tin, t1, clip_done\@
         CFPLT   tout, t1, \miss
         RTOR    t1, tin
-        note    \surface, surface_in
+        record_surface    \surface, surface_in
         BIM     clip_done\@
 clip_leaves\@:
         CFPGE   t1, tout, clip_done\@
         CFPLT   t1, tin, \miss
         RTOR    t1, tout
-        note    \surface, surface_out
+        record_surface    \surface, surface_out
         BIM     clip_done\@
 clip_parallel\@:
         CFPLT   r0, t3, \miss
@@ -126,8 +126,8 @@ clip_done\@:
         .kernel cylinder
 clipped_cylinder:
         find_clipped clipped_miss
-clipped_noted:
-        .ifndef CYLINDER_UNNOTED
+clipped_recorded:
+        .ifndef CYLINDER_UNRECORDED
         IX      a_primitive, 64 * (P_PATCH_POINT - P_SHAPE)
         STO     [a_primitive], surface_in
         STO     [a_primitive, index_one], surface_out
@@ -138,16 +138,16 @@ clipped_miss:
         RTOR    minus_big, tout
         leave_kernel
 
-        .ifndef CYLINDER_UNNOTED
+        .ifndef CYLINDER_UNRECORDED
 open_clipped_cylinder:
         find_clipped clipped_miss
         CFPEQ   surface_in, r0, clipped_enters
         CFPNE   surface_out, r0, clipped_miss
         RTOR    tout, tin
-        BIM     clipped_noted
+        BIM     clipped_recorded
 clipped_enters:
-        CFPEQ   surface_out, r0, clipped_noted
+        CFPEQ   surface_out, r0, clipped_recorded
         RTOR    tin, tout
-        BIM     clipped_noted
+        BIM     clipped_recorded
         .endif
         .endkernel

@@ -30,8 +30,8 @@
 ; Source: J. M. Cychosz and W. N. Waggenspack, Intersecting a Ray with a
 ; Cylinder, Graphics Gems IV (1994) 356-365; the program is this project's.
 
-        .macro  note surface, where, bits
-        .ifndef CYLINDER_UNNOTED
+        .macro  record_surface surface, where, bits
+        .ifndef CYLINDER_UNRECORDED
         VTOV    \surface, [\where] ? [\bits]
         .endif
         .endm
@@ -101,7 +101,7 @@
         VTOV    minus_big, [tin] ? [bits1]
         VTOV    big, [tout] ? [bits1]
 side_crossed\@:
-        .ifndef CYLINDER_UNNOTED
+        .ifndef CYLINDER_UNRECORDED
         VTOV    r0, [patch_s]
         VTOV    r0, [patch_t]
         .endif
@@ -129,9 +129,9 @@ clip_crossed\@:
         ANDB    [bits1], [bits0], [bits1]
         ANDNB   [bits2], [bits0], [bits2]
         VTOV    [w2], [tin] ? [bits1]
-        note    \surface, patch_s, bits1
+        record_surface    \surface, patch_s, bits1
         VTOV    [w2], [tout] ? [bits2]
-        note    \surface, patch_t, bits2
+        record_surface    \surface, patch_t, bits2
         .endm
 
         .macro  find_clipped
@@ -147,7 +147,7 @@ clipped_cylinder:
         close_segment
         BIM     0, link_kernel
 
-        .ifndef CYLINDER_UNNOTED
+        .ifndef CYLINDER_UNRECORDED
 ; Keeps the crossings with the side.  A single one is both entry and exit.
 open_clipped_cylinder:
         find_clipped

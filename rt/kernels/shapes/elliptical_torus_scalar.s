@@ -49,7 +49,7 @@
         .kernel torus
 elliptical_torus:
         enter_solver 10
-        come_near ox, oy, oz, sh4, torus_miss
+        clip_to_bound ox, oy, oz, sh4, torus_miss
         leave_above torus_miss
         elliptical_polynomial
         solve_near sh8, torus_miss
@@ -57,7 +57,7 @@ elliptical_torus:
 
 elliptical_torus_solid:
         enter_solver 10
-        come_anywhere ox, oy, oz, sh4, torus_passed
+        clip_line_to_bound ox, oy, oz, sh4, torus_passed
         leave_above torus_passed
         elliptical_polynomial
 torus_segments:

@@ -44,7 +44,7 @@ near_list:      .descriptor 5, near_input
 
 ; Computes o (t0-t2), o . o (near_o2), near_low and near_high, or branches to
 ; miss.
-        .macro  come_near x0, x1, x2, bound2, miss
+        .macro  clip_to_bound x0, x1, x2, bound2, miss
         closest_approach \x0, \x1, \x2, t0, t1, t2, along, t3, t4
         dot     t0, t1, t2, t0, t1, t2, near_o2, t4
         SUBN    \bound2, near_o2, near_high
@@ -52,9 +52,9 @@ near_list:      .descriptor 5, near_input
         SQRT    near_high, near_high
         ADDN    lower, along, near_low
         SUBN    r0, near_high, t3
-        CFPLT   t3, near_low, come_near_ahead\@
+        CFPLT   t3, near_low, clip_to_bound_ahead\@
         RTOR    t3, near_low
-come_near_ahead\@:
+clip_to_bound_ahead\@:
         CFPGE   near_low, near_high, \miss
         .endm
 

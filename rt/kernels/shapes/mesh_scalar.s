@@ -178,12 +178,12 @@ limit_none\@:
 ; Traverses the nodes nearer than tin.  sides tests a triangle.  rows is the
 ; address of the rows, size the words of a row, first the offset of a leaf's
 ; triangles from the links.
-        .macro  walk_mesh sides, way=boxes, rows=mesh_table, size=MESH_SIZE, first=MESH_FIRST - MESH_LINKS
+        .macro  walk_mesh sides, bounds=boxes, rows=mesh_table, size=MESH_SIZE, first=MESH_FIRST - MESH_LINKS
         ES      node, \size
 mesh_node\@:
         SHIFTI  node, 6, node_at
         ADDX    node_at, \rows, node_at
-        near_\way mesh_box_missed\@
+        near_\bounds mesh_box_missed\@
         LOD     [node_at, signs], node
         IBXLT   node, r0, hit_link, mesh_node\@
         SUBX    node, hit_link, node

@@ -337,9 +337,9 @@ side_bases:
 
 ; Traverses to the end.  The routine `intersect` tests the pairs; limits = 1: it may
 ; change limits.  first = the offset of a leaf's triangles from the links.
-        .macro  walk_mesh intersect, limits, way=boxes, first=MESH_FIRST - MESH_LINKS
+        .macro  walk_mesh intersect, limits, bounds=boxes, first=MESH_FIRST - MESH_LINKS
 mesh_step\@:
-        step_\way
+        step_\bounds
         CMPGEV  [mesh_g1], mesh_leaf_link, [mesh_hit]
         CNTOB   [mesh_hit], leaf_count
         IBXNE   leaf_count, r0, r0, mesh_leaves\@
@@ -351,7 +351,7 @@ mesh_on\@:
         if_sparse  s2, m, mesh_narrow\@
         BIM     mesh_step\@
 mesh_narrow\@:
-        keep_\way
+        keep_\bounds
         RTOR    s2, m
         set_walk
         BIM     mesh_step\@
@@ -375,7 +375,7 @@ leaf_next\@:
         EX      target, \intersect
         BSAVE   lane_link, [target]
         .if     \limits
-        limit_\way w9
+        limit_\bounds w9
         .endif
 leaf_pairs\@:
         SHIFTI  mesh_pairs, 6, s0

@@ -3,7 +3,7 @@
 
         .kernel shade
         .share  local
-        .regs   r96, noted_in, noted_out
+        .regs   r96, recorded_in, recorded_out
         .endshare
 
         .macro  find_across
@@ -25,18 +25,18 @@
         ADDN    \distance, \q, \distance
         .endm
 
-        .ifdef  CYLINDER_UNNOTED
+        .ifdef  CYLINDER_UNRECORDED
         .macro  nearer distance, number
         ABS     \distance, \distance
         CFPGE   \distance, t2, nearer_not\@
         RTOR    \distance, t2
-        RTOR    \number, noted_in
+        RTOR    \number, recorded_in
 nearer_not\@:
         .endm
 
-        .macro  find_noted
+        .macro  find_recorded
         ABS     t2, t2
-        RTOR    r0, noted_in
+        RTOR    r0, recorded_in
         nearer  t0, m_one
         nearer  t1, m_two
         .endm
@@ -51,13 +51,13 @@ from_side\@:
         ABS     \distance, \distance
         .endm
 
-        .macro  find_noted
-        get_record P_PATCH_POINT, 2, noted_in
-        from_surface noted_in, t3
-        from_surface noted_out, t4
-        CFPGE   t4, t3, noted_nearer\@
-        RTOR    noted_out, noted_in
-noted_nearer\@:
+        .macro  find_recorded
+        get_record P_PATCH_POINT, 2, recorded_in
+        from_surface recorded_in, t3
+        from_surface recorded_out, t4
+        CFPGE   t4, t3, recorded_nearer\@
+        RTOR    recorded_out, recorded_in
+recorded_nearer\@:
         .endm
         .endif
 
@@ -70,12 +70,12 @@ normal_clipped_cylinder:
         MPYS    t2, t4, t2
         from_plane sh7, sh8, sh9, sh10, t0
         from_plane sh11, sh12, sh13, sh14, t1
-        find_noted
-        CFPEQ   noted_in, r0, clipped_side
+        find_recorded
+        CFPEQ   recorded_in, r0, clipped_side
         RTOR    sh7, nx
         RTOR    sh8, ny
         RTOR    sh9, nz
-        CFPEQ   noted_in, m_one, clipped_found
+        CFPEQ   recorded_in, m_one, clipped_found
         RTOR    sh11, nx
         RTOR    sh12, ny
         RTOR    sh13, nz

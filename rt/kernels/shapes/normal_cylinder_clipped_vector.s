@@ -7,7 +7,7 @@
 ;   side 0    | x . x - r^2 | / (2 r)         N = x / r
 ;   bottom 1  | p . X + q |                   N = p
 ;   top 2     the same with the other plane
-; If no surface is recorded (CYLINDER_UNNOTED), it is the nearest of the three.
+; If no surface is recorded (CYLINDER_UNRECORDED), it is the nearest of the three.
 
         .kernel shade
         .macro  less_along x, a, n
@@ -39,7 +39,7 @@
         ADDNV   [\distance], \q, [\distance]
         .endm
 
-        .ifdef  CYLINDER_UNNOTED
+        .ifdef  CYLINDER_UNRECORDED
 ; Changes the surface in cr to number in the lanes in which that is nearer, at
 ; distance.
         .macro  nearer distance, number
@@ -48,7 +48,7 @@
         VTOV    \number, [cr] ? [hits0]
         .endm
 
-        .macro  find_noted
+        .macro  find_recorded
         VTOV    r0, [cr]
         nearer  v0, one
         nearer  v1, two
@@ -63,7 +63,7 @@
         VTOV    [v1], [\distance] ? [hits0]
         .endm
 
-        .macro  find_noted
+        .macro  find_recorded
         VXTOV   [at], [hit_s], [cr]
         VXTOV   [at], [hit_t], [cg]
         from_surface cr, v3
@@ -91,7 +91,7 @@ normal_clipped_cylinder:
         side_unit
         from_plane sh7, sh8, sh9, sh10, v0
         from_plane sh11, sh12, sh13, sh14, v1
-        find_noted
+        find_recorded
         end_unit one, sh7, sh8, sh9
         end_unit two, sh11, sh12, sh13
         BIM     0, link_kernel

@@ -21,7 +21,7 @@
 
         .share  local
         .regs   r79, row_at, rows_left, here_x, here_z, begins
-        .regs   r84, path_dx, path_dz, inverse, side, side_before, way, way_before
+        .regs   r84, path_dx, path_dz, inverse, side, side_before, along_path, along_path_before
         .regs   r91, edge_low, edge_high, cap_low, cap_high
         .regs   r97, inside_low, inside_high
         .endshare
@@ -78,7 +78,7 @@ prism_row\@:
         MPYS    path_dx, t0, t4
         MPYS    path_dz, t1, t5
         SUBN    t2, t3, side
-        ADDN    t5, t4, way
+        ADDN    t5, t4, along_path
         CFPNE   begins, r0, prism_next\@
         CFPGE   side, r0, prism_left\@
         CFPLT   side_before, r0, prism_next\@
@@ -88,14 +88,14 @@ prism_left\@:
 prism_crossed\@:
         SUBN    side_before, side, t0
         DIVS    side_before, t0, t0
-        SUBN    way, way_before, t1
+        SUBN    along_path, along_path_before, t1
         MPYS    t1, t0, t0
-        ADDN    way_before, t0, t0
+        ADDN    along_path_before, t0, t0
         MPYS    t0, inverse, crossed_at
         \found
 prism_next\@:
         RTOR    side, side_before
-        RTOR    way, way_before
+        RTOR    along_path, along_path_before
         SUBN    rows_left, one, rows_left
         CFPLT   r0, rows_left, prism_row\@
         .endm

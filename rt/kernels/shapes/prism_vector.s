@@ -5,7 +5,7 @@
 ; Seen along y a ray is a line.  For each corner P, relative to the origin o,
 ;
 ;   side = dx pz - dz px          the side of the line on which it is
-;   way  = dx px + dz pz          its position along the line
+;   along_path = dx px + dz pz    its position along the line
 ;
 ; An edge from one corner to the next is crossed if exactly one of their sides
 ; is >= 0.  So a line crosses each loop an even number of times, independently
@@ -41,8 +41,8 @@
         .endif
 
 ; One word per near ray, in the vectors of the lanes.
-        .reg    way, lane_at
-        .reg    way_before, lane_ox
+        .reg    along_path, lane_at
+        .reg    along_path_before, lane_ox
         .reg    side, lane_oy
         .reg    side_before, lane_oz
         .reg    inverse, lane_dx
@@ -102,16 +102,16 @@ prism_slanted\@:
         XORB    [inside_high], [inside_high], [inside_high]
         .endm
 
-; Computes side, left (side >= 0) and way of a corner.
+; Computes side, left (side >= 0) and along_path of a corner.
         .macro  see_corner x, z
         SUBNV   \x, [ox], [from_x]
         SUBNV   \z, [oz], [from_z]
         MPYSV   [path_dx], [from_z], [side]
         MPYSV   [path_dz], [from_x], [path_work]
         SUBNV   [side], [path_work], [side]
-        MPYSV   [path_dx], [from_x], [way]
+        MPYSV   [path_dx], [from_x], [along_path]
         MPYSV   [path_dz], [from_z], [path_work]
-        ADDNV   [path_work], [way], [way]
+        ADDNV   [path_work], [along_path], [along_path]
         CMPGEV  [side], r0, [left]
         .endm
 
@@ -132,14 +132,14 @@ prism_row\@:
         SUBNV   [side_before], [side], [path_work]
         MASKV   [path_work], one, [path_work] ? [crossed]
         DIVSV   [side_before], [path_work], [crossed_at]
-        SUBNV   [way], [way_before], [path_work]
+        SUBNV   [along_path], [along_path_before], [path_work]
         MPYSV   [path_work], [crossed_at], [crossed_at]
-        ADDNV   [way_before], [crossed_at], [crossed_at]
+        ADDNV   [along_path_before], [crossed_at], [crossed_at]
         MPYSV   [crossed_at], [inverse], [crossed_at]
         \found
 prism_next\@:
         trade   side, side_before
-        trade   way, way_before
+        trade   along_path, along_path_before
         trade   left, left_before
         SUBN    rows_left, one, rows_left
         CFPLT   r0, rows_left, prism_row\@

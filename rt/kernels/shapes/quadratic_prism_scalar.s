@@ -12,7 +12,7 @@
         .if     QUADRATIC_PRISMS
         .share  local
         .regs   r102, bend_x, bend_z, lead_x, lead_z
-        .regs   r106, side_bend, side_lead, side_q, way_bend, way_lead, curve_at
+        .regs   r106, side_bend, side_lead, side_q, along_bend, along_lead, curve_at
         .regs   r112, left, left_before
         .endshare
         .equ    QUADRATIC_REGISTERS, 82
@@ -59,16 +59,16 @@ both_end\@:
 
 ; Computes q, dot(bend) and 2 dot(lead).
         .macro  solve_curve
-        MPYS    path_dx, bend_x, way_bend
+        MPYS    path_dx, bend_x, along_bend
         MPYS    path_dz, bend_z, t2
-        MPYS    path_dx, lead_x, way_lead
+        MPYS    path_dx, lead_x, along_lead
         MPYS    path_dz, lead_z, t3
         SQRT    t0, t0
         ABS     side_lead, t1
-        ADDN    t2, way_bend, way_bend
-        ADDN    t3, way_lead, way_lead
+        ADDN    t2, along_bend, along_bend
+        ADDN    t3, along_lead, along_lead
         ADDN    t1, t0, side_q
-        ADDN    way_lead, way_lead, way_lead
+        ADDN    along_lead, along_lead, along_lead
         CFPLT   side_lead, r0, curve_solved\@
         SUBN    r0, side_q, side_q
 curve_solved\@:
@@ -100,10 +100,10 @@ once_below\@:
         .endm
 
         .macro  cross_curve
-        MPYS    way_bend, curve_at, t1
-        ADDN    t1, way_lead, t1
+        MPYS    along_bend, curve_at, t1
+        ADDN    t1, along_lead, t1
         MPYS    t1, curve_at, t1
-        ADDN    t1, way_before, t1
+        ADDN    t1, along_path_before, t1
         MPYS    t1, inverse, crossed_at
         .endm
 
@@ -124,7 +124,7 @@ curve\@:
         MPYS    path_dz, t1, t5
         ES      left, 0
         SUBN    t2, t3, side
-        ADDN    t5, t4, way
+        ADDN    t5, t4, along_path
         CFPLT   side, r0, curve_sided\@
         ES      left, 1
 curve_sided\@:
@@ -154,7 +154,7 @@ curve_real\@:
 curve_passed\@:
         IX      row_at, 64 * QUADRATIC_SIZE
         RTOR    side, side_before
-        RTOR    way, way_before
+        RTOR    along_path, along_path_before
         RTOR    left, left_before
         SUBN    rows_left, one, rows_left
         CFPLT   r0, rows_left, curve\@

@@ -8,7 +8,7 @@
 ; has
 ;
 ;   side(w) = (cross(bend) w + 2 cross(lead)) w + side0
-;   way(w)  = (dot(bend) w + 2 dot(lead)) w + way0
+;   along_path(w) = (dot(bend) w + 2 dot(lead)) w + along_path(0)
 ;
 ; An edge is crossed once if side is >= 0 at exactly one of its corners.
 ; Otherwise it is crossed twice or never: twice if the slope of side,
@@ -28,8 +28,8 @@
         .reg    side_bend, e0
         .reg    side_lead, e1
         .reg    side_q, e2
-        .reg    way_bend, e3
-        .reg    way_lead, e4            ; 2 dot(lead)
+        .reg    along_bend, e3
+        .reg    along_lead, e4          ; 2 dot(lead)
         .reg    curve_at, e5            ; w
         .reg    both, bits1             ; the lanes that cross twice
 
@@ -101,10 +101,10 @@
         .endm
 
         .macro  cross_curve
-        MPYSV   [way_bend], [curve_at], [w1]
-        ADDNV   [w1], [way_lead], [w1]
+        MPYSV   [along_bend], [curve_at], [w1]
+        ADDNV   [w1], [along_lead], [w1]
         MPYSV   [w1], [curve_at], [w1]
-        ADDNV   [w1], [way_before], [w1]
+        ADDNV   [w1], [along_path_before], [w1]
         MPYSV   [w1], [inverse], [crossed_at]
         .endm
 
@@ -130,9 +130,9 @@ curve\@:
         CMPLTV  r0, [w0], [bits0]
         ANDB    [bits0], [both], [both]
         pass_unless_crossed curve_passed\@
-        dot_row bend_x, bend_z, way_bend
-        dot_row lead_x, lead_z, way_lead
-        ADDNV   [way_lead], [way_lead], [way_lead]
+        dot_row bend_x, bend_z, along_bend
+        dot_row lead_x, lead_z, along_lead
+        ADDNV   [along_lead], [along_lead], [along_lead]
         solve_curve
         CNTOB   [crossed], s0
         IBXEQ   s0, r0, r0, curve_both\@
@@ -152,7 +152,7 @@ curve_both\@:
         \found
 curve_passed\@:
         trade   side, side_before
-        trade   way, way_before
+        trade   along_path, along_path_before
         trade   left, left_before
         SUBN    rows_left, one, rows_left
         CFPLT   r0, rows_left, curve\@

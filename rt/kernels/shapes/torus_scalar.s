@@ -47,7 +47,7 @@ leave_not\@:
         .kernel torus
 torus:
         enter_solver 10
-        come_near ox, oy, oz, sh4, torus_miss
+        clip_to_bound ox, oy, oz, sh4, torus_miss
         leave_above torus_miss
         torus_polynomial
         solve_near sh8, torus_miss
@@ -57,7 +57,7 @@ torus_miss:
 
 torus_solid:
         enter_solver 10
-        come_anywhere ox, oy, oz, sh4, torus_passed
+        clip_line_to_bound ox, oy, oz, sh4, torus_passed
         leave_above torus_passed
         torus_polynomial
         BIM     torus_segments

@@ -429,7 +429,7 @@ found_nearest:
 found_counted:
         load_leaf_record
         load_record P_ID, 1, identity
-        load_field P_YIELD, s3
+        load_field P_TIE_OFFSET, s3
         CFPEQ   s3, r0, found_counted_next
         load_word k_delta, s2
         MPYS    s3, s2, s3
