@@ -112,7 +112,7 @@ static bool print_areas(const struct heat *heat, bool details,
                         const struct command_output *results)
 {
     struct command_output printed = *results, kept = *results;
-    size_t unseen = details ? 0 : heat_unseen(heat);
+    size_t invisible = details ? 0 : heat_invisible(heat);
 
     printed.json = NULL;
     kept.file = NULL;
@@ -120,10 +120,10 @@ static bool print_areas(const struct heat *heat, bool details,
                      "Visible areas")
         || !output_part(&kept, heat_table_of_areas(heat, true), "areas", NULL))
         return false;
-    if (unseen > 0)
+    if (invisible > 0)
         output_printf(results, "\n%zu surface%s no visible area; --details lists %s\n",
-                      unseen, unseen == 1 ? " has" : "s have",
-                      unseen == 1 ? "it" : "them");
+                      invisible, invisible == 1 ? " has" : "s have",
+                      invisible == 1 ? "it" : "them");
     return true;
 }
 

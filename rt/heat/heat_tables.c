@@ -34,17 +34,17 @@ static const struct table_column flow_columns[] = {
     { "flow", "loses, W", TABLE_NUMBER, 3 },
 };
 
-static bool is_unseen(const struct surface *surface)
+static bool is_invisible(const struct surface *surface)
 {
     return surface->tried > 0 && surface->sent == 0;
 }
 
-size_t heat_unseen(const struct heat *heat)
+size_t heat_invisible(const struct heat *heat)
 {
     size_t count = 0;
 
     for (size_t i = 0; i < heat->surfaces.count; i++)
-        count += is_unseen(&heat->surfaces.list[i]);
+        count += is_invisible(&heat->surfaces.list[i]);
     return count;
 }
 
@@ -63,7 +63,7 @@ struct table *heat_table_of_areas(const struct heat *heat, bool all)
     for (size_t i = 0; table && i < heat->surfaces.count; i++) {
         const struct surface *surface = &heat->surfaces.list[i];
 
-        if (surface->tried == 0 || (!all && is_unseen(surface)))
+        if (surface->tried == 0 || (!all && is_invisible(surface)))
             continue;
         table_text(table, surface->name);
         table_text(table, primitive_kind_name(surface->first->kind));

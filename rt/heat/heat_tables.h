@@ -11,7 +11,7 @@
  * set. */
 struct table *heat_table_of_areas(const struct heat *heat, bool all);
 /* Returns the number of surfaces that were sampled and have no visible area. */
-size_t heat_unseen(const struct heat *heat);
+size_t heat_invisible(const struct heat *heat);
 struct table *heat_table_of_factors(const struct heat *heat);
 /* Returns the factors with their smoothed values, and the change in standard
  * errors. */

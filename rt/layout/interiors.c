@@ -19,7 +19,7 @@ bool scene_has_interiors(const struct scene *scene)
 
 static bool is_wanted(const struct primitive *primitive)
 {
-    return !primitive->unseen
+    return !primitive->invisible
            && (pigment_is_clear(&primitive->pigment)
                || surface_mirror_kind(&primitive->finish) == MIRROR_FRESNEL);
 }

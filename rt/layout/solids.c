@@ -60,9 +60,9 @@ static void put_table(struct record *record, const struct primitive *primitive,
 static size_t mesh_sort(const struct primitive *primitive,
                         const struct shape_words *shape)
 {
-    enum { NO_OUTSIDE = 2, OUTSIDE, UNSEEN };
+    enum { NO_OUTSIDE = 2, OUTSIDE, INVISIBLE };
 
-    return primitive->unseen ? UNSEEN : shape->state ? OUTSIDE : NO_OUTSIDE;
+    return primitive->invisible ? INVISIBLE : shape->state ? OUTSIDE : NO_OUTSIDE;
 }
 
 static void put_shape(struct record *record, const struct primitive *primitive,
@@ -76,7 +76,7 @@ static void put_shape(struct record *record, const struct primitive *primitive,
         || !object_symbol(record->layout->program, shape.kernel))
         shape_words(primitive, &shape);
     kernel = plan->simple ? shape.kernel : shape.solid;
-    carried = shape.transformed && !primitive->unseen;
+    carried = shape.transformed && !primitive->invisible;
     record_routine(record, "P_KERNEL", carried ? "transformed" : kernel);
     record_routine(record, "P_INNER", kernel);
     record_routine(record, "P_NORMAL", shape.normal);

@@ -51,7 +51,7 @@ static size_t place_mesh(const struct primitive *primitive,
         next += 4 * shape->segments;
         plan->first_event = next;
     }
-    return next + (primitive->unseen ? 1 : 2) * shape->events;
+    return next + (primitive->invisible ? 1 : 2) * shape->events;
 }
 
 /* Places the crossings of a primitive. The ends of a solid's segments are its
@@ -150,7 +150,7 @@ size_t max_ray_hits(const struct scene *scene)
         struct shape_words shape;
 
         shape_words(&scene->primitives[i], &shape);
-        if (!scene->primitives[i].unseen)
+        if (!scene->primitives[i].invisible)
             most += shape.events;
     }
     return most;

@@ -402,7 +402,7 @@ static void add_faces(struct face_search *search)
 
 static bool is_opaque(const struct primitive *primitive)
 {
-    return !primitive->unseen && !pigment_is_clear(&primitive->pigment);
+    return !primitive->invisible && !pigment_is_clear(&primitive->pigment);
 }
 
 /* Returns true if a point outside of all primitives is inside the solid at a node. */

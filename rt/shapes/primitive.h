@@ -73,7 +73,7 @@ struct primitive {
     struct finish finish;
     bool no_shadow;
     unsigned hidden_from;
-    bool unseen;     /* it cuts other parts of its tree and is invisible itself */
+    bool invisible;  /* it cuts other parts of its tree and is invisible itself */
     double ior;      /* index of refraction of its inside; the default is 1 */
     size_t interior; /* primitives with the same number are one body to a ray that
                       * records which bodies it is inside */

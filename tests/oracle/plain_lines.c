@@ -36,7 +36,7 @@ bool plain_is_closed(const struct scene *scene, const struct region *region)
     for (size_t i = 0; i < region->primitive_count; i++) {
         const struct primitive
             *primitive = &scene->primitives[region->first_primitive + i];
-        if (primitive->unseen || !is_closed(primitive))
+        if (primitive->invisible || !is_closed(primitive))
             return false;
     }
     return true;

@@ -61,8 +61,8 @@ static void cross_primitive(struct crossing_list *list,
     struct ray local;
     to_other_space(&primitive->to_local, list->ray->origin, local.origin);
     turn(&primitive->to_local, list->ray->direction, local.direction);
-    size_t count = primitive->unseen ? 0
-                                     : plain_crossings(primitive, &local, crossings);
+    size_t count = primitive->invisible ? 0
+                                        : plain_crossings(primitive, &local, crossings);
     for (size_t i = 0; i < count; i++) {
         struct place place = { primitive, crossings[i].distance, { 0 } };
         copy(place.normal, crossings[i].normal);

@@ -41,7 +41,7 @@ static struct object *stage_program(void)
                     "        .include \"light/interior.s\"\n"
                     "        .entry first\nfirst:  EXIT\n"
                     "        .data\n"
-                    "transformed: .word 0\nunseen: .word 0\n");
+                    "transformed: .word 0\ninvisible: .word 0\n");
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
         put_kernels(&sink, &shapes[i]->kernels);
         put_kernels(&sink, &shapes[i]->other);

@@ -151,8 +151,8 @@ TEST(clips)
         "sphere { 0, 1 translate y clipped_by { " C " } translate 2*y "
         "pigment { rgbf <1, 0, 0, .5> } interior { ior 1.5 } }");
     const struct primitive *p = scene->primitives;
-    assert_true(!p[0].unseen && !p[0].no_shadow);
-    assert_true(p[1].unseen && p[1].no_shadow);
+    assert_true(!p[0].invisible && !p[0].no_shadow);
+    assert_true(p[1].invisible && p[1].no_shadow);
     assert_close(p[0].to_world.rows[1][3], 3, CLOSE);
     assert_close(p[1].to_world.rows[1][3], 2, CLOSE);
     assert_true(pigment_is_clear(&p[0].pigment));
@@ -271,12 +271,12 @@ static void check_bodies(const char *text, const char *expected)
     char found[30] = "";
     for (size_t i = 0; i < scene->primitive_count; i++) {
         int k = 0;
-        assert_true(p[i].unseen || p[i].interior > 0);
+        assert_true(p[i].invisible || p[i].interior > 0);
         while (k < count && bodies[k] != p[i].interior)
             k++;
-        if (!p[i].unseen && k == count)
+        if (!p[i].invisible && k == count)
             bodies[count++] = p[i].interior;
-        found[i] = p[i].unseen ? '.' : (char)('a' + k);
+        found[i] = p[i].invisible ? '.' : (char)('a' + k);
     }
     if (strcmp(found, expected) != 0)
         fail_msg("%s: %s, expected %s", text, found, expected);

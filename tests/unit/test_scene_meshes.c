@@ -260,7 +260,7 @@ TEST(clipped)
     assert_int_equal(scene->primitive_count, 2);
     assert_false(scene->primitives[0].shape.mesh.solid);
     assert_true(scene->primitives[1].shape.mesh.solid);
-    assert_true(scene->primitives[1].unseen);
+    assert_true(scene->primitives[1].invisible);
 }
 
 /* ---- Errors -------------------------------------------------------------- */

@@ -277,12 +277,12 @@ TEST(sorts_of_meshes)
     assert_int_equal(words.segments, 2);
     assert_int_equal(words.events, 4);
     assert_string_equal(words.solid, "mesh_solid");
-    mesh.unseen = true;
+    mesh.invisible = true;
     shape_words(&mesh, &words);
     assert_int_equal(words.events, 2);
-    assert_string_equal(words.solid, "unseen");
+    assert_string_equal(words.solid, "invisible");
     assert_string_equal(words.state, "mesh_solid");
-    mesh.unseen = mesh.shape.mesh.solid = false;
+    mesh.invisible = mesh.shape.mesh.solid = false;
     mesh.shape.mesh.body = (struct triangles){ 2, list };
     shape_words(&mesh, &words);
     assert_int_equal(words.segments, 1);

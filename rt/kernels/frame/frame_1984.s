@@ -39,7 +39,7 @@ frame:
         .include "frame/begin_vector.s"
         .include "frame/intersect_vector.s"
         .include "solids/levels_vector.s"
-        .include "solids/unseen_vector.s"
+        .include "solids/invisible_vector.s"
 
 ; The register names below are those of the scalar program, which has all
 ; registers to itself (context_1984.s).

@@ -201,4 +201,4 @@ frame_refined:
         .else
         .include "frame/average_scalar.s"
         .endif
-        .include "solids/unseen_scalar.s"
+        .include "solids/invisible_scalar.s"

@@ -79,7 +79,7 @@ frame:
         .else
         .include "frame/average_vector.s"
         .endif
-        .include "solids/unseen_vector.s"
+        .include "solids/invisible_vector.s"
         .if     FOG
         .include "light/fog_vector.s"
         .endif

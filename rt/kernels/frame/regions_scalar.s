@@ -62,7 +62,7 @@ kernel_primitive: .word 0
         SWAP    [w_at], w_ox, [r0]
         EX      w_at, kernel_list
         STO     [w_at], w_ray
-        EX      w_at, own_space
+        EX      w_at, local_space
         STO     [w_at], r0
         EX      w_at, scene_regions
         ELEN    w_at, 2
@@ -310,7 +310,7 @@ nearest_lowered:
         IX      w_at, 64 * 6
         STO     [w_at], w_lower
         STO     [w_at, m_index_one], w_t1
-        EX      w_at, own_space
+        EX      w_at, local_space
         STO     [w_at], r0
         BIM     nearest_least
         .endif

@@ -3,27 +3,27 @@
 ;       CALL TRANSFORMED (RAY, PRIMITIVE, SEGMENT)
 ;
 ; Arguments as in sphere_scalar.s, method as in transform_vector.s. The ray and
-; its least distance are transformed into own_ray. The kernel for object space,
+; its least distance are transformed into local_ray. The kernel for object space,
 ; whose address is in inner, is called with this ray. The length of SEGMENT is
 ; the number of crossings. For neighbouring primitives in one space, the ray is
-; transformed once. The caller clears own_space for each new ray.
+; transformed once. The caller clears local_space for each new ray.
 
         .share  local
-        .regs   r68, own_ox, own_oy, own_oz, own_dx, own_dy, own_dz
-        .regs   r74, own_lower, own_scale, link_saved
+        .regs   r68, local_ox, local_oy, local_oz, local_dx, local_dy, local_dz
+        .regs   r74, local_lower, local_scale, link_saved
         .endshare
         shape_from r56                  ; rows of the matrix, after t7
         .equ    TRANSFORM_REGISTERS, 45
 
         .data
 transform_save: .space TRANSFORM_REGISTERS
-own_ray:        .space 8                ; the last word is 1/s
-own_space:      .word 0                 ; number of the ray's space; 0: none yet
-own_segment:    .space MAX_CROSSINGS
-own_arguments:
-        .descriptor 6, own_ray
+local_ray:      .space 8                ; the last word is 1/s
+local_space:    .word 0                 ; number of the ray's space; 0: none yet
+local_segment:  .space MAX_CROSSINGS
+local_arguments:
+        .descriptor 6, local_ray
         .word 0
-        .descriptor 2, own_segment
+        .descriptor 2, local_segment
 
         .code
         .kernel transform
@@ -34,9 +34,9 @@ transformed:
         RTOR    a_primitive, t0
         IX      t0, 64 * P_SPACE
         LOD     [t0], t4
-        EX      t5, own_space
+        EX      t5, local_space
         LOD     [t5], t6
-        EX      t7, own_ray
+        EX      t7, local_ray
         ELEN    t7, 8
         IBXEQ   t4, r0, t6, transform_shifted
         STO     [t5], t4
@@ -45,39 +45,39 @@ transformed:
         IX      t0, 64 * P_LOCAL
         ELEN    t0, 12
         SWAP    [t0], sh0, [r0]
-        dot_rows ox, oy, oz, sh0, sh1, sh2, sh4, sh5, sh6, sh8, sh9, sh10, own_ox, own_oy, own_oz, t0, t1, t2, t3
-        ADDN    own_ox, sh3, own_ox
-        ADDN    own_oy, sh7, own_oy
-        ADDN    own_oz, sh11, own_oz
-        dot_rows dx, dy, dz, sh0, sh1, sh2, sh4, sh5, sh6, sh8, sh9, sh10, own_dx, own_dy, own_dz, t0, t1, t2, t3
+        dot_rows ox, oy, oz, sh0, sh1, sh2, sh4, sh5, sh6, sh8, sh9, sh10, local_ox, local_oy, local_oz, t0, t1, t2, t3
+        ADDN    local_ox, sh3, local_ox
+        ADDN    local_oy, sh7, local_oy
+        ADDN    local_oz, sh11, local_oz
+        dot_rows dx, dy, dz, sh0, sh1, sh2, sh4, sh5, sh6, sh8, sh9, sh10, local_dx, local_dy, local_dz, t0, t1, t2, t3
         ES      t1, 7
-        LOD     [a_ray, t1], own_lower
-        normalise_by one, own_dx, own_dy, own_dz, t0, own_scale
-        MPYS    t0, own_lower, own_lower
-        SWAP    [r0], own_ox, [t7]
+        LOD     [a_ray, t1], local_lower
+        normalise_by one, local_dx, local_dy, local_dz, t0, local_scale
+        MPYS    t0, local_lower, local_lower
+        SWAP    [r0], local_ox, [t7]
         BIM     transform_call
 transform_shifted:
         ES      t1, 7
-        LOD     [t7, t1], own_scale
+        LOD     [t7, t1], local_scale
 transform_call:
-        EX      arguments, own_arguments
+        EX      arguments, local_arguments
         STO     [arguments, index_one], a_primitive
         RTOR    link, link_saved
         RTOR    inner, target
         BSAVE   link, [target]
         RTOR    link_saved, link
         LTOR    a_segment, t2
-        EX      t1, own_segment
+        EX      t1, local_segment
 transform_next:
         LOD     [t1], tin
         LOD     [t1, index_one], tout
         ABS     tin, t3
         ABS     tout, t4
         CFPGE   t3, big, transform_leave
-        MPYS    tin, own_scale, tin
+        MPYS    tin, local_scale, tin
 transform_leave:
         CFPGE   t4, big, transform_store
-        MPYS    tout, own_scale, tout
+        MPYS    tout, local_scale, tout
 transform_store:
         STO     [a_segment], tin
         STO     [a_segment, index_one], tout

@@ -7,7 +7,7 @@
 ;
 ; An area grows by the factor |det M| |N|. The weight w contains |det M|.
 ;
-; In:  own_spot_x .., own_face_x .., weight; to_world: rows of M, each followed
+; In:  local_spot_x .., local_face_x .., weight; to_world: rows of M, each followed
 ;      by its part of m; to_face: rows of M^-T.
 ; Out: spot_x .., face_x .., of length one; weight.
 ; Continues with the direction (cosine_law.s).
@@ -23,14 +23,14 @@
 
         .kernel carry
 emission_transform:
-        transform_rows own_face_x, own_face_y, own_face_z, to_face0, to_face1, to_face2, to_face3, to_face4, to_face5, to_face6, to_face7, to_face8, face_x, face_y, face_z
+        transform_rows local_face_x, local_face_y, local_face_z, to_face0, to_face1, to_face2, to_face3, to_face4, to_face5, to_face6, to_face7, to_face8, face_x, face_y, face_z
         each_times face_x, face_x, temp0
         each_times face_y, face_y, temp1
         each_times face_z, face_z, temp2
         each_plus temp0, temp1, temp0
         each_plus temp0, temp2, temp0
         each_root temp0, temp0                        ; N|
-        transform_rows own_spot_x, own_spot_y, own_spot_z, to_world0, to_world1, to_world2, to_world4, to_world5, to_world6, to_world8, to_world9, to_world10, spot_x, spot_y, spot_z
+        transform_rows local_spot_x, local_spot_y, local_spot_z, to_world0, to_world1, to_world2, to_world4, to_world5, to_world6, to_world8, to_world9, to_world10, spot_x, spot_y, spot_z
         each_shift spot_x, to_world3, spot_x
         each_shift spot_y, to_world7, spot_y
         each_shift spot_z, to_world11, spot_z

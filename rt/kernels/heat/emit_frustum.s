@@ -13,7 +13,7 @@
 ;
 ; In:  draw0: u, draw1: t; draw4 and the table: pieces of y0, h, r1, r2, nr,
 ;      ny; emission_area.
-; Out: own_spot_x .., own_face_x .., weight; columns.
+; Out: local_spot_x .., local_face_x .., weight; columns.
 ; Source: derived here. The area up to l is pi (r^2 - r1^2) divided by the
 ; normal's ny, or an equivalent.
 
@@ -28,16 +28,16 @@ emit_frustum:
         each_times draw0, temp1, temp1
         each_plus temp1, temp0, temp1
         each_root temp1, temp6                        ; r
-        circle  draw1, own_face_z, own_face_x, temp0, temp1, temp2, temp3, temp4
+        circle  draw1, local_face_z, local_face_x, temp0, temp1, temp2, temp3, temp4
         each_plus piece2, temp6, temp0
         each_over temp5, temp0, temp5                 ; l
-        each_times temp6, own_face_x, own_spot_x
-        each_times temp6, own_face_z, own_spot_z
-        each_times piece4, own_face_x, own_face_x
-        each_times piece4, own_face_z, own_face_z
-        each_copy piece5, own_face_y
+        each_times temp6, local_face_x, local_spot_x
+        each_times temp6, local_face_z, local_spot_z
+        each_times piece4, local_face_x, local_face_x
+        each_times piece4, local_face_z, local_face_z
+        each_copy piece5, local_face_y
         each_same emission_area, weight
         each_times temp5, piece1, piece1
-        each_plus piece1, piece0, own_spot_y
+        each_plus piece1, piece0, local_spot_y
         BIM     emission_transform
         .endkernel

@@ -4,7 +4,7 @@
 ;   P = n = (r cos 2 pi t, z, r sin 2 pi t)
 ;
 ; In:  draw0: u, draw1: t; emission_area.
-; Out: own_spot_x .., own_face_x .., weight; columns.
+; Out: local_spot_x .., local_face_x .., weight; columns.
 ; Source: Archimedes, On the sphere and cylinder: the area of a slice is
 ; proportional to its height.
 
@@ -12,15 +12,15 @@
 emit_sphere:
         each_from each_one, draw0, temp0
         each_times draw0, temp0, temp5
-        each_minus temp0, draw0, own_spot_y
+        each_minus temp0, draw0, local_spot_y
         each_root temp5, temp5
-        circle  draw1, own_spot_z, own_spot_x, temp0, temp1, temp2, temp3, temp4
+        circle  draw1, local_spot_z, local_spot_x, temp0, temp1, temp2, temp3, temp4
         each_plus temp5, temp5, temp5                 ; r
-        each_times temp5, own_spot_x, own_spot_x
-        each_times temp5, own_spot_z, own_spot_z
-        each_copy own_spot_x, own_face_x
-        each_copy own_spot_y, own_face_y
-        each_copy own_spot_z, own_face_z
+        each_times temp5, local_spot_x, local_spot_x
+        each_times temp5, local_spot_z, local_spot_z
+        each_copy local_spot_x, local_face_x
+        each_copy local_spot_y, local_face_y
+        each_copy local_spot_z, local_face_z
         each_same emission_area, weight
         BIM     emission_transform
         .endkernel

@@ -14,7 +14,7 @@
 ;
 ; In:  draw0: u, draw1: t; form0 .. form23: k0, k1, k2, 2 k3, k4, 2 k5 of x, y,
 ;      z, w; emission_area: |det M| / 2.
-; Out: own_spot_x .., own_face_x .., weight; columns.
+; Out: local_spot_x .., local_face_x .., weight; columns.
 ; Source: textbook; rt/shapes/patch.h defines patches.
 
 ; Computes the polynomial, and its derivatives by p in `along`, by q in
@@ -56,18 +56,18 @@ emit_steiner_patch:
         each_root draw0, temp0
         each_times temp0, draw1, temp1                ; q
         each_minus temp0, temp1, temp0                ; p
-        patch_polynomial form0, form1, form2, form3, form4, form5, own_spot_x, piece0, piece1
-        patch_polynomial form6, form7, form8, form9, form10, form11, own_spot_y, piece2, piece3
-        patch_polynomial form12, form13, form14, form15, form16, form17, own_spot_z, piece4, piece5
+        patch_polynomial form0, form1, form2, form3, form4, form5, local_spot_x, piece0, piece1
+        patch_polynomial form6, form7, form8, form9, form10, form11, local_spot_y, piece2, piece3
+        patch_polynomial form12, form13, form14, form15, form16, form17, local_spot_z, piece4, piece5
         patch_polynomial form18, form19, form20, form21, form22, form23, piece9, piece10, piece11
         each_reciprocal piece9, piece9
-        patch_divided own_spot_x, piece0, piece1
-        patch_divided own_spot_y, piece2, piece3
-        patch_divided own_spot_z, piece4, piece5
+        patch_divided local_spot_x, piece0, piece1
+        patch_divided local_spot_y, piece2, piece3
+        patch_divided local_spot_z, piece4, piece5
         each_times piece9, piece9, temp1
-        patch_normal piece2, piece5, piece4, piece3, own_face_x
-        patch_normal piece4, piece1, piece0, piece5, own_face_y
-        patch_normal piece0, piece3, piece2, piece1, own_face_z
+        patch_normal piece2, piece5, piece4, piece3, local_face_x
+        patch_normal piece4, piece1, piece0, piece5, local_face_y
+        patch_normal piece0, piece3, piece2, piece1, local_face_z
         each_same emission_area, weight
         BIM     emission_transform
         .endkernel

@@ -13,22 +13,22 @@
 ;
 ; In:  draw0: u, draw1: t; form0: R, form1: a, form2: b; emission_area: 4 pi^2
 ;      times |det M|.
-; Out: own_spot_x .., own_face_x .., weight; columns.
+; Out: local_spot_x .., local_face_x .., weight; columns.
 ; Source: textbook, dP/du x dP/dt.
 
         .kernel emit
 emit_torus:
-        circle  draw0, own_face_y, own_spot_y, temp0, temp1, temp2, temp3, temp4
-        circle  draw1, own_face_z, own_face_x, temp0, temp1, temp2, temp3, temp4
-        each_scale own_spot_y, form1, temp0
-        each_scale own_spot_y, form2, temp1
-        each_scale own_face_y, form2, own_spot_y
-        each_scale own_face_y, form1, own_face_y
+        circle  draw0, local_face_y, local_spot_y, temp0, temp1, temp2, temp3, temp4
+        circle  draw1, local_face_z, local_face_x, temp0, temp1, temp2, temp3, temp4
+        each_scale local_spot_y, form1, temp0
+        each_scale local_spot_y, form2, temp1
+        each_scale local_face_y, form2, local_spot_y
+        each_scale local_face_y, form1, local_face_y
         each_shift temp0, form0, temp0                ; rho
-        each_times temp0, own_face_x, own_spot_x
-        each_times temp0, own_face_z, own_spot_z
-        each_times temp1, own_face_x, own_face_x
-        each_times temp1, own_face_z, own_face_z
+        each_times temp0, local_face_x, local_spot_x
+        each_times temp0, local_face_z, local_spot_z
+        each_times temp1, local_face_x, local_face_x
+        each_times temp1, local_face_z, local_face_z
         each_scale temp0, emission_area, weight
         BIM     emission_transform
         .endkernel

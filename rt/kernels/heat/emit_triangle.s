@@ -5,7 +5,7 @@
 ; In:  draw0: u, draw1: t; draw4 and the table: pieces of a corner C, the edges
 ;      A and B from there, the normal, of length one, 3 words each;
 ;      emission_area.
-; Out: own_spot_x .., own_face_x .., weight; columns.
+; Out: local_spot_x .., local_face_x .., weight; columns.
 ; Source: G. Turk, "Generating random points in triangles", Graphics Gems
 ; (1990).
 
@@ -13,8 +13,8 @@
         each_times temp0, \first, \first
         each_times temp1, \second, \second
         each_plus \first, \corner, \first
-        each_plus \first, \second, own_spot_\axis
-        each_copy \normal, own_face_\axis
+        each_plus \first, \second, local_spot_\axis
+        each_copy \normal, local_face_\axis
         .endm
 
         .kernel emit

@@ -37,9 +37,9 @@
 
         .macro  bump_place x, y, z
         bump_words BUMP_TO_LOCAL, 12, sh0
-        own_point sh0, sh1, sh2, sh3, \x
-        own_point sh4, sh5, sh6, sh7, \y
-        own_point sh8, sh9, sh10, sh11, \z
+        local_point sh0, sh1, sh2, sh3, \x
+        local_point sh4, sh5, sh6, sh7, \y
+        local_point sh8, sh9, sh10, sh11, \z
         .endm
 
         .macro  bump_push normal, by

@@ -17,7 +17,7 @@
         ADDN    \haze, fog_work, \haze
         .endm
 
-        .macro  fog_seen color, pass, haze
+        .macro  fog_blend color, pass, haze
         MPYS    \color, \pass, fog_work
         ADDN    fog_work, \haze, \color
         .endm
@@ -48,7 +48,7 @@ fog_dimmed\@:
         fog_channel fog_blue, fog_pass_blue, pass_blue, haze_blue
         IX      fog_at, 64 * FOG_SIZE
         IBXNE   fogs_left, m_index_minus_one, r0, fog_next\@, fogs_left
-        fog_seen \red, pass_red, haze_red
-        fog_seen \green, pass_green, haze_green
-        fog_seen \blue, pass_blue, haze_blue
+        fog_blend \red, pass_red, haze_red
+        fog_blend \green, pass_green, haze_green
+        fog_blend \blue, pass_blue, haze_blue
         .endm

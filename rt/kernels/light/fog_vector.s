@@ -21,7 +21,7 @@
         ADDNV   [\haze], [v6], [\haze]
         .endm
 
-        .macro  fog_seen color, pass, haze
+        .macro  fog_blend color, pass, haze
         MPYSV   [\color], [\pass], [v6]
         ADDNV   [v6], [\haze], [\color]
         .endm
@@ -54,8 +54,8 @@ fog_next:
         fog_channel fog_blue, fog_pass_blue, blue, cb
         IX      fog_at, 64 * FOG_SIZE
         IBXNE   fogs_left, minus_one_index, r0, fog_next, fogs_left
-        fog_seen out_red, red, cr
-        fog_seen out_green, green, cg
-        fog_seen out_blue, blue, cb
+        fog_blend out_red, red, cr
+        fog_blend out_green, green, cg
+        fog_blend out_blue, blue, cb
         BIM     0, link_kernel
         .endkernel

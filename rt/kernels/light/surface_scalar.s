@@ -58,7 +58,7 @@
         ADDN    \o, t1, \p
         .endm
 
-        .macro  own_point k0, k1, k2, k3, q
+        .macro  local_point k0, k1, k2, k3, q
         dot     px, py, pz, \k0, \k1, \k2, \q, t0
         ADDN    \q, \k3, \q
         .endm
@@ -74,12 +74,12 @@
         RTOR    py, qy
         RTOR    pz, qz
         get_field P_TRANSFORMED, transformed_shape
-        IBXEQ   transformed_shape, r0, r0, surface_own\@
+        IBXEQ   transformed_shape, r0, r0, surface_local\@
         get_record P_LOCAL, 12, sh0
-        own_point sh0, sh1, sh2, sh3, qx
-        own_point sh4, sh5, sh6, sh7, qy
-        own_point sh8, sh9, sh10, sh11, qz
-surface_own\@:
+        local_point sh0, sh1, sh2, sh3, qx
+        local_point sh4, sh5, sh6, sh7, qy
+        local_point sh8, sh9, sh10, sh11, qz
+surface_local\@:
         get_field P_NORMAL, target
         BSAVE   normal_link, [target]
         IBXEQ   transformed_shape, r0, r0, surface_world\@

@@ -56,7 +56,7 @@ find_normal:
         IX      s0, 64 * PART_SHARED
         LOD     [s0], s0
         IBXNE   s0, r0, r0, normal_shared
-        IBXEQ   s9, r0, r0, normal_own
+        IBXEQ   s9, r0, r0, normal_local
         load_record P_LOCAL, 12, m00
         dot_constant px, py, pz, m00, m01, m02, lx, v0
         ADDNV   [lx], m03, [lx]
@@ -65,7 +65,7 @@ find_normal:
         dot_constant px, py, pz, m20, m21, m22, lz, v0
         ADDNV   [lz], m23, [lz]
         set_points lx, ly, lz
-normal_own:
+normal_local:
         load_field P_NORMAL, target
         BSAVE   link_kernel, [target]
         IBXEQ   s9, r0, r0, normal_world

@@ -58,7 +58,7 @@ columns_next:
         .endr
         VXTOV   [v_ray], [col_places], [v_p]
         VXTOV   [v_ray], [col_q_at], [v_q]
-        find_seen v_object_depth
+        find_visible v_object_depth
         find_weights
         find_moments
         RTOR    col_lanes, col_at
@@ -74,7 +74,7 @@ columns_add:
         add_moments
 columns_added:
         IBXNE   col_part, col_index_one, col_parts, columns_part, col_part
-        find_seen v_scene_depth
+        find_visible v_scene_depth
         find_weights
         find_moments
         RTOR    b_seen, b_part

@@ -35,15 +35,15 @@
         .endm
 
 ; Sets col_w to w, which is -1 where the ray enters by the count `bodies`.
-; Branches to `unseen` if the ray neither enters nor leaves.
-        .macro  find_weight bodies, unseen
-        IBXEQ   col_sign, r0, r0, \unseen
+; Branches to `no_crossing` if the ray neither enters nor leaves.
+        .macro  find_weight bodies, invisible
+        IBXEQ   col_sign, r0, r0, \invisible
         IBXNE   col_sign, r0, col_index_one, weight_leaves\@
-        IBXNE   \bodies, r0, col_index_one, \unseen
+        IBXNE   \bodies, r0, col_index_one, \invisible
         RTOR    col_minus_one, col_w
         BIM     weight_found\@
 weight_leaves\@:
-        IBXNE   \bodies, r0, r0, \unseen
+        IBXNE   \bodies, r0, r0, \invisible
         RTOR    col_one, col_w
 weight_found\@:
         .endm

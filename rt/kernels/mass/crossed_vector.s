@@ -54,7 +54,7 @@ crossed_full\@:
 
 ; Marks the crossings where the ray enters, where it leaves, and both, by the
 ; count `bodies`.
-        .macro  find_seen bodies
+        .macro  find_visible bodies
         CMPEQV  [v_sign], col_index_one, [b_enter]
         CMPEQV  [\bodies], col_index_one, [b_part]
         ANDB    [b_enter], [b_part], [b_enter]

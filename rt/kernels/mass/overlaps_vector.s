@@ -103,7 +103,7 @@ overlaps:
 overlaps_next:
         crossed_next overlaps_fold
         ADDX    col_n, col_index_one, ovl_n
-        find_seen v_object_depth
+        find_visible v_object_depth
         RTOR    ovl_group, ovl_at
         RTOR    ovl_groups, ovl_left
         RTOR    ovl_levels, ovl_level_at

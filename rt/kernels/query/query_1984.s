@@ -36,7 +36,7 @@ query_next:
         .endkernel
 
         .include "frame/intersect_vector.s"
-        .include "solids/unseen_vector.s"
+        .include "solids/invisible_vector.s"
 
 ; From here on registers have the names of the scalar program.
         .include "frame/context_1984.s"

@@ -32,7 +32,7 @@
         .include "shapes/normal_scalar.s"
         .include "shapes/every_normal_scalar.s"
         .include "query/ray_hits_scalar.s"
-        .include "solids/unseen_scalar.s"
+        .include "solids/invisible_scalar.s"
 
         .data
 query_ray:      .space 8

@@ -49,4 +49,4 @@ query_next:
         .if     DEPTHS
         .include "query/depth_vector.s"
         .endif
-        .include "solids/unseen_vector.s"
+        .include "solids/invisible_vector.s"

@@ -85,7 +85,7 @@ side_wide\@:
         MPYS    side_w, side_z2, t2
         ADDN    t0, t1, t0
         ADDN    t0, t2, t0
-        MPYS    t0, own_z, t0
+        MPYS    t0, local_z, t0
         DIVS    t0, t3, t0
         CFPGE   mesh_least, t0, side_not\@
         list_crossing

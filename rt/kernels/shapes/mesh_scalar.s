@@ -15,7 +15,7 @@
         .share  local
         .regs   r79, mesh_table, mesh_row, node, node_at, signs, hit_link
         .regs   r85, axis_x, axis_y, axis_z             ; the ray's axes, 0-2
-        .regs   r88, own_ox, own_oy, own_oz, shear_x, shear_y, own_z
+        .regs   r88, local_ox, local_oy, local_oz, shear_x, shear_y, local_z
         .regs   r94, inverse_x, inverse_y, inverse_z, size_x, size_y, size_z
         .regs   r100, box_x, box_y, box_z, box_hx, box_hy, box_hz
         .regs   r106, low_x, low_y, low_z, high_x, high_y, high_z
@@ -32,16 +32,16 @@ mesh_numbers:   .word 0.99999999999909050529   ; bound_less
 mesh_save:      .space MESH_REGISTERS
         .code
 
-        .macro  own_axes kx, ky, kz, x, y, z
+        .macro  local_axes kx, ky, kz, x, y, z
         ES      axis_x, \kx
         ES      axis_y, \ky
         ES      axis_z, \kz
-        RTOR    o\x, own_ox
-        RTOR    o\y, own_oy
-        RTOR    o\z, own_oz
-        DIVS    one, d\z, own_z
-        MPYS    d\x, own_z, shear_x
-        MPYS    d\y, own_z, shear_y
+        RTOR    o\x, local_ox
+        RTOR    o\y, local_oy
+        RTOR    o\z, local_oz
+        DIVS    one, d\z, local_z
+        MPYS    d\x, local_z, shear_x
+        MPYS    d\y, local_z, shear_y
         .endm
 
         .macro  begin_axis d, sign, inverse, size
@@ -99,14 +99,14 @@ lesser\@:
         ABS     dz, t2
         CFPLT   t0, t1, mesh_not_x\@
         CFPLT   t0, t2, mesh_z\@
-        own_axes 1, 2, 0, y, z, x
+        local_axes 1, 2, 0, y, z, x
         BIM     mesh_turned\@
 mesh_not_x\@:
         CFPLT   t1, t2, mesh_z\@
-        own_axes 2, 0, 1, z, x, y
+        local_axes 2, 0, 1, z, x, y
         BIM     mesh_turned\@
 mesh_z\@:
-        own_axes 0, 1, 2, x, y, z
+        local_axes 0, 1, 2, x, y, z
 mesh_turned\@:
         ES      signs, 0
         begin_axis dx, 1, inverse_x, size_x
@@ -204,9 +204,9 @@ mesh_triangle\@:
         load_corners axis_z, side_z0, side_z1, side_z2
         load_corners axis_x, side_x0, side_x1, side_x2
         load_corners axis_y, side_y0, side_y1, side_y2
-        from_origin own_oz, side_z0, side_z1, side_z2
-        from_origin own_ox, side_x0, side_x1, side_x2
-        from_origin own_oy, side_y0, side_y1, side_y2
+        from_origin local_oz, side_z0, side_z1, side_z2
+        from_origin local_ox, side_x0, side_x1, side_x2
+        from_origin local_oy, side_y0, side_y1, side_y2
         MPYS    shear_x, side_z0, t0
         MPYS    shear_x, side_z1, t1
         MPYS    shear_x, side_z2, t2
@@ -260,7 +260,7 @@ mesh_side\@:
         ADDN    t3, side_w, t3
         ADDN    t0, t2, t0
         CFPEQ   t3, r0, mesh_next\@
-        MPYS    t0, own_z, t0
+        MPYS    t0, local_z, t0
         DIVS    t0, t3, t0
         CFPGE   mesh_least, t0, mesh_next\@
         CFPLT   tin, t0, mesh_next\@

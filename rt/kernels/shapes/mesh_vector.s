@@ -102,16 +102,16 @@ side_bases:
 
 ; [kx], [ky], [kz] = x, y, z in the order of each ray's own axes: y is the
 ; greatest in the lanes of bits0, z in those of bits1.
-        .macro  own_axis a, b, c, into
+        .macro  local_axis a, b, c, into
         VTOV    \a, [\into]
         VTOV    \b, [\into] ? [bits0]
         VTOV    \c, [\into] ? [bits1]
         .endm
 
-        .macro  own_axes x, y, z, kx, ky, kz
-        own_axis \y, \z, \x, \kx
-        own_axis \z, \x, \y, \ky
-        own_axis \x, \y, \z, \kz
+        .macro  local_axes x, y, z, kx, ky, kz
+        local_axis \y, \z, \x, \kx
+        local_axis \z, \x, \y, \ky
+        local_axis \x, \y, \z, \kz
         .endm
 
 ; Neighbouring rays visit the same nodes, whose words are in one memory bank,
@@ -258,10 +258,10 @@ side_bases:
         CMPLTV  [w2], [w3], [bits0]
         VTOV    [w3], [w2] ? [bits0]
         CMPLTV  [w2], [w4], [bits1]
-        own_axes [ox], [oy], [oz], w0, w1, w2
-        own_axes [dx], [dy], [dz], w3, w4, w5
+        local_axes [ox], [oy], [oz], w0, w1, w2
+        local_axes [dx], [dy], [dz], w3, w4, w5
         ES      s2, 2
-        own_axes r0, one_index, s2, w6, w7, w8
+        local_axes r0, one_index, s2, w6, w7, w8
         DIVSV   one, [w5], [w5]
         MPYSV   [w3], [w5], [w3]
         MPYSV   [w4], [w5], [w4]

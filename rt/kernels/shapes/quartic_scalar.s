@@ -15,7 +15,7 @@
         .share  local
         .regs   r91, a0, a1, a2, a3, a4, b0, b1, b2, b3, b4
         .regs   r101, z20, z21, z22, z30, z31, z32, z33, z40, z41, z42, z43
-        .regs   r112, z44, table_at, seen_terms, seen_groups
+        .regs   r112, z44, table_at, used_terms, used_groups
         .endshare
         .equ    SURFACE_REGISTERS, 84
 
@@ -26,7 +26,7 @@ surface_save:   .space SURFACE_REGISTERS
         .macro  term0 c
         CFPEQ   \c, r0, term_none\@
         ADDN    a0, \c, a0
-        ES      seen_terms, 1
+        ES      used_terms, 1
 term_none\@:
         .endm
 
@@ -34,7 +34,7 @@ term_none\@:
         CFPEQ   \c, r0, term_none\@
         MPYS    t2, \c, b0
         MPYS    dz, \c, b1
-        ES      seen_terms, 1
+        ES      used_terms, 1
         ADDN    b0, a0, a0
         ADDN    b1, a1, a1
 term_none\@:
@@ -45,7 +45,7 @@ term_none\@:
         MPYS    z20, \c, b0
         MPYS    z21, \c, b1
         MPYS    z22, \c, b2
-        ES      seen_terms, 1
+        ES      used_terms, 1
         ADDN    b0, a0, a0
         ADDN    b1, a1, a1
         ADDN    b2, a2, a2
@@ -58,7 +58,7 @@ term_none\@:
         MPYS    z31, \c, b1
         MPYS    z32, \c, b2
         MPYS    z33, \c, b3
-        ES      seen_terms, 1
+        ES      used_terms, 1
         ADDN    b0, a0, a0
         ADDN    b1, a1, a1
         ADDN    b2, a2, a2
@@ -73,7 +73,7 @@ term_none\@:
         MPYS    z42, \c, b2
         MPYS    z43, \c, b3
         MPYS    z44, \c, b4
-        ES      seen_terms, 1
+        ES      used_terms, 1
         ADDN    b0, a0, a0
         ADDN    b1, a1, a1
         ADDN    b2, a2, a2
@@ -119,7 +119,7 @@ term_none\@:
         .endm
 
         .macro  times_y degree
-        IBXEQ   seen_terms, r0, r0, times_none\@
+        IBXEQ   used_terms, r0, r0, times_none\@
         times   t1, dy, \degree, a0, a1, a2, a3, a4
 times_none\@:
         .endm

@@ -9,8 +9,8 @@
 ; o + d t as the argument.  The 35 coefficients are used in POV-Ray's order:
 ; group by group A0 .. A4, and in each group B0, B1 ..
 ;
-; Most quartics have few terms, and zero coefficients are skipped.  seen_terms =
-; 1 if the group has a term so far, seen_groups = 1 if F has.
+; Most quartics have few terms, and zero coefficients are skipped.  used_terms =
+; 1 if the group has a term so far, used_groups = 1 if F has.
 ;
 ; Each form defines the macros
 ;   term<p> c              Am += c z^p
@@ -58,7 +58,7 @@
         ELEN    table_at, \words
         SWAP    [table_at], sh0, [r0]
         IX      table_at, 64 * \words
-        ES      seen_terms, 0
+        ES      used_terms, 0
         clear_group \degree
         quartic_row0
         .if     \degree > 0
@@ -73,17 +73,17 @@
         .if     \degree > 3
         quartic_row4
         .endif
-        IBXEQ   seen_groups, r0, r0, group_first\@
+        IBXEQ   used_groups, r0, r0, group_first\@
         times_x \degree
 group_first\@:
-        IBXEQ   seen_terms, r0, r0, group_none\@
+        IBXEQ   used_terms, r0, r0, group_none\@
         add_group \degree
-        ES      seen_groups, 1
+        ES      used_groups, 1
 group_none\@:
         .endm
 
         .macro  quartic_groups
-        ES      seen_groups, 0
+        ES      used_groups, 0
         quartic_group 0, 1
         quartic_group 1, 3
         quartic_group 2, 6

@@ -22,8 +22,8 @@
         .include "shapes/quartic_terms.s"
 
         .reg    table_at, s1
-        .reg    seen_terms, s2
-        .reg    seen_groups, s3
+        .reg    used_terms, s2
+        .reg    used_groups, s3
         .regs   lane_ox, z20, z21, z22, z30, z31, z32, z33, z40
         .regs   e0, z41, z42, z43, z44, a0, a1, a2, a3, a4, term_work
 
@@ -36,7 +36,7 @@
         .macro  term0 c
         CFPEQ   \c, r0, term_none\@
         ADDNV   [a0], \c, [a0]
-        ES      seen_terms, 1
+        ES      used_terms, 1
 term_none\@:
         .endm
 
@@ -44,7 +44,7 @@ term_none\@:
         CFPEQ   \c, r0, term_none\@
         scaled  \c, w2, a0
         scaled  \c, dz, a1
-        ES      seen_terms, 1
+        ES      used_terms, 1
 term_none\@:
         .endm
 
@@ -53,7 +53,7 @@ term_none\@:
         scaled  \c, z20, a0
         scaled  \c, z21, a1
         scaled  \c, z22, a2
-        ES      seen_terms, 1
+        ES      used_terms, 1
 term_none\@:
         .endm
 
@@ -63,7 +63,7 @@ term_none\@:
         scaled  \c, z31, a1
         scaled  \c, z32, a2
         scaled  \c, z33, a3
-        ES      seen_terms, 1
+        ES      used_terms, 1
 term_none\@:
         .endm
 
@@ -74,7 +74,7 @@ term_none\@:
         scaled  \c, z42, a2
         scaled  \c, z43, a3
         scaled  \c, z44, a4
-        ES      seen_terms, 1
+        ES      used_terms, 1
 term_none\@:
         .endm
 
@@ -109,7 +109,7 @@ term_none\@:
         .endm
 
         .macro  times_y degree
-        IBXEQ   seen_terms, r0, r0, times_none\@
+        IBXEQ   used_terms, r0, r0, times_none\@
         times   w1, dy, \degree, a0, a1, a2, a3, a4
 times_none\@:
         .endm

@@ -53,7 +53,7 @@ every_column:
         CNTOB   [active], s0
         IBXEQ   s0, r0, r0, every_later
         VTOV    column_identity, [event_primitive]
-        EX      target, find_seen
+        EX      target, find_visible
         BSAVE   link_inner, [target]
         IBXEQ   s0, r0, r0, every_later
         VTOV    [column], [event] ? [seen]

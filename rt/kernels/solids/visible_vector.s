@@ -171,7 +171,7 @@ event_none:
 
 tree_values:
         RTOR    event, column
-        EX      target, find_seen
+        EX      target, find_visible
         BSAVE   link_inner, [target]
         IBXEQ   s0, r0, r0, tree_continue
         BSAVE   link_kernel, [found]
@@ -199,7 +199,7 @@ tree_compress:
 ; In:  column, with its primitives in event_primitive; active.
 ; Out: seen, a part of active; s0 = the count of its ones; event_primitive: the
 ;      visible primitive; its P_TESTED.
-find_seen:
+find_visible:
         load_word k_delta, s0
         SUBNV   [column], s0, [before]
         ADDNV   [column], s0, [after]

@@ -85,7 +85,7 @@ static void hide(const struct reader *reader, struct scene_object *clip)
         primitive->interior = 0;
         primitive->no_shadow = true;
         primitive->hidden_from = HIDDEN_FROM_IMAGE | HIDDEN_FROM_REFLECTIONS;
-        primitive->unseen = true;
+        primitive->invisible = true;
     }
 }
 

@@ -404,7 +404,7 @@ unsigned object_hidden_from(const struct scene_object *object)
     unsigned hidden_from = object->hidden_from;
 
     for (size_t i = 0; i < object->part_count; i++)
-        if (!object->parts[i].primitive.unseen)
+        if (!object->parts[i].primitive.invisible)
             hidden_from |= object->parts[i].primitive.hidden_from;
     return hidden_from;
 }
@@ -413,7 +413,7 @@ void object_show(struct scene_object *object)
 {
     object->hidden_from = 0;
     for (size_t i = 0; i < object->part_count; i++)
-        if (!object->parts[i].primitive.unseen)
+        if (!object->parts[i].primitive.invisible)
             object->parts[i].primitive.hidden_from = 0;
 }
 

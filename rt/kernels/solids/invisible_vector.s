@@ -1,4 +1,4 @@
-; unseen_vector.s - the visible crossings of an invisible primitive: none.
+; invisible_vector.s - the visible crossings of an invisible primitive: none.
 ;
 ; In:  near; the primitive's record.
 ; Out: tin, tout and the vectors after them, P_SEGMENTS times (of a mesh once):
@@ -7,7 +7,7 @@
 ; Source: derived here, for clipped_by.
 
         .kernel visible
-unseen:
+invisible:
         .if     MESH_CROSSINGS
         load_field P_EVENTS, s1
         .else
@@ -16,9 +16,9 @@ unseen:
         .endif
         RTOR    tin, s2
         EX      s0, 64 * CROSSING_SIZE
-unseen_next:
+invisible_next:
         VTOV    big, [s2]
         ADDX    s2, s0, s2
-        IBXNE   s1, minus_one_index, r0, unseen_next, s1
+        IBXNE   s1, minus_one_index, r0, invisible_next, s1
         BIM     0, link_kernel
         .endkernel

@@ -1,4 +1,4 @@
-/* test_scene_unseen.c - invisible shapes: the reports and the frames are compared with
+/* test_scene_invisible.c - invisible shapes: the reports and the frames are compared with
  * those of the scene without them. A shape that is reported twice, or is not the empty
  * set in a solid, fails here. */
 #define SMALL_FRAMES
@@ -13,7 +13,7 @@
 static const struct {
     enum primitive_kind kind;
     const char *text;
-} shapes_unseen[] = {
+} invisible_shapes[] = {
     { PRIMITIVE_SPHERE, "sphere { P, 0" },
     { PRIMITIVE_BOX, "box { P, P" },
     { PRIMITIVE_BOX, "box { P, P + R*y" },
@@ -117,7 +117,7 @@ static void scene_text(char *text, size_t size, size_t shape, size_t place)
                          "#declare R = %g;\n%s%s %s\n",
              between(-1, 1), between(-1, 1), between(-1, 1), between(.1, 1),
              between(-1, 1), between(.2, 1), places[place].before,
-             shapes_unseen[shape].text, places[place].after);
+             invisible_shapes[shape].text, places[place].after);
 }
 
 static struct words *frame_without(bool ball)
@@ -138,7 +138,7 @@ static void check(size_t shape, size_t place, const struct words *expected)
     char text[2000];
     SCOPED_VALUE(diagnostics) reports = { 0 };
     scene_text(text, sizeof text, shape, place);
-    SCOPED(scene) *scene = scene_read_text("unseen.pov", text, &reading_options,
+    SCOPED(scene) *scene = scene_read_text("invisible.pov", text, &reading_options,
                                            &reports);
     if (!scene)
         fail_msg("is not read: %s\n%s", reports.items[0].message, text);
@@ -150,7 +150,7 @@ static void check(size_t shape, size_t place, const struct words *expected)
         fail_msg("the frame is not that of the scene without:\n%s", text);
 }
 
-TEST(unseen)
+TEST(invisible)
 {
     struct words *without[2];
     bool drawn[PRIMITIVE_KINDS] = { [PRIMITIVE_PLANE] = true }; /* an error */
@@ -158,8 +158,8 @@ TEST(unseen)
     memcpy(traced.queues, (const size_t[]){ 40, 0 }, 2 * sizeof(size_t));
     for (int ball = 0; ball < 2; ball++)
         without[ball] = frame_without(ball);
-    for (size_t i = 0; i < COUNT(shapes_unseen); i++) {
-        drawn[shapes_unseen[i].kind] = true;
+    for (size_t i = 0; i < COUNT(invisible_shapes); i++) {
+        drawn[invisible_shapes[i].kind] = true;
         for (size_t place = 0; place < COUNT(places); place++)
             check(i, place, without[places[place].ball]);
     }
