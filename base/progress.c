@@ -3,6 +3,8 @@
 
 #include <unistd.h>
 
+#include "base/interrupt.h"
+
 /* Seconds before the line is first shown, and between two updates. */
 #define PATIENCE 1.0
 #define PAUSE 0.2
@@ -79,4 +81,14 @@ void progress_update(struct progress *progress, size_t done, size_t all)
         progress_hide(progress);
         progress->counting = false;
     }
+}
+
+bool progress_watch(void *progress, size_t done, size_t all)
+{
+    if (interrupt_pending()) {
+        progress_hide(progress);
+    } else {
+        progress_update(progress, done, all);
+    }
+    return !interrupt_pending();
 }

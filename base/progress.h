@@ -24,6 +24,9 @@ void progress_begin(struct progress *progress);
 /* Reports that done of all items are done; all must not be 0. If all are done, the next
  * call starts another count. */
 void progress_update(struct progress *progress, size_t done, size_t all);
+/* Does the work of progress_update as a callback with a struct progress. After Ctrl-C
+ * (interrupt.h) it erases the line and returns false. */
+bool progress_watch(void *progress, size_t done, size_t all);
 /* Erases the line before other output. */
 void progress_hide(struct progress *progress);
 

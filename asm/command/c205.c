@@ -1,15 +1,12 @@
 /* c205.c - the command c205, which runs, assembles and examines
  * programs of the machine.
  */
-#include "asm/command/c205_command.h"
+#include "asm/command/commands.h"
+#include "vm/c205.h"
 
 int main(int argc, char **argv)
 {
-    static const struct command *const commands[] = {
-        &run_command,      &debug_command, &asm_command,   &dis_command,
-        &isa_command,      &model_command, &time_command,  &compare_command,
-        &timeline_command, &sweep_command, &check_command, NULL
-    };
+    static const struct command *const commands[] = { COMMANDS(COMMAND_ADDRESS) NULL };
     static const struct command_example files[] = {
         { "NAME.s",
           "A program text. The library files that it includes by name, such as "

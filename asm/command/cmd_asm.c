@@ -1,58 +1,61 @@
 /* cmd_asm.c - c205 asm: assembles a program. */
-#include "asm/command/c205_command.h"
+#include "asm/command/session.h"
 #include "asm/object/object_file.h"
 #include "asm/view/listing.h"
 
-static int assemble(void *given)
+struct asm_arguments {
+    const char *command;
+    struct source_arguments source;
+    const char *file, *output; /* output NULL: not requested */
+    bool listing;
+};
+
+static int cmd_asm(void *given)
 {
-    const struct c205_arguments *arguments = given;
-    if (arguments->warnings.list) {
+    const struct asm_arguments *args = given;
+    struct session session = { .command = args->command };
+    if (args->source.warnings.list) {
         return cmd_list_warnings();
     }
-    if (!arguments->file) {
-        return cmd_usage(arguments->command, "FILE is missing");
+    if (!args->file) {
+        return cmd_usage(args->command, "FILE is missing");
     }
+    struct sink sink = visible_stream(stdout);
     c205_error error;
-    struct sink report = visible_stream(stderr);
-    struct object *object = cmd_read_program(arguments, arguments->file, &report);
-    if (!object) {
-        return CMD_FAILED;
+    int code = session_program(&session, &args->source, args->file) ? CMD_DONE
+                                                                    : CMD_FAILED;
+    if (code == CMD_DONE && args->listing) {
+        listing(session.object, &sink);
     }
-    int code = CMD_DONE;
-    if (arguments->listing) {
-        struct sink sink = visible_stream(stdout);
-        listing(object, &sink);
+    if (code == CMD_DONE && args->output
+        && !object_save(session.object, args->output, &error)) {
+        code = cmd_failed(args->command, "%s", error.message);
     }
-    if (arguments->output && !object_save(object, arguments->output, &error)) {
-        code = cmd_failed(arguments->command, "%s", error.message);
-    }
-    object_free(object);
-    return code;
+    return session_close(&session, code);
 }
 
-static const struct command_option options[] = { { .name = "output",
-                                                   .letter = 'o',
-                                                   .value = "FILE",
-                                                   .kind = COMMAND_OUTPUT,
-                                                   .offset = CMD_PLACE(output),
-                                                   .help = "write the object to FILE" },
-                                                 CMD_FLAG(listing, "print the listing"),
-                                                 CMD_WARN,
-                                                 CMD_DEFINE,
-                                                 CMD_INCLUDE,
-                                                 COMMAND_END };
+#define PLACE(member) offsetof(struct asm_arguments, member)
+
+static const struct command_option options[] = {
+    OPTION_OUTPUT(PLACE(output), "write the object to FILE"),
+    OPTION_FLAG("listing", PLACE(listing), "print the listing"),
+    CMD_WARN(PLACE(source)),
+    CMD_DEFINE(PLACE(source)),
+    CMD_INCLUDE(PLACE(source)),
+    COMMAND_END
+};
 static const struct command_option operands[] = { { .value = "FILE",
                                                     .kind = COMMAND_INPUT,
                                                     .optional = true,
-                                                    .offset = CMD_PLACE(file),
+                                                    .offset = PLACE(file),
                                                     .help = "a program text" },
                                                   COMMAND_END };
 
 const struct command asm_command = {
     .name = "asm",
     .summary = "assemble a program",
-    .function = assemble,
-    .arguments_size = sizeof(struct c205_arguments),
+    .function = cmd_asm,
+    .arguments_size = sizeof(struct asm_arguments),
     .options = options,
     .operands = operands,
     .details =

@@ -72,17 +72,17 @@ static int show_verdict(const struct check_command *check,
     if (results->json) {
         lesson_verdict_json(verdict, results->json);
     }
-    return good ? CMD_DONE : cmd_failed(check->arguments->command, "out of memory");
+    return good ? CMD_DONE : cmd_failed(check->args->shared.command, "out of memory");
 }
 
 static int check_answer(const struct check_command *check, bool *passed)
 {
     struct lesson_verdict verdict = { 0 };
     c205_error error;
-    const char *path = check->arguments->file;
+    const char *path = check->args->answer;
     int code = check_grade(check->lesson, path, &verdict, &error)
                    ? show_verdict(check, &verdict)
-                   : cmd_failed(check->arguments->command, "%s: %s", path,
+                   : cmd_failed(check->args->shared.command, "%s: %s", path,
                                 error.message);
     *passed = verdict.passed;
     lesson_verdict_free(&verdict);
@@ -94,7 +94,7 @@ static int check_answer(const struct check_command *check, bool *passed)
 /* A lesson that is not built in is read from the folder of that name. */
 static bool find_lesson(struct check_command *check, c205_error *error)
 {
-    const char *name = check->arguments->lesson;
+    const char *name = check->args->lesson;
     check->lesson = name ? lessons_find(&check->lessons, name, error) : NULL;
     if (!name || check->lesson || !folder_is(name)) {
         return !name || check->lesson;
@@ -103,81 +103,69 @@ static bool find_lesson(struct check_command *check, c205_error *error)
     return check_read_lesson(&check->own, name, error);
 }
 
-/* The results are written also if the answer has not passed. */
+/* The results are written also if the answer has not passed; *good is then false. */
 static int work(const struct check_command *check, bool *good)
 {
-    const struct c205_arguments *arguments = check->arguments;
-    return arguments->folder ? check_folder(check, good)
-           : !check->lesson  ? check_list(check)
-           : arguments->file ? check_answer(check, good)
-                             : check_show(check);
+    const struct check_arguments *args = check->args;
+    return args->folder     ? check_folder(check, good)
+           : !check->lesson ? check_list(check)
+           : args->answer   ? check_answer(check, good)
+                            : check_show(check);
 }
 
-static int open_and_work(struct check_command *check)
+static int check_usage(const struct check_arguments *args)
 {
-    const struct c205_arguments *arguments = check->arguments;
-    bool good = true;
-    c205_error error;
-    check->results = arguments->results;
-    if (!lessons_open(&check->lessons, &error) || !find_lesson(check, &error)) {
-        return cmd_failed(arguments->command, "%s", error.message);
-    }
-    if (arguments->start) {
-        return check_start(check);
-    }
-    if (!output_open(&check->results, arguments->command, NULL)) {
-        return CMD_FAILED;
-    }
-    int code = output_close(&check->results, work(check, &good));
-    return code == CMD_DONE && !good ? CMD_FAILED : code;
-}
-
-static int check_usage(const struct c205_arguments *arguments)
-{
-    const char *command = arguments->command;
-    return arguments->start && !arguments->lesson
+    const char *command = args->shared.command;
+    return args->start && !args->lesson
                ? cmd_usage(command, "--start requires a LESSON")
-           : arguments->start && (arguments->file || arguments->folder)
+           : args->start && (args->answer || args->folder)
                ? cmd_usage(command,
                            "--start cannot be combined with an ANSWER or --folder")
-           : arguments->output && !arguments->start
-               ? cmd_usage(command, "-o requires --start")
-           : arguments->hints
-                   && (!arguments->lesson || arguments->file || arguments->folder
-                       || arguments->start)
+           : args->output && !args->start ? cmd_usage(command, "-o requires --start")
+           : args->hints
+                   && (!args->lesson || args->answer || args->folder || args->start)
                ? cmd_usage(
                    command,
                    "--hints requires a LESSON, without ANSWER, --folder or --start")
-           : arguments->folder && arguments->file
+           : args->folder && args->answer
                ? cmd_usage(command, "an ANSWER cannot be combined with --folder")
                : CMD_DONE;
 }
 
-static int run(void *given)
+static int cmd_check(void *given)
 {
-    struct check_command check = { .arguments = given };
-    int code = check_usage(check.arguments);
-    if (code == CMD_DONE) {
-        code = open_and_work(&check);
+    const struct check_arguments *args = given;
+    struct check_command check = { .args = args, .results = args->shared.results };
+    c205_error error;
+    bool good = true;
+    int code = check_usage(args);
+    if (code != CMD_DONE) {
+        return code;
+    }
+    if (!lessons_open(&check.lessons, &error) || !find_lesson(&check, &error)) {
+        code = cmd_failed(args->shared.command, "%s", error.message);
+    } else if (args->start) {
+        code = check_start(&check);
+    } else if (!output_open(&check.results, args->shared.command, NULL)) {
+        code = CMD_FAILED;
+    } else {
+        code = output_close(&check.results, work(&check, &good));
     }
     lesson_free(&check.own);
     lessons_free(&check.lessons);
-    return code;
+    return good ? code : CMD_FAILED;
 }
 
+#define PLACE(member) offsetof(struct check_arguments, member)
+
 static const struct command_option options[] = {
-    CMD_FLAG(hints, "print the lesson with its hints"),
-    CMD_FLAG(start, "write the lesson's program to complete"),
-    { .name = "output",
-      .letter = 'o',
-      .value = "FILE",
-      .kind = COMMAND_OUTPUT,
-      .offset = CMD_PLACE(output),
-      .help = "write the program to FILE (-)" },
+    OPTION_FLAG("hints", PLACE(hints), "print the lesson with its hints"),
+    OPTION_FLAG("start", PLACE(start), "write the lesson's program to complete"),
+    OPTION_OUTPUT(PLACE(output), "write the program to FILE (-)"),
     { .name = "folder",
       .value = "DIR",
       .kind = COMMAND_FOLDER,
-      .offset = CMD_PLACE(folder),
+      .offset = PLACE(folder),
       .help = "grade all hand-ins: DIR/STUDENT/LESSON.s, DIR/LESSON.s, "
               "or DIR/STUDENT.s of one lesson" },
     CMD_RESULTS,
@@ -187,13 +175,13 @@ static const struct command_option operands[] = {
     { .value = "LESSON",
       .kind = COMMAND_TEXT,
       .optional = true,
-      .offset = CMD_PLACE(lesson),
+      .offset = PLACE(lesson),
       .help = "the name, number or folder of a lesson; without it, all lessons are "
               "listed" },
     { .value = "ANSWER",
       .kind = COMMAND_INPUT,
       .optional = true,
-      .offset = CMD_PLACE(file),
+      .offset = PLACE(answer),
       .help = "a program text to grade; without it, the lesson is printed" },
     COMMAND_END
 };
@@ -207,8 +195,8 @@ static const struct command_example examples[] = {
 const struct command check_command = {
     .name = "check",
     .summary = "print lessons and grade answers to their exercises",
-    .function = run,
-    .arguments_size = sizeof(struct c205_arguments),
+    .function = cmd_check,
+    .arguments_size = sizeof(struct check_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

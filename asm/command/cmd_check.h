@@ -2,11 +2,19 @@
 #ifndef ASM_CMD_CHECK_H
 #define ASM_CMD_CHECK_H
 
-#include "asm/command/c205_command.h"
+#include "asm/command/session.h"
 #include "asm/lesson/lesson.h"
 
+struct check_arguments {
+    struct shared_arguments shared;
+    const char *lesson, *answer; /* NULL: none */
+    const char *folder;          /* of answers, or NULL */
+    const char *output;          /* for the program to complete; NULL: stdout */
+    bool hints, start;
+};
+
 struct check_command {
-    const struct c205_arguments *arguments;
+    const struct check_arguments *args;
     struct command_output results;
     struct lessons lessons;
     struct lesson own;           /* read from a folder */

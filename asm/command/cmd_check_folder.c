@@ -158,7 +158,7 @@ static void refuse(struct handed_in *all, const char *student,
 {
     struct lesson_verdict verdict = { 0 };
     progress_hide(&all->progress);
-    cmd_failed(all->check->arguments->command, "%s: not graded: %s", path, reason);
+    cmd_failed(all->check->args->shared.command, "%s: not graded: %s", path, reason);
     lesson_refuse(&verdict, lesson, path, reason);
     add(all, student, &verdict);
     all->refused++;
@@ -309,37 +309,37 @@ static struct table *new_table(void)
 
 static int take_class(struct handed_in *all)
 {
-    const struct c205_arguments *arguments = all->check->arguments;
+    const struct check_arguments *args = all->check->args;
     const struct command_output *results = &all->check->results;
     if (results->json) {
         json_array(results->json, "hand_ins");
     }
     interrupt_catch();
     progress_begin(&all->progress);
-    take_folder(all, "", arguments->folder, take_entry);
+    take_folder(all, "", args->folder, take_entry);
     progress_hide(&all->progress);
     if (results->json) {
         json_end(results->json);
     }
     if (interrupt_pending()) {
-        return cmd_failed(arguments->command, "interrupted");
+        return cmd_failed(args->shared.command, "interrupted");
     }
     return !all->failed
                    && (!results->file
                        || table_write(all->table, output_table_format(results),
                                       results->file))
                ? CMD_DONE
-               : cmd_failed(arguments->command, "out of memory");
+               : cmd_failed(args->shared.command, "out of memory");
 }
 
 int check_folder(const struct check_command *check, bool *all_graded)
 {
     struct handed_in all = { .check = check, .table = new_table() };
-    const struct c205_arguments *arguments = check->arguments;
-    int code = !all.table ? cmd_failed(arguments->command, "out of memory")
-               : !folder_is(arguments->folder)
-                   ? cmd_failed(arguments->command, "%s is not a folder",
-                                arguments->folder)
+    const struct check_arguments *args = check->args;
+    int code = !all.table ? cmd_failed(args->shared.command, "out of memory")
+               : !folder_is(args->folder)
+                   ? cmd_failed(args->shared.command, "%s is not a folder",
+                                args->folder)
                    : take_class(&all);
     table_free(all.table);
     *all_graded = all.refused == 0;

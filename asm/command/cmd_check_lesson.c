@@ -94,7 +94,7 @@ static int show_tests(const struct check_command *check)
     for (size_t i = 0; table && i < check->lesson->test_count; i++) {
         if (!add_test(table, &check->lesson->tests[i], &error)) {
             table_free(table);
-            return cmd_failed(check->arguments->command, "%s", error.message);
+            return cmd_failed(check->args->shared.command, "%s", error.message);
         }
     }
     return output_show(&check->results, table, "tests", "Tests");
@@ -136,7 +136,7 @@ static void put_line(struct lesson_reading *reading, const char *line, size_t le
 static void put_text(const struct check_command *check)
 {
     struct lesson_reading reading = { .file = check->results.file,
-                                      .hints = check->arguments->hints };
+                                      .hints = check->args->hints };
     const char *line = check->lesson->text;
     while (*line) {
         size_t length = strcspn(line, "\n");
@@ -164,8 +164,8 @@ int check_show(const struct check_command *check)
 
 int check_start(const struct check_command *check)
 {
-    const char *command = check->arguments->command;
-    const char *path = check->arguments->output;
+    const char *command = check->args->shared.command;
+    const char *path = check->args->output;
     c205_error error;
     struct atomic_file *whole = atomic_file_open(path ? path : "-", &error);
     if (!whole) {

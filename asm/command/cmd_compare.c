@@ -3,19 +3,23 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "asm/command/c205_command.h"
+#include "asm/command/session.h"
 #include "asm/compare/compared.h"
 #include "base/error.h"
 
-struct side {
-    const char *path;
-    c205_model *model;
-    struct object *object;
+struct compare_arguments {
+    struct shared_arguments shared;
+    struct source_arguments source;
+    struct command_texts files;
+    const char *other_model; /* for the second program; NULL: the same */
+    struct cmd_defines other_defines;
+    bool warm;
 };
 
 struct two_runs {
-    const struct c205_arguments *arguments;
-    struct side side[COMPARED_RUNS];
+    const struct compare_arguments *args;
+    const char *path[COMPARED_RUNS];
+    struct session session[COMPARED_RUNS]; /* the output is that of the first */
     struct compared_run run[COMPARED_RUNS];
 };
 
@@ -23,23 +27,20 @@ struct two_runs {
 
 static bool read_side(struct two_runs *runs, int which)
 {
-    const struct c205_arguments *arguments = runs->arguments;
-    struct c205_arguments own = *arguments;
-    struct side *side = &runs->side[which];
+    const struct compare_arguments *args = runs->args;
+    struct source_arguments source = args->source;
+    struct session *session = &runs->session[which];
     struct sink report = visible_stream(stderr);
-    bool other = which == COMPARED_SECOND && arguments->files.count == 1;
-    side->path = arguments->files.items[other ? COMPARED_FIRST : which];
-    if (which == COMPARED_SECOND && arguments->other_defines.count > 0) {
-        own.defines = arguments->other_defines;
+    bool second = which == COMPARED_SECOND;
+    runs->path[which] = args->files.items[args->files.count == 1 ? 0 : which];
+    session->command = args->shared.command;
+    if (second && args->other_defines.count > 0) {
+        source.defines = args->other_defines;
     }
-    side->object = cmd_read_any(&own, side->path, &report);
-    side->model = side->object
-                      ? model_open(arguments->command,
-                                   which == COMPARED_SECOND && arguments->other_model
-                                       ? arguments->other_model
-                                       : arguments->model)
-                      : NULL;
-    return side->model;
+    session->object = cmd_read_any(&source, runs->path[which], &report);
+    return session->object
+           && session_model(session, second && args->other_model ? args->other_model
+                                                                 : args->shared.model);
 }
 
 static bool run_to_end(struct compared_run *run, c205 *machine, c205_error *error)
@@ -57,18 +58,18 @@ static bool run_to_end(struct compared_run *run, c205 *machine, c205_error *erro
  * programs that receive it. */
 static bool uses_defines(const struct two_runs *runs)
 {
-    const struct c205_arguments *arguments = runs->arguments;
-    bool own = arguments->other_defines.count > 0;
-    struct object *const objects[] = { runs->side[COMPARED_FIRST].object,
-                                       runs->side[COMPARED_SECOND].object };
-    const char *unused = asm_unused_define(arguments->defines.items, objects,
+    const struct compare_arguments *args = runs->args;
+    bool own = args->other_defines.count > 0;
+    struct object *const objects[] = { runs->session[COMPARED_FIRST].object,
+                                       runs->session[COMPARED_SECOND].object };
+    const char *unused = asm_unused_define(args->source.defines.items, objects,
                                            own ? 1 : COMPARED_RUNS);
     if (!unused) {
-        unused = asm_unused_define(arguments->other_defines.items,
-                                   objects + COMPARED_SECOND, 1);
+        unused = asm_unused_define(args->other_defines.items, objects + COMPARED_SECOND,
+                                   1);
     }
     if (unused) {
-        cmd_failed(arguments->command, "'%s' is defined, and not used", unused);
+        cmd_failed(args->shared.command, "'%s' is defined, and not used", unused);
     }
     return !unused;
 }
@@ -76,14 +77,12 @@ static bool uses_defines(const struct two_runs *runs)
 /* Runs a program. Its output is discarded. */
 static bool run_side(struct two_runs *runs, int which)
 {
-    struct side *side = &runs->side[which];
+    struct session *session = &runs->session[which];
     c205_error error;
-    c205 *machine = cmd_load(runs->arguments, side->object, side->model, &error);
-    bool good;
-    good = machine && run_to_end(&runs->run[which], machine, &error);
-    c205_free(machine);
+    bool good = session_load(session, runs->args->warm, &error)
+                && run_to_end(&runs->run[which], session->machine, &error);
     if (!good) {
-        cmd_failed(runs->arguments->command, "%s: %s", side->path, error.message);
+        cmd_failed(session->command, "%s: %s", runs->path[which], error.message);
     }
     return good;
 }
@@ -106,9 +105,8 @@ static int show(const struct two_runs *runs, const struct command_output *result
     char sentence[COMPARED_SENTENCE];
     int code;
     for (int i = 0; i < COMPARED_RUNS; i++) {
-        const struct side *side = &runs->side[i];
-        output_printf(results, "%s: %s on %s\n", i ? "second" : "first", side->path,
-                      c205_model_name(side->model));
+        output_printf(results, "%s: %s on %s\n", i ? "second" : "first", runs->path[i],
+                      c205_model_name(runs->session[i].model));
     }
     code = show_next(results, compared_causes(runs->run), "causes", "Causes", CMD_DONE);
     code = show_next(results, compared_regions(runs->run), "regions", "Regions", code);
@@ -118,71 +116,60 @@ static int show(const struct two_runs *runs, const struct command_output *result
     output_printf(results, "%s\n", sentence);
     for (int i = 0; i < COMPARED_RUNS; i++) {
         if (i == COMPARED_FIRST
-            || strcmp(c205_model_name(runs->side[i].model),
-                      c205_model_name(runs->side[COMPARED_FIRST].model))
+            || strcmp(c205_model_name(runs->session[i].model),
+                      c205_model_name(runs->session[COMPARED_FIRST].model))
                    != 0) {
-            output_model(results, runs->side[i].model);
+            output_model(results, runs->session[i].model);
         }
     }
     return code;
 }
 
-static int compare(struct two_runs *runs)
+static int cmd_compare(void *given)
 {
-    struct command_output results = runs->arguments->results;
-    int code;
-    if (!read_side(runs, COMPARED_FIRST) || !read_side(runs, COMPARED_SECOND)
-        || !uses_defines(runs) || !run_side(runs, COMPARED_FIRST)
-        || !run_side(runs, COMPARED_SECOND)) {
-        return CMD_FAILED;
+    const struct compare_arguments *args = given;
+    struct two_runs runs = { .args = args };
+    struct session *first = &runs.session[COMPARED_FIRST];
+    if (args->files.count == 0 || args->files.count > COMPARED_RUNS) {
+        return cmd_usage(args->shared.command, "expected one or two programs");
     }
-    if (!output_open(&results, runs->arguments->command, NULL)) {
-        return CMD_FAILED;
-    }
-    code = show(runs, &results);
-    return output_close(&results, code);
-}
-
-static int run(void *given)
-{
-    const struct c205_arguments *arguments = given;
-    struct two_runs runs = { .arguments = arguments };
-    int code;
-    if (arguments->files.count == 0 || arguments->files.count > COMPARED_RUNS) {
-        return cmd_usage(arguments->command, "expected one or two programs");
-    }
-    if (arguments->files.count == 1 && !arguments->other_model
-        && arguments->other_defines.count == 0) {
-        return cmd_usage(arguments->command,
+    if (args->files.count == 1 && !args->other_model
+        && args->other_defines.count == 0) {
+        return cmd_usage(args->shared.command,
                          "expected a second program, --other-model or --other-define");
     }
-    code = compare(&runs);
+    bool good = read_side(&runs, COMPARED_FIRST) && read_side(&runs, COMPARED_SECOND)
+                && uses_defines(&runs) && run_side(&runs, COMPARED_FIRST)
+                && run_side(&runs, COMPARED_SECOND)
+                && session_output(first, &args->shared.results, NULL);
+    int code = session_close(first, good ? show(&runs, &first->results) : CMD_FAILED);
+    session_close(&runs.session[COMPARED_SECOND], code);
     for (int i = 0; i < COMPARED_RUNS; i++) {
         compared_free(&runs.run[i]);
-        object_free(runs.side[i].object);
-        c205_model_free(runs.side[i].model);
     }
     return code;
 }
+
+#define PLACE(member) offsetof(struct compare_arguments, member)
 
 static const struct command_option options[] = {
     CMD_MODEL,
     { .name = "other-model",
       .value = "NAME|FILE",
       .kind = COMMAND_INPUT,
-      .offset = CMD_PLACE(other_model),
+      .offset = PLACE(other_model),
       .choice = command_model_choice,
       .help = "machine model of the second program" },
-    CMD_DEFINE,
+    CMD_DEFINE(PLACE(source)),
     { .name = "other-define",
       .value = "NAME=VALUE",
       .kind = COMMAND_CUSTOM,
-      .offset = CMD_PLACE(other_defines),
+      .offset = PLACE(other_defines),
       .take = cmd_take_define,
       .wants = "NAME=VALUE, a name and an integer, each name once",
       .help = "define an integer for the second program, which then ignores --define" },
-    CMD_FLAG(warm, "all pages are in memory when the programs begin"),
-    CMD_INCLUDE,
+    OPTION_FLAG("warm", PLACE(warm), "all pages are in memory when the programs begin"),
+    CMD_INCLUDE(PLACE(source)),
     CMD_FIGURES,
     COMMAND_END
 };
@@ -190,7 +177,7 @@ static const struct command_option operands[] = {
     { .value = "FILE",
       .kind = COMMAND_INPUT,
       .many = true,
-      .offset = CMD_PLACE(files),
+      .offset = PLACE(files),
       .help = "two programs, or one to run with two settings" },
     COMMAND_END
 };
@@ -204,8 +191,8 @@ static const struct command_example examples[] = {
 const struct command compare_command = {
     .name = "compare",
     .summary = "compare two programs and show the cause of the difference",
-    .function = run,
-    .arguments_size = sizeof(struct c205_arguments),
+    .function = cmd_compare,
+    .arguments_size = sizeof(struct compare_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

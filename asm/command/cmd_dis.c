@@ -1,29 +1,40 @@
 /* cmd_dis.c - c205 dis: prints a program as text that assembles to the same words. */
-#include "asm/command/c205_command.h"
+#include "asm/command/session.h"
 #include "asm/object/disassemble.h"
 
-static int disassemble_file(void *given)
+struct dis_arguments {
+    const char *command;
+    struct source_arguments source;
+    const char *file;
+};
+
+static int cmd_dis(void *given)
 {
-    const struct c205_arguments *arguments = given;
+    const struct dis_arguments *args = given;
+    struct session session = { .command = args->command };
     struct sink sink = visible_stream(stdout);
-    struct sink report = visible_stream(stderr);
-    struct object *object = cmd_read_program(arguments, arguments->file, &report);
-    if (!object) {
-        return CMD_FAILED;
+    int code = CMD_FAILED;
+    if (session_program(&session, &args->source, args->file)) {
+        code = disassemble(session.object, &sink)
+                   ? CMD_DONE
+                   : cmd_failed(args->command, "out of memory");
     }
-    bool good = disassemble(object, &sink);
-    object_free(object);
-    return good ? CMD_DONE : cmd_failed(arguments->command, "out of memory");
+    return session_close(&session, code);
 }
 
-static const struct command_option options[] = { CMD_DEFINE, CMD_INCLUDE, COMMAND_END };
-static const struct command_option operands[] = { CMD_PROGRAM, COMMAND_END };
+#define PLACE(member) offsetof(struct dis_arguments, member)
+
+static const struct command_option options[] = { CMD_DEFINE(PLACE(source)),
+                                                 CMD_INCLUDE(PLACE(source)),
+                                                 COMMAND_END };
+static const struct command_option operands[] = { CMD_PROGRAM(PLACE(file)),
+                                                  COMMAND_END };
 
 const struct command dis_command = {
     .name = "dis",
     .summary = "disassemble a program",
-    .function = disassemble_file,
-    .arguments_size = sizeof(struct c205_arguments),
+    .function = cmd_dis,
+    .arguments_size = sizeof(struct dis_arguments),
     .options = options,
     .operands = operands,
 };

@@ -6,6 +6,12 @@
 #include "asm/object/syntax.h"
 #include "base/word_wrap.h"
 
+struct isa_arguments {
+    struct shared_arguments shared;
+    struct command_texts names; /* of instructions; none: all */
+    bool only_names, markdown, grammar, card;
+};
+
 /* The columns that fit a line. */
 static const struct table_column brief[] = {
     { "mnemonic", "name", TABLE_TEXT, 0 },
@@ -104,7 +110,7 @@ static void describe(const c205_insn *insn)
     putchar('\n');
 }
 
-static void add_brief(struct table *table, const c205_insn *insn)
+static void add_row(struct table *table, const c205_insn *insn, bool is_brief)
 {
     char code[ISA_CODE], provenance[2] = { insn->provenance, '\0' };
     isa_code(insn, code);
@@ -112,21 +118,11 @@ static void add_brief(struct table *table, const c205_insn *insn)
     table_text(table, code);
     table_text(table, insn->flags & C205_INSN_HALF ? "H" : "");
     table_text(table, c205_format_syntax(insn->format));
-    table_text(table, provenance);
-    table_text(table, insn->effect);
-}
-
-static void add_row(struct table *table, const c205_insn *insn)
-{
-    char code[ISA_CODE], provenance[2] = { insn->provenance, '\0' };
-    isa_code(insn, code);
-    table_text(table, insn->mnemonic);
-    table_text(table, code);
-    table_text(table, insn->flags & C205_INSN_HALF ? "H" : "");
-    table_text(table, c205_format_syntax(insn->format));
-    table_text(table, c205_format_name(insn->format));
-    table_text(table, c205_unit_name(insn->unit));
-    table_text(table, c205_timing_name(insn->timing));
+    if (!is_brief) {
+        table_text(table, c205_format_name(insn->format));
+        table_text(table, c205_unit_name(insn->unit));
+        table_text(table, c205_timing_name(insn->timing));
+    }
     table_text(table, provenance);
     table_text(table, insn->effect);
 }
@@ -144,51 +140,44 @@ static const c205_insn *row_named(const char *name)
     return NULL;
 }
 
-static bool chosen(const struct c205_arguments *arguments, const c205_insn *insn)
+static bool chosen(const struct isa_arguments *args, const c205_insn *insn)
 {
-    for (size_t i = 0; i < arguments->files.count; i++) {
-        if (row_named(arguments->files.items[i]) == insn) {
+    for (size_t i = 0; i < args->names.count; i++) {
+        if (row_named(args->names.items[i]) == insn) {
             return true;
         }
     }
-    return arguments->files.count == 0;
+    return args->names.count == 0;
 }
 
-static struct table *chosen_rows(const struct c205_arguments *arguments)
+static struct table *chosen_rows(const struct isa_arguments *args, bool is_brief)
 {
-    struct table *table = table_new(TABLE_COLUMNS(columns));
+    struct table *table = is_brief ? table_new(TABLE_COLUMNS(brief))
+                                   : table_new(TABLE_COLUMNS(columns));
     for (size_t i = 0; table && i < c205_insn_count; i++) {
-        if (chosen(arguments, &c205_insns[i])) {
-            add_row(table, &c205_insns[i]);
+        if (chosen(args, &c205_insns[i])) {
+            add_row(table, &c205_insns[i], is_brief);
         }
     }
     return table;
 }
 
-static bool print_brief(void)
-{
-    struct table *table = table_new(TABLE_COLUMNS(brief));
-    for (size_t i = 0; table && i < c205_insn_count; i++) {
-        add_brief(table, &c205_insns[i]);
-    }
-    bool good = table && table_print(table, stdout);
-    table_free(table);
-    return good;
-}
-
 /* Prints the names alone, or the named instructions in detail, or a line
  * for each instruction. */
-static bool print_text(const struct c205_arguments *arguments)
+static bool print_text(const struct isa_arguments *args)
 {
-    if (arguments->files.count == 0 && !arguments->names) {
-        return print_brief();
+    if (args->names.count == 0 && !args->only_names) {
+        struct table *table = chosen_rows(args, true);
+        bool good = table && table_print(table, stdout);
+        table_free(table);
+        return good;
     }
     for (size_t i = 0; i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
-        if (!chosen(arguments, insn)) {
+        if (!chosen(args, insn)) {
             continue;
         }
-        if (arguments->names) {
+        if (args->only_names) {
             puts(insn->mnemonic);
         } else {
             describe(insn);
@@ -198,77 +187,75 @@ static bool print_text(const struct c205_arguments *arguments)
 }
 
 /* Formats other than text always have the complete rows. */
-static int show(const struct c205_arguments *arguments,
-                const struct command_output *results)
+static int show(const struct isa_arguments *args, const struct command_output *results)
 {
     struct command_output rest = *results;
     if (results->format == OUTPUT_TEXT) {
         rest.file = NULL;
-        if (!print_text(arguments)) {
-            return cmd_failed(arguments->command, "out of memory");
+        if (!print_text(args)) {
+            return cmd_failed(args->shared.command, "out of memory");
         }
     }
-    return output_show(&rest, chosen_rows(arguments), "instructions", NULL);
+    return output_show(&rest, chosen_rows(args, false), "instructions", NULL);
 }
 
 /* Writes the forms that contain clocks of a model. */
-static int with_model(const struct c205_arguments *arguments)
+static int with_model(const struct isa_arguments *args)
 {
     int code = CMD_DONE;
-    c205_model *model = model_open(arguments->command, arguments->model);
+    c205_model *model = model_open(args->shared.command, args->shared.model);
     if (!model) {
         return CMD_FAILED;
     }
-    if (arguments->card && c205_model_is_projection(model)) {
-        code = cmd_failed(arguments->command, "%s has no clocks of single instructions",
+    if (args->card && c205_model_is_projection(model)) {
+        code = cmd_failed(args->shared.command,
+                          "%s has no clocks of single instructions",
                           c205_model_name(model));
-    } else if (arguments->card) {
+    } else if (args->card) {
         isa_card(model);
     } else {
-        code = isa_page(arguments->command, model);
+        code = isa_page(args->shared.command, model);
     }
     c205_model_free(model);
     return code;
 }
 
 /* Returns the name of an output that is not a table, or NULL for the table. */
-static const char *other_form(const struct c205_arguments *arguments)
+static const char *other_form(const struct isa_arguments *args)
 {
-    return arguments->markdown  ? "markdown"
-           : arguments->grammar ? "grammar"
-           : arguments->card    ? "card"
-                                : NULL;
+    return args->markdown  ? "markdown"
+           : args->grammar ? "grammar"
+           : args->card    ? "card"
+                           : NULL;
 }
 
-static bool stands_alone(const struct c205_arguments *arguments)
+static bool stands_alone(const struct isa_arguments *args)
 {
-    return arguments->files.count == 0 && !arguments->names && !arguments->results.path
-           && !arguments->results.format
-           && arguments->markdown + arguments->grammar + arguments->card == 1;
+    return args->names.count == 0 && !args->only_names && !args->shared.results.path
+           && !args->shared.results.format
+           && args->markdown + args->grammar + args->card == 1;
 }
 
-static int run(void *given)
+static int cmd_isa(void *given)
 {
-    const struct c205_arguments *arguments = given;
-    struct command_output results = arguments->results;
-    const char *form = other_form(arguments);
+    const struct isa_arguments *args = given;
+    struct session session = { .command = args->shared.command };
+    const char *form = other_form(args);
     if (form) {
-        return !stands_alone(arguments)
-                   ? cmd_usage(arguments->command,
+        return !stands_alone(args)
+                   ? cmd_usage(args->shared.command,
                                "--%s can be combined only with --model", form)
-               : arguments->grammar ? isa_grammar(arguments->command)
-                                    : with_model(arguments);
+               : args->grammar ? isa_grammar(args->shared.command)
+                               : with_model(args);
     }
-    for (size_t i = 0; i < arguments->files.count; i++) {
-        const char *name = arguments->files.items[i];
+    for (size_t i = 0; i < args->names.count; i++) {
+        const char *name = args->names.items[i];
         if (!row_named(name)) {
-            return cmd_usage(arguments->command, "unknown instruction '%s'", name);
+            return cmd_usage(args->shared.command, "unknown instruction '%s'", name);
         }
     }
-    if (!output_open(&results, arguments->command, NULL)) {
-        return CMD_FAILED;
-    }
-    return output_close(&results, show(arguments, &results));
+    bool good = session_output(&session, &args->shared.results, NULL);
+    return session_close(&session, good ? show(args, &session.results) : CMD_FAILED);
 }
 
 static const char *mnemonic_choice(size_t number)
@@ -276,11 +263,13 @@ static const char *mnemonic_choice(size_t number)
     return number < c205_insn_count ? c205_insns[number].mnemonic : NULL;
 }
 
+#define PLACE(member) offsetof(struct isa_arguments, member)
+
 static const struct command_option options[] = {
-    CMD_FLAG(names, "print only the mnemonics"),
-    CMD_FLAG(markdown, "print the whole reference, docs/isa.md"),
-    CMD_FLAG(grammar, "print a TextMate grammar, for editors"),
-    CMD_FLAG(card, "print a card of two pages, for groff -Tpdf"),
+    OPTION_FLAG("names", PLACE(only_names), "print only the mnemonics"),
+    OPTION_FLAG("markdown", PLACE(markdown), "print the whole reference, docs/isa.md"),
+    OPTION_FLAG("grammar", PLACE(grammar), "print a TextMate grammar, for editors"),
+    OPTION_FLAG("card", PLACE(card), "print a card of two pages, for groff -Tpdf"),
     CMD_MODEL,
     CMD_RESULTS,
     COMMAND_END
@@ -290,7 +279,7 @@ static const struct command_option operands[] = {
       .kind = COMMAND_TEXT,
       .many = true,
       .optional = true,
-      .offset = CMD_PLACE(files),
+      .offset = PLACE(names),
       .choice = mnemonic_choice,
       .help = "describe this instruction" },
     COMMAND_END
@@ -299,8 +288,8 @@ static const struct command_option operands[] = {
 const struct command isa_command = {
     .name = "isa",
     .summary = "list or describe the instructions",
-    .function = run,
-    .arguments_size = sizeof(struct c205_arguments),
+    .function = cmd_isa,
+    .arguments_size = sizeof(struct isa_arguments),
     .options = options,
     .operands = operands,
     .details = "Without a MNEMONIC: all instructions, one line each.",

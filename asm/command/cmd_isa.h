@@ -6,7 +6,7 @@
 #ifndef ASM_CMD_ISA_H
 #define ASM_CMD_ISA_H
 
-#include "asm/command/c205_command.h"
+#include "asm/command/session.h"
 #include "vm/text.h"
 
 /* Writes "82", or "9D.1" if bits of G belong to the operation. */

@@ -1,5 +1,10 @@
 /* cmd_model.c - c205 model: lists the machine models and their constants. */
-#include "asm/command/c205_command.h"
+#include "asm/command/session.h"
+
+struct model_arguments {
+    struct shared_arguments shared;
+    const char *name; /* NULL: list all */
+};
 
 static const struct table_column model_columns[] = {
     { "name", "model", TABLE_TEXT, 0 },
@@ -13,12 +18,12 @@ static const struct table_column constant_columns[] = {
     { "remark", "remark", TABLE_TEXT, 0 },
 };
 
-static int show_models(const char *command, const struct command_output *results)
+static int show_models(const struct session *session)
 {
     struct table *table = table_new(TABLE_COLUMNS(model_columns));
     const char *const *names = c205_model_names();
     for (; table && *names; names++) {
-        c205_model *model = model_open(command, *names);
+        c205_model *model = model_open(session->command, *names);
         if (!model) {
             table_free(table);
             return CMD_FAILED;
@@ -28,11 +33,13 @@ static int show_models(const char *command, const struct command_output *results
         table_text(table, c205_model_title(model));
         c205_model_free(model);
     }
-    return output_show(results, table, "models", "Models");
+    return output_show(&session->results, table, "models", "Models");
 }
 
-static int show_constants(const c205_model *model, const struct command_output *results)
+static int show_constants(const struct session *session)
 {
+    const c205_model *model = session->model;
+    const struct command_output *results = &session->results;
     struct command_output head = *results;
     struct table *table = table_new(TABLE_COLUMNS(constant_columns));
     for (size_t i = 0; table && i < c205_model_size(model); i++) {
@@ -53,30 +60,15 @@ static int show_constants(const c205_model *model, const struct command_output *
     return output_show(results, table, "constants", "Constants");
 }
 
-static int show(const char *command, const char *name,
-                const struct command_output *results)
+static int cmd_model(void *given)
 {
-    if (!name) {
-        return show_models(command, results);
-    }
-    c205_model *model = model_open(command, name);
-    if (!model) {
-        return CMD_FAILED;
-    }
-    int code = show_constants(model, results);
-    c205_model_free(model);
-    return code;
-}
-
-static int run(void *given)
-{
-    const struct c205_arguments *arguments = given;
-    struct command_output results = arguments->results;
-    if (!output_open(&results, arguments->command, NULL)) {
-        return CMD_FAILED;
-    }
-    int code = show(arguments->command, arguments->file, &results);
-    return output_close(&results, code);
+    const struct model_arguments *args = given;
+    struct session session = { .command = args->shared.command };
+    bool good = session_output(&session, &args->shared.results, NULL)
+                && (!args->name || session_model(&session, args->name));
+    return session_close(&session, !good        ? CMD_FAILED
+                                   : args->name ? show_constants(&session)
+                                                : show_models(&session));
 }
 
 static const struct command_option options[] = { CMD_RESULTS, COMMAND_END };
@@ -84,7 +76,7 @@ static const struct command_option operands[] = {
     { .value = "NAME|FILE",
       .kind = COMMAND_INPUT,
       .optional = true,
-      .offset = CMD_PLACE(file),
+      .offset = offsetof(struct model_arguments, name),
       .choice = command_model_choice,
       .help = "a model whose constants are printed" },
     COMMAND_END
@@ -93,8 +85,8 @@ static const struct command_option operands[] = {
 const struct command model_command = {
     .name = "model",
     .summary = "list machine models and their constants",
-    .function = run,
-    .arguments_size = sizeof(struct c205_arguments),
+    .function = cmd_model,
+    .arguments_size = sizeof(struct model_arguments),
     .options = options,
     .operands = operands,
     .details =

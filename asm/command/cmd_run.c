@@ -2,7 +2,7 @@
 #include <inttypes.h>
 
 #include "asm/check/runtime_check.h"
-#include "asm/command/c205_command.h"
+#include "asm/command/cmd_run.h"
 #include "asm/measure/line_profile.h"
 #include "asm/object/disassemble.h"
 #include "asm/view/operand_view.h"
@@ -36,41 +36,31 @@ static void stop_json(const c205 *machine, const c205_stop *stop, struct json *j
     json_count(json, "clocks", c205_clock(machine));
 }
 
-static const char *program_name(const struct c205_arguments *arguments)
+static const char *program_name(const struct run_arguments *args)
 {
-    return arguments->files.count ? arguments->files.items[0] : arguments->restore;
+    return args->files.count ? args->files.items[0] : args->restore;
 }
 
-static int show_profile(const struct c205_arguments *arguments,
-                        const struct line_profile *profile,
-                        const struct command_output *results)
+static int show_accounts(const struct session *session,
+                         const struct run_arguments *args, const c205_stop *stop)
 {
-    struct profile_view view = { arguments->in_order ? PROFILE_AS_WRITTEN
-                                                     : PROFILE_HOTTEST,
-                                 false };
-    return line_profile_show(profile, view, results);
-}
-
-static int show_accounts(const struct c205_arguments *arguments, const c205 *machine,
-                         const c205_stop *stop, const struct command_output *results)
-{
-    const c205_model *model = c205_machine_model(machine);
-    struct accounts accounts = { .model = model };
+    const struct command_output *results = &session->results;
+    uint64_t clocks = c205_clock(session->machine);
+    struct accounts accounts = { .model = session->model };
     char time[ACCOUNTS_TIME];
-    if (!accounts_add(&accounts, machine)) {
+    if (!accounts_add(&accounts, session->machine)) {
         accounts_free(&accounts);
-        return cmd_failed(arguments->command, "out of memory");
+        return cmd_failed(session->command, "out of memory");
     }
     if (results->json) {
-        json_text(results->json, "program", program_name(arguments));
-        provenance_json(model, results->json);
-        stop_json(machine, stop, results->json);
+        json_text(results->json, "program", program_name(args));
+        provenance_json(session->model, results->json);
+        stop_json(session->machine, stop, results->json);
     }
-    accounts_time(model, c205_clock(machine), time);
-    output_printf(results, "%" PRIu64 " clock%s, %s\n", c205_clock(machine),
-                  plural(c205_clock(machine)), time);
+    accounts_time(session->model, clocks, time);
+    output_printf(results, "%" PRIu64 " clock%s, %s\n", clocks, plural(clocks), time);
     int code = accounts_show(&accounts, results);
-    output_model(results, model);
+    output_model(results, session->model);
     accounts_free(&accounts);
     return code;
 }
@@ -78,16 +68,15 @@ static int show_accounts(const struct c205_arguments *arguments, const c205 *mac
 /* ---- The end of a run ---------------------------------------------------- */
 
 /* Returns the exit code. */
-static int judge_trap(const struct c205_arguments *arguments,
-                      const struct object *object, const c205 *machine,
+static int judge_trap(const struct session *session, const struct run_arguments *args,
                       const c205_stop *stop)
 {
     struct sink report = visible_stream(stderr);
     fflush(stdout);
-    trap_report(object, program_name(arguments), machine, stop, &report);
-    if (stop->trap == C205_TRAP_CLOCK_LIMIT && arguments->limit == C205_NO_LIMIT) {
+    trap_report(session->object, program_name(args), session->machine, stop, &report);
+    if (stop->trap == C205_TRAP_CLOCK_LIMIT && args->limit == C205_NO_LIMIT) {
         return cmd_failed(
-            arguments->command,
+            session->command,
             "stopped after %" PRIu64
             " clocks: if the program is not in an endless loop, use --limit CLOCKS "
             "or --no-limit",
@@ -96,18 +85,18 @@ static int judge_trap(const struct c205_arguments *arguments,
     return CMD_FAILED;
 }
 
-static int judge(const struct c205_arguments *arguments, const struct object *object,
-                 const c205 *machine, const c205_stop *stop)
+static int judge(const struct session *session, const struct run_arguments *args,
+                 const c205_stop *stop)
 {
     enum { STATUS = 0xFF };
     if (stop->trap != C205_TRAP_NONE) {
-        return judge_trap(arguments, object, machine, stop);
+        return judge_trap(session, args, stop);
     }
-    if (arguments->exit_status) {
+    if (args->exit_status) {
         return (int)(stop->status & STATUS);
     }
     if (stop->status != 0) {
-        return cmd_failed(arguments->command, "the program ended with status %" PRId64,
+        return cmd_failed(session->command, "the program ended with status %" PRId64,
                           stop->status);
     }
     return CMD_DONE;
@@ -118,21 +107,20 @@ static bool may_go_on(const c205_stop *stop)
     return stop->trap == C205_TRAP_CLOCK_LIMIT;
 }
 
-static int save(const struct c205_arguments *arguments, const struct object *object,
-                const c205 *machine, const c205_stop *stop,
-                const struct command_output *results)
+static int save(const struct session *session, const struct run_arguments *args,
+                const c205_stop *stop)
 {
     c205_error error;
     if (!may_go_on(stop)) {
         fprintf(stderr,
                 "c205 run: the program did not reach the limit; nothing is saved\n");
-        return judge(arguments, object, machine, stop);
+        return judge(session, args, stop);
     }
-    if (!state_save(machine, arguments->save, &error)) {
-        return cmd_failed(arguments->command, "%s", error.message);
+    if (!state_save(session->machine, args->save, &error)) {
+        return cmd_failed(session->command, "%s", error.message);
     }
-    output_printf(results, "stopped by %s, and saved as %s\n",
-                  interrupt_pending() ? "Ctrl-C" : "the limit", arguments->save);
+    output_printf(&session->results, "stopped by %s, and saved as %s\n",
+                  interrupt_pending() ? "Ctrl-C" : "the limit", args->save);
     return CMD_DONE;
 }
 
@@ -157,46 +145,45 @@ static void put_message(void *context, const char *text, size_t length)
 }
 
 /* Starts the runtime checks if the object is known and any warning is enabled. */
-static bool start_watch(const struct c205_arguments *arguments, c205 *machine,
-                        const struct object *object, const struct sink *report,
-                        struct runtime_checker **watch)
+static bool start_watch(const struct session *session, const struct run_arguments *args,
+                        const struct sink *report, struct runtime_checker **watch)
 {
-    const struct warning_choice *choice = &arguments->warnings.choice;
+    const struct warning_choice *choice = &args->source.warnings.choice;
     *watch = NULL;
-    if (!object || !warning_any(choice)) {
+    if (!session->object || !warning_any(choice)) {
         return true;
     }
-    *watch = runtime_new(object, program_name(arguments), choice, report);
-    if (!*watch || !c205_listen(machine, runtime_listen, *watch)) {
+    *watch = runtime_new(session->object, program_name(args), choice, report);
+    if (!*watch || !c205_listen(session->machine, runtime_listen, *watch)) {
         return false;
     }
-    runtime_begin(*watch, machine);
+    runtime_begin(*watch, session->machine);
     return true;
 }
 
 /* Reports an interruption after the results, so that it is not overlooked. */
-static int conclude(const struct c205_arguments *arguments, const struct object *object,
-                    const c205 *machine, const c205_stop *stop,
-                    const struct command_output *results)
+static int conclude(const struct session *session, const struct run_arguments *args,
+                    const c205_stop *stop)
 {
-    int code = arguments->save       ? save(arguments, object, machine, stop, results)
+    uint64_t clocks = c205_clock(session->machine);
+    int code = args->save            ? save(session, args, stop)
                : interrupt_pending() ? CMD_DONE
-                                     : judge(arguments, object, machine, stop);
+                                     : judge(session, args, stop);
     if (!may_go_on(stop) || !interrupt_pending()) {
         return code;
     }
-    return cmd_failed(arguments->command,
-                      "interrupted; these are the accounts of the first "
-                      "%" PRIu64 " clock%s",
-                      c205_clock(machine), plural(c205_clock(machine)));
+    return cmd_failed(session->command,
+                      "interrupted; these are the accounts of the first %" PRIu64
+                      " clock%s",
+                      clocks, plural(clocks));
 }
 
 /* ---- The run ------------------------------------------------------------- */
 
-static uint64_t find_limit(const struct c205_arguments *arguments, const c205 *machine)
+static uint64_t find_limit(const struct run_arguments *args, const c205 *machine)
 {
-    return arguments->limit != C205_NO_LIMIT || arguments->no_limit
-               ? arguments->limit
+    return args->limit != C205_NO_LIMIT || args->no_limit
+               ? args->limit
                : c205_clock(machine) + CMD_LIMIT;
 }
 
@@ -214,199 +201,178 @@ static c205_stop run_slices(c205 *machine, uint64_t limit)
     return stop;
 }
 
-static int run(const struct c205_arguments *arguments, c205 *machine,
-               const struct object *object)
+static int run(struct session *session, const struct run_arguments *args)
 {
+    c205 *machine = session->machine;
+    struct command_output *results = &session->results;
+    struct profile_view view = { args->in_order ? PROFILE_AS_WRITTEN : PROFILE_HOTTEST,
+                                 false };
     struct runtime_checker *watch;
-    struct command_output results = arguments->results;
-    if (!output_open(&results, arguments->command, arguments->save)) {
-        return CMD_FAILED;
-    }
-    struct line_tracker printed = { stream_sink(program_stream(&results)), false };
+    struct line_tracker printed = { stream_sink(program_stream(results)), false };
     struct printer printer = { line_tracker_sink(&printed) };
     struct sink messages = { put_message, &printed };
     struct line_profile *profile = NULL;
-    if (arguments->profile) {
-        profile = line_profile_new(object);
+    if (args->profile) {
+        profile = line_profile_new(session->object);
     }
     c205_listen(machine, printer_listen, &printer);
-    if (arguments->trace) {
+    if (args->trace) {
         c205_listen(machine, trace, &messages);
     }
-    if ((arguments->profile
+    if ((args->profile
          && (!profile || !c205_listen(machine, line_profile_listen, profile)))
-        || !start_watch(arguments, machine, object, &messages, &watch)) {
-        output_close(&results, CMD_FAILED);
+        || !start_watch(session, args, &messages, &watch)) {
         line_profile_free(profile);
-        return cmd_failed(arguments->command, "out of memory");
+        return cmd_failed(session->command, "out of memory");
     }
     interrupt_catch();
-    c205_stop stop = run_slices(machine, find_limit(arguments, machine));
+    c205_stop stop = run_slices(machine, find_limit(args, machine));
     bool errors = watch && runtime_errors(watch) > 0;
     runtime_free(watch);
     line_tracker_close(&printed);
-    int code = show_accounts(arguments, machine, &stop, &results);
+    int code = show_accounts(session, args, &stop);
     if (profile && code == CMD_DONE) {
-        code = show_profile(arguments, profile, &results);
+        code = line_profile_show(profile, view, results);
     }
     line_profile_free(profile);
-    code = output_close(&results, code);
-    int verdict = conclude(arguments, object, machine, &stop, &results);
+    code = output_close(results, code);
+    int verdict = conclude(session, args, &stop);
     return code != CMD_DONE ? code : errors ? CMD_FAILED : verdict;
 }
 
 /* ---- The machine -------------------------------------------------------- */
 
-/* Restores a saved machine. object: NULL, or the program that it must be running. */
-static c205 *restore(const char *path, const c205_model *model,
-                     const struct object *object, c205_error *error)
+/* Restores a saved machine, which must be running the program of the session, if there
+ * is one. */
+static bool restore(struct session *session, const char *path, c205_error *error)
 {
-    c205 *machine = state_load(path, model, error);
-    if (machine && object
-        && c205_loaded_program(machine) != c205_program_hash(&object->program)) {
-        error_set(error, "%.180s: the saved machine runs another program", path);
-        c205_free(machine);
-        return NULL;
+    session->machine = state_load(path, session->model, error);
+    if (session->machine && session->object
+        && c205_loaded_program(session->machine)
+               != c205_program_hash(&session->object->program)) {
+        return error_set(error, "%.180s: the saved machine runs another program", path);
     }
-    return machine;
+    return session->machine;
 }
 
-static int make_and_run(const struct c205_arguments *arguments, const c205_model *model,
-                        const struct object *object)
+static bool make_machine(struct session *session, const struct run_arguments *args)
 {
     c205_error error;
-    c205 *machine = arguments->restore
-                        ? restore(arguments->restore, model, object, &error)
-                        : cmd_load(arguments, object, model, &error);
-    if (!machine) {
-        return cmd_failed(arguments->command, "%s", error.message);
+    if (!(args->restore ? restore(session, args->restore, &error)
+                        : session_load(session, args->warm, &error))) {
+        cmd_failed(session->command, "%s", error.message);
+        return false;
     }
-    if (arguments->profile && object->line_count == 0) {
-        c205_free(machine);
-        return cmd_failed(
-            arguments->command,
+    if (args->profile && session->object->line_count == 0) {
+        cmd_failed(
+            session->command,
             "--profile: the source lines of %s are not known; run its program text",
-            program_name(arguments));
+            program_name(args));
+        return false;
     }
-    int code = run(arguments, machine, object);
-    c205_free(machine);
-    return code;
+    return true;
 }
 
-static int read_and_run(const struct c205_arguments *arguments, const c205_model *model)
-{
-    struct sink report = visible_stream(stderr);
-    if (arguments->files.count == 0) {
-        return make_and_run(arguments, model, NULL);
-    }
-    struct object *object = cmd_read_program(arguments, arguments->files.items[0],
-                                             &report);
-    int code = object ? make_and_run(arguments, model, object) : CMD_FAILED;
-    object_free(object);
-    return code;
-}
+/* ---- The command -------------------------------------------------------- */
 
 /* Returns CMD_DONE if the combination of arguments is valid. */
-static int check_usage(const struct c205_arguments *arguments)
+static int check_usage(const struct run_arguments *args)
 {
-    const char *command = arguments->command;
-    bool state = arguments->save || arguments->restore;
-    if (arguments->files.count == 0 && !arguments->restore) {
+    const char *command = args->shared.command;
+    bool state = args->save || args->restore;
+    if (args->files.count == 0 && !args->restore) {
         return cmd_usage(command, "FILE is missing");
     }
-    if (arguments->check) {
+    if (args->check) {
         return state ? cmd_usage(command,
                                  "--check cannot be combined with --save or --restore")
-               : arguments->profile || arguments->warm
+               : args->profile || args->warm
                    ? cmd_usage(command,
                                "--check cannot be combined with --profile or --warm")
                    : CMD_DONE;
     }
-    if (arguments->files.count > 1) {
+    if (args->files.count > 1) {
         return cmd_usage(command,
                          "expected one program, found also %s; --check runs several",
-                         arguments->files.items[1]);
+                         args->files.items[1]);
     }
-    if (arguments->profile && arguments->restore) {
+    if (args->profile && args->restore) {
         return cmd_usage(command, "--profile cannot be combined with --restore");
     }
-    if (arguments->in_order && !arguments->profile) {
+    if (args->in_order && !args->profile) {
         return cmd_usage(command, "--in-order requires --profile");
     }
-    if (arguments->warm && arguments->restore) {
+    if (args->warm && args->restore) {
         return cmd_usage(command, "--warm cannot be combined with --restore");
     }
-    if (arguments->save && arguments->limit == C205_NO_LIMIT) {
+    if (args->save && args->limit == C205_NO_LIMIT) {
         return cmd_usage(command, "--save requires --limit");
     }
     return CMD_DONE;
 }
 
-static int run_command_line(void *given)
+static int cmd_run(void *given)
 {
-    const struct c205_arguments *arguments = given;
-    if (arguments->warnings.list) {
+    const struct run_arguments *args = given;
+    struct session session = { .command = args->shared.command };
+    if (args->source.warnings.list) {
         return cmd_list_warnings();
     }
-    int code = check_usage(arguments);
-    if (code != CMD_DONE) {
-        return code;
+    int code = check_usage(args);
+    if (code != CMD_DONE || args->check) {
+        return code == CMD_DONE ? cmd_run_check(args) : code;
     }
-    if (arguments->check) {
-        return cmd_run_check(arguments);
-    }
-    c205_model *model = model_open(arguments->command, arguments->model);
-    code = model ? read_and_run(arguments, model) : CMD_FAILED;
-    c205_model_free(model);
-    return code;
+    bool good = session_model(&session, args->shared.model)
+                && (args->files.count == 0
+                    || session_program(&session, &args->source, args->files.items[0]))
+                && make_machine(&session, args)
+                && session_output(&session, &args->shared.results, args->save);
+    return session_close(&session, good ? run(&session, args) : CMD_FAILED);
 }
 
+#define PLACE(member) offsetof(struct run_arguments, member)
+
 static const struct command_option options[] = {
-    CMD_FLAG(check, "run test programs and print PASS or FAIL for each"),
+    OPTION_FLAG("check", PLACE(check),
+                "run test programs and print PASS or FAIL for each"),
     { .name = "model",
       .value = "NAME|FILE",
       .kind = COMMAND_INPUT,
-      .offset = CMD_PLACE(model),
+      .offset = PLACE(shared.model),
       .choice = command_model_choice,
       .help = "machine model (" C205_DEFAULT_MODEL
               "; with --check that of the program)" },
     { .name = "limit",
       .value = "CLOCKS",
       .kind = COMMAND_CLOCKS,
-      .offset = CMD_PLACE(limit),
+      .offset = PLACE(limit),
       .preset = -1,
       .help =
           "stop the program after this number of clocks (1000000000, then it fails)" },
-    { .name = "no-limit",
-      .kind = COMMAND_FLAG,
-      .offset = CMD_PLACE(no_limit),
-      .help = "run without a limit" },
-    { .name = "exit-status",
-      .kind = COMMAND_FLAG,
-      .offset = CMD_PLACE(exit_status),
-      .help = "exit with the low 8 bits of the program's status" },
+    OPTION_FLAG("no-limit", PLACE(no_limit), "run without a limit"),
+    OPTION_FLAG("exit-status", PLACE(exit_status),
+                "exit with the low 8 bits of the program's status"),
     { .name = "save",
       .value = "STATE",
       .kind = COMMAND_OUTPUT,
-      .offset = CMD_PLACE(save),
+      .offset = PLACE(save),
       .help = "save the machine when the limit stops it" },
     { .name = "restore",
       .value = "STATE",
       .kind = COMMAND_INPUT,
-      .offset = CMD_PLACE(restore),
+      .offset = PLACE(restore),
       .help = "continue a saved program; a FILE must be that program" },
-    CMD_WARN,
-    CMD_DEFINE,
-    CMD_INCLUDE,
-    CMD_FLAG(trace, "print each instruction as it is executed"),
-    CMD_FLAG(profile,
-             "also print the clocks of each line, the most expensive first; macros at "
-             "their calls"),
-    { .name = "in-order",
-      .kind = COMMAND_FLAG,
-      .offset = CMD_PLACE(in_order),
-      .help = "print the lines of --profile in the order of memory" },
-    CMD_FLAG(warm, "all pages are in memory when the program begins"),
+    CMD_WARN(PLACE(source)),
+    CMD_DEFINE(PLACE(source)),
+    CMD_INCLUDE(PLACE(source)),
+    OPTION_FLAG("trace", PLACE(trace), "print each instruction as it is executed"),
+    OPTION_FLAG(
+        "profile", PLACE(profile),
+        "also print the clocks of each line, the most expensive first; macros at "
+        "their calls"),
+    OPTION_FLAG("in-order", PLACE(in_order),
+                "print the lines of --profile in the order of memory"),
+    OPTION_FLAG("warm", PLACE(warm), "all pages are in memory when the program begins"),
     CMD_FIGURES,
     COMMAND_END
 };
@@ -415,7 +381,7 @@ static const struct command_option operands[] = {
       .kind = COMMAND_INPUT,
       .many = true,
       .optional = true,
-      .offset = CMD_PLACE(files),
+      .offset = PLACE(files),
       .help = "a program text, or an object of c205 asm; several with "
               "--check" },
     COMMAND_END
@@ -430,8 +396,8 @@ static const struct command_example examples[] = {
 const struct command run_command = {
     .name = "run",
     .summary = "run a program and account for its clocks",
-    .function = run_command_line,
-    .arguments_size = sizeof(struct c205_arguments),
+    .function = cmd_run,
+    .arguments_size = sizeof(struct run_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

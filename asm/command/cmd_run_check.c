@@ -8,7 +8,7 @@
 
 #include "asm/check/expect.h"
 #include "asm/check/runtime_check.h"
-#include "asm/command/c205_command.h"
+#include "asm/command/cmd_run.h"
 #include "asm/object/object_file.h"
 #include "asm/view/print.h"
 #include "base/named_model.h"
@@ -17,7 +17,7 @@
 static const uint64_t patience = 100000000;
 
 struct checker {
-    const struct c205_arguments *arguments;
+    const struct run_arguments *args;
     const struct command_output *results;
     struct table *table; /* NULL if results are text */
     c205_model *model;   /* of the last program, reused if the next one has the same */
@@ -84,7 +84,7 @@ static bool make_machine(struct checker *checker, const char *model)
 
 static const char *model_for(const struct checker *checker, const struct object *object)
 {
-    const char *given = checker->arguments->model;
+    const char *given = checker->args->shared.model;
     const char *named = expect_model(object);
     return given ? given : named ? named : C205_DEFAULT_MODEL;
 }
@@ -98,7 +98,7 @@ static bool have_machine(struct checker *checker, const struct object *object)
 
 static bool run_watched(struct checker *checker, const struct object *object)
 {
-    uint64_t limit = checker->arguments->limit;
+    uint64_t limit = checker->args->limit;
     runtime_begin(checker->watch, checker->machine);
     c205_stop stop = c205_run(checker->machine,
                               limit != C205_NO_LIMIT ? limit : patience);
@@ -116,7 +116,7 @@ static bool run(struct checker *checker, const struct object *object, const char
         || !c205_load(checker->machine, &object->program, &error)) {
         return fail(checker, error.message);
     }
-    checker->watch = runtime_new(object, path, &checker->arguments->warnings.choice,
+    checker->watch = runtime_new(object, path, &checker->args->source.warnings.choice,
                                  &report);
     bool good = checker->watch ? run_watched(checker, object)
                                : fail(checker, "out of memory");
@@ -184,7 +184,7 @@ static void print_json(struct json *json, const c205_model *model,
 static void check_one(struct checker *checker, const char *path)
 {
     struct sink sink = text_buffer_sink(&checker->report);
-    struct object *object = cmd_read_program(checker->arguments, path, &sink);
+    struct object *object = cmd_read_program(&checker->args->source, path, &sink);
     struct verdict verdict = { path, object && run(checker, object, path), NULL, "" };
     if (object && checker->machine && expect_other_model(object, checker->machine)) {
         verdict.other_model = c205_model_name(checker->model);
@@ -212,17 +212,17 @@ static void check_one(struct checker *checker, const char *path)
 
 static int check_all(struct checker *checker)
 {
-    const struct c205_arguments *arguments = checker->arguments;
+    const struct run_arguments *args = checker->args;
     const struct command_output *results = checker->results;
     bool tabular = results->file && results->format != OUTPUT_TEXT;
     if (tabular && !(checker->table = table_new(TABLE_COLUMNS(columns)))) {
-        return cmd_failed(arguments->command, "out of memory");
+        return cmd_failed(args->shared.command, "out of memory");
     }
     if (results->json) {
         json_array(results->json, "programs");
     }
-    for (size_t i = 0; i < arguments->files.count; i++) {
-        check_one(checker, arguments->files.items[i]);
+    for (size_t i = 0; i < args->files.count; i++) {
+        check_one(checker, args->files.items[i]);
     }
     if (results->json) {
         json_end(results->json);
@@ -232,27 +232,27 @@ static int check_all(struct checker *checker)
                                results->file);
     table_free(checker->table);
     output_printf(results, "%zu passed, %zu failed\n",
-                  arguments->files.count - checker->failures, checker->failures);
-    return !good                   ? cmd_failed(arguments->command, "out of memory")
+                  args->files.count - checker->failures, checker->failures);
+    return !good                   ? cmd_failed(args->shared.command, "out of memory")
            : checker->failures > 0 ? CMD_FAILED
                                    : CMD_DONE;
 }
 
 /* Checks that the model of the arguments exists. */
-static bool check_model(const struct c205_arguments *arguments)
+static bool check_model(const struct run_arguments *args)
 {
-    c205_model *model = model_open(arguments->command, arguments->model);
+    c205_model *model = model_open(args->shared.command, args->shared.model);
     c205_model_free(model);
     return model != NULL;
 }
 
 /* Failures are results too, so the JSON is written in any case. */
-int cmd_run_check(const struct c205_arguments *arguments)
+int cmd_run_check(const struct run_arguments *args)
 {
-    struct command_output results = arguments->results;
-    struct checker checker = { .arguments = arguments, .results = &results };
+    struct command_output results = args->shared.results;
+    struct checker checker = { .args = args, .results = &results };
     checker.printer.sink = text_buffer_sink(&checker.printed);
-    if (!check_model(arguments) || !output_open(&results, arguments->command, NULL)) {
+    if (!check_model(args) || !output_open(&results, args->shared.command, NULL)) {
         return CMD_FAILED;
     }
     int code = check_all(&checker);

@@ -5,8 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/command/c205_command.h"
+#include "asm/command/session.h"
 #include "asm/object/object_file.h"
+#include "asm/sweep/swept.h"
 #include "base/accounts.h"
 #include "base/atomic_file.h"
 #include "base/file.h"
@@ -14,6 +15,23 @@
 #include "base/plural.h"
 #include "base/progress.h"
 #include "base/text_file.h"
+
+/* The constants of a sweep: one has a range, the others are fixed. */
+struct swept_constants {
+    struct cmd_defines fixed;
+    const char *name;
+    struct swept_range range;
+    size_t ranges; /* number of ranges on the command line */
+};
+
+struct sweep_arguments {
+    struct shared_arguments shared;
+    struct command_texts files, folders;
+    struct swept_constants swept;
+    const char *output; /* NULL: not requested */
+    size_t point_count;
+    bool warm;
+};
 
 static double clocks_of(const struct swept_point *point, size_t which)
 {
@@ -142,7 +160,7 @@ static bool draw(const struct program_sweep *sweep, const char *path, c205_error
 /* Reads NAME=RANGE for the swept constant, or NAME=VALUE for a fixed one. */
 static bool take_swept(char *text, void *value)
 {
-    struct cmd_swept *swept = value;
+    struct swept_constants *swept = value;
     char *equals = strchr(text, '=');
     if (!equals || !strchr(equals, ':')) {
         return cmd_take_define(text, &swept->fixed);
@@ -156,19 +174,8 @@ static bool take_swept(char *text, void *value)
     return true;
 }
 
-static bool goes_on(void *context, size_t done, size_t all)
-{
-    struct progress *progress = context;
-    if (interrupt_pending()) {
-        progress_hide(progress);
-    } else {
-        progress_update(progress, done, all);
-    }
-    return !interrupt_pending();
-}
-
-static bool read_text(const struct c205_arguments *arguments,
-                      struct swept_program *program, const char *path)
+static bool read_text(const struct sweep_arguments *args, struct swept_program *program,
+                      const char *path)
 {
     c205_error error;
     char *text = text_file_read(path, FILE_LARGEST, &program->length, &error);
@@ -181,20 +188,20 @@ static bool read_text(const struct c205_arguments *arguments,
         free(text);
     }
     if (!program->text) {
-        cmd_failed(arguments->command, "%s: %s", path, error.message);
+        cmd_failed(args->shared.command, "%s: %s", path, error.message);
     }
     return program->text;
 }
 
-static bool run_and_draw(const struct c205_arguments *arguments,
+static bool run_and_draw(const struct sweep_arguments *args,
                          struct program_sweep *sweep, c205_error *error)
 {
-    const char *output = arguments->output;
+    const char *output = args->output;
     struct progress progress;
     bool good;
     interrupt_catch();
     progress_begin(&progress);
-    sweep->goes_on = goes_on;
+    sweep->goes_on = progress_watch;
     sweep->context = &progress;
     good = (!output || atomic_file_check(output, error)) && swept_run(sweep, error)
            && (!output || draw(sweep, output, error));
@@ -202,114 +209,103 @@ static bool run_and_draw(const struct c205_arguments *arguments,
     return good;
 }
 
-static int run_and_show(const struct c205_arguments *arguments,
+/* Opens the output when the texts have been read. */
+static int run_and_show(struct session *session, const struct sweep_arguments *args,
                         struct program_sweep *sweep)
 {
-    struct command_output results = arguments->results;
     c205_error error;
-    int code;
-    if (!output_open(&results, arguments->command, arguments->output)) {
+    if (!session_output(session, &args->shared.results, args->output)) {
         return CMD_FAILED;
     }
-    code = run_and_draw(arguments, sweep, &error)
-               ? show(sweep, &results)
-               : cmd_failed(arguments->command, "%s", error.message);
-    return output_close(&results, code);
+    return run_and_draw(args, sweep, &error)
+               ? show(sweep, &session->results)
+               : cmd_failed(session->command, "%s", error.message);
 }
 
-static int sweep_programs(const struct c205_arguments *arguments)
+static int sweep_programs(struct session *session, const struct sweep_arguments *args)
 {
-    const struct cmd_swept *swept = &arguments->swept;
+    const struct swept_constants *swept = &args->swept;
     struct asm_options options = { .defines = swept->fixed.items,
-                                   .search = arguments->folders.items };
-    c205_model *model = model_open(arguments->command, arguments->model);
+                                   .search = args->folders.items };
     struct program_sweep sweep = { .constant = swept->name,
                                    .range = swept->range,
-                                   .asked = arguments->point_count,
-                                   .program_count = arguments->files.count,
-                                   .model = model,
+                                   .asked = args->point_count,
+                                   .program_count = args->files.count,
+                                   .model = session->model,
                                    .options = &options,
-                                   .warm = arguments->warm,
+                                   .warm = args->warm,
                                    .clocks_most = CMD_LIMIT,
                                    .report = visible_stream(stderr) };
-    bool good = model;
+    bool good = true;
     int code;
     for (size_t i = 0; good && i < sweep.program_count; i++) {
-        good = read_text(arguments, &sweep.programs[i], arguments->files.items[i]);
+        good = read_text(args, &sweep.programs[i], args->files.items[i]);
     }
-    code = good ? run_and_show(arguments, &sweep) : CMD_FAILED;
+    code = good ? run_and_show(session, args, &sweep) : CMD_FAILED;
     for (size_t i = 0; i < sweep.program_count; i++) {
         free((char *)sweep.programs[i].text);
     }
     swept_free(&sweep);
-    c205_model_free(model);
     return code;
 }
 
-static bool is_fixed_too(const struct cmd_swept *swept)
+static int check_values(const struct sweep_arguments *args)
 {
-    for (size_t i = 0; i < swept->fixed.count; i++) {
-        if (strcmp(swept->fixed.items[i].name, swept->name) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static int check_values(const struct c205_arguments *arguments)
-{
-    const struct cmd_swept *swept = &arguments->swept;
+    const struct swept_constants *swept = &args->swept;
     uint64_t values[MAX_SWEPT_POINTS];
     size_t count;
     if (swept->ranges != 1) {
-        return cmd_usage(arguments->command,
+        return cmd_usage(args->shared.command,
                          swept->ranges == 0
                              ? "a range is missing: --define NAME=FROM:TO"
                              : "expected one constant with a range, found %zu",
                          swept->ranges);
     }
-    if (is_fixed_too(swept)) {
-        return cmd_usage(arguments->command, "%s has both a range and a value",
+    if (cmd_is_defined(&swept->fixed, swept->name)) {
+        return cmd_usage(args->shared.command, "%s has both a range and a value",
                          swept->name);
     }
-    if (arguments->point_count > 0
-        && (swept->range.step > 0 || swept->range.factor > 0)) {
-        return cmd_usage(arguments->command,
+    if (args->point_count > 0 && (swept->range.step > 0 || swept->range.factor > 0)) {
+        return cmd_usage(args->shared.command,
                          "--points cannot be combined with a STEP or xFACTOR");
     }
-    count = swept_values(&swept->range, arguments->point_count, values);
+    count = swept_values(&swept->range, args->point_count, values);
     if (count == 0) {
-        return cmd_usage(arguments->command, "the range has more than %d values",
+        return cmd_usage(args->shared.command, "the range has more than %d values",
                          MAX_SWEPT_POINTS);
     }
     return count > 1 ? CMD_DONE
-                     : cmd_usage(arguments->command, "the range has only one value");
+                     : cmd_usage(args->shared.command, "the range has only one value");
 }
 
-static int run(void *given)
+static int cmd_sweep(void *given)
 {
-    const struct c205_arguments *arguments = given;
-    const char *output = arguments->output;
+    const struct sweep_arguments *args = given;
+    struct session session = { .command = args->shared.command };
+    const char *output = args->output;
     int code;
-    if (arguments->files.count == 0 || arguments->files.count > SWEPT_PROGRAMS) {
-        return cmd_usage(arguments->command, "expected one or two programs");
+    if (args->files.count == 0 || args->files.count > SWEPT_PROGRAMS) {
+        return cmd_usage(args->shared.command, "expected one or two programs");
     }
-    code = check_values(arguments);
+    code = check_values(args);
     if (code != CMD_DONE) {
         return code;
     }
     if (output && !file_is_stream(output) && !file_ends_with(output, ".svg")) {
-        return cmd_usage(arguments->command,
+        return cmd_usage(args->shared.command,
                          "%s: the name of a picture must end in .svg", output);
     }
-    return sweep_programs(arguments);
+    bool good = session_model(&session, args->shared.model);
+    return session_close(&session, good ? sweep_programs(&session, args) : CMD_FAILED);
 }
+
+#define PLACE(member) offsetof(struct sweep_arguments, member)
 
 static const struct command_option options[] = {
     { .name = "define",
       .value = "NAME=RANGE|VALUE",
       .kind = COMMAND_CUSTOM,
-      .offset = CMD_PLACE(swept),
+      .offset = PLACE(swept),
       .take = take_swept,
       .wants = "NAME=FROM:TO, FROM:TO:STEP, FROM:TO:xFACTOR, from 1 on and "
                "rising; or NAME=VALUE, an integer",
@@ -318,20 +314,15 @@ static const struct command_option options[] = {
     { .name = "points",
       .value = "NUMBER",
       .kind = COMMAND_COUNT,
-      .offset = CMD_PLACE(point_count),
+      .offset = PLACE(point_count),
       .least = 2,
       .most = MAX_SWEPT_POINTS,
       .preset_text = "8 per octave, at most 25",
       .help = "number of values in FROM:TO, at a constant ratio" },
-    { .name = "output",
-      .letter = 'o',
-      .value = "FILE",
-      .kind = COMMAND_OUTPUT,
-      .offset = CMD_PLACE(output),
-      .help = "draw a picture, .svg" },
+    OPTION_OUTPUT(PLACE(output), "draw a picture, .svg"),
     CMD_MODEL,
-    CMD_FLAG(warm, "all pages are in memory when the programs begin"),
-    CMD_INCLUDE,
+    OPTION_FLAG("warm", PLACE(warm), "all pages are in memory when the programs begin"),
+    OPTION_INCLUDE(PLACE(folders)),
     CMD_FIGURES,
     COMMAND_END
 };
@@ -339,7 +330,7 @@ static const struct command_option operands[] = {
     { .value = "FILE",
       .kind = COMMAND_INPUT,
       .many = true,
-      .offset = CMD_PLACE(files),
+      .offset = PLACE(files),
       .help = "one or two program texts" },
     COMMAND_END
 };
@@ -354,8 +345,8 @@ static const struct command_example examples[] = {
 const struct command sweep_command = {
     .name = "sweep",
     .summary = "measure one or two programs over a range of a constant",
-    .function = run,
-    .arguments_size = sizeof(struct c205_arguments),
+    .function = cmd_sweep,
+    .arguments_size = sizeof(struct sweep_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/command/c205_command.h"
+#include "asm/command/session.h"
 #include "asm/measure/measure.h"
 #include "asm/object/syntax.h"
 #include "base/array.h"
@@ -36,6 +36,12 @@ static const struct table_column class_columns[] = {
     { "instructions", "instructions", TABLE_TEXT, 0 },
 };
 
+struct time_arguments {
+    struct shared_arguments shared;
+    struct command_texts names; /* of instructions; none: all */
+    bool points;
+};
+
 struct measurements {
     size_t count;
     struct measurement *items;
@@ -43,9 +49,15 @@ struct measurements {
 
 /* ---- Single instructions  */
 
-static const char *unit_of(const struct measurement *measured)
+static void add_speed(struct table *table, const struct measurement *item,
+                      const c205_model *model)
 {
-    return measured->flops > 0 ? "Mflop/s" : "Mresults/s";
+    table_number(table, item->startup);
+    table_number(table, item->per_element);
+    table_number(table, measure_rate(item, model));
+    table_text(table, item->flops > 0 ? "Mflop/s" : "Mresults/s");
+    table_number(table, measure_half_length(item));
+    table_number(table, item->deviation);
 }
 
 static struct table *speed_table(const struct measurements *measured,
@@ -56,12 +68,7 @@ static struct table *speed_table(const struct measurements *measured,
         const struct measurement *item = &measured->items[i];
         table_text(speeds, item->name);
         table_text(speeds, item->timing);
-        table_number(speeds, item->startup);
-        table_number(speeds, item->per_element);
-        table_number(speeds, measure_rate(item, model));
-        table_text(speeds, unit_of(item));
-        table_number(speeds, measure_half_length(item));
-        table_number(speeds, item->deviation);
+        add_speed(speeds, item, model);
     }
     return speeds;
 }
@@ -137,12 +144,7 @@ static struct table *class_table(const struct measurements *measured,
         }
         snprintf(timing, sizeof timing, "%s%s", item->timing, qualifier_of(item));
         table_text(table, timing);
-        table_number(table, item->startup);
-        table_number(table, item->per_element);
-        table_number(table, measure_rate(item, model));
-        table_text(table, unit_of(item));
-        table_number(table, measure_half_length(item));
-        table_number(table, item->deviation);
+        add_speed(table, item, model);
         add_names(table, measured, item);
     }
     return table;
@@ -150,7 +152,7 @@ static struct table *class_table(const struct measurements *measured,
 
 /* ---- Measurement --------- */
 
-static bool add_name(const struct c205_arguments *arguments, const c205_model *model,
+static bool add_name(const struct time_arguments *args, const c205_model *model,
                      const char *name, struct measurements *measured)
 {
     struct measurement *items = array_grow(measured->items, measured->count,
@@ -160,7 +162,7 @@ static bool add_name(const struct c205_arguments *arguments, const c205_model *m
         measured->items = items;
     }
     if (!items || !measure(model, name, &items[measured->count], &error)) {
-        cmd_failed(arguments->command, "%s", error.message);
+        cmd_failed(args->shared.command, "%s", error.message);
         return false;
     }
     measured->count++;
@@ -168,50 +170,49 @@ static bool add_name(const struct c205_arguments *arguments, const c205_model *m
 }
 
 /* Measures all instructions with one size of operands, and the triad. */
-static bool measure_size(const struct c205_arguments *arguments,
-                         const c205_model *model, const char *suffix,
-                         struct measurements *measured)
+static bool measure_size(const struct time_arguments *args, const c205_model *model,
+                         const char *suffix, struct measurements *measured)
 {
     char name[MEASURE_NAME_SIZE];
     bool good = true;
     for (size_t i = 0; good && i < c205_insn_count; i++) {
         snprintf(name, sizeof name, "%s%s", c205_insns[i].mnemonic, suffix);
         if (measure_knows(name)) {
-            good = add_name(arguments, model, name, measured);
+            good = add_name(args, model, name, measured);
         }
     }
     snprintf(name, sizeof name, "%s%s", measure_triad, suffix);
-    return good && add_name(arguments, model, name, measured);
+    return good && add_name(args, model, name, measured);
 }
 
 /* Measures the named instructions in that order, or all of them. */
-static bool measure_all(const struct c205_arguments *arguments, const c205_model *model,
+static bool measure_all(const struct time_arguments *args, const c205_model *model,
                         struct measurements *measured)
 {
     bool good = true;
-    for (size_t i = 0; good && i < arguments->files.count; i++) {
-        good = add_name(arguments, model, arguments->files.items[i], measured);
+    for (size_t i = 0; good && i < args->names.count; i++) {
+        good = add_name(args, model, args->names.items[i], measured);
     }
-    if (arguments->files.count > 0) {
+    if (args->names.count > 0) {
         return good;
     }
-    return measure_size(arguments, model, "", measured)
-           && measure_size(arguments, model, SYNTAX_HALF, measured);
+    return measure_size(args, model, "", measured)
+           && measure_size(args, model, SYNTAX_HALF, measured);
 }
 
 /* ---- Results --------- */
 
 /* The JSON always has the points. */
-static int show_points(const struct c205_arguments *arguments,
+static int show_points(const struct time_arguments *args,
                        const struct measurements *measured,
                        const struct command_output *results)
 {
     struct command_output shown = *results;
-    if (!arguments->points) {
+    if (!args->points) {
         shown.file = NULL;
     }
     int code = output_show(&shown, point_table(measured), "points", "Points");
-    if (code == CMD_DONE && arguments->points) {
+    if (code == CMD_DONE && args->points) {
         output_gap(results);
     }
     return code;
@@ -219,12 +220,12 @@ static int show_points(const struct c205_arguments *arguments,
 
 /* Shows the named instructions one by one, or all of them by class. CSV and JSON always
  * have single instructions. */
-static int show_speeds(const struct c205_arguments *arguments, const c205_model *model,
+static int show_speeds(const struct time_arguments *args, const c205_model *model,
                        const struct measurements *measured,
                        const struct command_output *results)
 {
     struct command_output classes = *results, each = *results;
-    if (arguments->files.count > 0 || results->format == OUTPUT_CSV || !results->file) {
+    if (args->names.count > 0 || results->format == OUTPUT_CSV || !results->file) {
         return output_show(results, speed_table(measured, model), "speeds", "Speeds");
     }
     classes.json = NULL;
@@ -236,16 +237,16 @@ static int show_speeds(const struct c205_arguments *arguments, const c205_model 
                : output_show(&each, speed_table(measured, model), "speeds", NULL);
 }
 
-static int show(const struct c205_arguments *arguments, const c205_model *model,
+static int show(const struct time_arguments *args, const c205_model *model,
                 const struct measurements *measured,
                 const struct command_output *results)
 {
     if (results->json) {
         provenance_json(model, results->json);
     }
-    int code = show_points(arguments, measured, results);
+    int code = show_points(args, measured, results);
     if (code == CMD_DONE) {
-        code = show_speeds(arguments, model, measured, results);
+        code = show_speeds(args, model, measured, results);
     }
     if (code == CMD_DONE) {
         output_model(results, model);
@@ -253,36 +254,33 @@ static int show(const struct c205_arguments *arguments, const c205_model *model,
     return code;
 }
 
-static int time_model(const struct c205_arguments *arguments, const c205_model *model,
+static int time_model(const struct time_arguments *args, const c205_model *model,
                       const struct command_output *results)
 {
     struct measurements measured = { 0, NULL };
-    int code = measure_all(arguments, model, &measured)
-                   ? show(arguments, model, &measured, results)
+    int code = measure_all(args, model, &measured)
+                   ? show(args, model, &measured, results)
                    : CMD_FAILED;
     free(measured.items);
     return code;
 }
 
-static int run(void *given)
+static int cmd_time(void *given)
 {
-    const struct c205_arguments *arguments = given;
-    struct command_output results = arguments->results;
-    for (size_t i = 0; i < arguments->files.count; i++) {
-        const char *name = arguments->files.items[i];
+    const struct time_arguments *args = given;
+    struct session session = { .command = args->shared.command };
+    for (size_t i = 0; i < args->names.count; i++) {
+        const char *name = args->names.items[i];
         if (!measure_knows(name)) {
-            return cmd_usage(arguments->command, "unknown vector instruction '%s'",
+            return cmd_usage(args->shared.command, "unknown vector instruction '%s'",
                              name);
         }
     }
-    c205_model *model = model_open(arguments->command, arguments->model);
-    int code = CMD_FAILED;
-    if (model && output_open(&results, arguments->command, NULL)) {
-        code = time_model(arguments, model, &results);
-        code = output_close(&results, code);
-    }
-    c205_model_free(model);
-    return code;
+    bool good = session_model(&session, args->shared.model)
+                && session_output(&session, &args->shared.results, NULL);
+    return session_close(&session,
+                         good ? time_model(args, session.model, &session.results)
+                              : CMD_FAILED);
 }
 
 /* Returns name i for completion: an instruction or the triad, "" if it cannot be
@@ -297,16 +295,18 @@ static const char *measured_choice(size_t number)
     return measure_knows(name) ? name : "";
 }
 
+#define PLACE(member) offsetof(struct time_arguments, member)
+
 static const struct command_option options[] = {
-    CMD_MODEL, CMD_FLAG(points, "print each measured point, too"), CMD_FIGURES,
-    COMMAND_END
+    CMD_MODEL, OPTION_FLAG("points", PLACE(points), "print each measured point, too"),
+    CMD_FIGURES, COMMAND_END
 };
 static const struct command_option operands[] = {
     { .value = "MNEMONIC",
       .kind = COMMAND_TEXT,
       .many = true,
       .optional = true,
-      .offset = CMD_PLACE(files),
+      .offset = PLACE(names),
       .choice = measured_choice,
       .help = "a vector instruction, or TRIAD, the linked triad B + s A; ,H after a "
               "name: on 32-bit operands" },
@@ -316,8 +316,8 @@ static const struct command_option operands[] = {
 const struct command time_command = {
     .name = "time",
     .summary = "measure the vector instructions",
-    .function = run,
-    .arguments_size = sizeof(struct c205_arguments),
+    .function = cmd_time,
+    .arguments_size = sizeof(struct time_arguments),
     .options = options,
     .operands = operands,
     .details =

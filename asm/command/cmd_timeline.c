@@ -3,22 +3,30 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "asm/command/c205_command.h"
+#include "asm/command/session.h"
 #include "asm/timeline/timeline.h"
 #include "base/plural.h"
 
-static int write_file(const struct c205_arguments *arguments,
+struct timeline_arguments {
+    struct shared_arguments shared;
+    struct source_arguments source;
+    const char *file, *output;
+    uint64_t from, to; /* clocks */
+    bool warm;
+};
+
+static int write_file(const struct timeline_arguments *args,
                       const struct timeline *timeline)
 {
     c205_error error;
     char title[TIMELINE_TITLE];
-    timeline_title(timeline, arguments->file,
-                   arguments->model ? arguments->model : C205_DEFAULT_MODEL, title);
-    if (!timeline_save(timeline, arguments->output, title, &error)) {
-        return cmd_failed(arguments->command, "%s", error.message);
+    timeline_title(timeline, args->file,
+                   args->shared.model ? args->shared.model : C205_DEFAULT_MODEL, title);
+    if (!timeline_save(timeline, args->output, title, &error)) {
+        return cmd_failed(args->shared.command, "%s", error.message);
     }
     cmd_print_line(stdout, "%s: %zu instruction%s, clocks %" PRIu64 " to %" PRIu64,
-                   arguments->output, timeline_instructions(timeline),
+                   args->output, timeline_instructions(timeline),
                    plural(timeline_instructions(timeline)), timeline->from,
                    timeline->to);
     return CMD_DONE;
@@ -31,7 +39,7 @@ struct ending {
 };
 
 /* Reports a trap. The timeline up to the trap has been written. */
-static int print_trap(const struct c205_arguments *arguments, const c205 *machine,
+static int print_trap(const struct timeline_arguments *args, const c205 *machine,
                       const struct ending *ending)
 {
     c205_error error;
@@ -39,26 +47,26 @@ static int print_trap(const struct c205_arguments *arguments, const c205 *machin
         return CMD_DONE;
     }
     c205_describe_stop(machine, &ending->stop, &error);
-    cmd_print_line(stderr, "%s: %s", arguments->file, error.message);
+    cmd_print_line(stderr, "%s: %s", args->file, error.message);
     return CMD_FAILED;
 }
 
-static int judge(const struct c205_arguments *arguments, c205 *machine,
+static int judge(const struct timeline_arguments *args, c205 *machine,
                  struct ending ending, struct timeline *timeline)
 {
     int code;
     if (!timeline_is_good(timeline)) {
-        return cmd_failed(arguments->command, "out of memory");
+        return cmd_failed(args->shared.command, "out of memory");
     }
     if (timeline->full) {
         return cmd_failed(
-            arguments->command,
+            args->shared.command,
             "more than %d instructions; select a part with --from CLOCK and --to CLOCK",
             MAX_TIMELINE);
     }
     if (timeline->insn_count == 0) {
         return cmd_failed(
-            arguments->command,
+            args->shared.command,
             ending.ended
                 ? "no instruction is active in this range: the program takes %" PRIu64
                   " clock%s"
@@ -67,8 +75,8 @@ static int judge(const struct c205_arguments *arguments, c205 *machine,
             c205_clock(machine), plural(c205_clock(machine)));
     }
     timeline_finish(timeline);
-    code = write_file(arguments, timeline);
-    return code != CMD_DONE ? code : print_trap(arguments, machine, &ending);
+    code = write_file(args, timeline);
+    return code != CMD_DONE ? code : print_trap(args, machine, &ending);
 }
 
 /* Runs until an instruction arrives at that clock or later, or the
@@ -86,82 +94,75 @@ static struct ending run_to(c205 *machine, uint64_t clock)
 }
 
 /* Runs the program up to the end of the timeline only. */
-static int run_program(const struct c205_arguments *arguments,
-                       const struct object *object, const c205_model *model)
+static int run_program(struct session *session, const struct timeline_arguments *args)
 {
-    struct timeline timeline = { .from = arguments->from, .to = arguments->limit };
+    struct timeline timeline = { .from = args->from, .to = args->to };
     c205_error error;
-    c205 *machine = cmd_load(arguments, object, model, &error);
     int code;
-    if (!machine) {
-        return cmd_failed(arguments->command, "%s", error.message);
+    if (!session_load(session, args->warm, &error)) {
+        return cmd_failed(session->command, "%s", error.message);
     }
-    c205_listen(machine, timeline_listen, &timeline);
-    code = judge(arguments, machine, run_to(machine, arguments->limit), &timeline);
+    c205_listen(session->machine, timeline_listen, &timeline);
+    code = judge(args, session->machine, run_to(session->machine, args->to), &timeline);
     timeline_free(&timeline);
-    c205_free(machine);
     return code;
 }
 
-static int check_usage(const struct c205_arguments *arguments)
+static int check_usage(const struct timeline_arguments *args)
 {
-    const char *path = arguments->output;
+    const char *path = args->output;
     if (!path) {
-        return cmd_usage(arguments->command, "-o FILE is missing");
+        return cmd_usage(args->shared.command, "-o FILE is missing");
     }
     if (!timeline_is_named(path)) {
         return cmd_usage(
-            arguments->command,
+            args->shared.command,
             "%s: the name of a timeline must end in .svg, .kanata or .json", path);
     }
-    if (arguments->from >= arguments->limit) {
-        return cmd_usage(arguments->command, "--from must be before --to");
+    if (args->from >= args->to) {
+        return cmd_usage(args->shared.command, "--from must be before --to");
     }
     return CMD_DONE;
 }
 
-static int run(void *given)
+static int cmd_timeline(void *given)
 {
-    const struct c205_arguments *arguments = given;
-    struct object *object;
-    c205_model *model;
-    int code = check_usage(arguments);
+    const struct timeline_arguments *args = given;
+    struct session session = { .command = args->shared.command };
+    int code = check_usage(args);
     if (code != CMD_DONE) {
         return code;
     }
-    code = cmd_open(arguments, &object, &model) ? run_program(arguments, object, model)
-                                                : CMD_FAILED;
-    c205_model_free(model);
-    object_free(object);
-    return code;
+    bool good = session_program(&session, &args->source, args->file)
+                && session_model(&session, args->shared.model);
+    return session_close(&session, good ? run_program(&session, args) : CMD_FAILED);
 }
 
+#define PLACE(member) offsetof(struct timeline_arguments, member)
+
 static const struct command_option options[] = {
-    { .name = "output",
-      .letter = 'o',
-      .value = "FILE",
-      .kind = COMMAND_OUTPUT,
-      .offset = CMD_PLACE(output),
-      .help = ".svg, a picture; .kanata, for Konata; .json, trace events for "
-              "Perfetto" },
+    OPTION_OUTPUT(PLACE(output),
+                  ".svg, a picture; .kanata, for Konata; .json, trace events for "
+                  "Perfetto"),
     { .name = "from",
       .value = "CLOCK",
       .kind = COMMAND_CLOCKS,
-      .offset = CMD_PLACE(from),
+      .offset = PLACE(from),
       .help = "include instructions that are active from this clock on (0)" },
     { .name = "to",
       .value = "CLOCK",
       .kind = COMMAND_CLOCKS,
-      .offset = CMD_PLACE(limit),
+      .offset = PLACE(to),
       .preset = -1,
       .help = "and before this clock (the end)" },
-    CMD_FLAG(warm, "all pages are in memory when the program begins"),
+    OPTION_FLAG("warm", PLACE(warm), "all pages are in memory when the program begins"),
     CMD_MODEL,
-    CMD_DEFINE,
-    CMD_INCLUDE,
+    CMD_DEFINE(PLACE(source)),
+    CMD_INCLUDE(PLACE(source)),
     COMMAND_END
 };
-static const struct command_option operands[] = { CMD_PROGRAM, COMMAND_END };
+static const struct command_option operands[] = { CMD_PROGRAM(PLACE(file)),
+                                                  COMMAND_END };
 static const struct command_example examples[] = {
     { "c205 timeline FILE -o run.svg", "a picture of a run" },
     { "c205 timeline FILE --from 1000 --to 2000 -o run.kanata",
@@ -172,8 +173,8 @@ static const struct command_example examples[] = {
 const struct command timeline_command = {
     .name = "timeline",
     .summary = "draw when each instruction was active",
-    .function = run,
-    .arguments_size = sizeof(struct c205_arguments),
+    .function = cmd_timeline,
+    .arguments_size = sizeof(struct timeline_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

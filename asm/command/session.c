@@ -1,5 +1,6 @@
-/* cmd_shared.c - options and functions that several commands of c205 use. */
-#include "asm/command/c205_command.h"
+/* session.c - reads programs and options for the commands of c205, and opens and closes
+ * what a command works with. */
+#include "asm/command/session.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -37,13 +38,13 @@ static struct object *read_object(const char *path, const char *text, size_t len
     return object;
 }
 
-static struct object *assemble(const struct c205_arguments *arguments, const char *path,
+static struct object *assemble(const struct source_arguments *source, const char *path,
                                const char *text, size_t length,
                                const struct sink *report)
 {
-    struct asm_options options = { .defines = arguments->defines.items,
-                                   .search = arguments->folders.items,
-                                   .warnings = arguments->warnings.choice };
+    struct asm_options options = { .defines = source->defines.items,
+                                   .search = source->folders.items,
+                                   .warnings = source->warnings.choice };
     struct diagnostics errors = { 0 };
     struct object *object = assemble_bytes(path, text, length, &options, &errors);
     diagnostics_put(&errors, report);
@@ -54,7 +55,7 @@ static struct object *assemble(const struct c205_arguments *arguments, const cha
     return object;
 }
 
-struct object *cmd_read_any(const struct c205_arguments *arguments, const char *path,
+struct object *cmd_read_any(const struct source_arguments *source, const char *path,
                             const struct sink *report)
 {
     c205_error error;
@@ -66,18 +67,17 @@ struct object *cmd_read_any(const struct c205_arguments *arguments, const char *
     }
     struct object *object = object_recognise(text, length)
                                 ? read_object(path, text, length, report)
-                                : assemble(arguments, path, text, length, report);
+                                : assemble(source, path, text, length, report);
     free(text);
     return object;
 }
 
-struct object *cmd_read_program(const struct c205_arguments *arguments,
-                                const char *path, const struct sink *report)
+struct object *cmd_read_program(const struct source_arguments *source, const char *path,
+                                const struct sink *report)
 {
-    struct object *object = cmd_read_any(arguments, path, report);
-    const char *unused = object
-                             ? asm_unused_define(arguments->defines.items, &object, 1)
-                             : NULL;
+    struct object *object = cmd_read_any(source, path, report);
+    const char *unused = object ? asm_unused_define(source->defines.items, &object, 1)
+                                : NULL;
     if (!unused) {
         return object;
     }
@@ -86,32 +86,7 @@ struct object *cmd_read_program(const struct c205_arguments *arguments,
     return NULL;
 }
 
-c205 *cmd_load(const struct c205_arguments *arguments, const struct object *object,
-               const c205_model *model, c205_error *error)
-{
-    c205 *machine = c205_new(model, error);
-    if (machine
-        && (!object_check(object, error)
-            || !c205_load(machine, &object->program, error))) {
-        c205_free(machine);
-        return NULL;
-    }
-    if (machine && arguments->warm) {
-        c205_warm(machine);
-    }
-    return machine;
-}
-
-bool cmd_open(const struct c205_arguments *arguments, struct object **object,
-              c205_model **model)
-{
-    struct sink report = visible_stream(stderr);
-    *object = cmd_read_program(arguments, arguments->file, &report);
-    *model = *object ? model_open(arguments->command, arguments->model) : NULL;
-    return *model;
-}
-
-static bool is_defined(const struct cmd_defines *defines, const char *name)
+bool cmd_is_defined(const struct cmd_defines *defines, const char *name)
 {
     for (size_t i = 0; i < defines->count; i++) {
         if (strcmp(defines->items[i].name, name) == 0) {
@@ -136,11 +111,56 @@ bool cmd_take_define(char *text, void *value)
         return false;
     }
     *equals = '\0';
-    if (is_defined(defines, text)) {
+    if (cmd_is_defined(defines, text)) {
         *equals = '=';
         return false;
     }
     define->name = text;
     defines->count++;
     return true;
+}
+
+/* ---- Session ------------------------------------------------------------- */
+
+bool session_program(struct session *session, const struct source_arguments *source,
+                     const char *path)
+{
+    struct sink report = visible_stream(stderr);
+    session->object = cmd_read_program(source, path, &report);
+    return session->object;
+}
+
+bool session_model(struct session *session, const char *name)
+{
+    session->model = model_open(session->command, name);
+    return session->model;
+}
+
+bool session_load(struct session *session, bool warm, c205_error *error)
+{
+    session->machine = c205_new(session->model, error);
+    if (!session->machine || !object_check(session->object, error)
+        || !c205_load(session->machine, &session->object->program, error)) {
+        return false;
+    }
+    if (warm) {
+        c205_warm(session->machine);
+    }
+    return true;
+}
+
+bool session_output(struct session *session, const struct command_output *results,
+                    const char *output)
+{
+    session->results = *results;
+    return output_open(&session->results, session->command, output);
+}
+
+int session_close(struct session *session, int code)
+{
+    code = output_close(&session->results, code);
+    c205_free(session->machine);
+    c205_model_free(session->model);
+    object_free(session->object);
+    return code;
 }

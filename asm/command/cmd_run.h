@@ -1,0 +1,19 @@
+/* cmd_run.h - shared by the files of c205 run. */
+#ifndef ASM_CMD_RUN_H
+#define ASM_CMD_RUN_H
+
+#include "asm/command/session.h"
+
+struct run_arguments {
+    struct shared_arguments shared;
+    struct source_arguments source;
+    struct command_texts files;
+    const char *save, *restore; /* NULL: not requested */
+    uint64_t limit;
+    bool check, trace, profile, in_order, no_limit, exit_status, warm;
+};
+
+/* Runs test programs and compares them with their expectations (run --check). */
+int cmd_run_check(const struct run_arguments *args);
+
+#endif

@@ -1,0 +1,24 @@
+/* commands.h - the table of the commands of c205, in the order of its help. A row is the
+ * NAME of a file cmd_NAME.c, which defines NAME_command.
+ */
+#ifndef ASM_COMMANDS_H
+#define ASM_COMMANDS_H
+
+#include "base/command.h"
+
+#define COMMANDS(ROW) \
+    ROW(run) \
+    ROW(debug) \
+    ROW(asm) \
+    ROW(dis) \
+    ROW(isa) \
+    ROW(model) \
+    ROW(time) \
+    ROW(compare) \
+    ROW(timeline) \
+    ROW(sweep) \
+    ROW(check)
+
+COMMANDS(COMMAND_DECLARE)
+
+#endif

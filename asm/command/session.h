@@ -1,0 +1,127 @@
+/* session.h - what the commands of c205 share: groups of arguments, the rows of their
+ * options, and the session in which a command works.
+ *
+ *   struct session session = { .command = args->shared.command };
+ *   bool good = session_program(&session, &args->source, args->file)
+ *               && session_model(&session, args->shared.model);
+ *   return session_close(&session, good ? work(&session, args) : CMD_FAILED);
+ *
+ * The arguments of a command are a structure in its file, which begins with
+ * struct shared_arguments and contains the other groups that the command has.
+ */
+#ifndef ASM_SESSION_H
+#define ASM_SESSION_H
+
+#include <stddef.h>
+
+#include "asm/command/commands.h"
+#include "asm/text/assemble.h"
+#include "base/command_options.h"
+#include "base/command_output.h"
+#include "base/named_model.h"
+#include "base/provenance.h"
+#include "base/visible_text.h"
+
+/* ---- Groups of arguments ------------------------------------------------- */
+
+struct shared_arguments {
+    const char *command, *model;
+    struct command_output results;
+};
+
+enum { CMD_DEFINES = 64 };
+struct cmd_defines {
+    size_t count;
+    struct asm_define items[CMD_DEFINES + 1]; /* the last has a NULL name */
+};
+
+struct cmd_warnings {
+    struct warning_choice choice;
+    bool list; /* print the list of warnings and nothing else */
+};
+
+/* How a program text is assembled. */
+struct source_arguments {
+    struct cmd_defines defines;
+    struct command_texts folders;
+    struct cmd_warnings warnings;
+};
+
+/* Prints the warnings: -W list. */
+int cmd_list_warnings(void);
+/* Reads a program from its text or from an object file. Returns NULL after all errors
+ * were written to the report. cmd_read_program requires that the program uses all
+ * defined names; cmd_read_any does not. */
+struct object *cmd_read_any(const struct source_arguments *source, const char *path,
+                            const struct sink *report);
+struct object *cmd_read_program(const struct source_arguments *source, const char *path,
+                                const struct sink *report);
+
+/* ---- Rows of options ----------------------------------------------------- */
+
+/* Reads NAME=VALUE into a struct cmd_defines. */
+command_take cmd_take_define;
+bool cmd_is_defined(const struct cmd_defines *defines, const char *name);
+/* Reads the argument of -W into a struct cmd_warnings. */
+command_take cmd_take_warning;
+
+/* clang-format off */
+#define CMD_MODEL OPTION_MODEL(offsetof(struct shared_arguments, model))
+#define CMD_RESULTS OUTPUT_OPTIONS(struct shared_arguments, results)
+/* The options of results that depend on a model. */
+#define CMD_FIGURES \
+    CMD_RESULTS, OUTPUT_OPTION_PROVENANCE(struct shared_arguments, results)
+
+/* These take the offset of the struct source_arguments. */
+#define CMD_INCLUDE(source) \
+    OPTION_INCLUDE(source + offsetof(struct source_arguments, folders))
+#define CMD_DEFINE(source) \
+    { .name = "define", .value = "NAME=VALUE", .kind = COMMAND_CUSTOM, \
+      .offset = source + offsetof(struct source_arguments, defines), \
+      .take = cmd_take_define, \
+      .wants = "NAME=VALUE, a name and an integer, each name once", \
+      .help = "define an integer for the program text, like .equ" }
+#define CMD_WARN(source) \
+    { .name = "warn", .letter = 'W', .value = "NAME|no-NAME", \
+      .kind = COMMAND_CUSTOM, \
+      .offset = source + offsetof(struct source_arguments, warnings), \
+      .take = cmd_take_warning, \
+      .wants = "the name of a warning (-W list prints them), all or error, " \
+               "or no- and one of these", \
+      .help = "report a warning, or with no- suppress it: -Wno-run-off; all; " \
+              "error: warnings are errors; list: print the names" }
+#define CMD_PROGRAM(file) \
+    { .value = "FILE", .kind = COMMAND_INPUT, .offset = file, \
+      .help = "a program text, or an object of c205 asm" }
+/* clang-format on */
+
+/* ---- Session ------------------------------------------------------------- */
+
+/* Default limit of clocks: 20 seconds of the machine. Few programs need more, and
+ * endless loops are frequent. */
+#define CMD_LIMIT UINT64_C(1000000000)
+
+/* Only the command is set at first. */
+struct session {
+    const char *command;
+    struct object *object;
+    c205_model *model;
+    c205 *machine;
+    struct command_output results;
+};
+
+/* Each opens one member. Returns false after an error message. output is another file
+ * that the command writes, or NULL. */
+bool session_program(struct session *session, const struct source_arguments *source,
+                     const char *path);
+bool session_model(struct session *session, const char *name);
+bool session_output(struct session *session, const struct command_output *results,
+                    const char *output);
+/* Creates the machine of the model and loads the program, with warm pages if requested.
+ * Returns false with the reason in the error. */
+bool session_load(struct session *session, bool warm, c205_error *error);
+/* Closes everything that is open. JSON is written if the code is CMD_DONE, else
+ * discarded. Returns the exit code. */
+int session_close(struct session *session, int code);
+
+#endif
