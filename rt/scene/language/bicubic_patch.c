@@ -186,13 +186,8 @@ static void put_corner(const struct patch_cutting *cutting, const struct piece *
 
 static bool add_triangle(struct patch_cutting *cutting, const struct triangle *triangle)
 {
-    struct reader *reader = cutting->reader;
-    struct triangles *triangles = &cutting->triangles;
-
-    return mesh_count(reader, 1, cutting->at)
-           && (arena_add(&reader->scene->kept, &triangles->list, &triangles->count,
-                         &cutting->capacity, triangle, sizeof *triangle)
-               || reader_no_memory(reader));
+    return mesh_keep_triangle(cutting->reader, &cutting->triangles, &cutting->capacity,
+                              triangle, cutting->at);
 }
 
 /* Adds two triangles, whose common edge leads from the least parameters to the

@@ -83,14 +83,8 @@ static bool read_entries(struct reader *reader, struct map_reading *reading)
 static bool keep_map(struct reader *reader, const struct color_stop *stops,
                      struct color_map *map)
 {
-    size_t size = map->count * sizeof *stops;
-    struct color_stop *kept = arena_take(&reader->scene->kept, size);
-
-    if (!kept)
-        return reader_no_memory(reader);
-    memcpy(kept, stops, size);
-    map->stops = kept;
-    return true;
+    map->stops = reader_keep(reader, stops, map->count * sizeof *stops);
+    return map->stops;
 }
 
 bool color_map_gray(struct reader *reader, struct color_map *map)

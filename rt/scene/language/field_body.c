@@ -191,20 +191,6 @@ static bool make_body(struct reader *reader, const struct triangles *surface,
     return good || reader_no_memory(reader);
 }
 
-/* Copies the body to storage of the scene. */
-static bool keep_body(struct reader *reader, const struct field_body *body,
-                      struct triangles *kept)
-{
-    size_t size = body->triangles.count * sizeof *kept->list;
-
-    kept->list = arena_take(&reader->scene->kept, size);
-    if (!kept->list)
-        return reader_no_memory(reader);
-    memcpy(kept->list, body->triangles.list, size);
-    kept->count = body->triangles.count;
-    return true;
-}
-
 static bool fill_part(struct reader *reader, struct scene_part *part,
                       const struct scene_token *at)
 {
@@ -218,8 +204,13 @@ static bool fill_part(struct reader *reader, struct scene_part *part,
            && make_body(reader, &part->primitive.shape.mesh.triangles, &body);
     if (!done)
         return false;
-    done = mesh_count(reader, body.triangles.count, at)
-           && keep_body(reader, &body, own);
+    done = mesh_count(reader, body.triangles.count, at);
+    if (done) {
+        *own = body.triangles;
+        own->list = reader_keep(reader, body.triangles.list,
+                                own->count * sizeof *own->list);
+        done = own->list;
+    }
     free(body.triangles.list);
     return done;
 }

@@ -210,13 +210,10 @@ static bool place_triangles(struct reader *reader, const struct primitive *primi
                             struct triangles *triangles)
 {
     size_t count = triangles->count;
-    struct triangle *list = arena_take(&reader->scene->kept,
-                                       (count + 1) * sizeof *list);
+    struct triangle *list = reader_keep(reader, triangles->list, count * sizeof *list);
 
     if (!list)
-        return reader_no_memory(reader);
-    if (count > 0)
-        memcpy(list, triangles->list, count * sizeof *list);
+        return false;
     for (size_t i = 0; i < 3 * count; i++) {
         struct triangle *triangle = &list[i / 3];
         transform_point(&primitive->to_world, triangle->corners[i % 3]);

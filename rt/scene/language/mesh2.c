@@ -46,14 +46,12 @@ typedef bool row_reader(struct reader *reader, struct mesh2_reading *mesh, size_
 
 static bool read_into(struct reader *reader, struct section_vectors *vectors)
 {
-    double(*list)[3] = array_grow(vectors->list, vectors->count, sizeof *list);
+    double vector[3];
 
-    if (!list)
-        return reader_no_memory(reader);
-    vectors->list = list;
-    if (!read_vector(reader, list[vectors->count]))
+    if (!read_vector(reader, vector))
         return false;
-    vectors->count++;
+    if (!array_add(&vectors->list, &vectors->count, vector, sizeof vector))
+        return reader_no_memory(reader);
     reader_comma(reader);
     return true;
 }
@@ -83,17 +81,15 @@ static bool read_uv(struct reader *reader, struct mesh2_reading *mesh, size_t ro
 
 static bool read_texture(struct reader *reader, struct mesh2_reading *mesh, size_t row)
 {
-    struct texture *textures = array_grow(mesh->textures, row, sizeof *textures);
+    struct texture texture = reader->default_texture;
 
-    if (!textures)
-        return reader_no_memory(reader);
-    mesh->textures = textures;
-    textures[row] = reader->default_texture;
+    (void)row;
     if (!reader_accept(reader, "texture"))
         return reader_expected(reader, "a texture");
-    if (!texture_read(reader, &textures[row]))
+    if (!texture_read(reader, &texture))
         return false;
-    mesh->texture_count++;
+    if (!array_add(&mesh->textures, &mesh->texture_count, &texture, sizeof texture))
+        return reader_no_memory(reader);
     reader_comma(reader);
     return true;
 }

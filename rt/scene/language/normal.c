@@ -168,12 +168,9 @@ bool normal_body(struct reader *reader, const struct block *block, void *subject
 bool normal_keep(struct reader *reader, const struct normal_reading *reading,
                  struct bumps *bumps)
 {
-    struct bump_list *list = arena_take(&reader->scene->kept, sizeof *list);
-
-    if (!list)
-        return reader_no_memory(reader);
-    *list = reading->list;
-    bumps->list = list;
+    bumps->list = reader_keep(reader, &reading->list, sizeof reading->list);
+    if (!bumps->list)
+        return false;
     bumps->to_local = reading->list.bump.pattern.to_local;
     bumps->unscaled = reading->unscaled;
     return true;

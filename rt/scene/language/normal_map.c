@@ -13,18 +13,6 @@
 
 enum { MAX_ENTRIES = 256 }; /* as in POV-Ray */
 
-static bool keep(struct reader *reader, const void *items, size_t size,
-                 const void **kept)
-{
-    void *copy = arena_take(&reader->scene->kept, size);
-
-    if (!copy)
-        return reader_no_memory(reader);
-    memcpy(copy, items, size);
-    *kept = copy;
-    return true;
-}
-
 static bool has_room(struct reader *reader, size_t count)
 {
     return count < MAX_ENTRIES
@@ -70,7 +58,6 @@ static bool read_slope(struct reader *reader, struct bump *bump,
 static bool read_own_slopes(struct reader *reader, struct bump *bump)
 {
     struct slope_stop stops[MAX_ENTRIES];
-    const void *kept = NULL;
 
     bump->stop_count = 0;
     do {
@@ -78,10 +65,8 @@ static bool read_own_slopes(struct reader *reader, struct bump *bump)
             return false;
         reader_comma(reader);
     } while (reader_at_sign(reader, '['));
-    if (!keep(reader, stops, bump->stop_count * sizeof *stops, &kept))
-        return false;
-    bump->stops = kept;
-    return true;
+    bump->stops = reader_keep(reader, stops, bump->stop_count * sizeof *stops);
+    return bump->stops;
 }
 
 static bool read_slopes(struct reader *reader, struct bump *bump)
@@ -187,18 +172,14 @@ static bool read_entry(struct reader *reader, struct bump_list *list,
 static bool read_entries(struct reader *reader, struct bump_list *list,
                          struct bump_entry *entries)
 {
-    const void *kept = NULL;
-
     list->count = 0;
     do {
         if (!read_entry(reader, list, entries))
             return false;
         reader_comma(reader);
     } while (reader_at_sign(reader, '['));
-    if (!keep(reader, entries, list->count * sizeof *entries, &kept))
-        return false;
-    list->entries = kept;
-    return true;
+    list->entries = reader_keep(reader, entries, list->count * sizeof *entries);
+    return list->entries;
 }
 
 static bool read_own_entries(struct reader *reader, struct bump_list *list)
@@ -255,7 +236,6 @@ bool normal_list_read(struct reader *reader, struct normal_reading *reading,
                       size_t count)
 {
     struct bump_entry entries[MAX_LISTED];
-    const void *kept = NULL;
 
     if (!is_token(&reader->token, "normal"))
         return true;
@@ -273,9 +253,7 @@ bool normal_list_read(struct reader *reader, struct normal_reading *reading,
         take_entry(reader, &entry, &at, &entries[i].bump);
         reader_comma(reader);
     }
-    if (!keep(reader, entries, count * sizeof *entries, &kept))
-        return false;
     reading->list.count = count;
-    reading->list.entries = kept;
-    return true;
+    reading->list.entries = reader_keep(reader, entries, count * sizeof *entries);
+    return reading->list.entries;
 }

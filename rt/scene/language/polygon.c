@@ -350,17 +350,14 @@ static bool find_heights(struct polygon *polygon)
 static bool add_triangle(struct polygon *polygon, const double a[3], const double b[3],
                          const double c[3])
 {
-    struct triangles *triangles = &polygon->triangles;
-    struct triangle triangle = { .smooth = false };
+    struct triangle triangle;
 
+    memset(&triangle, 0, sizeof triangle);
     copy3(a, triangle.corners[0]);
     copy3(b, triangle.corners[1]);
     copy3(c, triangle.corners[2]);
-    return mesh_count(polygon->reader, 1, polygon->at)
-           && (arena_add(&polygon->reader->scene->kept, &triangles->list,
-                         &triangles->count, &polygon->triangle_room, &triangle,
-                         sizeof triangle)
-               || reader_no_memory(polygon->reader));
+    return mesh_keep_triangle(polygon->reader, &polygon->triangles,
+                              &polygon->triangle_room, &triangle, polygon->at);
 }
 
 /* A trapezoid whose sides meet at an end is one triangle. */

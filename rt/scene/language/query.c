@@ -182,7 +182,7 @@ static bool read_seed(struct reader *reader, double *value)
 {
     double most = 2147483648.;
     struct scene_token at = reader->token;
-    uint32_t *seeds;
+    uint32_t state;
     double seed;
 
     if (!read_full_number(reader, &seed))
@@ -191,13 +191,10 @@ static bool read_seed(struct reader *reader, double *value)
         return reader_fault(reader, &at, "the seed %g is out of range", seed);
     if (reader->seed_count == MAX_SEEDS)
         return reader_fault(reader, &at, "more than %d random streams", MAX_SEEDS);
-    seeds = array_grow(reader->seeds, reader->seed_count, sizeof *seeds);
-    if (!seeds)
-        return reader_no_memory(reader);
-    reader->seeds = seeds;
-    reader->seeds[reader->seed_count] = (uint32_t)(int32_t)seed;
-    *value = (double)reader->seed_count++;
-    return true;
+    state = (uint32_t)(int32_t)seed;
+    *value = (double)reader->seed_count;
+    return array_add(&reader->seeds, &reader->seed_count, &state, sizeof state)
+           || reader_no_memory(reader);
 }
 
 /* POV-Ray's generator: linear congruential, modulo 2^32. */

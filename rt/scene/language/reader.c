@@ -214,12 +214,22 @@ bool reader_keep_float(struct reader *reader, const char *name, size_t length,
                        double value)
 {
     struct scene *scene = reader->scene;
-    struct declared_float declared = { .name = arena_text(&scene->kept, name, length),
-                                       .value = value };
+    struct declared_float declared = { arena_text(&scene->kept, name, length), value };
 
     return declared.name
            && arena_add(&scene->kept, &scene->floats, &scene->float_count,
                         &reader->floats_room, &declared, sizeof declared);
+}
+
+void *reader_keep(struct reader *reader, const void *items, size_t size)
+{
+    void *kept = arena_take(&reader->scene->kept, size + 1);
+
+    if (!kept)
+        reader_no_memory(reader);
+    else if (size > 0)
+        memcpy(kept, items, size);
+    return kept;
 }
 
 const struct scene_value *reader_value_of(const struct reader *reader,

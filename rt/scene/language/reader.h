@@ -190,6 +190,9 @@ const char *reader_keep_name(struct reader *reader);
 /* Stores a named float in the scene, for later passes. Fails without memory. */
 bool reader_keep_float(struct reader *reader, const char *name, size_t length,
                        double value);
+/* Returns a copy of the items, which the scene owns. Returns NULL without memory, after
+ * an error. */
+void *reader_keep(struct reader *reader, const void *items, size_t size);
 /* Returns the value that the current token names if it is of the kind, else NULL. */
 const struct scene_value *reader_value_of(const struct reader *reader,
                                           enum scene_value_kind kind);

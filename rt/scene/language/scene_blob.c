@@ -100,17 +100,11 @@ static const struct grammar part_grammar = { "a modifier of the component",
 static bool add_part(struct reader *reader, struct blob_reading *blob,
                      const struct blob_part *part, const struct scene_token *at)
 {
-    struct blob_part *list;
-
     if (blob->parts.count == MAX_BLOB_PARTS)
         return reader_fault(reader, at, "more than %d components in one blob",
                             MAX_BLOB_PARTS);
-    list = array_grow(blob->parts.list, blob->parts.count, sizeof *list);
-    if (!list)
-        return reader_no_memory(reader);
-    blob->parts.list = list;
-    list[blob->parts.count++] = *part;
-    return true;
+    return array_add(&blob->parts.list, &blob->parts.count, part, sizeof *part)
+           || reader_no_memory(reader);
 }
 
 /* Records the texture of a component. POV-Ray blends the textures of components; here
@@ -217,13 +211,11 @@ static bool keep(struct reader *reader, struct blob_reading *blob)
 {
     struct primitive *primitive = &blob->object.parts->primitive;
     size_t count = blob->parts.count;
-    struct blob_part *list;
+    struct blob_part *list = reader_keep(reader, blob->parts.list,
+                                         count * sizeof *list);
 
-    list = arena_take(&reader->scene->kept, (count + 1) * sizeof *list);
     if (!list)
-        return reader_no_memory(reader);
-    if (count > 0)
-        memcpy(list, blob->parts.list, count * sizeof *list);
+        return false;
     primitive->shape.blob.parts = (struct blob_parts){ count, list };
     resolve_material(reader, blob);
     return primitive_finish(reader, primitive, &blob->at);

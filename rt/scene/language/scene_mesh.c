@@ -153,18 +153,24 @@ bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
               const struct triangle *triangle, const struct scene_token *at)
 {
     struct triangles *triangles = &mesh->triangles;
-    struct triangle *list;
 
     if (!mesh_count(reader, 1, at))
         return false;
-    list = array_grow(triangles->list, triangles->count, sizeof *list);
-    if (!list)
+    if (!array_add(&triangles->list, &triangles->count, triangle, sizeof *triangle))
         return reader_no_memory(reader);
-    triangles->list = list;
-    list[triangles->count++] = *triangle;
     mesh->looks += mesh->looked;
     mesh->looked = false;
     return true;
+}
+
+bool mesh_keep_triangle(struct reader *reader, struct triangles *triangles,
+                        size_t *capacity, const struct triangle *triangle,
+                        const struct scene_token *at)
+{
+    return mesh_count(reader, 1, at)
+           && (arena_add(&reader->scene->kept, &triangles->list, &triangles->count,
+                         capacity, triangle, sizeof *triangle)
+               || reader_no_memory(reader));
 }
 
 /* An invisible mesh is reported, but is no error. */
@@ -186,10 +192,9 @@ static bool keep(struct reader *reader, struct mesh_reading *mesh)
 
     if (count == 0)
         return leave_out(reader, mesh);
-    list = arena_take(&reader->scene->kept, count * sizeof *list);
+    list = reader_keep(reader, mesh->triangles.list, count * sizeof *list);
     if (!list)
-        return reader_no_memory(reader);
-    memcpy(list, mesh->triangles.list, count * sizeof *list);
+        return false;
     primitive->shape.mesh.triangles = (struct triangles){ count, list };
     fault = shapes[PRIMITIVE_MESH]->finish(primitive);
     if (fault)

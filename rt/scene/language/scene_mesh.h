@@ -28,6 +28,10 @@ bool mesh_end(struct reader *reader, struct mesh_reading *mesh, bool good,
 size_t mesh_triangles(const struct scene_object *object);
 /* Counts more triangles. Fails above MAX_TRIANGLES. */
 bool mesh_count(struct reader *reader, size_t more, const struct scene_token *at);
+/* Counts a triangle and adds it to a list that the scene owns. */
+bool mesh_keep_triangle(struct reader *reader, struct triangles *triangles,
+                        size_t *capacity, const struct triangle *triangle,
+                        const struct scene_token *at);
 bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
               const struct triangle *triangle, const struct scene_token *at);
 /* Records the texture of a triangle. */

@@ -31,27 +31,15 @@ void texture_move(void *subject, const struct placement *step)
 
 static bool add_part(struct scene_object *object, const struct scene_part *part)
 {
-    struct scene_part *parts = array_grow(object->parts, object->part_count,
-                                          sizeof *parts);
-
-    if (!parts)
-        return false;
-    object->parts = parts;
-    parts[object->part_count++] = *part;
-    return true;
+    return array_add(&object->parts, &object->part_count, part, sizeof *part);
 }
 
 static bool add_branch(struct scene_object *object, enum tree_operation operation,
                        size_t size)
 {
-    struct branch *branches = array_grow(object->branches, object->branch_count,
-                                         sizeof *branches);
+    struct branch branch = { operation, size, false };
 
-    if (!branches)
-        return false;
-    object->branches = branches;
-    branches[object->branch_count++] = (struct branch){ operation, size, false };
-    return true;
+    return array_add(&object->branches, &object->branch_count, &branch, sizeof branch);
 }
 
 /* These append branches of another object, and the parts that are their leaves. */
@@ -87,14 +75,7 @@ bool object_add_primitive(struct scene_object *object,
 
 bool object_add_light(struct scene_object *object, const struct light *light)
 {
-    struct light *lights = array_grow(object->lights, object->light_count,
-                                      sizeof *lights);
-
-    if (!lights)
-        return false;
-    object->lights = lights;
-    lights[object->light_count++] = *light;
-    return true;
+    return array_add(&object->lights, &object->light_count, light, sizeof *light);
 }
 
 static void inherit(struct scene_part *part, const struct scene_object *object)

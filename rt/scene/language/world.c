@@ -85,15 +85,12 @@ static bool scene_warning_object(struct reader *reader, size_t first,
 {
     struct scene *scene = reader->scene;
     const struct scene_part *parts = reader->world.parts;
-    struct world_object recorded = { .name = object->name, .line = at->main_line };
-    struct world_object *added = arena_add(&scene->kept, &scene->objects,
-                                           &scene->object_count, &reader->objects_room,
-                                           &recorded, sizeof recorded);
+    struct world_object entry = { .name = object->name, .line = at->main_line };
 
-    if (!added)
-        return reader_no_memory(reader);
-    find_material(parts + first, reader->world.part_count - first, added);
-    return true;
+    find_material(parts + first, reader->world.part_count - first, &entry);
+    return arena_add(&scene->kept, &scene->objects, &scene->object_count,
+                     &reader->objects_room, &entry, sizeof entry)
+           || reader_no_memory(reader);
 }
 
 /* Removes a primitive whose numbers are out of the machine's range. */
