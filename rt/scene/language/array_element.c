@@ -17,8 +17,8 @@ static bool read_size(struct reader *reader, double most, size_t *size)
     struct scene_token at;
     double value;
 
-    if (!reader_at_sign(reader, '['))
-        return reader_expected(reader, "'['");
+    if (!reader_require_sign(reader, '['))
+        return false;
     reader_next(reader);
     at = reader->token;
     if (!read_number(reader, &value))
@@ -26,7 +26,7 @@ static bool read_size(struct reader *reader, double most, size_t *size)
     if (value < 0 || value >= most + 1)
         return reader_fault(reader, &at, "%g is not between 0 and %.0f", value, most);
     *size = (size_t)value;
-    return reader_at_sign(reader, ']') || reader_expected(reader, "']'");
+    return reader_require_sign(reader, ']');
 }
 
 static bool bracket_follows(struct reader *reader)
@@ -45,7 +45,7 @@ static bool read_indices(struct reader *reader, const struct array *array,
         sizes[i] = array->sizes[i];
     *element = 0;
     for (size_t i = 0; i < dimensions; i++) {
-        size_t index;
+        size_t index = 0;
         reader_step(reader);
         if (!read_size(reader, (double)sizes[i] - 1, &index))
             return false;

@@ -29,11 +29,8 @@ bool switch_begin(struct reader *reader, const struct item *item)
 
     if (good)
         condition = condition_push(reader, CONDITION_SWITCH, &item->at);
-    if (!condition) {
-        if (condition_skip(reader, &item->at, skip_to_end, 1))
-            reader_step(reader);
-        return false;
-    }
+    if (!condition)
+        return condition_leave_out(reader, &item->at);
     condition->value = value;
     return to_next(reader, condition);
 }
@@ -47,12 +44,11 @@ static bool read_bounds(struct reader *reader, bool range, double *lowest,
         *highest = *lowest;
         return done;
     }
-    if (!reader_at_sign(reader, '('))
-        return reader_expected(reader, "'('");
+    if (!reader_require_sign(reader, '('))
+        return false;
     reader_next(reader);
     return read_full_number(reader, lowest) && reader_expect_sign(reader, ',')
-           && read_full_number(reader, highest)
-           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+           && read_full_number(reader, highest) && reader_require_sign(reader, ')');
 }
 
 bool switch_case(struct reader *reader, const struct item *item)

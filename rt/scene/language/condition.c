@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-static const char *const openers[] = { "for",   "if",     "ifdef", "ifndef",
-                                       "macro", "switch", "while", NULL };
+const char *const condition_openers[] = { "for",   "if",     "ifdef", "ifndef",
+                                          "macro", "switch", "while", NULL };
 const char *const skip_to_end[] = { "end", NULL };
 static const char *const to_other[] = { "else", "elseif", "end", NULL };
 
@@ -27,7 +27,7 @@ bool condition_skip(struct reader *reader, const struct scene_token *at,
     bool found = false;
 
     while (!found && reader->token.kind != TOKEN_END) {
-        if (is_directive(&reader->token, openers))
+        if (is_directive(&reader->token, condition_openers))
             depth++;
         found = depth == 1 && is_directive(&reader->token, words);
         if (!found && is_directive(&reader->token, skip_to_end))
@@ -91,6 +91,13 @@ bool condition_leave(struct reader *reader, struct scene_condition *condition)
     return true;
 }
 
+bool condition_leave_out(struct reader *reader, const struct scene_token *at)
+{
+    if (condition_skip(reader, at, skip_to_end, 1))
+        reader_step(reader);
+    return false;
+}
+
 void conditions_close(struct reader *reader)
 {
     const struct scene_condition *top;
@@ -110,11 +117,10 @@ bool condition_holds(double value)
 
 static bool read_brackets(struct reader *reader, double *value)
 {
-    if (!reader_at_sign(reader, '('))
-        return reader_expected(reader, "'('");
+    if (!reader_require_sign(reader, '('))
+        return false;
     reader_next(reader);
-    return read_full_number(reader, value)
-           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+    return read_full_number(reader, value) && reader_require_sign(reader, ')');
 }
 
 bool condition_read(struct reader *reader, double *value)
@@ -165,11 +171,8 @@ static bool begin(struct reader *reader, const struct scene_token *at, bool good
 
     if (good)
         condition = condition_push(reader, CONDITION_IF, at);
-    if (!condition) {
-        if (condition_skip(reader, at, skip_to_end, 1))
-            reader_step(reader);
-        return false;
-    }
+    if (!condition)
+        return condition_leave_out(reader, at);
     reader_step(reader);
     return holds || choose(reader, condition);
 }
@@ -187,12 +190,11 @@ static bool read_name(struct reader *reader, double *defined)
     size_t sealed;
     bool done;
 
-    if (!reader_at_sign(reader, '('))
-        return reader_expected(reader, "'('");
+    if (!reader_require_sign(reader, '('))
+        return false;
     reader_step(reader);
     sealed = condition_seal(reader);
-    done = read_defined(reader, defined)
-           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+    done = read_defined(reader, defined) && reader_require_sign(reader, ')');
     condition_unseal(reader, sealed);
     return done;
 }

@@ -30,6 +30,11 @@ void conditions_close(struct reader *reader);
 bool condition_skip(struct reader *reader, const struct scene_token *at,
                     const char *const *words, size_t depth);
 extern const char *const skip_to_end[];
+/* Skips to the token after the #end of a directive whose head has an error. Returns
+ * false. */
+bool condition_leave_out(struct reader *reader, const struct scene_token *at);
+/* The directives that an #end closes. */
+extern const char *const condition_openers[];
 
 /* Reads "(" condition; the current token is then ")". */
 bool condition_read(struct reader *reader, double *value);

@@ -69,11 +69,9 @@ bool data_file_open(struct reader *reader, const struct item *item)
         return reader_fault(reader, &target.name,
                             "an array element cannot be used as a file");
     symbol = target.name.reference.symbol;
-    if (symbol)
-        symbol_hold(symbol);
+    symbol_hold(symbol);
     done = open_file(reader, &target);
-    if (symbol)
-        symbol_release(symbol);
+    symbol_release(symbol);
     return done;
 }
 
@@ -239,10 +237,8 @@ static const struct data_file *read_handle(struct reader *reader, bool reads)
 {
     const struct data_file *file;
 
-    if (!reader_at_sign(reader, '(')) {
-        reader_expected(reader, "'('");
+    if (!reader_require_sign(reader, '('))
         return NULL;
-    }
     reader_step(reader);
     file = expect_file(reader);
     if (!file || (file->reads == reads && (file->source || !reads)))

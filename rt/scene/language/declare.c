@@ -28,8 +28,8 @@ static bool read_layers(struct reader *reader, struct texture *texture)
 /* Skips a feature that is not drawn. It is reported where it is used. */
 static bool skip_look(struct reader *reader)
 {
-    if (!reader_at_sign(reader, '{'))
-        return reader_expected(reader, "'{'");
+    if (!reader_require_sign(reader, '{'))
+        return false;
     block_skip(reader);
     return true;
 }
@@ -263,18 +263,14 @@ const char *target_assign(struct reader *reader, const struct target *target,
     const struct scene_token *name = &target->name;
     struct declared_names *symbols = &reader->symbols;
     struct declared_name *symbol;
-    struct reference reference;
 
     if (target->is_element)
         return reference_assign(&name->reference, value);
     symbol = target->local
                  ? symbols_find_at(symbols, target->level, name->text, name->length)
                  : symbols_find(symbols, name->text, name->length);
-    if (!symbol)
-        return symbols_add(symbols, target->local ? target->level : 0, name->text,
-                           name->length, value);
-    reference = reference_to(symbol);
-    return reference_assign(&reference, value);
+    return symbols_assign(symbols, symbol, target->local ? target->level : 0, name,
+                          value);
 }
 
 /* Skips deprecated [once] ["text"] in #declare deprecated [once] ["text"] NAME; uses of
@@ -335,11 +331,9 @@ bool read_declare(struct reader *reader, const struct item *item)
     if (!target_read(reader, &target))
         return false;
     symbol = target.name.reference.symbol;
-    if (symbol)
-        symbol_hold(symbol);
+    symbol_hold(symbol);
     done = declare_value(reader, &target);
-    if (symbol)
-        symbol_release(symbol);
+    symbol_release(symbol);
     return done;
 }
 

@@ -3,14 +3,6 @@
 #include "rt/scene/language/declare.h"
 #include "rt/scene/language/scene_expression.h"
 
-/* Skips a loop whose start has an error. */
-static bool leave_out(struct reader *reader, const struct scene_token *at)
-{
-    if (condition_skip(reader, at, skip_to_end, 1))
-        reader_step(reader);
-    return false;
-}
-
 /* Checks that the loop's head ends in the frame in which it began. */
 static bool same_frame(struct reader *reader, const struct scene_condition *loop)
 {
@@ -54,7 +46,7 @@ bool loop_while(struct reader *reader, const struct item *item)
     struct scene_condition *loop = condition_push(reader, CONDITION_WHILE, &item->at);
 
     if (!loop)
-        return leave_out(reader, &item->at);
+        return condition_leave_out(reader, &item->at);
     loop->again = reader->token.place;
     return begin_turn(reader, loop);
 }
@@ -69,14 +61,9 @@ static bool set_variable(struct reader *reader, const struct scene_token *name,
     size_t level = reader->lexer.depth;
     struct declared_name *symbol = symbols_find_at(&reader->symbols, level, name->text,
                                                    name->length);
-    struct reference reference;
 
-    if (!symbol)
-        return reader_check(reader, name,
-                            symbols_add(&reader->symbols, level, name->text,
-                                        name->length, &value));
-    reference = reference_to(symbol);
-    return reader_check(reader, name, reference_assign(&reference, &value));
+    return reader_check(reader, name,
+                        symbols_assign(&reader->symbols, symbol, level, name, &value));
 }
 
 /* Reads the variable again: as in POV-Ray the body may have changed it. */
@@ -115,8 +102,8 @@ static bool read_step(struct reader *reader, double *step)
 static bool read_head(struct reader *reader, struct scene_condition *loop,
                       double *start)
 {
-    if (!reader_at_sign(reader, '('))
-        return reader_expected(reader, "'('");
+    if (!reader_require_sign(reader, '('))
+        return false;
     reader_step(reader);
     loop->name = reader->token;
     if (!name_expected(reader, &loop->name))
@@ -124,8 +111,7 @@ static bool read_head(struct reader *reader, struct scene_condition *loop,
     reader_step(reader);
     return reader_expect_sign(reader, ',') && read_full_number(reader, start)
            && reader_expect_sign(reader, ',') && read_full_number(reader, &loop->end)
-           && read_step(reader, &loop->step)
-           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+           && read_step(reader, &loop->step) && reader_require_sign(reader, ')');
 }
 
 bool loop_for(struct reader *reader, const struct item *item)
@@ -136,7 +122,7 @@ bool loop_for(struct reader *reader, const struct item *item)
     bool good;
 
     if (!loop)
-        return leave_out(reader, &item->at);
+        return condition_leave_out(reader, &item->at);
     sealed = condition_seal(reader);
     good = read_head(reader, loop, &start) && same_frame(reader, loop)
            && set_variable(reader, &loop->name, start);

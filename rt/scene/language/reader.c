@@ -162,11 +162,16 @@ bool reader_accept_sign(struct reader *reader, int sign)
     return there;
 }
 
-bool reader_expect_sign(struct reader *reader, int sign)
+bool reader_require_sign(struct reader *reader, int sign)
 {
     const char what[] = { '\'', (char)sign, '\'', '\0' };
 
-    return reader_accept_sign(reader, sign) || reader_expected(reader, what);
+    return reader_at_sign(reader, sign) || reader_expected(reader, what);
+}
+
+bool reader_expect_sign(struct reader *reader, int sign)
+{
+    return reader_require_sign(reader, sign) && reader_accept_sign(reader, sign);
 }
 
 bool reader_accept(struct reader *reader, const char *word)

@@ -175,6 +175,8 @@ bool reader_check(struct reader *reader, const struct scene_token *at,
 bool reader_at_sign(const struct reader *reader, int sign);
 bool reader_accept_sign(struct reader *reader, int sign);
 bool reader_expect_sign(struct reader *reader, int sign);
+/* Like reader_expect_sign, but the sign stays the current token. */
+bool reader_require_sign(struct reader *reader, int sign);
 bool reader_accept(struct reader *reader, const char *word);
 /* Accepts a comma. Commas between arguments are optional. */
 void reader_comma(struct reader *reader);

@@ -33,8 +33,8 @@ static bool read_parameter(struct reader *reader, struct scene_macro *macro)
 /* Reads from "(" to the start of the body. */
 static bool read_parameters(struct reader *reader, struct scene_macro *macro)
 {
-    if (!reader_at_sign(reader, '('))
-        return reader_expected(reader, "'('");
+    if (!reader_require_sign(reader, '('))
+        return false;
     reader_step(reader);
     while (!reader_at_sign(reader, ')'))
         if (!read_parameter(reader, macro))
@@ -50,14 +50,9 @@ static bool add_macro(struct reader *reader, const struct scene_token *name,
     struct declared_name *before = symbols_find(&reader->symbols, name->text,
                                                 name->length);
     struct scene_value value = { .kind = VALUE_MACRO, .is.macro = macro };
-    struct reference reference;
 
-    if (!before)
-        return reader_check(reader, name,
-                            symbols_add(&reader->symbols, 0, name->text, name->length,
-                                        &value));
-    reference = reference_to(before);
-    return reader_check(reader, name, reference_assign(&reference, &value));
+    return reader_check(reader, name,
+                        symbols_assign(&reader->symbols, before, 0, name, &value));
 }
 
 bool macro_define(struct reader *reader, const struct item *item)
@@ -134,7 +129,7 @@ static bool read_arguments(struct reader *reader, struct call *call)
         if (!reader_at_sign(reader, ')') && !reader_expect_sign(reader, ','))
             return false;
     }
-    return reader_at_sign(reader, ')') || reader_expected(reader, "')'");
+    return reader_require_sign(reader, ')');
 }
 
 /* Declares the parameters at the level of the body. */
@@ -179,8 +174,7 @@ static void call_free(struct call *call)
 {
     for (size_t i = 0; i < call->count; i++) {
         struct argument *argument = &call->arguments[i];
-        if (argument->reference.symbol)
-            symbol_release(argument->reference.symbol);
+        symbol_release(argument->reference.symbol);
         value_free(&argument->value);
     }
     free(call);
@@ -202,8 +196,8 @@ static struct call *new_call(const struct reader *reader)
 static bool read_call(struct reader *reader, struct call *call)
 {
     reader_step(reader);
-    if (!reader_at_sign(reader, '('))
-        return reader_expected(reader, "'('");
+    if (!reader_require_sign(reader, '('))
+        return false;
     reader_next(reader);
     return read_arguments(reader, call) && enter_body(reader, call);
 }

@@ -7,6 +7,7 @@
  */
 #include "rt/scene/language/semicolon.h"
 
+#include "rt/scene/language/condition.h"
 #include "rt/scene/language/scene_expression.h"
 
 #include <string.h>
@@ -47,20 +48,16 @@ static void skip_brackets(struct reader *reader)
     } while (open && token.kind != TOKEN_END);
 }
 
-static const char *const openers[] = { "for",    "if",    "ifdef", "ifndef",
-                                       "switch", "while", "macro", NULL };
-
 /* Skips from a branch to the end of its condition. */
 static void skip_branches(struct reader *reader)
 {
-    static const char *const closers[] = { "end", NULL };
     struct scene_token token;
     size_t open = 1;
 
     do {
         token = next(reader);
-        open += is_directive(&token, openers);
-        open -= is_directive(&token, closers);
+        open += is_directive(&token, condition_openers);
+        open -= is_directive(&token, skip_to_end);
     } while (open && token.kind != TOKEN_END);
 }
 
@@ -84,13 +81,12 @@ static bool skip_directive(struct reader *reader, const struct scene_token *toke
 {
     static const char *const branches[] = { "else",  "elseif", "case",
                                             "range", "break",  NULL };
-    static const char *const closers[] = { "end", NULL };
 
     if (token_is_text(token, "macro"))
         return false;
-    if (is_directive(token, closers)) {
+    if (is_directive(token, skip_to_end)) {
         *open -= *open > 0;
-    } else if (is_directive(token, openers)) {
+    } else if (is_directive(token, condition_openers)) {
         ++*open;
         skip_brackets(reader);
     } else if (!is_directive(token, branches)) {

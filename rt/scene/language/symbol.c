@@ -82,15 +82,17 @@ struct reference reference_to(struct declared_name *symbol)
 
 void symbol_hold(struct declared_name *symbol)
 {
-    symbol->held++;
+    if (symbol)
+        symbol->held++;
 }
 
 bool symbol_release(struct declared_name *symbol)
 {
+    if (!symbol)
+        return false;
     if (--symbol->held)
         return true;
-    if (symbol->target.symbol)
-        symbol_release(symbol->target.symbol);
+    symbol_release(symbol->target.symbol);
     value_free(&symbol->value);
     free(symbol);
     return false;
@@ -167,6 +169,18 @@ const char *reference_assign(const struct reference *reference,
     value_free(&symbol->value);
     symbol->value = *value;
     return NULL;
+}
+
+const char *symbols_assign(struct declared_names *symbols, struct declared_name *symbol,
+                           size_t level, const struct scene_token *name,
+                           struct scene_value *value)
+{
+    struct reference reference;
+
+    if (!symbol)
+        return symbols_add(symbols, level, name->text, name->length, value);
+    reference = reference_to(symbol);
+    return reference_assign(&reference, value);
 }
 
 const char *symbols_refer(struct declared_names *symbols, size_t level,

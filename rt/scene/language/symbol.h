@@ -33,11 +33,17 @@ const char *reference_assign(const struct reference *reference,
                              struct scene_value *value);
 const char *symbols_add(struct declared_names *symbols, size_t level, const char *name,
                         size_t length, struct scene_value *value);
+/* Assigns to a symbol or to the target of an alias; NULL: adds a symbol with the name of
+ * the token. */
+const char *symbols_assign(struct declared_names *symbols, struct declared_name *symbol,
+                           size_t level, const struct scene_token *name,
+                           struct scene_value *value);
 /* Adds an alias. */
 const char *symbols_refer(struct declared_names *symbols, size_t level,
                           const char *name, size_t length,
                           const struct reference *reference);
 
+/* These do nothing without a symbol. */
 /* Adds a reference to a symbol, which then outlives its removal from the table. */
 void symbol_hold(struct declared_name *symbol);
 /* Drops a reference. Returns false if it was the last one. */
