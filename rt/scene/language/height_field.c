@@ -20,7 +20,6 @@
 #include "rt/scene/language/scene_mesh.h"
 #include "rt/scene/language/scene_statement.h"
 #include "rt/scene/vector3.h"
-#include "rt/shapes/shape.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -254,18 +253,14 @@ static bool read_words(struct height_field *field)
 
 static bool add_mesh(const struct height_field *field, struct scene_object *object)
 {
-    struct primitive primitive;
+    struct scene_part *part;
 
-    memset(&primitive, 0, sizeof primitive);
-    primitive.kind = PRIMITIVE_MESH;
-    primitive.shape.mesh.triangles = field->triangles;
-    if (shapes[PRIMITIVE_MESH]->finish(&primitive))
-        return shape_leave_out(field->reader, object, field->at,
-                               "the height_field is below its water_level");
-    if (!shape_add(field->reader, object, &primitive, field->at))
+    if (!mesh_object_add(field->reader, object, &field->triangles, field->at,
+                         "the height_field is below its water_level"))
         return false;
-    object->parts[object->part_count - 1].smooth_field = field->smooth;
-    object->parts[object->part_count - 1].field = true;
+    part = &object->parts[object->part_count - 1];
+    part->field = part->primitive.kind == PRIMITIVE_MESH;
+    part->smooth_field = part->field && field->smooth;
     return true;
 }
 

@@ -15,7 +15,6 @@
 #include "rt/scene/language/scene_mesh.h"
 #include "rt/scene/language/scene_statement.h"
 #include "rt/scene/vector3.h"
-#include "rt/shapes/shape.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -475,19 +474,6 @@ static bool cut(struct polygon *polygon)
 
 /* ---- The statement ------------------------------------------------------- */
 
-static bool add_mesh(struct polygon *polygon, struct scene_object *object)
-{
-    struct primitive primitive;
-
-    memset(&primitive, 0, sizeof primitive);
-    primitive.kind = PRIMITIVE_MESH;
-    primitive.shape.mesh.triangles = polygon->triangles;
-    if (shapes[PRIMITIVE_MESH]->finish(&primitive))
-        return shape_leave_out(polygon->reader, object, polygon->at,
-                               "the polygon has no area");
-    return shape_add(polygon->reader, object, &primitive, polygon->at);
-}
-
 static bool make_mesh(struct polygon *polygon, struct scene_object *object)
 {
     const char *why = find_plane(polygon);
@@ -495,7 +481,9 @@ static bool make_mesh(struct polygon *polygon, struct scene_object *object)
     if (why)
         return shape_leave_out(polygon->reader, object, polygon->at, why);
     return make_edges(polygon) && find_heights(polygon) && cut(polygon)
-           && add_mesh(polygon, object);
+
+           && mesh_object_add(polygon->reader, object, &polygon->triangles, polygon->at,
+                              "the polygon has no area");
 }
 
 bool polygon_read(struct reader *reader, struct scene_object *object,

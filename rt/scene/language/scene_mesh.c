@@ -173,6 +173,20 @@ bool mesh_keep_triangle(struct reader *reader, struct triangles *triangles,
                || reader_no_memory(reader));
 }
 
+bool mesh_object_add(struct reader *reader, struct scene_object *object,
+                     const struct triangles *triangles, const struct scene_token *at,
+                     const char *reason)
+{
+    struct primitive primitive;
+
+    memset(&primitive, 0, sizeof primitive);
+    primitive.kind = PRIMITIVE_MESH;
+    primitive.shape.mesh.triangles = *triangles;
+    return shapes[PRIMITIVE_MESH]->finish(&primitive)
+               ? shape_leave_out(reader, object, at, reason)
+               : shape_add(reader, object, &primitive, at);
+}
+
 /* An invisible mesh is reported, but is no error. */
 static bool leave_out(struct reader *reader, struct mesh_reading *mesh)
 {

@@ -32,6 +32,11 @@ bool mesh_count(struct reader *reader, size_t more, const struct scene_token *at
 bool mesh_keep_triangle(struct reader *reader, struct triangles *triangles,
                         size_t *capacity, const struct triangle *triangle,
                         const struct scene_token *at);
+/* Adds a mesh of these triangles to the object; if none has an area it is ignored for
+ * the reason. */
+bool mesh_object_add(struct reader *reader, struct scene_object *object,
+                     const struct triangles *triangles, const struct scene_token *at,
+                     const char *reason);
 bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
               const struct triangle *triangle, const struct scene_token *at);
 /* Records the texture of a triangle. */
