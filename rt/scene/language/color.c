@@ -35,14 +35,6 @@ static const struct color_order {
     { "transmit", 1, { TRANSMIT }, false },
 };
 
-static const struct color_order *order_find(const struct scene_token *token)
-{
-    for (size_t i = 0; i < sizeof orders / sizeof *orders; i++)
-        if (is_token(token, orders[i].word))
-            return &orders[i];
-    return NULL;
-}
-
 static bool is_color(const struct scene_token *token)
 {
     return is_token(token, "color") || is_token(token, "colour");
@@ -50,7 +42,7 @@ static bool is_color(const struct scene_token *token)
 
 bool is_color_word(const struct scene_token *token)
 {
-    return is_color(token) || order_find(token);
+    return is_color(token) || TOKEN_ROW(token, orders);
 }
 
 bool starts_color(const struct reader *reader)
@@ -98,9 +90,9 @@ static bool read_ordered(struct reader *reader, const struct color_order *order,
 /* Reads red, green, .. one by one, while they follow. */
 static bool read_terms(struct reader *reader, struct numbers *color)
 {
-    const struct color_order *order = order_find(&reader->token);
+    const struct color_order *order = TOKEN_ROW(&reader->token, orders);
 
-    for (; order && order->count == 1; order = order_find(&reader->token)) {
+    for (; order && order->count == 1; order = TOKEN_ROW(&reader->token, orders)) {
         reader_next(reader);
         if (!read_ordered(reader, order, color))
             return false;
@@ -119,12 +111,12 @@ static bool read_plain(struct reader *reader, struct numbers *color)
 bool read_color_after(struct reader *reader, const struct scene_token *word,
                       struct numbers *color)
 {
-    const struct color_order *order = order_find(word);
+    const struct color_order *order = TOKEN_ROW(word, orders);
 
     *color = numbers_of(0);
     color->count = COLOR_TERMS;
-    if (!order && order_find(&reader->token)) {
-        order = order_find(&reader->token);
+    if (!order && TOKEN_ROW(&reader->token, orders)) {
+        order = TOKEN_ROW(&reader->token, orders);
         reader_next(reader);
     }
     if (!(order ? read_ordered(reader, order, color) : read_plain(reader, color))

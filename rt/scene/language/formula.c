@@ -409,13 +409,9 @@ static void apply(const struct function *function, size_t count, double *argumen
 {
     struct numbers taken[MAX_ARGUMENTS], result;
 
-    if (function->plain) {
-        arguments[0] = function->plain(arguments[0]);
-        return;
-    }
     for (size_t i = 0; i < count; i++)
         taken[i] = numbers_of(arguments[i]);
-    function->apply(taken, count, &result);
+    function_apply(function, taken, count, &result);
     arguments[0] = result.n[0];
 }
 

@@ -26,12 +26,6 @@ static void give(struct numbers *result, double value)
     *result = numbers_of(value);
 }
 
-static void apply_atan2(const struct numbers *a, size_t n, struct numbers *r)
-{
-    (void)n;
-    give(r, elementary_atan2(a[0].n[0], a[1].n[0]));
-}
-
 /* Truncates; adding 0 turns -0 into 0, whose sign would show in the text of the
  * number. */
 static double whole(double value)
@@ -39,39 +33,15 @@ static double whole(double value)
     return trunc(value) + 0.0;
 }
 
-static void apply_div(const struct numbers *a, size_t n, struct numbers *r)
+static double div_whole(double a, double b)
 {
-    (void)n;
-    give(r, whole(a[0].n[0] / a[1].n[0]));
-}
-
-static void apply_mod(const struct numbers *a, size_t n, struct numbers *r)
-{
-    (void)n;
-    give(r, fmod(a[0].n[0], a[1].n[0]));
+    return whole(a / b);
 }
 
 /* As in POV-Ray, 0 to the power of 0 is an error. */
-static void apply_pow(const struct numbers *a, size_t n, struct numbers *r)
+static double power(double base, double exponent)
 {
-    bool none = a[0].n[0] == 0 && a[1].n[0] == 0;
-
-    (void)n;
-    give(r, none ? (double)NAN : elementary_pow(a[0].n[0], a[1].n[0]));
-}
-
-static void apply_max(const struct numbers *a, size_t n, struct numbers *r)
-{
-    *r = a[0];
-    for (size_t i = 1; i < n; i++)
-        r->n[0] = fmax(r->n[0], a[i].n[0]);
-}
-
-static void apply_min(const struct numbers *a, size_t n, struct numbers *r)
-{
-    *r = a[0];
-    for (size_t i = 1; i < n; i++)
-        r->n[0] = fmin(r->n[0], a[i].n[0]);
+    return base == 0 && exponent == 0 ? (double)NAN : elementary_pow(base, exponent);
 }
 
 /* Returns the bits of a truncated value; 0 if it is out of range. */
@@ -184,50 +154,63 @@ static void apply_vaxis_rotate(const struct numbers *a, size_t n, struct numbers
 }
 
 static const struct function functions[] = {
-    { "abs", "f", NULL, fabs },
-    { "acos", "f", NULL, elementary_acos },
-    { "acosh", "f", NULL, elementary_acosh },
-    { "asin", "f", NULL, elementary_asin },
-    { "asinh", "f", NULL, elementary_asinh },
-    { "atan", "f", NULL, elementary_atan },
-    { "atan2", "ff", apply_atan2, NULL },
-    { "atanh", "f", NULL, elementary_atanh },
-    { "bitwise_and", "ff+", apply_bitwise_and, NULL },
-    { "bitwise_or", "ff+", apply_bitwise_or, NULL },
-    { "bitwise_xor", "ff+", apply_bitwise_xor, NULL },
-    { "ceil", "f", NULL, ceil },
-    { "cos", "f", NULL, elementary_cos },
-    { "cosh", "f", NULL, elementary_cosh },
-    { "degrees", "f", NULL, degrees },
-    { "div", "ff", apply_div, NULL },
-    { "exp", "f", NULL, elementary_exp },
-    { "floor", "f", NULL, floor },
-    { "int", "f", NULL, whole },
-    { "ln", "f", NULL, elementary_log },
-    { "log", "f", NULL, elementary_log10 },
-    { "max", "f+", apply_max, NULL },
-    { "min", "f+", apply_min, NULL },
-    { "mod", "ff", apply_mod, NULL },
-    { "pow", "ff", apply_pow, NULL },
-    { "radians", "f", NULL, radians },
-    { "select", "fff?", apply_select, NULL },
-    { "sin", "f", NULL, elementary_sin },
-    { "sinh", "f", NULL, elementary_sinh },
-    { "sqrt", "f", NULL, sqrt },
-    { "tan", "f", NULL, elementary_tan },
-    { "tanh", "f", NULL, elementary_tanh },
-    { "vaxis_rotate", "vvf", apply_vaxis_rotate, NULL },
-    { "vcross", "vv", apply_vcross, NULL },
-    { "vdot", "vv", apply_vdot, NULL },
-    { "vlength", "v", apply_vlength, NULL },
-    { "vnormalize", "v", apply_vnormalize, NULL },
-    { "vrotate", "vv", apply_vrotate, NULL },
+    { "abs", "f", .plain = fabs },
+    { "acos", "f", .plain = elementary_acos },
+    { "acosh", "f", .plain = elementary_acosh },
+    { "asin", "f", .plain = elementary_asin },
+    { "asinh", "f", .plain = elementary_asinh },
+    { "atan", "f", .plain = elementary_atan },
+    { "atan2", "ff", .pair = elementary_atan2 },
+    { "atanh", "f", .plain = elementary_atanh },
+    { "bitwise_and", "ff+", .apply = apply_bitwise_and },
+    { "bitwise_or", "ff+", .apply = apply_bitwise_or },
+    { "bitwise_xor", "ff+", .apply = apply_bitwise_xor },
+    { "ceil", "f", .plain = ceil },
+    { "cos", "f", .plain = elementary_cos },
+    { "cosh", "f", .plain = elementary_cosh },
+    { "degrees", "f", .plain = degrees },
+    { "div", "ff", .pair = div_whole },
+    { "exp", "f", .plain = elementary_exp },
+    { "floor", "f", .plain = floor },
+    { "int", "f", .plain = whole },
+    { "ln", "f", .plain = elementary_log },
+    { "log", "f", .plain = elementary_log10 },
+    { "max", "f+", .pair = fmax },
+    { "min", "f+", .pair = fmin },
+    { "mod", "ff", .pair = fmod },
+    { "pow", "ff", .pair = power },
+    { "radians", "f", .plain = radians },
+    { "select", "fff?", .apply = apply_select },
+    { "sin", "f", .plain = elementary_sin },
+    { "sinh", "f", .plain = elementary_sinh },
+    { "sqrt", "f", .plain = sqrt },
+    { "tan", "f", .plain = elementary_tan },
+    { "tanh", "f", .plain = elementary_tanh },
+    { "vaxis_rotate", "vvf", .apply = apply_vaxis_rotate },
+    { "vcross", "vv", .apply = apply_vcross },
+    { "vdot", "vv", .apply = apply_vdot },
+    { "vlength", "v", .apply = apply_vlength },
+    { "vnormalize", "v", .apply = apply_vnormalize },
+    { "vrotate", "vv", .apply = apply_vrotate },
 };
 
 const struct function *function_find(const struct scene_token *token)
 {
-    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
-        if (is_token(token, functions[i].name))
-            return &functions[i];
-    return NULL;
+    return TOKEN_ROW(token, functions);
+}
+
+void function_apply(const struct function *function, const struct numbers *arguments,
+                    size_t count, struct numbers *result)
+{
+    double value = arguments[0].n[0];
+
+    if (function->apply) {
+        function->apply(arguments, count, result);
+        return;
+    }
+    if (function->plain)
+        value = function->plain(value);
+    for (size_t i = 1; i < count; i++)
+        value = function->pair(value, arguments[i].n[0]);
+    *result = numbers_of(value);
 }

@@ -17,17 +17,9 @@ static const struct image_word {
     { "tiff", RASTER_TIFF },
 };
 
-static const struct image_word *image_word(const struct scene_token *token)
-{
-    for (size_t i = 0; i < sizeof image_words / sizeof *image_words; i++)
-        if (is_token(token, image_words[i].word))
-            return &image_words[i];
-    return NULL;
-}
-
 const char *image_kind_unsupported(const struct reader *reader)
 {
-    const struct image_word *word = image_word(&reader->token);
+    const struct image_word *word = TOKEN_ROW(&reader->token, image_words);
 
     return word && word->kind == RASTER_KINDS ? word->word : NULL;
 }
@@ -53,7 +45,7 @@ static bool find_file(struct reader *reader, const struct image_word *word,
 bool image_file_read(struct reader *reader, const char *expected,
                      struct image_file *file)
 {
-    const struct image_word *word = image_word(&reader->token);
+    const struct image_word *word = TOKEN_ROW(&reader->token, image_words);
     char *name;
     bool done;
 

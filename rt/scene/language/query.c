@@ -40,21 +40,6 @@ static double number_in(const char *string)
     return strtod(string, NULL);
 }
 
-static bool read_asc(struct reader *reader, double *value)
-{
-    return read_measure(reader, first_code, value);
-}
-
-static bool read_strlen(struct reader *reader, double *value)
-{
-    return read_measure(reader, length_of, value);
-}
-
-static bool read_val(struct reader *reader, double *value)
-{
-    return read_measure(reader, number_in, value);
-}
-
 double string_order(const char *a, const char *b)
 {
     while (*a && *a == *b) {
@@ -223,60 +208,55 @@ void queries_free(struct reader *reader)
 
 static const struct query {
     const char *name;
-    bool (*read)(struct reader *reader, double *value); /* NULL: not supported */
-    bool raw; /* its argument is read without calling macros */
+    bool (*read)(struct reader *reader, double *value);
+    string_measure *measure; /* instead, of one string; without both the function is not
+                              * supported */
+    bool raw;                /* its argument is read without calling macros */
 } queries[] = {
-    { "asc", read_asc, false },
-    { "defined", read_defined, true },
-    { "dimension_size", read_dimension_size, false },
-    { "dimensions", read_dimensions, false },
-    { "file_exists", read_file_exists, false },
-    { "inside", NULL, false },
-    { "max_extent", NULL, false },
-    { "min_extent", NULL, false },
-    { "now", NULL, false },
-    { "rand", read_rand, false },
-    { "seed", read_seed, false },
-    { "strcmp", read_strcmp, false },
-    { "strlen", read_strlen, false },
-    { "trace", NULL, false },
-    { "val", read_val, false },
-    { "vturbulence", NULL, false },
+    { "asc", .measure = first_code },
+    { "defined", .read = read_defined, .raw = true },
+    { "dimension_size", .read = read_dimension_size },
+    { "dimensions", .read = read_dimensions },
+    { "file_exists", .read = read_file_exists },
+    { .name = "inside" },
+    { .name = "max_extent" },
+    { .name = "min_extent" },
+    { .name = "now" },
+    { "rand", .read = read_rand },
+    { "seed", .read = read_seed },
+    { "strcmp", .read = read_strcmp },
+    { "strlen", .measure = length_of },
+    { .name = "trace" },
+    { "val", .measure = number_in },
+    { .name = "vturbulence" },
 };
-
-static const struct query *find(const struct scene_token *token)
-{
-    for (size_t i = 0; i < sizeof queries / sizeof *queries; i++)
-        if (is_token(token, queries[i].name))
-            return &queries[i];
-    return NULL;
-}
 
 bool is_query_word(const struct scene_token *token)
 {
-    return find(token);
+    return TOKEN_ROW(token, queries);
 }
 
 static bool read_brackets(struct reader *reader, const struct query *query,
                           double *value)
 {
-    if (!reader_at_sign(reader, '('))
-        return reader_expected(reader, "'('");
+    if (!reader_require_sign(reader, '('))
+        return false;
     if (query->raw)
         reader_step(reader);
     else
         reader_next(reader);
-    return query->read(reader, value)
-           && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+    return (query->measure ? read_measure(reader, query->measure, value)
+                           : query->read(reader, value))
+           && reader_require_sign(reader, ')');
 }
 
 bool query_read(struct reader *reader, double *value)
 {
-    const struct query *query = find(&reader->token);
+    const struct query *query = TOKEN_ROW(&reader->token, queries);
     size_t hold = reader_nest(reader);
     bool done;
 
-    if (!query->read) {
+    if (!query->read && !query->measure) {
         reader_release(reader, hold);
         return reader_fault(reader, &reader->token, "'%s' is not supported",
                             query->name);

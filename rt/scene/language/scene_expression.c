@@ -215,26 +215,25 @@ bool read_full(struct reader *reader, struct numbers *value)
     return done;
 }
 
-bool read_full_number(struct reader *reader, double *value)
+static bool read_float(struct reader *reader, operand_reader *read, double *value)
 {
     struct scene_token at = reader->token;
     struct numbers numbers;
 
-    if (!read_full(reader, &numbers) || !operand_float(reader, &at, &numbers))
+    if (!read(reader, &numbers) || !operand_float(reader, &at, &numbers))
         return false;
     *value = numbers.n[0];
     return true;
 }
 
+bool read_full_number(struct reader *reader, double *value)
+{
+    return read_float(reader, read_full, value);
+}
+
 bool read_number(struct reader *reader, double *value)
 {
-    struct scene_token at = reader->token;
-    struct numbers numbers;
-
-    if (!read_expression(reader, &numbers) || !operand_float(reader, &at, &numbers))
-        return false;
-    *value = numbers.n[0];
-    return true;
+    return read_float(reader, read_expression, value);
 }
 
 bool read_vector(struct reader *reader, double vector[3])

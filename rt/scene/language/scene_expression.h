@@ -39,11 +39,14 @@ struct function {
     const char *name;
     const char *takes; /* its arguments: f a float, v a vector, ? an optional float, +
                         * any number more */
+    double (*plain)(double);        /* of one float */
+    double (*pair)(double, double); /* of two; of more it is applied from the left */
     void (*apply)(const struct numbers *arguments, size_t count,
-                  struct numbers *result);
-    double (*plain)(double); /* instead of apply, for one float */
+                  struct numbers *result); /* of any */
 };
 enum { MAX_ARGUMENTS = 32 };
 const struct function *function_find(const struct scene_token *token);
+void function_apply(const struct function *function, const struct numbers *arguments,
+                    size_t count, struct numbers *result);
 
 #endif

@@ -26,14 +26,6 @@ static const struct constant {
     { "z", { 3, { 0, 0, 1 } } },
 };
 
-static const struct constant *constant_find(const struct scene_token *token)
-{
-    for (size_t i = 0; i < sizeof constants / sizeof *constants; i++)
-        if (is_token(token, constants[i].name))
-            return &constants[i];
-    return NULL;
-}
-
 static bool is_picture_size(const struct scene_token *token)
 {
     return is_token(token, "image_width") || is_token(token, "image_height");
@@ -41,7 +33,7 @@ static bool is_picture_size(const struct scene_token *token)
 
 bool is_expression_word(const struct scene_token *token)
 {
-    return constant_find(token) || function_find(token) || is_picture_size(token)
+    return TOKEN_ROW(token, constants) || function_find(token) || is_picture_size(token)
            || is_query_word(token) || is_token(token, "version");
 }
 
@@ -148,10 +140,7 @@ static bool read_call(struct reader *reader, const struct function *function,
     count = read_arguments(reader, function->takes, arguments);
     if (!count)
         return false;
-    if (function->plain)
-        *value = numbers_of(function->plain(arguments[0].n[0]));
-    else
-        function->apply(arguments, count, value);
+    function_apply(function, arguments, count, value);
     return operand_finite(reader, &at, value);
 }
 
@@ -199,7 +188,7 @@ static bool read_name(struct reader *reader, struct numbers *value)
         return formula_call(reader, function->is.formula, value);
     if (reader_value_of(reader, VALUE_SPLINE))
         return spline_call(reader, value);
-    constant = constant_find(token);
+    constant = TOKEN_ROW(token, constants);
     if (constant)
         return take(reader, constant->value, value);
     if (function_find(token))
@@ -238,7 +227,7 @@ static double gray(const double rgb[3])
 /* Reads a component after ".". */
 static bool read_component(struct reader *reader, struct numbers *value)
 {
-    static const struct {
+    static const struct component {
         const char *name;
         int index;
     } components[] = {
@@ -246,12 +235,10 @@ static bool read_component(struct reader *reader, struct numbers *value)
         { "v", 1 },    { "t", 3 },      { "red", 0 },      { "green", 1 },
         { "blue", 2 }, { "filter", 3 }, { "transmit", 4 },
     };
-    size_t i = 0, count = sizeof components / sizeof *components;
+    const struct component *found = TOKEN_ROW(&reader->token, components);
 
-    while (i < count && !is_token(&reader->token, components[i].name))
-        i++;
-    if (i < count && components[i].index < value->count)
-        *value = numbers_of(value->n[components[i].index]);
+    if (found && found->index < value->count)
+        *value = numbers_of(value->n[found->index]);
     else if (is_token(&reader->token, "gray") && value->count >= 3)
         *value = numbers_of(gray(value->n));
     else

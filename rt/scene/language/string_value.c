@@ -298,24 +298,16 @@ static const struct string_function {
     { "vstr", read_vstr },
 };
 
-static const struct string_function *find(const struct scene_token *token)
-{
-    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
-        if (is_token(token, functions[i].name))
-            return &functions[i];
-    return NULL;
-}
-
 /* ---- Strings ------------------------------------------------------------- */
 
 bool is_string_word(const struct scene_token *token)
 {
-    return find(token);
+    return TOKEN_ROW(token, functions);
 }
 
 bool starts_string(const struct reader *reader)
 {
-    return reader->token.kind == TOKEN_STRING || find(&reader->token)
+    return reader->token.kind == TOKEN_STRING || TOKEN_ROW(&reader->token, functions)
            || reader_value_of(reader, VALUE_STRING);
 }
 
@@ -329,7 +321,7 @@ static bool read_call(struct reader *reader, const struct string_function *funct
     if (reader_enter(reader)) {
         reader_next(reader);
         done = reader_expect_sign(reader, '(') && function->read(reader, buffer)
-               && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
+               && reader_require_sign(reader, ')');
         reader_leave(reader);
     }
     reader_release(reader, hold);
@@ -339,7 +331,7 @@ static bool read_call(struct reader *reader, const struct string_function *funct
 bool string_read(struct reader *reader, char **string)
 {
     struct scene_token at = reader->token;
-    const struct string_function *function = find(&at);
+    const struct string_function *function = TOKEN_ROW(&at, functions);
     const struct scene_value *named = reader_value_of(reader, VALUE_STRING);
     struct made_string buffer = { NULL, 0, false };
     bool done = true;

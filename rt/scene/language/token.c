@@ -379,6 +379,19 @@ bool token_is_text(const struct scene_token *token, const char *word)
     return !strncmp(token->text, word, token->length) && word[token->length] == '\0';
 }
 
+const void *token_row(const struct scene_token *token, const void *rows, size_t size,
+                      size_t count)
+{
+    for (const char *row = rows; count > 0; row += size, count--) {
+        const char *word;
+
+        memcpy(&word, row, sizeof word);
+        if (is_token(token, word))
+            return row;
+    }
+    return NULL;
+}
+
 bool is_one_of(const struct scene_token *token, const char *const *words)
 {
     for (; *words; words++)
