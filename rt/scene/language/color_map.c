@@ -5,12 +5,11 @@
 
 #include <string.h>
 
-enum { MAX_STOPS = 256 }; /* as in POV-Ray */
-#define MAX_COLOR 1e100   /* keeps differences finite */
+#define MAX_COLOR 1e100 /* keeps differences finite */
 
 struct map_reading {
     struct color_map map;
-    struct color_stop stops[MAX_STOPS];
+    struct color_stop stops[MAX_ENTRIES];
     struct numbers first; /* colour of the first entry, with all terms */
 };
 
@@ -31,9 +30,8 @@ static bool add_stop(struct reader *reader, struct map_reading *reading, double 
     struct color_map *map = &reading->map;
     struct color_stop *stop = &reading->stops[map->count];
 
-    if (map->count == MAX_STOPS)
-        return reader_fault(reader, &reader->token, "more than %d entries in a map",
-                            MAX_STOPS);
+    if (!map_has_room(reader, map->count))
+        return false;
     if (greatest3(color->n) > MAX_COLOR)
         return reader_fault(reader, &reader->token,
                             "a colour of a map is out of range");

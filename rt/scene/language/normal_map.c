@@ -8,12 +8,7 @@
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/pattern.h"
 
-#include <stdlib.h>
-#include <string.h>
-
-enum { MAX_ENTRIES = 256 }; /* as in POV-Ray */
-
-static bool has_room(struct reader *reader, size_t count)
+bool map_has_room(struct reader *reader, size_t count)
 {
     return count < MAX_ENTRIES
            || reader_fault(reader, &reader->token, "more than %d entries in a map",
@@ -33,40 +28,39 @@ static bool read_place(struct reader *reader, size_t count, double before, doubl
 
 /* ---- slope_map ----------------------------------------------------------- */
 
-static bool read_slope(struct reader *reader, struct bump *bump,
-                       struct slope_stop *stops)
+static bool read_slope(struct reader *reader, struct bump *bump, size_t *room)
 {
-    struct slope_stop *stop = &stops[bump->stop_count];
-    double before = bump->stop_count > 0 ? stop[-1].at : 0, slope[3];
+    size_t count = bump->stop_count;
+    struct slope_stop stop;
+    double slope[3];
     struct block entry;
     bool good;
 
-    if (!has_room(reader, bump->stop_count) || !block_open(reader, &entry, '['))
+    if (!map_has_room(reader, count) || !block_open(reader, &entry, '['))
         return false;
-    good = read_place(reader, bump->stop_count, before, &stop->at)
-           && read_vector(reader, slope);
-    if (good && !reader_at_sign(reader, ']'))
-        good = reader_expected(reader, "']'");
+    good = read_place(reader, count, count > 0 ? bump->stops[count - 1].at : 0,
+                      &stop.at)
+           && read_vector(reader, slope) && reader_require_sign(reader, ']');
     if (!block_finish(reader, &entry) || !good)
         return false;
-    stop->height = slope[0];
-    stop->slope = slope[1];
-    bump->stop_count++;
-    return true;
+    stop.height = slope[0];
+    stop.slope = slope[1];
+    return arena_add(&reader->scene->kept, &bump->stops, &bump->stop_count, room, &stop,
+                     sizeof stop)
+           || reader_no_memory(reader);
 }
 
 static bool read_own_slopes(struct reader *reader, struct bump *bump)
 {
-    struct slope_stop stops[MAX_ENTRIES];
+    size_t room = 0;
 
     bump->stop_count = 0;
     do {
-        if (!read_slope(reader, bump, stops))
+        if (!read_slope(reader, bump, &room))
             return false;
         reader_comma(reader);
     } while (reader_at_sign(reader, '['));
-    bump->stops = reader_keep(reader, stops, bump->stop_count * sizeof *stops);
-    return bump->stops;
+    return true;
 }
 
 static bool read_slopes(struct reader *reader, struct bump *bump)
@@ -145,51 +139,41 @@ static void begin_entry(const struct reader *reader, struct normal_reading *read
 }
 
 /* In an average the number is optional. */
-static bool read_entry(struct reader *reader, struct bump_list *list,
-                       struct bump_entry *entries)
+static bool read_entry(struct reader *reader, struct bump_list *list, size_t *room)
 {
-    struct bump_entry *entry = &entries[list->count];
-    double before = list->count > 0 && !list->average ? entry[-1].at : -1e30;
+    size_t count = list->count;
+    double before = count > 0 && !list->average ? list->entries[count - 1].at : -1e30;
+    struct bump_entry entry = { .at = 1 };
     struct normal_reading reading;
     struct block block;
 
-    if (!has_room(reader, list->count) || !block_open(reader, &block, '['))
+    if (!map_has_room(reader, count) || !block_open(reader, &block, '['))
         return false;
     begin_entry(reader, &reading);
-    entry->at = 1;
     if ((!list->average || starts_expression(reader))
-        && !read_place(reader, list->count, before, &entry->at)) {
+        && !read_place(reader, count, before, &entry.at)) {
         block_finish(reader, &block);
         return false;
     }
     if (!normal_body(reader, &block, &reading))
         return false;
-    take_entry(reader, &reading, &block.open, &entry->bump);
-    list->count++;
-    return true;
-}
-
-static bool read_entries(struct reader *reader, struct bump_list *list,
-                         struct bump_entry *entries)
-{
-    list->count = 0;
-    do {
-        if (!read_entry(reader, list, entries))
-            return false;
-        reader_comma(reader);
-    } while (reader_at_sign(reader, '['));
-    list->entries = reader_keep(reader, entries, list->count * sizeof *entries);
-    return list->entries;
+    take_entry(reader, &reading, &block.open, &entry.bump);
+    return arena_add(&reader->scene->kept, &list->entries, &list->count, room, &entry,
+                     sizeof entry)
+           || reader_no_memory(reader);
 }
 
 static bool read_own_entries(struct reader *reader, struct bump_list *list)
 {
-    struct bump_entry *entries = calloc(MAX_ENTRIES, sizeof *entries);
-    bool good = entries ? read_entries(reader, list, entries)
-                        : reader_no_memory(reader);
+    size_t room = 0;
 
-    free(entries);
-    return good;
+    list->count = 0;
+    do {
+        if (!read_entry(reader, list, &room))
+            return false;
+        reader_comma(reader);
+    } while (reader_at_sign(reader, '['));
+    return true;
 }
 
 static bool read_normals(struct reader *reader, struct bump_list *list)

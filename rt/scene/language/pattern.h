@@ -64,6 +64,9 @@ bool normal_keep(struct reader *reader, const struct normal_reading *reading,
 item_reader read_slope_map, read_normal_map;
 bool normal_list_read(struct reader *reader, struct normal_reading *reading,
                       size_t count);
+/* Fails if a map has as many entries as it can have. */
+enum { MAX_ENTRIES = 256 }; /* as in POV-Ray */
+bool map_has_room(struct reader *reader, size_t count);
 /* Makes a map from black to white. */
 bool color_map_gray(struct reader *reader, struct color_map *map);
 /* Makes a map from cyan over yellow and magenta to cyan. */
