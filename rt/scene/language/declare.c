@@ -25,15 +25,6 @@ static bool read_layers(struct reader *reader, struct texture *texture)
     return done;
 }
 
-/* Skips a feature that is not drawn. It is reported where it is used. */
-static bool skip_look(struct reader *reader)
-{
-    if (!reader_require_sign(reader, '{'))
-        return false;
-    block_skip(reader);
-    return true;
-}
-
 /* Sets the value that the text modifies. */
 static void begin_value(const struct reader *reader, struct scene_value *value)
 {
@@ -55,36 +46,62 @@ static void begin_value(const struct reader *reader, struct scene_value *value)
     }
 }
 
+bool item_statement(struct reader *reader, const struct item *item)
+{
+    void *subject = item->subject;
+
+    switch ((enum scene_value_kind)item->keyword->detail) {
+    case VALUE_PIGMENT: return pigment_read(reader, subject);
+    case VALUE_COLOR_MAP: return color_map_read(reader, subject);
+    case VALUE_PIGMENT_MAP: return pigment_map_read(reader, subject);
+    case VALUE_FINISH: return finish_read(reader, subject);
+    case VALUE_TEXTURE: return texture_read(reader, subject);
+    case VALUE_TEXTURE_MAP: return texture_map_read(reader, subject);
+    case VALUE_NORMAL: return normal_read(reader, subject);
+    case VALUE_NORMAL_MAP: return normal_map_read(reader, subject);
+    case VALUE_SLOPE_MAP: return slope_map_read(reader, subject);
+    case VALUE_SKY: return sky_read(reader, subject);
+    case VALUE_FOG: return fog_read(reader, subject);
+    case VALUE_INTERIOR: return interior_read(reader, subject);
+    case VALUE_MATERIAL: return material_read(reader, subject);
+    case VALUE_TRANSFORM: return transform_read(reader, subject);
+    case VALUE_CAMERA: return camera_read(reader, &item->at, subject);
+    default: return false;
+    }
+}
+
 /* detail: the kind of value */
-static bool read_declared(struct reader *reader, const struct item *item)
+static bool declare(struct reader *reader, const struct item *item)
 {
     struct scene_value *value = item->subject;
+    struct item own = *item;
 
     value->kind = (enum scene_value_kind)item->keyword->detail;
     begin_value(reader, value);
-    switch (value->kind) {
-    case VALUE_PIGMENT: return pigment_read(reader, &value->is.pigment);
-    case VALUE_COLOR_MAP: return color_map_read(reader, &value->is.pigment);
-    case VALUE_PIGMENT_MAP: return pigment_map_read(reader, &value->is.pigment);
-    case VALUE_FINISH: return finish_read(reader, &value->is.finish);
-    case VALUE_TEXTURE:
-        return texture_read(reader, &value->is.texture)
-               && read_layers(reader, &value->is.texture);
-    case VALUE_TEXTURE_MAP: return texture_map_read(reader, &value->is.texture);
-    case VALUE_NORMAL: return normal_read(reader, &value->is.bumps);
-    case VALUE_NORMAL_MAP: return normal_map_read(reader, &value->is.bumps);
-    case VALUE_SLOPE_MAP: return slope_map_read(reader, &value->is.bumps);
-    case VALUE_SKY: return sky_read(reader, &value->is.sky);
-    case VALUE_FOG: return fog_read(reader, &value->is.fog);
-    case VALUE_INTERIOR: return interior_read(reader, &value->is.interior);
-    case VALUE_MATERIAL: return material_read(reader, &value->is.material);
-    case VALUE_TRANSFORM: return transform_read(reader, &value->is.transform);
-    case VALUE_CAMERA: return camera_read(reader, &item->at, &value->is.camera);
-    case VALUE_FUNCTION:
-        value->is.formula = formula_read(reader);
-        return value->is.formula;
-    default: return skip_look(reader);
-    }
+    own.subject = &value->is;
+    return item_statement(reader, &own)
+           && (value->kind != VALUE_TEXTURE || read_layers(reader, &value->is.texture));
+}
+
+static bool declare_function(struct reader *reader, const struct item *item)
+{
+    struct scene_value *value = item->subject;
+
+    value->kind = VALUE_FUNCTION;
+    value->is.formula = formula_read(reader);
+    return value->is.formula;
+}
+
+/* Skips a feature that is not drawn. It is reported where it is used. */
+static bool declare_look(struct reader *reader, const struct item *item)
+{
+    struct scene_value *value = item->subject;
+
+    value->kind = VALUE_LOOK;
+    if (!reader_require_sign(reader, '{'))
+        return false;
+    block_skip(reader);
+    return true;
 }
 
 static bool declare_object(struct reader *reader, const struct item *item)
@@ -96,23 +113,23 @@ static bool declare_object(struct reader *reader, const struct item *item)
 }
 
 static const struct keyword declared_words[] = {
-    { "pigment", read_declared, VALUE_PIGMENT },
-    { "finish", read_declared, VALUE_FINISH },
-    { "texture", read_declared, VALUE_TEXTURE },
-    { "normal", read_declared, VALUE_NORMAL },
-    { "normal_map", read_declared, VALUE_NORMAL_MAP },
-    { "slope_map", read_declared, VALUE_SLOPE_MAP },
-    { "color_map colour_map", read_declared, VALUE_COLOR_MAP },
-    { "pigment_map", read_declared, VALUE_PIGMENT_MAP },
-    { "texture_map", read_declared, VALUE_TEXTURE_MAP },
-    { "sky_sphere", read_declared, VALUE_SKY },
-    { "fog", read_declared, VALUE_FOG },
-    { "interior", read_declared, VALUE_INTERIOR },
-    { "material", read_declared, VALUE_MATERIAL },
-    { "transform", read_declared, VALUE_TRANSFORM },
-    { "camera", read_declared, VALUE_CAMERA },
-    { "function", read_declared, VALUE_FUNCTION },
-    { "density density_map media rainbow", read_declared, VALUE_LOOK },
+    { "pigment", declare, VALUE_PIGMENT },
+    { "finish", declare, VALUE_FINISH },
+    { "texture", declare, VALUE_TEXTURE },
+    { "normal", declare, VALUE_NORMAL },
+    { "normal_map", declare, VALUE_NORMAL_MAP },
+    { "slope_map", declare, VALUE_SLOPE_MAP },
+    { "color_map colour_map", declare, VALUE_COLOR_MAP },
+    { "pigment_map", declare, VALUE_PIGMENT_MAP },
+    { "texture_map", declare, VALUE_TEXTURE_MAP },
+    { "sky_sphere", declare, VALUE_SKY },
+    { "fog", declare, VALUE_FOG },
+    { "interior", declare, VALUE_INTERIOR },
+    { "material", declare, VALUE_MATERIAL },
+    { "transform", declare, VALUE_TRANSFORM },
+    { "camera", declare, VALUE_CAMERA },
+    { "function", declare_function, 0 },
+    { "density density_map media rainbow", declare_look, 0 },
     { "spline", spline_read, 0 },
     { NULL, NULL, 0 },
 };

@@ -102,11 +102,12 @@ static const struct keyword default_words[] = {
 static const struct grammar default_grammar = { "texture, pigment, normal or finish",
                                                 .tables = { default_words } };
 
-bool default_read(struct reader *reader)
+bool default_read(struct reader *reader, const struct item *item)
 {
     struct texture texture = reader->default_texture;
     bool done = block_read(reader, &default_grammar, &texture);
 
+    (void)item;
     if (done)
         reader->default_texture = texture;
     return done;
@@ -116,9 +117,8 @@ static bool read_default(struct reader *reader, const struct item *item)
 {
     struct warning_page *page = value_warnings_suspend(&reader->warnings);
     size_t hold = reader_hold(reader);
-    bool done = default_read(reader);
+    bool done = default_read(reader, item);
 
-    (void)item;
     reader_release(reader, hold);
     value_warnings_resume(&reader->warnings, page);
     return done;

@@ -337,10 +337,10 @@ static bool read_block(struct reader *reader, struct mesh2_reading *mesh,
            && mesh_close(reader, &block, read_rows(reader, mesh, section));
 }
 
-/* detail: the section */
 static bool read_section(struct reader *reader, const struct item *item)
 {
-    enum section section = (enum section)item->keyword->detail;
+    const struct section_rule *rule = TOKEN_ROW(&item->at, rules);
+    enum section section = (enum section)(rule - rules);
     struct mesh2_reading *mesh = item->subject;
     bool done = check_order(reader, mesh, section, &item->at)
                 && read_block(reader, mesh, section);
@@ -359,13 +359,9 @@ static bool read_inside(struct reader *reader, const struct item *item)
 }
 
 static const struct keyword words[] = {
-    { "vertex_vectors", read_section, SECTION_VERTICES },
-    { "normal_vectors", read_section, SECTION_NORMALS },
-    { "uv_vectors", read_section, SECTION_UVS },
-    { "texture_list", read_section, SECTION_TEXTURES },
-    { "face_indices", read_section, SECTION_FACES },
-    { "uv_indices", read_section, SECTION_UV_INDICES },
-    { "normal_indices", read_section, SECTION_NORMAL_INDICES },
+    { "vertex_vectors normal_vectors uv_vectors texture_list face_indices uv_indices "
+      "normal_indices",
+      read_section, 0 },
     { "inside_vector", read_inside, 0 },
     { NULL, NULL, 0 },
 };

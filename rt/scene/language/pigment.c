@@ -174,11 +174,6 @@ bool pigment_map_read(struct reader *reader, struct pigment *pigment)
     return map_first(reader, VALUE_PIGMENT_MAP, pigment_body, pigment, sizeof *pigment);
 }
 
-static bool read_color_map(struct reader *reader, const struct item *item)
-{
-    return color_map_read(reader, item->subject);
-}
-
 static bool read_pigment_map(struct reader *reader, const struct item *item)
 {
     struct pigment *pigment = item->subject;
@@ -195,7 +190,7 @@ static const struct keyword words[] = {
     { "checker", checker_read, 0 },
     { "gradient", gradient_read, 0 },
     { "image_map", image_map_read, 0 },
-    { "color_map colour_map", read_color_map, 0 },
+    { "color_map colour_map", item_statement, VALUE_COLOR_MAP },
     { "pigment_map", read_pigment_map, 0 },
     PATTERN_FUNCTION_WORDS(pattern_read),
     { PATTERN_WORDS, read_pattern, 0 },

@@ -190,22 +190,6 @@ static bool begin(struct reader *reader, struct blob_reading *blob,
     return shape_add(reader, &blob->object, &primitive, &item->at);
 }
 
-/* Decides the texture of the blob. The result equals POV-Ray's only if the blob has a
- * single component with a texture, and none of its own. */
-static void resolve_material(struct reader *reader, struct blob_reading *blob)
-{
-    struct scene_part *part = blob->object.parts;
-    bool own = blob->object.textured;
-
-    if (!part->textured || (blob->parts.count == 1 && !own))
-        return;
-    reader_report(reader, &blob->look_at,
-                  "separate textures of blob components are not "
-                  "supported; %s is used instead",
-                  own ? "the texture of the blob" : "the first one");
-    part->textured = !own;
-}
-
 /* Copies the components to storage of the scene. */
 static bool keep(struct reader *reader, struct blob_reading *blob)
 {
@@ -217,7 +201,10 @@ static bool keep(struct reader *reader, struct blob_reading *blob)
     if (!list)
         return false;
     primitive->shape.blob.parts = (struct blob_parts){ count, list };
-    resolve_material(reader, blob);
+    /* The texture equals POV-Ray's if a single component has one. */
+    if (count != 1 || blob->object.textured)
+        shape_choose_texture(reader, &blob->object, &blob->look_at, "blob components",
+                             "the texture of the blob");
     return primitive_finish(reader, primitive, &blob->at);
 }
 

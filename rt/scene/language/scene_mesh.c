@@ -96,23 +96,6 @@ void mesh_look(struct mesh_reading *mesh, const struct texture *texture,
     part->primitive.finish = texture->finish;
 }
 
-/* Decides the texture of the mesh. In POV-Ray the texture of a triangle overrides that
- * of the mesh. Here the mesh has one texture; the result is the same only if all
- * triangles have the same texture. */
-static void resolve_material(struct reader *reader, struct mesh_reading *mesh)
-{
-    struct scene_part *part = mesh->object.parts;
-    bool own = mesh->object.textured;
-
-    if (!part->textured || (!mesh->differ && mesh->looks == mesh->triangles.count))
-        return;
-    reader_report(reader, &mesh->look_at,
-                  "separate textures of mesh triangles are not "
-                  "supported; %s is used instead",
-                  own ? "the texture of the mesh" : "the first one");
-    part->textured = !own;
-}
-
 /* ---- A mesh -------------------------------------------------------------- */
 
 bool mesh_begin(struct reader *reader, struct mesh_reading *mesh,
@@ -213,7 +196,10 @@ static bool keep(struct reader *reader, struct mesh_reading *mesh)
     fault = shapes[PRIMITIVE_MESH]->finish(primitive);
     if (fault)
         return leave_out(reader, mesh);
-    resolve_material(reader, mesh);
+    /* In POV-Ray the texture of a triangle overrides that of the mesh. */
+    if (mesh->differ || mesh->looks != mesh->triangles.count)
+        shape_choose_texture(reader, &mesh->object, &mesh->look_at, "mesh triangles",
+                             "the texture of the mesh");
     return true;
 }
 

@@ -17,7 +17,7 @@ bool pigment_read(struct reader *reader, struct pigment *pigment);
 bool finish_read(struct reader *reader, struct finish *finish);
 bool normal_read(struct reader *reader, struct bumps *bumps);
 bool texture_read(struct reader *reader, struct texture *texture);
-/* A texture, or what its detail says of it: the words of a row. */
+/* Reads the texture, or the part of it that is the detail of the item's row. */
 enum texture_part { TEXTURE_PIGMENT, TEXTURE_NORMAL, TEXTURE_FINISH, TEXTURE_WHOLE };
 bool texture_part_read(struct reader *reader, const struct item *item,
                        struct texture *texture);
@@ -34,8 +34,10 @@ bool texture_map_read(struct reader *reader, struct texture *texture);
 /* These read and use all entries. */
 bool normal_map_read(struct reader *reader, struct bumps *bumps);
 bool slope_map_read(struct reader *reader, struct bumps *bumps);
+/* Reads the statement of a kind of value, which is the row's detail, into the subject. */
+item_reader item_statement;
 /* Reads the block of #default, and of the statement `default`. */
-bool default_read(struct reader *reader);
+item_reader default_read;
 bool interior_read(struct reader *reader, double *ior);
 /* Reads texture and interior into an object, which may have no parts. */
 bool material_read(struct reader *reader, struct scene_object *object);
@@ -43,7 +45,7 @@ bool material_read(struct reader *reader, struct scene_object *object);
 bool camera_read(struct reader *reader, const struct scene_token *at,
                  struct camera_setting *setting);
 extern const struct camera_setting camera_default;
-bool settings_read(struct reader *reader, struct scene *scene);
+item_reader settings_read;
 /* The _read functions read the blocks of sky_sphere and fog, which may begin with a
  * name. The _take functions put the result into the scene. */
 bool sky_read(struct reader *reader, struct sky_setting *sky);
@@ -108,6 +110,12 @@ bool shape_add(struct reader *reader, struct scene_object *object,
 /* Reports and skips an invisible shape. */
 bool shape_leave_out(struct reader *reader, struct scene_object *object,
                      const struct scene_token *at, const char *reason);
+/* Chooses the texture of an object of one part, which has the first texture of its
+ * pieces, if it has one: that of the object replaces it. Reports this at that first
+ * texture. */
+void shape_choose_texture(struct reader *reader, struct scene_object *object,
+                          const struct scene_token *at, const char *pieces,
+                          const char *own);
 bool light_read(struct reader *reader, struct scene_object *object);
 /* Reads the block of looks_like, an object whose origin is the position of the
  * light. */

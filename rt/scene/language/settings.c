@@ -61,7 +61,8 @@ static const struct keyword words[] = {
 static const struct grammar grammar = { "a keyword of global_settings",
                                         .tables = { words } };
 
-bool settings_read(struct reader *reader, struct scene *scene)
+bool settings_read(struct reader *reader, const struct item *item)
 {
-    return block_read(reader, &grammar, scene);
+    (void)item;
+    return block_read(reader, &grammar, reader->scene);
 }

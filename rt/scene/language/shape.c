@@ -57,6 +57,20 @@ bool shape_leave_out(struct reader *reader, struct scene_object *object,
     return shape_add(reader, object, &primitive, at);
 }
 
+void shape_choose_texture(struct reader *reader, struct scene_object *object,
+                          const struct scene_token *at, const char *pieces,
+                          const char *own)
+{
+    struct scene_part *part = object->parts;
+
+    if (!part->textured)
+        return;
+    reader_report(reader, at,
+                  "separate textures of %s are not supported; %s is used instead",
+                  pieces, object->textured ? own : "the first one");
+    part->textured = !object->textured;
+}
+
 /* In old scenes the finish has the index of refraction. */
 static void take_ior(struct reader *reader, struct scene_object *object)
 {
@@ -206,18 +220,13 @@ bool material_read(struct reader *reader, struct scene_object *object)
     return block_items(reader, &block, &material_grammar, object, true);
 }
 
-static bool read_material(struct reader *reader, const struct item *item)
-{
-    return material_read(reader, item->subject);
-}
-
 static const struct keyword modifiers[] = {
     { "texture", read_texture, 0 },
     { "pigment", read_texture_part, TEXTURE_PIGMENT },
     { "finish", read_texture_part, TEXTURE_FINISH },
     { "normal", read_texture_part, TEXTURE_NORMAL },
     { "interior", read_interior, 0 },
-    { "material", read_material, 0 },
+    { "material", item_statement, VALUE_MATERIAL },
     { "inverse", read_inverse, 0 },
     { "no_image", read_hidden, HIDDEN_FROM_IMAGE },
     { "no_reflection", read_hidden, HIDDEN_FROM_REFLECTIONS },

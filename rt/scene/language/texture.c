@@ -149,11 +149,6 @@ bool texture_map_read(struct reader *reader, struct texture *texture)
     return map_first(reader, VALUE_TEXTURE_MAP, texture_body, texture, sizeof *texture);
 }
 
-static bool read_texture_map(struct reader *reader, const struct item *item)
-{
-    return texture_map_read(reader, item->subject);
-}
-
 static bool read_pattern(struct reader *reader, const struct item *item)
 {
     struct texture texture = reader->default_texture;
@@ -193,7 +188,7 @@ static const struct keyword texture_words[] = {
     { "no_bump_scale", item_flag, offsetof(struct texture, bumps.unscaled) },
     PATTERN_FUNCTION_WORDS(read_pattern),
     { "checker gradient image_map " PATTERN_WORDS, read_pattern, 0 },
-    { "texture_map", read_texture_map, 0 },
+    { "texture_map", item_statement, VALUE_TEXTURE_MAP },
     { "tiles", read_tiles, 0 },
     { "material_map", item_left_out, 0 },
     { NULL, NULL, 0 },

@@ -174,18 +174,6 @@ static bool read_camera(struct reader *reader, const struct item *item)
     return true;
 }
 
-static bool read_settings(struct reader *reader, const struct item *item)
-{
-    (void)item;
-    return settings_read(reader, reader->scene);
-}
-
-static bool read_default(struct reader *reader, const struct item *item)
-{
-    (void)item;
-    return default_read(reader);
-}
-
 static bool read_sky(struct reader *reader, const struct item *item)
 {
     struct sky_setting sky;
@@ -219,8 +207,8 @@ static const struct keyword statements[] = {
     { "declare include version", item_unmarked, 0 },
     { "camera", read_camera, 0 },
     { "background", read_background, 0 },
-    { "default", read_default, 0 },
-    { "global_settings", read_settings, 0 },
+    { "default", default_read, 0 },
+    { "global_settings", settings_read, 0 },
     { "sky_sphere", read_sky, 0 },
     { "fog", read_fog, 0 },
     { "atmosphere media rainbow", item_left_out, 0 },
