@@ -2,7 +2,6 @@
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/directive.h"
 #include "rt/scene/language/array_element.h"
-#include "rt/scene/language/scene_macro.h"
 #include "rt/scene/language/semicolon.h"
 
 #include <inttypes.h>

@@ -5,11 +5,10 @@
  * or has been halved often enough, and then becomes two triangles. Flatness is a
  * distance in the world, so the patch is divided after its transform is final.
  */
-#include "rt/scene/language/bicubic_patch.h"
+#include "rt/scene/language/scene_statement.h"
 
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/scene_mesh.h"
-#include "rt/scene/language/scene_statement.h"
 #include "rt/scene/vector3.h"
 #include "rt/shapes/shape.h"
 

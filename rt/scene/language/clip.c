@@ -1,7 +1,14 @@
-/* clip.c - parses clipped_by and bounded_by. */
-#include "rt/scene/language/clip.h"
+/* clip.c - parses clipped_by and bounded_by.
+ *
+ *   clipped_by { OBJECT ... }    bounded_by { OBJECT ... }
+ *
+ * A clipped object keeps the part that is inside all its clipping objects, which are
+ * not visible themselves. A bound is an object that POV-Ray tests before it tests the
+ * bounded object. It changes the picture if the object is a compound and extends beyond
+ * it.
+ */
+#include "rt/scene/language/scene_statement.h"
 
-#include "rt/scene/language/field_body.h"
 #include "rt/scene/language/scene_mesh.h"
 #include "rt/scene/vector3.h"
 #include "rt/shapes/shape.h"

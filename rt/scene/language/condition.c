@@ -2,7 +2,6 @@
 #include "rt/scene/language/condition.h"
 
 #include "rt/scene/language/scene_expression.h"
-#include "rt/scene/language/query.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,11 @@
-/* data_file.c - #fopen, #fclose, #read and #write. */
-#include "rt/scene/language/data_file.h"
+/* data_file.c - #fopen, #read, #write, #fclose: values from files.
+ *
+ * A file is found as by #include, and read value by value: floats, vectors and strings,
+ * with or without commas in between. After the last value its name is undeclared, as in
+ * POV-Ray, so that `defined` detects the end. A scene that is read writes no file:
+ * #write is ignored.
+ */
+#include "rt/scene/language/directive.h"
 
 #include "rt/scene/language/declare.h"
 #include "rt/scene/language/scene_expression.h"

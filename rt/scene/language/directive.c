@@ -3,10 +3,8 @@
 #include "rt/scene/language/directive.h"
 
 #include "rt/scene/language/condition.h"
-#include "rt/scene/language/data_file.h"
 #include "rt/scene/language/declare.h"
 #include "rt/scene/language/scene_expression.h"
-#include "rt/scene/language/scene_macro.h"
 #include "rt/scene/language/scene_statement.h"
 #include "rt/scene/language/string_value.h"
 

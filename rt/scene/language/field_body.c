@@ -7,10 +7,9 @@
  * column from there down. Where ground and column touch, a ray crosses both, which is
  * equal to no crossing.
  */
-#include "rt/scene/language/field_body.h"
+#include "rt/scene/language/scene_statement.h"
 
 #include "rt/scene/language/scene_mesh.h"
-#include "rt/scene/language/scene_statement.h"
 #include "rt/scene/vector3.h"
 
 #include <math.h>

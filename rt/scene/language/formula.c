@@ -17,7 +17,6 @@
 
 #include "rt/scene/language/scene_block.h"
 #include "rt/scene/language/scene_expression.h"
-#include "rt/scene/language/scene_operand.h"
 #include "rt/scene/language/scene_statement.h"
 
 #include <math.h>

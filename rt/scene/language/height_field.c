@@ -13,12 +13,11 @@
  *
  * The part below the water level is cut off.
  */
-#include "rt/scene/language/height_field.h"
+#include "rt/scene/language/scene_statement.h"
 
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/heights.h"
 #include "rt/scene/language/scene_mesh.h"
-#include "rt/scene/language/scene_statement.h"
 #include "rt/scene/vector3.h"
 
 #include <stdlib.h>

@@ -1,5 +1,12 @@
-/* part.c - parses part { "NAME" ... }. */
-#include "rt/scene/language/part.h"
+/* part.c - parses the statement that names a part and sets its physical values.
+ *
+ *   part { "NAME" density F emissivity F temperature F }
+ *
+ * in an object names that part of it for masses and heat, and sets its values, like
+ * floats NAME_Density and so on (rt/scene/named_values.h). POV-Ray has no such word:
+ * `#ifdef (part)` distinguishes the two programs.
+ */
+#include "rt/scene/language/scene_statement.h"
 
 #include <ctype.h>
 #include <stdio.h>

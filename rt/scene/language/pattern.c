@@ -4,7 +4,6 @@
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/vector3.h"
 
-
 enum { EXPONENT_LEAST = -100 }; /* keeps the powers of the kernels in range */
 
 /* POV-Ray's defaults: mortar and brick, two cubes, three hexagons. */

@@ -9,11 +9,10 @@
  * as in POV-Ray. The area between the same two edges in adjacent slabs is one
  * trapezoid; a new one starts only where an edge begins, ends or is crossed.
  */
-#include "rt/scene/language/polygon.h"
+#include "rt/scene/language/scene_statement.h"
 
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/scene_mesh.h"
-#include "rt/scene/language/scene_statement.h"
 #include "rt/scene/vector3.h"
 
 #include <stdlib.h>

@@ -1,8 +1,7 @@
 /* query.c - functions about strings, files, names, arrays and random numbers. */
-#include "rt/scene/language/query.h"
+#include "rt/scene/language/scene_expression.h"
 
 #include "base/array.h"
-#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/array_element.h"
 #include "rt/scene/language/string_value.h"
 #include "rt/shapes/shape.h"

@@ -1,5 +1,5 @@
 /* scene_blob.c - parses blob { threshold .. }: spheres and cylinders in one primitive. */
-#include "rt/scene/language/scene_blob.h"
+#include "rt/scene/language/scene_statement.h"
 
 #include "base/array.h"
 #include "rt/scene/language/scene_expression.h"

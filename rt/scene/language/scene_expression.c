@@ -16,8 +16,6 @@
 #include "rt/scene/language/scene_expression.h"
 
 #include "rt/scene/language/condition.h"
-#include "rt/scene/language/scene_operand.h"
-#include "rt/scene/language/query.h"
 #include "rt/scene/language/string_value.h"
 
 #include <math.h>

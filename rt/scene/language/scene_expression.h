@@ -34,6 +34,36 @@ bool read_color_after(struct reader *reader, const struct scene_token *word,
 /* Reads the red, green and blue of a light or a background. */
 bool read_rgb(struct reader *reader, double rgb[3]);
 
+/* ---- Functions about strings, files, names, arrays and random numbers ---- */
+
+bool is_query_word(const struct scene_token *token);
+/* Reads a call; the current token is the word of such a function. */
+bool query_read(struct reader *reader, double *value);
+/* Reads the argument of `defined` between the brackets, without interpreting it: a
+ * name, or an element of an array. */
+bool read_defined(struct reader *reader, double *value);
+double string_order(const char *a, const char *b);
+void queries_free(struct reader *reader);
+
+/* ---- Operands ------------------------------------------------------------ */
+
+/* Reads primary { "." component }, in the grammar of scene_expression.c. */
+bool operand_read(struct reader *reader, struct numbers *value);
+/* Reads a call of the spline that the current token names: NAME(t) or NAME(t, kind). */
+bool spline_call(struct reader *reader, struct numbers *value);
+
+/* Report an error at the token if the value is not a float, or is not finite: after an
+ * overflow, or for an argument outside of a function's domain. */
+bool operand_float(struct reader *reader, const struct scene_token *at,
+                   const struct numbers *value);
+bool operand_finite(struct reader *reader, const struct scene_token *at,
+                    const struct numbers *value);
+/* Reports that a value has too many components. Returns false. */
+bool operand_found_vector(struct reader *reader, const struct scene_token *at,
+                          const char *expected, const struct numbers *value);
+
+/* ---- Functions of floats and vectors ------------------------------------- */
+
 /* A function of the language. */
 struct function {
     const char *name;

@@ -1,5 +1,10 @@
-/* scene_macro.c - defines and calls macros. */
-#include "rt/scene/language/scene_macro.h"
+/* scene_macro.c - #macro, and calls of macros.
+ *
+ * The body of a macro is read at its call, in place of the call. A local level of names
+ * has its parameters. An argument that is only a name or an element is passed by
+ * reference, every other one by value.
+ */
+#include "rt/scene/language/directive.h"
 
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/declare.h"

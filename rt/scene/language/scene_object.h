@@ -52,7 +52,7 @@ struct scene_object {
     size_t child_count; /* including lights */
     bool textured;
     const char *name; /* of the #declare that it comes from, or of `part`; or NULL */
-    bool named;       /* the name was set by `part` (part.h) */
+    bool named;       /* the name was set by `part` (part.c) */
     struct texture texture;
     bool filled;
     double ior;

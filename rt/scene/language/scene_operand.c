@@ -1,9 +1,7 @@
 /* scene_operand.c - parses constants, names, calls of functions and components. */
-#include "rt/scene/language/scene_operand.h"
-
 #include "rt/scene/language/scene_expression.h"
+
 #include "rt/scene/language/formula.h"
-#include "rt/scene/language/query.h"
 #include "rt/scene/vector3.h"
 #include "base/plural.h"
 

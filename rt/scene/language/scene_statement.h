@@ -95,9 +95,25 @@ void primitive_leave_out(struct reader *reader, struct primitive *primitive,
 /* Reads a cubic, which has order 3, or a poly, whose order is in the text. */
 bool polynomial_read(struct reader *reader, enum shape_word word,
                      struct primitive *primitive);
-/* Reads the arguments of text, after its '{': one prism per character. */
-bool text_read(struct reader *reader, struct scene_object *object,
-               const struct scene_token *at);
+/* These read the arguments of a shape after its '{'. Text becomes one prism per
+ * character, the others become meshes. Shapes that are invisible in POV-Ray are not
+ * added to the object. */
+typedef bool shape_reader(struct reader *reader, struct scene_object *object,
+                          const struct scene_token *at);
+shape_reader text_read, bicubic_patch_read, polygon_read, height_field_read;
+/* Tessellates the patch of a part in the world. The part then has no transform left. */
+bool bicubic_patch_cut(struct reader *reader, struct scene_part *part,
+                       const struct scene_token *at);
+/* Finishes a smooth field once its place in the world is final: its normals are
+ * normalised there. The part then has no transform left. */
+bool height_field_place(struct reader *reader, struct scene_part *part);
+/* Adds an inside to the height fields of an object that becomes part of a solid or is
+ * inverted. */
+bool fields_fill(struct reader *reader, struct scene_object *object,
+                 const struct scene_token *at);
+/* Reads the whole block of a blob as one primitive. */
+bool blob_read(struct reader *reader, struct scene_object *object,
+               const struct item *item);
 /* Reads the whole block of triangle, smooth_triangle, mesh or mesh2 as one
  * primitive. */
 bool mesh_read(struct reader *reader, struct scene_object *object,
@@ -123,6 +139,8 @@ bool looks_like_read(struct reader *reader, struct scene_object *object,
                      const double position[3]);
 /* Gives an object an interior of its own, with this index of refraction. */
 void object_fill(struct reader *reader, struct scene_object *object, double ior);
+/* Words that modify an object, the subject. */
+item_reader part_read, clipped_by_read, bounded_by_read;
 /* Copies an object; the copy has interiors of its own. Fails above MAX_PRIMITIVES. */
 bool shape_copy(struct reader *reader, struct scene_object *copy,
                 const struct scene_object *object);

@@ -1,14 +1,7 @@
 /* shape.c - parses objects, solids made of objects, and their modifiers. */
-#include "rt/scene/language/part.h"
-#include "rt/scene/language/bicubic_patch.h"
-#include "rt/scene/language/scene_blob.h"
-#include "rt/scene/language/clip.h"
-#include "rt/scene/language/scene_expression.h"
-#include "rt/scene/language/field_body.h"
-#include "rt/scene/language/height_field.h"
-#include "rt/scene/language/scene_mesh.h"
-#include "rt/scene/language/polygon.h"
 #include "rt/scene/language/scene_statement.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/language/scene_mesh.h"
 #include "rt/shapes/shape.h"
 
 #include <string.h>
@@ -395,6 +388,8 @@ static bool read_first(struct reader *reader, struct scene_object *object,
                        const struct item *item)
 {
     enum shape_word shape = (enum shape_word)item->keyword->detail;
+    static shape_reader *const readers[] = { text_read, bicubic_patch_read,
+                                             polygon_read, height_field_read };
     struct primitive primitive;
 
     if (is_joined(shape)) {
@@ -403,14 +398,8 @@ static bool read_first(struct reader *reader, struct scene_object *object,
     }
     if (shape == SHAPE_OBJECT)
         return read_base(reader, object);
-    if (shape == SHAPE_TEXT)
-        return text_read(reader, object, &item->at);
-    if (shape == SHAPE_BICUBIC_PATCH)
-        return bicubic_patch_read(reader, object, &item->at);
-    if (shape == SHAPE_POLYGON)
-        return polygon_read(reader, object, &item->at);
-    if (shape == SHAPE_HEIGHT_FIELD)
-        return height_field_read(reader, object, &item->at);
+    if (shape >= SHAPE_TEXT && shape <= SHAPE_HEIGHT_FIELD)
+        return readers[shape - SHAPE_TEXT](reader, object, &item->at);
     return read_solid(reader, shape, &primitive)
            && shape_add(reader, object, &primitive, &item->at);
 }

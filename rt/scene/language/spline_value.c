@@ -5,7 +5,6 @@
  *   kind   linear_spline | quadratic_spline | cubic_spline | natural_spline
  */
 #include "rt/scene/language/scene_expression.h"
-#include "rt/scene/language/scene_operand.h"
 #include "rt/scene/language/scene_statement.h"
 #include "rt/scene/spline.h"
 

@@ -1,11 +1,8 @@
 /* world.c - parses the statements of a scene file and builds the scene. */
 #include "rt/scene/language/scene_read.h"
 
-#include "rt/scene/language/bicubic_patch.h"
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/scene_expression.h"
-#include "rt/scene/language/height_field.h"
-#include "rt/scene/language/query.h"
 #include "rt/scene/language/scene_statement.h"
 #include "rt/scene/language/scene_unit.h"
 #include "rt/shapes/coincident.h"
