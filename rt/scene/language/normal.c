@@ -40,6 +40,10 @@ static bool read_function(struct reader *reader, const struct item *item)
 
     pattern_begin(&bump->pattern, (enum pattern_function)item->keyword->detail);
     list->average = false;
+    if (item->keyword->detail == PATTERN_QUILTED) {
+        bump->pattern.pattern.frequency = 0;
+        bump->controls[0] = bump->controls[1] = 1;
+    }
     count = pigment_list_count(&bump->pattern);
     if (count > 0) {
         bump->pattern.pattern.frequency = 0;
@@ -53,34 +57,16 @@ static bool read_function(struct reader *reader, const struct item *item)
 
 static bool read_gradient(struct reader *reader, const struct item *item)
 {
-    struct normal_reading *reading = item->subject;
-
-    if (!gradient_read(reader, item))
-        return false;
-    pattern_begin(&reading->list.bump.pattern, PATTERN_SLANTED);
-    reading->list.average = false;
-    return read_amount(reader, reading);
+    return gradient_read(reader, item) && read_function(reader, item);
 }
 
 static bool read_average(struct reader *reader, const struct item *item)
 {
     struct normal_reading *reading = item->subject;
+    bool good = read_function(reader, item);
 
-    pattern_begin(&reading->list.bump.pattern, PATTERN_PLANAR);
     reading->list.average = true;
-    return read_amount(reader, reading);
-}
-
-static bool read_quilted(struct reader *reader, const struct item *item)
-{
-    struct normal_reading *reading = item->subject;
-    struct bump *bump = &reading->list.bump;
-
-    pattern_begin(&bump->pattern, PATTERN_QUILTED);
-    bump->pattern.pattern.frequency = 0;
-    bump->controls[0] = bump->controls[1] = 1;
-    reading->list.average = false;
-    return read_amount(reader, reading);
+    return good;
 }
 
 /* A quilted normal has no values, so maps do not apply. */
@@ -128,9 +114,9 @@ static bool read_accuracy(struct reader *reader, const struct item *item)
 static const struct keyword words[] = {
     PATTERN_FUNCTION_WORDS(read_function),
     { "checker", read_function, PATTERN_CHECKER },
-    { "gradient", read_gradient, 0 },
-    { "average", read_average, 0 },
-    { "quilted", read_quilted, 0 },
+    { "gradient", read_gradient, PATTERN_SLANTED },
+    { "average", read_average, PATTERN_PLANAR },
+    { "quilted", read_function, PATTERN_QUILTED },
     { "bump_map " PATTERN_WORDS, read_unsupported, 0 },
     { "accuracy", read_accuracy, 0 },
     { "bump_size", item_number, OF(list.bump.amount) },
