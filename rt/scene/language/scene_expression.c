@@ -80,18 +80,22 @@ static double operate(int sign, double a, double b)
     }
 }
 
-typedef bool operand_reader(struct reader *reader, struct numbers *value);
-
-struct level {
+/* The operators by precedence, from the lowest. */
+enum rank { RANK_LOGIC, RANK_RELATION, RANK_SUM, RANK_PRODUCT, RANKS };
+static const struct operators {
     int signs[7];
-    operand_reader *read;
     bool floats; /* the operators do not accept vectors */
+} operators[RANKS] = {
+    { { '&', '|' }, true },
+    { { '=', SIGN_UNEQUAL, '<', SIGN_NOT_ABOVE, '>', SIGN_NOT_BELOW }, true },
+    { { '+', '-' }, false },
+    { { '*', '/' }, false },
 };
 
-static bool is_sign_of(const struct reader *reader, const struct level *level)
+static bool at_operator(const struct reader *reader, enum rank rank)
 {
-    for (size_t i = 0; level->signs[i]; i++)
-        if (reader_at_sign(reader, level->signs[i]))
+    for (const int *sign = operators[rank].signs; *sign; sign++)
+        if (reader_at_sign(reader, *sign))
             return true;
     return false;
 }
@@ -112,37 +116,6 @@ static bool apply(struct reader *reader, const struct scene_token *at, bool floa
     return operand_finite(reader, at, left);
 }
 
-/* Reads left-associative operators of one precedence. */
-static bool read_level(struct reader *reader, const struct level *level,
-                       struct numbers *value)
-{
-    if (!level->read(reader, value))
-        return false;
-    while (is_sign_of(reader, level)) {
-        struct scene_token at = reader->token;
-        struct numbers right;
-        reader_next(reader);
-        if (!level->read(reader, &right)
-            || !apply(reader, &at, level->floats, value, &right))
-            return false;
-    }
-    return true;
-}
-
-static bool read_product(struct reader *reader, struct numbers *value)
-{
-    static const struct level level = { { '*', '/' }, read_factor, false };
-
-    return read_level(reader, &level, value);
-}
-
-bool read_expression(struct reader *reader, struct numbers *value)
-{
-    static const struct level level = { { '+', '-' }, read_product, false };
-
-    return read_level(reader, &level, value);
-}
-
 /* Compares two strings by byte order; the result of "a" = "b" is a float. */
 static bool compare_strings(struct reader *reader, const char *left,
                             struct numbers *value)
@@ -158,38 +131,42 @@ static bool compare_strings(struct reader *reader, const char *left,
     return true;
 }
 
-static bool read_comparison(struct reader *reader, const struct level *level,
-                            struct numbers *value)
+static bool read_comparison(struct reader *reader, struct numbers *value)
 {
     char *left;
     bool done;
 
     if (!string_read_within(reader, &left))
         return false;
-    done = is_sign_of(reader, level) ? compare_strings(reader, left, value)
-                                     : reader_expected(reader, "a comparison");
+    done = at_operator(reader, RANK_RELATION) ? compare_strings(reader, left, value)
+                                              : reader_expected(reader, "a comparison");
     free(left);
     return done;
 }
 
-static bool read_relation(struct reader *reader, struct numbers *value)
+/* Reads left-associative operators of one precedence, and of all higher ones. */
+static bool read_rank(struct reader *reader, enum rank rank, struct numbers *value)
 {
-    static const struct level level = {
-        { '=', SIGN_UNEQUAL, '<', SIGN_NOT_ABOVE, '>', SIGN_NOT_BELOW },
-        read_expression,
-        true,
-    };
-
-    if (starts_string(reader))
-        return read_comparison(reader, &level, value);
-    return read_level(reader, &level, value);
+    if (rank == RANKS)
+        return read_factor(reader, value);
+    if (rank == RANK_RELATION && starts_string(reader))
+        return read_comparison(reader, value);
+    if (!read_rank(reader, rank + 1, value))
+        return false;
+    while (at_operator(reader, rank)) {
+        struct scene_token at = reader->token;
+        struct numbers right;
+        reader_next(reader);
+        if (!read_rank(reader, rank + 1, &right)
+            || !apply(reader, &at, operators[rank].floats, value, &right))
+            return false;
+    }
+    return true;
 }
 
-static bool read_logic(struct reader *reader, struct numbers *value)
+bool read_expression(struct reader *reader, struct numbers *value)
 {
-    static const struct level level = { { '&', '|' }, read_relation, true };
-
-    return read_level(reader, &level, value);
+    return read_rank(reader, RANK_SUM, value);
 }
 
 bool read_full(struct reader *reader, struct numbers *value)
@@ -198,7 +175,7 @@ bool read_full(struct reader *reader, struct numbers *value)
     struct numbers other;
     bool first, done;
 
-    if (!read_logic(reader, value))
+    if (!read_rank(reader, RANK_LOGIC, value))
         return false;
     if (!reader_accept_sign(reader, '?'))
         return true;
@@ -213,7 +190,9 @@ bool read_full(struct reader *reader, struct numbers *value)
     return done;
 }
 
-static bool read_float(struct reader *reader, operand_reader *read, double *value)
+typedef bool value_reader(struct reader *reader, struct numbers *value);
+
+static bool read_float(struct reader *reader, value_reader *read, double *value)
 {
     struct scene_token at = reader->token;
     struct numbers numbers;
