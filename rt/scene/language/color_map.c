@@ -3,44 +3,40 @@
 #include "rt/scene/language/pattern.h"
 #include "rt/scene/vector3.h"
 
-#include <string.h>
 
 #define MAX_COLOR 1e100 /* keeps differences finite */
 
 struct map_reading {
     struct color_map map;
-    struct color_stop stops[MAX_ENTRIES];
-    struct numbers first; /* colour of the first entry, with all terms */
+    size_t room; /* capacity of its stops */
 };
 
-static void put_stop(struct color_map *map, struct color_stop *stop, double at,
-                     const double terms[COLOR_TERMS])
+static bool put_stop(struct reader *reader, struct map_reading *reading, double at,
+                     const struct numbers *color)
 {
-    stop->at = at;
-    copy3(terms, stop->color);
-    stop->filter = terms[3];
-    stop->transmit = terms[4];
-    map->clear += stop->filter != 0 || stop->transmit != 0;
-    map->count++;
+    struct color_map *map = &reading->map;
+    struct color_stop stop = { at, { 0 }, color->n[3], color->n[4] };
+
+    copy3(color->n, stop.color);
+    map->clear += stop.filter != 0 || stop.transmit != 0;
+    return arena_add(&reader->scene->kept, &map->stops, &map->count, &reading->room,
+                     &stop, sizeof stop)
+           || reader_no_memory(reader);
 }
 
 static bool add_stop(struct reader *reader, struct map_reading *reading, double at,
                      const struct numbers *color)
 {
-    struct color_map *map = &reading->map;
-    struct color_stop *stop = &reading->stops[map->count];
+    const struct color_map *map = &reading->map;
 
     if (!map_has_room(reader, map->count))
         return false;
     if (greatest3(color->n) > MAX_COLOR)
         return reader_fault(reader, &reader->token,
                             "a colour of a map is out of range");
-    if (map->count == 0)
-        reading->first = *color;
-    if (map->count > 0 && at < stop[-1].at)
-        at = stop[-1].at;
-    put_stop(map, stop, at, color->n);
-    return true;
+    if (map->count > 0 && at < map->stops[map->count - 1].at)
+        at = map->stops[map->count - 1].at;
+    return put_stop(reader, reading, at, color);
 }
 
 /* In the oldest form an entry has two values and two colours. */
@@ -78,84 +74,62 @@ static bool read_entries(struct reader *reader, struct map_reading *reading)
     return true;
 }
 
-static bool keep_map(struct reader *reader, const struct color_stop *stops,
-                     struct color_map *map)
-{
-    map->stops = reader_keep(reader, stops, map->count * sizeof *stops);
-    return map->stops;
-}
-
-bool color_map_gray(struct reader *reader, struct color_map *map)
-{
-    static const struct color_stop stops[2] = { { .at = 0, .color = { 0, 0, 0 } },
-                                                { .at = 1, .color = { 1, 1, 1 } } };
-
-    *map = (struct color_map){ .count = 2 };
-    return keep_map(reader, stops, map);
-}
-
-bool color_map_round(struct reader *reader, struct color_map *map)
-{
-    static const struct color_stop stops[4] = { { .at = 0, .color = { 0, 1, 1 } },
-                                                { .at = .333, .color = { 1, 1, 0 } },
-                                                { .at = .666, .color = { 1, 0, 1 } },
-                                                { .at = 1, .color = { 0, 1, 1 } } };
-
-    *map = (struct color_map){ .count = 4 };
-    return keep_map(reader, stops, map);
-}
+static const struct color_stop gray[] = { { .at = 0, .color = { 0, 0, 0 } },
+                                          { .at = 1, .color = { 1, 1, 1 } } };
+const struct color_map color_map_gray = { .count = 2, .stops = gray };
+static const struct color_stop wheel[] = { { .at = 0, .color = { 0, 1, 1 } },
+                                           { .at = .333, .color = { 1, 1, 0 } },
+                                           { .at = .666, .color = { 1, 0, 1 } },
+                                           { .at = 1, .color = { 0, 1, 1 } } };
+const struct color_map color_map_round = { .count = 4, .stops = wheel };
 
 bool color_map_listed(struct reader *reader, const struct numbers *colors, size_t count,
                       struct color_map *map)
 {
-    struct color_stop stops[MAX_LISTED];
+    struct map_reading reading = { .room = 0 };
 
-    *map = (struct color_map){ .count = 0 };
     for (size_t i = 0; i < count; i++)
-        put_stop(map, &stops[i], (double)i, colors[i].n);
-    return keep_map(reader, stops, map);
+        if (!put_stop(reader, &reading, (double)i, &colors[i]))
+            return false;
+    *map = reading.map;
+    return true;
 }
 
-static void set_first(struct pigment *pigment, const struct numbers *color)
+static bool read_own(struct reader *reader, struct color_map *map)
 {
-    memcpy(pigment->color[0], color->n, sizeof pigment->color[0]);
-    pigment->filter[0] = color->n[3];
-    pigment->transmit[0] = color->n[4];
+    struct map_reading reading = { .room = 0 };
+
+    if (!read_entries(reader, &reading))
+        return false;
+    *map = reading.map;
+    return true;
+}
+
+static void show_first(struct pigment *pigment)
+{
+    const struct color_stop *first = pigment->map.stops;
+
+    copy3(first->color, pigment->color[0]);
+    pigment->filter[0] = first->filter;
+    pigment->transmit[0] = first->transmit;
     if (!pigment_has_map(pigment))
         pigment->kind = PIGMENT_COLOR;
-}
-
-static bool read_own(struct reader *reader, struct pigment *pigment)
-{
-    struct map_reading reading = { .map = { .count = 0 } };
-
-    if (!read_entries(reader, &reading)
-        || !keep_map(reader, reading.stops, &reading.map))
-        return false;
-    pigment->map = reading.map;
-    set_first(pigment, &reading.first);
-    return true;
 }
 
 bool color_map_read(struct reader *reader, struct pigment *pigment)
 {
     const struct scene_value *value;
-    struct numbers first = { .count = 0 };
     struct block block;
     bool good = true;
 
     if (!block_open(reader, &block, '{'))
         return false;
     value = reader_use(reader, VALUE_COLOR_MAP);
-    if (value) {
-        const struct pigment *named = &value->is.pigment;
-        memcpy(first.n, named->color[0], sizeof named->color[0]);
-        first.n[3] = named->filter[0];
-        first.n[4] = named->transmit[0];
-        pigment->map = named->map;
-        set_first(pigment, &first);
-    } else {
-        good = read_own(reader, pigment);
-    }
+    if (value)
+        pigment->map = value->is.pigment.map;
+    else
+        good = read_own(reader, &pigment->map);
+    if (good)
+        show_first(pigment);
     return block_finish(reader, &block) && good;
 }

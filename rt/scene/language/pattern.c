@@ -134,9 +134,8 @@ bool pattern_finish(struct reader *reader, struct pigment *pigment,
     if (!pigment_has_map(pigment))
         return true;
 
-    if (map->count == 0
-        && !(round ? color_map_round(reader, map) : color_map_gray(reader, map)))
-        return false;
+    if (map->count == 0)
+        *map = round ? color_map_round : color_map_gray;
     if (pigment->kind == PIGMENT_GRADIENT && is_changed(pattern)) {
         pigment->kind = PIGMENT_PATTERN;
         pattern->function = PATTERN_SLANTED;

@@ -67,10 +67,8 @@ bool normal_list_read(struct reader *reader, struct normal_reading *reading,
 /* Fails if a map has as many entries as it can have. */
 enum { MAX_ENTRIES = 256 }; /* as in POV-Ray */
 bool map_has_room(struct reader *reader, size_t count);
-/* Makes a map from black to white. */
-bool color_map_gray(struct reader *reader, struct color_map *map);
-/* Makes a map from cyan over yellow and magenta to cyan. */
-bool color_map_round(struct reader *reader, struct color_map *map);
+/* Maps from black to white, and from cyan over yellow and magenta to cyan. */
+extern const struct color_map color_map_gray, color_map_round;
 /* Makes a map between the colours of a list, at 0, 1, .. count - 1. */
 bool color_map_listed(struct reader *reader, const struct numbers *colors, size_t count,
                       struct color_map *map);
