@@ -34,13 +34,15 @@ struct mesh2_reading {
     size_t texture_count;
     struct texture *textures;
 
+    enum section section; /* that is read */
+    size_t row;           /* of the section */
     bool given[SECTIONS];
     int rank;         /* of the last section, in the required order */
     const char *last; /* word of the last section */
     bool faulty;      /* a section had an error, so elements may be missing */
 };
 
-typedef bool row_reader(struct reader *reader, struct mesh2_reading *mesh, size_t row);
+typedef bool row_reader(struct reader *reader, struct mesh2_reading *mesh);
 
 /* ---- Vectors and textures ------------------------------------------------ */
 
@@ -56,34 +58,26 @@ static bool read_into(struct reader *reader, struct section_vectors *vectors)
     return true;
 }
 
-static bool read_vertex(struct reader *reader, struct mesh2_reading *mesh, size_t row)
+static bool read_plain(struct reader *reader, struct mesh2_reading *mesh)
 {
-    (void)row;
-    return read_into(reader, &mesh->vectors[SECTION_VERTICES]);
+    return read_into(reader, &mesh->vectors[mesh->section]);
 }
 
-static bool read_normal(struct reader *reader, struct mesh2_reading *mesh, size_t row)
+static bool read_normal(struct reader *reader, struct mesh2_reading *mesh)
 {
     struct section_vectors *normals = &mesh->vectors[SECTION_NORMALS];
     struct scene_token at = reader->token;
 
     if (!read_into(reader, normals))
         return false;
-    mesh_direct(reader, &at, normals->list[row]);
+    mesh_direct(reader, &at, normals->list[normals->count - 1]);
     return true;
 }
 
-static bool read_uv(struct reader *reader, struct mesh2_reading *mesh, size_t row)
-{
-    (void)row;
-    return read_into(reader, &mesh->vectors[SECTION_UVS]);
-}
-
-static bool read_texture(struct reader *reader, struct mesh2_reading *mesh, size_t row)
+static bool read_texture(struct reader *reader, struct mesh2_reading *mesh)
 {
     struct texture texture = reader->default_texture;
 
-    (void)row;
     if (!reader_accept(reader, "texture"))
         return reader_expected(reader, "a texture");
     if (!texture_read(reader, &texture))
@@ -180,14 +174,13 @@ static void take_normals(const struct mesh2_reading *mesh, const size_t indices[
 
 /* Reads a face. If there are as many normals as vertices they have the same indices,
  * unless normal_indices overrides them. */
-static bool read_face(struct reader *reader, struct mesh2_reading *mesh, size_t row)
+static bool read_face(struct reader *reader, struct mesh2_reading *mesh)
 {
     const struct section_vectors *vertices = mesh->vectors + SECTION_VERTICES;
     struct scene_token at = reader->token;
     struct triangle triangle;
     size_t indices[3];
 
-    (void)row;
     memset(&triangle, 0, sizeof triangle);
     if (at_float(reader))
         return reader_expected(reader, "the three vertices of a face");
@@ -202,17 +195,15 @@ static bool read_face(struct reader *reader, struct mesh2_reading *mesh, size_t 
 }
 
 /* Without uv_vectors POV-Ray assumes a single one. */
-static bool read_uv_index(struct reader *reader, struct mesh2_reading *mesh, size_t row)
+static bool read_uv_index(struct reader *reader, struct mesh2_reading *mesh)
 {
     size_t count = mesh->vectors[SECTION_UVS].count, ignored[3];
 
-    (void)row;
     return read_indices(reader, mesh, "uv vector", count ? count : 1, ignored);
 }
 
 /* As in POV-Ray the last faces may have no normals: they are flat. */
-static bool read_normal_index(struct reader *reader, struct mesh2_reading *mesh,
-                              size_t row)
+static bool read_normal_index(struct reader *reader, struct mesh2_reading *mesh)
 {
     struct triangles *triangles = &mesh->mesh.triangles;
     size_t indices[3];
@@ -220,8 +211,8 @@ static bool read_normal_index(struct reader *reader, struct mesh2_reading *mesh,
     if (!read_indices(reader, mesh, "normal", mesh->vectors[SECTION_NORMALS].count,
                       indices))
         return false;
-    if (row < triangles->count)
-        take_normals(mesh, indices, &triangles->list[row]);
+    if (mesh->row < triangles->count)
+        take_normals(mesh, indices, &triangles->list[mesh->row]);
     return true;
 }
 
@@ -235,9 +226,9 @@ static const struct section_rule {
     int least;          /* minimum of rows */
     enum section after; /* section that must come before; itself: none */
 } rules[SECTIONS] = {
-    { "vertex_vectors", read_vertex, 0, 1, SECTION_VERTICES },
+    { "vertex_vectors", read_plain, 0, 1, SECTION_VERTICES },
     { "normal_vectors", read_normal, 0, 0, SECTION_NORMALS },
-    { "uv_vectors", read_uv, 0, 0, SECTION_UVS },
+    { "uv_vectors", read_plain, 0, 0, SECTION_UVS },
     { "texture_list", read_texture, 1, 0, SECTION_VERTICES },
     { "face_indices", read_face, 2, 1, SECTION_VERTICES },
     { "uv_indices", read_uv_index, 3, 0, SECTION_FACES },
@@ -307,11 +298,11 @@ static bool read_rows(struct reader *reader, struct mesh2_reading *mesh,
 
     if (!read_count(reader, mesh, section, &count))
         return false;
-    for (size_t i = 0; i < count; i++) {
+    for (mesh->row = 0; mesh->row < count; mesh->row++) {
         if (reader_at_sign(reader, '}'))
-            return reader_fault(reader, &reader->token, "found only %zu of %zu '%s'", i,
-                                count, rules[section].word);
-        if (!rules[section].row(reader, mesh, i))
+            return reader_fault(reader, &reader->token, "found only %zu of %zu '%s'",
+                                mesh->row, count, rules[section].word);
+        if (!rules[section].row(reader, mesh))
             return false;
     }
     return true;
@@ -328,6 +319,7 @@ static bool read_block(struct reader *reader, struct mesh2_reading *mesh,
 {
     struct block block;
 
+    mesh->section = section;
     mesh->given[section] = true;
     mesh->rank = rules[section].rank;
     mesh->last = rules[section].word;
