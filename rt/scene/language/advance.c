@@ -145,11 +145,6 @@ size_t reader_nest(struct reader *reader)
     return before;
 }
 
-void reader_release(struct reader *reader, size_t hold)
-{
-    reader->hold = hold;
-}
-
 static bool carry_out(struct reader *reader)
 {
     bool done;
@@ -196,7 +191,7 @@ static void finish(struct reader *reader, size_t depth)
             again = resolve(reader, &done);
         }
     }
-    reader_release(reader, hold);
+    reader->hold = hold;
     reader->declared.brackets = brackets;
     reader->directed = directed && done;
     reader->lost = !done;

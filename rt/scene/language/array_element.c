@@ -92,7 +92,7 @@ bool element_read_place(struct reader *reader)
         done = read_hops(reader, &name);
         reader_leave(reader);
     }
-    reader_release(reader, hold);
+    reader->hold = hold;
     if (!symbol_release(name.reference.symbol)) {
         name.reference = (struct reference){ NULL, 0, { 0 } };
         name.value = NULL;

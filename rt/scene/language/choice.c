@@ -64,7 +64,7 @@ bool switch_case(struct reader *reader, const struct item *item)
     sealed = condition_seal(reader);
     good = read_bounds(reader, item->keyword->detail == SWITCH_RANGE, &lowest,
                        &highest);
-    condition_unseal(reader, sealed);
+    reader->sealed = sealed;
     if (!good) {
         condition_leave(reader, condition);
         return false;

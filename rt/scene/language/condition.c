@@ -74,11 +74,6 @@ size_t condition_seal(struct reader *reader)
     return before;
 }
 
-void condition_unseal(struct reader *reader, size_t before)
-{
-    reader->sealed = before;
-}
-
 bool condition_leave(struct reader *reader, struct scene_condition *condition)
 {
     struct scene_token at = condition->at;
@@ -127,7 +122,7 @@ bool condition_read(struct reader *reader, double *value)
     size_t sealed = condition_seal(reader);
     bool done = read_brackets(reader, value);
 
-    condition_unseal(reader, sealed);
+    reader->sealed = sealed;
     return done;
 }
 
@@ -194,7 +189,7 @@ static bool read_name(struct reader *reader, double *defined)
     reader_step(reader);
     sealed = condition_seal(reader);
     done = read_defined(reader, defined) && reader_require_sign(reader, ')');
-    condition_unseal(reader, sealed);
+    reader->sealed = sealed;
     return done;
 }
 

@@ -39,9 +39,9 @@ extern const char *const condition_openers[];
 /* Reads "(" condition; the current token is then ")". */
 bool condition_read(struct reader *reader, double *value);
 bool condition_holds(double value);
-/* While a condition is read, the open ones are sealed: they cannot be closed. */
+/* While a condition is read, the open ones are sealed: they cannot be closed. Returns
+ * the former state, which the caller restores in reader->sealed. */
 size_t condition_seal(struct reader *reader);
-void condition_unseal(struct reader *reader, size_t before);
 /* Pushes a condition on the stack. Returns NULL after an error. */
 struct scene_condition *condition_push(struct reader *reader, enum condition_kind kind,
                                        const struct scene_token *at);

@@ -21,7 +21,7 @@ static bool read_name(struct reader *reader, char **name)
     size_t hold = reader_nest(reader);
     bool done = file_name_read(reader, name);
 
-    reader_release(reader, hold);
+    reader->hold = hold;
     return done;
 }
 

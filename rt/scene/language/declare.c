@@ -262,7 +262,7 @@ static bool read_right_side(struct reader *reader, size_t depth,
 
     reader->declared = (struct declared_value){ .brackets = 1, .depth = depth };
     done = value_read(reader, value);
-    reader_release(reader, hold);
+    reader->hold = hold;
     if (done && value->kind == VALUE_NUMBERS && !reader_at_sign(reader, ';'))
         semicolon_missing(reader);
     reader->declared = outside;

@@ -239,20 +239,6 @@ struct value_warnings *value_warnings_end(struct deduplicated_warnings *book)
     return list;
 }
 
-struct warning_page *value_warnings_suspend(struct deduplicated_warnings *book)
-{
-    struct warning_page *page = book->page;
-
-    book->page = NULL;
-    return page;
-}
-
-void value_warnings_resume(struct deduplicated_warnings *book,
-                           struct warning_page *page)
-{
-    book->page = page;
-}
-
 void value_warnings_use(struct deduplicated_warnings *book, struct value_warnings *list)
 {
     if (!list)

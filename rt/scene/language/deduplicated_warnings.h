@@ -44,7 +44,7 @@ struct deduplicated_warnings {
     struct scene_warning *buckets[WARNING_BUCKETS];
     size_t count;
     struct warning_place lost; /* first beyond MAX_WARNINGS, if it has a source */
-    struct warning_page *page; /* NULL: the scene itself */
+    struct warning_page *page; /* the current value; NULL: the scene itself */
     size_t pages;
     struct warning_cause *causes, *last_cause; /* reported, in order */
     size_t cause_count;
@@ -65,11 +65,6 @@ void scene_warning_report(struct deduplicated_warnings *book,
 void value_warnings_begin(struct deduplicated_warnings *book,
                           struct warning_page *page);
 struct value_warnings *value_warnings_end(struct deduplicated_warnings *book);
-/* Suspend the current value: warnings recorded until it is resumed belong to the
- * scene. */
-struct warning_page *value_warnings_suspend(struct deduplicated_warnings *book);
-void value_warnings_resume(struct deduplicated_warnings *book,
-                           struct warning_page *page);
 /* Adds the warnings of a value that is used by the one that is being read. */
 void value_warnings_use(struct deduplicated_warnings *book,
                         struct value_warnings *list);

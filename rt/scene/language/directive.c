@@ -24,7 +24,7 @@ static char *read_file_name(struct reader *reader, size_t depth)
         reader_expected(reader, "a file name in quotes");
     else if (!file_name_read(reader, &name))
         name = NULL;
-    reader_release(reader, hold);
+    reader->hold = hold;
     reader_close_frames(reader, depth);
     return name;
 }
@@ -113,12 +113,14 @@ bool default_read(struct reader *reader, const struct item *item)
 
 static bool read_default(struct reader *reader, const struct item *item)
 {
-    struct warning_page *page = value_warnings_suspend(&reader->warnings);
+    struct warning_page *page = reader->warnings.page;
     size_t hold = reader_hold(reader);
-    bool done = default_read(reader, item);
+    bool done;
 
-    reader_release(reader, hold);
-    value_warnings_resume(&reader->warnings, page);
+    reader->warnings.page = NULL; /* warnings belong to the scene */
+    done = default_read(reader, item);
+    reader->hold = hold;
+    reader->warnings.page = page;
     return done;
 }
 
@@ -146,7 +148,7 @@ static bool read_message(struct reader *reader, const struct item *item)
     reader_resolve(reader);
     hold = reader_hold(reader);
     done = string_read(reader, &text);
-    reader_release(reader, hold);
+    reader->hold = hold;
     if (!done)
         return false;
     done = append_text(reader, item, text);

@@ -126,7 +126,7 @@ bool loop_for(struct reader *reader, const struct item *item)
     sealed = condition_seal(reader);
     good = read_head(reader, loop, &start) && same_frame(reader, loop)
            && set_variable(reader, &loop->name, start);
-    condition_unseal(reader, sealed);
+    reader->sealed = sealed;
     loop->again = lexer_top(&reader->lexer)->place;
     return turn(reader, loop, good, good && !is_past(loop, start));
 }

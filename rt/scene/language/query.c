@@ -256,13 +256,13 @@ bool query_read(struct reader *reader, double *value)
     bool done;
 
     if (!query->read && !query->measure) {
-        reader_release(reader, hold);
+        reader->hold = hold;
         return reader_fault(reader, &reader->token, "'%s' is not supported",
                             query->name);
     }
     reader_next(reader);
     done = read_brackets(reader, query, value);
-    reader_release(reader, hold);
+    reader->hold = hold;
     if (done)
         reader_next(reader);
     return done;

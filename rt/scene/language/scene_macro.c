@@ -215,7 +215,7 @@ bool macro_call(struct reader *reader)
 
     if (!reader_enter(reader)) {
         reader_step(reader);
-        reader_release(reader, hold);
+        reader->hold = hold;
         return false;
     }
     call = new_call(reader);
@@ -223,6 +223,6 @@ bool macro_call(struct reader *reader)
     if (call)
         call_free(call);
     reader_leave(reader);
-    reader_release(reader, hold);
+    reader->hold = hold;
     return done;
 }

@@ -324,7 +324,7 @@ static bool read_call(struct reader *reader, const struct string_function *funct
                && reader_require_sign(reader, ')');
         reader_leave(reader);
     }
-    reader_release(reader, hold);
+    reader->hold = hold;
     return done;
 }
 
@@ -374,6 +374,6 @@ bool string_read_within(struct reader *reader, char **string)
     size_t hold = reader_nest(reader);
     bool done = string_read(reader, string);
 
-    reader_release(reader, hold);
+    reader->hold = hold;
     return done;
 }

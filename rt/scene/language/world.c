@@ -278,27 +278,17 @@ static bool take_regions(struct reader *reader)
 
 /* ---- Named floats -------------------------------------------------------- */
 
-struct floats {
-    struct reader *reader;
-    bool failed;
-};
-
 static void keep_float(void *context, const char *name, size_t length,
                        const struct scene_value *value)
 {
-    struct floats *floats = context;
-
-    if (!floats->failed && value->kind == VALUE_NUMBERS && value->is.numbers.count == 1)
-        floats->failed = !reader_keep_float(floats->reader, name, length,
-                                            value->is.numbers.n[0]);
+    if (value->kind == VALUE_NUMBERS && value->is.numbers.count == 1)
+        reader_keep_float(context, name, length, value->is.numbers.n[0]);
 }
 
 static bool take_floats(struct reader *reader)
 {
-    struct floats floats = { .reader = reader };
-
-    symbols_walk(&reader->symbols, keep_float, &floats);
-    return !floats.failed || reader_no_memory(reader);
+    symbols_walk(&reader->symbols, keep_float, reader);
+    return !reader->scene->kept.failed || reader_no_memory(reader);
 }
 
 /* Which rays are inside a body is not known while a scene is parsed, so any clear body
