@@ -71,32 +71,21 @@ static void take_ior(struct reader *reader, struct scene_object *object)
         object_fill(reader, object, object->texture.finish.ior);
 }
 
+/* A texture after the first is a layer. Pigment, finish and normal modify the texture
+ * of the object, which is the default texture at first. */
 static bool read_texture(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
+    enum texture_part part = (enum texture_part)item->keyword->detail;
 
-    if (object->textured)
+    if (part == TEXTURE_WHOLE && object->textured)
         return texture_layer_read(reader, &item->at, &object->texture);
-    object->texture = reader->default_texture;
-    object->textured = true;
-    if (!texture_read(reader, &object->texture))
-        return false;
-    take_ior(reader, object);
-    return true;
-}
-
-/* Pigment, finish and normal modify the texture of the object, which is the default
- * texture at first. */
-static bool read_texture_part(struct reader *reader, const struct item *item)
-{
-    struct scene_object *object = item->subject;
-
     if (!object->textured)
         object->texture = reader->default_texture;
     object->textured = true;
     if (!texture_part_read(reader, item, &object->texture))
         return false;
-    if (item->keyword->detail == TEXTURE_FINISH)
+    if (part == TEXTURE_FINISH || part == TEXTURE_WHOLE)
         take_ior(reader, object);
     return true;
 }
@@ -178,7 +167,7 @@ static void material_move(void *subject, const struct placement *step)
 }
 
 static const struct keyword material_words[] = {
-    { "texture", read_texture, 0 },
+    { "texture", read_texture, TEXTURE_WHOLE },
     { "interior", read_interior, 0 },
     { NULL, NULL, 0 },
 };
@@ -214,10 +203,10 @@ bool material_read(struct reader *reader, struct scene_object *object)
 }
 
 static const struct keyword modifiers[] = {
-    { "texture", read_texture, 0 },
-    { "pigment", read_texture_part, TEXTURE_PIGMENT },
-    { "finish", read_texture_part, TEXTURE_FINISH },
-    { "normal", read_texture_part, TEXTURE_NORMAL },
+    { "texture", read_texture, TEXTURE_WHOLE },
+    { "pigment", read_texture, TEXTURE_PIGMENT },
+    { "finish", read_texture, TEXTURE_FINISH },
+    { "normal", read_texture, TEXTURE_NORMAL },
     { "interior", read_interior, 0 },
     { "material", item_statement, VALUE_MATERIAL },
     { "inverse", read_inverse, 0 },
