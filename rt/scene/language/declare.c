@@ -37,9 +37,9 @@ static void begin_value(const struct reader *reader, struct scene_value *value)
     case VALUE_FINISH: value->is.finish = usual->finish; break;
     case VALUE_TEXTURE:
     case VALUE_TEXTURE_MAP: value->is.texture = *usual; break;
-    case VALUE_NORMAL:
-    case VALUE_NORMAL_MAP:
-    case VALUE_SLOPE_MAP: value->is.bumps = usual->bumps; break;
+    case VALUE_NORMAL: value->is.bumps = usual->bumps; break;
+    /* It may be used for an average, so the numbers are optional. */
+    case VALUE_NORMAL_MAP: value->is.bump_list.average = true; break;
     case VALUE_INTERIOR: value->is.interior = 1; break;
     case VALUE_CAMERA: value->is.camera = camera_default; break;
     default: break;

@@ -63,7 +63,7 @@ static bool read_own_slopes(struct reader *reader, struct bump *bump)
     return true;
 }
 
-static bool read_slopes(struct reader *reader, struct bump *bump)
+bool slope_map_read(struct reader *reader, struct bump *bump)
 {
     const struct scene_value *value;
     struct block block;
@@ -72,9 +72,9 @@ static bool read_slopes(struct reader *reader, struct bump *bump)
     if (!block_open(reader, &block, '{'))
         return false;
     value = reader_use(reader, VALUE_SLOPE_MAP);
-    if (value && value->is.bumps.list) {
-        bump->stop_count = value->is.bumps.list->bump.stop_count;
-        bump->stops = value->is.bumps.list->bump.stops;
+    if (value) {
+        bump->stop_count = value->is.bump.stop_count;
+        bump->stops = value->is.bump.stops;
     } else {
         good = read_own_slopes(reader, bump);
     }
@@ -98,16 +98,7 @@ bool read_slope_map(struct reader *reader, const struct item *item)
     if (!has_place(reader, reading, item))
         return false;
     reading->list.count = 0;
-    return read_slopes(reader, &reading->list.bump);
-}
-
-bool slope_map_read(struct reader *reader, struct bumps *bumps)
-{
-    struct normal_reading reading;
-
-    normal_begin(&reading, bumps);
-    return read_slopes(reader, &reading.list.bump)
-           && normal_keep(reader, &reading, bumps);
+    return slope_map_read(reader, &reading->list.bump);
 }
 
 /* ---- normal_map ---------------------------------------------------------- */
@@ -176,7 +167,7 @@ static bool read_own_entries(struct reader *reader, struct bump_list *list)
     return true;
 }
 
-static bool read_normals(struct reader *reader, struct bump_list *list)
+bool normal_map_read(struct reader *reader, struct bump_list *list)
 {
     const struct scene_value *value;
     struct block block;
@@ -185,9 +176,9 @@ static bool read_normals(struct reader *reader, struct bump_list *list)
     if (!block_open(reader, &block, '{'))
         return false;
     value = reader_use(reader, VALUE_NORMAL_MAP);
-    if (value && value->is.bumps.list) {
-        list->count = value->is.bumps.list->count;
-        list->entries = value->is.bumps.list->entries;
+    if (value) {
+        list->count = value->is.bump_list.count;
+        list->entries = value->is.bump_list.entries;
     } else {
         good = read_own_entries(reader, list);
     }
@@ -201,17 +192,7 @@ bool read_normal_map(struct reader *reader, const struct item *item)
     if (!has_place(reader, reading, item))
         return false;
     reading->list.bump.stop_count = 0;
-    return read_normals(reader, &reading->list);
-}
-
-bool normal_map_read(struct reader *reader, struct bumps *bumps)
-{
-    struct normal_reading reading;
-
-    normal_begin(&reading, bumps);
-    reading.list.average = true; /* it may be used for an average, so numbers are
-                                  * optional */
-    return read_normals(reader, &reading.list) && normal_keep(reader, &reading, bumps);
+    return normal_map_read(reader, &reading->list);
 }
 
 /* ---- Lists --------------------------------------------------------------- */

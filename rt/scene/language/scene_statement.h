@@ -32,8 +32,8 @@ bool color_map_read(struct reader *reader, struct pigment *pigment);
 bool pigment_map_read(struct reader *reader, struct pigment *pigment);
 bool texture_map_read(struct reader *reader, struct texture *texture);
 /* These read and use all entries. */
-bool normal_map_read(struct reader *reader, struct bumps *bumps);
-bool slope_map_read(struct reader *reader, struct bumps *bumps);
+bool normal_map_read(struct reader *reader, struct bump_list *list);
+bool slope_map_read(struct reader *reader, struct bump *bump);
 /* Reads the statement of a kind of value, which is the row's detail, into the subject. */
 item_reader item_statement;
 /* Reads the block of #default, and of the statement `default`. */

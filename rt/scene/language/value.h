@@ -47,9 +47,9 @@ enum scene_value_kind {
     VALUE_PIGMENT_MAP, /* as a pigment with the map */
     VALUE_TEXTURE_MAP, /* its first texture */
     VALUE_NORMAL,
-    VALUE_NORMAL_MAP, /* as a normal with the map */
-    VALUE_SLOPE_MAP,  /* as a normal with the map */
-    VALUE_LOOK,       /* a feature that is not drawn */
+    VALUE_NORMAL_MAP,
+    VALUE_SLOPE_MAP, /* as a bump with the map */
+    VALUE_LOOK,      /* a feature that is not drawn */
     VALUE_SKY,
     VALUE_FOG,
     VALUE_INTERIOR,
@@ -108,7 +108,9 @@ struct scene_value {
         struct pigment pigment; /* also for maps */
         struct finish finish;
         struct texture texture;
-        struct bumps bumps; /* also for maps */
+        struct bumps bumps;
+        struct bump_list bump_list;
+        struct bump bump;
         struct sky_setting sky;
         struct fog_setting fog;
         double interior;              /* index of refraction */
