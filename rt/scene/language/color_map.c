@@ -6,29 +6,21 @@
 
 #define MAX_COLOR 1e100 /* keeps differences finite */
 
-struct map_reading {
-    struct color_map map;
-    size_t room; /* capacity of its stops */
-};
-
-static bool put_stop(struct reader *reader, struct map_reading *reading, double at,
-                     const struct numbers *color)
+static bool put_stop(struct reader *reader, struct color_map *map, size_t *room,
+                     double at, const struct numbers *color)
 {
-    struct color_map *map = &reading->map;
     struct color_stop stop = { at, { 0 }, color->n[3], color->n[4] };
 
     copy3(color->n, stop.color);
     map->clear += stop.filter != 0 || stop.transmit != 0;
-    return arena_add(&reader->scene->kept, &map->stops, &map->count, &reading->room,
-                     &stop, sizeof stop)
+    return arena_add(&reader->scene->kept, &map->stops, &map->count, room, &stop,
+                     sizeof stop)
            || reader_no_memory(reader);
 }
 
-static bool add_stop(struct reader *reader, struct map_reading *reading, double at,
-                     const struct numbers *color)
+static bool add_stop(struct reader *reader, struct color_map *map, size_t *room,
+                     double at, const struct numbers *color)
 {
-    const struct color_map *map = &reading->map;
-
     if (!map_has_room(reader, map->count))
         return false;
     if (greatest3(color->n) > MAX_COLOR)
@@ -36,11 +28,11 @@ static bool add_stop(struct reader *reader, struct map_reading *reading, double 
                             "a colour of a map is out of range");
     if (map->count > 0 && at < map->stops[map->count - 1].at)
         at = map->stops[map->count - 1].at;
-    return put_stop(reader, reading, at, color);
+    return put_stop(reader, map, room, at, color);
 }
 
 /* In the oldest form an entry has two values and two colours. */
-static bool read_stops(struct reader *reader, struct map_reading *reading)
+static bool read_stops(struct reader *reader, struct color_map *map, size_t *room)
 {
     struct numbers color;
     double at[2];
@@ -52,26 +44,19 @@ static bool read_stops(struct reader *reader, struct map_reading *reading)
         reader_comma(reader);
     }
     for (int i = 0; i < count; i++) {
-        if (!read_color(reader, &color) || !add_stop(reader, reading, at[i], &color))
+        if (!read_color(reader, &color) || !add_stop(reader, map, room, at[i], &color))
             return false;
         reader_comma(reader);
     }
     return count > 0 || reader_expected(reader, "a number");
 }
 
-static bool read_entries(struct reader *reader, struct map_reading *reading)
+static bool read_entry(struct reader *reader, void *map, size_t *room)
 {
     struct block entry;
 
-    do {
-        bool good = block_open(reader, &entry, '[') && read_stops(reader, reading);
-        if (!good || !reader_at_sign(reader, ']'))
-            return good ? reader_expected(reader, "']'") : false;
-        if (!block_finish(reader, &entry))
-            return false;
-        reader_comma(reader);
-    } while (reader_at_sign(reader, '['));
-    return true;
+    return block_open(reader, &entry, '[') && read_stops(reader, map, room)
+           && reader_require_sign(reader, ']') && block_finish(reader, &entry);
 }
 
 static const struct color_stop gray[] = { { .at = 0, .color = { 0, 0, 0 } },
@@ -86,22 +71,13 @@ const struct color_map color_map_round = { .count = 4, .stops = wheel };
 bool color_map_listed(struct reader *reader, const struct numbers *colors, size_t count,
                       struct color_map *map)
 {
-    struct map_reading reading = { .room = 0 };
+    struct color_map made = { .count = 0 };
+    size_t room = 0;
 
     for (size_t i = 0; i < count; i++)
-        if (!put_stop(reader, &reading, (double)i, &colors[i]))
+        if (!put_stop(reader, &made, &room, (double)i, &colors[i]))
             return false;
-    *map = reading.map;
-    return true;
-}
-
-static bool read_own(struct reader *reader, struct color_map *map)
-{
-    struct map_reading reading = { .room = 0 };
-
-    if (!read_entries(reader, &reading))
-        return false;
-    *map = reading.map;
+    *map = made;
     return true;
 }
 
@@ -116,20 +92,19 @@ static void show_first(struct pigment *pigment)
         pigment->kind = PIGMENT_COLOR;
 }
 
+static void take_colors(void *map, const struct scene_value *named)
+{
+    *(struct color_map *)map = named->is.pigment.map;
+}
+
 bool color_map_read(struct reader *reader, struct pigment *pigment)
 {
-    const struct scene_value *value;
-    struct block block;
-    bool good = true;
+    static const struct map_kind colors = { VALUE_COLOR_MAP, take_colors, read_entry };
+    struct color_map map = { .count = 0 };
 
-    if (!block_open(reader, &block, '{'))
+    if (!map_read(reader, &colors, &map))
         return false;
-    value = reader_use(reader, VALUE_COLOR_MAP);
-    if (value)
-        pigment->map = value->is.pigment.map;
-    else
-        good = read_own(reader, &pigment->map);
-    if (good)
-        show_first(pigment);
-    return block_finish(reader, &block) && good;
+    pigment->map = map;
+    show_first(pigment);
+    return true;
 }

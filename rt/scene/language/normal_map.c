@@ -8,13 +8,6 @@
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/pattern.h"
 
-bool map_has_room(struct reader *reader, size_t count)
-{
-    return count < MAX_ENTRIES
-           || reader_fault(reader, &reader->token, "more than %d entries in a map",
-                           MAX_ENTRIES);
-}
-
 /* Reads the value of an entry, which is raised to that of the entry before it. */
 static bool read_place(struct reader *reader, size_t count, double before, double *at)
 {
@@ -28,8 +21,9 @@ static bool read_place(struct reader *reader, size_t count, double before, doubl
 
 /* ---- slope_map ----------------------------------------------------------- */
 
-static bool read_slope(struct reader *reader, struct bump *bump, size_t *room)
+static bool read_slope(struct reader *reader, void *map, size_t *room)
 {
+    struct bump *bump = map;
     size_t count = bump->stop_count;
     struct slope_stop stop;
     double slope[3];
@@ -50,35 +44,20 @@ static bool read_slope(struct reader *reader, struct bump *bump, size_t *room)
            || reader_no_memory(reader);
 }
 
-static bool read_own_slopes(struct reader *reader, struct bump *bump)
+static void take_slopes(void *map, const struct scene_value *named)
 {
-    size_t room = 0;
+    struct bump *bump = map;
 
-    bump->stop_count = 0;
-    do {
-        if (!read_slope(reader, bump, &room))
-            return false;
-        reader_comma(reader);
-    } while (reader_at_sign(reader, '['));
-    return true;
+    bump->stop_count = named->is.bump.stop_count;
+    bump->stops = named->is.bump.stops;
 }
 
 bool slope_map_read(struct reader *reader, struct bump *bump)
 {
-    const struct scene_value *value;
-    struct block block;
-    bool good = true;
+    static const struct map_kind slopes = { VALUE_SLOPE_MAP, take_slopes, read_slope };
 
-    if (!block_open(reader, &block, '{'))
-        return false;
-    value = reader_use(reader, VALUE_SLOPE_MAP);
-    if (value) {
-        bump->stop_count = value->is.bump.stop_count;
-        bump->stops = value->is.bump.stops;
-    } else {
-        good = read_own_slopes(reader, bump);
-    }
-    return block_finish(reader, &block) && good;
+    bump->stop_count = 0;
+    return map_read(reader, &slopes, bump);
 }
 
 /* As in POV-Ray a list has no maps. */
@@ -130,8 +109,9 @@ static void begin_entry(const struct reader *reader, struct normal_reading *read
 }
 
 /* In an average the number is optional. */
-static bool read_entry(struct reader *reader, struct bump_list *list, size_t *room)
+static bool read_entry(struct reader *reader, void *map, size_t *room)
 {
+    struct bump_list *list = map;
     size_t count = list->count;
     double before = count > 0 && !list->average ? list->entries[count - 1].at : -1e30;
     struct bump_entry entry = { .at = 1 };
@@ -154,35 +134,21 @@ static bool read_entry(struct reader *reader, struct bump_list *list, size_t *ro
            || reader_no_memory(reader);
 }
 
-static bool read_own_entries(struct reader *reader, struct bump_list *list)
+static void take_normals(void *map, const struct scene_value *named)
 {
-    size_t room = 0;
+    struct bump_list *list = map;
 
-    list->count = 0;
-    do {
-        if (!read_entry(reader, list, &room))
-            return false;
-        reader_comma(reader);
-    } while (reader_at_sign(reader, '['));
-    return true;
+    list->count = named->is.bump_list.count;
+    list->entries = named->is.bump_list.entries;
 }
 
 bool normal_map_read(struct reader *reader, struct bump_list *list)
 {
-    const struct scene_value *value;
-    struct block block;
-    bool good = true;
+    static const struct map_kind normals = { VALUE_NORMAL_MAP, take_normals,
+                                             read_entry };
 
-    if (!block_open(reader, &block, '{'))
-        return false;
-    value = reader_use(reader, VALUE_NORMAL_MAP);
-    if (value) {
-        list->count = value->is.bump_list.count;
-        list->entries = value->is.bump_list.entries;
-    } else {
-        good = read_own_entries(reader, list);
-    }
-    return block_finish(reader, &block) && good;
+    list->count = 0;
+    return map_read(reader, &normals, list);
 }
 
 bool read_normal_map(struct reader *reader, const struct item *item)

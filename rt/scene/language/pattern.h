@@ -64,6 +64,15 @@ bool normal_keep(struct reader *reader, const struct normal_reading *reading,
 item_reader read_slope_map, read_normal_map;
 bool normal_list_read(struct reader *reader, struct normal_reading *reading,
                       size_t count);
+/* A kind of map, { [ .. ] .. } or { NAME }. */
+struct map_kind {
+    enum scene_value_kind kind; /* of a named map */
+    void (*take)(void *map, const struct scene_value *named);
+    /* Reads an entry and adds it to the map, whose capacity is *room. */
+    bool (*entry)(struct reader *reader, void *map, size_t *room);
+};
+/* Reads an empty map. */
+bool map_read(struct reader *reader, const struct map_kind *kind, void *map);
 /* Fails if a map has as many entries as it can have. */
 enum { MAX_ENTRIES = 256 }; /* as in POV-Ray */
 bool map_has_room(struct reader *reader, size_t count);

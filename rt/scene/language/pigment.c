@@ -132,43 +132,6 @@ static bool read_pattern(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Reads the first entry of a map. In the oldest form of maps an entry has two numbers;
- * an entry of an average may have none. */
-static bool read_entry(struct reader *reader, body_reader *body, void *subject)
-{
-    struct block entry;
-    bool good = true, more;
-    double at;
-
-    if (!block_open(reader, &entry, '['))
-        return false;
-    for (more = starts_expression(reader) && !starts_color(reader); good && more;
-         more = reader->token.kind == TOKEN_NUMBER) {
-        good = read_number(reader, &at);
-        reader_comma(reader);
-    }
-    if (good)
-        return body(reader, &entry, subject);
-    block_finish(reader, &entry);
-    return false;
-}
-
-bool map_first(struct reader *reader, enum scene_value_kind kind, body_reader *body,
-               void *subject, size_t size)
-{
-    const struct scene_value *value;
-    struct block map;
-    bool good;
-
-    if (!block_open(reader, &map, '{'))
-        return false;
-    value = reader_use(reader, kind);
-    if (value)
-        memcpy(subject, &value->is, size);
-    good = value || read_entry(reader, body, subject);
-    return block_finish(reader, &map) && good;
-}
-
 bool pigment_map_read(struct reader *reader, struct pigment *pigment)
 {
     return map_first(reader, VALUE_PIGMENT_MAP, pigment_body, pigment, sizeof *pigment);
