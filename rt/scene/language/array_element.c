@@ -183,8 +183,7 @@ bool array_read(struct reader *reader, struct scene_value *value)
     value->is.array = array_new(dimensions, sizes, &reader->cells);
     if (!value->is.array)
         return reader_fault(reader, &at,
-                            "more than %d elements in all arrays, or no "
-                            "memory",
+                            "more than %d elements in all arrays, or no memory",
                             MAX_CELLS);
     value->kind = VALUE_ARRAY;
     return reader_spend(reader, value->is.array->count * TOKEN_COST)

@@ -497,8 +497,7 @@ static bool can_call(struct reader *reader, const struct formula *formula,
 {
     return !formula->without
            || reader_fault(reader, at,
-                           "the value of a function with '%s' is not "
-                           "supported",
+                           "the value of a function with '%s' is not supported",
                            formula->without);
 }
 

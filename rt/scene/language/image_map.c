@@ -77,8 +77,7 @@ static bool check_size(struct reader *reader, const struct raster *raster,
         return reader_fault(reader, at, "more than %d images", MAX_IMAGES);
     if (pixels > MAX_IMAGE_PIXELS - reader->image_pixels)
         return reader_fault(reader, at,
-                            "the images of the scene have more than %d "
-                            "pixels",
+                            "the images of the scene have more than %d pixels",
                             MAX_IMAGE_PIXELS);
     reader->image_pixels += pixels;
     return reader_spend(reader, pixels + raster->most);

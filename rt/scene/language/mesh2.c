@@ -373,8 +373,7 @@ static bool check_indices(struct reader *reader, const struct mesh2_reading *mes
 
     return mesh->given[indices] || count <= most || count == vertices
            || reader_fault(reader, &mesh->mesh.at,
-                           "'%s' is missing: there are %zu '%s', but %zu "
-                           "vertices",
+                           "'%s' is missing: there are %zu '%s', but %zu vertices",
                            rules[indices].word, count, rules[of].word, vertices);
 }
 

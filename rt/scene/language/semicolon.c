@@ -168,8 +168,7 @@ void semicolon_missing(struct reader *reader)
     }
     if (reader_is_before(reader, 3.5))
         reader_warn(reader, &at,
-                    "';' is missing after the value, as versions below 3.5 "
-                    "allow");
+                    "';' is missing after the value, as versions below 3.5 allow");
     else
         reader_fault(reader, &at, "';' is missing after the value");
 }

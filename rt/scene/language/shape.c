@@ -238,8 +238,7 @@ static void report_patches(struct reader *reader, const struct scene_object *chi
     for (size_t i = 0; i < child->part_count; i++)
         if (shape_is_surface(&child->parts[i].primitive)) {
             reader_report(reader, at,
-                          "a patch in an intersection or difference has no "
-                          "inside");
+                          "a patch in an intersection or difference has no inside");
             return;
         }
 }

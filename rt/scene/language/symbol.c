@@ -151,8 +151,7 @@ static const char *assign_element(const struct reference *reference,
         fault = "the array of this element no longer exists";
     else if (value->kind == VALUE_ARRAY
              && reference->hops + array_nesting(value->is.array) > MAX_ARRAY_NESTING)
-        fault = "too many nested arrays: "
-                "at most " LIMIT_TEXT(MAX_ARRAY_NESTING);
+        fault = "too many nested arrays: at most " LIMIT_TEXT(MAX_ARRAY_NESTING);
     if (!fault)
         return array_set(array, reference->element[last], value);
     value_free(value);
