@@ -98,17 +98,15 @@ size_t accounts_regions(const struct accounts *accounts)
 
 static c205_account *new_account(struct accounts *accounts, const char *name)
 {
-    c205_account *items = array_grow(accounts->items, accounts->count, sizeof *items);
     char *copy = malloc(strlen(name) + 1);
-    if (items) {
-        accounts->items = items;
-    }
-    if (!items || !copy) {
+    c205_account account = { .name = copy ? strcpy(copy, name) : NULL };
+    c205_account *added = copy ? array_add(&accounts->items, &accounts->count, &account,
+                                           sizeof account)
+                               : NULL;
+    if (!added) {
         free(copy);
-        return NULL;
     }
-    items[accounts->count] = (c205_account){ .name = strcpy(copy, name) };
-    return &items[accounts->count++];
+    return added;
 }
 
 static void add_account(c205_account *sum, const c205_account *account)

@@ -1,28 +1,35 @@
-/* array.c - grows arrays whose capacity follows from their count. */
+/* array.c - adds items to arrays whose capacity follows from their count. */
 #include "base/array.h"
 
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-void *array_grow(void *items, size_t count, size_t item_size)
+/* Returns the array with room for one more item, or NULL. */
+static void *grow(void *items, size_t count, size_t size)
 {
     if ((count & (count - 1)) != 0)
         return items;
-    if (count > SIZE_MAX / 2 / item_size)
+    if (count > SIZE_MAX / 2 / size)
         return NULL;
-    return realloc(items, (count ? 2 * count : 1) * item_size);
+    return realloc(items, (count ? 2 * count : 1) * size);
 }
 
-bool array_add(void *items, size_t *count, const void *item, size_t item_size)
+/* The pointer to the array has the type of its items, so its bytes are copied. */
+void *array_add(void *items, size_t *count, const void *item, size_t size)
 {
-    char *list;
+    void *array;
+    char *added;
 
-    memcpy(&list, items, sizeof list);
-    list = array_grow(list, *count, item_size);
-    if (!list)
-        return false;
-    memcpy(items, &list, sizeof list);
-    memcpy(list + (*count)++ * item_size, item, item_size);
-    return true;
+    memcpy(&array, items, sizeof array);
+    array = grow(array, *count, size);
+    if (!array)
+        return NULL;
+    memcpy(items, &array, sizeof array);
+    added = (char *)array + (*count)++ * size;
+    if (item)
+        memcpy(added, item, size);
+    else
+        memset(added, 0, size);
+    return added;
 }

@@ -28,19 +28,6 @@ static void free_item(struct diagnostic *item)
     free(item->source);
 }
 
-static struct diagnostic *keep(struct diagnostics *diagnostics,
-                               const struct diagnostic *item)
-{
-    struct diagnostic *items = array_grow(diagnostics->items, diagnostics->count,
-                                          sizeof *items);
-
-    if (!items)
-        return NULL;
-    diagnostics->items = items;
-    items[diagnostics->count] = *item;
-    return &items[diagnostics->count++];
-}
-
 /* Returns the column of an invisible character in the word at the position; 0: there is
  * none. */
 static size_t invisible_column(const struct position *position, unsigned long *code)
@@ -98,7 +85,8 @@ void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
     if (severity == SEVERITY_ERROR)
         name_invisible(&item, position);
     diagnostics->errors += severity == SEVERITY_ERROR;
-    if (!item.file || !item.message || !item.source || !keep(diagnostics, &item))
+    if (!item.file || !item.message || !item.source
+        || !array_add(&diagnostics->items, &diagnostics->count, &item, sizeof item))
         free_item(&item);
 }
 
@@ -110,7 +98,7 @@ static struct diagnostic *next_diagnostic(struct diagnostics *diagnostics)
     for (size_t i = 0; i < diagnostics->count; i++)
         if (diagnostics->items[i].severity == SEVERITY_SAID)
             return &diagnostics->items[i];
-    return keep(diagnostics, &empty);
+    return array_add(&diagnostics->items, &diagnostics->count, &empty, sizeof empty);
 }
 
 bool diagnostics_append(struct diagnostics *diagnostics, const char *text)

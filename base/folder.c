@@ -21,16 +21,12 @@ bool folder_add(struct folder *folder, const char *name)
 {
     size_t size = strlen(name) + 1;
     char *copy = malloc(size);
-    char **names = array_grow(folder->names, folder->count, sizeof *names);
 
-    if (names)
-        folder->names = names;
-    if (!names || !copy) {
+    if (!copy || !array_add(&folder->names, &folder->count, &copy, sizeof copy)) {
         free(copy);
         return false;
     }
     memcpy(copy, name, size);
-    names[folder->count++] = copy;
     return true;
 }
 

@@ -45,13 +45,8 @@ bool outputs_add(const char *path)
     if (stat(path, &status) != 0) {
         return true;
     }
-    struct output *items = array_grow(outputs.items, outputs.count, sizeof *items);
-    if (!items) {
-        return false;
-    }
-    outputs.items = items;
-    items[outputs.count++] = (struct output){ status.st_dev, status.st_ino, false };
-    return true;
+    struct output output = { status.st_dev, status.st_ino, false };
+    return array_add(&outputs.items, &outputs.count, &output, sizeof output);
 }
 
 bool outputs_refuse(const struct stat *input)

@@ -65,15 +65,6 @@ void table_free(struct table *table)
     free(table);
 }
 
-static bool make_room(struct table *table)
-{
-    struct cell *cells = array_grow(table->cells, table->cell_count, sizeof *cells);
-    if (cells) {
-        table->cells = cells;
-    }
-    return cells != NULL;
-}
-
 static char *copy(const char *text)
 {
     char *own = malloc(strlen(text) + 1);
@@ -95,13 +86,12 @@ static bool set_text(struct cell *cell, const char *text)
 
 static void add(struct table *table, const char *text, struct cell cell)
 {
-    if (!set_text(&cell, text) || !make_room(table)) {
+    if (!set_text(&cell, text)
+        || !array_add(&table->cells, &table->cell_count, &cell, sizeof cell)) {
         free(cell.text);
         free(cell.raw);
         table->failed = true;
-        return;
     }
-    table->cells[table->cell_count++] = cell;
 }
 
 void table_text(struct table *table, const char *text)

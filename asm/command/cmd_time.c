@@ -155,18 +155,14 @@ static struct table *class_table(const struct measurements *measured,
 static bool add_name(const struct time_arguments *args, const c205_model *model,
                      const char *name, struct measurements *measured)
 {
-    struct measurement *items = array_grow(measured->items, measured->count,
-                                           sizeof *items);
+    struct measurement taken;
     c205_error error = { "out of memory" };
-    if (items) {
-        measured->items = items;
+    if (measure(model, name, &taken, &error)
+        && array_add(&measured->items, &measured->count, &taken, sizeof taken)) {
+        return true;
     }
-    if (!items || !measure(model, name, &items[measured->count], &error)) {
-        cmd_failed(args->shared.command, "%s", error.message);
-        return false;
-    }
-    measured->count++;
-    return true;
+    cmd_failed(args->shared.command, "%s", error.message);
+    return false;
 }
 
 /* Measures all instructions with one size of operands, and the triad. */

@@ -3,7 +3,6 @@
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "asm/debug/debugger_engine.h"
@@ -238,16 +237,11 @@ bool breakpoints_watch(struct debugger *debugger, struct text_cursor *cursor,
 
 bool breakpoints_add(struct debugger *debugger, struct breakpoint *stop)
 {
-    struct breakpoint *grown = array_grow(debugger->breakpoints,
-                                          debugger->breakpoint_count, sizeof *grown);
-
-    if (!grown)
-        return debug_fault(debugger, "out of memory");
     stop->number = ++debugger->breakpoint_number;
     sample(debugger, stop);
-    debugger->breakpoints = grown;
-    grown[debugger->breakpoint_count++] = *stop;
-    return true;
+    return array_add(&debugger->breakpoints, &debugger->breakpoint_count, stop,
+                     sizeof *stop)
+           || debug_fault(debugger, "out of memory");
 }
 
 bool breakpoints_delete(struct debugger *debugger, uint64_t number)

@@ -49,14 +49,8 @@ struct disassembler {
 static void add_address(struct disassembler *disassembler, struct addresses *addresses,
                         uint64_t address)
 {
-    uint64_t *items = array_grow(addresses->items, addresses->count, sizeof *items);
-
-    if (!items) {
+    if (!array_add(&addresses->items, &addresses->count, &address, sizeof address))
         disassembler->failed = true;
-        return;
-    }
-    addresses->items = items;
-    items[addresses->count++] = address;
 }
 
 static int compare_addresses(const void *a, const void *b)
@@ -298,14 +292,11 @@ static void show_data(const struct disassembler *disassembler,
 static void add_label(struct disassembler *disassembler, uint64_t address,
                       const char *name)
 {
-    struct labels *labels = &disassembler->labels;
-    struct label *items = array_grow(labels->items, labels->count, sizeof *items);
+    struct label label = { .address = address, .name = name };
 
-    disassembler->failed |= !items;
-    if (!items)
-        return;
-    labels->items = items;
-    items[labels->count++] = (struct label){ .address = address, .name = name };
+    if (!array_add(&disassembler->labels.items, &disassembler->labels.count, &label,
+                   sizeof label))
+        disassembler->failed = true;
 }
 
 /* Sorts by address; at one address a label with a name is first. */

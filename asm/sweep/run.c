@@ -161,21 +161,16 @@ static bool second_is_faster(const struct swept_point *point)
  * there are none, or if memory is exhausted; then the error is set. */
 static bool find_crossing(struct program_sweep *sweep, c205_error *error)
 {
-    struct swept_crossing *grown;
-
     *error->message = '\0';
     while (++sweep->searched < sweep->count) {
         const struct swept_point *points = sweep->points + sweep->searched - 1;
+        struct swept_crossing crossing = { points[1], second_is_faster(&points[1]) };
 
         if (second_is_faster(&points[0]) == second_is_faster(&points[1]))
             continue;
-        grown = array_grow(sweep->crossings, sweep->crossing_count, sizeof *grown);
-        if (!grown)
+        if (!array_add(&sweep->crossings, &sweep->crossing_count, &crossing,
+                       sizeof crossing))
             return error_set(error, "out of memory");
-        sweep->crossings = grown;
-        grown[sweep->crossing_count++] = (struct swept_crossing){
-            points[1], second_is_faster(&points[1])
-        };
         sweep->low = points[0].value;
         return true;
     }

@@ -1,7 +1,6 @@
 /* timeline_lanes.c - places the spans of a timeline into lanes and rows. */
 #include "asm/timeline/timeline_lanes.h"
 
-#include <stdlib.h>
 
 static const char *const names[LANES] = {
     [LANE_CHARGED] = "charged to",      [LANE_SCALAR] = "scalar units",

@@ -126,16 +126,13 @@ size_t checkpoint_count(const struct checkpoint_file *file)
 static bool note_unit(struct checkpoint_file *file, uint64_t number, long at)
 {
     size_t i = place_of(file, number);
-    struct unit_place *places;
 
     if (checkpoint_has(file, number))
         return true;
-    places = array_grow(file->places, file->count, sizeof *places);
-    if (!places)
+    if (!array_add(&file->places, &file->count, NULL, sizeof *file->places))
         return false;
-    file->places = places;
     memmove(&file->places[i + 1], &file->places[i],
-            (file->count++ - i) * sizeof *file->places);
+            (file->count - 1 - i) * sizeof *file->places);
     file->places[i] = (struct unit_place){ number, at };
     return true;
 }

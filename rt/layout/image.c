@@ -9,14 +9,7 @@
 
 static bool add(struct image *image, struct image_block block)
 {
-    struct image_block *blocks = array_grow(image->blocks, image->count,
-                                            sizeof *blocks);
-
-    if (!blocks)
-        return false;
-    image->blocks = blocks;
-    blocks[image->count++] = block;
-    return true;
+    return array_add(&image->blocks, &image->count, &block, sizeof block);
 }
 
 bool image_reserve(struct image *image, uint64_t address, size_t count)

@@ -50,7 +50,7 @@ uint64_t materials_first(struct material_table *materials,
                          const c205_word words[MATERIAL_WORDS], uint64_t address)
 {
     size_t place = (size_t)hash_words(HASH_START, words, MATERIAL_WORDS);
-    struct material *rows;
+    struct material *added;
 
     for (place &= materials->mask; materials->places[place] > 0;
          place = (place + 1) & materials->mask) {
@@ -60,12 +60,11 @@ uint64_t materials_first(struct material_table *materials,
         if (memcmp(material->words, words, sizeof material->words) == 0)
             return material->address;
     }
-    rows = array_grow(materials->rows, materials->count, sizeof *rows);
-    if (!rows)
+    added = array_add(&materials->rows, &materials->count, NULL, sizeof *added);
+    if (!added)
         return 0;
-    materials->rows = rows;
-    memcpy(rows[materials->count].words, words, sizeof rows->words);
-    rows[materials->count++].address = address;
+    memcpy(added->words, words, sizeof added->words);
+    added->address = address;
     materials->places[place] = materials->count;
     return address;
 }

@@ -126,14 +126,9 @@ static bool may_overlap(const struct boxes *boxes, size_t one, size_t other)
 
 static bool add_pair(struct overlaps *overlaps, size_t one, size_t other)
 {
-    struct overlap_pair *pairs = array_grow(overlaps->pairs, overlaps->count,
-                                            sizeof *pairs);
+    struct overlap_pair pair = { { one, other } };
 
-    if (!pairs)
-        return false;
-    overlaps->pairs = pairs;
-    pairs[overlaps->count++] = (struct overlap_pair){ { one, other } };
-    return true;
+    return array_add(&overlaps->pairs, &overlaps->count, &pair, sizeof pair);
 }
 
 bool overlaps_find(const struct scene *scene, const size_t *part_of, size_t part_count,

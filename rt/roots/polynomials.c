@@ -147,19 +147,10 @@ static bool add(struct polynomials *polynomials, size_t line,
                 const struct polynomial *polynomial)
 {
     size_t n = polynomials->count;
-    struct polynomial *items = array_grow(polynomials->items, n, sizeof *items);
-    size_t *lines;
 
-    if (!items)
-        return false;
-    polynomials->items = items;
-    lines = array_grow(polynomials->lines, n, sizeof *lines);
-    if (!lines)
-        return false;
-    polynomials->lines = lines;
-    polynomials->lines[polynomials->count] = line;
-    polynomials->items[polynomials->count++] = *polynomial;
-    return true;
+    return array_add(&polynomials->lines, &n, &line, sizeof line)
+           && array_add(&polynomials->items, &polynomials->count, polynomial,
+                        sizeof *polynomial);
 }
 
 /* Sets the line that begins at text, without its end. Returns the start of the

@@ -21,15 +21,9 @@ void named_begin(struct named_values *given, const struct value_kind *kind)
 static bool keep(struct named_values *given, const char *name, size_t length,
                  double value)
 {
-    struct named_value *list = array_grow(given->list, given->count, sizeof *list);
-    char *kept = arena_text(&given->kept, name, length);
+    struct named_value kept = { arena_text(&given->kept, name, length), value };
 
-    if (list)
-        given->list = list;
-    if (!list || !kept)
-        return false;
-    list[given->count++] = (struct named_value){ kept, value };
-    return true;
+    return kept.name && array_add(&given->list, &given->count, &kept, sizeof kept);
 }
 
 /* Reads a number in range, or the word of the kind. */

@@ -34,13 +34,11 @@ static bool put(struct spline *spline, double t)
     if (count && place == count && points[count - 1].t == t)
         return true;
     if (place == count || points[place].t != t) {
-        points = array_grow(points, count, sizeof *points);
-        if (!points)
+        if (!array_add(&spline->points, &spline->count, NULL, sizeof *points))
             return false;
+        points = spline->points;
         memmove(points + place + 1, points + place, (count - place) * sizeof *points);
         points[place].t = t;
-        spline->points = points;
-        spline->count++;
     }
     memcpy(points[place].value, spline->latest, sizeof spline->latest);
     return true;

@@ -95,16 +95,13 @@ static bool coincide(const struct face *a, const struct face *b)
 
 static void add_pair(struct pair_list *list, const struct face *a, const struct face *b)
 {
-    struct face_pair *more = array_grow(list->pairs, list->count, sizeof *more);
-
-    list->failed = list->failed || !more;
-    if (!more)
-        return;
-    list->pairs = more;
-    more[list->count++] = (struct face_pair){
+    struct face_pair pair = {
         (uint32_t)(a->region < b->region ? a->region : b->region),
         (uint32_t)(a->region < b->region ? b->region : a->region),
     };
+
+    if (!array_add(&list->pairs, &list->count, &pair, sizeof pair))
+        list->failed = true;
 }
 
 static int compare_places(const void *a, const void *b)

@@ -33,19 +33,17 @@ static struct face *add_face(struct face_search *search, enum face_sort sort,
                              const struct bound *box)
 {
     struct face_list *list = search->list;
-    struct face *more, *face;
+    struct face *face;
     struct bound parts[2] = { *box, search->limit }, part;
 
     bound_common(parts, 2, &part);
     for (int i = 0; i < 3; i++)
         if (part.low[i] > part.high[i] + COINCIDENT)
             return NULL;
-    more = array_grow(list->faces, list->count, sizeof *more);
-    list->failed = list->failed || !more;
-    if (!more)
+    face = array_add(&list->faces, &list->count, NULL, sizeof *face);
+    list->failed = list->failed || !face;
+    if (!face)
         return NULL;
-    list->faces = more;
-    face = &more[list->count++];
     *face = (struct face){ .sort = sort,
                            .region = search->region,
                            .primitive = search->primitive };

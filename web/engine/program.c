@@ -178,19 +178,14 @@ c205_model *program_model(const char *name, const struct object *object,
 
 static void keep_mark(struct printed *printed, uint64_t step)
 {
-    struct printed_mark *grown;
+    struct printed_mark mark = { step, printed->text.length };
 
     if (printed->count > 0 && printed->marks[printed->count - 1].step == step) {
         printed->marks[printed->count - 1].length = printed->text.length;
         return;
     }
-    grown = array_grow(printed->marks, printed->count, sizeof *grown);
-    if (!grown) {
+    if (!array_add(&printed->marks, &printed->count, &mark, sizeof mark))
         printed->cut = true;
-        return;
-    }
-    printed->marks = grown;
-    grown[printed->count++] = (struct printed_mark){ step, printed->text.length };
 }
 
 void printed_forget(struct printed *printed, uint64_t step)

@@ -13,7 +13,7 @@
 struct blob_reading {
     struct scene_object object; /* first member: the subject of the modifiers */
     struct scene_token at;      /* its word */
-    struct blob_parts parts;    /* of array_grow, until the blob ends */
+    struct blob_parts parts;    /* of array_add, until the blob ends */
     struct scene_token look_at; /* place of the first texture of a component, which
                                  * becomes the texture of the object's part */
 };

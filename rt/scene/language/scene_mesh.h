@@ -8,7 +8,7 @@ struct mesh_reading {
     struct scene_object object; /* first member: the subject of the modifiers */
     struct scene_token at;      /* its word */
     bool lone;                  /* a single triangle or smooth_triangle */
-    struct triangles triangles; /* of array_grow, until the mesh ends */
+    struct triangles triangles; /* of array_add, until the mesh ends */
 
     /* The textures of triangles; the first is that of the object's part. */
     struct scene_token look_at; /* where the first one is */

@@ -86,17 +86,13 @@ static bool cut(struct csv *csv, char *line, size_t number, char **fields,
 static bool add_row(struct csv *csv, char *line, size_t number,
                     struct diagnostics *diagnostics)
 {
-    struct csv_row *rows = array_grow(csv->rows, csv->count, sizeof *rows);
-    char **fields = calloc(csv->columns, sizeof *fields);
+    struct csv_row row = { number, calloc(csv->columns, sizeof *row.fields) };
 
-    if (rows)
-        csv->rows = rows;
-    if (!rows || !fields) {
-        free(fields);
+    if (!row.fields || !array_add(&csv->rows, &csv->count, &row, sizeof row)) {
+        free(row.fields);
         return fail_whole(csv, "out of memory", diagnostics);
     }
-    rows[csv->count++] = (struct csv_row){ number, fields };
-    return cut(csv, line, number, fields, diagnostics);
+    return cut(csv, line, number, row.fields, diagnostics);
 }
 
 static bool check_head(const struct csv *csv, const char *const *columns,

@@ -28,20 +28,18 @@ static const struct fit_run *find_run(struct observations *all, const char *prog
                                       const struct run_options *options,
                                       c205_error *error)
 {
-    struct fit_run **runs, *run;
+    struct fit_run **added;
 
     for (size_t i = 0; i < all->run_count; i++)
         if (strcmp(all->runs[i]->program, program) == 0)
             return all->runs[i];
     fail(error, "%s", "out of memory");
-    runs = array_grow(all->runs, all->run_count, sizeof *runs);
-    if (!runs)
+    added = array_add(&all->runs, &all->run_count, NULL, sizeof *added);
+    if (!added)
         return NULL;
-    all->runs = runs;
-    run = run_new(program, options, error);
-    if (run)
-        runs[all->run_count++] = run;
-    return run;
+    *added = run_new(program, options, error);
+    all->run_count -= !*added;
+    return *added;
 }
 
 /* Names the model of a machine before any fit, if it has one of its own. */
@@ -60,37 +58,31 @@ static const c205_model *find_model(struct observations *all, const char *machin
                                     c205_error *error)
 {
     char name[MAX_TEXT];
-    c205_model **models, *model;
+    c205_model **added;
 
     name_prior(machine, name);
     for (size_t i = 0; i < all->model_count; i++)
         if (strcmp(c205_model_name(all->models[i]), name) == 0)
             return all->models[i];
     fail(error, "%s", "out of memory");
-    models = array_grow(all->models, all->model_count, sizeof *models);
-    if (!models)
+    added = array_add(&all->models, &all->model_count, NULL, sizeof *added);
+    if (!added)
         return NULL;
-    all->models = models;
-    model = model_find(name, error);
-    if (model)
-        models[all->model_count++] = model;
-    return model;
+    *added = model_find(name, error);
+    all->model_count -= !*added;
+    return *added;
 }
 
 static bool find_timing(struct observations *all, const struct fit_run *run,
                         const c205_model *model, size_t *found, c205_error *error)
 {
-    struct run_timing *timings;
+    struct run_timing timing = { run, model };
 
     for (*found = 0; *found < all->timing_count; ++*found)
         if (all->timings[*found].run == run && all->timings[*found].model == model)
             return true;
-    timings = array_grow(all->timings, all->timing_count, sizeof *timings);
-    if (!timings)
-        return fail(error, "%s", "out of memory");
-    all->timings = timings;
-    timings[all->timing_count++] = (struct run_timing){ run, model };
-    return true;
+    return array_add(&all->timings, &all->timing_count, &timing, sizeof timing)
+           || fail(error, "%s", "out of memory");
 }
 
 /* ---- Terms -------------------------------------------------------------- */
@@ -259,13 +251,10 @@ static bool read_row(struct observations *all, const struct csv *file,
                      struct diagnostics *diagnostics)
 {
     c205_error error;
-    struct observation *items = array_grow(all->items, all->count, sizeof *items);
-    struct observation *item;
+    struct observation *item = array_add(&all->items, &all->count, NULL, sizeof *item);
 
-    if (!items)
+    if (!item)
         return csv_wrong(file, row, NAME, "out of memory", diagnostics);
-    all->items = items;
-    item = &items[all->count++];
     *item = (struct observation){ .name = row->fields[NAME],
                                   .program = row->fields[PROGRAM],
                                   .machine = row->fields[MACHINE],
@@ -283,18 +272,15 @@ bool observations_read(struct observations *all, const char *path,
                        const struct run_options *options,
                        struct diagnostics *diagnostics)
 {
-    struct csv *files = array_grow(all->files, all->file_count, sizeof *files);
-    struct csv *file;
+    struct csv *file = array_add(&all->files, &all->file_count, NULL, sizeof *file);
     bool good = true;
 
-    if (!files) {
+    if (!file) {
         const struct position whole = { .file = path };
 
         diagnostics_add(diagnostics, SEVERITY_ERROR, &whole, "out of memory");
         return false;
     }
-    all->files = files;
-    file = &files[all->file_count++];
     if (!csv_read(file, path, columns, FIELDS, diagnostics))
         return false;
     for (size_t i = 0; i < file->count; i++)

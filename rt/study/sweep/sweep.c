@@ -283,17 +283,15 @@ bool sweep_run(struct sweep *sweep, const struct sweep_point *points, size_t cou
 const c205_model *sweep_model(struct sweep *sweep, const c205_setting *settings,
                               size_t count, c205_error *error)
 {
-    c205_model **models = array_grow(sweep->models, sweep->model_count, sizeof *models);
+    c205_model **added = array_add(&sweep->models, &sweep->model_count, NULL,
+                                   sizeof *added);
 
     error_set(error, "out of memory");
-    if (!models)
+    if (!added)
         return NULL;
-    sweep->models = models;
-    models[sweep->model_count] = c205_model_change(sweep->base.trace.model, settings,
-                                                   count, error);
-    if (!models[sweep->model_count])
-        return NULL;
-    return models[sweep->model_count++];
+    *added = c205_model_change(sweep->base.trace.model, settings, count, error);
+    sweep->model_count -= !*added;
+    return *added;
 }
 
 void sweep_free(struct sweep *sweep)
