@@ -335,6 +335,16 @@ const struct json_value *json_member_first(const struct json_value *object,
     return member ? member->first : NULL;
 }
 
+size_t json_length(const struct json_value *value)
+{
+    size_t count = 0;
+
+    for (const struct json_value *item = value ? value->first : NULL; item;
+         item = item->next)
+        count++;
+    return count;
+}
+
 bool json_member_truth(const struct json_value *object, const char *key, bool otherwise)
 {
     const struct json_value *member = json_member(object, key);

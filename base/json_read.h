@@ -43,6 +43,8 @@ const char *json_member_text(const struct json_value *object, const char *key);
 /* Returns the first element or member of a member. */
 const struct json_value *json_member_first(const struct json_value *object,
                                            const char *key);
+/* Returns the number of elements of an array, or members of an object. */
+size_t json_length(const struct json_value *value);
 bool json_member_truth(const struct json_value *object, const char *key,
                        bool otherwise);
 /* Sets *value to a member if it exists. Returns false and leaves *value unchanged if

@@ -72,26 +72,18 @@ static const char *keep(struct dap *dap, const char *text)
     return text ? arena_text(&dap->launched, text, strlen(text)) : NULL;
 }
 
-static size_t count_of(const struct json_value *item)
-{
-    size_t count = 0;
-
-    for (; item; item = item->next)
-        count++;
-    return count;
-}
-
 /* Reads the object { "N": 8 }. Returns NULL if memory is exhausted. */
 static const struct asm_define *read_defines(struct dap *dap,
                                              const struct json_value *launch)
 {
-    const struct json_value *item = json_member_first(launch, "defines");
-    struct asm_define *defines = arena_take(&dap->launched,
-                                            (count_of(item) + 1) * sizeof *defines);
+    const struct json_value *object = json_member(launch, "defines");
+    const struct json_value *item = object ? object->first : NULL;
+    struct asm_define *defines = arena_take(&dap->launched, (json_length(object) + 1)
+                                                                * sizeof *defines);
 
     for (size_t i = 0; defines && item; i++, item = item->next) {
         defines[i].name = keep(dap, item->key);
-        json_member_whole(json_member(launch, "defines"), item->key, &defines[i].value);
+        json_member_whole(object, item->key, &defines[i].value);
     }
     return defines;
 }
@@ -99,9 +91,10 @@ static const struct asm_define *read_defines(struct dap *dap,
 /* Reads the list [ "DIR", .. ]. */
 static const char *const *read_search(struct dap *dap, const struct json_value *launch)
 {
-    const struct json_value *item = json_member_first(launch, "include");
+    const struct json_value *list = json_member(launch, "include");
+    const struct json_value *item = list ? list->first : NULL;
     const char **search = arena_take(&dap->launched,
-                                     (count_of(item) + 1) * sizeof *search);
+                                     (json_length(list) + 1) * sizeof *search);
 
     for (size_t i = 0; search && item; i++, item = item->next)
         search[i] = keep(dap, item->text);

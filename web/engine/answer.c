@@ -33,6 +33,25 @@ bool put_said(struct engine *engine, struct json *reply, const char *key,
     return good || error_set(error, "out of memory");
 }
 
+void put_clocks(struct json *reply, uint64_t begin, uint64_t end, c205_cause cause)
+{
+    json_object(reply, NULL);
+    json_count(reply, "begin", begin);
+    json_count(reply, "end", end);
+    json_text(reply, "cause", c205_cause_name(cause));
+    json_end(reply);
+}
+
+bool put_buffer(struct json *reply, const char *key, struct text_buffer *text,
+                c205_error *error)
+{
+    bool good = !text->failed;
+
+    json_text(reply, key, text->text ? text->text : "");
+    text_buffer_free(text);
+    return good || error_set(error, "out of memory");
+}
+
 bool needs_program(const struct engine *engine, c205_error *error)
 {
     return engine->debugger || error_set(error, "no program is loaded");

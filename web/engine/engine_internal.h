@@ -141,6 +141,11 @@ bool refuse_as_said(struct engine *engine, c205_error *error);
 /* Writes the debugger's report as a member, and clears it. */
 bool put_said(struct engine *engine, struct json *reply, const char *key,
               c205_error *error);
+/* Writes a text as a member and frees it. Fails if the text is incomplete. */
+bool put_buffer(struct json *reply, const char *key, struct text_buffer *text,
+                c205_error *error);
+/* Writes the begin, the end and the cause of clocks as an element of an array. */
+void put_clocks(struct json *reply, uint64_t begin, uint64_t end, c205_cause cause);
 /* Returns NULL if memory is exhausted. */
 char *copy_of(const char *text);
 bool needs_program(const struct engine *engine, c205_error *error);

@@ -92,10 +92,8 @@ static bool put_formula(const c205_event *event, struct json *reply, c205_error 
     const c205_times *record = event->record;
     struct text_buffer text = { .text = NULL };
     struct sink sink = text_buffer_sink(&text);
-    bool good;
 
-    sink_print(&sink, "%" PRIu64 " clock%s", event->clocks,
-               event->clocks == 1 ? "" : "s");
+    sink_print(&sink, "%" PRIu64 " clock%s", event->clocks, plural(event->clocks));
     for (size_t i = 0; i < record->piece_count; i++)
         put_term(&sink, i == 0 ? " = " : " + ", record->piece[i].clocks,
                  record->piece[i].cause);
@@ -107,11 +105,7 @@ static bool put_formula(const c205_event *event, struct json *reply, c205_error 
                  record->phase[i].end - record->phase[i].begin, record->phase[i].cause);
     if (event->elements > 0)
         sink_print(&sink, ", %zu element%s", event->elements, plural(event->elements));
-    good = !text.failed;
-    if (good)
-        json_text(reply, "formula", text.text);
-    text_buffer_free(&text);
-    return good || error_set(error, "out of memory");
+    return put_buffer(reply, "formula", &text, error);
 }
 
 static void put_constant(const c205_constant *constant, struct json *reply)
@@ -162,13 +156,9 @@ static void put_pieces(const struct engine *engine, const c205_times *record,
 static void put_phases(const c205_times *record, struct json *reply)
 {
     json_array(reply, "phases");
-    for (size_t i = 0; i < record->phase_count; i++) {
-        json_object(reply, NULL);
-        json_count(reply, "begin", record->phase[i].begin);
-        json_count(reply, "end", record->phase[i].end);
-        json_text(reply, "cause", c205_cause_name(record->phase[i].cause));
-        json_end(reply);
-    }
+    for (size_t i = 0; i < record->phase_count; i++)
+        put_clocks(reply, record->phase[i].begin, record->phase[i].end,
+                   record->phase[i].cause);
     json_end(reply);
 }
 

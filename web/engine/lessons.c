@@ -56,10 +56,7 @@ static bool put_words(const struct lesson_verdict *verdict, struct json *reply,
     struct sink sink = text_buffer_sink(&text);
 
     lesson_verdict_put(verdict, &sink);
-    if (!text.failed)
-        json_text(reply, "words", text.text ? text.text : "");
-    text_buffer_free(&text);
-    return !text.failed || error_set(error, "out of memory");
+    return put_buffer(reply, "words", &text, error);
 }
 
 static bool grade(const struct lesson *lesson, const char *name, const char *text,

@@ -54,16 +54,6 @@ void put_diagnostics(const struct diagnostics *diagnostics, struct json *reply)
 
 /* ---- Options ------------------------------------------------------------- */
 
-static size_t count_of(const struct json_value *list)
-{
-    size_t count = 0;
-
-    for (const struct json_value *item = list ? list->first : NULL; item;
-         item = item->next)
-        count++;
-    return count;
-}
-
 static bool is_object(const struct json_value *value)
 {
     return !value || value->kind == JSON_OBJECT;
@@ -76,7 +66,7 @@ static bool take_defines(const struct json_value *request, struct arena *arena,
                          struct asm_options *options, c205_error *error)
 {
     const struct json_value *defines = json_member(request, "defines");
-    size_t count = count_of(defines);
+    size_t count = json_length(defines);
     struct asm_define *list = arena_take(arena, (count + 1) * sizeof *list);
 
     options->defines = list;
@@ -100,7 +90,7 @@ static bool take_files(const struct json_value *request, struct arena *arena,
                        struct asm_options *options, c205_error *error)
 {
     const struct json_value *files = json_member(request, "files");
-    size_t count = is_object(files) ? count_of(files) : 0;
+    size_t count = is_object(files) ? json_length(files) : 0;
     struct text *texts = arena_take(arena, (count + 1) * sizeof *texts);
     const struct text **tables = arena_take(arena, 2 * sizeof *tables);
     const char **lines = arena_take(arena, (2 * count + 1) * sizeof *lines);

@@ -37,15 +37,10 @@ static bool put_picture(const struct program_sweep *sweep, struct json *reply,
     struct text_buffer text = { .text = NULL };
     struct sink sink = text_buffer_sink(&text);
     char title[SWEPT_TITLE];
-    bool good;
 
     swept_title(sweep, title);
     swept_svg(sweep, title, &sink);
-    good = !text.failed;
-    if (good)
-        json_text(reply, "svg", text.text);
-    text_buffer_free(&text);
-    return good || error_set(error, "out of memory");
+    return put_buffer(reply, "svg", &text, error);
 }
 
 /* Writes the members of c205 sweep --json, and the picture. */

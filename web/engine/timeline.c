@@ -10,13 +10,8 @@ static void put_pieces(const struct timed_piece *pieces, size_t first, size_t co
                        const char *key, struct json *reply)
 {
     json_array(reply, key);
-    for (size_t i = first; i < first + count; i++) {
-        json_object(reply, NULL);
-        json_count(reply, "begin", pieces[i].begin);
-        json_count(reply, "end", pieces[i].end);
-        json_text(reply, "cause", c205_cause_name(pieces[i].cause));
-        json_end(reply);
-    }
+    for (size_t i = first; i < first + count; i++)
+        put_clocks(reply, pieces[i].begin, pieces[i].end, pieces[i].cause);
     json_end(reply);
 }
 
@@ -73,13 +68,9 @@ static void put_lanes(const struct timeline *timeline, const struct lanes *lanes
     json_end(reply);
     json_array(reply, "charged");
     for (size_t i = 0; i < lanes->count; i++)
-        if (lanes->spans[i].lane == LANE_CHARGED) {
-            json_object(reply, NULL);
-            json_count(reply, "begin", lanes->spans[i].begin);
-            json_count(reply, "end", lanes->spans[i].end);
-            json_text(reply, "cause", c205_cause_name(lanes->spans[i].piece->cause));
-            json_end(reply);
-        }
+        if (lanes->spans[i].lane == LANE_CHARGED)
+            put_clocks(reply, lanes->spans[i].begin, lanes->spans[i].end,
+                       lanes->spans[i].piece->cause);
     json_end(reply);
 }
 
@@ -110,15 +101,11 @@ static bool put_file(const struct engine *engine, struct json *reply, c205_error
     struct text_buffer text = { .text = NULL };
     struct sink sink = text_buffer_sink(&text);
     char title[TIMELINE_TITLE];
-    bool good;
 
     timeline_title(replay->timeline, engine->name, c205_model_name(engine->model),
                    title);
-    good = timeline_write(replay->timeline, replay->form, title, &sink) && !text.failed;
-    if (good)
-        json_text(reply, "file", text.text);
-    text_buffer_free(&text);
-    return good || error_set(error, "out of memory");
+    text.failed |= !timeline_write(replay->timeline, replay->form, title, &sink);
+    return put_buffer(reply, "file", &text, error);
 }
 
 /* ---- timeline ------------------------------------------------------------ */
