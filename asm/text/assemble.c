@@ -95,7 +95,7 @@ static struct object *run_passes(struct assembler *assembler, struct asm_source 
     assembler->expander = NULL;
     if (halted || assembler->arena->failed || too_many_errors(assembler))
         return NULL;
-    return encode_program(assembler);
+    return build_object(assembler);
 }
 
 static struct object *assemble(struct asm_source *source,

@@ -190,6 +190,8 @@ struct expectation {
     const char *text;
 };
 
+struct storage;
+
 struct assembler {
     struct arena *arena;
     const struct asm_options *options;
@@ -264,7 +266,15 @@ bool parse_line(struct assembler *assembler, const struct line *line);
 /* Warns of code that continues past its end (fallthrough.c). */
 void check_ends(struct assembler *assembler);
 
-/* Returns the object, or NULL after errors (encode.c). */
-struct object *encode_program(struct assembler *assembler);
+/* layout.c: returns the address after an item; sorts the items by address. */
+uint64_t layout_end(const struct layout_item *item);
+void layout_sort(struct assembler *assembler);
+
+/* Adds the words of the sorted items to an object. Continues after errors of values, so
+ * that all of them are reported (encode.c). */
+bool encode_segments(struct assembler *assembler, struct storage *storage);
+
+/* Returns the object, or NULL after errors (build.c). */
+struct object *build_object(struct assembler *assembler);
 
 #endif

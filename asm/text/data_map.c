@@ -53,7 +53,7 @@ static void set_type(const struct assembler *assembler, struct asm_symbol *symbo
             break;
         symbol->contents = item->contents;
         halves += item->halves;
-        at += 32 * item->halves;
+        at = layout_end(item);
     }
     symbol->count = count_of(symbol->contents, halves);
 }

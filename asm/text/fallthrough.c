@@ -1,9 +1,5 @@
 /* fallthrough.c - warns of code that continues where there is no code. */
-#include <inttypes.h>
-
 #include "asm/text/expression.h"
-
-enum { HALF_BITS = 32 };
 
 /* Returns whether the item is EXIT with request 0, which is the default. */
 static bool ends_program(struct assembler *assembler, const struct layout_item *item)
@@ -29,7 +25,7 @@ static bool always_branches(const c205_insn *insn)
  * since it may be one. */
 static bool goes_on_with(const struct layout_item *next, const struct layout_item *item)
 {
-    return next->address == item->address + item->halves * HALF_BITS
+    return next->address == layout_end(item)
            && (next->kind == ITEM_INSTRUCTION || next->kind == ITEM_HALF);
 }
 

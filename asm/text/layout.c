@@ -3,6 +3,7 @@
 #include "asm/text/statement.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 enum { WORD_HALVES = 2, HALF_BITS = 32 };
 
@@ -114,4 +115,25 @@ bool layout_known(struct cursor *cursor, const c205_word *words, uint64_t count)
         return false;
     item->of.words = words;
     return true;
+}
+
+uint64_t layout_end(const struct layout_item *item)
+{
+    return item->address + item->halves * HALF_BITS;
+}
+
+static int compare_items(const void *a, const void *b)
+{
+    const struct layout_item *first = a, *second = b;
+
+    if (first->address != second->address)
+        return first->address < second->address ? -1 : 1;
+    return (first->order > second->order) - (first->order < second->order);
+}
+
+void layout_sort(struct assembler *assembler)
+{
+    if (assembler->item_count > 0)
+        qsort(assembler->items, assembler->item_count, sizeof *assembler->items,
+              compare_items);
 }
