@@ -5,7 +5,7 @@ LIBDIR = $(PREFIX)/lib/rt205
 DOCDIR = $(PREFIX)/share/doc/c205
 
 # The installed files: three libraries, each with only the names of these headers, and
-# with its own copy of the parts of base that it needs.
+# with its own copy of the parts of base that it needs and of vm/error.o.
 api = $(BUILD)/api
 vm_api = $(addprefix vm/,c205.h c205_word.h c205_model.h c205_machine.h c205_time.h \
 	c205_history.h insn.def arith.def)
@@ -23,11 +23,11 @@ rt_api = $(addprefix rt/,scene/raster.h scene/scene.h scene/image_map.h \
 $(api)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(api)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
 		$(BUILD)/asm/lesson_texts.o \
-		$(BUILD)/libbase.a
+		$(BUILD)/libbase.a $(BUILD)/vm/error.o
 # Views need internal names of the assembler's library, so they are excluded.
 $(api)/librt205.a: $(call objects,$(filter-out rt/view/%,$(rt_c))) \
 		$(BUILD)/rt/kernel_texts.o \
-		$(BUILD)/rt/scene_texts.o $(BUILD)/libbase.a
+		$(BUILD)/rt/scene_texts.o $(BUILD)/libbase.a $(BUILD)/vm/error.o
 $(api)/libc205.a: headers = $(vm_api)
 $(api)/libc205asm.a: headers = $(asm_api)
 $(api)/librt205.a: headers = $(rt_api)

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/outputs.h"

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 
 /* Reads until the end, or until more than largest bytes are read. */
 static char *read_stream(FILE *file, size_t largest, size_t *length)

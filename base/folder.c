@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 
 #include "base/array.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 bool folder_is(const char *path)
 {

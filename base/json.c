@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/sink.h"
 #include "base/utf8.h"
 #include "base/visible_text.h"

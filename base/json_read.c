@@ -1,9 +1,8 @@
 /* json_read.c - a recursive descent parser for JSON. */
 #include "base/json_read.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,15 +19,13 @@ struct json_reading {
 
 static bool fail(struct json_reading *reading, const char *what)
 {
-    snprintf(reading->error->message, sizeof reading->error->message, "%s at byte %zu",
-             what, (size_t)(reading->at - reading->begin));
-    return false;
+    return error_set(reading->error, "%s at byte %zu", what,
+                     (size_t)(reading->at - reading->begin));
 }
 
 static bool no_memory(struct json_reading *reading)
 {
-    snprintf(reading->error->message, sizeof reading->error->message, "out of memory");
-    return false;
+    return error_set(reading->error, "out of memory");
 }
 
 static void skip_space(struct json_reading *reading)

@@ -3,7 +3,7 @@
 
 #include "base/command_error.h"
 #include "base/diagnostic.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/file.h"
 #include "base/outputs.h"
 #include "base/text_file.h"

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 
 bool text_clean(char *text, size_t *length, c205_error *error)
 {

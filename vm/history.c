@@ -5,8 +5,8 @@
  * it restores the last snapshot before the target and runs from there.
  */
 #include "vm/breakpoints.h"
+#include "vm/error.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -112,8 +112,7 @@ static bool save_state(const struct c205_history *history, struct saved *saved,
     if (c205_save(history->machine, add_bytes, saved, error))
         return true;
     free(saved->bytes);
-    snprintf(error->message, sizeof error->message, "out of memory");
-    return false;
+    return error_set(error, "out of memory");
 }
 
 /* Appends a snapshot. The list must have room. */
@@ -133,10 +132,8 @@ static void append(struct c205_history *history, struct saved saved, bool change
 static bool keep(struct c205_history *history, c205_error *error)
 {
     struct saved saved;
-    if (!make_room(history) || !save_state(history, &saved, error)) {
-        snprintf(error->message, sizeof error->message, "out of memory");
-        return false;
-    }
+    if (!make_room(history) || !save_state(history, &saved, error))
+        return error_set(error, "out of memory");
     append(history, saved, false);
     return true;
 }
@@ -180,7 +177,7 @@ c205_history *c205_history_new(c205 *machine, size_t budget, c205_error *error)
 {
     struct c205_history *history = calloc(1, sizeof *history);
     if (!history) {
-        snprintf(error->message, sizeof error->message, "out of memory");
+        error_set(error, "out of memory");
         return NULL;
     }
     history->machine = machine;
@@ -223,10 +220,8 @@ uint64_t c205_history_known(const c205_history *history)
 bool c205_history_changed(c205_history *history, c205_error *error)
 {
     struct saved saved;
-    if (!make_room(history) || !save_state(history, &saved, error)) {
-        snprintf(error->message, sizeof error->message, "out of memory");
-        return false;
-    }
+    if (!make_room(history) || !save_state(history, &saved, error))
+        return error_set(error, "out of memory");
     forget_later(history);
     append(history, saved, true);
     return true;
@@ -330,6 +325,5 @@ bool c205_history_back(c205_history *history, uint64_t step, c205_error *error)
     machine = restore(history, from, error);
     if (!machine || go_from(history, machine, from->step, step))
         return machine;
-    snprintf(error->message, sizeof error->message, "out of memory");
-    return false;
+    return error_set(error, "out of memory");
 }

@@ -1,19 +1,13 @@
 /* machine.c - creates, loads and runs a machine. */
 #include "vm/machine.h"
+#include "vm/error.h"
 #include "vm/events.h"
 #include "vm/breakpoints.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* ---- Creation and loading ----------------------------------------------- */
-
-static bool no_memory(c205_error *error)
-{
-    snprintf(error->message, sizeof error->message, "out of memory for a machine");
-    return false;
-}
 
 static void clear_registers(struct c205 *machine)
 {
@@ -37,14 +31,13 @@ void machine_clear_resume(struct c205 *machine)
 c205 *c205_new(const c205_model *model, c205_error *error)
 {
     if (c205_model_is_projection(model)) {
-        snprintf(error->message, sizeof error->message,
-                 "%.100s is a projection and cannot run programs",
-                 c205_model_name(model));
+        error_set(error, "%.100s is a projection and cannot run programs",
+                  c205_model_name(model));
         return NULL;
     }
     struct c205 *machine = calloc(1, sizeof *machine);
     if (!machine) {
-        no_memory(error);
+        error_set(error, "out of memory for a machine");
         return NULL;
     }
     machine->model = model;
@@ -56,7 +49,7 @@ c205 *c205_new(const c205_model *model, c205_error *error)
     if (machine->clock && machine->cache && machine->blocks)
         return machine;
     if (machine->clock)
-        no_memory(error);
+        error_set(error, "out of memory for a machine");
     c205_free(machine);
     return NULL;
 }
@@ -80,12 +73,9 @@ void c205_free(c205 *machine)
 static bool load_segment(struct c205 *machine, const c205_segment *segment,
                          c205_error *error)
 {
-    if (segment->address % WORD_BITS) {
-        snprintf(error->message, sizeof error->message,
-                 "a segment at %llX does not begin on a word",
-                 (unsigned long long)segment->address);
-        return false;
-    }
+    if (segment->address % WORD_BITS)
+        return error_set(error, "a segment at %llX does not begin on a word",
+                         (unsigned long long)segment->address);
     if (!memory_map(&machine->memory, segment->address, segment->length,
                     segment->words ? C205_READ_WRITE : C205_WHEN_TOUCHED, error))
         return false;

@@ -1,7 +1,7 @@
 /* memory.c - maps pages by a two-level table, and copies words, half words and bits. */
 #include "vm/memory.h"
+#include "vm/error.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -129,20 +129,16 @@ bool memory_map(struct memory *memory, uint64_t address, size_t words,
 {
     uint64_t last = address + (uint64_t)words * WORD_BITS - 1;
     if (address > ADDRESS_MASK || (uint64_t)words > ADDRESS_SPACE_WORDS
-        || (words > 0 && last > ADDRESS_MASK)) {
-        snprintf(error->message, sizeof error->message,
-                 "%zu word%s at %llX %s beyond the end of the address space", words,
-                 words == 1 ? "" : "s", (unsigned long long)address,
-                 words == 1 ? "lies" : "lie");
-        return false;
-    }
+        || (words > 0 && last > ADDRESS_MASK))
+        return error_set(error,
+                         "%zu word%s at %llX %s beyond the end of the address space",
+                         words, words == 1 ? "" : "s", (unsigned long long)address,
+                         words == 1 ? "lies" : "lie");
     forget_near(memory);
     for (uint64_t page = address >> PAGE_SHIFT; words > 0 && page <= last >> PAGE_SHIFT;
          page++) {
-        if (!map_page(memory, page << PAGE_SHIFT, access)) {
-            snprintf(error->message, sizeof error->message, MEMORY_NO_PAGE);
-            return false;
-        }
+        if (!map_page(memory, page << PAGE_SHIFT, access))
+            return error_set(error, MEMORY_NO_PAGE);
     }
     return true;
 }
@@ -155,12 +151,10 @@ bool memory_map_shared(struct memory *memory, uint64_t address, struct page *pag
     forget_near(memory);
     for (size_t i = 0; i < count; i++, address += PAGE_BITS) {
         struct page **place = page_place(memory, address);
-        if (!place || *place) {
-            snprintf(error->message, sizeof error->message, "%s",
-                     place ? "pages are already mapped at this address"
-                           : MEMORY_NO_PAGE);
-            return false;
-        }
+        if (!place || *place)
+            return error_set(error, "%s",
+                             place ? "pages are already mapped at this address"
+                                   : MEMORY_NO_PAGE);
         *place = &pages[i];
     }
     return true;

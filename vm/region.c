@@ -1,8 +1,8 @@
 /* region.c - maps instructions to the regions of the accounts. */
 #include "vm/machine.h"
+#include "vm/error.h"
 #include "vm/serializer.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -52,9 +52,9 @@ static bool check_ranges(const struct region_range *ranges, size_t count,
             wrong = "overlaps another";
         if (!wrong)
             continue;
-        snprintf(error->message, sizeof error->message, "the region %.100s %s, at %llX",
-                 names[ranges[i].region], wrong, (unsigned long long)ranges[i].begin);
-        return false;
+        return error_set(error, "the region %.100s %s, at %llX",
+                         names[ranges[i].region], wrong,
+                         (unsigned long long)ranges[i].begin);
     }
     return true;
 }
@@ -86,7 +86,7 @@ bool machine_set_regions(struct c205 *machine, const c205_program *program,
     const char **names = malloc((count + 1) * sizeof *names);
     bool done = ranges && names && set_ranges(machine, program, ranges, names, error);
     if (!ranges || !names)
-        snprintf(error->message, sizeof error->message, "%s", no_memory);
+        error_set(error, "%s", no_memory);
     free(names);
     if (!done) {
         free(ranges);

@@ -1,9 +1,9 @@
 /* serializer.c - writes and reads words, counts and texts, and their hash. */
 #include "vm/serializer.h"
+#include "vm/error.h"
 
 #include "vm/hash.h"
 
-#include <stdio.h>
 #include <string.h>
 
 static const char damaged[] = "the saved machine is damaged";
@@ -27,8 +27,7 @@ struct serializer serializer_from(const void *bytes, size_t count, c205_error *e
 void serializer_refuse(struct serializer *serializer, const char *why)
 {
     if (!serializer->failed)
-        snprintf(serializer->error->message, sizeof serializer->error->message, "%s",
-                 why);
+        error_set(serializer->error, "%s", why);
     serializer->failed = true;
 }
 

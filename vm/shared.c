@@ -1,7 +1,7 @@
 /* shared.c - creates, frees and maps pages that several machines share. */
 #include "vm/shared.h"
+#include "vm/error.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -46,9 +46,9 @@ bool shared_map(const c205_shared *shared, struct memory *memory, uint64_t addre
     if (address % PAGE_BITS == 0 && address <= ADDRESS_MASK
         && shared->count <= pages - address / PAGE_BITS)
         return memory_map_shared(memory, address, shared->pages, shared->count, error);
-    snprintf(error->message, sizeof error->message,
-             "%zu page%s at %llX must begin on a page and end within the "
-             "address space",
-             shared->count, shared->count == 1 ? "" : "s", (unsigned long long)address);
-    return false;
+    return error_set(error,
+                     "%zu page%s at %llX must begin on a page and end within the "
+                     "address space",
+                     shared->count, shared->count == 1 ? "" : "s",
+                     (unsigned long long)address);
 }

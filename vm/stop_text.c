@@ -1,5 +1,6 @@
 /* stop_text.c - the names of traps, the texts of rules, and the text of a stop. */
 #include "vm/machine.h"
+#include "vm/error.h"
 
 #include <stdio.h>
 
@@ -76,8 +77,7 @@ void c205_describe_stop(const c205 *machine, const c205_stop *stop, c205_error *
     char code[20] = "", operand[32] = "";
     const char *rule = lacks_page(machine, stop) ? MEMORY_NO_PAGE : stop->rule;
     if (stop->trap == C205_TRAP_NONE) {
-        snprintf(text->message, sizeof text->message, "ended at %llX with status %lld",
-                 pc, (long long)stop->status);
+        error_set(text, "ended at %llX with status %lld", pc, (long long)stop->status);
         return;
     }
     if (stop->insn)
@@ -86,7 +86,6 @@ void c205_describe_stop(const c205 *machine, const c205_stop *stop, c205_error *
         describe_code(machine, stop->pc, code);
     if (has_address(stop))
         snprintf(operand, sizeof operand, ": address %llX", address);
-    snprintf(text->message, sizeof text->message, "trap %s at %llX%s%s%s%s",
-             c205_trap_name(stop->trap), pc, code, operand, rule ? ": " : "",
-             rule ? rule : "");
+    error_set(text, "trap %s at %llX%s%s%s%s", c205_trap_name(stop->trap), pc, code,
+              operand, rule ? ": " : "", rule ? rule : "");
 }

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "asm/command/cmd_check.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/file.h"
 #include "base/folder.h"
 #include "base/interrupt.h"

@@ -5,7 +5,7 @@
 
 #include "asm/command/session.h"
 #include "asm/compare/compared.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 struct compare_arguments {
     struct shared_arguments shared;

@@ -10,7 +10,7 @@
 #include "asm/view/state.h"
 #include "asm/view/trap_report.h"
 #include "base/accounts_show.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/interrupt.h"
 #include "base/plural.h"
 

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 
 static enum message_state broken(c205_error *error, const char *what)
 {

@@ -7,6 +7,7 @@
 
 #include "asm/dap/message.h"
 #include "asm/dap/dap_internal.h"
+#include "vm/error.h"
 
 /* ---- Texts ------------------------------------------------------------------ */
 
@@ -38,7 +39,7 @@ void dap_put_said(struct dap *dap, struct json *json, const char *key)
 
 static void give_up(struct dap *dap, const char *why)
 {
-    snprintf(dap->error->message, sizeof dap->error->message, "%s", why);
+    error_set(dap->error, "%s", why);
     dap->over = dap->failed = true;
 }
 

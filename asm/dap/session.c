@@ -5,6 +5,7 @@
 
 #include "asm/dap/message.h"
 #include "asm/dap/dap_internal.h"
+#include "vm/error.h"
 
 /* ---- Requests ----------------------------------------------------------------- */
 
@@ -170,7 +171,7 @@ static bool handle_next(struct dap *dap)
     }
     text = malloc(content.length + 1);
     if (!text) {
-        snprintf(dap->error->message, sizeof dap->error->message, "out of memory");
+        error_set(dap->error, "out of memory");
         dap->over = dap->failed = true;
         return false;
     }
@@ -193,8 +194,8 @@ static void read_more(struct dap *dap)
         return;
     dap->over = true;
     dap->failed = dap->input.failed || dap->input.length > 0;
-    snprintf(dap->error->message, sizeof dap->error->message, "%s",
-             dap->input.failed ? "out of memory" : "the input ends within a message");
+    error_set(dap->error, "%s",
+              dap->input.failed ? "out of memory" : "the input ends within a message");
 }
 
 bool dap_listen(void *given)

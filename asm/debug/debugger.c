@@ -8,7 +8,7 @@
 
 #include "asm/debug/debug_internal.h"
 #include "asm/object/object_file.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/spelling.h"
 
 /* Bytes of snapshots if the setup gives no number. */

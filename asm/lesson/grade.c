@@ -10,7 +10,7 @@
 #include "asm/text/assemble.h"
 #include "asm/view/print.h"
 #include "asm/view/trap_report.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/named_model.h"
 
 /* Limits of a run, so that an endless loop ends. An answer is stopped after

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "asm/lesson/lesson_internal.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/spelling.h"
 #include "vm/text.h"
 

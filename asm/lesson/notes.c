@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "asm/lesson/lesson_internal.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/spelling.h"
 
 /* A note under examination: its text is from at to end. */

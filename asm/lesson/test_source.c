@@ -5,7 +5,7 @@
 #include "asm/check/expect.h"
 #include "asm/lesson/lesson_internal.h"
 #include "asm/text/assemble.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/named_model.h"
 
 const char *lesson_wanted(const char *label)

@@ -10,7 +10,7 @@
 #include "asm/measure/straight_line.h"
 #include "asm/object/syntax.h"
 #include "asm/text/assemble.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 const char measure_triad[] = "TRIAD";
 

@@ -9,7 +9,7 @@
 #include "asm/object/address_space.h"
 #include "asm/object/expectation.h"
 #include "base/atomic_file.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/text_file.h"
 
 const char *expectation_name(enum expectation_kind kind)

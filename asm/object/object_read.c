@@ -8,7 +8,7 @@
 #include "asm/object/expectation.h"
 #include "asm/object/object_file.h"
 #include "asm/object/storage.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 struct object_reader {
     struct storage *storage;

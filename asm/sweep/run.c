@@ -8,7 +8,7 @@
 #include "asm/sweep/swept.h"
 #include "base/accounts.h"
 #include "base/array.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 /* ---- One run --------------------------------------------------------------- */
 
@@ -129,7 +129,7 @@ static bool run_at(struct program_sweep *sweep, int which, uint64_t value,
     object_free(object);
     sweep->done += value;
     if (!goes_on(sweep)) {
-        snprintf(reason.message, sizeof reason.message, "interrupted");
+        error_set(&reason, "interrupted");
         good = false;
     }
     if (!good)

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "asm/timeline/timeline.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/file.h"
 #include "base/atomic_file.h"
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "base/atomic_file.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/file.h"
 
 static void set_path_error(c205_error *error, const char *action, const char *path,

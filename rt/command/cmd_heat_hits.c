@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/plural.h"
 #include "base/provenance.h"
 #include "rt/command/cmd_heat.h"

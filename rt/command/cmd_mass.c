@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/plural.h"
 #include "base/provenance.h"
 #include "rt/command/session.h"

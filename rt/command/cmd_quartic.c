@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "base/diagnostic.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/plural.h"
 #include "base/provenance.h"
 #include "rt/command/session.h"

@@ -4,7 +4,7 @@
 
 #include "asm/command/repl.h"
 #include "base/accounts_show.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/interrupt.h"
 #include "base/plural.h"
 #include "base/provenance.h"

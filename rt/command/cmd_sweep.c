@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/file.h"
 #include "base/outputs.h"
 #include "base/provenance.h"

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "asm/timeline/timeline.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/plural.h"
 #include "rt/command/session.h"
 #include "rt/view/pixel_clocks.h"

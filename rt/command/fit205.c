@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/command_options.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/study/fit/objective.h"
 #include "rt/study/fit/fit_report.h"
 #include "rt/study/fit/model_writer.h"

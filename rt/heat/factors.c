@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/fnv_hash.h"
 #include "rt/heat/packet.h"
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/layout/single_run.h"
 #include "rt/scene/vector3.h"
 #include "rt/shapes/primitive.h"

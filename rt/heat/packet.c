@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/layout/single_run.h"
 #include "rt/trace/form.h"
 

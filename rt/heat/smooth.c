@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/layout/single_run.h"
 #include "rt/trace/form.h"
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 
 static bool is_emissivity(double value)
 {

@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "base/array.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/fnv_hash.h"
 #include "rt/platform/processes.h"
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/fnv_hash.h"
 #include "base/plural.h"
 #include "rt/platform/threads.h"

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/platform/dynamic_library.h"
 
 bool ranks_are_many(void)

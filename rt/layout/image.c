@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 static bool add(struct image *image, struct image_block block)
 {

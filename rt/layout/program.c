@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/shapes/kernels.h"
 
 struct object *program_assemble(const char *kernel, const struct asm_define *defines,

@@ -3,11 +3,11 @@
 
 #include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "rt/layout/program.h"
+#include "vm/error.h"
 
 void layout_fail(struct record_layout *layout, const char *format, ...)
 {
@@ -17,7 +17,7 @@ void layout_fail(struct record_layout *layout, const char *format, ...)
         return;
     layout->failed = true;
     va_start(arguments, format);
-    vsnprintf(layout->error->message, sizeof layout->error->message, format, arguments);
+    error_set_list(layout->error, format, arguments);
     va_end(arguments);
 }
 

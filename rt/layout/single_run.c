@@ -1,7 +1,7 @@
 /* single_run.c - runs a program once on a machine of its own. */
 #include "rt/layout/single_run.h"
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/layout/program.h"
 
 void single_run_begin(struct single_run *run, const struct object *program,

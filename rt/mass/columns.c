@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/fnv_hash.h"
 #include "rt/jobs/job_set.h"
 #include "rt/layout/bounds.h"
@@ -29,12 +29,11 @@ const char *columns_stage_name(enum columns_stage stage)
 static bool join_box(const struct bound *bound, const struct region *region,
                      double low[3], double high[3], c205_error *error)
 {
-    if (bound_is_none(bound)) {
+    if (bound_is_none(bound))
         return error_set(error,
                          "the solid of line %zu has unknown bounds: its volume "
                          "cannot be computed",
                          region->line);
-    }
     for (int i = 0; i < 3; i++) {
         low[i] = fmin(low[i], bound->low[i]);
         high[i] = fmax(high[i], bound->high[i]);

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 
 static bool is_density(double value)
 {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/jobs/job_set.h"
 #include "rt/mass/bodies.h"
 #include "rt/mass/densities.h"

@@ -6,6 +6,7 @@
 #include "base/atomic_file.h"
 #include "rt/platform/dynamic_library.h"
 #include "rt/platform/threads.h"
+#include "vm/error.h"
 
 #include <errno.h>
 #include <math.h>
@@ -464,6 +465,5 @@ bool picture_read_raster(const char *format, const char *bytes, size_t length,
     const struct picture_adapter *files = adapter(&cause);
     if (files)
         return files->read_raster(format, bytes, length, raster, error);
-    snprintf(error->message, sizeof error->message, "%s", cause.message);
-    return false;
+    return error_set(error, "%s", cause.message);
 }

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 
 /* The installation folder, relative to the program's folder. */
 #define FROM_BIN "/../lib/rt205"

@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/platform/threads.h"
 
 /* The resolution of the common progress. */

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/plural.h"
 #include "rt/layout/program.h"
 
@@ -59,9 +59,8 @@ static bool read_symbol(const struct root_search *search, const char *name,
 {
     const struct asm_symbol *symbol = object_symbol(search->program, name);
 
-    if (!symbol) {
+    if (!symbol)
         return error_set(error, "the program has no symbol %s", name);
-    }
     *value = (uint64_t)symbol->value;
     return true;
 }

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/text_file.h"
 #include "base/visible_text.h"
 

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/plural.h"
 
 /* ---- Kinds --------------------------------------------------------------- */

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/shapes/shape.h"
 #include "rt/platform/thread_pool.h"
 

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/provenance.h"
 #include "rt/scene/language/scene_read.h"
 #include "rt/platform/thread_pool.h"

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 
 static const struct table_column columns[] = {
     { "step", "step", TABLE_TEXT, 0 },

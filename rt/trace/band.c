@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/platform/threads.h"
 #include "rt/layout/program.h"
 

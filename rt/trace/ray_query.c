@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/jobs/job_set.h"
 #include "rt/layout/program.h"
 #include "rt/layout/trees.h"

@@ -10,7 +10,7 @@
 #include "rt/platform/threads.h"
 #include "rt/trace/band_words.h"
 #include "rt/trace/form.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/fnv_hash.h"
 #include "base/plural.h"
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 
 enum { CONTROL_WORDS = 65536 / 64 + 1 };
 

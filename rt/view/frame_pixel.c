@@ -1,7 +1,7 @@
 /* frame_pixel.c - locates a pixel of a frame in the machine of its band. */
 #include "rt/view/frame_pixel.h"
 
-#include "base/error.h"
+#include "vm/error.h"
 
 bool frame_pixel_find(struct frame_pixel *pixel, const struct trace *trace, size_t x,
                       size_t y, c205_error *error)

@@ -2,7 +2,7 @@
 #include "rt/view/frame_profile.h"
 
 
-#include "base/error.h"
+#include "vm/error.h"
 
 static void *begin(void *context, const struct object *program, c205_error *error)
 {

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/layout/program.h"
 #include "rt/view/pixel_rays.h"
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "asm/view/word_text.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/view/pixel_rays.h"
 
 c205 *pixel_machine(void *context, c205_error *error)

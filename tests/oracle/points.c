@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/layout/program.h"
 
 /* ---- By the definition --------------------------------------------------- */

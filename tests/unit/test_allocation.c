@@ -5,7 +5,7 @@
  * The program is linked with --wrap, so that allocations of the libraries are counted
  * too.
  */
-#include "base/error.h"
+#include "vm/error.h"
 #include "tests/unit/asm_helper.h"
 
 #include <errno.h>

@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "tests/random.h"
 #include "tests/unit/unit.h"
 

@@ -4,7 +4,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/platform/thread_pool.h"
 #include "rt/platform/processors.h"
 #include "tests/random.h"

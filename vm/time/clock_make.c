@@ -2,8 +2,8 @@
  * model.
  */
 #include "vm/time/schedule.h"
+#include "vm/error.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -66,8 +66,7 @@ struct clock *clock_new(const c205_model *model, c205_error *error)
         clock_reset(clock);
         return clock;
     }
-    snprintf(error->message, sizeof error->message,
-             "out of memory for the machine's clock");
+    error_set(error, "out of memory for the machine's clock");
     clock_free(clock);
     return NULL;
 }
@@ -87,12 +86,9 @@ void clock_free(struct clock *clock)
 bool clock_set_regions(struct clock *clock, const char *const *names, size_t count,
                        c205_error *error)
 {
-    if (!accounts_open(&clock->accounts, names, count)) {
-        snprintf(error->message, sizeof error->message,
-                 "out of memory for the accounts of %zu region%s", count,
-                 count == 1 ? "" : "s");
-        return false;
-    }
+    if (!accounts_open(&clock->accounts, names, count))
+        return error_set(error, "out of memory for the accounts of %zu region%s", count,
+                         count == 1 ? "" : "s");
     clock->generation++; /* the schedules point to accounts that no longer exist */
     clock_reset(clock);
     return true;

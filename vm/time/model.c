@@ -2,6 +2,7 @@
  * sources.
  */
 #include "vm/time/model_parts.h"
+#include "vm/error.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -46,7 +47,7 @@ static bool fail(struct model_reader *reader, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(reader->error->message, sizeof reader->error->message, format, arguments);
+    error_set_list(reader->error, format, arguments);
     va_end(arguments);
     reader->place.column = (unsigned)(reader->at - reader->line) + 1;
     return false;
@@ -107,21 +108,13 @@ static bool read_millionths(const char *text, uint64_t *millionths)
 
 /* ---- Checks of constants ------------------------------------------------ */
 
-static bool refuse(c205_error *error, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(error->message, sizeof error->message, format, arguments);
-    va_end(arguments);
-    return false;
-}
-
 bool model_check_whole(const struct rule *rule, const char *text, uint64_t millionths,
                        c205_error *error)
 {
     bool whole = rule->kind == WHOLE || rule->kind == PAGE;
     return !whole || millionths % MILLION == 0
-           || refuse(error, "%s must be a whole number, not %.20s", rule->name, text);
+           || error_set(error, "%s must be a whole number, not %.20s", rule->name,
+                        text);
 }
 
 /* Page sizes: small pages (source R), large pages (P). */
@@ -132,8 +125,8 @@ static bool check_page(const struct rule *rule, const char *text, uint64_t milli
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
         if (millionths == sizes[i] * MILLION)
             return true;
-    return refuse(error, "%s must be 512, 2048, 8192 or 65536, not %.20s", rule->name,
-                  text);
+    return error_set(error, "%s must be 512, 2048, 8192 or 65536, not %.20s",
+                     rule->name, text);
 }
 
 bool model_check_range(const struct rule *rule, const char *text, uint64_t millionths,
@@ -142,8 +135,8 @@ bool model_check_range(const struct rule *rule, const char *text, uint64_t milli
     if (rule->kind == PAGE)
         return check_page(rule, text, millionths, error);
     return (millionths >= rule->least * MILLION && millionths <= rule->most * MILLION)
-           || refuse(error, "%s must be between %lu and %lu", rule->name,
-                     (unsigned long)rule->least, (unsigned long)rule->most);
+           || error_set(error, "%s must be between %lu and %lu", rule->name,
+                        (unsigned long)rule->least, (unsigned long)rule->most);
 }
 
 bool model_check_together(const c205_model *model, c205_error *error)
@@ -151,8 +144,8 @@ bool model_check_together(const c205_model *model, c205_error *error)
     return c205_model_is_projection(model)
            || model_whole(model, CONSTANT_WORD_RATE)
                   <= model_whole(model, CONSTANT_HALF_RATE)
-           || refuse(error, "vector.word_rate must not be more than "
-                            "vector.half_rate");
+           || error_set(error, "vector.word_rate must not be more than "
+                               "vector.half_rate");
 }
 
 static bool check_value(struct model_reader *reader, const struct rule *rule,
@@ -359,8 +352,7 @@ static bool read_model(c205_model *model, c205_place *place, c205_error *error)
 
 void *model_out_of_memory(c205_error *error)
 {
-    snprintf(error->message, sizeof error->message,
-             "out of memory for a machine model");
+    error_set(error, "out of memory for a machine model");
     return NULL;
 }
 
@@ -380,7 +372,7 @@ static char *copy_plain(const char *text, c205_error *error)
         return model_out_of_memory(error);
     if (!fault)
         return copy;
-    snprintf(error->message, sizeof error->message, "%s", fault);
+    error_set(error, "%s", fault);
     free(copy);
     return NULL;
 }
@@ -409,8 +401,7 @@ c205_model *c205_model_parse(const char *name, const char *text, c205_error *err
     c205_place place;
     c205_model *model = c205_model_read(name, text, &place, &why);
     if (!model && place.line)
-        snprintf(error->message, sizeof error->message, "%.80s:%u: %.160s", name,
-                 place.line, why.message);
+        error_set(error, "%.80s:%u: %.160s", name, place.line, why.message);
     else if (!model)
         *error = why;
     return model;

@@ -1,5 +1,6 @@
 /* model_change.c - copies a model with some of its constants changed. */
 #include "vm/time/model_parts.h"
+#include "vm/error.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -47,11 +48,8 @@ static bool set_value(c205_model *model, const c205_setting *setting, bool whole
 {
     uint64_t millionths = millionths_of(setting->value);
     size_t i;
-    if (!model_find_rule(model, setting->name, &i)) {
-        snprintf(error->message, sizeof error->message, "unknown constant '%.60s'",
-                 setting->name);
-        return false;
-    }
+    if (!model_find_rule(model, setting->name, &i))
+        return error_set(error, "unknown constant '%.60s'", setting->name);
     write_value(setting->value, text);
     if (!check_value(&model->rules[i], text, millionths, whole, error))
         return false;

@@ -1,5 +1,6 @@
 /* model_find.c - loads machine models: built-in ones by name, others from files. */
 #include "vm/time/model_parts.h"
+#include "vm/error.h"
 #include "vm/text.h"
 
 #include <errno.h>
@@ -56,8 +57,7 @@ static char *read_file(const char *path, c205_error *error)
     if (!fault)
         return text;
     free(text);
-    snprintf(error->message, sizeof error->message,
-             "cannot read the machine model %.160s: %s", path, fault);
+    error_set(error, "cannot read the machine model %.160s: %s", path, fault);
     return NULL;
 }
 
@@ -68,8 +68,7 @@ static char *built_in_text(const char *name, c205_error *error)
             char *text = join_lines(model_texts[i].lines);
             return text ? text : model_out_of_memory(error);
         }
-    snprintf(error->message, sizeof error->message, "unknown machine model '%.100s'",
-             name);
+    error_set(error, "unknown machine model '%.100s'", name);
     return NULL;
 }
 

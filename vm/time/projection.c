@@ -1,9 +1,9 @@
 /* projection.c - charges scalar instructions with the times of another machine. */
 #include "vm/min_max.h"
+#include "vm/error.h"
 #include "vm/time/projection.h"
 #include "vm/time/model.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -90,7 +90,7 @@ c205_projection *c205_projection_new(const c205_model *model, c205_error *error)
         read_constants(projection, model);
         return projection;
     }
-    snprintf(error->message, sizeof error->message, "%s", wrong);
+    error_set(error, "%s", wrong);
     free(projection);
     return NULL;
 }
@@ -264,8 +264,7 @@ uint64_t projection_strangers(const c205_projection *projection, size_t region)
 bool projection_complete(const c205_projection *projection, c205_error *error)
 {
     if (projection->no_memory)
-        snprintf(error->message, sizeof error->message,
-                 "out of memory for the accounts of a projection");
+        error_set(error, "out of memory for the accounts of a projection");
     return !projection->no_memory;
 }
 
@@ -275,8 +274,7 @@ bool c205_projection_holds(const c205_projection *projection, c205_error *error)
     for (size_t i = 0; i < projection->regions; i++)
         strangers += projection_strangers(projection, i);
     if (strangers)
-        snprintf(error->message, sizeof error->message,
-                 "%llu vector instruction%s cannot be projected",
-                 (unsigned long long)strangers, strangers == 1 ? "" : "s");
+        error_set(error, "%llu vector instruction%s cannot be projected",
+                  (unsigned long long)strangers, strangers == 1 ? "" : "s");
     return projection_complete(projection, error) && strangers == 0;
 }

@@ -5,12 +5,12 @@
  * words of its effect in the order of the flags.
  */
 #include "vm/time/recording.h"
+#include "vm/error.h"
 #include "vm/time/clock.h"
 #include "vm/time/model.h"
 #include "vm/time/projection.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -45,8 +45,7 @@ c205_recording *c205_recording_new(c205_error *error)
 {
     c205_recording *recording = calloc(1, sizeof *recording);
     if (!recording)
-        snprintf(error->message, sizeof error->message,
-                 "out of memory for a recording");
+        error_set(error, "out of memory for a recording");
     return recording;
 }
 
@@ -248,8 +247,7 @@ static bool retime_machine(const c205_recording *recording, const c205_model *mo
     const char **names = malloc((recording->regions + 1) * sizeof *names);
     bool good = player.clock && names;
     if (player.clock && !names)
-        snprintf(error->message, sizeof error->message,
-                 "out of memory while a recording is played");
+        error_set(error, "out of memory while a recording is played");
     for (size_t i = 0; good && i <= recording->regions; i++)
         names[i] = "";
     good = good
@@ -287,8 +285,7 @@ bool c205_retime(const c205_recording *recording, const c205_model *model,
     c205_model *changed = model_in_ticks(model, settings, count, ticks, error);
     bool good = changed;
     if (good && recording->no_memory) {
-        snprintf(error->message, sizeof error->message,
-                 "out of memory while the run is recorded");
+        error_set(error, "out of memory while the run is recorded");
         good = false;
     }
     if (good && c205_model_is_projection(model))

@@ -13,10 +13,10 @@
 #include "asm/measure/line_profile.h"
 #include "asm/text/assemble.h"
 #include "asm/timeline/timeline.h"
-#include "base/error.h"
 #include "base/json.h"
 #include "base/json_read.h"
 #include "base/table.h"
+#include "vm/error.h"
 #include "web/engine/engine.h"
 
 /* ---- A slice of work ------------------------------------------------------- */

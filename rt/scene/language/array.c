@@ -1,6 +1,6 @@
 /* array.c - arrays of values. */
 #include "rt/scene/language/value.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* deduplicated_warnings.c - records warnings by value, and reports them by cause. */
 #include "rt/scene/language/deduplicated_warnings.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 #include "base/fnv_hash.h"
 

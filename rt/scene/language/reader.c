@@ -1,6 +1,6 @@
 /* reader.c - reports of the parser, and the basic operations on its tokens. */
 #include "rt/scene/language/reader.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* scene_source.c - finds and reads the files of a scene. */
 #include "rt/scene/language/scene_source.h"
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/other_case.h"
 #include "base/sink.h"
 #include "base/text_file.h"

@@ -1,6 +1,6 @@
 /* symbol.c - the symbol table, a hash table with chains. */
 #include "rt/scene/language/symbol.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 #include "base/fnv_hash.h"
 

@@ -1,6 +1,6 @@
 /* token.c - the lexer. */
 #include "rt/scene/language/token.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* constants.c - reads the constants that the fit may change. */
 #include "rt/study/fit/constants.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 #include <stdio.h>
 #include <stdlib.h>

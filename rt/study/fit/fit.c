@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/platform/threads.h"
 #include "rt/study/fit/ceres_fit.h"
 

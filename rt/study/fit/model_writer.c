@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/atomic_file.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 /* ---- The constants ------------------------------------------------------ */
 

@@ -2,7 +2,7 @@
 #include "rt/study/fit/observations.h"
 
 #include "base/array.h"
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/named_model.h"
 
 #include <math.h>

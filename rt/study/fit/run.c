@@ -1,6 +1,6 @@
 /* run.c - runs programs once and times them again with other constants. */
 #include "rt/study/fit/run.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 
 typedef double region_clocks[MAX_RUN_REGIONS];
 

@@ -4,7 +4,7 @@
 #include <errno.h>
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/platform/processes.h"
 
 static bool fail(c205_error *error, const char *what, const char *why)

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "base/atomic_file.h"
 #include "rt/study/plot/gnuplot.h"
 #include "rt/study/plot/script.h"

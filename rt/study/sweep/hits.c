@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/scene/elementary.h"
 #include "rt/study/sweep/sweep_types.h"
 #include "vm/min_max.h"

@@ -6,7 +6,7 @@
  */
 #include <stdlib.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/study/sweep/sweep_types.h"
 
 /* If the crossover is at a longer queue, the lengths before it are not measured

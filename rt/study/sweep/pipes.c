@@ -1,7 +1,7 @@
 /* pipes.c - sweeps the number of pipes, and operands of 32 bits. */
 #include <math.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/study/sweep/sweep_types.h"
 
 /* The machines, from the slowest on, in the order of the table. */

@@ -1,7 +1,7 @@
 /* queue.c - sweeps the length of the queue of a whole frame. */
 #include <math.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "rt/study/sweep/sweep_types.h"
 
 /* A band must contain the queue, or the queue would never be full. A queue that is

@@ -1,6 +1,6 @@
 /* sweep.c - measures the points of a sweep. */
 #include "rt/study/sweep/sweep.h"
-#include "base/error.h"
+#include "vm/error.h"
 
 #include <stdlib.h>
 #include <string.h>

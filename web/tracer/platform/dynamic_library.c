@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 #include "web/tracer/platform/png.h"
 
 bool dynamic_find(const char *file, char path[ADAPTER_PATH], c205_error *error)

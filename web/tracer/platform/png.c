@@ -7,7 +7,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "base/error.h"
+#include "vm/error.h"
 
 enum {
     COLORS = 3,

@@ -1,14 +1,19 @@
 /* error.h - formats error messages. */
-#ifndef BASE_ERROR_H
-#define BASE_ERROR_H
+#ifndef C205_ERROR_H
+#define C205_ERROR_H
 
 #include "vm/c205.h"
 
-#include <stdbool.h>
+#include <stdarg.h>
 
 /* Formats a message like printf, cut to the size of the buffer. Always returns
  * false. */
-bool error_set(c205_error *error, const char *format, ...);
+bool error_set(c205_error *error, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+bool error_set_list(c205_error *error, const char *format, va_list arguments);
 
 /* The digits of a macro, for a message about a limit: "at most " LIMIT_TEXT(MAX). */
 #define LIMIT_TEXT(macro) LIMIT_DIGITS(macro)
