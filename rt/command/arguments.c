@@ -48,7 +48,7 @@ int cmd_print_share(const char *command, const struct job_set *job_set, size_t u
 
 int cmd_check_picture(const struct shared_arguments *shared)
 {
-    struct picture_error why;
+    c205_error why;
 
     if (!shared->output || picture_check_path(shared->output, &why))
         return CMD_DONE;

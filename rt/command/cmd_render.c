@@ -26,18 +26,18 @@ struct render_arguments {
 };
 
 static bool write_rows(const struct trace_options *options, const struct trace *trace,
-                       struct picture *picture, struct picture_error *why)
+                       struct picture *picture, c205_error *error)
 {
     struct frame part;
     size_t rows = options->height < PICTURE_PART ? options->height : PICTURE_PART;
     bool good = frame_allocate(&part, options->width, rows);
 
-    snprintf(why->message, sizeof why->message, "out of memory for the picture");
+    error_set(error, "out of memory for the picture");
     for (size_t row = 0; good && row < options->height; row += PICTURE_PART) {
         if (options->height - row < PICTURE_PART)
             part.height = options->height - row;
         trace_read(trace, row, &part);
-        good = picture_rows(picture, &part, why);
+        good = picture_rows(picture, &part, error);
     }
     frame_free(&part);
     return good;
@@ -50,7 +50,6 @@ static bool write_picture(const struct render_arguments *args,
     bool whole = trace_rows_done(trace) == args->shared.trace.height;
     const struct trace_options *options = &args->shared.trace;
     struct picture *picture;
-    struct picture_error why;
     char clocks[32], rows[48];
     const struct picture_note notes[] = {
         { "Software", "rt205 " C205_VERSION },
@@ -67,12 +66,9 @@ static bool write_picture(const struct render_arguments *args,
     snprintf(rows, sizeof rows, "%zu of %zu", trace_rows_done(trace),
              args->shared.trace.height);
     picture = picture_begin(args->shared.output, options->width, options->height, notes,
-                            args->half, NULL, &why);
-    good = picture && write_rows(options, trace, picture, &why);
-    good = picture && picture_end(picture, good, &why);
-    if (!good)
-        error_set(error, "%s", why.message);
-    return good;
+                            args->half, NULL, error);
+    good = picture && write_rows(options, trace, picture, error);
+    return picture && picture_end(picture, good, error);
 }
 
 /* ---- Report of a frame --------------------------------------------------- */
@@ -318,16 +314,14 @@ static int end_early(const struct render_arguments *args, const struct trace *tr
 static bool prepare(const struct render_arguments *args, struct trace *trace,
                     struct picture_loader **loader, c205_error *error)
 {
-    struct picture_error why;
-
     if (!trace_keep(trace, error))
         return false;
     if (args->jobs.resume.count > 0)
         print_kept(args, trace);
     if (!args->shared.output)
         return true;
-    *loader = picture_load(&why);
-    return *loader || error_set(error, "%s", why.message);
+    *loader = picture_load(error);
+    return *loader;
 }
 
 /* Writes the picture and prints the results of a frame. */

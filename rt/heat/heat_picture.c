@@ -234,13 +234,11 @@ static bool write_frame(const struct heat_drawing *drawing, struct frame *frame)
         { "rt205:clocks", clocks },
         { NULL, NULL },
     };
-    struct picture_error why;
 
     snprintf(range, sizeof range, "%s from %g to %g%s", heat_shown_name(look->shown),
              drawing->drawn->least, drawing->drawn->most, heat_shown_unit(look->shown));
     snprintf(clocks, sizeof clocks, "%llu", (unsigned long long)drawing->drawn->clocks);
-    return picture_write(look->path, frame, notes, false, &why)
-           || error_set(drawing->error, "%s", why.message);
+    return picture_write(look->path, frame, notes, false, drawing->error);
 }
 
 static bool read_and_write(const struct heat_drawing *drawing,

@@ -10,7 +10,6 @@
 
 #include <errno.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,16 +17,6 @@
 #include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-
-static bool fail(struct picture_error *error, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(error->message, sizeof error->message, format, arguments);
-    va_end(arguments);
-    return false;
-}
 
 /* ---- Kinds of files ------------------------------------------------------- */
 
@@ -159,24 +148,29 @@ static void separate(const struct picture_image *image, const struct frame *fram
 
 /* ---- The adapter ---------------------------------------------------------- */
 
-static bool adapter_path(char path[ADAPTER_PATH], struct picture_error *error)
+/* Prefixes the message with a path or a subject. */
+static bool fail_at(const char *path, c205_error *error)
 {
-    c205_error cause;
-    return dynamic_find(PICTURE_ADAPTER_FILE, path, &cause)
-           || fail(error, "pictures: %s", cause.message);
+    c205_error cause = *error;
+    return error_set(error, "%s: %s", path, cause.message);
+}
+
+static bool adapter_path(char path[ADAPTER_PATH], c205_error *error)
+{
+    return dynamic_find(PICTURE_ADAPTER_FILE, path, error)
+           || fail_at("pictures", error);
 }
 
 /* Returns the adapter. It is opened at the first call and stays open, because the
  * library cannot be closed safely. */
-static const struct picture_adapter *adapter(struct picture_error *error)
+static const struct picture_adapter *adapter(c205_error *error)
 {
     char path[ADAPTER_PATH];
     if (!adapter_path(path, error))
         return NULL;
-    c205_error cause;
-    const void *table = dynamic_open(path, PICTURE_ADAPTER_SYMBOL, false, &cause);
+    const void *table = dynamic_open(path, PICTURE_ADAPTER_SYMBOL, false, error);
     if (!table)
-        fail(error, "pictures: %s", cause.message);
+        fail_at("pictures", error);
     return table;
 }
 
@@ -187,19 +181,19 @@ struct picture_loader {
 
 static void load(void *context)
 {
-    struct picture_error error;
+    c205_error error;
     (void)context;
     adapter(&error); /* the functions that write open it again and report errors */
 }
 
-struct picture_loader *picture_load(struct picture_error *error)
+struct picture_loader *picture_load(c205_error *error)
 {
     char path[ADAPTER_PATH];
     if (!adapter_path(path, error))
         return NULL;
     struct picture_loader *loader = calloc(1, sizeof *loader);
     if (!loader)
-        fail(error, "out of memory");
+        error_set(error, "out of memory");
     else
         loader->thread = thread_begin(load, NULL);
     return loader;
@@ -214,10 +208,11 @@ void picture_loaded(struct picture_loader *loader)
 
 /* ---- Paths ---------------------------------------------------------------- */
 
-static bool fail_ending(const char *path, struct picture_error *error)
+static bool fail_ending(const char *path, c205_error *error)
 {
-    return fail(error, "%s: the name of a picture must end in .png, .jpg, .exr or .tif",
-                path);
+    return error_set(error,
+                     "%s: the name of a picture must end in .png, .jpg, .exr or .tif",
+                     path);
 }
 
 bool picture_is_named(const char *path)
@@ -231,15 +226,14 @@ bool picture_holds_half(const char *path)
     return kind && kind->half;
 }
 
-bool picture_check_path(const char *path, struct picture_error *error)
+bool picture_check_path(const char *path, c205_error *error)
 {
     struct stat status;
     if (!kind_of(path))
         return fail_ending(path, error);
     if (!file_is_stream(path) && stat(path, &status) == 0 && !S_ISREG(status.st_mode))
-        return fail(error, "%s is not a regular file", path);
-    c205_error cause;
-    return atomic_file_check(path, &cause) || fail(error, "%s", cause.message);
+        return error_set(error, "%s is not a regular file", path);
+    return atomic_file_check(path, error);
 }
 
 /* ---- Writing and reading -------------------------------------------------- */
@@ -263,30 +257,20 @@ struct picture {
     size_t rows;   /* number of rows written */
 };
 
-static bool fail_at(const char *path, const struct picture_error *cause,
-                    struct picture_error *error)
-{
-    char message[sizeof cause->message];
-    snprintf(message, sizeof message, "%s", cause->message);
-    return fail(error, "%s: %s", path, message);
-}
-
 static bool open_file(struct picture *picture, const struct picture_note *notes,
-                      struct picture_error *error)
+                      c205_error *error)
 {
-    struct picture_error why;
-    c205_error cause;
     const char *path = picture->path;
     picture->files = adapter(error);
     if (!picture->files)
         return false;
-    picture->whole = atomic_file_open(path, &cause);
+    picture->whole = atomic_file_open(path, error);
     if (!picture->whole)
-        return fail(error, "%s", cause.message);
+        return false;
     const char *name = file_is_stream(path) ? stream_name : path;
     picture->writing = picture->files->begin(name, &picture->image, notes,
-                                             picture->whole->file, &why);
-    return picture->writing || fail_at(path, &why, error);
+                                             picture->whole->file, error);
+    return picture->writing || fail_at(path, error);
 }
 
 static char *copy_of(const char *text)
@@ -318,13 +302,13 @@ static void free_picture(struct picture *picture)
 
 struct picture *picture_begin(const char *path, size_t width, size_t height,
                               const struct picture_note *notes, bool half,
-                              const char *layer, struct picture_error *error)
+                              const char *layer, c205_error *error)
 {
     if (!picture_check_path(path, error))
         return NULL;
     const struct picture_kind *kind = kind_of(path);
     struct picture *picture = calloc(1, sizeof *picture);
-    fail(error, "out of memory");
+    error_set(error, "out of memory");
     if (picture) {
         picture->path = copy_of(path);
         picture->layer = copy_of(layer);
@@ -345,37 +329,35 @@ struct picture *picture_begin(const char *path, size_t width, size_t height,
     return NULL;
 }
 
-bool picture_rows(struct picture *picture, const struct frame *part,
-                  struct picture_error *error)
+bool picture_rows(struct picture *picture, const struct frame *part, c205_error *error)
 {
     const struct picture_image *image = &picture->image;
-    struct picture_error why;
     size_t first = picture->rows, last = first + part->height;
     if (part->width != image->width || last > image->height)
-        return fail(error, "%s: the rows are outside of the picture", picture->path);
+        return error_set(error, "%s: the rows are outside of the picture",
+                         picture->path);
     float *samples = malloc(part->width * part->height * image->channels
                             * sizeof *samples);
     if (!samples)
-        return fail(error, "out of memory");
+        return error_set(error, "out of memory");
     interleave(part, image, samples);
-    bool good = picture->files->rows(picture->writing, first, last, samples, &why);
+    bool good = picture->files->rows(picture->writing, first, last, samples, error);
     free(samples);
     picture->rows = last;
-    return good || fail_at(picture->path, &why, error);
+    return good || fail_at(picture->path, error);
 }
 
-bool picture_end(struct picture *picture, bool good, struct picture_error *error)
+bool picture_end(struct picture *picture, bool good, c205_error *error)
 {
-    struct picture_error why = { "its last rows are missing" };
-    c205_error cause;
+    c205_error why = { "its last rows are missing" };
     bool whole = good && picture->rows == picture->image.height;
     bool ended = picture->files->end(picture->writing, whole, &why) && whole;
     if (!ended) {
         atomic_file_discard(picture->whole);
         if (good)
-            fail_at(picture->path, &why, error);
-    } else if (!atomic_file_commit(picture->whole, &cause)) {
-        ended = fail(error, "%s", cause.message);
+            error_set(error, "%s: %s", picture->path, why.message);
+    } else {
+        ended = atomic_file_commit(picture->whole, error);
     }
     free_picture(picture);
     return ended;
@@ -396,8 +378,7 @@ static struct frame part_of(const struct frame *frame, size_t first)
 }
 
 bool picture_write(const char *path, const struct frame *frame,
-                   const struct picture_note *notes, bool half,
-                   struct picture_error *error)
+                   const struct picture_note *notes, bool half, c205_error *error)
 {
     struct picture *picture = picture_begin(path, frame->width, frame->height, notes,
                                             half, frame->layer, error);
@@ -411,9 +392,8 @@ bool picture_write(const char *path, const struct frame *frame,
 
 /* The layer may be NULL. */
 static bool read_frame(const char *path, const char *layer, struct frame *frame,
-                       struct picture_error *error)
+                       c205_error *error)
 {
-    struct picture_error cause;
     const char *names[FRAME_CHANNELS + 1];
     struct picture_image image = { .channels = FRAME_CHANNELS + (layer != NULL),
                                    .names = names };
@@ -423,8 +403,8 @@ static bool read_frame(const char *path, const char *layer, struct frame *frame,
     memset(frame, 0, sizeof *frame);
     if (!files)
         return false;
-    if (!files->read(path, &image, &cause))
-        return fail(error, "%s: %s", path, cause.message);
+    if (!files->read(path, &image, error))
+        return fail_at(path, error);
     bool good = frame_allocate(frame, image.width, image.height);
     frame->layer = layer;
     if (good && layer)
@@ -433,37 +413,32 @@ static bool read_frame(const char *path, const char *layer, struct frame *frame,
     if (good)
         separate(&image, frame);
     free(image.samples);
-    return good || fail(error, "out of memory");
+    return good || error_set(error, "out of memory");
 }
 
-bool picture_read(const char *path, struct frame *frame, struct picture_error *error)
+bool picture_read(const char *path, struct frame *frame, c205_error *error)
 {
     return read_frame(path, NULL, frame, error);
 }
 
 bool picture_read_layer(const char *path, const char *layer, struct frame *frame,
-                        struct picture_error *error)
+                        c205_error *error)
 {
     return read_frame(path, layer, frame, error);
 }
 
 bool picture_read_note(const char *path, const char *name, char *text, size_t size,
-                       struct picture_error *error)
+                       c205_error *error)
 {
-    struct picture_error cause;
     const struct picture_adapter *files = adapter(error);
     if (!files)
         return false;
-    return files->read_note(path, name, text, size, &cause)
-           || fail(error, "%s: %s", path, cause.message);
+    return files->read_note(path, name, text, size, error) || fail_at(path, error);
 }
 
 bool picture_read_raster(const char *format, const char *bytes, size_t length,
                          struct raster *raster, c205_error *error)
 {
-    struct picture_error cause;
-    const struct picture_adapter *files = adapter(&cause);
-    if (files)
-        return files->read_raster(format, bytes, length, raster, error);
-    return error_set(error, "%s", cause.message);
+    const struct picture_adapter *files = adapter(error);
+    return files && files->read_raster(format, bytes, length, raster, error);
 }

@@ -43,10 +43,6 @@ struct picture_note {
     const char *name, *text; /* "c205:clocks", "123456" */
 };
 
-struct picture_error {
-    char message[256];
-};
-
 /* Writes the frame, completely or not at all. notes is metadata that ends with a
  * NULL name. Each note is an attribute of its own if the kind of file has them
  * (EXR, PNG), and a line of the picture's description in all kinds. half selects
@@ -55,8 +51,7 @@ struct picture_error {
  * depend on the time of day: a picture has a date only if the environment variable
  * SOURCE_DATE_EPOCH gives one. */
 bool picture_write(const char *path, const struct frame *frame,
-                   const struct picture_note *notes, bool half,
-                   struct picture_error *error);
+                   const struct picture_note *notes, bool half, c205_error *error);
 
 /* Writes a frame in parts, from its first row on. picture_begin returns NULL with
  * the reason in the error. picture_rows adds the next rows, as many as the part
@@ -68,21 +63,20 @@ enum { PICTURE_PART = 32 };
 struct picture;
 struct picture *picture_begin(const char *path, size_t width, size_t height,
                               const struct picture_note *notes, bool half,
-                              const char *layer, struct picture_error *error);
-bool picture_rows(struct picture *picture, const struct frame *part,
-                  struct picture_error *error);
-bool picture_end(struct picture *picture, bool good, struct picture_error *error);
+                              const char *layer, c205_error *error);
+bool picture_rows(struct picture *picture, const struct frame *part, c205_error *error);
+bool picture_end(struct picture *picture, bool good, c205_error *error);
 
 /* Loads the adapter in a thread, for a picture that is written later; other
  * functions wait for it. Returns NULL if there is no adapter; any other error is
  * reported by the functions that write. picture_loaded waits for the thread, which
  * must end before the program, and frees the loader. */
-struct picture_loader *picture_load(struct picture_error *error);
+struct picture_loader *picture_load(c205_error *error);
 void picture_loaded(struct picture_loader *loader);
 
 /* Checks that the path can be written. Call it before a long frame, to reject an
  * unknown ending or a missing folder. */
-bool picture_check_path(const char *path, struct picture_error *error);
+bool picture_check_path(const char *path, c205_error *error);
 /* Returns true if the ending is that of a picture. */
 bool picture_is_named(const char *path);
 /* Returns true if a file with that ending can have 16-bit samples. */
@@ -90,17 +84,17 @@ bool picture_holds_half(const char *path);
 
 /* Reads a picture into a frame, which the caller frees. Colours become linear
  * light. Channels that the file lacks become 0. */
-bool picture_read(const char *path, struct frame *frame, struct picture_error *error);
+bool picture_read(const char *path, struct frame *frame, c205_error *error);
 
 /* Does the same with a layer, whose samples become frame->value, which the caller
  * also frees. It is 0 if the file has no layer of that name. A .tif has no names;
  * there the layer is the single plane after the channels. */
 bool picture_read_layer(const char *path, const char *layer, struct frame *frame,
-                        struct picture_error *error);
+                        c205_error *error);
 
 /* Reads the text of a note of a picture; "" if it has none. */
 bool picture_read_note(const char *path, const char *name, char *text, size_t size,
-                       struct picture_error *error);
+                       c205_error *error);
 
 /* Encodes linear light between 0 and 1 as 8-bit pictures do. Other values are
  * clipped, and NaN becomes black. */

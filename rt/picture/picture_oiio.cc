@@ -138,7 +138,7 @@ struct writing {
 };
 
 void *begin(const char *path, const picture_image *image, const picture_note *notes,
-            FILE *file, picture_error *error)
+            FILE *file, c205_error *error)
 {
     std::unique_ptr<writing> picture;
     const bool good = guarded(error, [&] {
@@ -155,7 +155,7 @@ void *begin(const char *path, const picture_image *image, const picture_note *no
 }
 
 bool rows(void *given, size_t first, size_t last, const float *samples,
-          picture_error *error)
+          c205_error *error)
 {
     auto &output = static_cast<writing *>(given)->output;
     return guarded(error, [&] {
@@ -165,10 +165,10 @@ bool rows(void *given, size_t first, size_t last, const float *samples,
     });
 }
 
-bool end(void *given, bool whole, picture_error *error)
+bool end(void *given, bool whole, c205_error *error)
 {
     std::unique_ptr<writing> picture(static_cast<writing *>(given));
-    picture_error none;
+    c205_error none;
     const bool good = guarded(whole ? error : &none, [&] {
         require(picture->output->close(), picture->output->geterror());
     });
@@ -208,7 +208,7 @@ void pick(const OIIO::ImageSpec &spec, const std::vector<float> &file,
     }
 }
 
-bool read(const char *path, picture_image *image, picture_error *error)
+bool read(const char *path, picture_image *image, c205_error *error)
 {
     image->samples = nullptr;
     const bool good = guarded(error, [&] {
@@ -235,7 +235,7 @@ bool read(const char *path, picture_image *image, picture_error *error)
 }
 
 bool read_note(const char *path, const char *name, char *text, size_t size,
-               picture_error *error)
+               c205_error *error)
 {
     return guarded(error, [&] {
         auto input = opened(path);

@@ -30,22 +30,20 @@ struct picture_adapter {
      * open and stays open. The image is described, but has no samples yet. Returns the
      * state for the next two functions. */
     void *(*begin)(const char *path, const struct picture_image *image,
-                   const struct picture_note *notes, FILE *file,
-                   struct picture_error *error);
+                   const struct picture_note *notes, FILE *file, c205_error *error);
     /* Writes the samples of rows first to last - 1. Each row is written once, in
      * order. */
     bool (*rows)(void *picture, size_t first, size_t last, const float *samples,
-                 struct picture_error *error);
+                 c205_error *error);
     /* Finishes the picture if it is complete, and frees the state in any case. */
-    bool (*end)(void *picture, bool whole, struct picture_error *error);
+    bool (*end)(void *picture, bool whole, c205_error *error);
 
     /* Reads an image. Its channels are those in image->names, in that order; channels
      * that the file lacks are 0. The caller frees image->samples. */
-    bool (*read)(const char *path, struct picture_image *image,
-                 struct picture_error *error);
+    bool (*read)(const char *path, struct picture_image *image, c205_error *error);
 
     bool (*read_note)(const char *path, const char *name, char *text, size_t size,
-                      struct picture_error *error);
+                      c205_error *error);
 
     /* Decodes an image with integer samples of 8 or 16 bits, as `most` shows, from the
      * bytes of a file. */

@@ -200,7 +200,7 @@ static bool find_edges(const char *text, const struct camera *camera, size_t num
 {
     struct povray *runs[SIDES];
     struct frame picture[SIDES];
-    struct picture_error error;
+    c205_error error;
     bool other[PIXELS], good[SIDES], all = true;
     for (int i = 0; i < SIDES; i++) {
         char what[16], *moved = text_seen_from(text, camera, sides[i][0], sides[i][1]);
@@ -267,7 +267,7 @@ static void judge_scene(const char *text, const struct scene *scene, struct povr
                         struct judgement *judgement)
 {
     struct trace *expected = traced_in(scene, random_form(0, NULL));
-    struct picture_error error;
+    c205_error error;
     struct frame ours, theirs;
     bool good = same_in_all_forms(scene, expected, seed_of(judgement->number),
                                   judgement);
@@ -289,7 +289,7 @@ static void judge_scene(const char *text, const struct scene *scene, struct povr
 static struct judgement judge(const char *text, size_t number, struct povray *run)
 {
     struct judgement judgement = { .number = number };
-    struct picture_error error;
+    c205_error error;
     struct frame theirs;
     struct scene *scene = read_text(text, &judgement);
     if (scene)

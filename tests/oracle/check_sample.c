@@ -65,7 +65,7 @@ static bool compare(const char *path, const struct trace_options *options,
     const struct antialiasing how = { options->samples, options->threshold };
     size_t pixels = frame->width * frame->height;
     bool *all = test_room(pixels);
-    struct picture_error error;
+    c205_error error;
     struct frame theirs;
     bool good = run_povray(path, frame->width, frame->height,
                            options->threshold > 0 ? &how : NULL, &theirs, &error);

@@ -264,7 +264,7 @@ static bool same_as_povray(const struct file *file, const struct frame *plain,
     const struct comparison *comparison = file->exceptions & ROUGH_POVRAY
                                               ? &roughly
                                               : &with_povray;
-    struct picture_error error;
+    c205_error error;
     struct frame povray;
     if (!run_povray(file->path, plain->width, plain->height, NULL, &povray, &error)) {
         fprintf(stderr, "%s\n", error.message);

@@ -106,7 +106,7 @@ static void begin(size_t number)
 static bool same_as_povray(size_t number, const struct frame *ours, const bool *inner,
                            char *reason)
 {
-    struct picture_error error;
+    c205_error error;
     struct frame theirs;
     if (standing_scene_kind(seed_of(number)) != STANDING_CLEAR)
         return true;

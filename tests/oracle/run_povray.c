@@ -83,7 +83,7 @@ static bool succeeded(pid_t child)
 }
 
 /* Sets the error message to the end of the log. */
-static bool fail_with_log(const struct workplace *place, struct picture_error *error)
+static bool fail_with_log(const struct workplace *place, c205_error *error)
 {
     FILE *log = fopen(place->log, "r");
     size_t length = 0;
@@ -104,7 +104,7 @@ struct povray {
 };
 
 static struct povray *begin(const char *scene, size_t width, size_t height,
-                            const struct antialiasing *how, struct picture_error *error)
+                            const struct antialiasing *how, c205_error *error)
 {
     struct povray *run = calloc(1, sizeof *run);
     if (!run || !open_workplace(&run->place)) {
@@ -122,7 +122,7 @@ static struct povray *begin(const char *scene, size_t width, size_t height,
 struct povray *povray_begin(const char *path, const char *text, size_t width,
                             size_t height)
 {
-    struct picture_error error;
+    c205_error error;
     keep_scene(path, text);
     struct povray *run = begin(path, width, height, NULL, &error);
     if (!run)
@@ -131,7 +131,7 @@ struct povray *povray_begin(const char *path, const char *text, size_t width,
     return run;
 }
 
-bool povray_end(struct povray *run, struct frame *frame, struct picture_error *error)
+bool povray_end(struct povray *run, struct frame *frame, c205_error *error)
 {
     bool good = run->child > 0 && succeeded(run->child)
                     ? picture_read(run->place.picture, frame, error)
@@ -144,8 +144,7 @@ bool povray_end(struct povray *run, struct frame *frame, struct picture_error *e
 }
 
 bool run_povray(const char *scene, size_t width, size_t height,
-                const struct antialiasing *how, struct frame *frame,
-                struct picture_error *error)
+                const struct antialiasing *how, struct frame *frame, c205_error *error)
 {
     struct povray *run = begin(scene, width, height, how, error);
     return run && povray_end(run, frame, error);

@@ -16,8 +16,7 @@ struct antialiasing {
  * which is removed.  The caller frees the frame.  After a failure the error is the end
  * of POV-Ray's output. */
 bool run_povray(const char *scene, size_t width, size_t height,
-                const struct antialiasing *how, struct frame *frame,
-                struct picture_error *error);
+                const struct antialiasing *how, struct frame *frame, c205_error *error);
 
 /* Does the same for a text, with one ray per pixel, in two steps, between which POV-Ray
  * runs in parallel.  POV-Ray mostly waits for its own threads, so several simultaneous
@@ -26,6 +25,6 @@ bool run_povray(const char *scene, size_t width, size_t height,
 struct povray;
 struct povray *povray_begin(const char *path, const char *text, size_t width,
                             size_t height);
-bool povray_end(struct povray *run, struct frame *frame, struct picture_error *error);
+bool povray_end(struct povray *run, struct frame *frame, c205_error *error);
 
 #endif

@@ -59,7 +59,7 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
 {
     struct heat_look look = look_of(shown, from);
     struct heat_drawn drawn;
-    struct picture_error why = { "" };
+    c205_error why = { "" };
     SCOPED_VALUE(frame) frame;
     bool seen[5] = { false };
     double least = INFINITY, most = -INFINITY;

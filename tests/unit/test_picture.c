@@ -79,7 +79,7 @@ static void compare(const struct round_trip *trip, const struct frame *frame,
 TEST(round_trips)
 {
     SCOPED_VALUE(frame) frame = sample_frame();
-    struct picture_error error = { "" };
+    c205_error error = { "" };
     for (size_t i = 0; i < COUNT(round_trips); i++) {
         SCOPED_VALUE(frame) back;
         const struct round_trip *trip = &round_trips[i];
@@ -98,7 +98,7 @@ TEST(round_trips)
 TEST(half_is_smaller)
 {
     SCOPED_VALUE(frame) frame = sample_frame();
-    struct picture_error error;
+    c205_error error;
     struct stat half, whole;
     assert_true(picture_write(in_folder("h.exr"), &frame, NULL, true, &error));
     assert_int_equal(stat(in_folder("h.exr"), &half), 0);
@@ -112,7 +112,7 @@ TEST(half_is_smaller)
 TEST(bytes_are_srgb)
 {
     SCOPED_VALUE(frame) frame, back;
-    struct picture_error error;
+    c205_error error;
     assert_true(frame_allocate(&frame, 5, 1));
     const double in[5] = { .5, 7, -3, NAN, .001 };
     const double out[5] = { pow((188 / 255. + .055) / 1.055, 2.4), 1, 0, 0,
@@ -129,7 +129,7 @@ TEST(bytes_are_srgb)
 TEST(bytes_without_gamma)
 {
     SCOPED_VALUE(frame) frame, back;
-    struct picture_error error;
+    c205_error error;
     assert_true(frame_allocate(&frame, 1, 1));
     frame.gamma_off = true;
     frame.channel[CHANNEL_RED][0] = .2;
@@ -156,7 +156,7 @@ TEST(notes)
         { "n.tif", "c205:nothing", "" },
     };
     SCOPED_VALUE(frame) frame = sample_frame();
-    struct picture_error error = { "" };
+    c205_error error = { "" };
     for (size_t i = 0; i < COUNT(rows); i++) {
         const char *path = in_folder(rows[i].file);
         char text[256];
@@ -181,7 +181,7 @@ TEST(date)
                   { "now", "" } };
     static const char *const names[] = { "d.exr", "d.tif" };
     SCOPED_VALUE(frame) frame = sample_frame();
-    struct picture_error error = { "" };
+    c205_error error = { "" };
     for (size_t i = 0; i < 2 * (COUNT(cases)); i++) {
         const char *path = in_folder(names[i % 2]);
         char text[64];
@@ -206,7 +206,7 @@ TEST(same_bytes_later)
     c205_error message;
     const struct timespec over_a_second = { 1, 100000000 };
     SCOPED_VALUE(frame) frame = sample_frame();
-    struct picture_error error;
+    c205_error error;
     for (size_t round = 0; round < 2; round++) {
         for (size_t i = 0; i < 4; i++) {
             const char *path = in_folder(names[i]);
@@ -243,7 +243,7 @@ TEST(bad_paths)
     assert_int_equal(mkdir(in_folder("folder.png"), 0700), 0);
     for (size_t i = 0; i < COUNT(rows); i++) {
         const char *path = in_folder(rows[i].name);
-        struct picture_error error = { "" };
+        c205_error error = { "" };
         assert_false(picture_check_path(path, &error));
         assert_non_null(strstr(error.message, rows[i].message));
         assert_false(picture_write(path, &frame, notes, false, &error));
@@ -256,7 +256,7 @@ TEST(bad_paths)
 /* Root can write to any folder, so the test is skipped for root. */
 TEST(unwritable_folder)
 {
-    struct picture_error error;
+    c205_error error;
     if (geteuid() == 0)
         skip();
     assert_int_equal(chmod(temporary_folder, 0500), 0);
@@ -281,7 +281,7 @@ TEST(failure_keeps_the_old_file)
     empty_folder();
     signal(SIGXFSZ, SIG_IGN);
     for (size_t i = 0; i < 4; i++) {
-        struct picture_error error = { "" };
+        c205_error error = { "" };
         write_file(names[i], "old");
         const char *path = in_folder(names[i]);
         limit_file_size(200);
@@ -302,7 +302,7 @@ TEST(layer)
     static const char *const paths[] = { "l.exr", "l.tif", "l.png" };
     for (size_t i = 0; i < 3; i++) {
         SCOPED_VALUE(frame) frame = sample_frame(), back;
-        struct picture_error error = { "" };
+        c205_error error = { "" };
         double value[WIDTH * HEIGHT];
         for (size_t k = 0; k < WIDTH * HEIGHT; k++)
             value[k] = (double)k / 8 - 3;
@@ -327,7 +327,7 @@ TEST(rows_missing)
 {
     SCOPED_VALUE(frame) frame = sample_frame();
     for (int given_up = 0; given_up < 2; given_up++) {
-        struct picture_error error = { "" };
+        c205_error error = { "" };
         struct picture *picture = picture_begin(in_folder("p.png"), WIDTH,
                                                 HEIGHT + 1 - (size_t)given_up, notes,
                                                 false, NULL, &error);
@@ -343,7 +343,7 @@ TEST(rows_missing)
 TEST(unreadable)
 {
     struct frame frame;
-    struct picture_error error = { "" };
+    c205_error error = { "" };
     write_file("bad.exr", "not a picture");
     assert_false(picture_read(in_folder("bad.exr"), &frame, &error));
     assert_non_null(strstr(error.message, "bad.exr"));

@@ -1,7 +1,6 @@
 /* png.c - writes PNG files with stored blocks, without a library. */
 #include "web/tracer/platform/png.h"
 
-#include <stdarg.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -104,12 +103,6 @@ static bool store(struct png *png, const unsigned char *bytes, size_t count)
 
 /* ---- A picture ----------------------------------------------------------- */
 
-static bool fail(struct picture_error *error, const char *why)
-{
-    snprintf(error->message, sizeof error->message, "%s", why);
-    return false;
-}
-
 static void put_head(FILE *file, const struct picture_image *image)
 {
     static const unsigned char signature[8] = { 0x89, 'P',  'N',  'G',
@@ -134,17 +127,16 @@ static void put_note(FILE *file, const struct picture_note *note)
 }
 
 static void *begin(const char *path, const struct picture_image *image,
-                   const struct picture_note *notes, FILE *file,
-                   struct picture_error *error)
+                   const struct picture_note *notes, FILE *file, c205_error *error)
 {
     static const unsigned char zlib[2] = { 0x78, 0x01 }; /* RFC 1950, 2.2 */
     const char *ending = strrchr(path, '.');
     struct png *png;
 
-    fail(error, "in the page, the name of a picture must end in .png");
+    error_set(error, "in the page, the name of a picture must end in .png");
     if (!ending || strcasecmp(ending, ".png") != 0)
         return NULL;
-    fail(error, "out of memory");
+    error_set(error, "out of memory");
     png = malloc(sizeof *png);
     if (!png)
         return NULL;
@@ -162,7 +154,7 @@ unsigned char png_byte(float sample)
 }
 
 static bool rows(void *picture, size_t first, size_t last, const float *samples,
-                 struct picture_error *error)
+                 c205_error *error)
 {
     struct png *png = picture;
     size_t row = png->width * COLORS, count = (last - first) * (1 + row);
@@ -170,18 +162,18 @@ static bool rows(void *picture, size_t first, size_t last, const float *samples,
     bool good;
 
     if (!bytes)
-        return fail(error, "out of memory");
+        return error_set(error, "out of memory");
     for (size_t y = first; y < last; y++) {
         *to++ = 0; /* no filter */
         for (size_t i = 0; i < row; i++)
             *to++ = png_byte(*samples++);
     }
-    good = store(png, bytes, count) || fail(error, "out of memory");
+    good = store(png, bytes, count) || error_set(error, "out of memory");
     free(bytes);
     return good;
 }
 
-static bool end(void *picture, bool whole, struct picture_error *error)
+static bool end(void *picture, bool whole, c205_error *error)
 {
     struct png *png = picture;
     unsigned char tail[BLOCK_HEAD + 4];
@@ -201,18 +193,17 @@ static bool end(void *picture, bool whole, struct picture_error *error)
 static const char no_reader[] =
     "pictures cannot be read in the page: OpenImageIO is not available";
 
-static bool read(const char *path, struct picture_image *image,
-                 struct picture_error *error)
+static bool read(const char *path, struct picture_image *image, c205_error *error)
 {
     (void)path, (void)image;
-    return fail(error, no_reader);
+    return error_set(error, no_reader);
 }
 
 static bool read_note(const char *path, const char *name, char *text, size_t size,
-                      struct picture_error *error)
+                      c205_error *error)
 {
     (void)path, (void)name, (void)text, (void)size;
-    return fail(error, no_reader);
+    return error_set(error, no_reader);
 }
 
 static bool read_raster(const char *format, const char *bytes, size_t length,
