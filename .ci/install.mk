@@ -17,7 +17,7 @@ rt_api = $(addprefix rt/,scene/raster.h scene/scene.h scene/image_map.h \
 	scene/language/scene_read.h shapes/primitive.h shapes/shapes.def \
 	layout/layout.h layout/bounding.h jobs/job_set.h jobs/checkpoint_file.h jobs/ranks.h \
 	jobs/serialized_result.h picture/picture.h trace/band.h \
-	trace/observer.h trace/trace.h trace/order.h trace/vector_use.h trace/visible.h) \
+	trace/observer.h trace/trace.h trace/vector_use.h) \
 	$(addprefix base/,accounts.h arena.h json.h table.h)
 
 $(api)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o

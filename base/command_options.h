@@ -4,11 +4,7 @@
 #ifndef BASE_COMMAND_OPTIONS_H
 #define BASE_COMMAND_OPTIONS_H
 
-#include "base/command.h"
-#include "vm/c205.h"
-
-/* The built-in models. */
-command_choice command_model_choice;
+#include "base/named_model.h"
 
 /* clang-format off */
 #define OPTION_MODEL(place) \

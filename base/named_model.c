@@ -89,3 +89,8 @@ c205_model *model_open(const char *command, const char *name)
         cmd_failed(command, "%s", error.message);
     return model;
 }
+
+const char *command_model_choice(size_t number)
+{
+    return c205_model_names()[number];
+}

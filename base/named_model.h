@@ -2,6 +2,7 @@
 #ifndef BASE_NAMED_MODEL_H
 #define BASE_NAMED_MODEL_H
 
+#include "base/command.h"
 #include "vm/c205.h"
 
 /* Opens a built-in model or a file, by the rule of c205_model_find; NULL: the default.
@@ -10,5 +11,8 @@
 c205_model *model_open(const char *command, const char *name);
 /* c205_model_find for a name from a text. It rejects a file that the command writes. */
 c205_model *model_find(const char *name, c205_error *error);
+
+/* The built-in models. */
+command_choice command_model_choice;
 
 #endif

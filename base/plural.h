@@ -8,6 +8,9 @@
 #include <stdint.h>
 
 /* Returns the ending of a regular noun: "" for 1, otherwise "s". */
-const char *plural(uint64_t count);
+static inline const char *plural(uint64_t count)
+{
+    return count == 1 ? "" : "s";
+}
 
 #endif

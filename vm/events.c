@@ -1,5 +1,7 @@
 /* events.c - builds events and notifies the listeners. */
 #include "vm/events.h"
+#include "vm/time/projection.h"
+#include "vm/time/recording.h"
 
 #include <string.h>
 
@@ -103,4 +105,24 @@ bool c205_listen(c205 *machine, c205_listener *listener, void *context)
     machine->eventful = true;
     clock_listen(machine->clock, &machine->record);
     return true;
+}
+
+/* ---- The machine's own listeners ---------------------------------------- */
+
+/* They pass on the input of the clock, which other listeners cannot access. */
+static bool was_executed(const c205_event *event)
+{
+    return event->kind == C205_EVENT_INSTRUCTION || event->kind == C205_EVENT_REQUEST;
+}
+
+void c205_project(void *projection, const c205 *machine, const c205_event *event)
+{
+    if (was_executed(event))
+        projection_charge(projection, machine->executed, &machine->effect);
+}
+
+void c205_record(void *recording, const c205 *machine, const c205_event *event)
+{
+    if (was_executed(event))
+        recording_add(recording, machine->executed, &machine->effect, event->region);
 }

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "vm/error.h"
-#include "rt/shapes/kernels.h"
+#include "rt/shapes/shape.h"
 
 struct object *program_assemble(const char *kernel, const struct asm_define *defines,
                                 c205_error *error)

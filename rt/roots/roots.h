@@ -7,9 +7,27 @@
 #ifndef RT_ROOTS_H
 #define RT_ROOTS_H
 
-#include "rt/roots/falsi.h"
+#include "asm/object/object.h"
 #include "rt/roots/iterations.h"
 #include "rt/trace/trace.h"
+
+/* The rules by which the root solver's falsi (regula falsi) scales the retained end of a
+ * bracket. They are the values of FALSI in rt/kernels/roots/quartic_constants.s, which
+ * also has the default. */
+enum falsi {
+    FALSI_DEFAULT = -1,
+    FALSI_PAPER,
+    FALSI_ILLINOIS,
+    FALSI_PEGASUS,
+    FALSI_ANDERSON_BJORCK,
+    FALSI_RULES
+};
+const char *falsi_name(enum falsi rule);
+bool falsi_named(const char *name, enum falsi *rule);
+
+/* Returns the rule that a program was assembled with, or FALSI_DEFAULT if it has
+ * none. */
+enum falsi falsi_of(const struct object *program);
 
 /* The polynomial c[0] t^4 + c[1] t^3 + ... + c[4]. Its roots above the bound are
  * computed. */

@@ -1,4 +1,4 @@
-/* scene.c - frees a scene. */
+/* scene.c - frees a scene, and decides whether bumps change any normal. */
 #include "rt/scene/scene.h"
 
 #include <stdlib.h>
@@ -13,4 +13,11 @@ void scene_free(struct scene *scene)
     free(scene->regions);
     arena_free(&scene->kept);
     free(scene);
+}
+
+bool bumps_show(const struct bumps *bumps)
+{
+    const struct bump_list *list = bumps->list;
+
+    return list && (list->bump.pattern.kind != PIGMENT_COLOR || list->average);
 }

@@ -11,6 +11,7 @@
 #include "rt/shapes/emitter.h"
 #include "rt/shapes/viewpoints.h"
 #include "rt/shapes/primitive.h"
+#include "vm/text.h"
 
 /* The accuracy of roots, relative to the size of the shape. */
 #define ROOT_RESOLUTION 0x1p-44
@@ -139,5 +140,16 @@ const struct shape_kernels *shape_kernels_of(const struct primitive *primitive);
 bool shape_is_surface(const struct primitive *primitive);
 /* Marks the primitive as invisible. Returns the reason. */
 const char *shape_empty(struct primitive *primitive, const char *reason);
+
+/* The kernels of all shapes, as texts that a program includes:
+ *
+ *   shapes/every_scalar.s         shapes/NAME_scalar.s of each row of shapes.def
+ *   shapes/every_vector.s         shapes/NAME_vector.s
+ *   shapes/every_normal_scalar.s  shapes/normal_NAME_scalar.s
+ *   shapes/every_normal_vector.s  shapes/normal_NAME_vector.s
+ *
+ * A row without its kernels therefore fails to assemble.
+ */
+extern const struct text shape_texts[];
 
 #endif

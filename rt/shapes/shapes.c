@@ -1,4 +1,4 @@
-/* shapes.c - the descriptors of shapes by kind, and queries of them. */
+/* shapes.c - the descriptors and kernels of shapes by kind, and queries of them. */
 #include "rt/shapes/shape.h"
 
 const struct shape *const shapes[PRIMITIVE_KINDS] = {
@@ -42,3 +42,39 @@ const char *shape_empty(struct primitive *primitive, const char *reason)
     primitive->empty = true;
     return reason;
 }
+
+/* ---- Kernels ------------------------------------------------------------- */
+
+#define INCLUDE(file) "        .include \"shapes/" file "\"\n",
+
+static const char *const scalar[] = {
+#define SHAPE(KIND, name, ...) INCLUDE(#name "_scalar.s")
+#include "rt/shapes/shapes.def"
+    NULL
+};
+
+static const char *const vector[] = {
+#define SHAPE(KIND, name, ...) INCLUDE(#name "_vector.s")
+#include "rt/shapes/shapes.def"
+    NULL
+};
+
+static const char *const normal_scalar[] = {
+#define SHAPE(KIND, name, ...) INCLUDE("normal_" #name "_scalar.s")
+#include "rt/shapes/shapes.def"
+    NULL
+};
+
+static const char *const normal_vector[] = {
+#define SHAPE(KIND, name, ...) INCLUDE("normal_" #name "_vector.s")
+#include "rt/shapes/shapes.def"
+    NULL
+};
+
+const struct text shape_texts[] = {
+    { "shapes/every_scalar.s", scalar },
+    { "shapes/every_vector.s", vector },
+    { "shapes/every_normal_scalar.s", normal_scalar },
+    { "shapes/every_normal_vector.s", normal_vector },
+    { NULL, NULL },
+};

@@ -8,7 +8,7 @@
 #ifndef RT_SPEEDUP_H
 #define RT_SPEEDUP_H
 
-#include "rt/roots/falsi.h"
+#include "rt/roots/roots.h"
 #include "rt/roots/iterations.h"
 #include "rt/trace/trace.h"
 

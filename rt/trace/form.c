@@ -49,6 +49,28 @@ enum trace_mode trace_mode_besides(enum trace_mode mode)
     return mode == TRACE_VECTOR ? TRACE_VECTOR : TRACE_SCALAR;
 }
 
+const char *order_name(enum trace_order order)
+{
+    static const char *const orders[ORDERS] = {
+        [ORDER_DEFAULT] = "default",
+        [ORDER_ROWS] = "rows",
+        [ORDER_TILES] = "tiles",
+    };
+
+    return orders[order];
+}
+
+const char *visible_name(enum visible method)
+{
+    static const char *const methods[CSG_METHODS] = {
+        [VISIBLE_DEFAULT] = "default",
+        [VISIBLE_STEPPING] = "stepping",
+        [VISIBLE_EVERY] = "every",
+    };
+
+    return methods[method];
+}
+
 /* The kernels' default of MAX_CROSSINGS. */
 enum { CROSSINGS_USUAL = 6 };
 

@@ -10,8 +10,6 @@
 #define RT_TRACE_H
 
 #include "rt/trace/band.h"
-#include "rt/trace/order.h"
-#include "rt/trace/visible.h"
 
 enum trace_mode {
     TRACE_SCALAR,                /* one ray after another */
@@ -28,6 +26,27 @@ bool trace_mode_named(const char *name, enum trace_mode *mode);
 /* Returns the form, scalar or vector, of the programs that intersect no
  * primitives. In the paper's form they are scalar. */
 enum trace_mode trace_mode_besides(enum trace_mode mode);
+
+/* The order in which the pixels of a band enter the queues. */
+enum trace_order {
+    ORDER_DEFAULT, /* tiles in the vector form, rows in the others */
+    ORDER_ROWS,
+    ORDER_TILES, /* nearly square, with as many pixels as a queue; the scalar form
+                  * has no queue and uses rows */
+    ORDERS
+};
+const char *order_name(enum trace_order order);
+
+/* The methods by which the vector form finds the nearest visible crossing of a
+ * solid. They are the values of VISIBLE in rt/kernels/solids/visible_vector.s, which
+ * also has the default. */
+enum visible {
+    VISIBLE_DEFAULT,
+    VISIBLE_STEPPING, /* one crossing after another, until one is visible */
+    VISIBLE_EVERY,
+    CSG_METHODS
+};
+const char *visible_name(enum visible method);
 
 enum {
     TRACE_QUEUE = 2000,      /* rays, as in the paper */

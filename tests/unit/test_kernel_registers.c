@@ -9,7 +9,7 @@
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/random_solids.h"
 
-#include "rt/shapes/kernels.h"
+#include "rt/shapes/shape.h"
 #include "rt/layout/program.h"
 #include "rt/heat/emission.h"
 #include "rt/picture/picture.h"

@@ -136,7 +136,7 @@ TEST(progress)
     }
 }
 
-/* The constants of falsi.h are those of the kernels. */
+/* The constants of enum falsi are those of the kernels. */
 TEST(falsi)
 {
     static const struct {

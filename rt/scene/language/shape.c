@@ -283,6 +283,19 @@ static bool read_child(struct reader *reader, const struct item *item)
     return done;
 }
 
+const struct keyword unsupported_shapes[] = {
+    { "isosurface", item_unsupported, 0 },
+    { "julia_fractal", item_unsupported, 0 },
+    { "lemon", item_unsupported, 0 },
+    { "ovus", item_unsupported, 0 },
+    { "parametric", item_unsupported, 0 },
+    { "polynomial", item_unsupported, 0 },
+    { "sor", item_unsupported, 0 },
+    { "sphere_sweep", item_unsupported, 0 },
+    { "superellipsoid", item_unsupported, 0 },
+    { NULL, NULL, 0 },
+};
+
 static const struct keyword children[] = {
     { "", read_child, SHAPE_NAMED },
     { NULL, NULL, 0 },
