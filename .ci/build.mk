@@ -21,7 +21,7 @@ asm_c = $(call c_of,$(addprefix asm/,object text view check measure debug timeli
 c205_c = $(call c_of,asm/command)
 # Excludes the entry points of a WebAssembly host.
 engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))
-rt_c = $(call c_of,$(addprefix rt/,platform jobs scene scene/language shapes layout \
+rt_c = $(call c_of,$(addprefix rt/,platform jobs scene bvh scene/language shapes layout \
 	trace view picture roots study study/sweep study/plot heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
 # Sources that read observations, and sources that fit them.

@@ -21,7 +21,7 @@ find vm base asm web/engine web/tracer/platform rt tests -name '*.[ch]' ! -path 
     /^ +[a-z_0-9 ]+ \*const [a-z_0-9]+ =/ && !/static/ {
         complain("a local pointer that is const")
     }
-    FILENAME ~ /^rt\/(scene|layout|shapes)\// && FILENAME !~ /elementary/ &&
+    FILENAME ~ /^rt\/(scene|bvh|layout|shapes)\// && FILENAME !~ /elementary/ &&
         /[^_a-z](a?(sin|cos|tan)h?|atan2|exp|log|log10|pow|hypot|cbrt)\(/ &&
         !/^ *\/?\*/ {
         complain("an elementary function of the host")

@@ -2,7 +2,8 @@
 #ifndef RT_BOUNDS_H
 #define RT_BOUNDS_H
 
-#include "rt/shapes/bound.h"
+#include "rt/bvh/bound.h"
+#include "rt/shapes/primitive.h"
 
 /* Computes the bound of each node of the scene's trees, in their order. An
  * intersection gets the smallest of its children's spheres and the intersection of

@@ -3,7 +3,7 @@
 #define RT_LAYOUT_FIND_VIEWPOINTS_H
 
 #include "rt/scene/scene.h"
-#include "rt/shapes/viewpoints.h"
+#include "rt/bvh/viewpoints.h"
 
 /* Collects the viewpoints: the camera, if its rays start at one point, then the
  * lights that cast shadows from one point, up to MAX_VIEWPOINTS. */

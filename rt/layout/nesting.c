@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "rt/layout/bounds.h"
-#include "rt/layout/hierarchy.h"
+#include "rt/bvh/hierarchy.h"
 
 enum { MANY = 8 }; /* fewer parts are not grouped */
 

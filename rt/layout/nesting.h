@@ -8,7 +8,8 @@
 #ifndef RT_NESTING_H
 #define RT_NESTING_H
 
-#include "rt/shapes/bound.h"
+#include "rt/bvh/bound.h"
+#include "rt/shapes/primitive.h"
 
 /* A scene with nodes and regions of its own, which shares all else with the
  * original. The bounds of its original nodes are those of bounds.h. A group of

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "rt/layout/bounds.h"
-#include "rt/layout/hierarchy.h"
+#include "rt/bvh/hierarchy.h"
 #include "rt/layout/nesting.h"
 #include "rt/layout/trees.h"
 #include "rt/scene/vector3.h"

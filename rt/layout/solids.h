@@ -5,7 +5,7 @@
 #include "rt/layout/bounding.h"
 #include "rt/layout/interiors.h"
 #include "rt/layout/record.h"
-#include "rt/shapes/viewpoints.h"
+#include "rt/bvh/viewpoints.h"
 
 /* Writes the primitives and regions. The images must be laid out already; images has
  * their addresses by number. viewpoints: points that many rays pass through, or

@@ -7,8 +7,8 @@
 
 #include "rt/scene/transform.h"
 #include "rt/scene/vector3.h"
-#include "rt/shapes/mesh_hierarchy.h"
-#include "rt/shapes/screen_bounds.h"
+#include "rt/bvh/mesh_hierarchy.h"
+#include "rt/bvh/screen_bounds.h"
 
 /* rt/scene/language/scene_mesh.c and mesh2.c read the arguments. */
 static const struct shape_field fields[] = {

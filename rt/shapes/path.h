@@ -6,7 +6,7 @@
 #ifndef RT_PATH_H
 #define RT_PATH_H
 
-#include "rt/shapes/bound.h"
+#include "rt/shapes/shape_bound.h"
 
 /* Returns the distance below which points count as one: POV-Ray's 1e-10, multiplied by
  * the size of a path that is smaller than 1. */

@@ -7,9 +7,9 @@
 #ifndef RT_SHAPE_H
 #define RT_SHAPE_H
 
-#include "rt/shapes/bound.h"
+#include "rt/shapes/shape_bound.h"
 #include "rt/shapes/emitter.h"
-#include "rt/shapes/viewpoints.h"
+#include "rt/bvh/viewpoints.h"
 #include "rt/shapes/primitive.h"
 #include "vm/text.h"
 

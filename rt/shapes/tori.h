@@ -2,7 +2,7 @@
 #ifndef RT_TORI_H
 #define RT_TORI_H
 
-#include "rt/shapes/bound.h"
+#include "rt/shapes/shape_bound.h"
 
 /* radial and axial are the half axes of the tube, perpendicular to y and along it. */
 void torus_bound(const struct primitive *primitive, double major, double radial,

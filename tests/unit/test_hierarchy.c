@@ -4,7 +4,7 @@
  */
 #include <math.h>
 
-#include "rt/layout/hierarchy.h"
+#include "rt/bvh/hierarchy.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/unit.h"
 

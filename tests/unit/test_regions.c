@@ -4,7 +4,7 @@
 #include "tests/unit/scene_fixture.h"
 
 #include "rt/layout/trees.h"
-#include "rt/shapes/bound.h"
+#include "rt/bvh/bound.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/tree_value.h"
 

@@ -7,7 +7,7 @@
  */
 #define SMALL_FRAMES
 #include "rt/layout/find_viewpoints.h"
-#include "rt/shapes/mesh_hierarchy.h"
+#include "rt/bvh/mesh_hierarchy.h"
 #include "rt/shapes/shape_words.h"
 #include "tests/unit/random_mesh.h"
 #include "tests/unit/random_solids.h"

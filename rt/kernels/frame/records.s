@@ -333,7 +333,7 @@
 ; the next node for rays that come near it, and for other rays. 0 is the end. At
 ; a leaf the two are equal, but MESH_LEAF_HIT is added to the first. MESH_FIRST and
 ; MESH_COUNT of the first row are the offset and number of the viewpoints' rows
-; (rt/shapes/screen_bounds.h).
+; (rt/bvh/screen_bounds.h).
         .record MESH
         .field  MESH_BOX, 6        ; centre 3, half sides 3
         .field  MESH_LINKS, 16     ; near, not near; for each of eight signs

@@ -1,6 +1,6 @@
 ; mesh_screen_bounds_vector.s - tests a queue of rays against the windows of a
 ; mesh if they all go through one viewpoint: a camera or a light.  From there
-; the mesh is seen as windows (rt/shapes/screen_bounds.h), which replace the
+; the mesh is seen as windows (rt/bvh/screen_bounds.h), which replace the
 ; boxes.
 ;
 ; The choice depends on the ray alone and not on its queue, because the results
@@ -16,7 +16,7 @@
 ;
 ; These macros are a part of mesh_vector.s.  The traversing rays have u, v, |g|
 ; in the registers of their origin, instead of origin, 1/d and 1/|d|.
-; Source: rt/shapes/screen_bounds.h.
+; Source: rt/bvh/screen_bounds.h.
 
         .reg    mesh_u, mesh_ox
         .reg    mesh_v, mesh_oy

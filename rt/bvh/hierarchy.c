@@ -1,11 +1,11 @@
 /* hierarchy.c - builds bounding volume hierarchies by a surface area heuristic. */
-#include "rt/layout/hierarchy.h"
+#include "rt/bvh/hierarchy.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "rt/shapes/cuts.h"
+#include "rt/bvh/cuts.h"
 
 enum {
     EXACT = 64,       /* with more parts, the sphere is the one around their box */

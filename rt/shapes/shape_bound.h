@@ -1,32 +1,10 @@
-/* bound.h - bounding spheres and boxes of shapes.
- *
- * A bound only saves work: a ray that misses it also misses the shape. It is therefore
- * enlarged by more than the rounding errors of the machine.
- */
-#ifndef RT_BOUND_H
-#define RT_BOUND_H
+/* shape_bound.h - bounding spheres and boxes of primitives. */
+#ifndef RT_SHAPE_BOUND_H
+#define RT_SHAPE_BOUND_H
 
+#include "rt/bvh/bound.h"
 #include "rt/shapes/primitive.h"
 
-/* The radius of an unbounded shape, beyond every scene, as k_big. */
-#define BOUND_NONE 1e30
-
-struct bound {
-    double center[3], radius;
-    double low[3], high[3]; /* of the box, along the axes of the world */
-};
-
-extern const struct bound bound_none;
-bool bound_is_none(const struct bound *bound);
-
-/* Returns the distance of a point from the farthest point of the bounding sphere. */
-double bound_reach(const struct bound *bound, const double from[3]);
-/* Encloses other bounds, in a sphere that is little greater than the minimum, and in
- * the minimal box. */
-void bound_enclose(const struct bound *parts, size_t count, struct bound *whole);
-/* Bounds the intersection of other bounds: the smallest of their spheres, and the
- * intersection of their boxes. */
-void bound_common(const struct bound *parts, size_t count, struct bound *whole);
 /* Bounds a primitive in the world, with a margin. Planes, quadrics and quartics are
  * unbounded. */
 void bound_primitive(const struct primitive *primitive, struct bound *bound);
@@ -53,8 +31,6 @@ void hull_rings(struct hull *hull, const struct primitive *primitive,
 void bound_hull(const struct hull *hull, struct bound *bound);
 /* Sets the box of the bound only. */
 void bound_hull_box(const struct hull *hull, struct bound *bound);
-/* Encloses the boxes of other bounds. */
-void bound_box(const struct bound *parts, size_t count, struct bound *whole);
 
 /* Returns the greatest length in the world of a vector whose components, divided by the
  * weights, form a vector of length 1. */

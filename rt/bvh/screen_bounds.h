@@ -20,8 +20,8 @@
 #ifndef RT_SCREEN_BOUNDS_H
 #define RT_SCREEN_BOUNDS_H
 
-#include "rt/shapes/viewpoints.h"
-#include "rt/shapes/mesh_hierarchy.h"
+#include "rt/bvh/viewpoints.h"
+#include "rt/bvh/mesh_hierarchy.h"
 
 /* The end of a mesh's table (records.s): one row per viewpoint outside the mesh; then
  * for each of these viewpoints a row of zeros and one row per node. */

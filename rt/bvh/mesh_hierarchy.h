@@ -10,7 +10,7 @@
 
 #include <stdbool.h>
 
-#include "rt/shapes/cuts.h"
+#include "rt/bvh/cuts.h"
 
 enum { TRIANGLES_IN_LEAF = 2 };
 

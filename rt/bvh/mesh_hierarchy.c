@@ -1,5 +1,5 @@
 /* mesh_hierarchy.c - builds the bounding volume hierarchy of a mesh. */
-#include "rt/shapes/mesh_hierarchy.h"
+#include "rt/bvh/mesh_hierarchy.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* screen_bounds.c - computes the windows of a mesh's nodes from viewpoints. */
-#include "rt/shapes/screen_bounds.h"
+#include "rt/bvh/screen_bounds.h"
 
 #include <math.h>
 #include <stdlib.h>

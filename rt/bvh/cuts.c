@@ -1,5 +1,5 @@
 /* cuts.c - finds the best split of a list of boxes. */
-#include "rt/shapes/cuts.h"
+#include "rt/bvh/cuts.h"
 
 #include <math.h>
 #include <string.h>

@@ -9,7 +9,7 @@
 #ifndef RT_HIERARCHY_H
 #define RT_HIERARCHY_H
 
-#include "rt/shapes/bound.h"
+#include "rt/bvh/bound.h"
 
 struct hierarchy_node {
     struct bound bound;
