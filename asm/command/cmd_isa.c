@@ -47,29 +47,16 @@ static void describe_operands(const c205_insn *insn)
     }
 }
 
-static void describe_rule(const char *name, const char *text)
-{
-    if (*text) {
-        printf("  %-11s ", name);
-        word_wrap_print(text, TEXT_BEGINS, stdout);
-    }
-}
-
 static void describe_rules(const c205_insn *insn)
 {
-    char half[ISA_HALF];
-    isa_half(insn, half);
-    describe_rule("length", isa_length(insn));
-    describe_rule("padding", isa_padding(insn));
-    describe_rule("control", isa_control(insn));
-    describe_rule("specials", isa_specials(insn));
-    describe_rule("with ,H", half);
-    for (unsigned flag = 1; flag <= insn->flags; flag <<= 1) {
-        if (insn->flags & flag & ~ISA_TOLD && isa_flag(insn, flag)) {
-            describe_rule("note", isa_flag(insn, flag));
+    struct isa_rules rules;
+    isa_list_rules(insn, &rules);
+    for (size_t i = 0; i < rules.count; i++) {
+        if (rules.rule[i].text) {
+            printf("  %-11s ", rules.rule[i].name);
+            word_wrap_print(rules.rule[i].text, TEXT_BEGINS, stdout);
         }
     }
-    describe_rule("note", isa_link(insn));
 }
 
 static void describe_example(const c205_insn *insn)

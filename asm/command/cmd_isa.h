@@ -27,27 +27,24 @@ struct isa_operand {
 bool isa_next_operand(const c205_insn *insn, const char **letter,
                       struct isa_operand *operand);
 
-/* Describe the number of elements, and the continuation of a short source. */
-const char *isa_length(const c205_insn *insn);
-const char *isa_padding(const c205_insn *insn);
+/* A rule of an instruction, with its name in a terminal and in the reference. */
+struct isa_rule {
+    const char *name, *page_name;
+    const char *text; /* NULL: it has no explanation */
+};
+/* The length, the continuation of a short source, the effect of a control vector,
+ * special values, the operands with ",H", and notes. Rules that do not apply are
+ * omitted. */
+enum { MAX_ISA_RULES = 16, ISA_HALF = 200 };
+struct isa_rules {
+    size_t count;
+    struct isa_rule rule[MAX_ISA_RULES];
+    char half[ISA_HALF]; /* the text about ",H" */
+};
+void isa_list_rules(const c205_insn *insn, struct isa_rules *rules);
+
 /* Describes the elements that the clock counts, if these are not the results. */
 const char *isa_clocked(const c205_insn *insn);
-/* Describes the effect of the control vector on the elements it does not select. */
-const char *isa_control(const c205_insn *insn);
-/* Describes the results for machine zeros and indefinites, and out of range if the
- * general rule does not apply. */
-const char *isa_specials(const c205_insn *insn);
-
-/* Describes the operands with ",H"; empty if the instruction has no such form. */
-enum { ISA_FIELDS = 16, ISA_HALF = 200 };
-void isa_half(const c205_insn *insn, char text[ISA_HALF]);
-
-/* Flags that isa_padding and isa_half describe. */
-#define ISA_TOLD (C205_INSN_PADZ | C205_INSN_PADO | C205_INSN_HALF)
-/* Describes another flag of a row. Returns NULL if it has no explanation. */
-const char *isa_flag(const c205_insn *insn, unsigned flag);
-/* Describes how the instruction can be linked; empty if it cannot. */
-const char *isa_link(const c205_insn *insn);
 const char *isa_provenance(char letter);
 
 /* Returns the heading directly above the row in the reference, or NULL. */

@@ -74,13 +74,14 @@ static void put_cell(const char *text)
     }
 }
 
-static void put_row(const char *name, const char *text)
+/* The name has the given length; below 0: all of it. Returns false for a text that is
+ * missing. */
+static bool put_row(const char *name, int length, const char *text)
 {
-    if (*text) {
-        printf("| %s | ", name);
-        put_cell(text);
-        puts(" |");
-    }
+    printf("| %.*s | ", length, name);
+    put_cell(text ? text : "?");
+    puts(" |");
+    return text;
 }
 
 static void put_lower(const char *text)
@@ -211,28 +212,18 @@ static bool put_operands(const c205_insn *insn)
     const char *letter = NULL;
     bool good = true;
     while (isa_next_operand(insn, &letter, &operand)) {
-        printf("| %.*s | ", operand.length, operand.written);
-        put_cell(operand.meaning ? operand.meaning : "?");
-        puts(" |");
-        good = good && operand.meaning;
+        good = put_row(operand.written, operand.length, operand.meaning) && good;
     }
     return good;
 }
 
-/* Prints a note for each flag except those of short sources and half words, which
- * have their own rows. */
-static bool put_flags(const c205_insn *insn)
+static bool put_rules(const c205_insn *insn)
 {
+    struct isa_rules rules;
     bool good = true;
-    for (unsigned flag = 1; flag <= insn->flags; flag <<= 1) {
-        const char *note = isa_flag(insn, flag);
-        if (insn->flags & flag & ~ISA_TOLD) {
-            put_row("note", note ? note : "?");
-            good = good && note;
-        }
-    }
-    if (*isa_link(insn)) {
-        put_row("note", isa_link(insn));
+    isa_list_rules(insn, &rules);
+    for (size_t i = 0; i < rules.count; i++) {
+        good = put_row(rules.rule[i].page_name, -1, rules.rule[i].text) && good;
     }
     return good;
 }
@@ -262,11 +253,10 @@ static bool put_example(const c205_insn *insn)
 /* Returns false if something has no explanation, or there is no example. */
 static bool put_insn(const c205_insn *insn, const c205_model *model)
 {
-    char code[ISA_CODE], drawing[ISA_DRAWING], half[ISA_HALF];
+    char code[ISA_CODE], drawing[ISA_DRAWING];
     bool good;
     isa_code(insn, code);
     isa_drawing(insn, drawing);
-    isa_half(insn, half);
     printf("\n### %s\n\n%c%s.\n\n| | |\n|---|---|\n| code | %s |\n", insn->mnemonic,
            toupper((unsigned char)insn->effect[0]), insn->effect + 1, code);
     put_written(insn);
@@ -274,12 +264,7 @@ static bool put_insn(const c205_insn *insn, const c205_model *model)
     put_cell(drawing);
     puts("` |");
     good = put_operands(insn);
-    put_row("length", isa_length(insn));
-    put_row("short source", isa_padding(insn));
-    put_row("control vector", isa_control(insn));
-    put_row("special values", isa_specials(insn));
-    put_row("with `,H`", half);
-    good = put_flags(insn) && good;
+    good = put_rules(insn) && good;
     put_time(insn, model);
     printf("| source | %c: %s |\n", insn->provenance, isa_provenance(insn->provenance));
     return put_example(insn) && good;

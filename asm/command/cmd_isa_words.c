@@ -60,14 +60,6 @@ static const struct meaning provenances[] = {
     { '\0', NULL },
 };
 
-static const struct {
-    unsigned flag;
-    const char *text;
-} flag_notes[] = {
-    { C205_INSN_SIGN, "sign control: -A, |A|, -|A|" },
-};
-enum { FLAG_NOTES = sizeof flag_notes / sizeof *flag_notes };
-
 static const char *meaning_of(const struct meaning *meanings, char letter)
 {
     while (meanings->letter && meanings->letter != letter) {
@@ -81,23 +73,22 @@ const char *isa_provenance(char letter)
     return meaning_of(provenances, letter);
 }
 
-const char *isa_flag(const c205_insn *insn, unsigned flag)
+/* Returns NULL if the flag has no explanation. */
+static const char *flag_note(const c205_insn *insn, unsigned flag)
 {
-    size_t i = 0;
-    if (flag == C205_INSN_SIGN && strpbrk(c205_format_syntax(insn->format), "bB")
-        && insn->format != C205_FORMAT_EXTREME) {
-        return "sign control: -A, |A|, -|A|, |B|";
+    if (flag != C205_INSN_SIGN) {
+        return NULL;
     }
-    if (flag == C205_INSN_SIGN && insn->format == C205_FORMAT_EXTREME) {
+    if (insn->format == C205_FORMAT_EXTREME) {
         return "sign control: -A, |A|, -|A|; bit 01 of G is accepted and has no effect";
     }
-    while (i < FLAG_NOTES && flag_notes[i].flag != flag) {
-        i++;
-    }
-    return i < FLAG_NOTES ? flag_notes[i].text : NULL;
+    return strpbrk(c205_format_syntax(insn->format), "bB")
+               ? "sign control: -A, |A|, -|A|, |B|"
+               : "sign control: -A, |A|, -|A|";
 }
 
-const char *isa_link(const c205_insn *insn)
+/* Describes how the instruction can be linked; empty if it cannot. */
+static const char *link_note(const c205_insn *insn)
 {
     return c205_unit_links(insn->unit)
                ? "may follow the link prefix, with an instruction of another unit"
@@ -260,7 +251,8 @@ const char *isa_clocked(const c205_insn *insn)
     return "";
 }
 
-const char *isa_length(const c205_insn *insn)
+/* Describes the number of elements. */
+static const char *length_rule(const c205_insn *insn)
 {
     if (!is_vector(insn)) {
         return "";
@@ -289,8 +281,9 @@ const char *isa_length(const c205_insn *insn)
                : "that of A";
 }
 
-/* If the length is that of the only source, no source can be short. */
-const char *isa_padding(const c205_insn *insn)
+/* Describes the continuation of a short source. If the length is that of the only
+ * source, no source can be short. */
+static const char *padding_rule(const c205_insn *insn)
 {
     bool sparse = insn->format == C205_FORMAT_SPARSE;
     if (insn->flags & C205_INSN_PADZ) {
@@ -307,7 +300,8 @@ const char *isa_padding(const c205_insn *insn)
                                   : "continues with zero words";
 }
 
-const char *isa_control(const c205_insn *insn)
+/* Describes the effect of the control vector on the elements it does not select. */
+static const char *control_rule(const c205_insn *insn)
 {
     if (!has_operand(insn, "z")) {
         return "";
@@ -324,6 +318,8 @@ const char *isa_control(const c205_insn *insn)
 }
 
 /* ---- 32-bit operands ---------------------------------------------------- */
+
+enum { ISA_FIELDS = 16 };
 
 /* Lists the fields whose letters are in `letters`: "A, B and C".
  * Returns their number. */
@@ -361,7 +357,8 @@ static bool broadcasts(const c205_insn *insn)
            && syntax[strcspn(syntax, "ab")];
 }
 
-void isa_half(const c205_insn *insn, char text[ISA_HALF])
+/* Describes the operands with ",H"; empty if the instruction has no such form. */
+static void write_half_rule(const c205_insn *insn, char text[ISA_HALF])
 {
     size_t length;
     text[0] = '\0';
@@ -385,11 +382,41 @@ void isa_half(const c205_insn *insn, char text[ISA_HALF])
 
 /* ---- Special values ----------------------------------------------------- */
 
-const char *isa_specials(const c205_insn *insn)
+/* Describes the results for machine zeros and indefinites, and out of range if the
+ * general rule does not apply. */
+static const char *specials_rule(const c205_insn *insn)
 {
     bool has_numbers = has_operand(insn, "fvFV");
     bool has_elements = c205_unit_is_vector(insn->unit) && *insn->operands;
     return has_numbers || has_elements ? c205_operation_specials(insn->operation) : "";
+}
+
+/* ---- All rules ---------------------------------------------------------- */
+
+static void add_rule(struct isa_rules *rules, const char *name, const char *page_name,
+                     const char *text)
+{
+    if (!text || *text) {
+        rules->rule[rules->count++] = (struct isa_rule){ name, page_name, text };
+    }
+}
+
+void isa_list_rules(const c205_insn *insn, struct isa_rules *rules)
+{
+    static const unsigned described = C205_INSN_PADZ | C205_INSN_PADO | C205_INSN_HALF;
+    rules->count = 0;
+    write_half_rule(insn, rules->half);
+    add_rule(rules, "length", "length", length_rule(insn));
+    add_rule(rules, "padding", "short source", padding_rule(insn));
+    add_rule(rules, "control", "control vector", control_rule(insn));
+    add_rule(rules, "specials", "special values", specials_rule(insn));
+    add_rule(rules, "with ,H", "with `,H`", rules->half);
+    for (unsigned flag = 1; flag <= insn->flags; flag <<= 1) {
+        if (insn->flags & flag & ~described) {
+            add_rule(rules, "note", "note", flag_note(insn, flag));
+        }
+    }
+    add_rule(rules, "note", "note", link_note(insn));
 }
 
 /* ---- Families ----------------------------------------------------------- */
