@@ -49,7 +49,8 @@ bool file_ends_with(const char *path, const char *ending)
 {
     size_t length = strlen(path), rest = strlen(ending);
 
-    return length > rest && strcmp(path + length - rest, ending) == 0;
+    return length > rest && path[length - rest - 1] != '/'
+           && strcmp(path + length - rest, ending) == 0;
 }
 
 const char *file_reason(int code)
