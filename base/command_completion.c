@@ -1,246 +1,148 @@
-/* command_completion.c - prints the completion scripts for bash, zsh and fish. */
+/* command_completion.c - completes command lines for bash, zsh and fish, whose scripts call
+ * "help --complete WORD..". */
 #include <stdio.h>
 #include <string.h>
 
 #include "base/command_rows.h"
 
-/* Writes the names of a row's values, separated by blanks; nothing if it has none. */
-static void put_choices(FILE *file, const struct command_option *row)
+/* ---- Candidates --------------------------------------------------------- */
+
+/* Prints a candidate and its explanation if it begins with the word. */
+static void put_candidate(const char *word, const char *dashes, const char *name,
+                          const char *meaning)
 {
-    const char *name = NULL, *before = "";
-    for (size_t i = 0; row->choice; i++) {
-        i = command_next_choice(row->choice, i, &name);
-        if (!name) {
-            break;
-        }
-        fprintf(file, "%s%s", before, name);
-        before = " ";
+    char text[COMMAND_NAME_SIZE];
+    snprintf(text, sizeof text, "%s%s", dashes, name);
+    if (strncmp(text, word, strlen(word)) == 0) {
+        printf("%s\t%s\n", text, meaning);
     }
 }
 
-static bool is_file(const struct command_option *row)
+static void put_option(const char *word, const struct command_option *row)
 {
-    return row->kind == COMMAND_INPUT || row->kind == COMMAND_OUTPUT
-           || row->kind == COMMAND_FILE;
+    char letter[2] = { row->letter, '\0' };
+    put_candidate(word, "--", row->name, row->help);
+    if (row->letter) {
+        put_candidate(word, "-", letter, row->help);
+    }
 }
 
-/* Returns true if the program has a single command without a name. */
-static bool is_nameless(const struct command_program *program)
-{
-    return program->commands[0]->name == NULL;
-}
-
-static void put_command_names(FILE *file, const struct command_program *program)
+static void put_commands(const struct command_program *program, const char *word)
 {
     const struct command *const *command = program->commands;
+    putchar('\n');
     for (; *command; command++) {
-        fprintf(file, "%s ", (*command)->name);
+        put_candidate(word, "", (*command)->name, (*command)->summary);
     }
-    fputs("help --help --version", file);
+    put_candidate(word, "", "help", "print the help of a command");
+    put_option(word, &command_help_option);
+    put_option(word, &command_version_option);
 }
 
-/* ---- bash --------------------------------------------------------------- */
+static void put_options(const char *word, const struct command_option *row)
+{
+    putchar('\n');
+    for (; command_is_row(row); row++) {
+        put_option(word, row);
+    }
+    put_option(word, &command_help_option);
+    put_option(word, &command_version_option);
+}
 
-static void put_bash_words(FILE *file, const struct command *command)
+/* Prints whether a value of one of the rows is a file (-f) or a folder (-d), and the names
+ * of their choices. */
+static void put_values(const char *word, const struct command_option *rows,
+                       size_t count)
+{
+    const char *name, *kind = "";
+    for (size_t i = 0; i < count; i++) {
+        bool file = rows[i].kind == COMMAND_INPUT || rows[i].kind == COMMAND_OUTPUT
+                    || rows[i].kind == COMMAND_FILE;
+        kind = file ? "-f" : rows[i].kind == COMMAND_FOLDER && !*kind ? "-d" : kind;
+    }
+    puts(kind);
+    for (size_t i = 0; i < count; i++) {
+        for (size_t number = 0; rows[i].choice; number++) {
+            number = command_next_choice(rows[i].choice, number, &name);
+            if (!name) {
+                break;
+            }
+            put_candidate(word, "", name, rows[i].value);
+        }
+    }
+}
+
+/* ---- The word that is completed ----------------------------------------- */
+
+/* Returns the option with a value that the word names: "--name", "--name=value" or
+ * "-letter"; or NULL. */
+static const struct command_option *option_with_value(const struct command *command,
+                                                      const char *word)
 {
     const struct command_option *row = command->options;
+    size_t length = strcspn(word, "=");
+    char letter = word[0] == '-' && length == 2 ? word[1] : '\0';
+    bool is_long = length > 2 && strncmp(word, "--", 2) == 0;
     for (; command_is_row(row); row++) {
-        fprintf(file, "--%s ", row->name);
-        if (row->letter) {
-            fprintf(file, "-%c ", row->letter);
+        bool named = is_long && strlen(row->name) == length - 2
+                     && strncmp(row->name, word + 2, length - 2) == 0;
+        if (row->kind != COMMAND_FLAG && (named || (letter && letter == row->letter))) {
+            return row;
         }
     }
-    fputs("--help --version", file);
+    return NULL;
 }
 
-/* Writes the arguments of compgen for a value: words, files or folders; otherwise no
- * words. */
-static void put_bash_values(FILE *file, const struct command_option *row)
+int command_complete(const struct command_program *program, int count, char **words)
 {
-    const char *kind = is_file(row) ? " -f" : row->kind == COMMAND_FOLDER ? " -d" : "";
-    if (row->choice || !*kind) {
-        fputs(" -W '", file);
-        put_choices(file, row);
-        putc('\'', file);
+    const struct command *command = program->commands[0];
+    const char *word = count > 0 ? words[count - 1] : "";
+    const char *before = count > 1 ? words[count - 2] : "";
+    if (command->name && (count < 2 || (count == 2 && strcmp(words[0], "help") == 0))) {
+        put_commands(program, word);
+        return CMD_DONE;
     }
-    fputs(kind, file);
+    command = command->name ? command_named(program, words[0]) : command;
+    if (!command) {
+        return CMD_DONE;
+    }
+    /* bash splits "--name=value" into three words. */
+    if (strcmp(word, "=") == 0) {
+        word = "";
+    } else if (strcmp(before, "=") == 0 && count > 2) {
+        before = words[count - 3];
+    } else if (word[0] == '-' && strchr(word, '=')) {
+        before = word;
+        word = strchr(word, '=') + 1;
+    }
+    const struct command_option *option = option_with_value(command, before);
+    if (option) {
+        put_values(word, option, 1);
+    } else if (word[0] == '-') {
+        put_options(word, command->options);
+    } else {
+        put_values(word, command->operands, command_count_rows(command->operands));
+    }
+    return CMD_DONE;
 }
 
-static void put_bash_options(FILE *file, const struct command *command)
-{
-    const struct command_option *row = command->options;
-    for (; command_is_row(row); row++) {
-        if (row->kind == COMMAND_FLAG) {
-            continue;
-        }
-        fprintf(file, "        '%s --%s'", command->name ? command->name : "",
-                row->name);
-        if (row->letter) {
-            fprintf(file, "|'%s -%c'", command->name ? command->name : "", row->letter);
-        }
-        fputs(") values=\"", file);
-        put_bash_values(file, row);
-        fputs("\";;\n", file);
-    }
-}
-
-static void put_bash_operands(FILE *file, const struct command *command)
-{
-    const struct command_option *row = command->operands;
-    fprintf(file, "        %s) options='", command->name ? command->name : "''");
-    put_bash_words(file, command);
-    fputs("' operands=\"", file);
-    for (; command_is_row(row); row++) {
-        put_bash_values(file, row);
-    }
-    fputs("\";;\n", file);
-}
+/* ---- Scripts ------------------------------------------------------------ */
 
 void command_print_bash(const struct command_program *program, FILE *file)
 {
-    const struct command *const *command;
     const char *name = program->name;
     fprintf(file,
             "# bash completion of %s, made by %s help --completion bash\n"
             "_%s() {\n"
-            "    local word=${COMP_WORDS[COMP_CWORD]} command= values= "
-            "options= operands=\n"
-            "    local before=${COMP_WORDS[COMP_CWORD - 1]}\n"
-            "    if [ \"$word\" = = ]; then word=\n"
-            "    elif [ \"$before\" = = ]; then "
-            "before=${COMP_WORDS[COMP_CWORD - 2]}\n"
-            "    fi\n",
-            name, name, name);
-    if (!is_nameless(program)) {
-        fputs("    command=${COMP_WORDS[1]}\n"
-              "    if [ \"$COMP_CWORD\" -eq 1 ] || { [ \"$COMP_CWORD\" -eq 2 ] "
-              "&& [ \"$command\" = help ]; }; then\n"
-              "        mapfile -t COMPREPLY < <(compgen -W '",
-              file);
-        put_command_names(file, program);
-        fputs("' -- \"$word\")\n        return\n    fi\n", file);
-    }
-    fputs("    case \"$command $before\" in\n", file);
-    for (command = program->commands; *command; command++) {
-        put_bash_options(file, *command);
-    }
-    fputs("    esac\n    case \"$command\" in\n", file);
-    for (command = program->commands; *command; command++) {
-        put_bash_operands(file, *command);
-    }
-    fprintf(file,
-            "    esac\n"
-            "    if [ -z \"$values\" ]; then\n"
-            "        case \"$word\" in\n"
-            "        -*) values=\" -W '$options'\";;\n"
-            "        *) values=$operands;;\n"
-            "        esac\n"
-            "    fi\n"
-            "    [ -z \"$values\" ] || "
-            "eval \"mapfile -t COMPREPLY < <(compgen$values -- "
-            "\\\"\\$word\\\")\"\n"
+            "    local word=${COMP_WORDS[COMP_CWORD]} kind\n"
+            "    { read -r kind; mapfile -t COMPREPLY; } < <(\n"
+            "        %s help --complete \"${COMP_WORDS[@]:1:COMP_CWORD}\")\n"
+            "    COMPREPLY=(\"${COMPREPLY[@]%%%%$'\\t'*}\")\n"
+            "    [ -z \"$kind\" ] || mapfile -t -O ${#COMPREPLY[@]} COMPREPLY < <(\n"
+            "        compgen \"$kind\" -- \"${word#=}\")\n"
             "}\n"
             "complete -o filenames -F _%s %s\n",
-            name, name);
-}
-
-/* ---- zsh ---------------------------------------------------------------- */
-
-/* Writes a text inside single quotes and brackets of _arguments. */
-static void put_zsh_text(FILE *file, const char *text)
-{
-    for (; *text; text++) {
-        if (*text == '\'') {
-            fputs("'\\''", file);
-        } else {
-            fputs(strchr("[]:\\", *text) ? "\\" : "", file);
-            putc(*text, file);
-        }
-    }
-}
-
-static void put_zsh_action(FILE *file, const struct command_option *row)
-{
-    putc(':', file);
-    put_zsh_text(file, row->value);
-    putc(':', file);
-    if (row->choice && is_file(row)) {
-        fputs("_alternative \"names:name:(", file);
-        put_choices(file, row);
-        fputs(")\" \"files:file:_files\"", file);
-    } else if (row->choice) {
-        putc('(', file);
-        put_choices(file, row);
-        putc(')', file);
-    } else if (is_file(row)) {
-        fputs("_files", file);
-    } else if (row->kind == COMMAND_FOLDER) {
-        fputs("_files -/", file);
-    }
-}
-
-static void put_zsh_option(FILE *file, const struct command_option *row)
-{
-    const char *again = row->many ? "*" : "";
-    const char *forms[2] = { row->name, NULL };
-    char letter[2] = { row->letter, '\0' };
-    forms[1] = row->letter ? letter : NULL;
-    for (int i = 0; i < 2 && forms[i]; i++) {
-        fprintf(file, " \\\n            '%s%s%s%s[", again, i ? "-" : "--", forms[i],
-                row->kind == COMMAND_FLAG ? ""
-                : i                       ? "+"
-                                          : "=");
-        put_zsh_text(file, row->help);
-        putc(']', file);
-        if (row->kind != COMMAND_FLAG) {
-            put_zsh_action(file, row);
-        }
-        putc('\'', file);
-    }
-}
-
-static void put_zsh_command(FILE *file, const struct command *command)
-{
-    const struct command_option *row = command->options;
-    fputs("        _arguments -s", file);
-    for (; command_is_row(row); row++) {
-        put_zsh_option(file, row);
-    }
-    put_zsh_option(file, &command_help_option);
-    put_zsh_option(file, &command_version_option);
-    for (row = command->operands; command_is_row(row); row++) {
-        fprintf(file, " \\\n            '%s",
-                row->many       ? "*"
-                : row->optional ? ":"
-                                : "");
-        put_zsh_action(file, row);
-        putc('\'', file);
-    }
-    putc('\n', file);
-}
-
-static void put_zsh_commands(FILE *file, const struct command_program *program)
-{
-    const struct command *const *command = program->commands;
-    fputs("    local line state\n    _arguments -C '1:command:((", file);
-    for (; *command; command++) {
-        fprintf(file, "%s\\:\"", (*command)->name);
-        put_zsh_text(file, (*command)->summary);
-        fputs("\" ", file);
-    }
-    fputs("help\\:\"print the help of a command\"))' '*::argument:->rest'\n"
-          "    case $line[1] in\n",
-          file);
-    for (command = program->commands; *command; command++) {
-        fprintf(file, "    %s)\n", (*command)->name);
-        put_zsh_command(file, *command);
-        fputs("        ;;\n", file);
-    }
-    fputs("    help)\n        _values command", file);
-    for (command = program->commands; *command; command++) {
-        fprintf(file, " %s", (*command)->name);
-    }
-    fputs("\n        ;;\n    esac\n", file);
+            name, name, name, name, name, name);
 }
 
 void command_print_zsh(const struct command_program *program, FILE *file)
@@ -249,100 +151,39 @@ void command_print_zsh(const struct command_program *program, FILE *file)
     fprintf(file,
             "#compdef %s\n"
             "# zsh completion of %s, made by %s help --completion zsh\n"
-            "_%s() {\n",
+            "local -a lines\n"
+            "lines=(\"${(@f)$(%s help --complete \"${(@)words[2,CURRENT]}\")}\")\n"
+            "compset -P '--*='\n"
+            "case $lines[1] in\n"
+            "-f) _files;;\n"
+            "-d) _files -/;;\n"
+            "esac\n"
+            "lines=(\"${(@)${(@)lines[2,-1]//:/\\\\:}/$'\\t'/:}\")\n"
+            "_describe value lines\n",
             name, name, name, name);
-    if (is_nameless(program)) {
-        put_zsh_command(file, program->commands[0]);
-    } else {
-        put_zsh_commands(file, program);
-    }
-    fprintf(file, "}\n_%s \"$@\"\n", name);
-}
-
-/* ---- fish --------------------------------------------------------------- */
-
-/* Writes a text in single quotes. */
-static void put_fish_text(FILE *file, const char *text)
-{
-    putc('\'', file);
-    for (; *text; text++) {
-        fputs(*text == '\'' || *text == '\\' ? "\\" : "", file);
-        putc(*text, file);
-    }
-    putc('\'', file);
-}
-
-static void put_fish_begin(FILE *file, const struct command_program *program,
-                           const struct command *command)
-{
-    fprintf(file, "complete -c %s", program->name);
-    if (command->name) {
-        fprintf(file, " -n '__fish_seen_subcommand_from %s'", command->name);
-    }
-}
-
-static void put_fish_values(FILE *file, const struct command_option *row)
-{
-    if (row->choice) {
-        fputs(" -a '", file);
-        put_choices(file, row);
-        putc('\'', file);
-    }
-    if (row->kind == COMMAND_FOLDER) {
-        fputs(" -a '(__fish_complete_directories)'", file);
-    }
-    fputs(is_file(row) ? " -F" : " -f", file);
-}
-
-static void put_fish_row(FILE *file, const struct command_program *program,
-                         const struct command *command,
-                         const struct command_option *row)
-{
-    put_fish_begin(file, program, command);
-    if (row->name) {
-        fprintf(file, " -l %s", row->name);
-    }
-    if (row->letter) {
-        fprintf(file, " -s %c", row->letter);
-    }
-    if (row->name && row->kind != COMMAND_FLAG) {
-        fputs(" -r", file);
-    }
-    if (row->kind != COMMAND_FLAG) {
-        put_fish_values(file, row);
-    }
-    fputs(" -d ", file);
-    put_fish_text(file, row->help);
-    putc('\n', file);
-}
-
-static void put_fish_command(FILE *file, const struct command_program *program,
-                             const struct command *command)
-{
-    const struct command_option *row;
-    if (command->name) {
-        fprintf(file, "complete -c %s -n __fish_use_subcommand -f -a %s -d ",
-                program->name, command->name);
-        put_fish_text(file, command->summary);
-        putc('\n', file);
-    }
-    for (row = command->options; command_is_row(row); row++) {
-        put_fish_row(file, program, command, row);
-    }
-    put_fish_row(file, program, command, &command_help_option);
-    put_fish_row(file, program, command, &command_version_option);
-    for (row = command->operands; command_is_row(row); row++) {
-        put_fish_row(file, program, command, row);
-    }
 }
 
 void command_print_fish(const struct command_program *program, FILE *file)
 {
-    const struct command *const *command = program->commands;
     const char *name = program->name;
-    fprintf(file, "# fish completion of %s, made by %s help --completion fish\n", name,
-            name);
-    for (; *command; command++) {
-        put_fish_command(file, program, *command);
-    }
+    fprintf(file,
+            "# fish completion of %s, made by %s help --completion fish\n"
+            "function __%s_complete\n"
+            "    set -l word (commandline -ct)\n"
+            "    set -l words (commandline -opc)\n"
+            "    set -l lines (%s help --complete $words[2..] \"$word\")\n"
+            "    set -l option (string match -r -- '^--[^=]*=' \"$word\")\n"
+            "    set -l path (string replace -r -- '^--[^=]*=' '' \"$word\")\n"
+            "    switch \"$lines[1]\"\n"
+            "        case -f\n"
+            "            set -a lines (__fish_complete_path \"$path\")\n"
+            "        case -d\n"
+            "            set -a lines (__fish_complete_directories \"$path\" '')\n"
+            "    end\n"
+            "    for line in $lines[2..]\n"
+            "        echo \"$option$line\"\n"
+            "    end\n"
+            "end\n"
+            "complete -c %s -f -a '(__%s_complete)'\n",
+            name, name, name, name, name, name);
 }

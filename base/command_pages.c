@@ -19,6 +19,9 @@ int command_print_page(const struct command_program *program, int argc, char **a
         { "--completion", "fish", command_print_fish },
     };
     const char *shell = argc > 1 ? argv[1] : "";
+    if (strcmp(argv[0], "--complete") == 0) {
+        return command_complete(program, argc - 1, argv + 1);
+    }
     for (size_t i = 0; i < sizeof pages / sizeof *pages; i++) {
         if (strcmp(argv[0], pages[i].option) == 0
             && (!pages[i].shell || strcmp(shell, pages[i].shell) == 0)) {

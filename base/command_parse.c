@@ -23,7 +23,7 @@ bool command_is_row(const struct command_option *option)
     return option && option->help;
 }
 
-static size_t rows_in(const struct command_option *options)
+size_t command_count_rows(const struct command_option *options)
 {
     size_t count = 0;
     while (command_is_row(options)) {
@@ -302,7 +302,7 @@ static void add_option(struct getopt_tables *tables, size_t place,
 
 static bool make_tables(const struct command *command, struct getopt_tables *tables)
 {
-    tables->count = rows_in(command->options);
+    tables->count = command_count_rows(command->options);
     tables->options = calloc(tables->count + 3, sizeof *tables->options);
     tables->letters = calloc(tables->count + 3, 3);
     if (!tables->options || !tables->letters) {

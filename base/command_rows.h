@@ -14,6 +14,7 @@ extern const struct command_option command_help_option, command_version_option;
 
 /* Returns true for a row, false for the end of a list. The list may be NULL. */
 bool command_is_row(const struct command_option *option);
+size_t command_count_rows(const struct command_option *options);
 
 /* Writes "c205 run", or only the program's name if the command is NULL or has no
  * name. */
@@ -46,14 +47,18 @@ void command_free(const struct command *command, void *arguments);
 void command_print_summary(const struct command_program *program, FILE *file);
 void command_print_help(const struct command_program *program,
                         const struct command *command, FILE *file);
-/* Prints the page of "help --list", --man or --completion bash|zsh|fish. Returns the
- * exit code. */
+/* Prints the page of "help --list", --man, --completion bash|zsh|fish or --complete.
+ * Returns the exit code. */
 int command_print_page(const struct command_program *program, int argc, char **argv);
 void command_print_list(const struct command_program *program, FILE *file);
 void command_print_man(const struct command_program *program, FILE *file);
 void command_print_bash(const struct command_program *program, FILE *file);
 void command_print_zsh(const struct command_program *program, FILE *file);
 void command_print_fish(const struct command_program *program, FILE *file);
+/* Completes the last of the words that follow the program's name. Prints "-f" if a file
+ * can be there, "-d" for a folder, or nothing; then a line for each candidate with a tab
+ * before its explanation. Returns the exit code. */
+int command_complete(const struct command_program *program, int count, char **words);
 
 /* Returns the index of the next value with a name, from this index on. Sets *name to
  * NULL if there is none. */
