@@ -13,7 +13,7 @@
 
 enum { PATH_SIZE = 512 };
 
-struct arguments {
+struct fit_arguments {
     const char *command;
     const char *data;
     struct command_output results;
@@ -42,7 +42,7 @@ static bool is_read(bool good, const char *path, struct diagnostics *diagnostics
     return good;
 }
 
-static bool read_sources(const struct arguments *arguments, struct sources *sources,
+static bool read_sources(const struct fit_arguments *args, struct sources *sources,
                          c205_error *error)
 {
     static const char *const files[] = { "table1.csv", "machine.csv", "livermore.csv" };
@@ -55,36 +55,35 @@ static bool read_sources(const struct arguments *arguments, struct sources *sour
      * it has all 100,000 rays. */
     how.width[TRACE_VECTOR] = 400;
     how.height[TRACE_VECTOR] = 250;
-    how.width[TRACE_SCALAR] = arguments->width;
-    how.height[TRACE_SCALAR] = arguments->height;
+    how.width[TRACE_SCALAR] = args->width;
+    how.height[TRACE_SCALAR] = args->height;
     how.view.distance = SPEEDUP_DISTANCE;
-    how.view.angle = arguments->angle;
-    snprintf(programs, sizeof programs, "%.400s/programs", arguments->data);
+    how.view.angle = args->angle;
+    snprintf(programs, sizeof programs, "%.400s/programs", args->data);
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-        snprintf(path, sizeof path, "%.400s/observations/%s", arguments->data,
-                 files[i]);
+        snprintf(path, sizeof path, "%.400s/observations/%s", args->data, files[i]);
         if (!how.model
             || !is_read(observations_read(&sources->observations, path, &how, &found),
                         path, &found, error))
             return false;
     }
-    snprintf(path, sizeof path, "%.400s/constants.csv", arguments->data);
+    snprintf(path, sizeof path, "%.400s/constants.csv", args->data);
     return is_read(constants_read(&sources->constants, path, &found), path, &found,
                    error);
 }
 
-static bool hold_out(const struct arguments *arguments, const struct observations *all,
+static bool hold_out(const struct fit_arguments *args, const struct observations *all,
                      struct study *study, c205_error *error)
 {
-    for (size_t i = 0; i < arguments->held.count; i++) {
+    for (size_t i = 0; i < args->held.count; i++) {
         bool found = false;
 
         for (size_t k = 0; k < all->count; k++)
-            if (strcmp(all->items[k].name, arguments->held.items[i]) == 0)
+            if (strcmp(all->items[k].name, args->held.items[i]) == 0)
                 study->held.held[k] = found = true;
         if (!found)
             return error_set(error, "unknown observation '%.100s'",
-                             arguments->held.items[i]);
+                             args->held.items[i]);
     }
     return true;
 }
@@ -93,33 +92,32 @@ static bool hold_out(const struct arguments *arguments, const struct observation
 
 /* Predicts the observations with the models as written, and writes the requested
  * models. */
-static bool write_models(const struct arguments *arguments, const struct study *study,
+static bool write_models(const struct fit_arguments *args, const struct study *study,
                          double *written, c205_error *error)
 {
     bool good = written_predict(study, written, error);
 
-    for (size_t i = 0; good && i < arguments->written.count; i++)
-        good = written_model(study, written, arguments->written.items[i], error);
+    for (size_t i = 0; good && i < args->written.count; i++)
+        good = written_model(study, written, args->written.items[i], error);
     return good;
 }
 
 /* Checks that all files can be written, before the work of about a minute. */
-static bool check_files(const struct arguments *arguments, const struct study *study,
+static bool check_files(const struct fit_arguments *args, const struct study *study,
                         c205_error *error)
 {
-    for (size_t i = 0; i < arguments->written.count; i++)
-        if (!written_check(study, arguments->written.items[i], error))
+    for (size_t i = 0; i < args->written.count; i++)
+        if (!written_check(study, args->written.items[i], error))
             return false;
     return true;
 }
 
-static bool report_progress(const struct arguments *arguments,
-                            const struct study *study,
+static bool report_progress(const struct fit_arguments *args, const struct study *study,
                             const struct command_output *results, c205_error *error)
 {
     double written[MAX_FIT_OBSERVATIONS];
 
-    if (!write_models(arguments, study, written, error))
+    if (!write_models(args, study, written, error))
         return false;
     error_set(error, "out of memory");
     if (!report_print(study, written, results))
@@ -128,29 +126,35 @@ static bool report_progress(const struct arguments *arguments,
     return true;
 }
 
-static bool work(const struct arguments *arguments, struct sources *sources,
-                 struct study *study, const struct command_output *results,
-                 c205_error *error)
+static bool fit(const struct fit_arguments *args, struct sources *sources,
+                struct study *study, const struct command_output *results,
+                c205_error *error)
 {
-    study->brief = arguments->brief;
+    study->brief = args->brief;
     study->fit.observations = &sources->observations;
     study->fit.constants = &sources->constants;
-    study->fit.jobs = jobs_wanted(arguments->jobs, MAX_FIT_JOBS);
-    return read_sources(arguments, sources, error)
-           && hold_out(arguments, &sources->observations, study, error)
-           && check_files(arguments, study, error) && study_make(study, error)
-           && report_progress(arguments, study, results, error);
+    study->fit.jobs = jobs_wanted(args->jobs, MAX_FIT_JOBS);
+    return read_sources(args, sources, error)
+           && hold_out(args, &sources->observations, study, error)
+           && check_files(args, study, error) && study_make(study, error)
+           && report_progress(args, study, results, error);
 }
 
 /* ---- The command --------------------------------------------------------- */
 
-static int fit(const struct arguments *arguments, const struct command_output *results)
+static int cmd_fit(void *given)
 {
+    const struct fit_arguments *args = given;
+    struct command_output results = args->results;
     struct sources *sources = calloc(1, sizeof *sources);
     struct study *study = calloc(1, sizeof *study);
     c205_error error = { "out of memory" };
-    bool good = sources && study && work(arguments, sources, study, results, &error);
+    int code = CMD_DONE;
 
+    if (!output_open(&results, args->command, NULL))
+        code = CMD_FAILED;
+    else if (!sources || !study || !fit(args, sources, study, &results, &error))
+        code = cmd_failed(args->command, "%s", error.message);
     if (sources) {
         constants_free(&sources->constants);
         observations_free(&sources->observations);
@@ -158,20 +162,10 @@ static int fit(const struct arguments *arguments, const struct command_output *r
     }
     free(sources);
     free(study);
-    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
+    return output_close(&results, code);
 }
 
-static int run(void *given)
-{
-    const struct arguments *arguments = given;
-    struct command_output results = arguments->results;
-
-    if (!output_open(&results, arguments->command, NULL))
-        return CMD_FAILED;
-    return output_close(&results, fit(arguments, &results));
-}
-
-#define PLACE(member) offsetof(struct arguments, member)
+#define PLACE(member) offsetof(struct fit_arguments, member)
 
 static const struct command_option options[] = {
     { .name = "data",
@@ -210,7 +204,7 @@ static const struct command_option options[] = {
       .offset = PLACE(written),
       .help = "write the fitted model; its name selects the priors: "
               "cyber205-2pipe.model for cyber205-2pipe-prior" },
-    OUTPUT_OPTIONS(struct arguments, results),
+    OUTPUT_OPTIONS(struct fit_arguments, results),
     COMMAND_END
 };
 
@@ -218,8 +212,8 @@ int main(int argc, char **argv)
 {
     static const struct command command = {
         .summary = "constants of the timing model, fitted to published times",
-        .function = run,
-        .arguments_size = sizeof(struct arguments),
+        .function = cmd_fit,
+        .arguments_size = sizeof(struct fit_arguments),
         .options = options,
     };
     static const struct command *const commands[] = { &command, NULL };
