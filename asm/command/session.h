@@ -7,7 +7,8 @@
  *   return session_close(&session, good ? work(&session, args) : CMD_FAILED);
  *
  * The arguments of a command are a structure in its file, which begins with
- * struct shared_arguments and contains the other groups that the command has.
+ * struct shared_arguments, or only its first member, and contains the other groups that
+ * the command has.
  */
 #ifndef ASM_SESSION_H
 #define ASM_SESSION_H
@@ -74,17 +75,17 @@ command_take cmd_take_warning;
 
 /* These take the offset of the struct source_arguments. */
 #define CMD_INCLUDE(source) \
-    OPTION_INCLUDE(source + offsetof(struct source_arguments, folders))
+    OPTION_INCLUDE((source) + offsetof(struct source_arguments, folders))
 #define CMD_DEFINE(source) \
     { .name = "define", .value = "NAME=VALUE", .kind = COMMAND_CUSTOM, \
-      .offset = source + offsetof(struct source_arguments, defines), \
+      .offset = (source) + offsetof(struct source_arguments, defines), \
       .take = cmd_take_define, \
       .wants = "NAME=VALUE, a name and an integer, each name once", \
       .help = "define an integer for the program text, like .equ" }
 #define CMD_WARN(source) \
     { .name = "warn", .letter = 'W', .value = "NAME|no-NAME", \
       .kind = COMMAND_CUSTOM, \
-      .offset = source + offsetof(struct source_arguments, warnings), \
+      .offset = (source) + offsetof(struct source_arguments, warnings), \
       .take = cmd_take_warning, \
       .wants = "the name of a warning (-W list prints them), all or error, " \
                "or no- and one of these", \

@@ -77,12 +77,12 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
 
 #define CMD_SIZE(across, down) \
     { OPTION_COUNT("width", CMD_SHARED(trace.width), 1, MAX_TRACE_PIXELS, across, \
-                "pixels across"), .letter = 'W' }, \
+                   "pixels across"), .letter = 'W' }, \
     { OPTION_COUNT("height", CMD_SHARED(trace.height), 1, MAX_TRACE_PIXELS, down, \
-                "pixels down"), .letter = 'H' }
+                   "pixels down"), .letter = 'H' }
 #define CMD_QUEUE(what) \
     { OPTION_COUNT("queue", CMD_SHARED(trace.queue), 1, MAX_TRACE_QUEUE, TRACE_QUEUE, \
-                what) }
+                   what) }
 #define CMD_JOBS(what) \
     { OPTION_COUNT("jobs", CMD_SHARED(trace.jobs), 1, MAX_TRACE_JOBS, 0, what), \
       .preset_text = "one for each processor" }
@@ -92,18 +92,18 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
       .preset = TRACE_VECTOR, .help = what }
 #define CMD_BOUNDS \
     OPTION_FLAG("historical", CMD_SHARED(trace.historical), \
-             "use the methods of 1984 for cylinders and Steiner patches"), \
+                "use the methods of 1984 for cylinders and Steiner patches"), \
     OPTION_FLAG("no-bounds", CMD_SHARED(trace.no_bounds), \
-             "test every ray against every primitive"), \
+                "test every ray against every primitive"), \
     OPTION_FLAG("flat", CMD_SHARED(trace.flat), \
-             "use no hierarchy: regions in the order of the scene, CSG trees " \
-             "as written"), \
+                "use no hierarchy: regions in the order of the scene, CSG trees " \
+                "as written"), \
     { .name = "visible", .value = "WAY", .kind = COMMAND_CHOICE, \
       .offset = CMD_SHARED(trace.visible), .choice = cmd_visible_choice, \
       .help = "method for CSG solids in vector form" }
 #define CMD_SAMPLES \
     { OPTION_COUNT("samples", CMD_SHARED(trace.samples), 1, MAX_TRACE_SAMPLES, 1, \
-                "N x N rays per pixel, averaged") }
+                   "N x N rays per pixel, averaged") }
 #define CMD_THRESHOLD \
     { .name = "threshold", .value = "T", .kind = COMMAND_NUMBER, \
       .offset = CMD_SHARED(trace.threshold), .most = 1000, \
@@ -117,26 +117,26 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
 /* The rows of the other groups take the offset of the group. */
 #define CMD_SCENE(scene) \
     { .value = "SCENE", .kind = COMMAND_INPUT, \
-      .offset = scene + offsetof(struct scene_arguments, path), \
+      .offset = (scene) + offsetof(struct scene_arguments, path), \
       .help = "a scene file" }
 #define CMD_READ(scene) \
-    OPTION_FLAG("strict", scene + offsetof(struct scene_arguments, strict), \
-             "report replaced or ignored features as errors"), \
-    OPTION_INCLUDE(scene + offsetof(struct scene_arguments, search))
+    OPTION_FLAG("strict", (scene) + offsetof(struct scene_arguments, strict), \
+                "report replaced or ignored features as errors"), \
+    OPTION_INCLUDE((scene) + offsetof(struct scene_arguments, search))
 #define CMD_RESUME(jobs, what) \
     { .name = "resume", .value = "FILE", .kind = COMMAND_FILE, \
-      .many = true, .offset = jobs + offsetof(struct job_arguments, resume), \
+      .many = true, .offset = (jobs) + offsetof(struct job_arguments, resume), \
       .help = "store finished " what " in FILE and continue from those it has; " \
               "read those of further files, too" }
 #define CMD_PART(jobs, what) \
     { .name = "part", .value = "K/N", .kind = COMMAND_CUSTOM, \
-      .offset = jobs + offsetof(struct job_arguments, job_set), \
+      .offset = (jobs) + offsetof(struct job_arguments, job_set), \
       .take = cmd_take_part, \
       .wants = "K/N, with K between 1 and N, such as 1/4", \
       .help = "only the K-th of N shares of the " what ", stored by --resume" }
 #define CMD_RANKS(jobs) \
-    { OPTION_COUNT("ranks", jobs + offsetof(struct job_arguments, ranks), \
-                1, MAX_RANKS, 0, "MPI processes"), \
+    { OPTION_COUNT("ranks", (jobs) + offsetof(struct job_arguments, ranks), \
+                   1, MAX_RANKS, 0, "MPI processes"), \
       .preset_text = "this process" }
 #define CMD_PIXEL(option, pixel, what) \
     { .name = option, .value = "X,Y", .kind = COMMAND_CUSTOM, \
@@ -144,11 +144,11 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
       .wants = "column and row of a pixel, counted from 0, such as 12,7", .help = what }
 #define CMD_VIEW(view, usual, usual_text) \
     { .name = "distance", .value = "D", .kind = COMMAND_NUMBER, \
-      .offset = view + offsetof(struct speedup_view, distance), .most = 1e6, \
+      .offset = (view) + offsetof(struct speedup_view, distance), .most = 1e6, \
       .preset = SPEEDUP_DISTANCE, \
       .help = "distance from the eye to the centre of the shape" }, \
     { .name = "angle", .value = "DEGREES", .kind = COMMAND_NUMBER, \
-      .offset = view + offsetof(struct speedup_view, angle), .most = 180, \
+      .offset = (view) + offsetof(struct speedup_view, angle), .most = 180, \
       .preset = usual, .preset_text = usual_text, .help = "horizontal angle of view" }
 /* clang-format on */
 
