@@ -294,15 +294,13 @@ static bool read_words(struct reader *reader, struct bicubic_patch *patch)
 
 static bool read_points(struct reader *reader, struct patch_points *points)
 {
+    double ignored[4][3];
+
     reader_comma(reader);
-    if (reader_accept(reader, "uv_vectors") && !mesh_pass_vectors(reader, 4))
+    if (reader_accept(reader, "uv_vectors") && !read_vectors(reader, ignored, 4))
         return false;
-    for (int i = 0; i < 16; i++) {
-        reader_comma(reader);
-        if (!read_vector(reader, points->at[i / 4][i % 4]))
-            return false;
-    }
-    return true;
+    reader_comma(reader);
+    return read_vectors(reader, points->at[0], 16);
 }
 
 /* Returns true if all points are on a line; such a patch is invisible in any place. */

@@ -137,10 +137,7 @@ static bool read_area(struct reader *reader, const struct item *item)
     double axes[2][3];
     size_t size[2] = { 0, 0 };
 
-    if (!read_vector(reader, axes[0]))
-        return false;
-    reader_comma(reader);
-    if (!read_vector(reader, axes[1]) || !read_side(reader, item, &size[0])
+    if (!read_vectors(reader, axes, 2) || !read_side(reader, item, &size[0])
         || !read_side(reader, item, &size[1]))
         return false;
     if (size[0] * size[1] > MAX_AREA_POINTS)

@@ -226,3 +226,14 @@ bool read_vector(struct reader *reader, double vector[3])
     memcpy(vector, numbers.n, 3 * sizeof *vector);
     return true;
 }
+
+bool read_vectors(struct reader *reader, double (*vectors)[3], size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (i > 0)
+            reader_comma(reader);
+        if (!read_vector(reader, vectors[i]))
+            return false;
+    }
+    return true;
+}

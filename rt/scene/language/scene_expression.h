@@ -26,6 +26,8 @@ bool read_full_number(struct reader *reader, double *value);
 /* Reads a vector. A float is expanded to three equal components; a vector of two gets a
  * zero. */
 bool read_vector(struct reader *reader, double vector[3]);
+/* Reads vectors with optional commas in between. */
+bool read_vectors(struct reader *reader, double (*vectors)[3], size_t count);
 /* Reads a colour with all five terms. */
 bool read_color(struct reader *reader, struct numbers *color);
 /* Like read_color, after its first word, which is a colour word. */

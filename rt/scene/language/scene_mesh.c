@@ -224,31 +224,17 @@ bool mesh_close(struct reader *reader, const struct block *block, bool good)
 
 static bool read_corners(struct reader *reader, bool smooth, struct triangle *triangle)
 {
+    size_t each = smooth ? 2 : 1; /* a corner, and the normal there */
+    double vectors[6][3];
+
     memset(triangle, 0, sizeof *triangle);
     triangle->smooth = smooth;
-    for (int i = 0; i < 3; i++) {
-        if (i > 0)
-            reader_comma(reader);
-        if (!read_vector(reader, triangle->corners[i]))
-            return false;
-        if (!smooth)
-            continue;
-        reader_comma(reader);
-        if (!read_vector(reader, triangle->normals[i]))
-            return false;
-    }
-    return true;
-}
-
-bool mesh_pass_vectors(struct reader *reader, int count)
-{
-    double passed[3];
-
-    for (int i = 0; i < count; i++) {
-        if (i > 0)
-            reader_comma(reader);
-        if (!read_vector(reader, passed))
-            return false;
+    if (!read_vectors(reader, vectors, 3 * each))
+        return false;
+    for (size_t i = 0; i < 3; i++) {
+        copy3(vectors[each * i], triangle->corners[i]);
+        if (smooth)
+            copy3(vectors[each * i + 1], triangle->normals[i]);
     }
     return true;
 }
@@ -256,8 +242,10 @@ bool mesh_pass_vectors(struct reader *reader, int count)
 /* uv coordinates are not used. */
 static bool read_uv_vectors(struct reader *reader, const struct item *item)
 {
+    double ignored[3][3];
+
     (void)item;
-    return mesh_pass_vectors(reader, 3);
+    return read_vectors(reader, ignored, 3);
 }
 
 static bool read_texture(struct reader *reader, const struct item *item)

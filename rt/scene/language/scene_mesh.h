@@ -49,8 +49,6 @@ bool mesh_is_smooth(const struct triangle *triangle);
 /* Reads the closing '}', before which nothing else may be. */
 bool mesh_close(struct reader *reader, const struct block *block, bool good);
 
-/* Skips vectors that have no effect here. */
-bool mesh_pass_vectors(struct reader *reader, int count);
 item_reader read_inside_vector;
 
 /* Reads the block of mesh2. */
