@@ -45,13 +45,12 @@ static bool read_vector_of(struct reader *reader, const struct item *item)
 
 static bool read_angle(struct reader *reader, const struct item *item)
 {
-    struct camera_reading *reading = item->subject;
+    const double *angle = item_member(item);
 
-    if (!read_number(reader, &reading->angle))
-        return false;
-    return (reading->angle >= 0 && reading->angle < 180)
-           || reader_fault(reader, &item->at,
-                           "the angle must be at least 0 and below 180 degrees");
+    return item_number(reader, item)
+           && ((*angle >= 0 && *angle < 180)
+               || reader_fault(reader, &item->at,
+                               "the angle must be at least 0 and below 180 degrees"));
 }
 
 /* perspective, orthographic; detail: whether it is the latter */
@@ -109,7 +108,7 @@ static const struct keyword words[] = {
     { "sky", item_vector, OF(setting.sky) },
     { "look_at", read_vector_of, OF(look_at) },
     { "focal_point", read_vector_of, OF(focal_point) },
-    { "angle", read_angle, 0 },
+    { "angle", read_angle, OF(angle) },
     { "perspective", read_kind, false },
     { "orthographic", read_kind, true },
     { "aperture", read_aperture, 0 },

@@ -101,12 +101,11 @@ static bool read_unsupported(struct reader *reader, const struct item *item)
 
 static bool read_accuracy(struct reader *reader, const struct item *item)
 {
-    struct normal_reading *reading = item->subject;
+    const double *accuracy = item_member(item);
 
-    if (!read_number(reader, &reading->list.bump.accuracy))
-        return false;
-    return reading->list.bump.accuracy != 0
-           || reader_fault(reader, &item->at, "the accuracy must not be 0");
+    return item_number(reader, item)
+           && (*accuracy != 0
+               || reader_fault(reader, &item->at, "the accuracy must not be 0"));
 }
 
 #define OF(member) offsetof(struct normal_reading, member)
@@ -118,7 +117,7 @@ static const struct keyword words[] = {
     { "average", read_average, PATTERN_PLANAR },
     { "quilted", read_function, PATTERN_QUILTED },
     { "bump_map " PATTERN_WORDS, read_unsupported, 0 },
-    { "accuracy", read_accuracy, 0 },
+    { "accuracy", read_accuracy, OF(list.bump.accuracy) },
     { "bump_size", item_number, OF(list.bump.amount) },
     { "control0", item_number, OF(list.bump.controls[0]) },
     { "control1", item_number, OF(list.bump.controls[1]) },

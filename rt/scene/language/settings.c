@@ -13,10 +13,7 @@ static bool read_gamma(struct reader *reader, const struct item *item)
         scene->assumed_gamma = 2.2;
         return true;
     }
-    if (!read_number(reader, &scene->assumed_gamma))
-        return false;
-    return scene->assumed_gamma > 0
-           || reader_fault(reader, &item->at, "assumed_gamma must be above 0");
+    return item_above_0(reader, item);
 }
 
 static bool read_trace_level(struct reader *reader, const struct item *item)
@@ -44,7 +41,7 @@ static bool read_charset(struct reader *reader, const struct item *item)
 }
 
 static const struct keyword words[] = {
-    { "assumed_gamma", read_gamma, 0 },
+    { "assumed_gamma", read_gamma, offsetof(struct scene, assumed_gamma) },
     { "ambient_light", item_rgb, offsetof(struct scene, ambient_light) },
     { "max_trace_level", read_trace_level, 0 },
     { "adc_bailout", item_number, offsetof(struct scene, adc_bailout) },
