@@ -8,14 +8,12 @@
 
 #include <math.h>
 
-static const char *const to_case[] = { "case", "range", "else", "end", NULL };
-
 /* Skips to the next case, whose match is then checked. */
 static bool to_next(struct reader *reader, struct scene_condition *condition)
 {
     struct scene_token at = condition->at;
 
-    if (condition_skip(reader, &at, to_case, 1))
+    if (condition_skip(reader, &at, "case range else end", 1))
         return true;
     reader->condition_count--;
     return false;

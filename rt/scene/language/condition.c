@@ -6,11 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-const char *const condition_openers[] = { "for",   "if",     "ifdef", "ifndef",
-                                          "macro", "switch", "while", NULL };
-const char *const skip_to_end[] = { "end", NULL };
-static const char *const to_other[] = { "else", "elseif", "end", NULL };
-
 /* ---- The stack ----------------------------------------------------------- */
 
 static bool unclosed(struct reader *reader, const struct scene_token *at)
@@ -20,16 +15,16 @@ static bool unclosed(struct reader *reader, const struct scene_token *at)
 }
 
 bool condition_skip(struct reader *reader, const struct scene_token *at,
-                    const char *const *words, size_t depth)
+                    const char *words, size_t depth)
 {
     size_t braces = reader->braces;
     bool found = false;
 
     while (!found && reader->token.kind != TOKEN_END) {
-        if (is_directive(&reader->token, condition_openers))
+        if (is_directive(&reader->token, CONDITION_OPENERS))
             depth++;
         found = depth == 1 && is_directive(&reader->token, words);
-        if (!found && is_directive(&reader->token, skip_to_end))
+        if (!found && is_directive(&reader->token, "end"))
             depth--;
         if (!found)
             reader_step(reader);
@@ -79,7 +74,7 @@ bool condition_leave(struct reader *reader, struct scene_condition *condition)
     struct scene_token at = condition->at;
 
     reader->condition_count--;
-    if (!condition_skip(reader, &at, skip_to_end, 1))
+    if (!condition_skip(reader, &at, "end", 1))
         return false;
     reader_step(reader);
     return true;
@@ -87,7 +82,7 @@ bool condition_leave(struct reader *reader, struct scene_condition *condition)
 
 bool condition_leave_out(struct reader *reader, const struct scene_token *at)
 {
-    if (condition_skip(reader, at, skip_to_end, 1))
+    if (condition_skip(reader, at, "end", 1))
         reader_step(reader);
     return false;
 }
@@ -132,13 +127,13 @@ static bool choose(struct reader *reader, struct scene_condition *condition)
 
     for (;;) {
         struct scene_token at = condition->at;
-        if (!condition_skip(reader, &at, to_other, 1)) {
+        if (!condition_skip(reader, &at, "else elseif end", 1)) {
             reader->condition_count--;
             return false;
         }
         at = reader->token;
         reader_step(reader);
-        if (is_directive(&at, skip_to_end)) {
+        if (is_directive(&at, "end")) {
             reader->condition_count--;
             return true;
         }
@@ -269,7 +264,7 @@ bool condition_break(struct reader *reader, const struct item *item)
         return end_macro(reader, &item->at);
     inner = (size_t)(&reader->conditions[reader->condition_count] - condition);
     reader->condition_count -= inner;
-    if (!condition_skip(reader, &condition->at, skip_to_end, inner))
+    if (!condition_skip(reader, &condition->at, "end", inner))
         return false;
     reader_step(reader);
     return true;

@@ -28,13 +28,12 @@ void conditions_close(struct reader *reader);
  * innermost directives. That token becomes the current one, and is not interpreted.
  * Reports an error and fails at the end of the frame. */
 bool condition_skip(struct reader *reader, const struct scene_token *at,
-                    const char *const *words, size_t depth);
-extern const char *const skip_to_end[];
+                    const char *words, size_t depth);
 /* Skips to the token after the #end of a directive whose head has an error. Returns
  * false. */
 bool condition_leave_out(struct reader *reader, const struct scene_token *at);
 /* The directives that an #end closes. */
-extern const char *const condition_openers[];
+#define CONDITION_OPENERS "for if ifdef ifndef macro switch while"
 
 /* Reads "(" condition; the current token is then ")". */
 bool condition_read(struct reader *reader, double *value);

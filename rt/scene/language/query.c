@@ -206,7 +206,7 @@ void queries_free(struct reader *reader)
 /* ---- All ----------------------------------------------------------------- */
 
 static const struct query {
-    const char *name;
+    const char *words;
     bool (*read)(struct reader *reader, double *value);
     string_measure *measure; /* instead, of one string; without both the function is not
                               * supported */
@@ -217,17 +217,12 @@ static const struct query {
     { "dimension_size", .read = read_dimension_size },
     { "dimensions", .read = read_dimensions },
     { "file_exists", .read = read_file_exists },
-    { .name = "inside" },
-    { .name = "max_extent" },
-    { .name = "min_extent" },
-    { .name = "now" },
+    { .words = "inside max_extent min_extent now trace vturbulence" },
     { "rand", .read = read_rand },
     { "seed", .read = read_seed },
     { "strcmp", .read = read_strcmp },
     { "strlen", .measure = length_of },
-    { .name = "trace" },
     { "val", .measure = number_in },
-    { .name = "vturbulence" },
 };
 
 bool is_query_word(const struct scene_token *token)
@@ -257,8 +252,8 @@ bool query_read(struct reader *reader, double *value)
 
     if (!query->read && !query->measure) {
         reader->hold = hold;
-        return reader_fault(reader, &reader->token, "'%s' is not supported",
-                            query->name);
+        return reader_fault(reader, &reader->token, "'%.*s' is not supported",
+                            (int)reader->token.length, reader->token.text);
     }
     reader_next(reader);
     done = read_brackets(reader, query, value);

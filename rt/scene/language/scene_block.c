@@ -12,25 +12,11 @@ static bool is_object(const struct scene_token *token)
     return token->value && token->value->kind == VALUE_OBJECT;
 }
 
-static bool is_among(const struct scene_token *token, const char *words)
-{
-    size_t length = token->length;
-
-    while (words) {
-        if (*words == *token->text && !strncmp(words, token->text, length)
-            && (words[length] == ' ' || words[length] == '\0'))
-            return true;
-        words = strchr(words, ' ');
-        words = words ? words + 1 : NULL;
-    }
-    return false;
-}
-
 const struct keyword *keyword_find(const struct keyword *table,
                                    const struct scene_token *token)
 {
     for (; table && table->words; table++)
-        if (*table->words ? is_among(token, table->words) : is_object(token))
+        if (*table->words ? token_is_among(token, table->words) : is_object(token))
             return table;
     return NULL;
 }

@@ -72,7 +72,7 @@ bool macro_define(struct reader *reader, const struct item *item)
         reader_step(reader);
         done = read_parameters(reader, macro);
     }
-    found = condition_skip(reader, &item->at, skip_to_end, 1);
+    found = condition_skip(reader, &item->at, "end", 1);
     if (done)
         macro->end = reader->token.place.at;
     if (found)

@@ -8,19 +8,19 @@
 #include <string.h>
 
 static const struct constant {
-    const char *name;
+    const char *words;
     struct numbers value;
 } constants[] = {
-    { "clock", { 1, { 0 } } },         { "clock_delta", { 1, { 0 } } },
-    { "clock_on", { 1, { 0 } } },      { "false", { 1, { 0 } } },
-    { "final_clock", { 1, { 0 } } },   { "final_frame", { 1, { 0 } } },
-    { "frame_number", { 1, { 0 } } },  { "initial_clock", { 1, { 0 } } },
-    { "initial_frame", { 1, { 0 } } }, { "no", { 1, { 0 } } },
-    { "off", { 1, { 0 } } },           { "on", { 1, { 1 } } },
-    { "pi", { 1, { PI } } },           { "t", { 4, { 0, 0, 0, 1 } } },
-    { "true", { 1, { 1 } } },          { "u", { 2, { 1, 0 } } },
-    { "v", { 2, { 0, 1 } } },          { "x", { 3, { 1, 0, 0 } } },
-    { "y", { 3, { 0, 1, 0 } } },       { "yes", { 1, { 1 } } },
+    { "clock clock_delta clock_on false final_clock final_frame frame_number "
+      "initial_clock initial_frame no off",
+      { 1, { 0 } } },
+    { "on true yes", { 1, { 1 } } },
+    { "pi", { 1, { PI } } },
+    { "t", { 4, { 0, 0, 0, 1 } } },
+    { "u", { 2, { 1, 0 } } },
+    { "v", { 2, { 0, 1 } } },
+    { "x", { 3, { 1, 0, 0 } } },
+    { "y", { 3, { 0, 1, 0 } } },
     { "z", { 3, { 0, 0, 1 } } },
 };
 
@@ -226,12 +226,11 @@ static double gray(const double rgb[3])
 static bool read_component(struct reader *reader, struct numbers *value)
 {
     static const struct component {
-        const char *name;
+        const char *words;
         int index;
     } components[] = {
-        { "x", 0 },    { "y", 1 },      { "z", 2 },        { "u", 0 },
-        { "v", 1 },    { "t", 3 },      { "red", 0 },      { "green", 1 },
-        { "blue", 2 }, { "filter", 3 }, { "transmit", 4 },
+        { "x u red", 0 },  { "y v green", 1 }, { "z blue", 2 },
+        { "t filter", 3 }, { "transmit", 4 },
     };
     const struct component *found = TOKEN_ROW(&reader->token, components);
 

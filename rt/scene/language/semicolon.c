@@ -56,8 +56,8 @@ static void skip_branches(struct reader *reader)
 
     do {
         token = next(reader);
-        open += is_directive(&token, condition_openers);
-        open -= is_directive(&token, skip_to_end);
+        open += is_directive(&token, CONDITION_OPENERS);
+        open -= is_directive(&token, "end");
     } while (open && token.kind != TOKEN_END);
 }
 
@@ -79,17 +79,15 @@ static bool skip_statement(struct reader *reader)
 static bool skip_directive(struct reader *reader, const struct scene_token *token,
                            size_t *open)
 {
-    static const char *const branches[] = { "else",  "elseif", "case",
-                                            "range", "break",  NULL };
 
     if (token_is_text(token, "macro"))
         return false;
-    if (is_directive(token, skip_to_end)) {
+    if (is_directive(token, "end")) {
         *open -= *open > 0;
-    } else if (is_directive(token, condition_openers)) {
+    } else if (is_directive(token, CONDITION_OPENERS)) {
         ++*open;
         skip_brackets(reader);
-    } else if (!is_directive(token, branches)) {
+    } else if (!is_directive(token, "else elseif case range break")) {
         return skip_statement(reader);
     } else if (!*open) {
         skip_branches(reader);

@@ -379,6 +379,20 @@ bool token_is_text(const struct scene_token *token, const char *word)
     return !strncmp(token->text, word, token->length) && word[token->length] == '\0';
 }
 
+bool token_is_among(const struct scene_token *token, const char *words)
+{
+    size_t length = token->length;
+
+    while (words) {
+        if (*words == *token->text && !strncmp(words, token->text, length)
+            && (words[length] == ' ' || words[length] == '\0'))
+            return true;
+        words = strchr(words, ' ');
+        words = words ? words + 1 : NULL;
+    }
+    return false;
+}
+
 const void *token_row(const struct scene_token *token, const void *rows, size_t size,
                       size_t count)
 {
@@ -386,23 +400,15 @@ const void *token_row(const struct scene_token *token, const void *rows, size_t 
         const char *word;
 
         memcpy(&word, row, sizeof word);
-        if (is_token(token, word))
+        if (token->kind == TOKEN_WORD && token_is_among(token, word))
             return row;
     }
     return NULL;
 }
 
-bool is_one_of(const struct scene_token *token, const char *const *words)
+bool is_directive(const struct scene_token *token, const char *words)
 {
-    for (; *words; words++)
-        if (*token->text == **words && token_is_text(token, *words))
-            return true;
-    return false;
-}
-
-bool is_directive(const struct scene_token *token, const char *const *words)
-{
-    return token->kind == TOKEN_DIRECTIVE && is_one_of(token, words);
+    return token->kind == TOKEN_DIRECTIVE && token_is_among(token, words);
 }
 
 bool token_is_sign(const struct scene_token *token, int sign)

@@ -118,13 +118,16 @@ static inline bool is_token(const struct scene_token *token, const char *word)
     return token->kind == TOKEN_WORD && *token->text == *word
            && token_is_text(token, word);
 }
-/* Returns the row of a table that has the token's word as its first member, or NULL. */
+/* Returns true if the token's text is one of the words, which are separated by
+ * blanks. */
+bool token_is_among(const struct scene_token *token, const char *words);
+/* Returns the row of a table whose first member has the word among its words, or
+ * NULL. */
 #define TOKEN_ROW(token, rows) \
     token_row(token, rows, sizeof *(rows), sizeof(rows) / sizeof *(rows))
 const void *token_row(const struct scene_token *token, const void *rows, size_t size,
                       size_t count);
-bool is_one_of(const struct scene_token *token, const char *const *words);
-bool is_directive(const struct scene_token *token, const char *const *words);
+bool is_directive(const struct scene_token *token, const char *words);
 bool token_is_sign(const struct scene_token *token, int sign);
 struct position token_position(const struct scene_token *token);
 
