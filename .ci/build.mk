@@ -22,7 +22,7 @@ c205_c = $(call c_of,asm/command)
 # Excludes the entry points of a WebAssembly host.
 engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))
 rt_c = $(call c_of,$(addprefix rt/,platform jobs scene bvh scene/language shapes layout \
-	trace view picture roots study study/sweep study/plot heat mass))
+	trace view picture roots study study/sweep heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
 # Sources that read observations, and sources that fit them.
 observing_c = $(addprefix rt/study/fit/,csv.c run.c observations.c constants.c \

@@ -20,7 +20,7 @@ replays = $(subst /fuzz_,/replay_,$(fuzz_targets))
 benches = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench_*.c))
 
 test_packages = $(build_packages) $(fit_packages) $(exact_packages) $(mpi_packages) \
-	libcmocka-dev groff-base povray povray-includes gnuplot-nox \
+	libcmocka-dev groff-base povray povray-includes \
 	clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 
 # The parts of check and their sizes: cases per operation, pairs of narrow words, random

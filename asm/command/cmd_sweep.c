@@ -151,7 +151,10 @@ static bool draw(const struct program_sweep *sweep, const char *path, c205_error
     }
     swept_title(sweep, title);
     sink = stream_sink(whole->file);
-    swept_svg(sweep, title, &sink);
+    if (!swept_svg(sweep, title, &sink, error)) {
+        atomic_file_discard(whole);
+        return false;
+    }
     return atomic_file_commit(whole, error);
 }
 

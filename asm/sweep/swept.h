@@ -134,6 +134,8 @@ extern const char *const swept_names[SWEPT_PROGRAMS];
 
 /* Return NULL if memory is exhausted. The tables refer to texts of the sweep. */
 struct table *swept_points(const struct program_sweep *sweep);
+/* Returns the column of the points that has the clocks of a program. */
+size_t swept_clocks_column(int which);
 struct table *swept_causes(const struct program_sweep *sweep);
 struct table *swept_lines(const struct program_sweep *sweep);
 struct table *swept_crossings(const struct program_sweep *sweep);
@@ -142,7 +144,9 @@ struct table *swept_crossings(const struct program_sweep *sweep);
 
 enum { SWEPT_TITLE = 160 };
 void swept_title(const struct program_sweep *sweep, char title[SWEPT_TITLE]);
-void swept_svg(const struct program_sweep *sweep, const char *title,
-               const struct sink *sink);
+/* Draws the points and lines, the half lengths and as many crossings as fit. Fails if
+ * memory is exhausted. */
+bool swept_svg(const struct program_sweep *sweep, const char *title,
+               const struct sink *sink, c205_error *error);
 
 #endif

@@ -49,6 +49,12 @@ struct table *swept_points(const struct program_sweep *sweep)
     return table;
 }
 
+/* A program has three columns after the value. */
+size_t swept_clocks_column(int which)
+{
+    return 1 + 3 * (size_t)which;
+}
+
 struct table *swept_causes(const struct program_sweep *sweep)
 {
     struct table_column columns[3 + C205_CAUSES] = {

@@ -8,6 +8,7 @@
 #include "base/outputs.h"
 #include "base/provenance.h"
 #include "rt/command/session.h"
+#include "rt/study/sweep/plot_file.h"
 #include "rt/study/sweep/sweep_types.h"
 
 /* Lengths of the queue, in increasing order. */
@@ -70,10 +71,11 @@ static int check_subject(const struct sweep_arguments *args,
     return CMD_DONE;
 }
 
-/* Checks the plot's three files, and the JSON. */
+/* Checks the plot's files, and the JSON. */
 static int check_files(const struct sweep_arguments *args)
 {
-    const char *endings[] = { NULL, "dat", "gp" };
+    char svg[PLOT_PATH];
+    const char *const paths[] = { args->shared.output, svg };
     c205_error error;
 
     if (!args->shared.output)
@@ -82,15 +84,12 @@ static int check_files(const struct sweep_arguments *args)
         return plot_is_named(args->shared.output)
                    ? cmd_failed(args->shared.command, "%s", error.message)
                    : cmd_usage(args->shared.command, "%s", error.message);
-    endings[0] = args->shared.output + strlen(args->shared.output) - 3;
-    for (int i = 0; i < 3; i++) {
-        char path[4096];
-
-        snprintf(path, sizeof path, "%.*s%s", (int)strlen(args->shared.output) - 3,
-                 args->shared.output, endings[i]);
-        if (args->shared.results.path && file_is_one(path, args->shared.results.path))
+    plot_svg_path(args->shared.output, svg);
+    for (size_t i = 0; i < 2; i++) {
+        if (args->shared.results.path
+            && file_is_one(paths[i], args->shared.results.path))
             return cmd_usage(args->shared.command, "-o and --json name the same file");
-        if (!outputs_add(path))
+        if (!outputs_add(paths[i]))
             return cmd_failed(args->shared.command, "out of memory");
     }
     return CMD_DONE;
@@ -303,7 +302,8 @@ static const struct command_option options[] = {
       .value = "FILE",
       .kind = COMMAND_FILE,
       .offset = CMD_SHARED(output),
-      .help = "plot by gnuplot, NAME.svg or .png; also writes NAME.dat and NAME.gp" },
+      .help =
+          "draw a plot, .svg or .png; a .png also has a .svg, and needs rsvg-convert" },
     { .name = "points",
       .value = "N,N,..",
       .kind = COMMAND_CUSTOM,

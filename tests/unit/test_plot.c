@@ -1,15 +1,14 @@
-/* test_plot.c - plots: the data, the script and the picture of a table are compared
- * with the table, with unusual names, values that are not numbers, and a gnuplot that
- * is missing or fails. A file that is left incomplete, or a row or curve that is lost,
- * fails here.
+/* test_plot.c - plots: the picture of a table is compared with the table, with unusual
+ * names, values that are not numbers, and a converter that is missing or fails. A file
+ * that is left incomplete, or a row or curve that is lost, fails here.
  */
-#include "rt/study/plot/plot.h"
+#include "rt/study/sweep/plot_file.h"
 
 #include <math.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "rt/study/plot/plot_axis.h"
+#include "base/plot_axis.h"
 #include "tests/unit/temporary_folder.h"
 
 enum { QUEUE, STREAM, STARTUP, REMARK, COLUMNS };
@@ -22,8 +21,8 @@ static const struct table_column columns[COLUMNS] = {
 };
 
 static const struct plot_curve curves[] = {
-    { STREAM, "vector stream" },
-    { STARTUP, "vector start-up" },
+    { STREAM, "vector stream", NULL },
+    { STARTUP, "vector start-up", NULL },
 };
 
 static const char *const subtitles[] = { "model cyber205-2pipe",
@@ -68,14 +67,14 @@ FIXTURE(set_up)
     add_row(2, 10, 0.1);
     add_row(4, NAN, 8);
     add_row(8, INFINITY, 4);
-    return make_folder(test_state);
+    return 0;
 }
 
 /* A test removes the files that it made. */
 FIXTURE(tear_down)
 {
     table_free(table);
-    return remove_folder(test_state);
+    return (int)empty_folder();
 }
 
 static void remove_file(const char *name)
@@ -83,23 +82,19 @@ static void remove_file(const char *name)
     assert_int_equal(unlink(in_folder(name)), 0);
 }
 
-static void remove_plot(void)
-{
-    remove_file("a b'c.svg");
-    remove_file("a b'c.dat");
-    remove_file("a b'c.gp");
-}
-
 static bool write_plot(const struct plot *plot, const char *name, c205_error *error)
 {
     return plot_write(plot, table, in_folder(name), error);
 }
 
-/* Draws a plot. Returns the text of one of its files, which the caller frees. */
-static char *drawn(const struct plot *plot, const char *name)
+/* Draws a plot. Returns the picture, which the caller frees. */
+static char *drawn(const struct plot *plot)
 {
+    char *text;
     REQUIRE(write_plot(plot, "a b'c.svg", &failure));
-    return text_of_file(name);
+    text = text_of_file("a b'c.svg");
+    remove_file("a b'c.svg");
+    return text;
 }
 
 static void expect_error(const struct plot *plot, const char *name, const char *part)
@@ -112,75 +107,125 @@ static void expect_error(const struct plot *plot, const char *name, const char *
 
 /* ---- Plots ------------------------------------------------------------ */
 
-TEST_WITH(data_is_reported, set_up, tear_down)
-{
-    FREED char *text = drawn(&lines, "a b'c.dat");
-    assert_string_equal(text, "# Clocks per ray\n"
-                              "# model cyber205-2pipe\n"
-                              "# a_b & <c>, it's \"so\" \\\n"
-                              "# queue stream startup\n"
-                              "1 10 33.333333333333336\n"
-                              "2 10 0.1\n"
-                              "4 NaN 8\n"
-                              "8 NaN 4\n");
-    remove_plot();
-}
-
 static void expect_picture(const char *text)
 {
-    static const char end[] = "</svg>";
-    const char *last = strstr(text, end);
-    assert_non_null(strstr(text, "<svg"));
-    assert_non_null(last);
-    assert_int_equal(strspn(last + strlen(end), "\n"), strlen(last + strlen(end)));
-    assert_non_null(strstr(text, "Clocks per ray"));
-    assert_non_null(strstr(text, "a_b &amp; &lt;c"));
-    assert_non_null(strstr(text, "the paper's 3.5"));
-    assert_non_null(strstr(text, "vector start-up"));
+    static const char end[] = "</svg>\n";
+    assert_ptr_equal(strstr(text, "<svg"), text);
+    assert_string_equal(text + strlen(text) - strlen(end), end);
+    assert_non_null(strstr(text, ">Clocks per ray<"));
+    assert_non_null(strstr(text, ">a_b &amp; &lt;c&gt;, it's \"so\" \\<"));
+    assert_non_null(strstr(text, ">the paper's 3.5<"));
+    assert_non_null(strstr(text, ">vector start-up<"));
     assert_null(strstr(text, "nowhere"));
     assert_null(strstr(text, "nothing"));
+    assert_null(strstr(text, "nan"));
+    assert_null(strstr(text, "inf"));
 }
 
-/* A user runs gnuplot NAME.gp in the folder. */
-TEST_WITH(script_draws_again, set_up, tear_down)
+/* Returns the place of a point with this tooltip. */
+static void point_of(const char *text, const char *tooltip, double place[2])
 {
-    const enum plot_form forms[] = { PLOT_LINES, PLOT_AREAS };
-    for (size_t i = 0; i < 2; i++) {
-        struct plot plot = lines;
-        plot.form = forms[i];
-        FREED char *first = drawn(&plot, "a b'c.svg");
-        expect_picture(first);
-        remove_file("a b'c.svg");
-        setenv("FOLDER", temporary_folder, 1);
-        assert_int_equal(system("cd \"$FOLDER\" && gnuplot \"a b'c.gp\""), 0);
-        FREED char *second = text_of_file("a b'c.svg");
-        assert_string_equal(first, second);
-        remove_plot();
-    }
+    const char *at = strstr(text, tooltip);
+    if (!at)
+        fail_msg("no point %s", tooltip);
+    while (strncmp(at, "<circle ", 8) != 0)
+        at--;
+    assert_int_equal(sscanf(at, "<circle cx=\"%lf\" cy=\"%lf\"", &place[0], &place[1]),
+                     2);
 }
 
-/* Names that gnuplot would read as commands, options or its own data. */
-TEST_WITH(names_are_names, set_up, tear_down)
+/* Fails unless the curve of this colour is that path. */
+static void expect_path(const char *text, const char *color, const char *expected)
 {
-    static const char *const names[] = { "<ls", "|cat", "-x", "~", "+", "`" };
-    static const char *const ends[] = { "svg", "dat", "gp" };
-    char name[16];
-    for (size_t i = 0; i < COUNT(names); i++) {
-        snprintf(name, sizeof name, "%s.svg", names[i]);
-        if (!write_plot(&lines, name, &failure))
-            fail_msg("%s: %s", name, failure.message);
-        for (size_t j = 0; j < 3; j++) {
-            snprintf(name, sizeof name, "%s.%s", names[i], ends[j]);
-            remove_file(name);
-        }
-    }
+    char path[256];
+    snprintf(path, sizeof path, "%s d=\"%s\"/>", color, expected);
+    if (!strstr(text, path))
+        fail_msg("no path %s in %s", path, text);
+}
+
+TEST_WITH(points_are_drawn, set_up, tear_down)
+{
+    FREED char *text = drawn(&lines);
+    double one[2], two[2], four[2];
+    char path[128];
+    expect_picture(text);
+    point_of(text, "vector stream: 1, 10<", one);
+    point_of(text, "vector stream: 2, 10<", two);
+    assert_true(one[1] == two[1] && one[0] < two[0]);
+    assert_null(strstr(text, "vector stream: 4"));
+    assert_null(strstr(text, "vector stream: 8"));
+    snprintf(path, sizeof path, "M%.1f %.1fL%.1f %.1f", one[0], one[1], two[0], two[1]);
+    expect_path(text, "stroke=\"#0072B2\" stroke-width=\"1.8\"", path);
+    point_of(text, "vector start-up: 1, 33.3333<", one);
+    point_of(text, "vector start-up: 2, 0.1<", two);
+    point_of(text, "vector start-up: 4, 8<", four);
+    assert_true(one[1] < four[1] && four[1] < two[1]);
+    assert_true(fabs((four[0] - two[0]) - (two[0] - one[0])) < 0.15);
+    assert_non_null(strstr(text, "vector start-up: 8, 4<"));
+}
+
+/* A point without a number ends a line, which continues after it. */
+TEST_WITH(lines_have_gaps, set_up, tear_down)
+{
+    double two[2], sixteen[2], more[2];
+    char path[128];
+    add_row(16, 10, 4);
+    add_row(32, 5, 4);
+    FREED char *text = drawn(&lines);
+    point_of(text, "vector stream: 2, 10<", two);
+    point_of(text, "vector stream: 16, 10<", sixteen);
+    point_of(text, "vector stream: 32, 5<", more);
+    snprintf(path, sizeof path, "L%.1f %.1fM%.1f %.1fL%.1f %.1f\"/>", two[0], two[1],
+             sixteen[0], sixteen[1], more[0], more[1]);
+    assert_non_null(strstr(text, path));
+}
+
+/* Areas are stacked, and a row with a gap in any curve belongs to none. */
+TEST_WITH(areas_are_stacked, set_up, tear_down)
+{
+    struct plot plot = lines;
+    double bottom, ten, all, x[2], none;
+    plot.form = PLOT_AREAS;
+    plot.levels = NULL;
+    plot.level_count = 0;
+    FREED char *text = drawn(&plot);
+    expect_picture(text);
+    const char *first = strstr(text, "<path fill=\"#0072B2\" d=\"");
+    const char *second = strstr(text, "<path fill=\"#D55E00\" d=\"");
+    assert_int_equal(sscanf(first,
+                            "<path fill=\"#0072B2\" d=\"M%lf %lfL%lf %lfL%*f %lf",
+                            &x[0], &ten, &x[1], &none, &bottom),
+                     5);
+    assert_true(ten == none && x[0] < x[1] && bottom > ten);
+    assert_int_equal(sscanf(second, "<path fill=\"#D55E00\" d=\"M%*f %lf", &all), 1);
+    assert_true(fabs((bottom - all) / (bottom - ten) - (10 + 100.0 / 3) / 10) < 0.01);
+    assert_ptr_equal(strchr(strstr(first, "d=\""), 'Z') + 1,
+                     strstr(strstr(first, "d=\"") + 3, "\"/>"));
+}
+
+/* A fitted line is drawn instead of the segments between the points. */
+TEST_WITH(lines_are_fitted, set_up, tear_down)
+{
+    const struct plot_line line = { 8, 1 };
+    const struct plot_curve fitted = { STREAM, "fitted", &line };
+    struct plot plot = lines;
+    double one[2], two[2], begin[2];
+    plot.curves = &fitted;
+    plot.curve_count = 1;
+    FREED char *text = drawn(&plot);
+    point_of(text, "fitted: 1, 10<", one);
+    point_of(text, "fitted: 2, 10<", two);
+    const char *path = strstr(text, "stroke-width=\"1.8\" d=\"M");
+    assert_int_equal(sscanf(path, "stroke-width=\"1.8\" d=\"M%lf %lf", &begin[0],
+                            &begin[1]),
+                     2);
+    assert_true(begin[0] == one[0] && begin[1] > one[1]);
 }
 
 TEST_WITH(bad_paths, set_up, tear_down)
 {
     expect_error(&lines, "plot.pdf", "must end in .svg or .png");
     expect_error(&lines, ".svg", "must end in .svg");
-    expect_error(&lines, "two\nlines.svg", "one line");
     expect_error(&lines, "none/plot.svg", "No such file");
     assert_false(plot_check_path(in_folder("none/plot.svg"), &failure));
     assert_true(plot_check_path(in_folder("plot.svg"), &failure));
@@ -190,17 +235,17 @@ TEST_WITH(bad_paths, set_up, tear_down)
 /* If one file cannot be written, none is. */
 TEST_WITH(name_is_taken, set_up, tear_down)
 {
-    static const char *const names[] = { "plot.dat", "plot.gp", "plot.svg" };
-    for (size_t i = 0; i < 3; i++) {
+    static const char *const names[] = { "plot.svg", "plot.png" };
+    for (size_t i = 0; i < 2; i++) {
         assert_int_equal(mkdir(in_folder(names[i]), 0777), 0);
-        expect_error(&lines, "plot.svg", "Is a directory");
+        expect_error(&lines, "plot.png", "Is a directory");
         assert_int_equal(rmdir(in_folder(names[i])), 0);
     }
 }
 
 TEST_WITH(bad_values, set_up, tear_down)
 {
-    const struct plot_curve remarks = { REMARK, "a text" };
+    const struct plot_curve remarks = { REMARK, "a text", NULL };
     const struct plot_mark zero = { 0, "zero" };
     struct plot plot = lines;
     plot.marks = &zero;
@@ -219,47 +264,76 @@ TEST_WITH(bad_values, set_up, tear_down)
     expect_error(&plot, "x.svg", "startup: -2 cannot be drawn on");
 }
 
-/* ---- Gnuplot ---------------------------------------------------------- */
+/* ---- The converter ---------------------------------------------------- */
 
-/* The path contains the folder alone; an old picture exists and must not change. The
- * script is the folder's gnuplot; without one there is none. */
-static void expect_failure(const char *script, const char *part)
+/* Writes the plot as a .png, with a path that contains the folder alone. The script is
+ * the folder's rsvg-convert; without one there is none. */
+static bool write_png(const char *script, const char *name, c205_error *error)
 {
     FREED char *path = strdup(getenv("PATH"));
+    bool good;
     if (script) {
-        write_file("gnuplot", script);
-        assert_int_equal(chmod(in_folder("gnuplot"), 0777), 0);
+        write_file("rsvg-convert", script);
+        assert_int_equal(chmod(in_folder("rsvg-convert"), 0777), 0);
     }
-    write_file("a b'c.svg", "old");
     setenv("PATH", temporary_folder, 1);
-    expect_error(&lines, "a b'c.svg", part);
+    good = write_plot(&lines, name, error);
     setenv("PATH", path, 1);
-    FREED char *picture = text_of_file("a b'c.svg");
-    assert_string_equal(picture, "old");
-    remove_plot();
     if (script)
-        remove_file("gnuplot");
+        remove_file("rsvg-convert");
+    return good;
 }
 
-TEST_WITH(gnuplot_fails, set_up, tear_down)
+/* An old picture exists and must not change. */
+static void expect_failure(const char *script, const char *part)
 {
-    expect_failure(NULL, "gnuplot-nox");
+    c205_error error = { "" };
+    write_file("a b'c.png", "old");
+    assert_false(write_png(script, "a b'c.png", &error));
+    if (!strstr(error.message, part))
+        fail_msg("\"%s\" without \"%s\"", error.message, part);
+    FREED char *picture = text_of_file("a b'c.png");
+    assert_string_equal(picture, "old");
+    FREED char *svg = text_of_file("a b'c.svg");
+    expect_picture(svg);
+    remove_file("a b'c.png");
+    remove_file("a b'c.svg");
+}
+
+TEST_WITH(converter_fails, set_up, tear_down)
+{
+    expect_failure(NULL, "librsvg2-bin");
     expect_failure("#!/bin/sh\necho half; echo 'line 7: wrong' >&2; exit 3\n",
-                   "gnuplot: line 7: wrong");
+                   "rsvg-convert: line 7: wrong");
     expect_failure("#!/bin/sh\nexit 0\n", "no picture");
     expect_failure("#!/bin/sh\necho half; kill -9 $$\n", "no picture");
 }
 
+/* The picture has the bytes that the converter writes from the .svg. */
+TEST_WITH(converter_is_used, set_up, tear_down)
+{
+    REQUIRE(
+        write_png("#!/bin/sh\nwhile read -r line; do echo \"$line\"; done <\"$1\"\n",
+                  "a b'c.png", &failure));
+    FREED char *svg = text_of_file("a b'c.svg");
+    FREED char *png = text_of_file("a b'c.png");
+    assert_string_equal(png, svg);
+    remove_file("a b'c.png");
+    remove_file("a b'c.svg");
+}
+
 /* ---- Marks and axes --------------------------------------------------- */
 
-/* Returns the height of a mark's label in the picture, from 0 to 1. */
-static double height_of(const char *script, const char *label)
+/* Returns the y of a mark's label in the picture, downwards. */
+static double height_of(const char *picture, const char *label)
 {
-    const char *at = strstr(script, label);
+    const char *at = strstr(picture, label);
+    double y;
     assert_non_null(at);
-    at = strstr(at, "screen ");
-    assert_non_null(at);
-    return strtod(at + strlen("screen "), NULL);
+    while (strncmp(at, "<text ", 6) != 0)
+        at--;
+    assert_int_equal(sscanf(at, "<text x=\"%*f\" y=\"%lf\"", &y), 1);
+    return y;
 }
 
 TEST_WITH(marks_have_rows, set_up, tear_down)
@@ -270,10 +344,9 @@ TEST_WITH(marks_have_rows, set_up, tear_down)
     struct plot plot = lines;
     plot.marks = many;
     plot.mark_count = 3;
-    FREED char *script = drawn(&plot, "a b'c.gp");
-    assert_true(height_of(script, "'far") == height_of(script, "'near"));
-    assert_true(height_of(script, "'at one") > height_of(script, "'near"));
-    remove_plot();
+    FREED char *picture = drawn(&plot);
+    assert_true(height_of(picture, ">far") == height_of(picture, ">near"));
+    assert_true(height_of(picture, ">at one") < height_of(picture, ">near"));
 }
 
 /* Fails unless the labels of an axis, each with a blank after it, are as expected. */
@@ -310,14 +383,15 @@ TEST(axes_are_labelled)
 TEST_WITH(curves_are_cut, set_up, tear_down)
 {
     struct plot plot = lines;
-    FREED char *whole = drawn(&plot, "a b'c.gp");
-    assert_non_null(strstr(whole, "set yrange [0:35]"));
+    FREED char *whole = drawn(&plot);
+    assert_non_null(strstr(whole, "class=\"up\">35<"));
+    assert_non_null(strstr(whole, "overflow=\"visible\""));
     assert_null(strstr(whole, "cut off"));
     plot.y_most = 5;
-    FREED char *cut = drawn(&plot, "a b'c.gp");
-    assert_non_null(strstr(cut, "set yrange [0:12]"));
+    FREED char *cut = drawn(&plot);
+    assert_non_null(strstr(cut, "class=\"up\">12<"));
+    assert_non_null(strstr(cut, "overflow=\"hidden\""));
     assert_non_null(strstr(cut, "cut off at 12; the highest value is 33.3333"));
-    remove_plot();
 }
 
 static void expect_rounded(enum plot_scale scale, double value, double more, double low,

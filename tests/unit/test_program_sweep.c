@@ -516,7 +516,7 @@ static void check_picture(const struct program_sweep *sweep)
         halves += line.good && half >= (double)sweep->range.from
                   && half <= (double)sweep->range.to;
     }
-    swept_svg(sweep, "a < b & c", &sink);
+    REQUIRE(swept_svg(sweep, "a < b & c", &sink, &failure));
     assert_int_equal(sscanf(svg.text,
                             "<svg xmlns=\"http://www.w3.org/2000/svg\" "
                             "width=\"%lf\" height=\"%lf\"",
@@ -527,8 +527,9 @@ static void check_picture(const struct program_sweep *sweep)
         assert_true(x > 0 && x < width && y > 0 && y < height);
         circles++;
     }
-    assert_int_equal(circles, sweep->program_count * (sweep->count + 1) + halves
-                                  + sweep->crossing_count);
+    assert_int_equal(circles, sweep->program_count * (sweep->count + 1));
+    assert_int_equal(count_of(svg.text, "class=\"mark\""),
+                     halves + sweep->crossing_count);
     assert_int_equal(count_of(svg.text, "n-half"), halves);
     assert_int_equal(count_of(svg.text, " on the second is "), sweep->crossing_count);
     assert_int_equal(count_of(svg.text, "a &lt; b &amp; c"), 1);

@@ -39,8 +39,10 @@ static bool put_picture(const struct program_sweep *sweep, struct json *reply,
     char title[SWEPT_TITLE];
 
     swept_title(sweep, title);
-    swept_svg(sweep, title, &sink);
-    return put_buffer(reply, "svg", &text, error);
+    if (swept_svg(sweep, title, &sink, error))
+        return put_buffer(reply, "svg", &text, error);
+    text_buffer_free(&text);
+    return false;
 }
 
 /* Writes the members of c205 sweep --json, and the picture. */

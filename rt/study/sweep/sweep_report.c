@@ -52,7 +52,8 @@ void sweep_report_line(struct sweep_report *report, const char *format, ...)
 
 void sweep_report_curve(struct sweep_report *report, size_t column, const char *title)
 {
-    report->curves[report->plot.curve_count++] = (struct plot_curve){ column, title };
+    report->curves[report->plot.curve_count++] = (struct plot_curve){ column, title,
+                                                                      NULL };
     report->plot.curves = report->curves;
 }
 

@@ -6,8 +6,8 @@
 #ifndef RT_SWEEP_REPORT_H
 #define RT_SWEEP_REPORT_H
 
+#include "base/plot.h"
 #include "base/table.h"
-#include "rt/study/plot/plot.h"
 #include "rt/study/sweep/sweep.h"
 
 enum {

@@ -1,12 +1,8 @@
-/* plot_axis.h - an axis of a plot: its range and its labels.
- *
- * gnuplot separates thousands in numbers only in some locales, so the labels are
- * made here.
- */
-#ifndef RT_PLOT_AXIS_H
-#define RT_PLOT_AXIS_H
+/* plot_axis.h - an axis of a plot: its range and its labels. */
+#ifndef BASE_PLOT_AXIS_H
+#define BASE_PLOT_AXIS_H
 
-#include "rt/study/plot/plot.h"
+#include "base/plot.h"
 
 struct axis {
     enum plot_scale scale;
@@ -35,6 +31,8 @@ void axis_round(struct axis *axis);
 
 /* Returns the position of a value, from 0 at the low end to 1 at the high end. */
 double axis_place(const struct axis *axis, double value);
+/* Returns the value at a position. */
+double axis_value(const struct axis *axis, double place);
 /* Formats a number as in labels: "16,384". */
 void axis_label(char label[AXIS_LABEL_SIZE], double value);
 /* Makes the tics, with at most ten labels. Returns their number. */

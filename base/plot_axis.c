@@ -1,5 +1,5 @@
 /* plot_axis.c - an axis of a plot: its range and its labels. */
-#include "rt/study/plot/plot_axis.h"
+#include "base/plot_axis.h"
 
 #include <math.h>
 #include <string.h>
@@ -47,6 +47,14 @@ double axis_place(const struct axis *axis, double value)
     double high = to_ruler(axis, axis->high);
 
     return (to_ruler(axis, value) - low) / (high - low);
+}
+
+double axis_value(const struct axis *axis, double place)
+{
+    double low = to_ruler(axis, axis->low);
+    double high = to_ruler(axis, axis->high);
+
+    return from_ruler(axis, low + place * (high - low));
 }
 
 void axis_widen(struct axis *axis)

@@ -1,0 +1,67 @@
+/* plot.h - draws columns of a table as curves, in an SVG picture.
+ *
+ * A value that is not a finite number (NaN, an empty cell) is not drawn and leaves a gap
+ * in the curve. Texts should fit: about 30 letters for names of curves and marks, and
+ * about 110 for small print.
+ */
+#ifndef BASE_PLOT_H
+#define BASE_PLOT_H
+
+#include "base/sink.h"
+#include "base/table.h"
+
+enum plot_scale { PLOT_LINEAR = 0, PLOT_LOG2 = 2, PLOT_LOG10 = 10 };
+
+struct plot_axis {
+    const char *title; /* with the unit */
+    enum plot_scale scale;
+};
+
+struct plot_line {
+    double start, slope; /* y = start + slope x */
+};
+
+/* A column of the table, from 0. All curves share one x column. */
+struct plot_curve {
+    size_t column;
+    const char *title;
+    const struct plot_line *fitted; /* drawn instead of the segments between the points;
+                                     * NULL: none */
+};
+
+struct plot_mark {
+    double at; /* on the axis; NaN: no mark */
+    const char *label;
+};
+
+enum plot_form {
+    PLOT_LINES, /* separate curves */
+    PLOT_AREAS, /* stacked areas; y is linear, and no value is negative */
+};
+
+enum { MAX_PLOT_MARKS = 8 };
+
+struct plot {
+    const char *title;
+    const char *const *subtitles; /* lines of small print below the title */
+    size_t subtitle_count;
+    struct plot_axis x, y;
+    double y_most;   /* curves above are cut off, which the small print reports; 0:
+                      * no limit */
+    size_t x_column; /* its values are in order, from row to row */
+    enum plot_form form;
+    const struct plot_curve *curves;
+    size_t curve_count;
+    const struct plot_mark *marks;  /* vertical lines; at is x */
+    size_t mark_count;              /* at most MAX_PLOT_MARKS */
+    const struct plot_mark *levels; /* horizontal lines; at is y */
+    size_t level_count;
+};
+
+/* Draws the plot. Errors: no value to draw, a value not above 0 on a logarithmic axis, a
+ * negative value as an area, or a table that ran out of memory; nothing is written then.
+ * The picture does not depend on the time of day. */
+bool plot_draw(const struct plot *plot, const struct table *table,
+               const struct sink *sink, c205_error *error);
+
+#endif
