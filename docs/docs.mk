@@ -2,9 +2,9 @@
 
 # The reference of the instructions, and the printed blocks of the pages.
 shown = $(programs) $(BUILD)/fit205 $(BUILD)/tests/oracle/check_quartic \
-	$(BUILD)/tests/unit/test_points $(BUILD)/tests/unit/test_emission \
-	$(BUILD)/tests/unit/test_functions \
-	$(BUILD)/tests/bench_lines $(adapter)
+	$(BUILD)/tests/unit/test_sample_points $(BUILD)/tests/unit/test_emission \
+	$(BUILD)/tests/unit/test_library_functions \
+	$(BUILD)/tests/bench_ray_query $(adapter)
 docs: $(BUILD)/c205 $(shown) ## prints the reference and the blocks of the pages again
 	$< isa --markdown >$(BUILD)/isa.md
 	@mv $(BUILD)/isa.md docs/isa.md

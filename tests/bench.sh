@@ -8,7 +8,7 @@
 #   ranks     two processes compared with one; the work of rank 0 per unit and its size
 #   stages    clocks of the machine for each method of tracing a frame
 #   visible   clocks of the methods of finding the visible surface of a solid
-#   lines     clocks of all-hits ray queries
+#   ray_query clocks of all-hits ray queries
 #   growth    time, clocks and memory by number of objects
 #   goals     target values for these figures
 #
@@ -25,7 +25,7 @@ shift
 BENCH_CSV=${BENCH_CSV:-$build/bench.csv}
 export BENCH_CSV
 cd "$(dirname "$0")/.."
-all="machine hosts frames jobs ranks stages visible lines growth goals"
+all="machine hosts frames jobs ranks stages visible ray_query growth goals"
 # The names are words.
 # shellcheck disable=SC2086
 [ $# -gt 0 ] || set -- $all

@@ -8,7 +8,7 @@ build=$1
 
 for program in tests/bench_*.c; do
     name=$(basename "$program" .c)
-    case $name in bench_trace | bench_ranks | bench_lines) continue ;; esac
+    case $name in bench_trace | bench_ranks | bench_ray_query) continue ;; esac
     run "$build/tests/$name" "$trials" >"$work/table"
     cat "$work/table"
     echo

@@ -21,8 +21,8 @@ mkdir -p "$work/broken/tests" "$work/broken/hosts/gcc-O1-avx2/tests"
 for library in "$build"/*.so; do
     ln -s "$library" "$work/broken"
 done
-for command in rt205 tests/bench_lanes tests/bench_lines tests/bench_machine \
-    tests/bench_ranks tests/bench_short tests/bench_trace \
+for command in rt205 tests/bench_lanes tests/bench_ray_query tests/bench_machine \
+    tests/bench_ranks tests/bench_vector_length tests/bench_trace \
     hosts/gcc-O1-avx2/tests/bench_lanes povray; do
     path=$build/$command
     [ "$command" != povray ] || path=$(command -v povray)
@@ -54,7 +54,7 @@ while read -r part command; do
 done <<'END'
 machine tests/bench_machine
 machine tests/bench_lanes
-machine tests/bench_short
+machine tests/bench_vector_length
 hosts tests/bench_lanes
 hosts hosts/gcc-O1-avx2/tests/bench_lanes
 frames tests/bench_trace
@@ -64,7 +64,7 @@ ranks rt205
 ranks tests/bench_ranks
 stages rt205
 visible rt205
-lines tests/bench_lines
+ray_query tests/bench_ray_query
 growth tests/bench_trace
 growth povray
 END

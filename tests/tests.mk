@@ -6,8 +6,8 @@ oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_sample \
 	$(BUILD)/tests/oracle/check_scene $(BUILD)/tests/oracle/check_random \
 	$(BUILD)/tests/oracle/check_quartic $(BUILD)/tests/oracle/check_faces \
-	$(BUILD)/tests/oracle/check_regions $(BUILD)/tests/oracle/check_standing \
-	$(BUILD)/tests/oracle/check_lines \
+	$(BUILD)/tests/oracle/check_regions $(BUILD)/tests/oracle/check_coincident \
+	$(BUILD)/tests/oracle/check_ray_query \
 	$(BUILD)/tests/oracle/check_mass $(BUILD)/tests/oracle/check_heat \
 	$(BUILD)/tests/oracle/digest \
 	$(BUILD)/tests/oracle/check_language_scenes \
@@ -30,8 +30,8 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) $(mpi_packag
 check_parts = check-unit check-scenes check-commands check-hosts check-web-tracer \
 	check-uses check-bench check-web-engine check-faces check-random check-docs \
 	check-language-scenes check-course check-regions check-fit check-arithmetic \
-	check-adaptive check-library check-heat check-mass check-texts check-lines \
-	check-language check-quartic check-standing check-install check-programs check-isa \
+	check-adaptive check-library check-heat check-mass check-texts check-ray-query \
+	check-language check-quartic check-coincident check-install check-programs check-isa \
 	check-bugs check-narrow check-rooms
 CASES ?= 500000
 PAIRS ?= some
@@ -39,8 +39,8 @@ PROGRAMS ?= 8000
 POLYNOMIALS ?= 300
 FACES ?= 150
 REGIONS ?= 100
-STANDING ?= 16
-SEEN ?= 60
+COINCIDENT ?= 16
+QUERIES ?= 60
 MASSES ?= 24
 HEATS ?= 16
 USES ?= some
@@ -73,8 +73,8 @@ check-quick: export PROGRAMS = 400
 check-quick: export POLYNOMIALS = 20
 check-quick: export FACES = 8
 check-quick: export REGIONS = 8
-check-quick: export STANDING = 2
-check-quick: export SEEN = 4
+check-quick: export COINCIDENT = 2
+check-quick: export QUERIES = 4
 check-quick: export MASSES = 2
 check-quick: export HEATS = 1
 check-quick: export LANGUAGE = 6
@@ -85,8 +85,8 @@ check-long: export PROGRAMS = 200000
 check-long: export POLYNOMIALS = 10000
 check-long: export FACES = 20000
 check-long: export REGIONS = 10000
-check-long: export STANDING = 2000
-check-long: export SEEN = 5000
+check-long: export COINCIDENT = 2000
+check-long: export QUERIES = 5000
 check-long: export MASSES = 1000
 check-long: export HEATS = 1000
 check-long: export MASS_RAYS = 262144
@@ -249,11 +249,11 @@ check-regions: $(BUILD)/tests/oracle/check_regions
 	$(call by_shares,$(REGIONS))
 
 # Solids with coincident faces; transparent ones are also compared with POV-Ray.
-check-standing: $(BUILD)/tests/oracle/check_standing $(adapter)
-	$(call by_shares,$(STANDING))
+check-coincident: $(BUILD)/tests/oracle/check_coincident $(adapter)
+	$(call by_shares,$(COINCIDENT))
 
-check-lines: $(BUILD)/tests/oracle/check_lines
-	$(call by_shares,$(SEEN))
+check-ray-query: $(BUILD)/tests/oracle/check_ray_query
+	$(call by_shares,$(QUERIES))
 
 check-heat: $(BUILD)/tests/oracle/check_heat
 	$(call by_shares,$(HEATS))
@@ -269,7 +269,7 @@ check-language-scenes: $(BUILD)/tests/oracle/check_language_scenes $(adapter)
 check-poison: $(BUILD)/tests/unit/test_poison
 	$< $(TRIES)
 
-check-points: $(BUILD)/tests/unit/test_points
+check-points: $(BUILD)/tests/unit/test_sample_points
 	$< $(TRIES)
 
 check-emission: $(BUILD)/tests/unit/test_emission
@@ -387,7 +387,7 @@ cover-tests:
 # Each benchmark in its smallest size; hosts is a part of check-hosts, which builds its
 # variants.
 check-bench: $(benches) $(programs) $(adapter) $(ranks)
-	sh tests/check_bench.sh $(BUILD) machine frames jobs ranks stages visible lines \
+	sh tests/check_bench.sh $(BUILD) machine frames jobs ranks stages visible ray_query \
 		growth goals
 
 fuzz: ## runs the fuzzers for SECONDS each

@@ -14,7 +14,7 @@
  */
 #include "tests/oracle/chance.h"
 #include "tests/oracle/many_scenes.h"
-#include "tests/oracle/measured.h"
+#include "tests/oracle/machine_mass.h"
 #include "tests/oracle/placed_solid.h"
 #include "tests/oracle/plain_regions.h"
 

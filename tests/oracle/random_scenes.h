@@ -1,5 +1,5 @@
-/* random_scenes.h - generators of random scenes: of coincident faces, of many regions,
- * and of standing bodies. */
+/* random_scenes.h - generators of random scenes: of faces that coincide, of many
+ * regions, and of bodies that touch. */
 #ifndef RANDOM_SCENES_H
 #define RANDOM_SCENES_H
 
@@ -48,17 +48,17 @@ struct random_scene many_regions(uint64_t *state);
  * stacks; they include spheres, tori, lathes, open cylinders, discs and triangles.
  */
 
-enum { STANDING_WIDTH = 32, STANDING_HEIGHT = 24 };
+enum { COINCIDENT_WIDTH = 32, COINCIDENT_HEIGHT = 24 };
 
-enum standing_kind {
-    STANDING_CLEAR,   /* transparent bodies on a ground */
-    STANDING_STACKED, /* the same in stacks, one perhaps opaque */
-    STANDING_OPAQUE   /* opaque bodies in stacks */
+enum coincident_kind {
+    COINCIDENT_CLEAR,   /* transparent bodies on a ground */
+    COINCIDENT_STACKED, /* the same in stacks, one perhaps opaque */
+    COINCIDENT_OPAQUE   /* opaque bodies in stacks */
 };
-enum standing_kind standing_scene_kind(uint64_t seed);
+enum coincident_kind coincident_scene_kind(uint64_t seed);
 
 /* Returns the scene in the scene language, with the ground raised by lift: faces then
  * do not coincide, and the bodies extend into the ground.  The caller frees it. */
-char *standing_scene_text(uint64_t seed, double lift);
+char *coincident_scene_text(uint64_t seed, double lift);
 
 #endif

@@ -4,7 +4,7 @@
  */
 #include "tests/unit/draw.h"
 #include "tests/unit/prior_model.h"
-#include "tests/unit/random_walk.h"
+#include "tests/unit/random_stepping.h"
 #include "tests/unit/engine_client.h"
 
 /* About 200,000 steps, with calls. */

@@ -15,7 +15,7 @@
 #include "rt/picture/picture.h"
 #include "rt/roots/roots.h"
 #include "rt/study/speedup.h"
-#include "tests/oracle/line_rules.h"
+#include "tests/oracle/ray_query_rules.h"
 #include "tests/oracle/points.h"
 #include "tests/oracle/register_owners.h"
 #include "vm/text.h"

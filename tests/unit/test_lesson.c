@@ -8,7 +8,7 @@
 #include "base/accounts.h"
 #include "base/json_read.h"
 #include "tests/unit/draw.h"
-#include "tests/unit/random_words.h"
+#include "tests/unit/random_verdict.h"
 #include "tests/unit/saved_machine.h"
 
 static size_t tries = 150;

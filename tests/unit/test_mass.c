@@ -7,7 +7,7 @@
  */
 #include "base/file.h"
 #include "tests/oracle/many_scenes.h"
-#include "tests/oracle/measured.h"
+#include "tests/oracle/machine_mass.h"
 #include "tests/random.h"
 #include "tests/unit/csv_reading.h"
 

@@ -1,0 +1,167 @@
+/* check_coincident.c - compares frames of bodies with coincident faces in all forms,
+ * and with two other tracers.
+ *
+ *     check_coincident [SCENES [OF SHARE]] [--first]
+ *
+ * Traces random scenes (random_scenes.h), or every OF-th of them from number SHARE on.
+ * The test fails unless all forms give the same frame bit for bit, and every pixel off
+ * the outlines equals the plain tracer's.  POV-Ray loses one of two coincident faces,
+ * so its picture is of the scene with a ground that is higher by LIFT; scenes of other
+ * bodies have no such picture.  A failing scene is printed and written to
+ * coincident_N.pov.  With --first the test stops at the first failure.  Exit status 1: a
+ * scene failed.
+ */
+#include "rt/trace/trace.h"
+#include "tests/oracle/chance.h"
+#include "tests/oracle/compare_pictures.h"
+#include "tests/oracle/plain_tracer.h"
+#include "tests/oracle/run_povray.h"
+#include "tests/oracle/random_scenes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    WIDTH = COINCIDENT_WIDTH,
+    HEIGHT = COINCIDENT_HEIGHT,
+    PIXELS = WIDTH * HEIGHT,
+    AHEAD = 4,
+    PATH = 80
+};
+
+/* Lifting the ground moves its image through a body by about the same distance. */
+#define LIFT 1e-5
+
+/* On an edge seen through a body the lift decides.  At some pixels POV-Ray's picture of
+ * the lifted scene differs from both other tracers. */
+static const struct comparison with_povray = { "colour", CHANNEL_RED, 3,  1,
+                                               false,    1e-3,        .01 };
+
+#define SEED UINT64_C(0x9E3779B97F4A7C15)
+
+static uint64_t seed_of(size_t number)
+{
+    return RANDOM_SEED ^ (number + 1) * SEED;
+}
+
+/* ---- Forms --------------------------------------------------------------- */
+
+/* The forms; each is compared with the first one. */
+static const struct trace_options forms[] = {
+    { .mode = TRACE_SCALAR, .queue = 1 },
+    { .mode = TRACE_SCALAR, .queue = 1, .no_bounds = true },
+    { .mode = TRACE_VECTOR, .queue = TRACE_QUEUE },
+    { .mode = TRACE_VECTOR, .queue = 7, .flat = true },
+    { .mode = TRACE_VECTOR, .queue = 77, .visible = VISIBLE_EVERY },
+    { .mode = TRACE_VECTOR, .queue = 333, .no_bounds = true },
+    { .mode = TRACE_KERNELS, .queue = 77 },
+};
+enum { FORMS = sizeof forms / sizeof *forms };
+
+/* --- other tracers -------------------------------------------------------- */
+
+static bool same_pictures(const struct comparison *comparison, const char *who,
+                          const struct frame *expected, const struct frame *ours,
+                          const bool *inner, char *reason)
+{
+    struct picture_difference is = compare_pictures(comparison, expected, ours, inner);
+    snprintf(reason, MANY_REASON,
+             "%s has another %s at %zu of %zu pixels, by %g at %zu, %zu", who,
+             comparison->name, is.beyond, is.compared, is.greatest, is.worst_x,
+             is.worst_y);
+    return (double)is.beyond <= comparison->share * (double)is.compared;
+}
+
+/* Allows no different pixel. */
+static bool same_as_plain(const struct frame *plain, const struct frame *ours,
+                          const bool *inner, char *reason)
+{
+    bool good = true;
+    for (size_t i = 0; good && i < WITH_FRAME; i++) {
+        struct comparison comparison = with_frame[i];
+        comparison.share = 0;
+        good = same_pictures(&comparison, "the plain tracer", plain, ours, inner,
+                             reason);
+    }
+    return good;
+}
+
+/* A ring of running POV-Ray processes, first in, first out. */
+static struct povray *runs[AHEAD + 1];
+static size_t begun, ended;
+
+static void begin(size_t number)
+{
+    char path[PATH];
+    if (coincident_scene_kind(seed_of(number)) != COINCIDENT_CLEAR)
+        return;
+    char *text = coincident_scene_text(seed_of(number), LIFT);
+    snprintf(path, PATH, "coincident_%zu_lifted.pov", number);
+    runs[begun++ % (AHEAD + 1)] = povray_begin(path, text, WIDTH, HEIGHT);
+    free(text);
+}
+
+static bool same_as_povray(size_t number, const struct frame *ours, const bool *inner,
+                           char *reason)
+{
+    c205_error error;
+    struct frame theirs;
+    if (coincident_scene_kind(seed_of(number)) != COINCIDENT_CLEAR)
+        return true;
+    if (!povray_end(runs[ended++ % (AHEAD + 1)], &theirs, &error))
+        give_up(error.message);
+    bool good = same_pictures(&with_povray, "POV-Ray", &theirs, ours, inner, reason);
+    frame_free(&theirs);
+    return good;
+}
+
+/* ---- Scenes -------------------------------------------------------------- */
+
+static bool same_as_others(const struct scene *scene, const struct trace *trace,
+                           size_t number, char *reason)
+{
+    struct frame plain, ours;
+    char also[MANY_REASON];
+    if (!plain_trace(scene, WIDTH, HEIGHT, &plain)
+        || !frame_allocate(&ours, WIDTH, HEIGHT))
+        give_up("out of memory");
+    trace_read(trace, 0, &ours);
+    bool *inner = inner_pixels(&plain);
+    bool good = same_as_plain(&plain, &ours, inner, reason);
+    bool by_povray = same_as_povray(number, &ours, inner, also);
+    if (good)
+        strcpy(reason, also);
+    free(inner);
+    frame_free(&plain);
+    frame_free(&ours);
+    return good && by_povray;
+}
+
+static struct random_scene draw(uint64_t *state, size_t number)
+{
+    (void)number;
+    return (struct random_scene){ .text = coincident_scene_text(*state, 0),
+                                  .width = WIDTH,
+                                  .height = HEIGHT };
+}
+
+static bool passes(struct random_scene *drawn, char *reason)
+{
+    struct scene *scene = scene_of(drawn->text);
+    struct trace *expected = traced_in(scene, sized(forms[0], WIDTH, HEIGHT));
+    bool good = same_as_others(scene, expected, drawn->number, reason);
+    for (size_t i = 1; good && i < FORMS; i++)
+        good = same_in_form(scene, expected, sized(forms[i], WIDTH, HEIGHT), reason);
+    trace_free(expected);
+    scene_free(scene);
+    return good;
+}
+
+int main(int count, char **words)
+{
+    static const struct random_check check = { "coincident", SEED,  draw, passes,
+                                               false,        begin, AHEAD };
+    return check_random(count, words, &check);
+}

@@ -1,0 +1,25 @@
+/* machine_mass.h - the mass properties of a scene text as the machine computes them,
+ * for tests. */
+#ifndef MACHINE_MASS_H
+#define MACHINE_MASS_H
+
+#include "rt/mass/figures.h"
+#include "rt/scene/scene_internal.h"
+
+enum { MEASURED_PARTS = 4 };
+
+struct measured {
+    size_t parts;
+    struct mass_figures part[MEASURED_PARTS + 1]; /* the last: all parts */
+    double overlap, overlap_error;
+    double middle[3], width[3]; /* of the bounding box */
+    uint64_t checksum;
+    c205_error error; /* set on failure */
+};
+
+/* Measures a scene with density one; the inertia is about the origin.  options need no
+ * model and no parts.  Returns false and an error if it cannot be measured. */
+bool measure_scene(const char *text, struct columns_options options,
+                   struct measured *measured);
+
+#endif

@@ -1,0 +1,14 @@
+/* random_stepping.h - random programs for a debugger to step through: loops with vector
+ * instructions, calls, stores and prints.
+ */
+#ifndef TESTS_DRAWN_WALK_H
+#define TESTS_DRAWN_WALK_H
+
+#include <stdint.h>
+
+#include "base/sink.h"
+
+/* The caller frees the text. */
+void draw_walk(uint64_t *state, struct text_buffer *text);
+
+#endif
