@@ -14,7 +14,7 @@ struct factors {
 };
 
 struct factors *factors_new(const struct scene *scene,
-                            const struct factors_options *options, c205_error *error)
+                            const struct sampling_options *options, c205_error *error)
 {
     struct factors *factors;
 
@@ -76,18 +76,18 @@ void factor_row_free(struct factor_row *row)
  * MAX_EMISSION. */
 enum { PIECE = 1 << 14 };
 
-static size_t piece_count(const struct factors_options *options)
+static size_t piece_count(const struct sampling_options *options)
 {
     return options->points > MAX_EMISSION ? (options->points - 1) / PIECE + 1 : 1;
 }
 
-static size_t packet_count(const struct factors_options *options)
+static size_t packet_count(const struct sampling_options *options)
 {
     return options->repeats * piece_count(options);
 }
 
 /* Returns the number of points of a piece, and sets the number of its first point. */
-static size_t find_piece(const struct factors_options *options, size_t piece,
+static size_t find_piece(const struct sampling_options *options, size_t piece,
                          size_t *first)
 {
     *first = PIECE * piece;
@@ -152,7 +152,7 @@ static bool count_rays(const struct repeats *repeats, struct factor_row *row)
 static bool conclude(const struct packet_programs *programs,
                      const struct packet *packets, struct factor_row *row)
 {
-    const struct factors_options *options = &programs->options;
+    const struct sampling_options *options = &programs->options;
     struct repeats repeats = { .count = options->repeats,
                                .pieces = piece_count(options),
                                .points = options->points,
@@ -201,7 +201,7 @@ struct rows_work {
 static bool begin_source(const struct rows_work *work, struct emitting *emitting,
                          size_t primitive, size_t points, c205_error *error)
 {
-    const struct factors_options *options = &work->programs->options;
+    const struct sampling_options *options = &work->programs->options;
     const struct emission_options emits = { .mode = options->mode,
                                             .queue = options->queue,
                                             .points = points,
@@ -222,7 +222,7 @@ static bool run_unit(void *context, size_t job, size_t unit,
                      struct serialized_result *words, c205_error *error)
 {
     const struct rows_work *work = context;
-    const struct factors_options *options = &work->programs->options;
+    const struct sampling_options *options = &work->programs->options;
     size_t pieces = piece_count(options), packets = packet_count(options);
     struct packet_choice choice = {
         .primitive = work->emitters[unit / packets],
@@ -298,7 +298,7 @@ static bool keep(const struct rows_work *work, struct job_set *job_set,
                  c205_error *error)
 {
     const struct packet_programs *programs = work->programs;
-    const struct factors_options *options = &programs->options;
+    const struct sampling_options *options = &programs->options;
     const uint64_t choices[] = {
         options->mode,
         options->queue,
@@ -307,8 +307,8 @@ static bool keep(const struct rows_work *work, struct job_set *job_set,
         options->lattice,
         options->seed,
         packet_receivers(programs),
-        hash_sizes(HASH_START, options->receiver_of,
-                   options->receiver_of ? programs->scene->primitive_count : 0),
+        hash_sizes(HASH_START, options->surface_of,
+                   options->surface_of ? programs->scene->primitive_count : 0),
         hash_sizes(HASH_START, work->emitters, work->emitter_count),
     };
 
@@ -318,7 +318,7 @@ static bool keep(const struct rows_work *work, struct job_set *job_set,
 
 static bool run_job_set(struct rows_work *work, c205_error *error)
 {
-    const struct factors_options *options = &work->programs->options;
+    const struct sampling_options *options = &work->programs->options;
     const struct job_set_work packets = {
         .job_set = options->job_set,
         .count = unit_count(work),

@@ -12,35 +12,15 @@
 #define RT_FACTORS_H
 
 #include "base/accounts.h"
-#include "rt/jobs/job_set.h"
 #include "rt/heat/emission.h"
 #include "rt/heat/estimate.h"
+#include "rt/heat/sampling.h"
 #include "rt/heat/step.h"
 #include "rt/trace/ray_query.h"
 
 /* Points of a repeat. A repeat with more points than a vector holds is divided
  * into pieces. */
 enum { MAX_FACTORS_POINTS = 1 << 20 };
-
-struct factors_options {
-    enum trace_mode mode;
-    size_t queue;   /* of points and of rays; vector mode only */
-    size_t points;  /* of each repeat: 1 .. MAX_FACTORS_POINTS; a power of two is
-                     * best for the lattice */
-    size_t repeats; /* 2 or more: their spread gives the errors */
-    bool lattice;   /* use the lattice under independent shifts; else random points */
-    uint64_t seed;
-    size_t jobs;             /* packets at a time; 0: one */
-    struct job_set *job_set; /* as in job_set_work */
-    /* Called at intervals with packets. Returns false to stop. May be NULL. */
-    bool (*progress)(void *context, size_t done, size_t all);
-    void *context;
-    /* The receiver of each of the scene's primitives, a number below receivers. NULL:
-     * each primitive is a receiver of its own. */
-    const size_t *receiver_of;
-    size_t receivers;
-    const c205_model *model; /* must outlive the factors */
-};
 
 /* The factors from one emitter. */
 struct factor_row {
@@ -59,7 +39,7 @@ struct factors;
 /* Returns NULL for invalid options, or if out of memory; the error gives the
  * reason. The scene must outlive the factors. */
 struct factors *factors_new(const struct scene *scene,
-                            const struct factors_options *options, c205_error *error);
+                            const struct sampling_options *options, c205_error *error);
 void factors_free(struct factors *factors);
 
 /* Computes a row for each emitter, which is an index of the scene's primitives;

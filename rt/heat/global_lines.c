@@ -23,7 +23,7 @@ enum { MAX_SURFACES = 1023, MAX_ENDS = 65535 };
 
 struct global_work {
     const struct scene *scene;
-    const struct global_lines_options *options;
+    const struct sampling_options *options;
     struct global_lines *found;
     struct chords chords;
     struct ray_query *lines;
@@ -89,12 +89,12 @@ static bool find_sphere(struct global_work *work, c205_error *error)
 /* ---- Setup ----------------------------------------------------------------- */
 
 static size_t surface_count(const struct scene *scene,
-                            const struct global_lines_options *options)
+                            const struct sampling_options *options)
 {
     return options->surface_of ? options->surfaces : scene->primitive_count;
 }
 
-static bool check(const struct scene *scene, const struct global_lines_options *options,
+static bool check(const struct scene *scene, const struct sampling_options *options,
                   c205_error *error)
 {
     if (scene->primitive_count == 0)
@@ -112,7 +112,7 @@ static bool check(const struct scene *scene, const struct global_lines_options *
 
 static bool begin_chords(struct global_work *work, c205_error *error)
 {
-    const struct global_lines_options *options = work->options;
+    const struct sampling_options *options = work->options;
     const struct emission_options emits = { .mode = trace_mode_besides(options->mode),
                                             .queue = options->queue,
                                             .points = work->lines_of_packet,
@@ -124,7 +124,7 @@ static bool begin_chords(struct global_work *work, c205_error *error)
 
 static bool begin_lines(struct global_work *work, c205_error *error)
 {
-    const struct global_lines_options *options = work->options;
+    const struct sampling_options *options = work->options;
     const struct ray_query_options lines = {
         .mode = options->mode,
         .queue = options->queue,
@@ -187,7 +187,7 @@ struct global_packet {
 static bool make_lines(struct global_packet *packet)
 {
     const struct global_work *work = packet->work;
-    const struct global_lines_options *options = work->options;
+    const struct sampling_options *options = work->options;
     size_t repeat = packet->unit / work->packets;
     size_t first = packet->unit % work->packets * work->lines_of_packet;
     struct emission_choice choice = {
@@ -434,7 +434,7 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
 static bool keep(const struct global_work *work, struct job_set *job_set,
                  c205_error *error)
 {
-    const struct global_lines_options *options = work->options;
+    const struct sampling_options *options = work->options;
     const uint64_t choices[] = {
         options->mode,
         options->queue,
@@ -453,7 +453,7 @@ static bool keep(const struct global_work *work, struct job_set *job_set,
 
 static bool run(struct global_work *work, c205_error *error)
 {
-    const struct global_lines_options *options = work->options;
+    const struct sampling_options *options = work->options;
     const struct job_set_work packets = {
         .job_set = options->job_set,
         .count = unit_count(work),
@@ -471,7 +471,7 @@ static bool run(struct global_work *work, c205_error *error)
 }
 
 bool global_lines_find(const struct scene *scene,
-                       const struct global_lines_options *options,
+                       const struct sampling_options *options,
                        struct global_lines *found, c205_error *error)
 {
     struct global_work work = { .scene = scene, .options = options, .found = found };

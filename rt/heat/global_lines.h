@@ -17,31 +17,11 @@
 #define RT_GLOBAL_LINES_H
 
 #include "base/accounts.h"
-#include "rt/jobs/job_set.h"
 #include "rt/heat/estimate.h"
+#include "rt/heat/sampling.h"
 #include "rt/heat/step.h"
-#include "rt/trace/trace.h"
 
 enum { MAX_GLOBAL_LINES_LOG = 20, GLOBAL_LINES_PACKET = 4096 };
-
-struct global_lines_options {
-    enum trace_mode mode;
-    size_t queue;     /* lines at a time; ignored in scalar mode */
-    size_t lines_log; /* 2^lines_log lines of each repeat */
-    size_t repeats;   /* 2 or more: their spread gives the errors */
-    bool lattice;     /* else random */
-    uint64_t seed;
-    size_t jobs;             /* packets at a time; 0: one */
-    struct job_set *job_set; /* as in job_set_work */
-    /* Called at intervals with packets. Returns false to stop. May be NULL. */
-    bool (*progress)(void *context, size_t done, size_t all);
-    void *context;
-    /* The surface of each of the scene's primitives, a number below surfaces. NULL:
-     * each primitive is a surface of its own. */
-    const size_t *surface_of;
-    size_t surfaces;
-    const c205_model *model;
-};
 
 struct global_lines {
     size_t surfaces; /* the environment has the next number */
@@ -58,7 +38,7 @@ struct global_lines {
  * with an unbounded one, after a trap, if out of memory, or if a file belongs to
  * another run. */
 bool global_lines_find(const struct scene *scene,
-                       const struct global_lines_options *options,
+                       const struct sampling_options *options,
                        struct global_lines *found, c205_error *error);
 void global_lines_free(struct global_lines *found);
 

@@ -33,6 +33,38 @@ static bool add_accounts(const struct heat_work *work, const struct accounts *ac
            || error_set(work->error, "out of memory");
 }
 
+static size_t log_of(size_t count)
+{
+    size_t log = 0;
+
+    while ((size_t)1 << log < count)
+        log++;
+    return log;
+}
+
+/* Returns the options of a round: heat->drawn points or lines of each repeat. */
+static struct sampling_options sampling_of(const struct heat *heat)
+{
+    const struct heat_request *request = heat->request;
+
+    return (struct sampling_options){
+        .mode = request->mode,
+        .queue = request->queue,
+        .points = heat->drawn,
+        .lines_log = request->by_lines ? log_of(heat->drawn) : 0,
+        .repeats = request->repeats,
+        .lattice = request->lattice,
+        .seed = request->seed,
+        .jobs = request->jobs,
+        .job_set = request->job_set,
+        .progress = request->progress,
+        .context = request->context,
+        .surface_of = heat->surfaces.surface_of,
+        .surfaces = heat->surfaces.count,
+        .model = request->model,
+    };
+}
+
 /* ---- By rays --------------------------------------------------------------- */
 
 static void list_emitters(struct heat_work *work)
@@ -47,22 +79,7 @@ static void list_emitters(struct heat_work *work)
 static bool find_rows(struct heat_work *work)
 {
     struct heat *heat = work->heat;
-    const struct heat_request *request = heat->request;
-    const struct factors_options options = {
-        .mode = request->mode,
-        .queue = request->queue,
-        .points = heat->drawn,
-        .repeats = request->repeats,
-        .lattice = request->lattice,
-        .seed = request->seed,
-        .jobs = request->jobs,
-        .job_set = request->job_set,
-        .progress = request->progress,
-        .context = request->context,
-        .receiver_of = heat->surfaces.surface_of,
-        .receivers = heat->surfaces.count,
-        .model = request->model,
-    };
+    struct sampling_options options = sampling_of(heat);
     struct factors *factors = factors_new(heat->scene, &options, work->error);
     bool good = factors
                 && factors_find(factors, work->emitters, work->emitter_count,
@@ -120,34 +137,10 @@ static bool find_by_rays(struct heat_work *work)
 
 /* ---- By lines -------------------------------------------------------------- */
 
-static size_t log_of(size_t count)
-{
-    size_t log = 0;
-
-    while ((size_t)1 << log < count)
-        log++;
-    return log;
-}
-
 static bool find_by_lines(struct heat_work *work)
 {
     struct heat *heat = work->heat;
-    const struct heat_request *request = heat->request;
-    const struct global_lines_options options = {
-        .mode = request->mode,
-        .queue = request->queue,
-        .lines_log = log_of(heat->drawn),
-        .repeats = request->repeats,
-        .lattice = request->lattice,
-        .seed = request->seed,
-        .jobs = request->jobs,
-        .job_set = request->job_set,
-        .progress = request->progress,
-        .context = request->context,
-        .surface_of = heat->surfaces.surface_of,
-        .surfaces = heat->surfaces.count,
-        .model = request->model,
-    };
+    struct sampling_options options = sampling_of(heat);
     struct global_lines found;
     bool good;
 

@@ -53,11 +53,11 @@ void packet_programs_end(struct packet_programs *programs)
 
 size_t packet_receivers(const struct packet_programs *programs)
 {
-    const struct factors_options *options = &programs->options;
+    const struct sampling_options *options = &programs->options;
 
     return 1
-           + (options->receiver_of ? options->receivers
-                                   : programs->scene->primitive_count);
+           + (options->surface_of ? options->surfaces
+                                  : programs->scene->primitive_count);
 }
 
 bool packet_begin(struct packet *packet, const struct packet_programs *programs)
@@ -122,7 +122,7 @@ static void charge(const struct packet_work *work, enum heat_step step)
  * random numbers. */
 static bool emit(struct packet_work *work)
 {
-    const struct factors_options *options = &work->programs->options;
+    const struct sampling_options *options = &work->programs->options;
     size_t place = work->choice.primitive * options->repeats + work->choice.repeat;
     struct emission_choice choice = emission_choose(options->lattice, options->seed,
                                                     options->points, place);
@@ -243,7 +243,7 @@ static bool begins_within(const struct ray_hits *found, size_t line)
 
 static size_t receiver_of(const struct packet_programs *programs, size_t primitive)
 {
-    const size_t *receivers = programs->options.receiver_of;
+    const size_t *receivers = programs->options.surface_of;
 
     return receivers ? receivers[primitive] : primitive;
 }

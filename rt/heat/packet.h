@@ -16,7 +16,7 @@
 /* The data that all packets of a scene share. */
 struct packet_programs {
     const struct scene *scene;
-    struct factors_options options;
+    struct sampling_options options;
     struct ray_query *normals, *rays;
     struct object *faces, *received;
 };

@@ -160,9 +160,9 @@ static void find(const struct scene *scene, const char *from, enum trace_mode mo
 TEST(scene)
 {
     SCOPED(scene) *scene = read_scene(tubes);
-    struct factors_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 100,
-                                              .points = 256, .repeats = 4,
-                                              .lattice = true, .seed = 3);
+    struct sampling_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 100,
+                                               .points = 256, .repeats = 4,
+                                               .lattice = true, .seed = 3);
     SCOPED(factors) *factors = factors_new(scene, &options, &failure);
     SCOPED_VALUE(factor_row) row;
     SCOPED_VALUE(hits) vector;

@@ -13,11 +13,11 @@
 
 static uint64_t seed = 1;
 
-static const struct global_lines_options usual = {
+static const struct sampling_options usual = {
     .mode = TRACE_VECTOR, .queue = 2000, .lines_log = 10, .repeats = 16, .lattice = true
 };
 
-static struct global_lines find(const char *text, struct global_lines_options options)
+static struct global_lines find(const char *text, struct sampling_options options)
 {
     SCOPED(scene) *scene = read_scene(text);
     struct global_lines found;
@@ -102,7 +102,7 @@ TEST(forms)
         "sphere { 0, .5 } blob { threshold .5 sphere { 2*x, 1, 1 } }"
         " cylinder { -2*x, -2*x + y, .5 open }"
         " difference { box { <-4,-2,1>, <4,-1,2> } sphere { -1.5*z, 3 } }";
-    struct global_lines_options options = usual;
+    struct sampling_options options = usual;
     options.repeats = 2;
     options.lines_log = 8;
     SCOPED_VALUE(global_lines) one = find(text, options);
@@ -120,7 +120,7 @@ TEST(forms)
 
 /* ---- Errors -------------------------------------------------------------------- */
 
-static void assert_fails(const char *text, struct global_lines_options options,
+static void assert_fails(const char *text, struct sampling_options options,
                          const char *message)
 {
     SCOPED(scene) *scene = read_scene(text);
@@ -133,7 +133,7 @@ static void assert_fails(const char *text, struct global_lines_options options,
 
 TEST(refusals)
 {
-    struct global_lines_options once = usual, many = usual;
+    struct sampling_options once = usual, many = usual;
     once.repeats = 1;
     many.lines_log = 21;
     assert_fails("camera { location -5*z }", usual, "no surfaces");

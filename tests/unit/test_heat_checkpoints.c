@@ -53,12 +53,12 @@ static bool tell(void *context, size_t done, size_t all)
 static bool run_rays(struct run *run, const struct scene *scene)
 {
     static const size_t all[PRIMITIVES] = { 0, 1, 2 };
-    struct factors_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 100,
-                                              .points = 64, .repeats = REPEATS,
-                                              .lattice = true, .seed = run->seed,
-                                              .jobs = run->jobs,
-                                              .job_set = run->job_set, .progress = tell,
-                                              .context = run);
+    struct sampling_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 100,
+                                               .points = 64, .repeats = REPEATS,
+                                               .lattice = true, .seed = run->seed,
+                                               .jobs = run->jobs,
+                                               .job_set = run->job_set,
+                                               .progress = tell, .context = run);
     SCOPED(factors) *factors = factors_new(scene, &options, &run->error);
     struct factor_row rows[PRIMITIVES];
     bool good = factors && factors_find(factors, all, PRIMITIVES, rows, &run->error);
@@ -77,12 +77,12 @@ static bool run_rays(struct run *run, const struct scene *scene)
 
 static bool run_lines(struct run *run, const struct scene *scene)
 {
-    struct global_lines_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 100,
-                                                   .lines_log = 6, .repeats = UNITS,
-                                                   .lattice = true, .seed = run->seed,
-                                                   .jobs = run->jobs,
-                                                   .job_set = run->job_set,
-                                                   .progress = tell, .context = run);
+    struct sampling_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 100,
+                                               .lines_log = 6, .repeats = UNITS,
+                                               .lattice = true, .seed = run->seed,
+                                               .jobs = run->jobs,
+                                               .job_set = run->job_set,
+                                               .progress = tell, .context = run);
     struct global_lines found;
     if (!global_lines_find(scene, &options, &found, &run->error))
         return false;

@@ -15,11 +15,11 @@
 
 static uint64_t seed = 1;
 
-static const struct factors_options usual = {
+static const struct sampling_options usual = {
     .mode = TRACE_VECTOR, .queue = 2000, .points = 1024, .repeats = 16, .lattice = true
 };
 
-static struct factors *begin(const struct scene *scene, struct factors_options options)
+static struct factors *begin(const struct scene *scene, struct sampling_options options)
 {
     options.seed = seed;
     options.model = prior_model;
@@ -88,7 +88,7 @@ TEST(meshes)
 {
     static const char corners[][20] = { "<1, 1, 1>", "<1, -1, -1>", "<-1, 1, -1>",
                                         "<-1, -1, 1>" };
-    struct factors_options few = usual;
+    struct sampling_options few = usual;
     few.points = 64;
     for (unsigned turned = 0; turned < 16; turned++) {
         char text[600] = "mesh {";
@@ -151,7 +151,7 @@ static char *draw_crowd(struct grid_box *boxes, uint64_t *random)
 TEST(crowds)
 {
     uint64_t random = RANDOM_SEED + 23;
-    struct factors_options options = usual;
+    struct sampling_options options = usual;
     options.points = 512;
     for (int crowd = 0; crowd < CROWDS; crowd++) {
         struct grid_box boxes[BOXES];
@@ -235,7 +235,7 @@ enum { SEEDS = 64 };
 TEST(bias)
 {
     SCOPED(scene) *scene = read_scene("disc { 0, y, 1 } disc { .9*y, -y, .6 }");
-    struct factors_options options = usual;
+    struct sampling_options options = usual;
     options.points = 64;
     options.repeats = 2;
     options.model = prior_model;
@@ -269,7 +269,7 @@ TEST(forms)
         " lathe { 4, <.5,-1>, <1,0>, <.5,1>, <.5,-1> } } sphere { 2*x, .4 }",
     };
     static const size_t queues[] = { 1, 77, 300, 300, 65535 };
-    struct factors_options options = usual;
+    struct sampling_options options = usual;
     options.points = 300;
     options.repeats = 2;
     for (size_t k = 0; k < 2 * COUNT(texts); k++) {
@@ -279,7 +279,7 @@ TEST(forms)
         SCOPED(factors) *factors = begin(scene, options);
         SCOPED_VALUE(factor_row) scalar = find(factors, 1);
         for (size_t i = 0; i < COUNT(queues); i++) {
-            struct factors_options vector = options;
+            struct sampling_options vector = options;
             vector.mode = i == 1 || i == 2 ? TRACE_KERNELS : TRACE_VECTOR;
             vector.queue = queues[i];
             vector.jobs = 2 * i;
@@ -339,7 +339,7 @@ TEST(pieces)
 
 TEST(refused)
 {
-    struct factors_options options = usual;
+    struct sampling_options options = usual;
     SCOPED(scene) *scene = read_scene("plane { y, 0 } sphere { 0, 1 }");
     SCOPED(factors) *factors = begin(scene, usual);
     struct factor_row row;

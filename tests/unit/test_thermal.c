@@ -25,11 +25,11 @@ struct study {
 
 static void find_rows(struct study *study)
 {
-    struct factors_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
-                                              .points = 1024, .repeats = 16,
-                                              .lattice = true, .seed = 1,
-                                              .receiver_of = study->surfaces.surface_of,
-                                              .receivers = study->surfaces.count);
+    struct sampling_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
+                                               .points = 1024, .repeats = 16,
+                                               .lattice = true, .seed = 1,
+                                               .surface_of = study->surfaces.surface_of,
+                                               .surfaces = study->surfaces.count);
     size_t count = study->scene->primitive_count;
     SCOPED(factors) *factors = factors_new(study->scene, &options, &failure);
     const char **refusals = source_refusals(study->scene);
@@ -148,12 +148,12 @@ TEST(flows)
  * 0. */
 TEST(lines)
 {
-    struct global_lines_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
-                                                   .lines_log = 10, .repeats = 16,
-                                                   .lattice = true, .seed = 1);
+    struct sampling_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
+                                               .lines_log = 10, .repeats = 16,
+                                               .lattice = true, .seed = 1);
     double pi = acos(-1);
     SCOPED_VALUE(study) study = { .scene = read_scene(ball) };
-    struct global_lines_options by_part = options;
+    struct sampling_options by_part = options;
     SCOPED_VALUE(global_lines) found;
     SCOPED_VALUE(thermal) thermal;
     assert_true(named_parts_find(study.scene, &study.parts));

@@ -210,11 +210,11 @@ static bool emits(const struct factor_scene *what, const struct surfaces *surfac
 static void find_rows(const struct factor_scene *what, struct study *study,
                       enum trace_mode mode, size_t points)
 {
-    struct factors_options options = ON_PRIOR(.mode = mode, .queue = 2000,
-                                              .points = points, .repeats = 16,
-                                              .lattice = true, .seed = 1,
-                                              .receiver_of = study->surfaces.surface_of,
-                                              .receivers = study->surfaces.count);
+    struct sampling_options options = ON_PRIOR(.mode = mode, .queue = 2000,
+                                               .points = points, .repeats = 16,
+                                               .lattice = true, .seed = 1,
+                                               .surface_of = study->surfaces.surface_of,
+                                               .surfaces = study->surfaces.count);
     size_t count = study->scene->primitive_count;
     SCOPED(factors) *factors = factors_new(study->scene, &options, &failure);
     assert_non_null(factors);
