@@ -2,7 +2,7 @@
         ES      r10, 43
         EX      r12, there
         BADF    r10, [r12], 10          ; on a one; make it zero
-        ES      r13, 1                  ; passed over
+        ES      r13, 1                  ; skipped
 there:  EXIT
 ; expect-flags: X'0'
 ; expect: r13 = X'0'

@@ -2,6 +2,6 @@
         EXH     h21, 5
         EX      r12, there
         BHLT    h20, h21, [r12]
-        ES      r13, 1                  ; passed over
+        ES      r13, 1                  ; skipped
 there:  EXIT
 ; expect: r13 = X'0'

@@ -1,4 +1,4 @@
         BIM     there
-        ES      r10, 1                  ; passed over
+        ES      r10, 1                  ; skipped
 there:  EXIT
 ; expect: r10 = X'0'

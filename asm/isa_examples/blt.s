@@ -2,6 +2,6 @@
         ES      r11, 5
         EX      r12, there
         BLT     r10, r11, [r12]
-        ES      r13, 1                  ; passed over
+        ES      r13, 1                  ; skipped
 there:  EXIT
 ; expect: r13 = X'0'

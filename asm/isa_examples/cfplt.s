@@ -2,6 +2,6 @@
         load_constant r10, -1.5
         load_constant r11, 2.5
         CFPLT   r10, r11, there
-        ES      r12, 1                  ; passed over
+        ES      r12, 1                  ; skipped
 there:  EXIT
 ; expect: r12 = X'0'

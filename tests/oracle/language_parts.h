@@ -6,17 +6,18 @@
  *
  *     ~LOW:HIGH~     a number between these, as a literal or an expression
  *     @LOW:HIGH@     a vector of three such numbers
- *     ^DLOW:HIGH^    a number with D digits; of several without another part between
- *                    them, the last is generated first; $. separates
- *     ^#LOW:COUNT^   an integer, one of COUNT from LOW on
- *     $N[A|B..$]     one of the patterns, by N equal cases: the last pattern has all
- *                    the remaining ones; without N each pattern has one
- *     $?CN[A|B$]     A if the condition C holds and then in one of N cases, else B; C is
- *                    a flag of struct language, or a name if some are declared; without
- *                    N, A if C holds
- *     $*LOW:COUNT[A$]  A is repeated, LOW to LOW + COUNT - 1 times
+ *     ^DLOW:HIGH^    a number with D digits.  If several follow each other without
+ *                    another part between them, the last is generated first; $. is
+ *                    an empty part that separates them
+ *     ^#LOW:COUNT^   an integer from LOW to LOW + COUNT - 1
+ *     $N[A|B..$]     one of the patterns, at random.  Each pattern but the last has the
+ *                    probability 1/N; without N all patterns have the same one
+ *     $?CN[A|B$]     if the condition C holds, A with the probability 1/N (without N:
+ *                    always); otherwise B.  C is a flag of struct language, or the
+ *                    letter of a kind of names, which holds if a name is declared
+ *     $*LOW:COUNT[A$]  A, repeated LOW to LOW + COUNT - 1 times
  *     $f2; $v2;      an expression, a float or a vector, at most two levels deep
- *     $=N; $+N; $!N; a declared name N0, N1 ..; a new one; its declaration ends here
+ *     $=N; $+N; $!N; a declared name N0, N1 ..; a new name; the end of its declaration
  *     $rule;         the rule of this name (language_rules.c)
  *
  * A line, or a block from its opening to its closing line, can be removed
@@ -76,8 +77,9 @@ extern const size_t language_rule_count;
 void write_text(struct language *draw, const char *format, ...);
 void write_pattern(struct language *draw, const char *pattern);
 
-/* Makes one pigment of one_of an image, which is surrounded by a transparent colour if
- * clear.  The pattern up to end_image is then evaluated but not printed. */
+/* Writes an image as the pigment, with the probability 1/one_of.  clear: a transparent
+ * colour surrounds the image.  The pattern up to end_image is then evaluated but not
+ * printed. */
 void begin_image(struct language *draw, size_t one_of, bool clear);
 void end_image(struct language *draw);
 

@@ -1,20 +1,22 @@
 /* quartic_rule.h - checks the computed roots of a polynomial, and makes random ones.
  *
- * The polynomial is exact as stored, in words of 47 bits; its exact roots come from
- * exact_roots.h.  The rule uses the islands of exact_roots.h:
+ * The coefficients are exact as stored, in words of 47 bits; exact_roots.h computes
+ * the exact roots.  An island is an interval of numbers that rounding does not
+ * distinguish from a root (exact_roots.h).  The rule:
  *
  *   1. Every computed root is on an island.
- *   2. On an island with n different roots above the bound, 1 to n are
- *      computed; so if there is one, one.  One more is allowed for each pair
- *      of complex roots too near to be distinguished from a double root: if
- *      f' has more roots there than are between and at the roots of f, or if
- *      f'' has a root there and the island is wider than 1e-5 of the root.
- *   3. On the island of the bound a root may be missing.  A root equal to the
- *      bound is not a result.
- *   4. If the island is narrower than 1e-10 of the root, so is the error.
+ *   2. If an island has n different roots above the bound, 1 to n of them are
+ *      computed.  One more is allowed for each pair of complex roots that
+ *      cannot be distinguished from a double root.  There is such a pair if f'
+ *      has more roots on the island than f's roots there require, or if f''
+ *      has a root on the island and the island is wider than 1e-5 of the root.
+ *   3. On the island that contains the bound, a root may be missing.  A root
+ *      equal to the bound is not a result.
+ *   4. If the island is narrower than 1e-10 of the root, the error is below
+ *      1e-10 of the root, too.
  *   5. t = 0 is a result if and only if the last coefficient is 0 and the
  *      bound is below 0.
- *   6. The roots ascend from above the bound.
+ *   6. The results are in ascending order, and all are above the bound.
  */
 #ifndef QUARTIC_RULE_H
 #define QUARTIC_RULE_H

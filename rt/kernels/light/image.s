@@ -9,18 +9,18 @@
 ;   cylindrical  u = t(x, z),  v = y
 ;   torus        u = t(x, z),  v = t(1 - r, -y),   r = sqrt(x^2 + z^2)
 ;
-; where t(a, b) is the angle from a towards b; all angles are in turns and
-; computed by the routine of the radial pattern (pattern.s).  With {c} =
+; where t(a, b) is the angle from a towards b.  All angles are in turns and
+; computed by the routine of the radial pattern (pattern.s).  Let {c} =
 ; c - floor(c), which is below 1 because differences are truncated, and
-; e = k_checker, a point of an image of W columns and H rows, row 0 at the top,
-; has
+; e = k_checker.  In an image of W columns and H rows, row 0 at the top, the
+; point is in
 ;
 ;   column c = W {u + e},   row d = H {-(v + e)}
 ;
-; If the image is shown once, a point is outside of a planar one if u + e or
-; v + e is not in 0 .. 1, and of a cylindrical one by v alone.  Outside, the
-; colour is the second one of P_COLOR, as in a checker's odd cell.  Elsewhere
-; the colour is
+; If the image is shown once, some points are outside of it: for a planar image
+; those whose u + e or v + e is not in 0 .. 1, for a cylindrical image those
+; whose v + e is not.  Their colour is the second one of P_COLOR, as in a
+; checker's odd cell.  The colour of all other points is
 ;
 ;   nearest      that of the pixel floor(c), floor(d)
 ;   bilinear     with i = floor(c + 1/2), p = c + 1/2 - i, and j, q for d,
@@ -29,12 +29,13 @@
 ;   by distance  of the same four 1 / ((1-p)^2 + (1-q)^2 + k_tiny), with p
 ;                instead of 1-p for i-1, q for j-1; divided by their sum
 ;
-; The last column is followed by the first one, or, if the image is shown once,
-; by itself.  The first column and the rows are treated in the same way.
+; The neighbour of the last column is the first column, and the reverse.  If the
+; image is shown once, a column at an edge is its own neighbour.  The same
+; applies to rows.
 ; Source: POV-Ray 3.7's image maps, verified by its pictures.
 ;
-; P_MAP contains: the routine for the coordinates and that for the colour; the
-; numbers W, H, the test for points outside (0: none, 1: v, 2: u and v), and 1
-; if the image is shown once; the address of the pixels: red, green, blue, row
-; by row; and no stops.
+; P_MAP contains the address of the routine for the coordinates, the address of
+; the routine for the colour, the numbers W and H, the test for points outside
+; (0: none, 1: v, 2: u and v), 1 if the image is shown once, and the address of
+; the pixels (red, green, blue, row by row).  It has no stops.
         .equ    PIXEL_SIZE, 3

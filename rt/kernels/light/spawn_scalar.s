@@ -3,17 +3,22 @@
 ;       CALL SPAWN (RAY, PRIMITIVE, SURFACE, WEIGHT, FOLLOWED, REFLECTED,
 ;                   REFRACTED)
 ;
-; RAY = O, D (6 words); PRIMITIVE = the record of the primitive that it hit;
-; SURFACE = from the sample: normal turned against the ray, N . D, the same for
-; the outward normal, offset of the colour, point (9 words), with bumps the
-; normal without them (3); WEIGHT = that of the ray (1), if light passes through
-; something preceded by the bodies that contain the ray and its level (3).
-; FOLLOWED = 1 or 0: there is a reflected ray, a refracted one (2 words,
-; integers); with HIDDEN 2: total reflection.
-; REFLECTED, REFRACTED = its O, D, lower limit, the same to be scaled; (the
-; region that it passed, bodies, level;) weight; the factor of its colour (12
-; words).  With finishes that depend on the angle there is another argument:
-; PIGMENT = its colour there (3 words).
+; In:
+;   RAY        O, D (6 words)
+;   PRIMITIVE  the record of the primitive that the ray hits
+;   SURFACE    fields of the sample: the normal N turned against the ray, N . D,
+;              outward N . D, offset of the colour, point (9 words); with BUMPS
+;              also the normal without bumps (3 words)
+;   WEIGHT     the weight of the ray (1 word); with INTERIORS it is preceded by
+;              the bodies that contain the ray, and by its level (3 words)
+;   PIGMENT    the colour at the hit (3 words); only with GLOSS, the last argument
+; Out:
+;   FOLLOWED   two integers: 1 if there is a reflected ray, 1 if there is a
+;              refracted ray, else 0; with HIDDEN, 2 is total reflection
+;   REFLECTED, REFRACTED
+;              O, D, the lower limit, the lower limit to be scaled, with
+;              INTERIORS the region that the ray passed, bodies and level, the
+;              weight, the factor of its colour (12 words without INTERIORS)
 ;
 ; With c = -N . D:
 ;
@@ -25,10 +30,10 @@
 ;
 ; k < 0 is total reflection: the refracted ray gets the direction of the
 ; reflected one, its colour does not change, and there is no other reflected
-; ray.  The weight is that of the parent times the maximum component of the
-; colour; a ray with a weight below scene_bailout is not followed.  If the
-; outward N . D is below 0 the ray enters; for an inverted shape it leaves.  The
-; order of the operations is that of spawn_vector.s.
+; ray.  The weight of a new ray is the weight of RAY times the maximum component
+; of the colour.  A ray whose weight is below scene_bailout is not followed.  If
+; the outward N . D is below 0, the ray enters the shape, or leaves it if the
+; shape is inverted.  The operations have the order of spawn_vector.s.
 ; Source: Snell's law; the rules are POV-Ray's.
 
         .share  local
