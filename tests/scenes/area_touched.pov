@@ -1,9 +1,9 @@
-// Lights whose areas touch what they shine on, on top of a ball, just where a ray of
-// the camera meets it: at a distance of 0 nothing is before them, of no kind of shape
-// (pixels are 1 wide at 120 x 90, where the second ball is met so, and 2 at 60 x 45;
-// these balls have no shadows, for whether they darken themselves there is left to
-// rounding).  Or they are within 1e-3 of its surface, without, where it still darkens
-// what is behind it, and within.
+// Area lights with points on lit surfaces: on the top of a ball, exactly where a
+// camera ray hits it. At distance 0 no object of any kind shadows the point. (Pixels
+// have width 1 at 120 x 90, where a camera ray hits such a point of the second ball,
+// and width 2 at 60 x 45. These balls have no shadows, because rounding decides
+// whether they shadow themselves there.) Other points are within 1e-3 of the surface:
+// outside, where the surface still shadows the objects behind it, and inside.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { orthographic location <0, 0, -40> direction z right 120*x up 90*y }

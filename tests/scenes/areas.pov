@@ -1,5 +1,5 @@
-// Lights with an area: grids of all kinds of sides, circles, with beams, behind
-// clear bodies, moved; one point is none, and without shadows none is asked.
+// Area lights: grids with sides of every kind, circles, spotlights, behind transparent bodies,
+// transformed. A light of one point has no area, and a shadowless light sends no shadow rays.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
 background { rgb <.05, .06, .1> }

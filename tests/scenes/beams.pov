@@ -1,7 +1,7 @@
-// Lights that do not shine all around, and lights that fade: cones and cylinders with
-// soft edges, sharp ones and none, with and without tightness; parallel rays, from
-// before and from behind what they shine on; through clear bodies, without
-// shadows, moved.
+// Lights with limited directions, and fading lights: cones and cylinders with soft
+// edges, sharp edges and none, with and without tightness; parallel rays from the
+// front and from the back of the lit objects; through transparent bodies, without
+// shadows, transformed.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
 background { rgb <.05, .06, .1> }
@@ -18,12 +18,12 @@ light_source { <3, 6, -2>, rgb .7 cylinder point_at <1, 0, 0>
 light_source { <1, .9, 4>, rgb <.7, .6, .2> cylinder point_at <1, 0, 4> }
 light_source { <-5, 6, 3>, rgb <.2, .25, .35> parallel point_at <0, 1, 0> }
 light_source { <0, -3, 0>, rgb .1 parallel point_at <.3, -9, 0>
-    fade_distance 2 fade_power 2 }                      // from behind
+    fade_distance 2 fade_power 2 }                      // behind the plane
 light_source { <-3, .6, 3>, rgb <.9, .5, .1> fade_distance .7 fade_power 2.5 }
-light_source { <4.4, 3, 3>, rgb <.3, .1, .3> shadowless spotlight // has shadows
+light_source { <4.4, 3, 3>, rgb <.3, .1, .3> shadowless spotlight // spotlight cancels shadowless
     point_at <4, 0, 3> radius 10 falloff 30 }
 light_source { <-9, 3, 3>, rgb <.1, .1, .2> cylinder point_at <4, 0, 3>
-    shadowless }                                        // parallel, no cylinder
+    shadowless }                                        // shadowless cancels cylinder
 light_source { <-2, 3, -8>, rgb <.2, .1, .1> parallel spotlight point_at <0, 0, 1> }
 light_source { <0, 2, -4>, rgb .3 fade_distance 3 }     // does not fade
 #default { finish { ambient .1 diffuse .7 specular .3 roughness .04 phong .2 } }

@@ -1,5 +1,5 @@
-// Bicubic patches: a bent sheet, a bowl of four with a point where an edge has no
-// length, a coarse one, a stretched one whose flatness counts where it stands.
+// Bicubic patches: a bent sheet; a bowl of four patches, each with an edge of length
+// 0; a coarse one; a stretched one, whose flatness is that of the transformed patch.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 6 }
 camera { location <1, 4.5, -9> look_at <0, .2, 0> angle 42 }

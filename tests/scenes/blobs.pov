@@ -1,5 +1,5 @@
-// Blobs: balls and cylinders that melt together, that take away, that are moved;
-// one of glass, one in pieces, one that is looked at from within.
+// Blobs: balls and cylinders that join, that subtract, that are transformed; one of
+// glass, one in several pieces, one seen from inside.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 8 }
 camera { location <.5, 4, -9> look_at <0, .3, 0> angle 46 }
@@ -8,7 +8,7 @@ background { color rgb <.15, .2, .3> }
 
 plane { y, -1 pigment { checker color rgb .85 color rgb .4 scale .7 } }
 
-// Three balls, the last in the form of older files.
+// Three balls, the last one in the syntax of older files.
 blob { threshold .6
     sphere { <-.75, 0, 0>, 1, 1 }
     sphere { <.75, 0, 0>, 1, strength 1 }
@@ -16,7 +16,7 @@ blob { threshold .6
     pigment { color rgb <.9, .5, .3> } finish { phong .6 }
     rotate <20, 30, 0> translate <-3, .3, 1> }
 
-// Limbs: cylinders, one along an axis, with joints; a bite, a dent.
+// Limbs: cylinders, one of them parallel to an axis, with joints; a bite and a dent.
 blob { threshold .5
     cylinder { <-1, -.6, 0>, <-.2, .5, 0>, .5, 1 }
     cylinder { <-.2, .5, 0>, <.9, .6, -.3>, .45, .9 }
@@ -27,7 +27,7 @@ blob { threshold .5
     pigment { color rgb <.3, .7, .5> } finish { specular .4 roughness .02 }
     sturm scale <1.2, 1, .8> translate <2.5, 0, .5> }
 
-// Components in spaces of their own; a mirror.
+// Components with separate transforms; a mirror.
 blob { threshold .4
     sphere { 0, 1, 1 scale <1.6, .5, .7> rotate 25*z }
     cylinder { -.6*y, .6*y, .5, 1 scale <1, 1.3, .5> rotate <30, 0, -40>
@@ -36,7 +36,7 @@ blob { threshold .4
     pigment { color rgb <.2, .2, .35> } finish { reflection .4 phong .8 }
     hierarchy translate <.2, 1.7, 2> }
 
-// Of glass: rays begin on it.
+// A blob of glass: rays start on its surface.
 blob { threshold .5
     sphere { <-.5, 0, 0>, .8, 1 }
     sphere { <.5, .1, .2>, .7, 1 }
@@ -45,7 +45,7 @@ blob { threshold .5
     finish { phong .8 reflection .1 ambient 0 diffuse .2 }
     translate <.4, -.4, -2.5> }
 
-// In pieces: drops over a ring of balls.
+// A blob in several pieces: drops above a ring of balls.
 blob { threshold .65
     #for (I, 0, 8)
         sphere { <.8*cos(I*.7), .1*mod(I, 3), .8*sin(I*.7)>, .42, 1.1 }
@@ -54,6 +54,6 @@ blob { threshold .65
     pigment { color rgb <.9, .85, .3> }
     translate <-2, -.9, -1.6> }
 
-// From within, and without a threshold, which is 1 then.
+// A blob seen from inside. It states no threshold; the default is 1.
 blob { sphere { <.5, 4, -9>, 30, 1.03 } cylinder { -20*x, 20*x, 25, .9 }
     pigment { color rgb <.3, .2, .4> } translate <0, 3, 4> }

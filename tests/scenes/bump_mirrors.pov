@@ -1,6 +1,6 @@
-// What comes of normals that patterns change: mirrored rays that would go behind the
-// surface, rays through clear bodies, also where they see a normal's back, metals,
-// Fresnel's formulas there, inverted parts.
+// Effects of normals with patterns: reflected rays that would go below the surface,
+// rays through transparent bodies, also where they see the back of a normal, metals,
+// Fresnel reflection, inverted parts.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 3 }
 background { rgb <.3, .4, .6> }

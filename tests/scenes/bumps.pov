@@ -1,5 +1,5 @@
-// Normals that patterns change: each of them, lists, maps of heights and of normals,
-// averages; moved with texture, object and by themselves, with and without scaling.
+// Normals with patterns: each pattern, lists, slope maps, normal maps, averages; transformed
+// with the texture, with the object and alone, with and without scaling of the bumps.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.3, .4, .6> }

@@ -1,5 +1,5 @@
-// Clipped objects: of each that is left which lies inside of what clips it, and
-// that is not seen itself; alone, in trees, and inside out.
+// Clipped objects: the part inside of the clipping shapes remains, and these shapes
+// are not visible themselves; alone, in trees, and inverted.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.1, .1, .2> }
@@ -8,24 +8,24 @@ light_source { <-5, 9, -6>, rgb .9 }
 #default { finish { ambient .15 diffuse .7 } }
 #declare Clay = pigment { rgb <.8, .4, .25> }
 #declare Slate = pigment { rgb <.35, .45, .6> }
-// a bowl, a box in a ball and a tube, a ring's half
+// a bowl, a box in a ball and a tube, half of a ring
 sphere { 0, .9 clipped_by { plane { <1, 1, .4>, .2 } } pigment { Clay } translate <-3.2, .9, 0> }
 box { -.8, .8 rotate <20, 30, 0>
     clipped_by { sphere { 0, 1 } cylinder { -.55*y, .55*y, .95 open } }
     pigment { Slate } translate <-1.1, .9, 0> }
 torus { .8, .2 clipped_by { box { -1, 1 translate x } } rotate 60*x
     pigment { Clay } translate <.9, .8, .3> }
-// a union, each of whose parts is clipped; twice, by what lies outside
+// a union whose parts are all clipped, twice, by the outside of a shape
 union { sphere { 0, .6 } cylinder { -x, x, .25 } clipped_by { plane { z, 0 inverse } }
     clipped_by { sphere { .6*y, .3 inverse } } pigment { Slate } translate <3, .7, 0> }
-// taken away: what clips it clips all; inside out it clips as before
+// clipping also applies to a subtracted object, and inversion does not change it
 difference { box { -.7, .7 } sphere { 0, .85 clipped_by { plane { y, .3 } } }
     pigment { Clay } rotate 30*y translate <-2.4, .7, -2.6> }
 object { intersection { box { -.7, .7 }
         object { merge { sphere { -.3*x, .6 clipped_by { plane { x, -.1 } } } sphere { .4*x, .5 } }
             inverse } }
     pigment { Slate } rotate -25*y translate <-.1, .7, -2.6> }
-// clipped by a solid; a quadric and a plane without end
+// clipped by a solid; an unbounded quadric and an unbounded plane
 quadric { <1, 0, 1>, 0, 0, -.16
     clipped_by { difference { box { <-1, 0, -1>, <1, 1.6, 1> } sphere { <0, 1.2, -.4>, .35 } } }
     pigment { Clay } translate <1.9, 0, -2.4> }

@@ -1,5 +1,5 @@
-// Faces that coincide, in one solid: they vanish or are one skin.  POV-Ray
-// leaves such places to the rounding of its numbers; this scene is not for it.
+// Coincident faces within one solid: they vanish or become one surface. In POV-Ray
+// they depend on rounding, so this scene is not compared with it.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 8 }
 background { rgb <.2, .3, .4> }
@@ -9,14 +9,14 @@ light_source { <-7, 9, -8>, rgb .8 }
 
 plane { y, -1.5 pigment { checker rgb .9 rgb <.4, .5, .4> } }
 
-// A hole through both faces of a plate that it just reaches.
+// A hole that ends exactly at both faces of a plate.
 difference {
     box { <-1, -1, -.3>, <1, 1, .3> pigment { rgb <.9, .6, .2> } }
     box { <-.5, -.5, -.3>, <.5, .5, .3> pigment { rgb <.2, .4, .9> } }
     rotate <0, 25, 0>
     translate <-4, 0, 0>
 }
-// Two halves, and a third part that overlaps: one block of glass.
+// Two halves, and a third part that overlaps both: one block of glass.
 merge {
     box { <-1, -1, -1>, <0, 1, 1> }
     box { <0, -1, -1>, <1, 1, 1> }
@@ -27,7 +27,7 @@ merge {
     rotate <0, 30, 0>
     translate <-1.3, 0, -2>
 }
-// A ball without itself: nothing; of the second, nothing but the peg.
+// A ball minus itself: nothing remains. A torus minus one of its halves: the other remains.
 difference { sphere { <0, 2.5, 0>, 1 } sphere { <0, 2.5, 0>, 1 } }
 difference {
     torus { 1, .4 }
@@ -36,7 +36,7 @@ difference {
     rotate -60*x
     translate <1.4, .2, 1>
 }
-// The same body twice.
+// The intersection of a cone with itself.
 intersection {
     cone { -y, 1, y, .4 }
     cone { -y, 1, y, .4 }
@@ -54,7 +54,7 @@ merge {
     rotate 40*y
     translate <3, -1.5, -4>
 }
-// A slab thinner than what counts, a wedge that ends in nothing.
+// A slab thinner than the tolerance, and an intersection without volume.
 intersection {
     plane { y, 1e-9 } plane { -y, 0 } box { -1, 1 }
     translate <0, 1.5, -3>

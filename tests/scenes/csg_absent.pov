@@ -1,5 +1,5 @@
-// A red peg goes out of a green box at x = 1.  Where it does not reach, its
-// sheath ends in the box's face x = -1: nothing there is red.
+// A red peg leaves a green box at x = 1. Its sheath ends in the face x = -1 of the
+// box, which the peg does not reach: nothing is red there.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.3, .4, .6> }

@@ -1,6 +1,6 @@
-// Rays along faces: the picture is so low that every ray stays within 1e-7 of
-// the plane y = 1, in which these solids have faces, edges and tangents.  The
-// upper half of the rays is above it, the other below.
+// Rays along faces: the picture is so low that every ray is within 1e-7 of the plane
+// y = 1, which contains faces, edges and tangents of these solids. The upper half of
+// the rays is above the plane, the lower half is below it.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.1, .12, .2> }

@@ -1,5 +1,5 @@
-// Faces that coincide: what is cut off flush is gone, faces of one merge that
-// touch are none, halves that meet are whole.  POV-Ray shows noise here.
+// Coincident faces: parts that are cut off flush vanish, touching faces of a merge
+// vanish, and two halves make a whole. POV-Ray shows noise here.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.1, .12, .2> }
@@ -10,11 +10,11 @@ light_source { <7, 6, -5>, rgb <.25, .3, .4> }
 #declare Red = pigment { rgb <.8, .25, .15> }
 #declare Blue = pigment { rgb <.2, .4, .8> }
 #declare Cube = box { <-.7, 0, -.7>, <.7, 1.4, .7> }
-// the hole begins and ends in the faces
+// the hole ends exactly at both faces
 difference { object { Cube }
     box { <-.4, 0, -.4>, <.4, 1.4, .4> pigment { Blue } }
     pigment { Red } rotate 25*y translate <-3.6, 0, 0> }
-// a solid less itself, and less a copy cut in half
+// a solid minus itself, and minus one half of itself
 difference { object { Cube } object { Cube pigment { Blue } }
     pigment { Red } translate <-1.9, 0, 1.5> }
 difference {
@@ -22,7 +22,7 @@ difference {
     difference { object { Cube } plane { x, 0 } pigment { Blue } }
     pigment { Red } rotate -20*y translate <-1.5, 0, 0>
 }
-// halves of a ball, of a cylinder; cubes side by side
+// halves of a ball and of a cylinder; adjacent cubes
 merge {
     intersection { sphere { 0, .8 } plane { <1, .3, .2>, .1 } }
     intersection { sphere { 0, .8 } plane { <1, .3, .2>, .1 inverse } }
@@ -35,7 +35,7 @@ difference {
 }
 merge { object { Cube } object { Cube translate 1.4*x } object { Cube }
     pigment { Red } scale .6 rotate 15*y translate <3, 0, -1> }
-// the same face, of both what is left and what is cut
+// the intersection of two boxes that share faces
 intersection { object { Cube pigment { Red } }
     box { <-.7, 0, -.7>, <.2, 2, .7> pigment { Blue } }
     rotate 40*y translate <-.6, 0, -2.4> }

@@ -1,4 +1,4 @@
-// Copies of one solid: moved, turned, mirrored, stretched, sheared, of copies.
+// Copies of one solid: translated, rotated, mirrored, scaled, sheared, and copies of copies.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.1, .13, .17> }

@@ -1,5 +1,5 @@
-// A box cut down to a small ball stands half in another box, in one plane with
-// two of its faces: seen where no ray comes near the ball, and where some do.
+// A box that is cut to a small ball is half inside another box and coplanar with two of
+// its faces. It is seen in places where no ray comes near the ball, and where some do.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.3, .4, .6> }

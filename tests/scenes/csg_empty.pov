@@ -1,4 +1,4 @@
-// Solids of which nothing is left, alone and within others.
+// Empty solids, alone and within other solids.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.12, .1, .16> }
@@ -11,7 +11,7 @@ object { Nothing pigment { rgb <1, 0, 0> } translate .8*y }
 object { Apart pigment { rgb <1, 0, 0> } translate <0, .8, -1> }
 intersection { object { Nothing } object { Apart } plane { y, 5 }
     pigment { rgb <1, 0, 0> } }
-// nothing taken away, nothing added, all but nothing
+// empty solids that are subtracted, merged and inverted
 difference { box { <-.7, 0, -.7>, <.7, 1.4, .7> } object { Nothing }
     object { Apart } pigment { rgb <.3, .6, .8> }
     rotate 30*y translate -2.4*x }

@@ -1,5 +1,5 @@
-// The eye in a cavity of what is solid, before its own side of a half-space,
-// and within both of two clear solids.
+// The camera is in a cavity of a solid, in front of the face of a half-space, and
+// inside both parts of a transparent intersection.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.2, .25, .35> }
@@ -7,7 +7,7 @@ camera { location <0, .1, -1> look_at <.2, 0, 3> angle 84 }
 light_source { <-.5, 1.4, -.8>, rgb .8 }
 light_source { <4, 6, 8>, rgb <.3, .3, .4> }
 #default { finish { ambient .15 diffuse .7 } }
-// a hollow ball about the eye, its walls open to three sides
+// a hollow ball around the camera, whose wall is open on three sides
 difference {
     sphere { 0, 3 pigment { checker rgb <.7, .5, .3>, rgb <.5, .35, .2> } }
     sphere { 0, 2.8 pigment { checker rgb <.5, .6, .4>, rgb <.4, .5, .3> } }
@@ -15,13 +15,13 @@ difference {
     box { <-1.3, -1.1, 0>, <1.3, 1.2, 9> rotate 10*y }
     pigment { rgb <.3, .3, .7> }
 }
-// the eye is within both of these, and sees where both end
+// the camera is inside both of these, and sees the end of both
 intersection {
     sphere { <0, 0, -.5>, 1.4 }
     box { <-3, -.6, -2>, <.8, .7, 3> }
     pigment { rgbt <.9, .5, .3, .7> }
 }
-// and within neither of these, but between them
+// the camera is inside neither of these, but between them
 merge {
     difference {
         cylinder { -.15*y, .15*y, 2.3 }

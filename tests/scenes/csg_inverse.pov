@@ -1,4 +1,4 @@
-// inverse: of leaves, of trees, twice, and where nobody asks which side is in.
+// inverse: of leaves, of trees, twice, and of objects whose inside has no effect.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.1, .14, .12> }

@@ -1,4 +1,4 @@
-// Lathes in solids: cut, cutting, open, inverse, of clear parts; clipped ones.
+// Lathes in solids: cut, cutting, open, inverted, with transparent parts; clipped lathes.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 5 }
 background { rgb <.25, .3, .4> }

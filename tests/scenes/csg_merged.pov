@@ -1,5 +1,5 @@
-// Faces of a cylinder and of two boxes that coincide, some of them of what the
-// other box cuts away there.
+// Coincident faces of a cylinder and of two boxes; some of them belong to the part of
+// a box that the other box cuts away.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.3, .4, .6> }

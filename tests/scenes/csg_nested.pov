@@ -1,4 +1,4 @@
-// Trees five deep, of every operation in every other.
+// Trees of depth five, with every operation inside every other one.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.1, .12, .18> }
@@ -9,7 +9,7 @@ light_source { <-6, 9, -8>, rgb .9 }
 #declare B = pigment { rgb <.25, .5, .8> }
 #declare C = pigment { rgb <.8, .75, .3> }
 #declare D = pigment { rgb <.4, .75, .4> }
-// shells in shells, open to the front
+// shells in shells, open at the front
 difference {
     sphere { 0, 1.2 pigment { A } }
     difference {

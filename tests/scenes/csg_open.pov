@@ -1,5 +1,5 @@
-// Open cylinders and cones in trees: what they hold is cut away or kept, but
-// where a disk would be there is nothing to be seen.
+// Open cylinders and cones in trees: the volume inside of them is cut away or kept,
+// but the missing disks are not visible.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.12, .16, .2> }
@@ -18,7 +18,7 @@ intersection { sphere { .7*y, .9 pigment { Wood } }
     cylinder { 0, 1.5*y, .5 open pigment { Lining } } translate <1.1, 0, -1> }
 merge { cylinder { 0, 1.2*y, .5 open pigment { Lining } }
     cone { .6*y, .8, 1.6*y, .3 open pigment { Wood } } translate <3, 0, 0> }
-// half a pipe, and one through another
+// half of a pipe, and a pipe through another one
 difference { cylinder { -x, x, .5 open } plane { -y, 0 }
     pigment { Lining } rotate 30*y translate <-1.2, .52, -2.2> }
 difference { cylinder { -x, x, .4 open pigment { Wood } }

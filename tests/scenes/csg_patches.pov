@@ -1,5 +1,5 @@
-// Steiner patches, which have no inside, and elliptical tori in trees: of a
-// patch stays what lies where its operation would keep a surface.
+// Steiner patches, which have no inside, and elliptical tori in trees. Of a patch,
+// the part remains where the operation would keep a surface.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.1, .12, .16> }

@@ -1,4 +1,4 @@
-// Prisms in solids: cut, cutting, open, of many teeth, with a patch of glass.
+// Prisms in solids: cut, cutting, open, with many teeth, of glass.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 6 }
 camera { location <0, 5, -9> look_at <0, 0, 0> angle 45 }
@@ -20,14 +20,14 @@ difference { object { Comb pigment { color rgb <.9, .4, .3> } }
     cylinder { <-2, 0, .1>, <2, 0, .1>, .25 pigment { color rgb <.9, .9, .2> } }
     rotate <10, 30, 5> translate <-1.8, 0, 0> }
 
-// As a cutter, of a box.
+// Subtracted from a box.
 difference { box { -1, 1 pigment { color rgb <.3, .7, .4> } }
     prism { -1.5, 1.5, 8, <.8, 0>, <.2, .2>, <0, .8>, <-.2, .2>, <-.8, 0>,
         <-.2, -.2>, <0, -.8>, <.2, -.2> pigment { color rgb <.9, .8, .3> } }
     object { Comb scale <.5, .5, 1> rotate 90*x pigment { color rgb <.8, .3, .8> } }
     rotate <-15, 40, 0> translate <2, 0, .3> }
 
-// Open, and of glass, in others.
+// An open prism and one of glass, in other solids.
 intersection { prism { -1, 1, 5, <-.8, -.7>, <.9, -.6>, <.5, .8>, <-.6, .6>,
         <-.8, -.7> open pigment { color rgb <.2, .6, .9> } }
     sphere { 0, 1 pigment { color rgb <.9, .9, .9> } }

@@ -1,5 +1,5 @@
-// Quadrics of every kind in trees, both signs of their coefficients: inside
-// is where the polynomial is negative, be it near or far.
+// Quadrics of every kind in trees, with both signs of their coefficients: the inside
+// is where the polynomial is negative, whether that region is bounded or not.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.1, .14, .16> }

@@ -1,5 +1,5 @@
-// Quartic surfaces in trees: up to two intervals along a ray, or three when
-// the inside is the far side.
+// Quartic surfaces in trees: up to two intervals along a ray, or three if the inside
+// is the unbounded region.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.14, .1, .16> }

@@ -1,4 +1,4 @@
-// Tori in trees: two intervals along a ray, cut, cutting and linked.
+// Tori in trees, with two intervals along a ray: cut, cutting and linked.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.1, .1, .16> }

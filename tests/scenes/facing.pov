@@ -1,12 +1,12 @@
-// Two mirrors that face each other, seen from within clear glass, down to a
-// level where nothing is followed any more.
+// Two mirrors that face each other, seen from inside transparent glass, down to the
+// level at which rays end.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 15 adc_bailout 1/20 }
 background { rgb <.1, .15, .3> }
 camera { location <.3, 1.2, -1.8> right 4/3*x angle 74 look_at <0, .9, 2> }
 light_source { <1.5, 4, -1>, rgb .9 }
 #default { finish { ambient .15 diffuse .7 } }
-// the eye is within this ball
+// the camera is inside this ball
 sphere { <.3, 1.2, -1.8>, .5 pigment { rgbf <1, .95, .9, .95> }
     interior { ior 1.2 } }
 box { <-2, 0, 2>, <2, 2.4, 2.1> pigment { rgb .05 }

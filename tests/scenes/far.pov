@@ -1,7 +1,7 @@
-// Planes that are parallel to a view ray but for the rounding of their normals'
-// turns meet it 5e15 away.  From there whether a part lies before a light or
-// behind it is left to rounding, so that a bounding sphere and the part within
-// it would decide differently.  What is farther than 1e12 is not seen.
+// Planes that are parallel to a camera ray, except for the rounding of their rotated
+// normals, intersect it at a distance of 5e15. There, rounding decides whether a part
+// is in front of a light or behind it, so a bounding sphere and the part inside it
+// would give different results. Hits beyond 1e12 are therefore not visible.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
 background { rgb <.3, .4, .6> }

@@ -1,4 +1,4 @@
-// Boxes without thickness or almost so, and shapes turned inside out.
+// Boxes without thickness or almost so, and shapes that are mirrored by a negative scale.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.1, .1, .15> }

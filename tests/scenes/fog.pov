@@ -1,5 +1,5 @@
-// Two fogs, one of which tints what is seen through it and lets some of all light
-// pass; a mirror sees through fog on both ways.
+// Two fogs, one of which tints the objects seen through it and transmits a part of
+// all light; rays pass through fog before and after a mirror.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
 camera { location <0, 2, -7> look_at <0, .6, 0> angle 50 }
@@ -7,7 +7,7 @@ light_source { <-5, 9, -6>, 1 }
 background { rgb <.1, .2, .4> }
 fog { distance 14 color rgb <.7, .75, .8> }
 fog { distance 30 color rgbft <.9, .5, .3, .4, .25> fog_type 1 }
-fog { color rgb 1 }                           // without a distance there is none
+fog { color rgb 1 }                           // a fog without a distance is ignored
 #default { finish { ambient .15 diffuse .7 } }
 disc { 0, y, 20 pigment { checker rgb 1 rgb .3 } finish { reflection .2 } }
 sphere { <-1.4, 1, 1>, 1 pigment { rgb <.8, .3, .2> } finish { reflection .5 } }

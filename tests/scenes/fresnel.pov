@@ -1,4 +1,4 @@
-// The eye within a ball that is a mirror by Fresnel's formulas; nothing is clear.
+// The camera is inside a ball with Fresnel reflection; nothing is transparent.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 6 adc_bailout 1/500 }
 camera { location <.3, .4, -2.6> right 4/3*x angle 70 look_at <0, -.2, 0> }

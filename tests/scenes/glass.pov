@@ -1,5 +1,5 @@
-// Glass: refracted once and many times, totally reflected, mirrored as well,
-// coloured, hollow, and one that only dims what is behind it.
+// Glass: with one and with many refractions, with total reflection, with a reflecting
+// finish, coloured, hollow, and one that only attenuates the light.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 12 adc_bailout 1/500 }
 background { rgb <.4, .5, .7> }
@@ -51,6 +51,6 @@ difference {
     rotate <0, 35, 0>
     translate <3.6, 0, -3>
 }
-// No index: straight on.
+// Without a refractive index, rays continue straight.
 torus { .8, .25 pigment { rgbft <.3, .9, .4, .5, .3> }
         rotate 60*x translate <-3.6, .3, -3> }

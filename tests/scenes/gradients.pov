@@ -1,12 +1,12 @@
-// Gradients: of skies and of surfaces; maps with steps, maps that begin late and
-// end early, maps with names, the oldest form; moved, turned, bent by a matrix.
-// Values of surfaces are above 0: POV-Ray takes 1.00001 for 1 below -1.
+// Gradients of skies and of surfaces; maps with steps, maps that begin after 0 and end
+// before 1, named maps, the oldest syntax; translated, rotated, and transformed by a matrix.
+// Values of surfaces are above 0, because POV-Ray takes 1.00001 for 1 in values below -1.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 5 }
 camera { location <1, 2.2, -9> look_at <.2, .9, 0> angle 46 }
 light_source { <6, 12, -9>, rgb .9 }
 light_source { <-8, 5, -4>, rgb <.2, .25, .4> }
-background { color rgb <1, 0, 0> }            // behind the sky
+background { color rgb <1, 0, 0> }            // hidden by the sky
 
 sky_sphere {
     pigment {

@@ -1,5 +1,5 @@
-// Solids of many parts, some before others: what is met of one limits the rays
-// to the next, and few of them come near any part.
+// Solids with many parts, some of them in front of others: a hit on one limits the
+// rays to the next one, and few rays come near any part.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.3, .4, .6> }

@@ -1,7 +1,7 @@
-// Fields of heights: an island in water, one from a function, which lies on its
-// side and is seen from below as well, one cut by its water level, and smooth
-// ones, whose heights are the same along one axis: there normals between
-// corners are the same in both programs.
+// Height fields: an island in water; one from a function, which is on its side and is
+// also seen from below; one that is cut by its water level; and smooth ones, whose
+// heights are constant along one axis, because then both programs have the same
+// normals between corners.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 6 }
 camera { location <1, 4.5, -9> look_at <0, .2, 0> angle 42 }

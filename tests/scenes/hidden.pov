@@ -1,5 +1,5 @@
-// Objects that the camera or mirrors do not see: before and in mirrors, through glass,
-// after total reflection, and with a look of their own or clear.
+// Objects that are invisible to the camera or in mirrors: in front of mirrors and in
+// them, through glass, after total reflection, with separate materials, and transparent.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 9 adc_bailout 1/630 }
 background { rgb <.3, .45, .6> }
@@ -12,7 +12,7 @@ plane { y, 0 pigment { checker rgb <.8, .75, .6>, rgb <.5, .55, .45> } finish { 
 plane { z, 7 pigment { rgb <.5, .4, .6> } no_image }
 box { <-4.2, 0, 3.1>, <4.2, 3.3, 3.2> pigment { rgb .1 } finish { reflection .7 } }
 
-// Enough for a hierarchy: some seen by all rays, some hidden from one class or both.
+// Enough for a hierarchy: some are visible to all rays, some hidden from one class or from both.
 #declare Seen = sphere { 0, .22 pigment { rgb <.9, .7, .2> } }
 #for (I, 0, 13)
     object {
@@ -27,7 +27,7 @@ box { <-4.2, 0, 3.1>, <4.2, 3.3, 3.2> pigment { rgb .1 } finish { reflection .7 
 #end
 object { Seen no_image no_image off scale <1, 2, 1> translate <-3.4, .5, -.6> }
 
-// A prism that reflects totally, and glass before what is hidden.
+// A prism with total reflection, and glass in front of hidden objects.
 intersection {
     box { <-.9, 0, -.9>, <.9, 1.4, .9> }
     plane { x - z, 0 }
@@ -44,7 +44,7 @@ sphere {
 }
 box { <-2.9, .05, .4>, <-1.9, 1.1, .9> pigment { rgb <.3, .8, .4> } no_image rotate 10*y }
 cylinder { <-1.5, .05, .6>, <-1.3, 1.5, .8>, .25 pigment { rgb <.8, .4, .8> } no_reflection }
-// Clear ones that are hidden, a solid, a surface, one that is cut.
+// Hidden transparent objects; a hidden solid, a hidden surface, a hidden clipped object.
 sphere {
     <.5, .7, -2>, .6
     pigment { rgbf <.7, 1, .8, .8> } finish { diffuse .1 reflection .1 } interior { ior 1.3 }

@@ -1,4 +1,4 @@
-// Objects that the camera or mirrors do not see, where nothing is clear.
+// Objects that are invisible to the camera or in mirrors; nothing is transparent.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 6 }
 background { rgb <.6, .5, .4> }

@@ -1,6 +1,6 @@
-// Images on tiles and around things: every way to map them, every way between their
-// pixels, repeated and once; on spheres that look alike, in a mirror, as a sky;
-// what is clear around them lets light and eyes pass.
+// Images on tiles and around objects: every map type and every interpolation,
+// repeated and once; on spheres of the same appearance, in a mirror, as a sky.
+// Transparent pixels transmit light and camera rays.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 6 }
 camera { location <0, 8.5, -7> look_at <0, 0, -.2> angle 50 }

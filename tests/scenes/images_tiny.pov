@@ -1,5 +1,5 @@
-// Images so small that numbers have no room for what is within them: a place in them is
-// at an edge, or anywhere.
+// Images that are smaller than the precision of coordinates: a point in them is at an
+// edge, or its position is arbitrary.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 3, -9> look_at 0 angle 40 }

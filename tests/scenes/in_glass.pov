@@ -1,5 +1,5 @@
-// The eye within a ball of glass; balls that reach into each other, one behind the
-// other, so that rays leave those first into which they came first.
+// The camera is inside a ball of glass. In a row of overlapping balls, rays first
+// leave the ball that they entered first.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 12 adc_bailout 1/500 }
 background { rgb <.3, .4, .6> }
@@ -27,7 +27,7 @@ sphere {
         translate <-.9 + .1*I, .1*I, -1 + .3*I>
     }
 #end
-// Mirrors that are told by what they are in.
+// Mirrors whose reflection depends on the medium around them.
 #for (I, 0, 2)
     object {
         ball

@@ -1,5 +1,5 @@
-// Rays that are mirrored many times within one body: directions that were not
-// made of length one again would go wrong by some 60 times with each mirroring.
+// Rays that are reflected many times inside one body: without normalisation, the
+// error of their directions would grow about 60 times with each reflection.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 30 adc_bailout .005 }
 background { rgb <.2, .3, .5> }
@@ -9,14 +9,14 @@ light_source { <-4, -.4, -9>, rgb <.3, .2, .2> }
 #default { finish { ambient .1 diffuse .4 phong .45 phong_size 30 } }
 
 plane { y, -1.5 pigment { rgb <.8, .6, .4> } }
-// A clear ball that is a mirror, too.
+// A transparent ball with reflection.
 sphere {
     <-1.3, 0, 0>, 1
     pigment { rgbt <1, 1, 1, .9> }
     finish { reflection { .1, .75 } }
 }
-// Balls of glass cut flat: what enters there goes along the wall, wholly
-// reflected.
+// Balls of glass with a flat side: rays that enter there continue along the wall, by
+// total reflection.
 #declare cut = difference { sphere { 0, 1 } plane { z, -.15 } };
 object {
     cut

@@ -1,5 +1,5 @@
-// language.pov - the same picture by loops, choices, macros, arrays and random
-// numbers in both programs.
+// language.pov - a picture made by loops, conditionals, macros, arrays and random
+// numbers, the same in both programs.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 
@@ -16,7 +16,7 @@ background { rgb <.2, .25, .35> }
     finish { phong .4 }
 #end
 
-// What stands at an angle: its kind goes round with the number.
+// The object at an angle; its kind changes cyclically with the number.
 #macro Place(I, Angle)
     #local Height = .5 + rand(Stream);
     #local Solid =

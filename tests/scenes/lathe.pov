@@ -1,5 +1,5 @@
-// Lathes: a goblet, a ring, what is open, one of glass, one that stands aslant;
-// paths written downwards, points that repeat, level segments and upright ones.
+// Lathes: a goblet, a ring, open ones, one of glass, an inclined one; downward
+// profiles, repeated points, horizontal and vertical segments.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 5 }
 background { rgb <.3, .4, .6> }

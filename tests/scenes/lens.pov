@@ -1,5 +1,5 @@
-// A lens: things before, in and behind what is sharp, in a mirror, through
-// glass, a shadow.  POV-Ray's rays through it are random, so that it takes many.
+// A lens: objects in front of the focal plane, in it and behind it, in a mirror,
+// through glass, a shadow. POV-Ray's rays through a lens are random, so it needs many.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.3, .35, .4> }

@@ -1,4 +1,4 @@
-// A lens of an orthographic camera: the things of lens.pov.
+// A lens of an orthographic camera, with the objects of lens.pov.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.3, .35, .4> }

@@ -1,5 +1,5 @@
-// Nine lights: coloured, black, shadowless, behind the plane, within solids
-// that are closed, clear and cut open; and solids without a shadow.
+// Nine lights: coloured, black, shadowless, behind the plane, inside solids that are
+// closed, transparent and cut open; and solids without a shadow.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb .08 }
@@ -15,7 +15,7 @@ light_source { <-2.6, .8, .3>, rgb 1 }
 light_source { <0, .8, .3>, rgb <.5, .45, .3> }
 light_source { <2.6, .8, .3>, rgb <.5, .45, .3> }
 plane { y, 0 pigment { rgb .7 } }
-// closed, clear, cut open
+// closed, transparent, cut open
 sphere { <-2.6, .8, .3>, .6 pigment { rgb <.7, .6, .5> } }
 sphere { <0, .8, .3>, .6 pigment { rgbf <1, .8, .6, .8> } }
 difference {
@@ -25,7 +25,7 @@ difference {
 }
 cylinder { <-1.3, 0, -1.6>, <-1.3, 1.3, -1.6>, .2 pigment { rgb .8 } }
 cylinder { <0, 0, -1.6>, <0, 1.3, -1.6>, .2 pigment { rgb .8 } no_shadow }
-// one leaf without a shadow does not free the tree of its own
+// a leaf without a shadow does not remove the shadow of the tree
 difference {
     box { <1, 0, -2>, <1.8, 1, -1.2> }
     sphere { <1.4, 1, -1.6>, .5 no_shadow }

@@ -1,6 +1,6 @@
-// Meshes: a ridge of flat triangles, a smooth saddle, a stone that shines, a
-// mirror, triangles in a union.  POV-Ray keeps the points of meshes in 32 bits:
-// they are whole sixteenths here.
+// Meshes: a ridge of flat triangles, a smooth saddle, a reflecting stone, a mirror,
+// triangles in a union. POV-Ray stores the points of meshes in 32 bits, so they are
+// multiples of 1/16 here.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 6 }
 camera { location <1, 4.5, -9> look_at <0, .2, 0> angle 42 }
@@ -18,7 +18,7 @@ mesh {
             triangle { Ridge(I + 1, J + 1), Ridge(I + 1, J), Ridge(I, J + 1) }
         #end
     #end
-    triangle { <0, 2, 0>, <1, 2, 1>, <2, 2, 2> } // no area: left out
+    triangle { <0, 2, 0>, <1, 2, 1>, <2, 2, 2> } // no area: ignored
     pigment { color rgb <.5, .65, .3> } finish { specular .3 roughness .05 }
     rotate -20*y scale <1, .8, 1> translate <-2.2, -.3, 1.6> }
 
@@ -46,7 +46,7 @@ object { Stone pigment { color rgb <.9, .95, .6> }
     finish { phong .8 reflection .3 diffuse .4 }
     scale .8 rotate <10, 25, 15> translate <.2, -.3, -2.4> }
 
-// Smooth: a normal for each vertex; one half of it has normals of its own.
+// Smooth: each vertex has a normal; one face has another normal at a vertex.
 mesh2 {
     vertex_vectors { 6, <1, 0, 0>, <-1, 0, 0>, <0, 1, 0>, <0, -1, 0>,
         <0, 0, 1>, <0, 0, -1> }
@@ -59,7 +59,7 @@ mesh2 {
     pigment { color rgb <.4, .6, .9> } finish { phong .5 }
     scale .6 rotate <0, 20, 0> translate <-2.4, -.4, -2.2> }
 
-// A mirror of two triangles; the first of them also lies upon a third one.
+// A mirror of two triangles; a third triangle coincides with the first.
 mesh {
     triangle { <-2, 0, 0>, <2, 0, 0>, <-2, 2, 0> }
     triangle { <2, 0, 0>, <-2, 2, 0>, <2, 2, 0> }

@@ -1,6 +1,6 @@
-// Closed meshes from inside: a hollow of 192 triangles, whose middle the eye
-// looks from along an axis, and a smooth one and a mirror within it.  Of the
-// background, and its light, nothing may be seen.
+// Closed meshes from inside: a hollow of 192 triangles, seen from its centre along an
+// axis, and a smooth mesh and a mirror inside it. Neither the background nor its
+// light may be visible.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 5 }
 camera { location 0 direction z right 2*x up 1.5*y }
@@ -8,8 +8,8 @@ light_source { <.75, 1.25, -.5>, rgb .9 }
 light_source { <0, 30, 0>, rgb <3, 0, 3> }
 background { color rgb <3, 0, 3> }
 
-// A cube's points, farther from its middle or nearer: whole sixteenths, for
-// POV-Ray keeps them in 32 bits.
+// The points of a cube, at varying distances from its centre: multiples of 1/16,
+// because POV-Ray stores them in 32 bits.
 #macro Far(A, B, C)
     (<A, B, C> * (1 + mod(abs(13*A + 29*B*B + 53*C + A*B*C), 6)/16))
 #end

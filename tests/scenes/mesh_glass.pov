@@ -1,5 +1,5 @@
-// What light passes through meshes: bodies, with an inside or not, sheets, a field
-// of heights, parts of solids.
+// Light through meshes: bodies with and without an inside vector, sheets, a height
+// field, parts of solids.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 9 }
 camera { location <.4, 2.6, -8> look_at <0, .2, 0> right x*4/3 angle 46 }
@@ -15,7 +15,7 @@ plane { y, -1.2 pigment { checker rgb .9 rgb .45 } }
         #end #end #end
         #if (Inside) inside_vector <-.73, .22, .41> #end
 #end
-#declare Dent = mesh {                          // crossed four times and more
+#declare Dent = mesh {                          // rays cross it four times or more
     #for (I, 0, 11)
         #local A = I*pi/6; #local B = mod(I + 1, 12)*pi/6;
         #local P = <cos(A), .1*sin(2*A), sin(A)>*(mod(I, 2) ? .4 : 1);
@@ -30,7 +30,7 @@ Gem(yes) scale .9 rotate <15, -20, 5> translate <2.3, -.1, 1>
 object { Dent rotate <70, 10, 0> translate <0, .4, 1.8>
     pigment { checker rgbf <.6, 1, .7, .8> rgbf <.9, .8, .5, .6> scale .4 }
     interior { ior 1.1 } }
-smooth_triangle {                               // a sheet: the rays are in it from there on
+smooth_triangle {                               // a sheet: rays are inside it after the hit
     <-3, -1, -2>, <-.2, 0, -1>, <-1.6, -1, -2.4>, <.2, 0, -1>, <-2.3, .9, -2.1>, <0, .2, -1>
     pigment { rgbt <.8, .5, .9, .6> } }
 mesh2 {

@@ -9,7 +9,7 @@ plane { y, -1.1 pigment { checker rgb .85 rgb .5 } }
 
 #macro Face(P, Q, R) triangle { P, Q, R } #end
 #macro Bend(P, Q, R) smooth_triangle { P, P + .2*y, Q, Q, R, R - .1*x } #end
-// A star of eight points round an axis: a line crosses it up to ten times.
+// A star with eight points around an axis: a line crosses it up to ten times.
 #declare Star = mesh {
     #for (I, 0, 15)
         #local A = I*pi/8; #local B = (I + 1)*pi/8;
@@ -29,7 +29,7 @@ plane { y, -1.1 pigment { checker rgb .85 rgb .5 } }
         <.05, .02, .5> }
     face_indices { 4, <0, 1, 4>, <1, 2, 4>, <2, 3, 4>, <3, 0, 4> } }
 
-difference {                                    // a star out of a box
+difference {                                    // a star subtracted from a box
     box { <-.9, -.5, -.9>, <.9, .5, .9> }
     object { Star scale 1.1 rotate <80, 10, 5> pigment { rgb <.9, .5, .2> } }
     object { Star scale .25 rotate 80*x translate <.75, .35, -.9> }
@@ -41,17 +41,17 @@ merge {                                         // two stars and a rod
     object { Star } object { Star rotate <60, 40, 20> pigment { rgb <.4, .7, .9> } }
     cylinder { -1.2*y, 1.2*y, .2 open }
     translate <2.4, .2, 1.2> pigment { rgb <.8, .3, .4> } finish { reflection .15 } }
-difference {                                    // of a box with a surface only that
+difference {                                    // a subtracted surface without an inside
     box { -.7, .7 } object { Sheet scale .8 } sphere { <.4, .3, 0>, .3 }
     translate <-2.6, -.2, -1.8> pigment { rgb <.9, .9, .3> } }
-intersection {                                  // within the body, and what is cut away
+intersection {                                  // a surface inside a body, and a subtracted star
     object { Gem } object { Sheet scale 2 rotate 35*y pigment { rgb <.9, .2, .6> } }
     difference { box { -1, 1 } object { Star scale .7 rotate 90*x } }
     translate <-1, -.15, -2> scale .9 }
-object { Gem                                    // a mesh that is clipped, by a mesh
+object { Gem                                    // a mesh that is clipped by a mesh
     clipped_by { object { Star scale 1.3 rotate <70, 0, 15> } sphere { .3*z, 1 inverse } }
     scale .8 translate <1.1, -.2, -2.1> pigment { rgb <.5, .9, .6> } }
-sphere { 0, .8                                  // turned inside out, and bound
+sphere { 0, .8                                  // clipped by an inverted mesh, bounded by a mesh
     clipped_by { object { Star scale 1.2 rotate 75*x inverse } }
     bounded_by { object { Star scale 9 } }
     translate <2.9, -.2, -1.9> pigment { rgb <.6, .5, .9> } }

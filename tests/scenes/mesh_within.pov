@@ -1,5 +1,5 @@
-// The eye is within a body of triangles, which light passes, and within another, which
-// has no inside.
+// The camera is inside a transparent body of triangles, and inside another one that
+// has no inside vector.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 9 }
 camera { location <.12, .2, -.31> look_at <0, .1, 3> right x*4/3 angle 70 }

@@ -1,4 +1,4 @@
-// Mirrors: a floor, balls that see each other, the inside of a half pipe.
+// Mirrors: a floor, balls that reflect each other, the inside of a half pipe.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 7 adc_bailout 1/100 }
 background { rgb <.3, .4, .6> }
@@ -16,7 +16,7 @@ sphere { <-1.8, 0, 0>, 1 pigment { rgb .1 }
          finish { reflection rgb <.9, .8, .6> specular .6 roughness .02 } }
 sphere { <1.2, .2, 1>, 1.2 pigment { rgb <.1, .1, .3> }
          finish { reflection .6 phong .8 phong_size 60 } }
-// A half pipe, mirrors in and out; open.
+// An open half pipe, a mirror on both sides.
 intersection {
     cylinder { <4, -1, -1>, <4, 1.5, -1>, 1.4 open }
     plane { <.4, 0, -1>, -2 inverse }

@@ -1,4 +1,4 @@
-// Glass in glass: what a ray goes into and comes out of, and which rays count as
+// Glass in glass: the media that a ray enters and leaves, and the rays that count as
 // a level.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 6 adc_bailout 1/500 }
@@ -11,9 +11,9 @@ plane { y, -1.03 pigment { checker rgb <.9, .9, .8> rgb <.3, .2, .2> } }
 box { <-7, -1.1, 5.02>, <7.1, 3.35, 6>
       pigment { checker rgb <.9, .6, .2> rgb <.2, .3, .6> } }
 
-// A tumbler of water, which reaches into the glass: no face is shared.  In the
-// water a ball of glass, and a bubble of air that overlaps it.  Some things
-// here cast no shadow: POV-Ray's depends on what stood in the way before.
+// A tumbler of water, which extends into the glass, so that no faces coincide. The
+// water contains a ball of glass, and a bubble of air that overlaps the ball. Some
+// objects cast no shadow, because POV-Ray's shadows depend on earlier shadow rays.
 difference {
     cylinder { -y, 1.4*y, 1 }
     cylinder { -.85*y, 1.5*y, .88 }
@@ -41,7 +41,7 @@ sphere {
     interior { ior 1 }
 }
 
-// Two balls of glass that overlap, each a body of its own; and two that are one.
+// Two overlapping balls of glass as separate bodies, and two as one union.
 sphere {
     <-.55, .1, -1.6>, .6
     pigment { rgbt <1, 1, 1, .9> }
@@ -61,8 +61,8 @@ union {
     no_shadow
 }
 
-// Panes that do not bend what is seen through them, more than there are levels,
-// before a ball of glass.
+// Panes without refraction, more of them than the maximum level, in front of a ball
+// of glass.
 #declare pane = box { <-.6, -.8, 0>, <.6, .8, .05>
                       pigment { rgbt <.9, .95, 1, .92> } }
 #for (i, 0, 7)
@@ -74,14 +74,14 @@ sphere {
     interior { ior 1.5 }
 }
 
-// A pipe whose ends are open, which the eye does not look into: rays that come
-// into its glass may be out of it without a surface.
+// A pipe with open ends that face away from the camera: rays that enter its glass may
+// leave it without a hit.
 cylinder {
     <3.25, -.4, -.4>, <3.85, 1.6, -.1>, .6 open
     pigment { rgbft <.9, 1, .9, .5, .4> }
     interior { ior 1.3 }
 }
-// A mirror by Fresnel's formulas, half in glass.
+// A ball with Fresnel reflection, half inside glass.
 sphere {
     <2.9, -.6, -2.6>, .33
     pigment { rgb <.2, .1, .1> }

@@ -1,5 +1,5 @@
-// An orthographic camera, aslant: rays side by side that start at as many points;
-// what they meet first, what mirrors and glass make of them, and the sky.
+// An oblique orthographic camera: parallel rays with different origins, their first
+// hits, reflections and refractions, and the sky.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
 camera { orthographic location <-3, 4, -6> look_at <0, .2, 0> angle 48 }

@@ -1,5 +1,5 @@
-// Steiner patches: flat, bent, bumpy, with weights, from behind, edge on, of
-// degenerate kinds; and a torus whose section is an ellipse.
+// Steiner patches: flat, bent, bumpy, weighted, from the back, edge-on, degenerate;
+// and a torus with an elliptical section.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.1, .08, .1> }
@@ -19,18 +19,18 @@ steiner_patch { <-.8, 0, 0>, <0, 1.6, 0>, <.8, 0, 0>,
     translate <2.2, .3, 0> pigment { rgb <.5, .7, .3> } no_shadow }
 steiner_patch { x, y, -x, y, 0, -y scale <.8, -1.2, .6> rotate <60, 30, 0>
     translate <-2.4, 1.9, 1> pigment { rgb <.7, .3, .6> } no_shadow }
-// an edge evenly straight; a point where three control points are one
+// an edge that is a straight line of constant speed; a corner of three equal control points
 steiner_patch { <0, 0, 0>, <0, 1, 1>, <2, 0, 0>, <.3, 1.2, .2>, <1, .5, .5>, x
     rotate 160*y translate <3, .9, 1> pigment { rgb <.3, .4, .9> } no_shadow }
 steiner_patch { 0, x + y, x - y, 0, <1.6, 0, -1>, 0
     translate <-.6, 2.1, 1.4> pigment { rgb <.9, .3, .3> } no_shadow }
-// with second differences along an edge, and another edge none: bent; flat
+// second differences that are parallel to an edge: a bent patch and a flat one
 steiner_patch { <-1, 0, 1>, 2*x, 0, <-1, .5, 0>, -x, 0
     scale .5 rotate <-40, 200, 0> translate <-.2, 1.5, -2.6>
     pigment { rgb <.3, .7, .7> } no_shadow }
 steiner_patch { 0, <.4, .8, 0>, .8*x, 0, <.4, .8, 0>, .8*x
     translate <.8, .1, -3.2> pigment { rgb <.7, .7, .5> } no_shadow }
-// a part of the ball x^2 + y^2 + z^2 = 1
+// a part of the sphere x^2 + y^2 + z^2 = 1
 steiner_patch { z, y, x, <1, 1, 1>, <1, 1, -1>, <1, 1, 1>
     weights 2, 2, 2, 1, 1, 1
     translate <1, 2.2, 1> pigment { rgb <.9, .8, .3> } no_shadow }

@@ -1,5 +1,5 @@
-// Patterns without noise, each on a tile, moved and turned; with all waves,
-// frequencies and phases; on curved things, in mirrors; a sky of one.
+// Patterns without noise, each on a tile, translated and rotated; with all waves,
+// with frequencies and phases; on curved objects, in mirrors; one as a sky.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 3 }
 camera { location <0, 8.5, -7> look_at <0, 0, -.2> angle 50 }

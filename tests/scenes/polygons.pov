@@ -1,5 +1,5 @@
-// Polygons: a sheet, a frame with two holes, of which one holds an island, a
-// star that crosses itself, a leaning arrow, a mirror, a comb that casts shadows.
+// Polygons: a sheet, a frame with two holes, one of which contains an island, a star
+// that intersects itself, a leaning arrow, a mirror, a comb that casts shadows.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 6 }
 camera { location <1, 4.5, -9> look_at <0, .2, 0> angle 42 }
@@ -13,7 +13,7 @@ polygon { 5, <-.9, -.6>, <.8, -.7>, <1, .5>, <-.7, .8>, <-.9, -.6>
     pigment { color rgb <.5, .65, .3> } finish { specular .3 roughness .05 }
     rotate <20, -25, 0> translate <-2.9, .1, 1.4> }
 
-// The parts: an outline, two holes, and what stands in the second one.
+// The parts: an outline, two holes, and an island in the second hole.
 polygon {
     19,
     <-1.5, -1>, <1.5, -1>, <1.5, 1>, <-1.5, 1>, <-1.5, -1>
@@ -33,7 +33,7 @@ object { Star pigment { color rgb <.9, .8, .2> } finish { ambient .3 phong .6 }
 object { Star pigment { color rgb <.8, .3, .3> }
     scale .7 rotate <80, 0, 10> translate <-.4, -.9, -2.9> }
 
-// In a plane aslant: 3 x + 2 y + 2 z = 6.
+// In a slanted plane: 3 x + 2 y + 2 z = 6.
 #macro Aslant(X, Y) <X, Y, (6 - 3*X - 2*Y)/2> #end
 polygon {
     8,

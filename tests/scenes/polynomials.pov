@@ -1,4 +1,4 @@
-// Surfaces of cubic and poly, and a lamp that can be seen.
+// Surfaces of cubic and poly, and a visible lamp.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 3, -12> look_at 0 angle 50 }

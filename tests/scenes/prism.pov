@@ -12,7 +12,7 @@ plane { y, -1 pigment { checker color rgb .85 color rgb .4 scale .7 } }
         #if (mod(I, 2)) #declare R = .75; #else #declare R = 1.6; #end
         <R*cos(radians(36*I)), R*sin(radians(36*I))>,
     #end
-    <1.6, 0>, // the loop ends where it began; the next one is a hole
+    <1.6, 0>, // the loop ends at its first point; the next loop is a hole
     <.3, -.3>, <.3, .3>, <-.3, .3>, <-.3, -.3>, <.3, -.3> }
 
 object { Star pigment { color rgb <.9, .6, .2> } finish { phong .6 }

@@ -1,5 +1,5 @@
-// Prisms of quadratic splines: a cross, a hole, what is open, of glass, in
-// solids; straight edges, points that repeat, a loop of three.
+// Prisms with quadratic splines: a cross, one with a hole, an open one, one of glass,
+// in solids; straight edges, repeated points, a loop of three points.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 5 }
 background { rgb <.3, .4, .5> }
@@ -24,7 +24,7 @@ prism { quadratic_spline 0, .5, 6, <-.7, 1>, <-.7, 0>, <.6, -.3>, <.8, .3>, <0, 
     pigment { rgbf <.9, 1, .9, .9> } interior { ior 1.4 } finish { reflection .1 }
     rotate -70*x translate <.3, -.2, -2.2>
 }
-// Straight edges, one of which goes on beyond its end.
+// Straight edges, one of which continues beyond its end.
 prism { quadratic_spline -.2, .2, 7, <-3, 0>, <0, 0>, <1, 0>, <1.2, 0>, <.6, .9>, <.6, .9>, <0, 0>
     pigment { rgb <.9, .8, .3> } translate <-1.2, -.6, -2.4>
 }

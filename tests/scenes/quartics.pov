@@ -1,4 +1,4 @@
-// Tori and quartics, under transforms that are no motions, near and far.
+// Tori and quartics, under transforms that are not rigid, near and far.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.08, .07, .1> }
@@ -18,14 +18,14 @@ torus { 1e3, 3e2 sturm scale 1e-3 rotate 70*x translate <2.9, 1.2, -1.2>
     pigment { rgb <.6, .4, .8> } no_shadow }
 torus { 4, .8 sturm rotate 90*x translate <0, 1, 15>
     pigment { rgb <.4, .4, .5> } no_shadow }
-// x^4 + y^4 + z^4 = 1; one whose terms of the fourth degree are all 0
+// x^4 + y^4 + z^4 = 1; a surface whose terms of degree four are all 0
 quartic { <1,0,0,0,0,0,0,0,0,0, 0,0,0,0,0,0,0,0,0,0, 1,0,0,0,0,0,0,0,0,0,
     1,0,0,0,-1> sturm scale <.7, .5, .6> rotate <20, 30, 0>
     translate <-1.4, .7, .4> pigment { rgb <.8, .5, .3> } no_shadow }
 quartic { <0,0,0,0,0,0,0,0,0,2, 0,0,0,0,0,0,0,0,0,0, 0,0,0,0,0,1,0,0,0,0,
     0,0,3,0,-1> sturm translate <.4, .8, .6>
     pigment { rgb <.3, .5, .9> } no_shadow }
-// the Roman surface, pulled out of shape
+// the Roman surface, scaled differently along each axis
 quartic { <0,0,0,0,1,0,0,1,0,0, 0,0,0,0,-1,0,0,0,0,0, 0,0,0,1,0,0,0,0,0,0,
     0,0,0,0,0> sturm scale <2, 1.4, 1.8> rotate <-40, 0, 30>
     translate <2, .8, .8> pigment { rgb <.7, .2, .5> } no_shadow }

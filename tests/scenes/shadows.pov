@@ -1,5 +1,5 @@
-// Shadows of three lights: full ones, coloured ones through clear things,
-// none of what has no_shadow or of a shadowless light.
+// Shadows of three lights: full ones, and coloured ones through transparent objects;
+// no shadow of objects with no_shadow, and none of a shadowless light.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb .1 }
@@ -19,13 +19,13 @@ difference {
     pigment { rgbft <.5, .9, .6, .6, .3> }
     translate <0, 1.2, 1>
 }
-// Coloured panes, one a checker of clear and opaque.
+// Coloured panes, one with a checker of transparent and opaque squares.
 box { <-1, 0, -.05>, <1, 2, 0> pigment { rgbt <.2, .2, 1, .5> }
       rotate 30*y translate <3, 0, -1> }
 box { <-1, .3, -.02>, <1, 2, 0>
       pigment { checker rgbt <1, 0, 0, .7> rgb <.1, .1, .4> scale .4 }
       rotate -40*y translate <.5, 0, -2.5> }
-// Opaque ones.
+// Opaque objects.
 difference {
     cylinder { 0, 1.4*y, .8 }
     cylinder { .2*y, 2*y, .6 }

@@ -1,5 +1,5 @@
-// Constructive solids of every kind of primitive, in each other and cut by
-// each other, under two lights that cast shadows.
+// Solids of every kind of primitive, nested and cut by each other, under two lights
+// that cast shadows.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.05, .07, .1> }
@@ -25,7 +25,7 @@ difference {
     translate <-4.5, 0, 1>
 }
 
-// A ring with a bite taken, and a flat.
+// A ring minus a box and a cone.
 difference {
     torus { 1, .4 }
     box { <0, -1, -2>, <2, 1, 0> pigment { Warm } }
@@ -35,7 +35,7 @@ difference {
     translate <-1.2, .2, -1.5>
 }
 
-// A merge keeps nothing of its insides, whatever cuts it open.
+// A merge has no inner faces, also where it is cut open.
 difference {
     merge {
         sphere { -.6*x, .9 pigment { Warm } }
@@ -47,15 +47,15 @@ difference {
     translate <2, .2, -2.5>
 }
 
-// A wall of glass-less window: an open cylinder's inside is cut away, its
-// disks are not there to be seen.
+// A wall with a window: the volume inside of an open cylinder is cut away, and its
+// missing disks are not visible.
 difference {
     box { <-1, -1, -.3>, <1, 1, .3> pigment { Leaf } }
     cylinder { -.4*z, .1*z, .7 open pigment { Warm } }
     translate <4.6, 0, 0>
 }
 
-// Quadrics: what is outside of a hyperboloid, within a ball.
+// Quadrics: the outside of a hyperboloid, within a ball.
 intersection {
     sphere { 0, 1 }
     quadric { <1, -1, 1>, <0, 0, 0>, <0, 0, 0>, -.1 inverse pigment { Cool } }
@@ -64,7 +64,7 @@ intersection {
     translate <2.5, .3, 2>
 }
 
-// A quartic, rounded cube, cut in half by a slanted plane.
+// A quartic, a rounded cube, that is cut in half by a slanted plane.
 intersection {
     quartic {
         <1, 0,0,0, 0,0,0, 0,0,0, 0,0,0,0,0,0,0,0,0,0,
@@ -76,7 +76,7 @@ intersection {
     translate <-1.6, .1, 3>
 }
 
-// Nested differences; the inner one's hole is a peg again.
+// Nested differences: the hole of the inner one remains as a peg.
 difference {
     box { <-.8, -1, -.8>, <.8, .4, .8> pigment { Warm } }
     difference {

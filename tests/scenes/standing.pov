@@ -1,4 +1,4 @@
-// Clear bodies on planes and boxes: their faces lie in those of what they stand on.
+// Transparent bodies on planes and boxes, whose lower faces coincide with the surface below.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 8 }
 background { rgb <.3, .4, .6> }
@@ -19,7 +19,7 @@ merge {
     cylinder { <-1.6, 0, 1.1>, <-1.6, .9, 1.1>, .5 }
     interior { ior 1.5 }
 }
-// On an opaque box, and beside it.
+// On an opaque box, and next to it.
 box { <0, 0, .6>, <1.2, .7, 1.8> pigment { checker rgb .9, rgb <.7, .3, .2> scale .21 translate .05 } }
 cylinder { <.6, .7, 1.2>, <.6, 1.4, 1.2>, .4 interior { ior 1.5 } }
 box { <1.2, 0, .8>, <1.9, .9, 1.5> interior { ior 1.5 } }

@@ -1,4 +1,4 @@
-// Characters with straight edges alone, for of curves ours are cut into edges.
+// Characters with straight edges only, because this renderer divides curves into edges.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 1, -9> look_at <0, 0, 0> angle 50 }

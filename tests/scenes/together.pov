@@ -1,6 +1,6 @@
-// What is assembled for some scenes alone, almost all of it for one: shapes, normals,
-// images, patterns, areas of lights, beams, fog, glass, mirrors by the angle, objects that
-// some rays do not see.
+// Almost everything that is assembled only for scenes that need it: shapes, normals,
+// images, patterns, area lights, spotlights, fog, glass, Fresnel reflection, objects
+// that are invisible to some rays.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
 background { rgb <.3, .4, .5> }

@@ -1,9 +1,9 @@
-// Where POV-Ray's tolerances decide, to 2 % of each: a frame of less than a
-// ten thousandth.  A shadow begins a thousandth along its ray from the point
-// (SHADOW_TOLERANCE), so that light creeps under a leaf: all that is seen here
-// is just too far from the one leaf for that, and just near enough to the
-// other.  (At the edge itself POV-Ray's cache of shadows decides.)  A checker
-// takes what is a ten thousand millionth below 0 for 0.
+// POV-Ray's tolerances decide the picture, each within 2 %; the frame is smaller
+// than 1e-4. A shadow ray starts 1e-3 after its point (SHADOW_TOLERANCE), so light
+// passes under the edge of a leaf. All visible points are just too far from one
+// leaf for that, and just near enough to the other leaf. (At the edge itself
+// POV-Ray's shadow cache decides.) A checker takes coordinates down to 1e-10 below 0
+// for 0.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #declare Creep = 1e-3 * 5 / sqrt(26);
@@ -22,7 +22,7 @@ box { <-1, -.1, -1>, <1, 0, 8e-6> pigment { rgb 1 } }
 box { <0, 0, -1>, <1e-7, 1, 1> pigment { rgb 1 } }
 box { <-2 * Creep, 0, -1>, <-2 * Creep - 1e-7, 1, 1> pigment { rgb 1 } }
 
-// Only y decides which of the two.
+// Only y selects one of the two colours.
 #macro Tile(From, To, Top)
     box {
         <From, -.1, 8e-6>, <To, Top, 1>

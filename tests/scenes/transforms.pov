@@ -1,4 +1,4 @@
-// Every primitive under transforms that are no motions, and inside out.
+// Every primitive under transforms that are not rigid.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.05, .08, .1> }

@@ -1,5 +1,5 @@
-// The eye within a solid, lights within others, panes behind panes, surfaces
-// that enclose nothing.
+// The camera is inside a solid; lights inside other solids, panes behind panes,
+// surfaces that enclose no volume.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 20 }
 background { rgb <.3, .4, .5> }
@@ -9,7 +9,7 @@ light_source { <2.6, .4, 1>, rgb <.5, .4, .3> } // in the hollow ball
 light_source { <-2.8, 0, 0>, rgb <.2, .3, .5> } // in the lantern
 #default { finish { ambient .1 diffuse .7 } }
 
-// A room: the inside of a box; the walls are what is cut away.
+// A room: its walls are the faces of the subtracted box.
 difference {
     box { -9, 9 pigment { rgb .4 } }
     box { <-5, -2, -8>, <5, 3, 6> pigment { checker rgb .9 rgb .6 } }
@@ -32,11 +32,11 @@ difference {
     rotate 20*y
     translate <-2.8, 0, 0>
 }
-// An open pipe and an open cone, seen from in and out.
+// An open pipe and an open cone, seen from outside and inside.
 cylinder { <-1, -1.5, 1>, <.6, -1.2, 0>, .5 open pigment { rgb <.3, .7, .4> } }
 cone { <0, 1.6, 2>, 1, <0, 2.6, 2>, .2 open
        pigment { rgbt <.8, .8, .3, .4> } }
-// Everything but a ball, cut by a slab.
+// A slab with a round hole: its intersection with an inverted ball.
 intersection {
     box { <-1, -.1, -1>, <1, .1, 1> }
     sphere { 0, .7 inverse }
