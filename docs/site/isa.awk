@@ -1,6 +1,7 @@
-# isa.awk - docs/isa.md as a page for each family of instructions, under folder,
-# and the rest, which begins with the index, on stdout.  To families go lines
-# "anchor page".
+# isa.awk - splits docs/isa.md: writes a page for each family of instructions to a
+# folder, and all other text, which begins with the index, to stdout.
+#
+# The file `families` gets a line "ANCHOR PAGE" for each instruction.
 #
 #   awk -v folder=DIR -v families=FILE -f isa.awk docs/isa.md
 
@@ -11,7 +12,7 @@ function page_of(title) {
     return "docs/isa/" title ".md"
 }
 
-# The links of a line, one folder deeper.
+# Returns a line whose links are valid one folder deeper.
 function deeper(line,    done) {
     gsub(/\]\(#/, "](isa.md#", line)
     while (match(line, /\]\([a-z]+\.md/)) {
@@ -22,14 +23,14 @@ function deeper(line,    done) {
     return done line
 }
 
-# The index: a family's title leads to its page.
+# In the index, the title of a family links to its page.
 /^- / && match($0, /: \[/) {
     title = substr($0, 3, RSTART - 3)
     family = page_of(title)
     sub(/^docs\//, "", family)
     $0 = "- [" title "](" family ")" substr($0, RSTART)
 }
-# Whether it is a family's shows what follows: the heading of an instruction.
+# A section is a family if its first line is the heading of an instruction.
 /^## / {
     heading = $0
     page = ""

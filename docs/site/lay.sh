@@ -1,11 +1,11 @@
 #!/bin/sh
-# lay.sh BUILD - lays out the manual for MkDocs: its pages under BUILD/manual, at
-# the places that they have here, and BUILD/mkdocs.yml.
+# lay.sh BUILD - writes the manual for MkDocs: its pages to BUILD/manual, at the same
+# paths as in the repository, and its settings to BUILD/mkdocs.yml.
 #
-# Pages are README.md and what lies under docs/; in which order those of docs/
-# stand is docs/site/order.txt; the families of instructions and the lessons come
-# from their files.  A file that a page links to is a page, too.  What has been made
-# under BUILD goes along: the card, and the page in which programs run.
+# The pages are README.md, the files of docs/ in the order of docs/site/order.txt, the
+# families of instructions, and the lessons. Each file that a page links to becomes a
+# page, too. The manual includes the card of the build and, if it was built, the page that
+# runs programs.
 set -eu
 BUILD=$(cd "$1" && pwd)
 cd "$(dirname "$0")/../.."
@@ -18,7 +18,7 @@ touch "$work/linked" "$work/files"
 
 # --- pages ------------------------------------------------------------------
 
-# The page at its place, its text that of the file.
+# Writes a page of the manual with the text of a file.
 lay() { # PAGE FILE
     mkdir -p "$(dirname "$manual/$1")"
     awk -v page="$1" -v families="$work/families" -v linked="$work/more" \
@@ -37,7 +37,7 @@ lay_instructions() {
     done <"$work/family_pages"
 }
 
-# With a way to the page, and to the programs.
+# Adds links to the page that runs programs, and to the programs of the lesson.
 lay_lesson() { # FOLDER
     name=${1#docs/course/*-}
     {
@@ -84,7 +84,7 @@ the window.
 END
 }
 
-# --- what pages link to -----------------------------------------------------
+# --- linked files -----------------------------------------------------
 
 is_picture() { # FILE
     case $1 in
@@ -98,7 +98,7 @@ put_picture() { # FILE
     cp "$1" "$manual/$1"
 }
 
-# A page that lies elsewhere is one as it is, any other file as its text.
+# Adds a file: a Markdown file as a page, any other file as a page that shows its text.
 show_file() { # FILE
     case $1 in *.md)
         lay "$1" "$1"
@@ -121,7 +121,7 @@ show_file() { # FILE
     } >"$manual/$1.md"
 }
 
-# A list of what it holds.
+# Adds a page that lists the files of a folder.
 show_folder() { # FOLDER
     mkdir -p "$manual/$1"
     printf '# %s/\n\n' "$1" >"$manual/$1/index.md"
@@ -157,7 +157,7 @@ entry() { # NUMBER PAGE
     printf '      - "%s%s": %s\n' "$1" "$title" "$2"
 }
 
-# What stands under a page, without being named in the order.
+# Prints the entries below a page that are not in order.txt.
 entries_under() { # PAGE
     case $1 in
     docs/isa.md)

@@ -1,16 +1,16 @@
-# page.awk - a page of the manual as MkDocs likes it:
+# page.awk - converts a page of the manual to the Markdown of MkDocs.
 #
 #   awk -v page=docs/tracer.md -v families=FILE -v linked=FILE -f page.awk PAGE
 #
-# - a link to a file that is no page leads to a page that shows it; which files
-#   those are is written to linked, as paths in the repository;
-# - a link to an instruction leads to the page of its family (families: lines
-#   "anchor page");
-# - above a printed block stands the command that prints it, or the file that it
-#   shows; a program is shown in colours;
-# - what can be unfolded is Markdown inside, too.
+# - A link to a file that is not a page gets the page that shows the file as its target.
+#   The file `linked` gets the paths of these files in the repository.
+# - A link to an instruction gets the page of its family as its target. The file
+#   `families` has a line "ANCHOR PAGE" for each instruction.
+# - A printed block has above it the command that prints it, or the name of the file that
+#   it shows. A program is highlighted.
+# - The contents of <details> are Markdown, too.
 
-# "docs", "../rt/x.s" -> "rt/x.s"
+# Returns a path relative to the root: "docs", "../rt/x.s" -> "rt/x.s".
 function joined(folder, path,    parts, count, i, text, kept) {
     count = split(folder "/" path, parts, "/")
     kept = 0
@@ -26,7 +26,7 @@ function joined(folder, path,    parts, count, i, text, kept) {
     return text
 }
 
-# From this page to a file, by the root.
+# Returns the path of a file relative to this page, through the root.
 function from_here(path,    up, text) {
     up = page
     while (sub(/^[^\/]*\//, "", up))
@@ -34,6 +34,7 @@ function from_here(path,    up, text) {
     return text path
 }
 
+# Returns the target of a link in the manual.
 function mended(target,    path, anchor) {
     if (target ~ /^[a-z]+:/)
         return target
@@ -55,13 +56,14 @@ function mended(target,    path, anchor) {
     return from_here(path) (target ~ /\/$/ ? "/index.md" : ".md")
 }
 
-# In code a bar does not end a cell.
+# Returns code without the backslashes before bars: MkDocs does not end a cell at a bar in
+# code.
 function with_bars(code) {
     gsub(/\\\|/, "|", code)
     return code
 }
 
-# All links of a line; those of code are left alone.
+# Returns a line with the targets of the manual. Code is not searched for links.
 function links_mended(line,    done, piece) {
     done = ""
     while (match(line, /`[^`]*`|\]\([^) ]*\)/)) {
@@ -77,6 +79,7 @@ function links_mended(line,    done, piece) {
     return done line
 }
 
+# Returns a text for HTML.
 function escaped(text) {
     gsub(/&/, "\\&amp;", text)
     gsub(/</, "\\&lt;", text)
@@ -97,7 +100,7 @@ BEGIN {
     sub(/c205/, "nasm")
     fenced = !fenced
 }
-# A program that is printed: a block with the name of its language.
+# A printed program becomes a block with the name of its language.
 program == 1 && /^    / {
     print "```nasm"
     program = 2

@@ -1,6 +1,6 @@
 #!/bin/sh
-# browser.sh FILE[#PART] OPTION .. - what the options of Chromium ask of a page in a
-# file, without a window and without a profile that is left.
+# browser.sh FILE[#PART] OPTION .. - opens a file in Chromium, without a window, and runs
+# the actions of the options. The profile is removed afterwards.
 set -eu
 file=${1%%#*} part=${1#"${1%%#*}"}
 shift

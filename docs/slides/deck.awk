@@ -1,5 +1,5 @@
-# deck.awk - HTML of a lecture as a deck of slides: a section for each heading, with
-# its pictures in it.
+# deck.awk - converts the HTML of a lecture to slides: a section for each heading, with
+# its pictures embedded.
 #
 #   markdown_py FILE | awk -v page=docs/slides/x.md -v folder=docs/slides -f deck.awk
 
@@ -8,7 +8,7 @@ function close_slide() {
         print "</section>"
 }
 
-# "data:image/png;base64,.."
+# Returns a picture as an address of the form "data:image/png;base64,..".
 function picture(path,    line, text, kind) {
     kind = path ~ /\.svg$/ ? "svg+xml" : "png"
     line = "base64 -w 0 " folder "/" path

@@ -1,4 +1,5 @@
-/* Keys of a deck: on, back, the speaker's notes; #notes begins with them. */
+/* deck.js - the keys of a deck: to the next or previous slide, and n for the speaker's
+ * notes. The fragment #notes shows the notes from the start. */
 const slides = [...document.querySelectorAll("section")];
 
 function current() {
@@ -24,13 +25,13 @@ addEventListener("keydown", event => {
     slides[to].scrollIntoView();
 });
 
-/* Printed blocks of long lines are set as much smaller as they must. */
+/* Reduces the font size of blocks with long lines until the lines fit. */
 for (const block of document.querySelectorAll("pre"))
     if (block.scrollWidth > block.clientWidth)
         block.style.fontSize =
             `calc(80% * ${block.clientWidth} / ${block.scrollWidth + 4})`;
 document.body.classList.toggle("notes", location.hash === "#notes");
-/* For the test: what does not fit. */
+/* Marks slides that do not fit, for the test. */
 for (const slide of slides)
     slide.toggleAttribute("data-too-long",
         [slide, ...slide.querySelectorAll("pre")].some(part =>

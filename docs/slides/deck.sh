@@ -1,7 +1,9 @@
 #!/bin/sh
-# deck.sh PAGE - a lecture in Markdown as a deck of slides, one HTML file with all that
-# it needs, on stdout.  Each heading begins a slide; quotations are what the speaker
-# says.  It is shown and printed by a browser; #notes prints the notes below.
+# deck.sh PAGE - converts a lecture in Markdown to a deck of slides: one self-contained
+# HTML file, on stdout.
+#
+# Each heading begins a slide, and quotations are the notes for the speaker. A browser
+# shows and prints the deck; with #notes, the notes are below the slides.
 set -eu
 cd "$(dirname "$0")/../.."
 page=$1
