@@ -1,6 +1,6 @@
 #!/bin/sh
-# print.sh C205 FOLDER - the card of the instructions as FOLDER/card.pdf on A4, and
-# card-letter.pdf; both hold their fonts.
+# print.sh C205 FOLDER - prints the card of the instructions to FOLDER/card.pdf (A4) and
+# FOLDER/card-letter.pdf, both with embedded fonts.
 set -eu
 fonts=/usr/share/fonts/type1/urw-base35
 work=$(mktemp -d)
