@@ -1,6 +1,6 @@
-// build.mjs BUILD - the page, in BUILD/web: c205.html, one file that has everything in
-// it, and site/, the same as a small folder.  It needs engine.wasm and rt205.wasm there.
-// With --write the notice of all that npm brings into the page is written, else checked.
+// build.mjs BUILD [--write] - builds the page in BUILD/web: c205.html, one self-contained file,
+// and site/, the same page as a small folder. BUILD/web must contain engine.wasm and rt205.wasm.
+// The notice of the npm packages in the page is checked; --write writes it.
 
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
@@ -22,7 +22,7 @@ if (!out) {
 }
 const page = (name) => readFileSync(join(web, "page", name), "utf8");
 
-// A module that the build makes up.
+// Returns an esbuild plugin: importing "c205:NAME" yields the text of that name.
 const made = (texts) => ({
   name: "made",
   setup(build) {

@@ -1,4 +1,4 @@
-// course.mjs - the texts that the page carries: lessons as HTML, programs beside them.
+// course.mjs - reads the texts of the page: lessons as HTML, and programs.
 
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { basename, dirname, join, normalize } from "node:path";
@@ -9,27 +9,27 @@ const escaped = (text) => text.replace(/[&<>"]/g, (letter) =>
   ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[letter]);
 const folderName = /^\d\d-(.*)$/;
 
-// A picture's text, as an address.
+// Returns a picture as a data address.
 function inlined(path) {
   if (!path.endsWith(".svg")) throw new Error(`${path}: only .svg is carried in the page`);
   return `data:image/svg+xml;base64,${Buffer.from(read(path)).toString("base64")}`;
 }
 
-// The example of a lesson that a block is printed by or of: as the first line of the block.  The
-// comment stays: two blocks without anything between them would be one.
+// Puts the name of the example that a block shows, or that prints it, into the first line of the
+// block. An empty comment remains, because two blocks with nothing between them would become one.
 const MARK = /^@(example-[\w-]+\.s)\n/;
 const marked = (text) => text.replace(/^<!--([^]*?)-->\n+    /gm, (all, words) => {
   const example = /(example-[\w-]+\.s)/.exec(words);
   return `<!-- -->\n\n    ${example ? `@${example[1]}\n    ` : ""}`;
 });
 
-// HTML of a lesson in FOLDER.  Its title and what its blocks are printed by are not shown, but the
-// example of which that is can be opened; the page's own headings stand above it.  Links lead to
-// other lessons, or are none.
+// Returns the HTML of the lesson in FOLDER. The title and the commands above blocks are removed; a
+// block of an example gets a button that opens the example. Headings are one level lower, below
+// those of the page. Links to other lessons and to the web remain; others become their text.
 function lessonHtml(folder, examples) {
   const text = marked(read(join(folder, "lesson.md")).replace(/^# .*\n/, ""))
     .replace(/^<!-- [^]*?[^-] -->\n/gm, "");
-  let last = null; // no two buttons for the same program, one below the other
+  let last = null; // a program has only one button in consecutive blocks
   const reader = new Marked({
     renderer: {
       image({ href, text: alternative }) {
@@ -68,8 +68,8 @@ function lessonHtml(folder, examples) {
   return reader.parse(text);
 }
 
-// A program with the .inc files beside it, or above, in their places; null: it needs
-// other files.
+// Returns a program in which each .include is replaced by the .inc file from its folder or the
+// folder above; null: it needs data files.
 function program(path) {
   const text = read(path).replace(/^[ \t]*\.include\s+"([^"]+)".*\n/gm, (line, name) => {
     const found = [dirname(path), dirname(dirname(path))].map((folder) => join(folder, name))
@@ -82,7 +82,7 @@ function program(path) {
 const programs = (folder, wanted) => readdirSync(folder).filter((name) => wanted.test(name)).sort()
   .map((name) => program(join(folder, name))).filter(Boolean);
 
-/** By name: {html, examples} of each lesson. */
+/** Returns an object with {html, examples} for the name of each lesson. */
 export function readCourse(folder) {
   if (!existsSync(folder)) return {};
   return Object.fromEntries(readdirSync(folder).filter((name) => folderName.test(name)
@@ -92,6 +92,6 @@ export function readCourse(folder) {
   }));
 }
 
-/** The assembler's examples. */
+/** Returns the examples of the assembler. */
 export const readExamples = (folder) => ["", "debugging", "profiling"]
   .flatMap((part) => programs(join(folder, part), /\.s$/));

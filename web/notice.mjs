@@ -1,4 +1,4 @@
-// notice.mjs - of which packages something is in the page, with versions and licences.
+// notice.mjs - lists the packages that the page contains, with their versions and licences.
 
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
@@ -10,7 +10,7 @@ function licenceText(folder) {
   return name ? readFileSync(join(folder, name), "utf8").trim() : null;
 }
 
-/** The notice of the packages that INPUTS, paths from WEB on, come from. */
+/** Returns the notice of the packages of INPUTS, which are paths relative to WEB. */
 export function notice(web, inputs) {
   const names = new Set(inputs.map((path) => /^node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(path)?.[1])
     .filter(Boolean));
@@ -32,7 +32,7 @@ export function notice(web, inputs) {
       ...text.split("\n").map((line) => `    ${line}`.trimEnd())]), ""].join("\n");
 }
 
-// Packages that share a licence to the letter share its text.
+// Groups the packages by the text of their licence.
 function byText(packages) {
   const texts = new Map();
   for (const one of packages) texts.set(one.text, [...(texts.get(one.text) ?? []), one]);

@@ -1,18 +1,18 @@
-// scenes.mjs - the scenes that the page's ray tracer offers: those of a folder that need
-// no fonts and no pictures, which the page cannot read.
+// scenes.mjs - reads the scenes of the page's ray tracer. Scenes with fonts or pictures are
+// excluded, because the page cannot read those.
 
 import { readFileSync, readdirSync } from "node:fs";
 import { basename, join } from "node:path";
 
 const needs = /\bttf\b|\bimage_map\b|\bbump_map\b/;
 
-// What its first line says it is.
+// Returns the title of a scene, from its first line.
 function title(path, text) {
   const words = /^\/\/ *(?:[\w.]+ - )?([^:;,.\n]*)/.exec(text)?.[1] ?? "";
   return `${basename(path, ".pov")}: ${words.replace(/^(A|An|The) (?=[a-z])/, (article) => article.toLowerCase())}`;
 }
 
-/** { files: texts by path, list: [{ path, title }] }. */
+/** Returns { files: texts by path, list: [{ path, title }] }. */
 export function readScenes(folder, as = "scenes") {
   const files = {}, list = [];
   for (const name of readdirSync(folder).filter((one) => /\.(pov|inc)$/.test(one)).sort()) {

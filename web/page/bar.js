@@ -16,7 +16,7 @@ export function say(words, mood = "") {
   $("status").className = `status ${mood}`;
 }
 
-// Makes a sentence of a message of the debugger.
+// Returns a message of the debugger as a sentence.
 const sentence = (words) => words && words[0].toUpperCase() + words.slice(1).replace(/[.\n]*$/, ".");
 
 // Reports how a run or a step ended.

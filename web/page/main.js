@@ -158,7 +158,7 @@ function forgetLink() {
   if (location.hash) history.replaceState(null, "", location.pathname + location.search);
 }
 
-// Opens the program of a link. OTHERWISE: opened if there is no link or a damaged one.
+// Opens the program of a link, or OTHERWISE if there is no link or it is damaged.
 async function openLink(otherwise) {
   let shared = null, fault = "";
   try {
