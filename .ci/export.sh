@@ -1,7 +1,7 @@
 #!/bin/sh
-# export.sh LIBRARY HEADER ... -- OBJECT ... - one library of one object, whose
-# global names are the functions and objects that the headers declare; all else
-# is its own.  What is wanted of an archive among the objects goes with them.
+# export.sh LIBRARY HEADER .. -- OBJECT .. - makes a library of one object. Its global
+# names are the functions and objects that the headers declare; all others are local.
+# An archive among the objects contributes the members that the objects need.
 set -eu
 library=$1
 shift
@@ -13,10 +13,10 @@ done
 shift
 ${LD:-ld} -r -o "$library.o" "$@"
 
-# Names that the object defines and that are words of the headers.  A word may
-# be in a comment or in a row of a table: the compiler decides which of them
-# are declared.  Each has a function that uses it, in a "file" of its name, so
-# that an error begins with the name.
+# Candidates are the names that the object defines and that are words of the headers. A
+# word may be in a comment or in a row of a table, so the compiler decides which names
+# are declared: a generated function uses each name, in a "file" of that name, so that an
+# error message begins with the name.
 # shellcheck disable=SC2086
 cat $headers | grep -oE '[A-Za-z_][A-Za-z_0-9]*' | sort -u >"$library.words"
 ${NM:-nm} -g --defined-only "$library.o" | awk '{ print $3 }' | sort -u |
@@ -28,7 +28,7 @@ uses() {
     awk '{ printf "#line 1 \"%s\"\nvoid use_%d(void) { (void)%s; }\n", $0, NR, $0 }' \
         "$library.api"
 }
-# A compiler may stop after some errors, so it is asked until there is none.
+# A compiler may stop after some errors, so it is run until it reports none.
 until uses | ${CC:-cc} -std=c99 -I. -fsyntax-only -x c - 2>"$library.errors"
 do
     sed -n 's/^\([A-Za-z_][A-Za-z_0-9]*\):[0-9:]* error:.*/\1/p' \

@@ -1,9 +1,10 @@
 #!/bin/sh
 # check_dialect.sh - checks the rules of the house style that clang-format cannot check:
-#   a local variable, be it a value or a pointer, is not const; its target may be,
-#   and so are tables, which are written in braces;
-#   a pointer is tested by itself, if (!p), not by comparison with NULL;
-#   values of scenes are computed with elementary.h, not with the host's functions.
+#
+# - A local variable is not const, whether it is a value or a pointer. The target of a
+#   pointer may be const, and so may a table, which is initialised in braces.
+# - A pointer is tested by if (!p), not by a comparison with NULL.
+# - Values of scenes are computed with elementary.h, not with functions of the host.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 

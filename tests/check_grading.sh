@@ -18,7 +18,7 @@ check() { # CODE WORD ..: c205 check exits with the code
     ends "$code" "$build/c205" check "$@"
 }
 
-# A lesson.
+# Output for a lesson.
 check 0
 check 0 "$lesson"
 tells out '^# Twice a vector$'
@@ -60,7 +60,7 @@ check 1 broken --folder .
 tells err "^c205 check: test-one.s: unknown machine model 'nosuch'"
 expect "a wrong test is told more than once" [ "$(wc -l <err)" -eq 1 ]
 
-# An answer.
+# Output for an answer.
 check 0 "$lesson" "$lesson/solution.s"
 tells out '^scale: passed, gold$'
 "$build/c205" check "$lesson" - <"$lesson/solution.s" | cmp -s - out

@@ -33,7 +33,7 @@ find vm base asm web/engine web/tracer/platform rt -name '*.[ch]' -o -name '*.cc
         split($0, parts, /:#include "|"/)
         from = parts[1]
         to = parts[2]
-        if (to !~ /\//) {          # beside the file itself
+        if (to !~ /\//) {          # in the folder of the file
             to = from
             sub(/[^\/]*$/, parts[2], to)
         }

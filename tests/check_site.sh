@@ -53,7 +53,7 @@ planted() {
     cp "$work/kept" "$work/copy/$1"
 }
 
-appended() { # FILE LINE WHAT_IS_SAID
+appended() { # FILE LINE MESSAGE
     planted "$1" "\$a $2" "$3"
 }
 

@@ -1,6 +1,6 @@
 #!/bin/sh
-# messages.sh - lines "REQUEST ARGUMENTS" become framed messages of the Debug Adapter
-# Protocol: to see what c205 debug --dap answers.
+# messages.sh - converts lines "REQUEST ARGUMENTS" to messages of the Debug Adapter
+# Protocol with their headers, as input of c205 debug --dap.
 awk '{
     arguments = substr($0, length($1) + 2)
     text = "{\"seq\": " NR ", \"type\": \"request\", \"command\": \"" $1 "\"" \
