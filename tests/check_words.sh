@@ -2,9 +2,9 @@
 # check_words.sh - checks that no comment, page or name contains a word that
 # tests/words.txt replaces.
 #
-# Comments are those of C files and kernels, identifiers those of C files; pages are the
-# text of README.md and docs outside of code blocks. A fault of each section is planted in a copy
-# and must be found.
+# Comments are those of C files, programs, scenes, scripts, models and observations;
+# identifiers are those of C files; pages are the text of README.md and docs outside of
+# code blocks. A fault of each kind is planted in a copy and must be found.
 set -u
 . "$(dirname "$0")/count.sh"
 cd "$(dirname "$0")/.." || exit 1
@@ -25,7 +25,16 @@ faults() { # FILE ..
         }
         next
     }
-    FNR == 1 { page = FILENAME ~ /[.]md$/; kernel = FILENAME ~ /[.]s$/; comment = block = 0 }
+    FNR == 1 {
+        page = FILENAME ~ /[.]md$/
+        # The start of a comment up to the end of its line; "": C comments.
+        mark = FILENAME ~ /[.]([ch]|css|js)$/ ? "" : "#"
+        if (FILENAME ~ /[.](s|inc)$/)
+            mark = ";"
+        if (FILENAME ~ /[.]pov$|(scenes|library)\/[^\/]*[.]inc$/)
+            mark = "//"
+        comment = block = 0
+    }
     {
         prose = names = ""
         if (page) {
@@ -33,8 +42,9 @@ faults() { # FILE ..
                 block = !block
             if (!block && !/^(    |<!--|\|)/)
                 prose = $0
-        } else if (kernel) {
-            prose = index($0, ";") ? substr($0, index($0, ";")) : ""
+        } else if (mark != "") {
+            if (match($0, "(^|[ \t])" mark))
+                prose = substr($0, RSTART)
         } else {
             rest = $0
             while (rest != "")
@@ -60,8 +70,10 @@ faults() { # FILE ..
     }' tests/words.txt "$@"
 }
 
-find vm base asm/*/*.[ch] asm/lib rt web/engine web/tracer/platform tests README.md docs \
-    \( -name "*.[chs]" -o -name '*.md' \) ! -name isa.md >"$work/files"
+find vm base asm rt scenes web/engine web/tracer/platform tests docs .ci README.md Makefile \
+    -type f \( -name '*.[chs]' -o -name '*.md' -o -name '*.inc' -o -name '*.pov' -o -name '*.sh' \
+    -o -name '*.awk' -o -name '*.mk' -o -name Makefile -o -name '*.csv' -o -name '*.model' \
+    -o -path 'docs/s*/*.*' \) ! -name isa.md >"$work/files"
 # The names contain no blanks.
 # shellcheck disable=SC2046
 faults $(cat "$work/files") >"$work/faults"
@@ -86,4 +98,8 @@ planted base/arena.c '/* Blocks,\n * one at the most. */' 'at the most'
 planted base/arena.c 'enum { BLOCKS_MOST = 1 };' BLOCKS_MOST
 planted README.md 'The clock goes on.' 'goes on'
 planted README.md 'That is told later.' told
+planted tests/programs/keep.inc '; A word that goes on.' 'goes on'
+planted vm/models/cyber720.model '# The load stands before it.' 'stands before'
+planted scenes/first.pov 'sphere { 0, 1 } // told' told
+planted docs/site/lay.sh 'echo told \0043 anew' anew
 counted
