@@ -1,8 +1,8 @@
 #!/bin/sh
 # bench_hosts.sh BUILD - host nanoseconds per element of spans of words (those of
-# tests/bench_lanes.c), for each compiler, also as on lesser hosts: with AVX2 alone, or
-# word by word without a vector unit. Below is the largest ratio to the compared build,
-# over all operations on words of several kinds.
+# tests/bench_lanes.c), for each compiler, also for less capable hosts: with AVX2 alone,
+# or word by word without a vector unit. The last rows are the largest ratios between two
+# builds, over all operations on words of several kinds.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
