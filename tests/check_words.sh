@@ -31,7 +31,7 @@ faults() { # FILE ..
         mark = FILENAME ~ /[.]([ch]|css|js)$/ ? "" : "#"
         if (FILENAME ~ /[.](s|inc)$/)
             mark = ";"
-        if (FILENAME ~ /[.]pov$|(scenes|library)\/[^\/]*[.]inc$/)
+        if (FILENAME ~ /[.](cc|pov|suppressions)$|(scenes|library)\/[^\/]*[.]inc$/)
             mark = "//"
         comment = block = 0
     }
@@ -71,9 +71,10 @@ faults() { # FILE ..
 }
 
 find vm base asm rt scenes web/engine web/tracer/platform tests docs .ci README.md Makefile \
-    -type f \( -name '*.[chs]' -o -name '*.md' -o -name '*.inc' -o -name '*.pov' -o -name '*.sh' \
-    -o -name '*.awk' -o -name '*.mk' -o -name Makefile -o -name '*.csv' -o -name '*.model' \
-    -o -path 'docs/s*/*.*' \) ! -name isa.md >"$work/files"
+    -type f \( -path '.ci/*' -o -path 'docs/s*/*.*' -o -name Makefile -o -name '*.[chs]' \
+    -o -name '*.cc' -o -name '*.md' -o -name '*.inc' -o -name '*.pov' -o -name '*.sh' \
+    -o -name '*.awk' -o -name '*.mk' -o -name '*.csv' -o -name '*.model' -o -name '*.txt' \) \
+    ! -name isa.md ! -name words.txt >"$work/files"
 # The names contain no blanks.
 # shellcheck disable=SC2046
 faults $(cat "$work/files") >"$work/faults"
