@@ -1,13 +1,13 @@
 #!/bin/sh
-# check_rooms.sh - checks that no file includes a file of a higher room
-# (tests/rooms.txt), that every file is in a room, and that C++ and JavaScript are only
-# in their folders.
+# check_rooms.sh [BUILD] - checks that no file includes a file of a higher room
+# (tests/rooms.txt) and, with BUILD, that no object needs a symbol of a higher room, that
+# every file is in a room, and that C++ and JavaScript are only in their folders.
 set -u
+build=${1:-}
 cd "$(dirname "$0")/.." || exit 1
 
-find vm base asm web/engine web/tracer/platform rt -name '*.[ch]' -o -name '*.cc' -o -name '*.def' | sort |
-    xargs grep -H '^#include "' |
-    awk -v rooms=tests/rooms.txt '
+# Reads the rooms: the row of each folder and file, and the side rooms.
+rooms='
     function room_of(path) {
         while (!(path in rank) && sub(/\/[^\/]*$/, "", path))
             ;
@@ -17,8 +17,14 @@ find vm base asm web/engine web/tracer/platform rt -name '*.[ch]' -o -name '*.cc
         print text
         failed++
     }
+    function report(what) {
+        if (!passed)
+            complain("no " what " was read")
+        printf "%d passed, %d failed\n", passed, failed
+        exit failed > 0
+    }
     BEGIN {
-        while ((getline line < rooms) > 0)
+        while ((getline line <"tests/rooms.txt") > 0)
             if (line !~ /^#/) {
                 side_room = sub(/^\| */, "", line)
                 count = split(line, names, " ")
@@ -28,7 +34,11 @@ find vm base asm web/engine web/tracer/platform rt -name '*.[ch]' -o -name '*.cc
                     side[names[i]] = side_room
                 }
             }
-    }
+    }'
+
+find vm base asm web/engine web/tracer/platform rt -name '*.[ch]' -o -name '*.cc' -o -name '*.def' | sort |
+    xargs grep -H '^#include "' |
+    awk "$rooms"'
     {
         split($0, parts, /:#include "|"/)
         from = parts[1]
@@ -38,9 +48,9 @@ find vm base asm web/engine web/tracer/platform rt -name '*.[ch]' -o -name '*.cc
             sub(/[^\/]*$/, parts[2], to)
         }
         if (room_of(from) == "")
-            complain(from ": in no room of " rooms)
+            complain(from ": in no room of tests/rooms.txt")
         else if (room_of(to) == "" || (getline line < to) < 0)
-            complain(from ": " to " is in no room of " rooms)
+            complain(from ": " to " is in no room of tests/rooms.txt")
         else if (rank[room_of(to)] > rank[room_of(from)])
             complain(from ": " to " lies above it")
         else if (side[room_of(to)] && room_of(from) != room_of(to))
@@ -49,11 +59,43 @@ find vm base asm web/engine web/tracer/platform rt -name '*.[ch]' -o -name '*.cc
             passed++
         close(to)
     }
+    END { report("include") }' || exit 1
+
+# A symbol belongs to the room of its file, or of the header with the name of the file. Of
+# two programs that define the same symbol, the lower one counts.
+[ -z "$build" ] || find vm base asm web/engine rt -name '*.c' | while read -r source; do
+    [ ! -e "$build/${source%.c}.o" ] || echo "$build/${source%.c}.o"
+done | xargs nm -A -P -g | awk -v build="$build/" "$rooms"'
+    {
+        file = substr($1, length(build) + 1)
+        sub(/o:$/, "c", file)
+    }
+    $2 == "main" || $3 !~ /[A-Z]/ { next }
+    $3 == "U" {
+        uses++
+        user[uses] = file
+        used[uses] = $2
+        next
+    }
+    {
+        header = substr(file, 1, length(file) - 1) "h"
+        row = rank[room_of(header in rank ? header : file)]
+        if (!($2 in defined) || row < lowest[$2]) {
+            defined[$2] = file
+            lowest[$2] = row
+        }
+    }
     END {
-        if (!passed)
-            complain("no include was read")
-        printf "%d passed, %d failed\n", passed, failed
-        exit failed > 0
+        for (i = 1; i <= uses; i++)
+            if (!(used[i] in defined))
+                continue
+            else if (lowest[used[i]] > rank[room_of(user[i])] ||
+                    (side[room_of(defined[used[i]])] &&
+                        room_of(defined[used[i]]) != room_of(user[i])))
+                complain(user[i] ": " used[i] " is above it, in " defined[used[i]])
+            else
+                passed++
+        report("symbol")
     }' || exit 1
 others=$(find vm base asm web/engine web/tracer/platform rt \( -name '*.cc' -o -name '*.js' -o -name '*.py' \) |
     grep -vx -e rt/picture/picture_oiio.cc -e rt/study/fit/ceres_fit.cc)

@@ -201,7 +201,7 @@ check-unit: $(unit_tests) $(adapter)
 		'$$0 >$$0.log 2>&1; code=$$?; cat $$0.log; exit $$code'
 
 check-rooms: $(engine) $(libraries)
-	sh tests/check_rooms.sh
+	sh tests/check_rooms.sh $(BUILD)
 	sh tests/check_state.sh $(BUILD)
 	sh tests/check_names.sh $(BUILD)
 	sh tests/check_words.sh
