@@ -488,8 +488,16 @@ static struct value_of combine_integers(char sign, int64_t a, int64_t b)
     }
 }
 
-static bool combine(struct reading *reading, char sign, struct value_of *value,
-                    const struct value_of *other)
+/* Identical words are equal, also if both are indefinite. */
+static bool is_equal(const struct value_of *a, const struct value_of *b)
+{
+    if (a->is_word && b->is_word && a->is_half == b->is_half && a->word == b->word)
+        return true;
+    return a->is_real || b->is_real ? a->real == b->real : a->integer == b->integer;
+}
+
+static bool calculate(struct reading *reading, char sign, struct value_of *value,
+                      const struct value_of *other)
 {
     double a = value->real, b = other->real;
 
@@ -509,95 +517,74 @@ static bool combine(struct reading *reading, char sign, struct value_of *value,
     return true;
 }
 
-static bool read_chain(struct reading *reading, struct value_of *value,
-                       const char *signs,
-                       bool (*read)(struct reading *, struct value_of *))
+static bool combine(struct reading *reading, const char *sign, struct value_of *value,
+                    const struct value_of *other)
 {
-    if (!read(reading, value))
-        return false;
-    for (;;) {
-        struct value_of other;
-        char sign;
+    double a = value->real, b = other->real;
 
-        text_cursor_skip(reading->cursor);
-        sign = *reading->cursor->at;
-        if (!sign || !strchr(signs, sign))
-            return true;
-        reading->cursor->at++;
-        if (!read(reading, &other) || !combine(reading, sign, value, &other))
-            return false;
+    switch (*sign) {
+    case '|': *value = of_integer(debug_is_true(value) || debug_is_true(other)); break;
+    case '&': *value = of_integer(debug_is_true(value) && debug_is_true(other)); break;
+    case '=': *value = of_integer(is_equal(value, other)); break;
+    case '!': *value = of_integer(!is_equal(value, other)); break;
+    case '<': *value = of_integer(sign[1] ? a <= b : a < b); break;
+    case '>': *value = of_integer(sign[1] ? a >= b : a > b); break;
+    default: return calculate(reading, *sign, value, other);
     }
-}
-
-static bool read_product(struct reading *reading, struct value_of *value)
-{
-    return read_chain(reading, value, "*/%", read_signed);
-}
-
-static bool read_sum(struct reading *reading, struct value_of *value)
-{
-    return read_chain(reading, value, "+-", read_product);
-}
-
-/* Identical words are equal, also if both are indefinite. */
-static bool is_equal(const struct value_of *a, const struct value_of *b)
-{
-    if (a->is_word && b->is_word && a->is_half == b->is_half && a->word == b->word)
-        return true;
-    return a->is_real || b->is_real ? a->real == b->real : a->integer == b->integer;
-}
-
-static bool read_comparison(struct reading *reading, struct value_of *value)
-{
-    static const char *const signs[] = { "==", "!=", "<=", ">=", "<", ">" };
-    struct value_of other;
-    size_t i = 0;
-
-    if (!read_sum(reading, value))
-        return false;
-    while (i < 6 && !take(reading, signs[i]))
-        i++;
-    if (i == 6)
-        return true;
-    if (!read_sum(reading, &other))
-        return false;
-    *value = of_integer(i == 0   ? is_equal(value, &other)
-                        : i == 1 ? !is_equal(value, &other)
-                        : i == 2 ? value->real <= other.real
-                        : i == 3 ? value->real >= other.real
-                        : i == 4 ? value->real < other.real
-                                 : value->real > other.real);
     return true;
 }
 
-static bool read_both(struct reading *reading, struct value_of *value)
+enum { COMPARISON = 2, OPERAND = 5 };
+
+/* Takes an operator of a precedence and returns its text, or NULL if there is none. */
+static const char *take_operator(struct reading *reading, unsigned precedence)
+{
+    static const struct {
+        const char *sign;
+        unsigned precedence;
+    } operators[] = {
+        { "||", 0 },          { "&&", 1 },          { "==", COMPARISON },
+        { "!=", COMPARISON }, { "<=", COMPARISON }, { ">=", COMPARISON },
+        { "<", COMPARISON },  { ">", COMPARISON },  { "+", 3 },
+        { "-", 3 },           { "*", 4 },           { "/", 4 },
+        { "%", 4 },
+    };
+
+    for (size_t i = 0; i < sizeof operators / sizeof *operators; i++)
+        if (operators[i].precedence == precedence && take(reading, operators[i].sign))
+            return operators[i].sign;
+    return NULL;
+}
+
+/* Operators of one precedence are evaluated from the left; the result of a comparison
+ * is not compared again without brackets. */
+static bool read_operation(struct reading *reading, unsigned precedence,
+                           struct value_of *value)
 {
     struct value_of other;
+    const char *sign;
 
-    if (!read_comparison(reading, value))
+    if (precedence == OPERAND)
+        return read_signed(reading, value);
+    if (!read_operation(reading, precedence + 1, value))
         return false;
-    while (take(reading, "&&")) {
-        if (!read_comparison(reading, &other))
+    while ((sign = take_operator(reading, precedence)) != NULL) {
+        if (!read_operation(reading, precedence + 1, &other)
+            || !combine(reading, sign, value, &other))
             return false;
-        *value = of_integer(debug_is_true(value) && debug_is_true(&other));
+        if (precedence == COMPARISON)
+            break;
     }
     return true;
 }
 
 static bool read_any(struct reading *reading, struct value_of *value)
 {
-    struct value_of other;
-
     if (reading->depth++ > MAX_DEPTH)
         return debug_fault(reading->debugger,
                            "more than %d nested operators or brackets", MAX_DEPTH);
-    if (!read_both(reading, value))
+    if (!read_operation(reading, 0, value))
         return false;
-    while (take(reading, "||")) {
-        if (!read_both(reading, &other))
-            return false;
-        *value = of_integer(debug_is_true(value) || debug_is_true(&other));
-    }
     reading->depth--;
     return true;
 }
