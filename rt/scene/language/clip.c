@@ -42,14 +42,13 @@ static bool check_inside(struct reader *reader, const struct scene_object *objec
 static bool read_solid(struct reader *reader, const struct item *item)
 {
     struct clipping *clipping = item->subject;
-    struct scene_object solid;
-    bool done;
+    struct scene_object solid = { 0 };
+    bool done = shape_read(reader, &solid, item)
+                && fields_fill(reader, &solid, &item->at)
+                && check_inside(reader, &solid, &item->at)
+                && ((object_join(&solid) && object_add(&clipping->solids, &solid))
+                    || reader_no_memory(reader));
 
-    memset(&solid, 0, sizeof solid);
-    done = shape_read(reader, &solid, item) && fields_fill(reader, &solid, &item->at)
-           && check_inside(reader, &solid, &item->at)
-           && ((object_join(&solid) && object_add(&clipping->solids, &solid))
-               || reader_no_memory(reader));
     scene_object_free(&solid);
     return done;
 }
@@ -132,11 +131,10 @@ static bool clip(struct reader *reader, struct scene_object *object,
 
 bool clipped_by_read(struct reader *reader, const struct item *item)
 {
-    struct clipping clipping;
-    bool done;
+    struct clipping clipping = { .as_said = false };
+    bool done = block_read(reader, &of_clip, &clipping)
+                && make_whole(reader, item->subject);
 
-    memset(&clipping, 0, sizeof clipping);
-    done = block_read(reader, &of_clip, &clipping) && make_whole(reader, item->subject);
     if (done && clipping.solids.part_count > 0)
         done = clip(reader, item->subject, &clipping.solids, &item->at);
     scene_object_free(&clipping.solids);
@@ -290,12 +288,10 @@ static bool changes_nothing(const struct clipping *clipping,
 
 bool bounded_by_read(struct reader *reader, const struct item *item)
 {
-    struct clipping clipping;
-    bool done;
+    struct clipping clipping = { .as_said = false };
+    bool done = block_read(reader, &of_bound, &clipping)
+                && make_whole(reader, item->subject);
 
-    memset(&clipping, 0, sizeof clipping);
-    done = block_read(reader, &of_bound, &clipping)
-           && make_whole(reader, item->subject);
     if (done && !changes_nothing(&clipping, item->subject))
         reader_report(reader, &item->at,
                       "'bounded_by' is ignored: whether it cuts the "

@@ -32,7 +32,7 @@ static void add(struct field_body *body, const double a[3], const double b[3],
 {
     struct triangle *triangle = &body->triangles.list[body->triangles.count++];
 
-    memset(triangle, 0, sizeof *triangle);
+    *triangle = (struct triangle){ .smooth = false };
     copy3(a, triangle->corners[0]);
     copy3(b, triangle->corners[1]);
     copy3(c, triangle->corners[2]);

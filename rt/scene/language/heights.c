@@ -157,13 +157,12 @@ static bool take_file(struct reader *reader, const struct image_file *file,
                       struct heights *heights)
 {
     const struct scene_source *source = file->source;
-    struct pixels pixels;
+    struct pixels pixels = { .coarse = false };
     char *bytes = malloc(source->length + 1);
     bool done;
 
     if (!bytes)
         return reader_no_memory(reader);
-    memset(&pixels, 0, sizeof pixels);
     memcpy(bytes, source->text, source->length);
     done = read_pixels(reader, file, bytes, &pixels)
            && take_pixels(reader, &file->at, &pixels, heights);

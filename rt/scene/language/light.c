@@ -36,12 +36,11 @@ static bool read_shadowless(struct reader *reader, const struct item *item)
 /* The object casts no shadow, and as in POV-Ray it is visible to all rays. */
 static bool read_looks_like(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = item->subject, look;
+    struct scene_object *object = item->subject, look = { 0 };
     bool done;
 
     if (!object->light_count)
         return false;
-    memset(&look, 0, sizeof look);
     done = looks_like_read(reader, &look, object->lights[0].position);
     for (size_t i = 0; i < look.part_count; i++)
         look.parts[i].primitive.no_shadow = true;

@@ -178,10 +178,9 @@ static bool read_face(struct reader *reader, struct mesh2_reading *mesh)
 {
     const struct section_vectors *vertices = mesh->vectors + SECTION_VERTICES;
     struct scene_token at = reader->token;
-    struct triangle triangle;
+    struct triangle triangle = { .smooth = false };
     size_t indices[3];
 
-    memset(&triangle, 0, sizeof triangle);
     if (at_float(reader))
         return reader_expected(reader, "the three vertices of a face");
     if (!read_indices(reader, mesh, "vertex", vertices->count, indices))

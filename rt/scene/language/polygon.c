@@ -348,9 +348,8 @@ static bool find_heights(struct polygon *polygon)
 static bool add_triangle(struct polygon *polygon, const double a[3], const double b[3],
                          const double c[3])
 {
-    struct triangle triangle;
+    struct triangle triangle = { .smooth = false };
 
-    memset(&triangle, 0, sizeof triangle);
     copy3(a, triangle.corners[0]);
     copy3(b, triangle.corners[1]);
     copy3(c, triangle.corners[2]);

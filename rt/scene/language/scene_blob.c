@@ -124,13 +124,11 @@ static void take_look(struct blob_reading *blob, const struct part_reading *read
 /* detail: whether it is a cylinder */
 static bool read_component(struct reader *reader, const struct item *item)
 {
-    struct part_reading reading;
+    struct part_reading reading = { .texture = reader->default_texture,
+                                    .part.cylinder = item->keyword->detail };
     struct block block;
     bool good;
 
-    memset(&reading, 0, sizeof reading);
-    reading.texture = reader->default_texture;
-    reading.part.cylinder = item->keyword->detail;
     reading.part.to_blob = reading.part.to_local = placement_none.to_world;
     if (!block_open(reader, &block, '{'))
         return false;
@@ -144,10 +142,9 @@ static bool read_component(struct reader *reader, const struct item *item)
 /* Reads the old form of a component: strength, radius, centre. */
 static bool read_bare_component(struct reader *reader, const struct item *item)
 {
-    struct blob_part part;
+    struct blob_part part = { .to_blob = placement_none.to_world,
+                              .to_local = placement_none.to_world };
 
-    memset(&part, 0, sizeof part);
-    part.to_blob = part.to_local = placement_none.to_world;
     if (!read_strength(reader, &part.strength) || !read_radius(reader, &part.radius))
         return false;
     reader_comma(reader);
@@ -182,9 +179,8 @@ static bool begin(struct reader *reader, struct blob_reading *blob,
 {
     struct primitive primitive;
 
-    memset(blob, 0, sizeof *blob);
+    *blob = (struct blob_reading){ .at = item->at };
     memset(&primitive, 0, sizeof primitive);
-    blob->at = item->at;
     primitive.kind = PRIMITIVE_BLOB;
     primitive.shape.blob.threshold = 1;
     return shape_add(reader, &blob->object, &primitive, &item->at);

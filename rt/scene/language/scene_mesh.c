@@ -103,9 +103,8 @@ bool mesh_begin(struct reader *reader, struct mesh_reading *mesh,
 {
     struct primitive primitive;
 
-    memset(mesh, 0, sizeof *mesh);
+    *mesh = (struct mesh_reading){ .at = item->at };
     memset(&primitive, 0, sizeof primitive);
-    mesh->at = item->at;
     primitive.kind = PRIMITIVE_MESH;
     return shape_add(reader, &mesh->object, &primitive, &item->at);
 }
@@ -227,8 +226,7 @@ static bool read_corners(struct reader *reader, bool smooth, struct triangle *tr
     size_t each = smooth ? 2 : 1; /* a corner, and the normal there */
     double vectors[6][3];
 
-    memset(triangle, 0, sizeof *triangle);
-    triangle->smooth = smooth;
+    *triangle = (struct triangle){ .smooth = smooth };
     if (!read_vectors(reader, vectors, 3 * each))
         return false;
     for (size_t i = 0; i < 3; i++) {

@@ -66,10 +66,8 @@ static bool add_parts(struct scene_object *object, const struct scene_part *part
 bool object_add_primitive(struct scene_object *object,
                           const struct primitive *primitive)
 {
-    struct scene_part part;
+    struct scene_part part = { .primitive = *primitive };
 
-    memset(&part, 0, sizeof part);
-    part.primitive = *primitive;
     return add_part(object, &part) && add_branch(object, TREE_LEAF, 1);
 }
 

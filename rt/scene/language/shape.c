@@ -267,12 +267,11 @@ static void report_hidden(struct reader *reader, enum joining joining,
 static bool read_child(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
-    struct scene_object child;
-    bool done;
+    struct scene_object child = { 0 };
+    bool done = shape_read(reader, &child, item)
+                && (object->joining == JOIN_APART
+                    || fields_fill(reader, &child, &item->at));
 
-    memset(&child, 0, sizeof child);
-    done = shape_read(reader, &child, item)
-           && (object->joining == JOIN_APART || fields_fill(reader, &child, &item->at));
     if (done && object->joining >= JOIN_INTERSECTION)
         report_patches(reader, &child, &item->at);
     if (done)

@@ -60,13 +60,12 @@ static bool add_glyph(struct text_reading *text, const struct glyph *glyph)
     struct reader *reader = text->reader;
     struct placement placement = to_character(text->position);
     struct primitive prism;
-    struct scene_object one;
+    struct scene_object one = { 0 };
     bool done;
 
     if (glyph->count > MAX_PATH)
         return reader_fault(reader, text->at, "more than %d points in one character",
                             MAX_PATH);
-    memset(&one, 0, sizeof one);
     memset(&prism, 0, sizeof prism);
     if (!(glyph->apart == 1 ? make_prism : make_quadratic_prism)(text, glyph, &prism))
         return true;

@@ -148,12 +148,10 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
 
 static bool read_object(struct reader *reader, const struct item *item)
 {
-    struct scene_object object;
-    bool done;
+    struct scene_object object = { 0 };
+    bool done = shape_read(reader, &object, item)
+                && add_to_world(reader, &object, &item->at);
 
-    memset(&object, 0, sizeof object);
-    done = shape_read(reader, &object, item)
-           && add_to_world(reader, &object, &item->at);
     scene_object_free(&object);
     return done;
 }
