@@ -10,8 +10,7 @@
 
 static bool unclosed(struct reader *reader, const struct scene_token *at)
 {
-    return reader_fault(reader, at, "'#%.*s' has no matching '#end'", (int)at->length,
-                        at->text);
+    return reader_fault(reader, at, "'#%.*s' has no matching '#end'", TOKEN_TEXT(at));
 }
 
 bool condition_skip(struct reader *reader, const struct scene_token *at,
@@ -104,21 +103,24 @@ bool condition_holds(double value)
     return fabs(value) >= EXPRESSION_SAME;
 }
 
-static bool read_brackets(struct reader *reader, double *value)
+/* Reads "(" condition, or "(" name; the current token is then ")". */
+static bool read_brackets(struct reader *reader, bool name, double *value)
 {
-    if (!reader_require_sign(reader, '('))
-        return false;
-    reader_next(reader);
-    return read_full_number(reader, value) && reader_require_sign(reader, ')');
+    size_t sealed = condition_seal(reader);
+    bool done = reader_require_sign(reader, '(');
+
+    if (done) {
+        (name ? reader_step : reader_next)(reader);
+        done = (name ? read_defined : read_full_number)(reader, value)
+               && reader_require_sign(reader, ')');
+    }
+    reader->sealed = sealed;
+    return done;
 }
 
 bool condition_read(struct reader *reader, double *value)
 {
-    size_t sealed = condition_seal(reader);
-    bool done = read_brackets(reader, value);
-
-    reader->sealed = sealed;
-    return done;
+    return read_brackets(reader, false, value);
 }
 
 static bool choose(struct reader *reader, struct scene_condition *condition)
@@ -174,25 +176,11 @@ bool condition_if(struct reader *reader, const struct item *item)
     return begin(reader, &item->at, good, condition_holds(value));
 }
 
-static bool read_name(struct reader *reader, double *defined)
-{
-    size_t sealed;
-    bool done;
-
-    if (!reader_require_sign(reader, '('))
-        return false;
-    reader_step(reader);
-    sealed = condition_seal(reader);
-    done = read_defined(reader, defined) && reader_require_sign(reader, ')');
-    reader->sealed = sealed;
-    return done;
-}
-
 bool condition_ifdef(struct reader *reader, const struct item *item)
 {
     bool wanted = item->keyword->detail == CONDITION_WHEN_DEFINED;
     double defined = 0;
-    bool good = read_name(reader, &defined);
+    bool good = read_brackets(reader, true, &defined);
 
     return begin(reader, &item->at, good, (defined != 0) == wanted);
 }
