@@ -246,7 +246,7 @@ bool name_expected(struct reader *reader, const struct scene_token *token)
         return true;
     reader_step(reader);
     return reader_fault(reader, &name, "'%.*s' is a keyword, not a name",
-                        (int)name.length, name.text);
+                        TOKEN_TEXT(&name));
 }
 
 /* ---- #declare, #local, #undef -------------------------------------------- */
@@ -363,7 +363,6 @@ bool read_undef(struct reader *reader, const struct item *item)
         return reader_expected(reader, "a name");
     reader_step(reader);
     if (!symbols_remove(&reader->symbols, name.text, name.length))
-        reader_warn(reader, &name, "'%.*s' is not declared", (int)name.length,
-                    name.text);
+        reader_warn(reader, &name, "'%.*s' is not declared", TOKEN_TEXT(&name));
     return true;
 }

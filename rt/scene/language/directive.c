@@ -195,6 +195,6 @@ bool directive_read(struct reader *reader)
     reader_step(reader);
     if (!item.keyword)
         return reader_fault(reader, &item.at, "unknown directive '#%.*s'",
-                            (int)item.at.length, item.at.text);
+                            TOKEN_TEXT(&item.at));
     return item.keyword->read(reader, &item);
 }

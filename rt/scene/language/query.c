@@ -253,7 +253,7 @@ bool query_read(struct reader *reader, double *value)
     if (!query->read && !query->measure) {
         reader->hold = hold;
         return reader_fault(reader, &reader->token, "'%.*s' is not supported",
-                            (int)reader->token.length, reader->token.text);
+                            TOKEN_TEXT(&reader->token));
     }
     reader_next(reader);
     done = read_brackets(reader, query, value);

@@ -27,8 +27,8 @@ struct item {
     const struct grammar *grammar;
 };
 
-/* The word, as two arguments of "%.*s". */
-#define ITEM_WORD(item) (int)(item)->at.length, (item)->at.text
+/* Its text, as two arguments of "%.*s". */
+#define ITEM_WORD(item) TOKEN_TEXT(&(item)->at)
 
 enum { GRAMMAR_TABLES = 3 };
 struct grammar {

@@ -23,7 +23,7 @@ static bool read_parameter(struct reader *reader, struct scene_macro *macro)
         return reader_expected(reader, "the name of a parameter or ')'");
     if (is_reserved(token))
         return reader_fault(reader, token, "'%.*s' is a keyword, not a name",
-                            (int)token->length, token->text);
+                            TOKEN_TEXT(token));
     if (macro->count == MAX_PARAMETERS)
         return reader_fault(reader, token, "more than %d parameters", MAX_PARAMETERS);
     macro->parameters[macro->count].text = token->text;
@@ -126,7 +126,7 @@ static bool read_arguments(struct reader *reader, struct call *call)
         if (reader_at_sign(reader, ')'))
             return reader_fault(reader, &reader->token,
                                 "'%.*s' takes %zu argument%s, found %zu",
-                                (int)call->at.length, call->at.text, macro->count,
+                                TOKEN_TEXT(&call->at), macro->count,
                                 plural(macro->count), call->count);
         call->count++;
         if (!read_argument(reader, &call->arguments[call->count - 1]))

@@ -129,6 +129,8 @@ const void *token_row(const struct scene_token *token, const void *rows, size_t 
                       size_t count);
 bool is_directive(const struct scene_token *token, const char *words);
 bool token_is_sign(const struct scene_token *token, int sign);
+/* The text of a token, as two arguments of "%.*s". */
+#define TOKEN_TEXT(token) (int)(token)->length, (token)->text
 struct position token_position(const struct scene_token *token);
 
 #endif
