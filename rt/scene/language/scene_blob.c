@@ -1,4 +1,4 @@
-/* scene_blob.c - parses blob { threshold .. }: spheres and cylinders in one primitive. */
+/* scene_blob.c - parses blob { .. }: spheres and cylinders in one primitive. */
 #include "rt/scene/language/scene_statement.h"
 
 #include "base/array.h"

@@ -1,8 +1,9 @@
 /* scene_block.h - blocks: `{`, words with their arguments, `}`.
  *
- * A grammar is tables of words. Each row has a function that reads the arguments of its
- * words into the subject of the block. After an error the parser continues at the next word of the
- * block, so one pass finds all errors.
+ * A grammar is a few tables of words. A row has one or more words and the function that
+ * reads their arguments into the subject of the block. The function of a plain value
+ * reads it into the member at the offset that is the row's detail. After an error the
+ * parser continues at the next word of the block, so one pass finds all errors.
  */
 #ifndef RT_SCENE_BLOCK_H
 #define RT_SCENE_BLOCK_H
@@ -27,7 +28,7 @@ struct item {
     const struct grammar *grammar;
 };
 
-/* Its text, as two arguments of "%.*s". */
+/* The text of an item's word, as two arguments of "%.*s". */
 #define ITEM_WORD(item) TOKEN_TEXT(&(item)->at)
 
 enum { GRAMMAR_TABLES = 3 };
@@ -85,10 +86,13 @@ void block_skip(struct reader *reader);
 
 /* Returns the member of the subject at the offset that is the row's detail. */
 void *item_member(const struct item *item);
-/* Read that member: a double, a double above 0, a double that is 1 if it is not given, a
- * vector, three colours, or a bool that the word makes true. */
-item_reader item_number, item_above_0, item_number_or_1, item_vector, item_rgb,
-    item_flag;
+/* These read that member: a float, a float above 0, and a float that is 1 if no number
+ * follows the word. */
+item_reader item_number, item_above_0, item_number_or_1;
+/* A vector of 3, and the red, green and blue of a colour. */
+item_reader item_vector, item_rgb;
+/* A bool, which the word makes true. */
+item_reader item_flag;
 
 /* Reports and ignores a word without effect on this renderer. */
 item_reader item_left_out;

@@ -17,7 +17,7 @@ bool pigment_read(struct reader *reader, struct pigment *pigment);
 bool finish_read(struct reader *reader, struct finish *finish);
 bool normal_read(struct reader *reader, struct bumps *bumps);
 bool texture_read(struct reader *reader, struct texture *texture);
-/* Reads the texture, or the part of it that is the detail of the item's row. */
+/* Reads the part of a texture that is the detail of the item's row. */
 enum texture_part { TEXTURE_PIGMENT, TEXTURE_NORMAL, TEXTURE_FINISH, TEXTURE_WHOLE };
 bool texture_part_read(struct reader *reader, const struct item *item,
                        struct texture *texture);
@@ -34,7 +34,7 @@ bool texture_map_read(struct reader *reader, struct texture *texture);
 /* These read and use all entries. */
 bool normal_map_read(struct reader *reader, struct bump_list *list);
 bool slope_map_read(struct reader *reader, struct bump *bump);
-/* Reads the statement of a kind of value, which is the row's detail, into the subject. */
+/* Reads the statement of the kind of value that is the detail of the item's row. */
 item_reader item_statement;
 /* Reads the block of #default, and of the statement `default`. */
 item_reader default_read;
@@ -126,9 +126,9 @@ bool shape_add(struct reader *reader, struct scene_object *object,
 /* Reports and skips an invisible shape. */
 bool shape_leave_out(struct reader *reader, struct scene_object *object,
                      const struct scene_token *at, const char *reason);
-/* Chooses the texture of an object of one part, which has the first texture of its
- * pieces, if it has one: that of the object replaces it. Reports this at that first
- * texture. */
+/* Chooses the texture of a mesh or blob whose pieces have textures: its own, or that of
+ * the first such piece, which its only part has. Reports the choice at `at`. Does
+ * nothing if no piece has a texture. */
 void shape_choose_texture(struct reader *reader, struct scene_object *object,
                           const struct scene_token *at, const char *pieces,
                           const char *own);

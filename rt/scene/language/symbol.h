@@ -33,8 +33,8 @@ const char *reference_assign(const struct reference *reference,
                              struct scene_value *value);
 const char *symbols_add(struct declared_names *symbols, size_t level, const char *name,
                         size_t length, struct scene_value *value);
-/* Assigns to a symbol or to the target of an alias; NULL: adds a symbol with the name of
- * the token. */
+/* Assigns to a symbol, or to the target of an alias. Without a symbol one with the name
+ * of the token is added at the level. */
 const char *symbols_assign(struct declared_names *symbols, struct declared_name *symbol,
                            size_t level, const struct scene_token *name,
                            struct scene_value *value);
@@ -43,9 +43,8 @@ const char *symbols_refer(struct declared_names *symbols, size_t level,
                           const char *name, size_t length,
                           const struct reference *reference);
 
-/* These do nothing without a symbol. */
 /* Adds a reference to a symbol, which then outlives its removal from the table. */
-void symbol_hold(struct declared_name *symbol);
+void symbol_hold(struct declared_name *symbol); /* NULL: no effect, as below */
 /* Drops a reference. Returns false if it was the last one. */
 bool symbol_release(struct declared_name *symbol);
 /* Returns the name, which has no terminating NUL. */

@@ -73,16 +73,14 @@ static bool read_reflection(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* detail: offset of the member */
 static bool read_amount(struct reader *reader, const struct item *item)
 {
-    void *amount = (char *)item->subject + item->keyword->detail;
     struct scene_token more = reader->token;
     double inside;
 
     if (reader_accept(reader, "albedo"))
         reader_report(reader, &more, "'albedo' is not supported and is ignored");
-    if (!read_number(reader, amount))
+    if (!item_number(reader, item))
         return false;
     more = reader->token;
     if (!reader_accept_sign(reader, ','))
