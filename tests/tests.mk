@@ -358,6 +358,12 @@ check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
 check-install: all
 	sh tests/check_install.sh $(BUILD) "$(MAKE)"
 
+# All messages of the programs and the page, for reading; not a part of check.
+messages: ## lists all messages with their places
+	@awk -f tests/messages.awk $(sort $(vm_c) $(base_c) $(asm_c) $(c205_c) $(engine_c) \
+		$(rt_c) $(rt205_c) $(fit205_c) $(observing_c)) vm/rules.def \
+		asm/object/warning.def $(wildcard web/page/*.js web/tracer/*.js)
+
 # The leak checker would look for thread-local variables of OpenImageIO's libraries
 # where there are none.
 san: export ASAN_OPTIONS = intercept_tls_get_addr=0
@@ -403,4 +409,4 @@ fuzz-targets: $(fuzz_targets) $(replays)
 
 .PHONY: $(check_parts) tests mutants-whole check-planted check-mutants check-mpi \
 	check-samples check-poison check-points check-stream check-emission check-timing \
-	san cover cover-tests fuzz fuzz-targets
+	messages san cover cover-tests fuzz fuzz-targets
