@@ -335,13 +335,13 @@ for define in "a b" r5 h255 ADDN 3x .code "" unused; do
         ends $code "$build/c205" $command flat.s --define k=1 --define "$define=1" \
             </dev/null
         cat out >>err
-        tells err "'$define' \(is defined, and not used\|cannot be defined: it is\)\|expected NAME=VALUE"
+        tells err "'$define' \(is defined, but the program does not use it\|cannot be defined: it is\)\|expected NAME=VALUE"
     done
     ends $code "$build/c205" sweep flat.s --define k=1:9 --define "$define=1"
     ends $code "$build/c205" sweep flat.s --define "$define=1:9" --define k=1
 done
 ends 1 "$build/c205" run good.o --define k=1
-tells err "^good.o: error: 'k' is defined, and not used$"
+tells err "^good.o: error: 'k' is defined, but the program does not use it$"
 for command in run asm dis; do
     ends 1 "$build/c205" $command bad.s
     tells err 'bad.s:2:'

@@ -69,7 +69,8 @@ static bool uses_defines(const struct two_runs *runs)
                                    1);
     }
     if (unused) {
-        cmd_failed(args->shared.command, "'%s' is defined, and not used", unused);
+        cmd_failed(args->shared.command,
+                   "'%s' is defined, but the program does not use it", unused);
     }
     return !unused;
 }

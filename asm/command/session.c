@@ -81,7 +81,8 @@ struct object *cmd_read_program(const struct source_arguments *source, const cha
     if (!unused) {
         return object;
     }
-    sink_print(report, "%s: error: '%s' is defined, and not used\n", path, unused);
+    sink_print(report, "%s: error: '%s' is defined, but the program does not use it\n",
+               path, unused);
     object_free(object);
     return NULL;
 }

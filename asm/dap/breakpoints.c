@@ -80,7 +80,7 @@ static bool read_line_stop(struct dap *dap, const struct json_value *wanted,
     int64_t line = 0;
 
     if (!file)
-        return dap_fault(dap, "unknown source");
+        return dap_fault(dap, "expected the path of a source file in 'source'");
     return dap_whole(dap, wanted, "line", &line)
            && place_line(dap->debugger, file, line_of(dap, line), stop);
 }

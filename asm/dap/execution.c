@@ -294,7 +294,7 @@ bool request_goto_targets(struct dap *dap, const struct json_value *arguments,
     int64_t line = 0;
 
     if (!file)
-        return dap_fault(dap, "unknown source");
+        return dap_fault(dap, "expected the path of a source file in 'source'");
     if (!dap_whole(dap, arguments, "line", &line)
         || !place_line(dap->debugger, file, line_of(dap, line), &stop))
         return false;

@@ -171,7 +171,7 @@ bool request_source(struct dap *dap, const struct json_value *arguments,
     char *text;
 
     if (!file)
-        return dap_fault(dap, "unknown source");
+        return dap_fault(dap, "expected the path of a source file in 'source'");
     text = text_of(dap, file);
     if (!text)
         return false;

@@ -64,10 +64,10 @@ static bool may_come(struct dap *dap, unsigned states)
     if (states & (unsigned)dap->state)
         return true;
     switch (dap->state) {
-    case DAP_NEW: return dap_fault(dap, "initialize comes first");
-    case DAP_GREETED: return dap_fault(dap, "launch comes first");
+    case DAP_NEW: return dap_fault(dap, "send 'initialize' first");
+    case DAP_GREETED: return dap_fault(dap, "send 'launch' first");
     case DAP_LAUNCHED:
-        return states & DAP_STANDING ? dap_fault(dap, "configurationDone comes first")
+        return states & DAP_STANDING ? dap_fault(dap, "send 'configurationDone' first")
                                      : dap_fault(dap, "a program is already launched");
     case DAP_RUNNING: return dap_fault(dap, "the program is running; pause it first");
     case DAP_ENDED: return dap_fault(dap, "the program has ended");

@@ -79,11 +79,12 @@ static bool find_line(struct debugger *debugger, const char *name, size_t number
                  line->address);
     }
     return found->file
-           || debug_fault(debugger,
-                          object->line_count == 0
-                              ? "the source lines of %.100s are not known"
-                              : "%.100s has no code at line %zu or after it",
-                          name, number);
+           || debug_fault(
+               debugger,
+               object->line_count == 0
+                   ? "the source lines of %.100s are not known: debug its text"
+                   : "%.100s has no code at line %zu or after it",
+               name, number);
 }
 
 bool place_is_called(const struct asm_line *line)

@@ -142,7 +142,8 @@ bool verb_list(struct debugger *debugger, struct text_cursor *cursor)
         || !read_count(debugger, cursor, &count))
         return false;
     if (object->line_count == 0)
-        return debug_fault(debugger, "the source lines are not known");
+        return debug_fault(debugger,
+                           "the source lines are not known: debug the program text");
     now = object_line(object, c205_pc(machine_of(debugger)));
     for (size_t i = 0; i < object->line_count && count > 0; i++) {
         const struct asm_line *line = &object->lines[i];

@@ -98,7 +98,7 @@ bool verb_why(struct debugger *debugger, struct text_cursor *cursor)
     if (!text_cursor_finish(debugger, cursor))
         return false;
     if (!debugger->has_last)
-        return debug_fault(debugger, "no instruction has been executed");
+        return debug_fault(debugger, "no instruction has been executed: step first");
     show_instruction(debugger, debugger->last.pc, "   ");
     sink_print(&debugger->out,
                "arrived at clock %" PRIu64 ", issued at %" PRIu64

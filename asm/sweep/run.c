@@ -36,7 +36,8 @@ static bool uses_all(const struct program_sweep *sweep, c205_error *error)
          i++)
         if (!sweep->used[i + 1])
             name = defines[i].name;
-    error_set(error, "'%.100s' is defined, and not used", name ? name : "");
+    error_set(error, "'%.100s' is defined, but the program does not use it",
+              name ? name : "");
     return !name;
 }
 

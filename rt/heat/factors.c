@@ -24,7 +24,9 @@ struct factors *factors_new(const struct scene *scene,
         return NULL;
     }
     if (options->repeats < 2) {
-        error_set(error, "at least two repeats are required for errors");
+        error_set(
+            error,
+            "at least 2 repeats are required: errors are computed from their spread");
         return NULL;
     }
     factors = calloc(1, sizeof *factors);

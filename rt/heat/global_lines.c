@@ -103,7 +103,9 @@ static bool check(const struct scene *scene, const struct sampling_options *opti
         return error_set(error, "lines allow at most %d surfaces; the scene has %zu",
                          MAX_SURFACES, surface_count(scene, options));
     if (options->repeats < 2)
-        return error_set(error, "at least two repeats are required for errors");
+        return error_set(
+            error,
+            "at least 2 repeats are required: errors are computed from their spread");
     if (options->lines_log > MAX_GLOBAL_LINES_LOG)
         return error_set(error, "at most 2^%d lines are allowed in a repeat",
                          MAX_GLOBAL_LINES_LOG);

@@ -234,7 +234,8 @@ static bool find_factors(struct heat_work *work)
             return false;
         next = find_next(work->heat);
         if (request->job_set && !job_set_agree(request->job_set, &next))
-            return error_set(work->error, "there is no more work");
+            return error_set(work->error,
+                             "rank 0 has ended the run; its message gives the reason");
     } while (next > 0);
     return true;
 }

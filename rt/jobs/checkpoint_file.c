@@ -221,7 +221,10 @@ static FILE *open_locked(const char *path, c205_error *error)
     FILE *stream = locked ? fdopen(file, "r+b") : NULL;
 
     if (!stream) {
-        error_set(error, "%s", in_use ? "another run is using it" : strerror(errno));
+        error_set(
+            error, "%s",
+            in_use ? "another run is using it: wait for its end, or name another file"
+                   : strerror(errno));
         if (file >= 0)
             close(file);
     }
@@ -258,7 +261,7 @@ static bool begin(struct checkpoint_file *file, c205_error *error)
         return false;
     return ((!fresh || write_head(file->stream, file->key)) && find_units(file)
             && drop_tail(file))
-           || error_set(error, "no memory, or no room");
+           || error_set(error, "out of memory, or the disk is full");
 }
 
 static struct checkpoint_file *new_file(const char *path, uint64_t key)
@@ -332,7 +335,7 @@ static FILE *open_other(const struct checkpoint_file *file, const char *path,
 
     if (fstat(fileno(file->stream), &kept) == 0 && stat(path, &named) == 0
         && kept.st_dev == named.st_dev && kept.st_ino == named.st_ino) {
-        error_set(error, "the file is named twice");
+        error_set(error, "the file is named twice: name each file once");
         return NULL;
     }
     stream = fopen(path, "rb");
@@ -341,7 +344,8 @@ static FILE *open_other(const struct checkpoint_file *file, const char *path,
     else if (process_lock(fileno(stream), false))
         return stream;
     else
-        error_set(error, "another run is using it");
+        error_set(error,
+                  "another run is using it: wait for its end, or name another file");
     if (stream)
         fclose(stream);
     return NULL;

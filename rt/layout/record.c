@@ -163,7 +163,7 @@ void record_check(struct record *record, const double *values, size_t count)
         if (!isfinite(values[i]))
             layout_fail(record->layout,
                         "the object of line %zu is too large "
-                        "or too small to be traced",
+                        "or too small to be traced: scale the scene",
                         record->line);
 }
 

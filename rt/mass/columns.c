@@ -492,7 +492,7 @@ static bool check_options(const struct scene *scene,
     if (options->repeats == 0)
         return error_set(error, "at least one shift is required");
     if (scene->region_count == 0)
-        return error_set(error, "the scene has no bodies");
+        return error_set(error, "the scene has no objects");
     if (options->part_count > MAX_COLUMNS_PARTS)
         return error_set(error, "the scene has %zu parts; at most %d are allowed",
                          options->part_count, MAX_COLUMNS_PARTS);

@@ -23,7 +23,8 @@ static bool take_densities(const struct mass *mass, struct named_values *densiti
     good = good && named_check(densities, &mass->parts, NULL, error);
     if (good && request->density_file
         && !named_read(densities, request->density_file, reports))
-        return error_set(error, "cannot use the file of densities");
+        return error_set(error, "the densities of %.180s cannot be used",
+                         request->density_file);
     return good && named_add_scene(densities, mass->scene, error);
 }
 
@@ -190,7 +191,8 @@ bool mass_find(struct mass *mass, c205_error *error)
         if (!sum_columns(mass, error) || !find_next(mass, &next, error))
             return false;
         if (request->job_set && !job_set_agree(request->job_set, &next))
-            return error_set(error, "there is no more work");
+            return error_set(error,
+                             "rank 0 has ended the run; its message gives the reason");
     } while (next > 0);
     return true;
 }

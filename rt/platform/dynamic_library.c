@@ -42,7 +42,9 @@ bool dynamic_find(const char *file, char path[ADAPTER_PATH], c205_error *error)
     snprintf(installed, sizeof installed, "%s%s", beside, FROM_BIN);
     return (named && is_in(named, file, path)) || is_in(beside, file, path)
            || is_in(installed, file, path)
-           || error_set(error, "no %s in %.80s or %.80s", file, beside, installed);
+           || error_set(error,
+                        "no %s in %.80s or %.80s: set RT205_LIBDIR to its folder", file,
+                        beside, installed);
 }
 
 const void *dynamic_open(const char *path, const char *table, bool shared,

@@ -83,13 +83,13 @@ static bool lay_out(struct ray_query *query, c205_error *error)
 static bool check_options(const struct ray_query_options *options, c205_error *error)
 {
     if (options->mode >= TRACE_MODES)
-        return error_set(error, "unknown form of lines: expected scalar, vector or "
+        return error_set(error, "unknown mode: expected scalar, vector or "
                                 "kernels");
     if (options->mode != TRACE_SCALAR
         && (options->queue == 0 || options->queue > MAX_TRACE_QUEUE))
-        return error_set(error, "the queue must be between 1 and 65535 lines");
+        return error_set(error, "the queue must be between 1 and 65535 rays");
     if (!(options->behind >= 0) || !isfinite(options->behind))
-        return error_set(error, "the distance behind the origins must be finite and "
+        return error_set(error, "the distance before the origins must be finite and "
                                 "not below 0");
     return true;
 }
@@ -315,11 +315,11 @@ static bool is_line(const struct scene_ray *line)
     return size > 0;
 }
 
-static bool check_lines(const struct scene_ray *list, size_t count, c205_error *error)
+static bool check_rays(const struct scene_ray *list, size_t count, c205_error *error)
 {
     for (size_t i = 0; i < count; i++)
         if (!is_line(&list[i]))
-            return error_set(error, "line %zu must have a direction and finite numbers",
+            return error_set(error, "ray %zu must have a direction and finite numbers",
                              i);
     return true;
 }
@@ -338,7 +338,7 @@ c205 *ray_query_machine(const struct ray_query *query, const struct scene_ray *l
     struct packet_layout packet = { .lines = list, .count = count };
     c205 *machine;
 
-    if (!check_lines(list, count, error))
+    if (!check_rays(list, count, error))
         return NULL;
     machine = c205_new(query->options.model, error);
     if (machine && load_packet(query, machine, &packet, error))
@@ -386,7 +386,7 @@ bool ray_query_find(const struct ray_query *query, const struct scene_ray *list,
 
     *found = (struct ray_hits){ .line_count = count,
                                 .accounts = { .model = query->options.model } };
-    if (!check_lines(list, count, error))
+    if (!check_rays(list, count, error))
         return false;
     found->first = calloc(count + 1, sizeof *found->first);
     if (!found->first)

@@ -278,8 +278,9 @@ TEST_WITH(in_use, set_up, tear_down)
     struct checkpoint_file *file = open_file(1);
     write_some(0, &written);
     pid_t other = open_elsewhere();
-    refuse(KEY, "another run is using it");
-    refuse_merge(file, paths[0], "another run is using it");
+    refuse(KEY, "another run is using it: wait for its end, or name another file");
+    refuse_merge(file, paths[0],
+                 "another run is using it: wait for its end, or name another file");
     assert_int_equal(kill(other, SIGKILL), 0);
     assert_int_equal(waitpid(other, NULL, 0), other);
     checkpoint_close(open_file(0), true);

@@ -184,7 +184,7 @@ TEST(defines)
         { "{\"N\": 1, \"a b\": 1}", "'a b' cannot be defined: it is not" },
         { "{\"N\": 1, \"\": 1}", "'' cannot be defined: it is not a name" },
         { "{\"N\": 1, \"SUMV\": 1}", "'SUMV' cannot be defined: it is an in" },
-        { "{\"N\": 1, \"M\": 1}", "'M' is defined, and not used" },
+        { "{\"N\": 1, \"M\": 1}", "'M' is defined, but the program does not use it" },
     };
     struct dap_client client;
 

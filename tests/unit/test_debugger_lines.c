@@ -124,7 +124,7 @@ TEST(faults)
         { "p 99999999999999999999", "is too large" },
         { "x/100000000 mask", "the count must be at most 65535" },
         { "disassemble , 100001", "at most 100000 instructions are shown" },
-        { "why", "no instruction has been executed" },
+        { "why", "no instruction has been executed: step first" },
         { "assert 1 == 2", "assertion failed: 1 == 2" },
         { "goto nowhere", "unknown name 'nowhere'" },
         { "until *1.5", "1.5 is not an address" },

@@ -161,9 +161,10 @@ TEST(refused)
 {
     static const char *const rows[][2] = {
         { "", "0:0: the file has no table" },
-        { "a,b,c,d,e,f,g,h,i\n", "1:1: expected another column" },
-        { HEAD "a,b\n", "2:1: fields are missing" },
-        { HEAD "a,b,c,d,e,f,g,h,i,j\n", "2:19: too many fields" },
+        { "a,b,c,d,e,f,g,h,i\n", "1:1: expected the column 'name'" },
+        { HEAD "a,b\n", "2:1: this row has fewer fields than the heading" },
+        { HEAD "a,b,c,d,e,f,g,h,i,j\n",
+          "2:19: this row has more fields than the heading" },
         { HEAD "a,b,c,d,e,f,g,h,i\n", "2:17: expected fit, compare or range" },
         { HEAD "a,b,c,d,e,f,g,h,fit\n", "2:7: expected a positive number" },
         { HEAD "a,b,c,1 to,e,f,,g,range\n",

@@ -277,7 +277,7 @@ TEST(refused)
             "the disc of line 2 is an open surface: it has no volume");
     refuses("sphere { 0, 1 }\nplane { y, 0 }",
             "the solid of line 2 has unknown bounds: its volume cannot be computed");
-    refuses("", "the scene has no bodies");
+    refuses("", "the scene has no objects");
     struct measured empty =
         measured_of("intersection { sphere { 0, 1 } sphere { 3*x, 1 }\n"
                     "sphere { 0, 9 } }\nbox { 2, 3 }",

@@ -263,15 +263,15 @@ TEST(refused)
         const char *message;
     } rows[] = {
         { { .mode = TRACE_MODES, .queue = 10 },
-          "unknown form of lines: expected scalar, vector or kernels" },
+          "unknown mode: expected scalar, vector or kernels" },
         { { .mode = TRACE_VECTOR, .queue = 0 },
-          "the queue must be between 1 and 65535 lines" },
+          "the queue must be between 1 and 65535 rays" },
         { { .mode = TRACE_VECTOR, .queue = 65536 },
-          "the queue must be between 1 and 65535 lines" },
+          "the queue must be between 1 and 65535 rays" },
         { { .mode = TRACE_SCALAR, .behind = -1 },
-          "the distance behind the origins must be finite and not below 0" },
+          "the distance before the origins must be finite and not below 0" },
         { { .mode = TRACE_SCALAR, .behind = INFINITY },
-          "the distance behind the origins must be finite and not below 0" },
+          "the distance before the origins must be finite and not below 0" },
     };
     SCOPED(scene) *scene = read_text(HEAD "sphere { 0, 1 }");
 
@@ -299,7 +299,7 @@ TEST(no_lines)
     for (size_t i = 0; i < 3; i++) {
         assert_false(ray_query_find(lines, bad[i], 2, &found, &error));
         assert_string_equal(error.message,
-                            "line 1 must have a direction and finite numbers");
+                            "ray 1 must have a direction and finite numbers");
         assert_null(found.list);
     }
     assert_true(ray_query_find(lines, NULL, 0, &found, &error));

@@ -126,7 +126,9 @@ bool uses_defines(const struct asm_options *options, struct object *const *objec
 {
     const char *unused = asm_unused_define(options->defines, objects, count);
 
-    return !unused || error_set(error, "'%.100s' is defined, and not used", unused);
+    return !unused
+           || error_set(error, "'%.100s' is defined, but the program does not use it",
+                        unused);
 }
 
 struct object *engine_assemble(struct engine *engine, const char *name,

@@ -77,10 +77,13 @@ static bool cut(struct csv *csv, char *line, size_t number, char **fields,
 
     for (size_t i = 0; i < csv->columns; i++) {
         if (!line)
-            return fail(csv, number, begin, "fields are missing", diagnostics);
+            return fail(csv, number, begin,
+                        "this row has fewer fields than the heading", diagnostics);
         fields[i] = next_field(&line);
     }
-    return !line || fail(csv, number, line, "too many fields", diagnostics);
+    return !line
+           || fail(csv, number, line, "this row has more fields than the heading",
+                   diagnostics);
 }
 
 static bool add_row(struct csv *csv, char *line, size_t number,
@@ -101,9 +104,12 @@ static bool check_head(const struct csv *csv, const char *const *columns,
     if (csv->count == 0)
         return fail_whole(csv, "the file has no table", diagnostics);
     for (size_t i = 0; i < csv->columns; i++)
-        if (strcmp(csv->rows[0].fields[i], columns[i]) != 0)
-            return csv_wrong(csv, &csv->rows[0], i, "expected another column",
-                             diagnostics);
+        if (strcmp(csv->rows[0].fields[i], columns[i]) != 0) {
+            char message[80];
+
+            snprintf(message, sizeof message, "expected the column '%s'", columns[i]);
+            return csv_wrong(csv, &csv->rows[0], i, message, diagnostics);
+        }
     return true;
 }
 
