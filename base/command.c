@@ -38,7 +38,7 @@ static int print_version(const struct command_program *program)
     return CMD_DONE;
 }
 
-static int finish(const char *name, int code)
+static int finish_command(const char *name, int code)
 {
     if (fflush(stdout) != 0 || ferror(stdout)) {
         return cmd_failed(name, "cannot write standard output: write error");
@@ -125,7 +125,7 @@ int command_main(const struct command_program *program, int argc, char **argv)
     int code = CMD_DONE;
     const struct command *command = select_command(program, argc, argv, &code);
     if (!command) {
-        return finish(program->name, code);
+        return finish_command(program->name, code);
     }
     char name[COMMAND_NAME_SIZE];
     const char *full_name = name;
@@ -148,5 +148,5 @@ int command_main(const struct command_program *program, int argc, char **argv)
     command_free(command, arguments);
     outputs_clear();
     free(arguments);
-    return finish(name, code);
+    return finish_command(name, code);
 }

@@ -118,7 +118,7 @@ static void put_word(struct filler *filler, const char *word, size_t length)
     filler->column += length;
 }
 
-static void fill(struct filler *filler, const char *text)
+static void fill_lines(struct filler *filler, const char *text)
 {
     while (*text) {
         if (*text == '\n') {
@@ -145,7 +145,7 @@ static void put_entry(FILE *file, const char *left, const char *meaning)
         putc(' ', file);
         filler.column++;
     }
-    fill(&filler, meaning);
+    fill_lines(&filler, meaning);
     new_line(&filler);
 }
 
@@ -206,7 +206,7 @@ static void put_operands(FILE *file, const struct command_option *operand)
 static void put_paragraphs(FILE *file, const char *text)
 {
     struct filler filler = { file, PARAGRAPH, 0 };
-    fill(&filler, text);
+    fill_lines(&filler, text);
     new_line(&filler);
 }
 
@@ -216,7 +216,7 @@ static void put_examples(FILE *file, const struct command_example *example)
     for (; example && example->line; example++) {
         struct filler filler = { file, EXAMPLE, 0 };
         fprintf(file, "  %s\n", example->line);
-        fill(&filler, example->meaning);
+        fill_lines(&filler, example->meaning);
         new_line(&filler);
     }
 }

@@ -101,7 +101,7 @@ static void take_text(const char *text, const struct command_option *option,
 }
 
 /* Converts a text and stores the value. text is NULL for a flag. */
-static bool take(char *text, const struct command_option *option, void *place)
+static bool store_option(char *text, const struct command_option *option, void *place)
 {
     static const bool yes = true;
     switch (option->kind) {
@@ -341,7 +341,7 @@ static int take_option(const struct parsing *parsing,
     if (option == &command_version_option) {
         return COMMAND_ASKS_VERSION;
     }
-    return take(optarg, option, place_of(option, parsing->arguments))
+    return store_option(optarg, option, place_of(option, parsing->arguments))
                ? CMD_DONE
                : wrong_value(parsing, option, optarg);
 }
@@ -379,7 +379,7 @@ static int parse_operands(const struct parsing *parsing, char **words)
                              operand->help);
         }
         while (*words) {
-            if (!take(*words, operand, place)) {
+            if (!store_option(*words, operand, place)) {
                 return wrong_value(parsing, operand, *words);
             }
             words++;

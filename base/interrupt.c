@@ -66,7 +66,7 @@ enum { ENDINGS = sizeof endings / sizeof *endings };
 
 /* Removes the files. The program ends when the handler returns, as it would without a
  * handler. */
-static void end(int number)
+static void end_process(int number)
 {
     for (size_t i = 0; i < FILES && owner == getpid(); i++) {
         if (files[i]) {
@@ -79,7 +79,7 @@ static void end(int number)
 
 static void catch_endings(void)
 {
-    struct sigaction action = { .sa_handler = end }, now;
+    struct sigaction action = { .sa_handler = end_process }, now;
     for (size_t i = 0; i < ENDINGS; i++) {
         if (sigaction(endings[i], NULL, &now) == 0 && now.sa_handler == SIG_DFL) {
             sigaction(endings[i], &action, NULL);
@@ -129,7 +129,7 @@ static volatile sig_atomic_t came; /* the signal's number */
 static void note(int number)
 {
     if (came) {
-        end(number);
+        end_process(number);
     }
     came = number;
 }

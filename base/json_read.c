@@ -17,7 +17,7 @@ struct json_reading {
     c205_error *error;
 };
 
-static bool fail(struct json_reading *reading, const char *what)
+static bool json_fail(struct json_reading *reading, const char *what)
 {
     return error_set(reading->error, "%s at byte %zu", what,
                      (size_t)(reading->at - reading->begin));
@@ -41,7 +41,7 @@ static char next_of(const struct json_reading *reading)
     return reading->at < reading->end ? *reading->at : '\0';
 }
 
-static bool take(struct json_reading *reading, char c)
+static bool take_char(struct json_reading *reading, char c)
 {
     if (reading->at == reading->end || *reading->at != c)
         return false;
@@ -61,7 +61,7 @@ static bool read_hex(struct json_reading *reading, unsigned long *code)
         const char *digit = c ? strchr(digits, c) : NULL;
 
         if (!digit)
-            return fail(reading, "expected four hex digits after \\u");
+            return json_fail(reading, "expected four hex digits after \\u");
         *code = *code << 4 | (unsigned long)((digit - digits) % 16);
         reading->at++;
     }
@@ -76,12 +76,12 @@ static bool read_code(struct json_reading *reading, unsigned long *code)
     if (!read_hex(reading, code))
         return false;
     if (*code == 0)
-        return fail(reading, "a string must not contain a NUL");
+        return json_fail(reading, "a string must not contain a NUL");
     if (*code < 0xD800 || *code > 0xDFFF)
         return true;
-    if (*code > 0xDBFF || !take(reading, '\\') || !take(reading, 'u')
+    if (*code > 0xDBFF || !take_char(reading, '\\') || !take_char(reading, 'u')
         || !read_hex(reading, &low) || low < 0xDC00 || low > 0xDFFF)
-        return fail(reading, "unpaired surrogate");
+        return json_fail(reading, "unpaired surrogate");
     *code = 0x10000 + ((*code - 0xD800) << 10) + (low - 0xDC00);
     return true;
 }
@@ -99,8 +99,8 @@ static bool read_escape(struct json_reading *reading, char **to)
         *(*to)++ = meant[name - names];
         return true;
     }
-    if (!take(reading, 'u'))
-        return fail(reading, "unknown escape");
+    if (!take_char(reading, 'u'))
+        return json_fail(reading, "unknown escape");
     if (!read_code(reading, &code))
         return false;
     *to += utf8_put(*to, code);
@@ -111,14 +111,14 @@ static bool read_character(struct json_reading *reading, char **to)
 {
     size_t length;
 
-    if (take(reading, '\\'))
+    if (take_char(reading, '\\'))
         return read_escape(reading, to);
     length = utf8_length(reading->at, (size_t)(reading->end - reading->at));
     if (length == 0)
-        return fail(reading, reading->at < reading->end ? "invalid UTF-8"
-                                                        : "unterminated string");
+        return json_fail(reading, reading->at < reading->end ? "invalid UTF-8"
+                                                             : "unterminated string");
     if ((unsigned char)*reading->at < ' ')
-        return fail(reading, "a control character in a string");
+        return json_fail(reading, "a control character in a string");
     memcpy(*to, reading->at, length);
     *to += length;
     reading->at += length;
@@ -126,7 +126,7 @@ static bool read_character(struct json_reading *reading, char **to)
 }
 
 /* Reads a text. It is never longer than its written form. */
-static const char *read_text(struct json_reading *reading)
+static const char *read_string(struct json_reading *reading)
 {
     const char *close = reading->at + 1;
     char *text, *to;
@@ -139,7 +139,7 @@ static const char *read_text(struct json_reading *reading)
         no_memory(reading);
         return NULL;
     }
-    while (!take(reading, '"'))
+    while (!take_char(reading, '"'))
         if (!read_character(reading, &to))
             return NULL;
     return text;
@@ -158,15 +158,15 @@ static bool skip_digits(struct json_reading *reading)
 
 static bool skip_number(struct json_reading *reading)
 {
-    take(reading, '-');
-    if (!take(reading, '0') && !skip_digits(reading))
+    take_char(reading, '-');
+    if (!take_char(reading, '0') && !skip_digits(reading))
         return false;
-    if (take(reading, '.') && !skip_digits(reading))
+    if (take_char(reading, '.') && !skip_digits(reading))
         return false;
-    if (!take(reading, 'e') && !take(reading, 'E'))
+    if (!take_char(reading, 'e') && !take_char(reading, 'E'))
         return true;
-    if (!take(reading, '-'))
-        take(reading, '+');
+    if (!take_char(reading, '-'))
+        take_char(reading, '+');
     return skip_digits(reading);
 }
 
@@ -177,15 +177,16 @@ static bool read_number(struct json_reading *reading, struct json_value *value)
     size_t length;
 
     if (!skip_number(reading))
-        return fail(reading, "expected a value");
+        return json_fail(reading, "expected a value");
     length = (size_t)(reading->at - from);
     if (length >= sizeof digits)
-        return fail(reading, "a number with " LIMIT_TEXT(MAX_DIGITS) " digits or more");
+        return json_fail(reading,
+                         "a number with " LIMIT_TEXT(MAX_DIGITS) " digits or more");
     memcpy(digits, from, length);
     digits[length] = '\0';
     value->kind = JSON_NUMBER;
     value->number = strtod(digits, NULL);
-    return isfinite(value->number) || fail(reading, "a number above 1.8e308");
+    return isfinite(value->number) || json_fail(reading, "a number above 1.8e308");
 }
 
 static bool take_name(struct json_reading *reading, const char *name)
@@ -199,7 +200,7 @@ static bool take_name(struct json_reading *reading, const char *name)
     return true;
 }
 
-static bool read_name(struct json_reading *reading, struct json_value *value)
+static bool read_constant(struct json_reading *reading, struct json_value *value)
 {
     value->kind = JSON_TRUTH;
     value->truth = take_name(reading, "true");
@@ -217,12 +218,12 @@ static bool read_key(struct json_reading *reading, struct json_value *value)
 {
     skip_space(reading);
     if (next_of(reading) != '"')
-        return fail(reading, "expected a key");
-    value->key = read_text(reading);
+        return json_fail(reading, "expected a key");
+    value->key = read_string(reading);
     if (!value->key)
         return false;
     skip_space(reading);
-    return take(reading, ':') || fail(reading, "expected ':'");
+    return take_char(reading, ':') || json_fail(reading, "expected ':'");
 }
 
 static struct json_value *read_item(struct json_reading *reading, bool has_key)
@@ -246,7 +247,7 @@ static bool read_items(struct json_reading *reading, struct json_value *value,
     const struct json_value **last = &value->first;
 
     skip_space(reading);
-    if (take(reading, closing))
+    if (take_char(reading, closing))
         return true;
     do {
         struct json_value *item = read_item(reading, closing == '}');
@@ -255,8 +256,9 @@ static bool read_items(struct json_reading *reading, struct json_value *value,
             return false;
         *last = item;
         last = &item->next;
-    } while (take(reading, ','));
-    return take(reading, closing) || fail(reading, "expected ',' or a closing bracket");
+    } while (take_char(reading, ','));
+    return take_char(reading, closing)
+           || json_fail(reading, "expected ',' or a closing bracket");
 }
 
 static bool read_within(struct json_reading *reading, struct json_value *value)
@@ -265,7 +267,8 @@ static bool read_within(struct json_reading *reading, struct json_value *value)
     bool good;
 
     if (reading->depth == JSON_DEEPEST)
-        return fail(reading, "more than " LIMIT_TEXT(JSON_DEEPEST) " nested brackets");
+        return json_fail(reading,
+                         "more than " LIMIT_TEXT(JSON_DEEPEST) " nested brackets");
     reading->depth++;
     good = read_items(reading, value, closing);
     reading->depth--;
@@ -277,18 +280,18 @@ static bool read_value(struct json_reading *reading, struct json_value *value)
     skip_space(reading);
     if (next_of(reading) == '"') {
         value->kind = JSON_TEXT;
-        value->text = read_text(reading);
+        value->text = read_string(reading);
         return value->text;
     }
-    if (take(reading, '[')) {
+    if (take_char(reading, '[')) {
         value->kind = JSON_ARRAY;
         return read_within(reading, value);
     }
-    if (take(reading, '{')) {
+    if (take_char(reading, '{')) {
         value->kind = JSON_OBJECT;
         return read_within(reading, value);
     }
-    return read_name(reading, value);
+    return read_constant(reading, value);
 }
 
 const struct json_value *json_read(struct arena *arena, const char *text, size_t length,
@@ -298,7 +301,7 @@ const struct json_value *json_read(struct arena *arena, const char *text, size_t
     struct json_value *value = read_item(&reading, false);
 
     if (value && reading.at < reading.end) {
-        fail(&reading, "expected the end of the text");
+        json_fail(&reading, "expected the end of the text");
         return NULL;
     }
     return value;

@@ -17,7 +17,7 @@ static struct {
 } outputs;
 
 /* Finds regular files only; devices and pipes have no content to lose. */
-static struct output *find(const struct stat *status)
+static struct output *find_output(const struct stat *status)
 {
     for (size_t i = 0; S_ISREG(status->st_mode) && i < outputs.count; i++) {
         if (outputs.items[i].device == status->st_dev
@@ -31,7 +31,7 @@ static struct output *find(const struct stat *status)
 static struct output *find_path(const char *path)
 {
     struct stat status;
-    return stat(path, &status) == 0 ? find(&status) : NULL;
+    return stat(path, &status) == 0 ? find_output(&status) : NULL;
 }
 
 bool outputs_has(const char *path)
@@ -51,7 +51,7 @@ bool outputs_add(const char *path)
 
 bool outputs_refuse(const struct stat *input)
 {
-    struct output *output = find(input);
+    struct output *output = find_output(input);
     if (output) {
         output->is_input = true;
     }

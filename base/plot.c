@@ -156,7 +156,7 @@ static bool find_axes(struct plot_picture *picture, c205_error *error)
 /* ---- Layout --------------------------------------------------------------- */
 
 /* Returns the width of a text in UTF-8. */
-static double width_of(const char *text)
+static double text_width(const char *text)
 {
     size_t letters = 0;
 
@@ -172,7 +172,7 @@ static double widest_label(const struct axis *axis)
     double widest = 0;
 
     for (size_t i = 0; i < count; i++)
-        widest = fmax(widest, width_of(tics[i].label));
+        widest = fmax(widest, text_width(tics[i].label));
     return widest;
 }
 
@@ -181,9 +181,9 @@ static double key_width(const struct plot *plot)
     double widest = 0;
 
     for (size_t i = 0; i < plot->curve_count; i++)
-        widest = fmax(widest, width_of(plot->curves[i].title));
+        widest = fmax(widest, text_width(plot->curves[i].title));
     for (size_t i = 0; i < plot->level_count; i++)
-        widest = fmax(widest, width_of(plot->levels[i].label));
+        widest = fmax(widest, text_width(plot->levels[i].label));
     return fmax(KEY_LEAST, fmin(MAX_KEY, KEY_SAMPLE + widest));
 }
 
@@ -230,7 +230,7 @@ static int place_flags(struct plot_picture *picture)
     for (size_t i = 0; i < plot->mark_count; i++) {
         const struct plot_mark *mark = &plot->marks[i];
         double line = across(picture, mark->at);
-        double width = LETTER + width_of(mark->label);
+        double width = LETTER + text_width(mark->label);
         double begin = fmin(line, WIDTH - EDGE - width);
         if (isfinite(mark->at))
             flags[count++] = (struct flag){ mark, line, begin, begin + width, 0 };
@@ -244,7 +244,7 @@ static int place_flags(struct plot_picture *picture)
     return rows;
 }
 
-static void lay_out(struct plot_picture *picture)
+static void lay_out_plot(struct plot_picture *picture)
 {
     const struct plot *plot = picture->plot;
     size_t small_print = plot->subtitle_count + (isfinite(picture->cut_off) ? 1 : 0);
@@ -257,8 +257,8 @@ static void lay_out(struct plot_picture *picture)
 
 /* ---- Text ----------------------------------------------------------------- */
 
-static void put_text(const struct plot_picture *picture, double x, double y,
-                     const char *kind, const char *text)
+static void put_svg_text(const struct plot_picture *picture, double x, double y,
+                         const char *kind, const char *text)
 {
     sink_print(picture->sink, "<text x=\"%.1f\" y=\"%.1f\" class=\"%s\">", x, y, kind);
     svg_put_escaped(picture->sink, text);
@@ -272,13 +272,13 @@ static void put_small_print(const struct plot_picture *picture)
     double line = ABOVE;
 
     for (size_t i = 0; i < plot->subtitle_count; i++, line += LINE)
-        put_text(picture, picture->left, line, "small", plot->subtitles[i]);
+        put_svg_text(picture, picture->left, line, "small", plot->subtitles[i]);
     if (!isfinite(picture->cut_off))
         return;
     axis_label(end, picture->y.high);
     axis_label(highest, picture->cut_off);
     snprintf(text, sizeof text, "cut off at %s; the highest value is %s", end, highest);
-    put_text(picture, picture->left, line, "small", text);
+    put_svg_text(picture, picture->left, line, "small", text);
 }
 
 /* ---- Axes ----------------------------------------------------------------- */
@@ -295,7 +295,7 @@ static void put_x_tic(const struct plot_picture *picture, const struct axis_tic 
     sink_print(picture->sink, "<path d=\"M%.1f %.1fv%d\" class=\"axis\"/>\n", at,
                picture->bottom, labelled ? 5 : 3);
     if (labelled)
-        put_text(picture, at, picture->bottom + 19, "at", tic->label);
+        put_svg_text(picture, at, picture->bottom + 19, "at", tic->label);
 }
 
 static void put_y_tic(const struct plot_picture *picture, const struct axis_tic *tic)
@@ -309,7 +309,7 @@ static void put_y_tic(const struct plot_picture *picture, const struct axis_tic 
     sink_print(picture->sink, "<path d=\"M%.1f %.1fh%d\" class=\"axis\"/>\n",
                picture->left, at, labelled ? -5 : -3);
     if (labelled)
-        put_text(picture, picture->left - 9, at + 4, "up", tic->label);
+        put_svg_text(picture, picture->left - 9, at + 4, "up", tic->label);
 }
 
 static void put_axes(const struct plot_picture *picture)
@@ -324,8 +324,8 @@ static void put_axes(const struct plot_picture *picture)
         put_y_tic(picture, &tics[i]);
     sink_print(picture->sink, "<path d=\"M%.1f %.1fV%.1fH%.1f\" class=\"axis\"/>\n",
                picture->left, picture->top, picture->bottom, picture->right);
-    put_text(picture, (picture->left + picture->right) / 2, picture->bottom + 40, "at",
-             picture->plot->x.title);
+    put_svg_text(picture, (picture->left + picture->right) / 2, picture->bottom + 40,
+                 "at", picture->plot->x.title);
     sink_print(picture->sink,
                "<text transform=\"translate(18 %.1f) rotate(-90)\" class=\"at\">",
                (picture->top + picture->bottom) / 2);
@@ -448,8 +448,8 @@ static void put_flag(const struct plot_picture *picture, const struct flag *flag
 
     sink_print(picture->sink, "<path d=\"M%.1f %.1fV%.1f\" class=\"mark\"/>",
                flag->line, picture->bottom, base + (moved ? 4 : -10));
-    put_text(picture, moved ? WIDTH - EDGE : flag->line + 4, base,
-             moved ? "end" : "name", flag->mark->label);
+    put_svg_text(picture, moved ? WIDTH - EDGE : flag->line + 4, base,
+                 moved ? "end" : "name", flag->mark->label);
 }
 
 static void put_level(const struct plot_picture *picture, size_t level, double left,
@@ -486,7 +486,7 @@ static void put_key(const struct plot_picture *picture)
     for (size_t i = 0; i < plot->curve_count; i++, y += KEY_ROW) {
         size_t curve = plot->form == PLOT_AREAS ? plot->curve_count - 1 - i : i;
         put_sample(picture, curve, y);
-        put_text(picture, x + 34, y, "name", plot->curves[curve].title);
+        put_svg_text(picture, x + 34, y, "name", plot->curves[curve].title);
     }
     for (size_t i = 0; i < plot->level_count; i++) {
         double at = plot->levels[i].at;
@@ -494,7 +494,7 @@ static void put_key(const struct plot_picture *picture)
             continue;
         put_level(picture, i, picture->left, picture->right, up(picture, at));
         put_level(picture, i, x, x + 26, y - 4);
-        put_text(picture, x + 34, y, "name", plot->levels[i].label);
+        put_svg_text(picture, x + 34, y, "name", plot->levels[i].label);
         y += KEY_ROW;
     }
 }
@@ -538,7 +538,7 @@ bool plot_draw(const struct plot *plot, const struct table *table,
         return error_set(error, "%.180s: out of memory", plot->title);
     if (!find_axes(&picture, error))
         return false;
-    lay_out(&picture);
+    lay_out_plot(&picture);
     put_picture(&picture);
     return true;
 }

@@ -147,7 +147,7 @@ void axis_label(char label[AXIS_LABEL_SIZE], double value)
     separate_thousands(label, digits);
 }
 
-static void add(struct tics *tics, double at, bool labelled)
+static void add_tic(struct tics *tics, double at, bool labelled)
 {
     struct axis_tic *tic = &tics->tics[tics->count];
 
@@ -167,7 +167,7 @@ static void add_steps(struct tics *tics, const struct axis *axis)
     double last = floor(axis->high / step + 1e-6);
 
     for (double n = first; n <= last; n++)
-        add(tics, n == 0 ? 0 : n * step, true);
+        add_tic(tics, n == 0 ? 0 : n * step, true);
 }
 
 /* Labels 1, 2 and 5 times the powers of ten. */
@@ -179,7 +179,7 @@ static void add_decades(struct tics *tics, const struct axis *axis)
         for (size_t i = 0; i < sizeof digits / sizeof *digits; i++) {
             double at = digits[i] * pow(10, n);
             if (at >= axis->low * (1 - 1e-9) && at <= axis->high * (1 + 1e-9))
-                add(tics, at, true);
+                add_tic(tics, at, true);
         }
 }
 
@@ -193,7 +193,7 @@ static void add_powers(struct tics *tics, const struct axis *axis)
     for (double n = first; n <= last; n++) {
         bool labelled = fmod(n, stride) == 0;
         if (labelled || last - first <= MAX_SMALL_TICS)
-            add(tics, from_ruler(axis, n), labelled);
+            add_tic(tics, from_ruler(axis, n), labelled);
     }
 }
 

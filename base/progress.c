@@ -43,7 +43,7 @@ static void begin_counting(struct progress *progress, size_t done)
     clock_gettime(CLOCK_MONOTONIC, &progress->begin);
 }
 
-static void show(struct progress *progress, size_t done, size_t all)
+static void show_progress(struct progress *progress, size_t done, size_t all)
 {
     char left[PROGRESS_TIME_SIZE];
     double passed = seconds_since(&progress->begin);
@@ -76,7 +76,7 @@ void progress_update(struct progress *progress, size_t done, size_t all)
         begin_counting(progress, done);
     }
     if (done < all) {
-        show(progress, done, all);
+        show_progress(progress, done, all);
     } else {
         progress_hide(progress);
         progress->counting = false;

@@ -22,7 +22,7 @@ void sink_print(const struct sink *sink, const char *format, ...)
     sink_put(sink, text);
 }
 
-static bool make_room(struct text_buffer *buffer, size_t length)
+static bool grow_buffer(struct text_buffer *buffer, size_t length)
 {
     size_t need = buffer->length + length + 1, capacity = 256;
     char *text;
@@ -45,7 +45,7 @@ static void put_into_buffer(void *context, const char *text, size_t length)
 {
     struct text_buffer *buffer = context;
 
-    if (buffer->failed || !make_room(buffer, length))
+    if (buffer->failed || !grow_buffer(buffer, length))
         return;
     memcpy(buffer->text + buffer->length, text, length);
     buffer->length += length;

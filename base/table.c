@@ -84,7 +84,7 @@ static bool set_text(struct cell *cell, const char *text)
     return good;
 }
 
-static void add(struct table *table, const char *text, struct cell cell)
+static void add_cell(struct table *table, const char *text, struct cell cell)
 {
     if (!set_text(&cell, text)
         || !array_add(&table->cells, &table->cell_count, &cell, sizeof cell)) {
@@ -96,19 +96,19 @@ static void add(struct table *table, const char *text, struct cell cell)
 
 void table_text(struct table *table, const char *text)
 {
-    add(table, text, (struct cell){ .empty = false });
+    add_cell(table, text, (struct cell){ .empty = false });
 }
 
 void table_gap(struct table *table)
 {
-    add(table, "", (struct cell){ .empty = true });
+    add_cell(table, "", (struct cell){ .empty = true });
 }
 
 void table_count(struct table *table, uint64_t value)
 {
     char text[NUMBER_SIZE];
     snprintf(text, sizeof text, "%" PRIu64, value);
-    add(table, text, (struct cell){ .value.count = value });
+    add_cell(table, text, (struct cell){ .value.count = value });
 }
 
 
@@ -121,7 +121,7 @@ static void add_number(struct table *table, const char *format, double value,
         return;
     }
     snprintf(text, sizeof text, format, decimals, value);
-    add(table, text, (struct cell){ .value.number = value });
+    add_cell(table, text, (struct cell){ .value.number = value });
 }
 
 void table_signed(struct table *table, double value, int decimals)
@@ -177,8 +177,8 @@ bool table_is_whole(const struct table *table)
 
 typedef size_t measure_text(const char *text);
 
-static size_t width_of(const struct table *table, size_t column,
-                       measure_text *length_of)
+static size_t column_width(const struct table *table, size_t column,
+                           measure_text *length_of)
 {
     size_t width = length_of(table->columns[column].heading);
     for (size_t i = column; i < table->cell_count; i += table->column_count) {
@@ -193,7 +193,7 @@ static size_t *widths_of(const struct table *table, measure_text *length_of)
 {
     size_t *widths = malloc(table->column_count * sizeof *widths);
     for (size_t i = 0; widths && i < table->column_count; i++) {
-        widths[i] = width_of(table, i, length_of);
+        widths[i] = column_width(table, i, length_of);
     }
     return widths;
 }

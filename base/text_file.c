@@ -28,7 +28,7 @@ char *text_file_read(const char *path, size_t largest, size_t *length,
 
 /* ---- Line by line ---- */
 
-static bool fail(struct text_stream *stream, const char *fault)
+static bool read_fail(struct text_stream *stream, const char *fault)
 {
     stream->fault = fault;
     return false;
@@ -49,13 +49,13 @@ static int next_byte(struct text_stream *stream)
     return byte == '\r' ? '\n' : byte == END_OF_DOS_FILE ? EOF : byte;
 }
 
-static bool add(struct text_stream *stream, size_t length, int byte)
+static bool add_byte(struct text_stream *stream, size_t length, int byte)
 {
     if (length + 1 >= stream->capacity) {
         size_t capacity = 2 * stream->capacity + 128;
         char *line = realloc(stream->line, capacity);
         if (!line)
-            return fail(stream, "out of memory");
+            return read_fail(stream, "out of memory");
         stream->line = line;
         stream->capacity = capacity;
     }
@@ -66,7 +66,7 @@ static bool add(struct text_stream *stream, size_t length, int byte)
 
 /* Checks a line. A NUL would hide the rest of it. Only the first line can have a byte
  * order mark. */
-static bool check(struct text_stream *stream, size_t length)
+static bool check_line(struct text_stream *stream, size_t length)
 {
     bool nul = memchr(stream->line, '\0', length);
     const char *fault = stream->begun && !nul ? NULL
@@ -74,7 +74,7 @@ static bool check(struct text_stream *stream, size_t length)
 
     stream->begun = true;
     if (fault || nul)
-        return fail(stream, fault ? fault : "not a text file");
+        return read_fail(stream, fault ? fault : "not a text file");
     return true;
 }
 
@@ -84,11 +84,11 @@ bool text_stream_next(struct text_stream *stream)
     int byte;
 
     while ((byte = next_byte(stream)) != EOF && byte != '\n')
-        if (!add(stream, length++, byte))
+        if (!add_byte(stream, length++, byte))
             return false;
     if (byte == EOF && ferror(stream->file))
-        return fail(stream, strerror(errno));
+        return read_fail(stream, strerror(errno));
     if (byte == EOF && length == 0)
         return false;
-    return (length > 0 || add(stream, 0, '\0')) && check(stream, length);
+    return (length > 0 || add_byte(stream, 0, '\0')) && check_line(stream, length);
 }

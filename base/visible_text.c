@@ -42,7 +42,7 @@ static const struct invisible {
     { 0xE0000, 0xE0FFF, "an invisible mark" },
 };
 
-static const struct invisible *find(unsigned long code)
+static const struct invisible *find_range(unsigned long code)
 {
     for (size_t i = 0; i < sizeof table / sizeof *table; i++)
         if (code >= table[i].first && code <= table[i].last)
@@ -67,7 +67,7 @@ size_t invisible_length(const char *text, size_t most, unsigned long *code)
     if (length == 0)
         return 0;
     *code = code_of(text, length);
-    return find(*code) ? length : 0;
+    return find_range(*code) ? length : 0;
 }
 
 const char *invisible_find(const char *text, unsigned long *code)
@@ -82,7 +82,7 @@ const char *invisible_find(const char *text, unsigned long *code)
 
 void invisible_name(const struct sink *sink, unsigned long code)
 {
-    sink_print(sink, "U+%04lX, %s", code, find(code)->name);
+    sink_print(sink, "U+%04lX, %s", code, find_range(code)->name);
 }
 
 void visible_put(const struct sink *sink, const char *text, size_t length)

@@ -60,7 +60,7 @@ struct blocks *blocks_new(void)
     return blocks;
 }
 
-static void make_room(struct blocks *blocks)
+static void make_room_for_block(struct blocks *blocks)
 {
     if (blocks->count < BLOCKS && blocks->decoded_count + BLOCK_INSNS <= BLOCK_DECODED)
         return;
@@ -96,7 +96,7 @@ static inline struct code_block **block_place(struct blocks *blocks, uint64_t pc
 static struct code_block *block_make(struct c205 *machine, uint64_t pc)
 {
     struct blocks *blocks = machine->blocks;
-    make_room(blocks);
+    make_room_for_block(blocks);
     struct code_block *block = &blocks->block[blocks->count++];
     memset(block, 0, sizeof *block);
     block->pc = block->next = pc;

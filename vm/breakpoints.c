@@ -30,7 +30,7 @@ void machine_free_breakpoints(struct machine_breakpoints *breakpoints)
 }
 
 /* Makes room for one more element. Returns false if memory is out. */
-static bool make_room(void *array, size_t count, size_t size)
+static bool grow_array(void *array, size_t count, size_t size)
 {
     void *grown = realloc(*(void **)array, (count + 1) * size);
     if (grown)
@@ -77,7 +77,7 @@ bool c205_break(c205 *machine, uint64_t address, bool set)
         leave_none(machine);
         return true;
     }
-    if (!make_room(&breakpoints->breaks, i, sizeof *breakpoints->breaks)) {
+    if (!grow_array(&breakpoints->breaks, i, sizeof *breakpoints->breaks)) {
         leave_none(machine);
         return false;
     }
@@ -114,7 +114,7 @@ bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set)
     }
     watched.held = malloc((words + !words) * sizeof *watched.held);
     if (!watched.held || !c205_read(machine, address, watched.held, words)
-        || !make_room(&breakpoints->watches, i, sizeof *breakpoints->watches)) {
+        || !grow_array(&breakpoints->watches, i, sizeof *breakpoints->watches)) {
         free(watched.held);
         leave_none(machine);
         return false;

@@ -178,7 +178,7 @@ static char sized(const struct decoded *decoded, char letter)
     return (char)toupper((unsigned char)letter);
 }
 
-static uint8_t width_of(char letter)
+static uint8_t operand_width(char letter)
 {
     if (isupper((unsigned char)letter))
         return HALF_BITS;
@@ -190,7 +190,7 @@ static uint16_t bind_operand(struct decoded *decoded, unsigned operand, unsigned
                              char letter, bool broadcast)
 {
     letter = sized(decoded, letter);
-    decoded->width[operand] = width_of(letter);
+    decoded->width[operand] = operand_width(letter);
     if (is_one_of(letter, "FIWMP") || (broadcast && is_one_of(letter, "VU"))) {
         bool right = number > 1 && number % 2;
         decoded->shift[operand] = right ? HALF_BITS : 0;

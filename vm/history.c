@@ -61,7 +61,7 @@ static bool add_bytes(void *context, const void *bytes, size_t count)
     return true;
 }
 
-static bool make_room(struct c205_history *history)
+static bool grow_snapshots(struct c205_history *history)
 {
     size_t capacity = 2 * history->capacity + 16;
     struct snapshot *grown;
@@ -129,10 +129,10 @@ static void append(struct c205_history *history, struct saved saved, bool change
         thin(history);
 }
 
-static bool keep(struct c205_history *history, c205_error *error)
+static bool store_snapshot(struct c205_history *history, c205_error *error)
 {
     struct saved saved;
-    if (!make_room(history) || !save_state(history, &saved, error))
+    if (!grow_snapshots(history) || !save_state(history, &saved, error))
         return error_set(error, "out of memory");
     append(history, saved, false);
     return true;
@@ -158,7 +158,7 @@ static bool is_time(const struct c205_history *history)
 }
 
 /* Returns the index of the last snapshot at or before a step. */
-static size_t find(const struct c205_history *history, uint64_t step)
+static size_t find_snapshot(const struct c205_history *history, uint64_t step)
 {
     size_t low = 0, high = history->count;
     while (high - low > 1) {
@@ -184,7 +184,7 @@ c205_history *c205_history_new(c205 *machine, size_t budget, c205_error *error)
     history->budget = budget;
     history->steps = STEPS_APART;
     history->clocks = CLOCKS_APART;
-    if (keep(history, error))
+    if (store_snapshot(history, error))
         return history;
     free(history->list);
     free(history);
@@ -220,7 +220,7 @@ uint64_t c205_history_known(const c205_history *history)
 bool c205_history_changed(c205_history *history, c205_error *error)
 {
     struct saved saved;
-    if (!make_room(history) || !save_state(history, &saved, error))
+    if (!grow_snapshots(history) || !save_state(history, &saved, error))
         return error_set(error, "out of memory");
     forget_later(history);
     append(history, saved, true);
@@ -252,7 +252,7 @@ static c205 *restore(const struct c205_history *history, const struct snapshot *
 /* If the host changed the machine at this step, restores the changed state. */
 static bool take_change(struct c205_history *history)
 {
-    const struct snapshot *here = &history->list[find(history, history->step)];
+    const struct snapshot *here = &history->list[find_snapshot(history, history->step)];
     c205_error error;
     c205 *machine;
     if (here->step != history->step || !here->changed)
@@ -294,7 +294,7 @@ bool c205_history_forward(c205_history *history, c205_stop *stop)
     bool goes_on = forward(history, stop);
     c205_error error;
     /* Without memory for a snapshot, the next instruction would try in vain again. */
-    if (goes_on && is_time(history) && !keep(history, &error))
+    if (goes_on && is_time(history) && !store_snapshot(history, &error))
         double_distances(history);
     return goes_on;
 }
@@ -321,7 +321,7 @@ bool c205_history_back(c205_history *history, uint64_t step, c205_error *error)
     c205 *machine;
     if (step >= history->step)
         return true;
-    from = &history->list[find(history, step > 0 ? step - 1 : 0)];
+    from = &history->list[find_snapshot(history, step > 0 ? step - 1 : 0)];
     machine = restore(history, from, error);
     if (!machine || go_from(history, machine, from->step, step))
         return machine;

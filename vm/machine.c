@@ -258,7 +258,7 @@ static inline bool step(struct c205 *machine, uint64_t limit, c205_stop *stop)
 /* ---- Runs --------------------------------------------------------------- */
 
 /* Executes blocks, then one instruction. */
-static inline bool go_on(struct c205 *machine, uint64_t limit, c205_stop *stop)
+static inline bool continue_run(struct c205 *machine, uint64_t limit, c205_stop *stop)
 {
     const c205_insn *insn;
     c205_trap trap = C205_TRAP_NONE;
@@ -289,7 +289,7 @@ c205_stop c205_run(c205 *machine, uint64_t limit)
     c205_stop stop;
     machine_sample_watchpoints(machine);
     if (first_step(machine, limit, &stop))
-        while (go_on(machine, limit, &stop))
+        while (continue_run(machine, limit, &stop))
             continue;
     return stop;
 }

@@ -57,7 +57,7 @@ static void write_word(struct serializer *serializer, uint64_t word)
         serializer_refuse(serializer, "cannot write the saved machine");
 }
 
-static uint64_t read_word(struct serializer *serializer)
+static uint64_t serialized_word(struct serializer *serializer)
 {
     if (serializer->left < SERIALIZER_WORD_BYTES) {
         serializer_refuse(serializer, damaged);
@@ -72,7 +72,7 @@ static uint64_t read_word(struct serializer *serializer)
 void serializer_word(struct serializer *serializer, uint64_t *word)
 {
     if (serializer_is_read(serializer))
-        *word = serializer->failed ? 0 : read_word(serializer);
+        *word = serializer->failed ? 0 : serialized_word(serializer);
     else if (!serializer->failed)
         write_word(serializer, *word);
     serializer->hash = hash_word(serializer->hash, *word);
@@ -128,7 +128,7 @@ static void write_text(struct serializer *serializer, const char *text)
     }
 }
 
-static const char *read_text(struct serializer *serializer)
+static const char *serialized_text(struct serializer *serializer)
 {
     const char *text = "";
     size_t words = 0;
@@ -145,7 +145,7 @@ static const char *read_text(struct serializer *serializer)
 void serializer_text(struct serializer *serializer, const char **text)
 {
     if (serializer_is_read(serializer))
-        *text = read_text(serializer);
+        *text = serialized_text(serializer);
     else
         write_text(serializer, *text);
 }

@@ -20,7 +20,7 @@ static c205_word spread_of(const c205_word *indices, size_t count)
 }
 
 /* Copies a list. Without memory for a copy, every list counts as new. */
-static void keep(struct index_list *list, const c205_word *indices, size_t count)
+static void store_list(struct index_list *list, const c205_word *indices, size_t count)
 {
     list->kept_count = SIZE_MAX;
     if (count > list->room) {
@@ -40,7 +40,7 @@ void index_list_meet(struct index_list *list, const c205_word *indices, size_t c
     list->count = count;
     if (is_kept(list, indices, count))
         return;
-    keep(list, indices, count);
+    store_list(list, indices, count);
     list->spread = spread_of(indices, count);
     list->number++;
 }

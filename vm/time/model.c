@@ -43,7 +43,7 @@ struct model_reader {
     c205_error *error;
 };
 
-static bool fail(struct model_reader *reader, const char *format, ...)
+static bool model_fail(struct model_reader *reader, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -154,7 +154,7 @@ static bool check_value(struct model_reader *reader, const struct rule *rule,
     c205_error why;
     return (model_check_whole(rule, text, millionths, &why)
             && model_check_range(rule, text, millionths, &why))
-           || fail(reader, "%s", why.message);
+           || model_fail(reader, "%s", why.message);
 }
 
 static bool check_unit(struct model_reader *reader, const struct rule *rule,
@@ -162,13 +162,13 @@ static bool check_unit(struct model_reader *reader, const struct rule *rule,
 {
     if (rule->kind != RATE)
         return !strcmp(unit, rule->unit)
-               || fail(reader, "the unit of %s must be %s, not '%.20s'", rule->name,
-                       rule->unit, unit);
+               || model_fail(reader, "the unit of %s must be %s, not '%.20s'",
+                             rule->name, rule->unit, unit);
     for (size_t i = 0; i < RATE_UNITS; i++)
         if (!strcmp(unit, rate_units[i]))
             return true;
-    return fail(reader, "the unit of %s must be %s, %s or %s, not '%.20s'", rule->name,
-                rate_units[0], rate_units[1], rate_units[2], unit);
+    return model_fail(reader, "the unit of %s must be %s, %s or %s, not '%.20s'",
+                      rule->name, rate_units[0], rate_units[1], rate_units[2], unit);
 }
 
 bool model_find_rule(const c205_model *model, const char *name, size_t *index)
@@ -186,17 +186,17 @@ static bool read_constant(struct model_reader *reader, const char *name, char *l
     c205_model *model = reader->model;
     size_t i;
     if (!model_find_rule(model, name, &i))
-        return fail(reader, "unknown constant '%.60s'", name);
+        return model_fail(reader, "unknown constant '%.60s'", name);
     if (model->constant[i].line)
-        return fail(reader, "%s is already defined in line %u", name,
-                    model->constant[i].line);
+        return model_fail(reader, "%s is already defined in line %u", name,
+                          model->constant[i].line);
     uint64_t millionths;
     const char *text = next_word(reader, &line);
     if (!read_millionths(text, &millionths))
-        return fail(reader,
-                    "'%.20s' is not a number with at most six "
-                    "decimals",
-                    text);
+        return model_fail(reader,
+                          "'%.20s' is not a number with at most six "
+                          "decimals",
+                          text);
     if (!check_value(reader, &model->rules[i], text, millionths))
         return false;
     const char *unit = next_word(reader, &line);
@@ -204,13 +204,13 @@ static bool read_constant(struct model_reader *reader, const char *name, char *l
         return false;
     const char *source = next_word(reader, &line);
     if (strlen(source) != 1 || !strchr("PSDRF", *source))
-        return fail(reader,
-                    "the source of %s must be P, S, D, R or F, "
-                    "not '%.20s'",
-                    name, source);
+        return model_fail(reader,
+                          "the source of %s must be P, S, D, R or F, "
+                          "not '%.20s'",
+                          name, source);
     if (*rest_of(reader, line))
-        return fail(reader, "expected the end of the line, found '%.40s'",
-                    rest_of(reader, line));
+        return model_fail(reader, "expected the end of the line, found '%.40s'",
+                          rest_of(reader, line));
     c205_constant shown = {
         model->rules[i].name,   text, (double)millionths / MILLION, unit, *source,
         rest_of(reader, remark)
@@ -232,11 +232,11 @@ static bool read_projection(struct model_reader *reader, char *line)
 {
     c205_model *model = reader->model;
     if (*rest_of(reader, line))
-        return fail(reader, "expected the end of the line, found '%.40s'",
-                    rest_of(reader, line));
+        return model_fail(reader, "expected the end of the line, found '%.40s'",
+                          rest_of(reader, line));
     for (size_t i = 0; i < model->count; i++)
         if (model->constant[i].shown.text)
-            return fail(reader, "'projection' must be before the constants");
+            return model_fail(reader, "'projection' must be before the constants");
     take_rules(model, true);
     return true;
 }
@@ -248,18 +248,18 @@ static bool read_like(struct model_reader *reader, char *line)
     c205_error why;
     const char *name = rest_of(reader, line);
     if (c205_model_is_file(name))
-        return fail(reader, "expected the name of a built-in model after 'like'");
+        return model_fail(reader, "expected the name of a built-in model after 'like'");
     if (model->like)
-        return fail(reader, "'like' is given more than once");
+        return model_fail(reader, "'like' is given more than once");
     model->own = c205_model_find(name, &why);
     model->like = model->own;
     if (!model->like)
-        return fail(reader, "%.160s", why.message);
+        return model_fail(reader, "%.160s", why.message);
     for (size_t i = 0; i < model->count; i++)
         if (model->constant[i].line)
-            return fail(reader, "'like' must be before the constants");
+            return model_fail(reader, "'like' must be before the constants");
     if (c205_model_is_projection(model) && !c205_model_is_projection(model->like))
-        return fail(reader, "%.60s is not a projection", name);
+        return model_fail(reader, "%.60s is not a projection", name);
     take_rules(model, c205_model_is_projection(model->like));
     for (size_t i = 0; i < model->count; i++) {
         model->constant[i] = model->like->constant[i];
@@ -271,7 +271,7 @@ static bool read_like(struct model_reader *reader, char *line)
 static bool read_title(struct model_reader *reader, char *line)
 {
     if (reader->model->title)
-        return fail(reader, "'title' is given more than once");
+        return model_fail(reader, "'title' is given more than once");
     reader->model->title = rest_of(reader, line);
     return true;
 }
@@ -283,14 +283,15 @@ static bool read_belief(struct model_reader *reader, const char *keyword,
     int used = 0;
     line = skip_blanks(line);
     if (belief->figures)
-        return fail(reader, "'%s' is given more than once", keyword);
+        return model_fail(reader, "'%s' is given more than once", keyword);
     sscanf(line, "%6u figures, at most %lf %% off: %n", &belief->figures,
            &belief->largest, &used);
     belief->worst = rest_of(reader, line + used);
     return (used && *line != '-' && belief->figures && fabs(belief->largest) < MILLION
             && *belief->worst)
-           || fail(reader, "expected 'N figures, at most E %% off: NAME' after '%s'",
-                   keyword);
+           || model_fail(reader,
+                         "expected 'N figures, at most E %% off: NAME' after '%s'",
+                         keyword);
 }
 
 static bool read_line(struct model_reader *reader, char *line)
@@ -306,7 +307,8 @@ static bool read_line(struct model_reader *reader, char *line)
     if (!strcmp(first, "title"))
         return read_title(reader, line);
     if (!reader->model->title)
-        return fail(reader, "expected 'title TEXT' at the beginning of the model");
+        return model_fail(reader,
+                          "expected 'title TEXT' at the beginning of the model");
     if (!strcmp(first, "fitted"))
         return read_belief(reader, first, &reader->model->fitted, line);
     if (!strcmp(first, "compared"))
@@ -321,13 +323,15 @@ static bool read_line(struct model_reader *reader, char *line)
 static bool check_complete(struct model_reader *reader)
 {
     if (!reader->model->title)
-        return fail(reader, "expected 'title TEXT' at the beginning of the model");
+        return model_fail(reader,
+                          "expected 'title TEXT' at the beginning of the model");
     const c205_model *model = reader->model;
     for (size_t i = 0; i < model->count; i++)
         if (!model->constant[i].shown.text)
-            return fail(reader, "the constant %s is missing", model->rules[i].name);
+            return model_fail(reader, "the constant %s is missing",
+                              model->rules[i].name);
     c205_error why;
-    return model_check_together(model, &why) || fail(reader, "%s", why.message);
+    return model_check_together(model, &why) || model_fail(reader, "%s", why.message);
 }
 
 static bool read_model(c205_model *model, c205_place *place, c205_error *error)

@@ -61,7 +61,7 @@ static uint32_t *hashed(const struct pages *pages, uint64_t page)
 }
 
 /* Returns HEAD if the page is not in real memory. */
-static uint32_t find(const struct pages *pages, uint64_t page)
+static uint32_t find_page(const struct pages *pages, uint64_t page)
 {
     uint32_t at = *hashed(pages, page);
     while (at && pages->resident[at].page != page)
@@ -123,7 +123,7 @@ static void learn(struct pages *pages, uint32_t at)
 }
 
 /* Returns a free index for a new page. If memory is full, the oldest page leaves it. */
-static uint32_t make_room(struct pages *pages)
+static uint32_t free_page(struct pages *pages)
 {
     if (pages->count < pages->capacity)
         return (uint32_t)++pages->count;
@@ -138,13 +138,13 @@ static uint32_t make_room(struct pages *pages)
 
 void pages_look_up(struct pages *pages, uint64_t page, struct translation *met)
 {
-    uint32_t at = find(pages, page);
+    uint32_t at = find_page(pages, page);
     bool known = at && pages->resident[at].known;
     if (at) {
         take_out(pages, at);
     } else {
         met->faults++;
-        at = make_room(pages);
+        at = free_page(pages);
         enter(pages, at, page);
     }
     put_in_front(pages, at);
@@ -160,7 +160,7 @@ void pages_look_up(struct pages *pages, uint64_t page, struct translation *met)
 
 bool pages_know(const struct pages *pages, uint64_t page)
 {
-    uint32_t at = find(pages, page);
+    uint32_t at = find_page(pages, page);
     return at && pages->resident[at].known;
 }
 

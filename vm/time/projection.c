@@ -218,7 +218,7 @@ static void branch(c205_projection *projection, const struct decoded *decoded,
 
 /* ---- The accounts -------------------------------------------------------- */
 
-static bool make_room(c205_projection *projection, size_t region)
+static bool grow_shares(c205_projection *projection, size_t region)
 {
     if (region < projection->regions)
         return true;
@@ -238,7 +238,7 @@ void projection_charge(c205_projection *projection, const struct decoded *decode
                        const struct effect *effect)
 {
     uint64_t before = projection->now;
-    if (!make_room(projection, decoded->region))
+    if (!grow_shares(projection, decoded->region))
         return;
     if (decoded->insn->timing == C205_TIMING_swap)
         swap(projection, effect);

@@ -87,7 +87,7 @@ static void add_word(c205_recording *recording, uint64_t word)
     recording->words[recording->word_count++] = word;
 }
 
-static bool make_room(c205_recording *recording)
+static bool grow_instructions(c205_recording *recording)
 {
     if (recording->kept_count < recording->kept_room)
         return true;
@@ -98,10 +98,11 @@ static bool make_room(c205_recording *recording)
 }
 
 /* Returns its number, or 0 if memory is out. */
-static uint32_t keep(c205_recording *recording, const struct decoded *decoded)
+static uint32_t store_instruction(c205_recording *recording,
+                                  const struct decoded *decoded)
 {
     struct kept *kept = malloc(sizeof *kept);
-    if (!kept || !make_room(recording)) {
+    if (!kept || !grow_instructions(recording)) {
         free(kept);
         recording->no_memory = true;
         return 0;
@@ -116,7 +117,8 @@ static uint32_t keep(c205_recording *recording, const struct decoded *decoded)
     return (uint32_t)recording->kept_count;
 }
 
-static uint32_t number_of(c205_recording *recording, const struct decoded *decoded)
+static uint32_t instruction_number(c205_recording *recording,
+                                   const struct decoded *decoded)
 {
     uint32_t *found = &recording->finder[decoded->pc / INSTRUCTION_STEP % FINDERS];
     if (*found) {
@@ -124,7 +126,7 @@ static uint32_t number_of(c205_recording *recording, const struct decoded *decod
         if (kept->pc == decoded->pc && kept->version == decoded->version)
             return *found;
     }
-    return *found = keep(recording, decoded);
+    return *found = store_instruction(recording, decoded);
 }
 
 static unsigned flags_of(const struct effect *effect)
@@ -169,7 +171,7 @@ static void add_effect(c205_recording *recording, const struct effect *effect)
 void recording_add(c205_recording *recording, const struct decoded *decoded,
                    const struct effect *effect, size_t region)
 {
-    uint32_t number = number_of(recording, decoded);
+    uint32_t number = instruction_number(recording, decoded);
     add_word(recording, (uint64_t)flags_of(effect) << FLAG_SHIFT
                             | (uint64_t)effect->touch_count << TOUCH_SHIFT | number);
     add_effect(recording, effect);
@@ -232,7 +234,7 @@ static void play(const c205_recording *recording, const struct player *player)
         clock_drain(player->clock);
 }
 
-static double clocks_of(const c205_account *account)
+static double recorded_clocks(const c205_account *account)
 {
     uint64_t clocks = 0;
     for (int cause = 0; cause < C205_CAUSES; cause++)
@@ -255,8 +257,9 @@ static bool retime_machine(const c205_recording *recording, const c205_model *mo
     if (good)
         play(recording, &player);
     for (size_t i = 0; good && i < regions; i++)
-        clocks[i] = i < recording->regions ? clocks_of(clock_account(player.clock, i))
-                                           : 0;
+        clocks[i] = i < recording->regions
+                        ? recorded_clocks(clock_account(player.clock, i))
+                        : 0;
     free(names);
     clock_free(player.clock);
     return good;
