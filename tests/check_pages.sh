@@ -71,10 +71,17 @@ for program in c205 rt205 fit205; do
         [ -z "$complaints" ]
         verdict $? "$program.1: $complaints"
         groff -man -Tascii -P -cbou "$program.1" >"$program.text"
+        for title in NAME SYNOPSIS "EXIT STATUS"; do
+            grep -qx "$title" "$program.text"
+            verdict $? "$program.1 has no section $title"
+        done
         while read -r what command name letter kind choices; do
             [ "$what" = command ] && name=$command letter=-
             [ "$name" = - ] || grep -q -e "$name" "$program.text"
             verdict $? "$program.1 does not name $name of $command"
+            [ "$what" != command ] || [ "$command" = - ] ||
+                grep -qx " *$program $command" "$program.text"
+            verdict $? "$program.1 has no section of $command"
             for word in $choices; do
                 grep -q -e "$word" "$program.text"
                 verdict $? "$program.1 does not name $word ($kind)"

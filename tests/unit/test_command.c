@@ -455,3 +455,30 @@ TEST(time_left)
         assert_string_equal(text, cases[i].text);
     }
 }
+
+/* The line is shown after the first second and erased at the end. An hour has passed
+ * for 40 of 100 items, so that delays of the host change nothing. */
+TEST(progress_line)
+{
+    char text[100] = "", expected[100];
+    FILE *file = tmpfile();
+    struct progress progress;
+    progress_begin(&progress);
+    progress.file = file;
+    progress_update(&progress, 10, 100);
+    progress.begin.tv_sec += 100;
+    progress.shown.tv_sec -= 100;
+    progress_update(&progress, 20, 100);
+    assert_int_equal(ftell(file), 0);
+    progress.begin.tv_sec -= 100 + 3632;
+    progress_update(&progress, 50, 100);
+    progress.shown.tv_sec += 100;
+    progress_update(&progress, 60, 100);
+    progress_update(&progress, 100, 100);
+    rewind(file);
+    assert_true(fread(text, 1, sizeof text - 1, file) > 0);
+    fclose(file);
+    snprintf(expected, sizeof expected, "\r 50 %% done, 1 h 15 min left   \r%40s\r",
+             "");
+    assert_string_equal(text, expected);
+}

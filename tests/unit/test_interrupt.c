@@ -313,6 +313,28 @@ TEST(in_the_middle_of_a_pair)
                          i < 16 ? one_and_half : 0);
 }
 
+/* Each operation of a pair waits for its own scalar operand, also if the pair is
+ * interrupted. */
+TEST(pair_that_waits)
+{
+    for (uint8_t late = 3; late <= 4; late++) {
+        SCOPED_VALUE(small_machine) fixture = make_small_machine();
+        add(&fixture, "DIVU", F(.r = 5, .s = 6, .t = late));
+        add(&fixture, "LINKV", F(.f = 0));
+        add(&fixture, "DIVSV", F(.g = C205_G_BROADCAST_B, .a = 1, .b = 3, .c = 2));
+        add(&fixture, "ADDNV", F(.g = C205_G_BROADCAST_B, .a = 2, .b = 4, .c = 2));
+        load_ones(&fixture, 200);
+        set(&fixture, 5, c205_from_double(2));
+        set(&fixture, 6, C205_ONE);
+        set(&fixture, 3, C205_ONE);
+        set(&fixture, 4, C205_ONE);
+        c205_stop stop = c205_run(fixture.machine, 54 + 113 + 26);
+        assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
+        assert_int_equal(charged(&fixture, C205_OPERAND_WAIT), 53);
+        assert_int_equal(charged(&fixture, C205_VECTOR_STARTUP), 113);
+    }
+}
+
 /* An element that waits for an earlier one is not counted until it is done. */
 TEST(in_the_middle_of_a_recurrence)
 {
