@@ -286,9 +286,11 @@ check-mpi: $(programs) $(adapter) ## runs over several processes
 	sh tests/check_mpi.sh $(BUILD)
 
 # Not a part of check: N random faults in the sources, drawn with SEED, that the parts
-# of check should find, in all rooms or in ONLY one (tests/mutants/run.sh).
+# of check should find, in all rooms or in ONLY one. With WITHIN=25, six parts and the
+# others of 25 s of processor time try each fault (tests/mutants/run.sh).
 N ?= 100
 SEED ?= 1
+WITHIN ?= 0
 covered_parts = $(UNITS:%=check-unit:UNITS=%) $(SCENES:%=check-scenes:SCENES=%) \
 	$(filter-out check-unit check-scenes check-hosts check-web-% check-language \
 		check-install check-rooms,$(check_parts))
@@ -298,13 +300,13 @@ mutants-whole: all $(BUILD)/fit205 $(engine) $(helpers) \
 check-mutants: ## makes N random faults, which the tests should find
 	@sh .ci/need $(test_packages)
 	@sh tests/mutants/run.sh $(BUILD) "$(MAKE)" $(JOBS) $(N) $(SEED) "$(ONLY)" \
-		$(covered_parts)
+		$(WITHIN) $(covered_parts)
 
 # Not a part of check: earlier faults of the project; ONLY=text selects those whose
 # description contains the text.
 check-planted: ## makes the faults of tests/planted again
 	@sh .ci/need $(test_packages)
-	@sh tests/mutants/run.sh $(BUILD) "$(MAKE)" $(JOBS) planted 0 "$(ONLY)"
+	@sh tests/mutants/run.sh $(BUILD) "$(MAKE)" $(JOBS) planted 0 "$(ONLY)" 0
 
 # Every compiler must give the same bits and clocks.
 check-hosts: $(BUILD)/tests/bench_lanes $(BUILD)/tests/oracle/digest

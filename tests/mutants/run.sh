@@ -2,7 +2,7 @@
 # run.sh - makes faults in a copy of the tree, one at a time, and reports which of them
 # the parts of make check find.
 #
-#   sh tests/mutants/run.sh BUILD MAKE JOBS N SEED ONLY PART ..
+#   sh tests/mutants/run.sh BUILD MAKE JOBS N SEED ONLY SECONDS PART ..
 #
 # N random faults are tried, the same number in each room: in the room ONLY, or in files
 # whose path contains ONLY. With N = planted, the faults of tests/planted/bugs.list are
@@ -16,10 +16,11 @@
 #
 # A fault that does not build, or changes no object file, is discarded. For each other
 # fault, the parts that execute its line run, the fastest first, until one fails or
-# hangs.
+# hangs. If SECONDS is not 0, no more parts run after six parts and that processor time; a
+# run with more SECONDS tries a fault again that has survived in this way.
 set -u
-build=$1 make=$2 jobs=$3 total=$4 seed=$5 only=$6
-shift 6
+build=$1 make=$2 jobs=$3 total=$4 seed=$5 only=$6 seconds=$7
+shift 7
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$build/mutants/diffs"
 place=$(cd "$build/mutants" && pwd)
@@ -156,10 +157,14 @@ find_fault() { # TREE FILE LINE NUMBER
     fi
     is_changed "$1" || { verdict="same code" && [ -n "$(objects_of "$2")" ] && return; }
     verdict=survived
-    parts_of "$2" "$3" "$4" >"$place/order.$job"
+    parts_of "$2" "$3" "$4" |
+        awk '{ sum += NR > 6 ? $1 : 0; print 20 + 5 * int($1 + 1), int(sum), $2 }' >"$place/order.$job"
     [ -s "$place/order.$job" ] || part="no part executes it"
-    while read -r seconds name; do
-        limit=$(echo "$seconds" | awk '{ print 20 + 5 * int($1 + 1) }')
+    while read -r limit sum name; do
+        if [ "$seconds" -gt 0 ] && [ "$sum" -gt "$seconds" ]; then
+            part="parts of $seconds s"
+            return
+        fi
         # shellcheck disable=SC2046
         in_tree "$1" "$limit" $(echo "$name" | tr : ' ') >"$log" 2>&1 && continue
         part=$name verdict=found
@@ -186,12 +191,22 @@ try() { # ROOM KEY FILE NUMBER LINE KIND
 
 # ---- All faults -----------------------------------------------------------
 
+# Returns whether a fault needs no other trial.
+is_decided() { # KEY
+    awk -F '\t' -v key="$1" -v seconds="$seconds" '
+        $1 == key {
+            split($6, tried, " ")
+            done = $6 !~ /^parts of [0-9]+ s$/ || seconds > 0 && tried[3] >= seconds
+        }
+        END { exit !done }' "$results"
+}
+
 # Tries this job's share of a room's faults.
 try_room() { # ROOM COUNT
     awk -v jobs="$jobs" -v job="$job" 'NR % jobs == job % jobs' "$place/faults.$1" |
         while read -r file number line kind && [ "$2" -gt 0 ]; do
             key=$(make_fault "$file" "$number" | cksum | tr ' ' -)
-            grep -q "^$key	" "$results" || try "$1" "$key" "$file" "$number" "$line" "$kind"
+            is_decided "$key" || try "$1" "$key" "$file" "$number" "$line" "$kind"
             echo "$key" >>"$place/drawn.$job"
             grep -q "^$key	$1	[fs][ou]" "$results" || continue
             set -- "$1" $(($2 - 1))
@@ -210,23 +225,30 @@ work() { # JOB
 
 report() {
     sort -u "$place"/drawn.* | awk -F '\t' -v rooms="$chosen" -v diffs="$place/diffs/" '
+        function fault(text, part) {
+            split(text, part)
+            count[part[2]]++; sum[part[3]]++; number[part[2], part[3]]++
+            if (part[3] == "found") {
+                printf "found: %s: %s, by %s, %s failed, %d s\n", part[4], part[5],
+                    part[6], part[7], part[8]
+                single += part[7] == 1
+            } else if (part[3] == "survived") {
+                printf "survived: %s: %s, %s, %d s\n", part[4], part[5], part[6], part[8]
+                while ((getline text <(diffs part[1])) > 0)
+                    print "    " text
+            }
+        }
         function row(name, n, f, s) {
             printf "| %s | %d | %d | %d | %d | %s |\n", name, n, n - f - s, f, s,
                 f + s ? sprintf("%.0f %%", 100 * f / (f + s)) : "-"
         }
         FNR == NR { drawn[$1]; next }
         !($1 in drawn) { next }
-        { all++; count[$2]++; sum[$3]++; number[$2, $3]++ }
-        $3 == "found" {
-            printf "found: %s: %s, by %s, %s failed, %d s\n", $4, $5, $6, $7, $8
-            single += $7 == 1
-        }
-        $3 == "survived" {
-            printf "survived: %s: %s, %s, %d s\n", $4, $5, $6, $8
-            while ((getline text <(diffs $1)) > 0)
-                print "    " text
-        }
+        !($1 in last) { order[++all] = $1 }
+        { last[$1] = $0 } # the last trial decides
         END {
+            for (i = 1; i <= all; i++)
+                fault(last[order[i]])
             print "\n| room | drawn | discarded | found | survived | found |"
             print "|---|--:|--:|--:|--:|--:|"
             n = split(rooms, room, " ")
@@ -256,7 +278,7 @@ if [ "$total" = planted ]; then
     $plant "$list" | grep -F -e "$only" >"$place/faults.planted"
     share=$(wc -l <"$place/faults.planted")
 else
-    sh "$here/cover.sh" "$place" "$make" "$@"
+    sh "$here/cover.sh" "$place" "$make" "$jobs" "$@"
     chosen='' rooms="vm base asm rt kernels web fit"
     case " $rooms " in *" $only "*) rooms=$only only='' ;; esac
     for room in $rooms; do
