@@ -36,10 +36,11 @@ static void put_operand(struct dap *dap, struct json *json,
 
 void put_operands(struct dap *dap, struct json *json)
 {
-    struct instruction_view views[VIEW_NEXT];
+    struct instruction_view views[VIEW_LINKED];
     size_t count;
 
-    count = view_next(views, machine_of(dap->debugger));
+    count = view_at(views, machine_of(dap->debugger),
+                    c205_pc(machine_of(dap->debugger)));
     for (size_t i = 0; i < count; i++) {
         const struct instruction_view *view = &views[i];
 
@@ -51,12 +52,13 @@ void put_operands(struct dap *dap, struct json *json)
 
 bool operand_vector(const struct dap *dap, size_t number, struct vector_view *vector)
 {
-    struct instruction_view views[VIEW_NEXT];
+    struct instruction_view views[VIEW_LINKED];
     size_t count;
     const struct instruction_view *view;
     const struct operand_view *operand;
 
-    count = view_next(views, machine_of(dap->debugger));
+    count = view_at(views, machine_of(dap->debugger),
+                    c205_pc(machine_of(dap->debugger)));
     if (number >= count * VIEW_OPERANDS)
         return false;
     view = &views[number / VIEW_OPERANDS];

@@ -169,14 +169,14 @@ void view_fill(struct instruction_view *view, const c205 *machine)
     }
 }
 
-size_t view_next(struct instruction_view views[VIEW_NEXT], const c205 *machine)
+size_t view_at(struct instruction_view views[VIEW_LINKED], const c205 *machine,
+               uint64_t pc)
 {
-    uint64_t pc = c205_pc(machine);
     size_t count = 1, i;
 
     view_decode(&views[0], machine, pc);
     if (views[0].insn && views[0].insn->timing == C205_TIMING_vlink) {
-        count = VIEW_NEXT;
+        count = VIEW_LINKED;
         pc += HALF_BITS * (uint64_t)views[0].halves;
         view_decode(&views[0], machine, pc);
         pc += HALF_BITS * (uint64_t)views[0].halves;

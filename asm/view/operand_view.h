@@ -39,10 +39,11 @@ void view_decode(struct instruction_view *view, const c205 *machine, uint64_t pc
 /* Reads the part that depends on registers; needed again before each execution. */
 void view_fill(struct instruction_view *view, const c205 *machine);
 
-/* Decodes and fills the next instruction, or the two that a LINKV links, and returns
- * their number. An insn is NULL if the word is not an instruction. */
-enum { VIEW_NEXT = 2 };
-size_t view_next(struct instruction_view views[VIEW_NEXT], const c205 *machine);
+/* Decodes and fills the instruction at an address, or the two that a LINKV there links,
+ * and returns their number. An insn is NULL if the word is not an instruction. */
+enum { VIEW_LINKED = 2 };
+size_t view_at(struct instruction_view views[VIEW_LINKED], const c205 *machine,
+               uint64_t pc);
 
 /* Returns the operand with one of these letters, or NULL. */
 const struct operand_view *view_find(const struct instruction_view *view,

@@ -56,23 +56,14 @@ static void put_operand(const struct sink *sink, const struct instruction_view *
 
 void trap_report_operands(const c205 *machine, uint64_t pc, const struct sink *sink)
 {
-    struct instruction_view view;
-    size_t i, n = 1;
+    struct instruction_view views[VIEW_LINKED];
+    size_t count = view_at(views, machine, pc);
 
-    for (i = 0; i < n; i++) {
-        size_t k;
-
-        view_decode(&view, machine, pc);
-        if (!view.insn)
-            return;
-        if (view.insn->timing == C205_TIMING_vlink)
-            n = 3;
-        view_fill(&view, machine);
-        if (i > 0)
-            sink_print(sink, "    %s:\n", view.insn->mnemonic);
-        for (k = 0; k < view.count; k++)
-            put_operand(sink, &view, &view.operands[k]);
-        pc += 32 * (uint64_t)view.halves;
+    for (size_t i = 0; i < count && views[i].insn; i++) {
+        if (count > 1)
+            sink_print(sink, "    %s:\n", views[i].insn->mnemonic);
+        for (size_t k = 0; k < views[i].count; k++)
+            put_operand(sink, &views[i], &views[i].operands[k]);
     }
 }
 

@@ -54,8 +54,9 @@ static void put_operand(const struct engine *engine,
 
 static void put_operands(const struct engine *engine, struct json *reply)
 {
-    struct instruction_view views[VIEW_NEXT];
-    size_t count = view_next(views, engine_machine(engine));
+    struct instruction_view views[VIEW_LINKED];
+    size_t count = view_at(views, engine_machine(engine),
+                           c205_pc(engine_machine(engine)));
 
     json_array(reply, "operands");
     for (size_t i = 0; i < count; i++)
