@@ -1,10 +1,10 @@
 /* command.h - the command line interface of all programs: parsing, help and exit codes.
  *
- * A program is a list of commands. A command is a row with its options and operands, and
- * a structure of arguments. An option is a row with the kind of its value and the offset
- * of the value in this structure. These rows generate the parsing, -h and --help, help COMMAND, --version, and the messages
- * on wrong usage, which name the option and list the valid values. No other place lists
- * commands or options.
+ * A program is a list of commands. A command is a row with its options and operands,
+ * and a structure of arguments. An option is a row with the kind of its value and the
+ * offset of the value in this structure. These rows generate the parsing, -h and
+ * --help, help COMMAND, --version, and the messages on wrong usage, which name the
+ * option and list the valid values. No other place lists commands or options.
  *
  * Results go to stdout, everything else to stderr. command_error.h defines the exit
  * codes. The rows also generate the man page and the shell completions: "help --man",
@@ -75,9 +75,9 @@ struct command_example {
     const char *line, *meaning;
 };
 
-/* The arguments are a structure of the command's own. It begins with a const char *, the
- * full name of the command for error messages: "c205 run". The values of all rows are
- * set, and all other members are zero. Returns the exit code. */
+/* The arguments are a structure of the command's own. It begins with a const char *,
+ * the full name of the command for error messages: "c205 run". The values of all rows
+ * are set, and all other members are zero. Returns the exit code. */
 typedef int command_function(void *arguments);
 
 struct command {
@@ -90,9 +90,9 @@ struct command {
     const struct command_example *examples;          /* the last has no line */
 };
 
-/* For the table of commands of a program, a macro COMMANDS(ROW) with a row ROW(name) for
- * each: COMMANDS(COMMAND_DECLARE) declares them, COMMANDS(COMMAND_ADDRESS) lists their
- * addresses. */
+/* For the table of commands of a program, a macro COMMANDS(ROW) with a row ROW(name)
+ * for each: COMMANDS(COMMAND_DECLARE) declares them, COMMANDS(COMMAND_ADDRESS) lists
+ * their addresses. */
 #define COMMAND_DECLARE(name) extern const struct command name##_command;
 #define COMMAND_ADDRESS(name) &name##_command,
 

@@ -1,5 +1,5 @@
-/* command_completion.c - completes command lines for bash, zsh and fish, whose scripts call
- * "help --complete WORD..". */
+/* command_completion.c - completes command lines for bash, zsh and fish, whose scripts
+ * call "help --complete WORD..". */
 #include <stdio.h>
 #include <string.h>
 
@@ -49,8 +49,8 @@ static void put_options(const char *word, const struct command_option *row)
     put_option(word, &command_version_option);
 }
 
-/* Prints whether a value of one of the rows is a file (-f) or a folder (-d), and the names
- * of their choices. */
+/* Prints whether a value of one of the rows is a file (-f) or a folder (-d), and the
+ * names of their choices. */
 static void put_values(const char *word, const struct command_option *rows,
                        size_t count)
 {

@@ -56,8 +56,8 @@ void command_print_bash(const struct command_program *program, FILE *file);
 void command_print_zsh(const struct command_program *program, FILE *file);
 void command_print_fish(const struct command_program *program, FILE *file);
 /* Completes the last of the words that follow the program's name. Prints "-f" if a file
- * can be there, "-d" for a folder, or nothing; then a line for each candidate with a tab
- * before its explanation. Returns the exit code. */
+ * can be there, "-d" for a folder, or nothing; then a line for each candidate with a
+ * tab before its explanation. Returns the exit code. */
 int command_complete(const struct command_program *program, int count, char **words);
 
 /* Returns the index of the next value with a name, from this index on. Sets *name to

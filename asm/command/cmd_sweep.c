@@ -24,7 +24,7 @@ struct swept_constants {
     size_t ranges; /* number of ranges on the command line */
 };
 
-struct sweep_arguments {
+struct program_sweep_arguments {
     struct shared_arguments shared;
     struct command_texts files, folders;
     struct swept_constants swept;
@@ -177,8 +177,8 @@ static bool take_swept(char *text, void *value)
     return true;
 }
 
-static bool read_text(const struct sweep_arguments *args, struct swept_program *program,
-                      const char *path)
+static bool read_text(const struct program_sweep_arguments *args,
+                      struct swept_program *program, const char *path)
 {
     c205_error error;
     char *text = text_file_read(path, FILE_LARGEST, &program->length, &error);
@@ -196,7 +196,7 @@ static bool read_text(const struct sweep_arguments *args, struct swept_program *
     return program->text;
 }
 
-static bool run_and_draw(const struct sweep_arguments *args,
+static bool run_and_draw(const struct program_sweep_arguments *args,
                          struct program_sweep *sweep, c205_error *error)
 {
     const char *output = args->output;
@@ -213,7 +213,8 @@ static bool run_and_draw(const struct sweep_arguments *args,
 }
 
 /* Opens the output when the texts have been read. */
-static int run_and_show(struct session *session, const struct sweep_arguments *args,
+static int run_and_show(struct session *session,
+                        const struct program_sweep_arguments *args,
                         struct program_sweep *sweep)
 {
     c205_error error;
@@ -225,7 +226,8 @@ static int run_and_show(struct session *session, const struct sweep_arguments *a
                : cmd_failed(session->command, "%s", error.message);
 }
 
-static int sweep_programs(struct session *session, const struct sweep_arguments *args)
+static int sweep_programs(struct session *session,
+                          const struct program_sweep_arguments *args)
 {
     const struct swept_constants *swept = &args->swept;
     struct asm_options options = { .defines = swept->fixed.items,
@@ -252,7 +254,7 @@ static int sweep_programs(struct session *session, const struct sweep_arguments 
     return code;
 }
 
-static int check_values(const struct sweep_arguments *args)
+static int check_values(const struct program_sweep_arguments *args)
 {
     const struct swept_constants *swept = &args->swept;
     uint64_t values[MAX_SWEPT_POINTS];
@@ -283,7 +285,7 @@ static int check_values(const struct sweep_arguments *args)
 
 static int cmd_sweep(void *given)
 {
-    const struct sweep_arguments *args = given;
+    const struct program_sweep_arguments *args = given;
     struct session session = { .command = args->shared.command };
     const char *output = args->output;
     int code;
@@ -302,7 +304,7 @@ static int cmd_sweep(void *given)
     return session_close(&session, good ? sweep_programs(&session, args) : CMD_FAILED);
 }
 
-#define PLACE(member) offsetof(struct sweep_arguments, member)
+#define PLACE(member) offsetof(struct program_sweep_arguments, member)
 
 static const struct command_option options[] = {
     { .name = "define",
@@ -349,7 +351,7 @@ const struct command sweep_command = {
     .name = "sweep",
     .summary = "measure one or two programs over a range of a constant",
     .function = cmd_sweep,
-    .arguments_size = sizeof(struct sweep_arguments),
+    .arguments_size = sizeof(struct program_sweep_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

@@ -7,7 +7,7 @@
 #include "asm/timeline/timeline.h"
 #include "base/plural.h"
 
-struct timeline_arguments {
+struct program_timeline_arguments {
     struct shared_arguments shared;
     struct source_arguments source;
     const char *file, *output;
@@ -15,7 +15,7 @@ struct timeline_arguments {
     bool warm;
 };
 
-static int write_file(const struct timeline_arguments *args,
+static int write_file(const struct program_timeline_arguments *args,
                       const struct timeline *timeline)
 {
     c205_error error;
@@ -39,8 +39,8 @@ struct ending {
 };
 
 /* Reports a trap. The timeline up to the trap has been written. */
-static int print_trap(const struct timeline_arguments *args, const c205 *machine,
-                      const struct ending *ending)
+static int print_trap(const struct program_timeline_arguments *args,
+                      const c205 *machine, const struct ending *ending)
 {
     c205_error error;
     if (!ending->ended || ending->stop.trap == C205_TRAP_NONE) {
@@ -51,7 +51,7 @@ static int print_trap(const struct timeline_arguments *args, const c205 *machine
     return CMD_FAILED;
 }
 
-static int judge(const struct timeline_arguments *args, c205 *machine,
+static int judge(const struct program_timeline_arguments *args, c205 *machine,
                  struct ending ending, struct timeline *timeline)
 {
     int code;
@@ -94,7 +94,8 @@ static struct ending run_to(c205 *machine, uint64_t clock)
 }
 
 /* Runs the program up to the end of the timeline only. */
-static int run_program(struct session *session, const struct timeline_arguments *args)
+static int run_program(struct session *session,
+                       const struct program_timeline_arguments *args)
 {
     struct timeline timeline = { .from = args->from, .to = args->to };
     c205_error error;
@@ -108,7 +109,7 @@ static int run_program(struct session *session, const struct timeline_arguments 
     return code;
 }
 
-static int check_usage(const struct timeline_arguments *args)
+static int check_usage(const struct program_timeline_arguments *args)
 {
     const char *path = args->output;
     if (!path) {
@@ -127,7 +128,7 @@ static int check_usage(const struct timeline_arguments *args)
 
 static int cmd_timeline(void *given)
 {
-    const struct timeline_arguments *args = given;
+    const struct program_timeline_arguments *args = given;
     struct session session = { .command = args->shared.command };
     int code = check_usage(args);
     if (code != CMD_DONE) {
@@ -138,7 +139,7 @@ static int cmd_timeline(void *given)
     return session_close(&session, good ? run_program(&session, args) : CMD_FAILED);
 }
 
-#define PLACE(member) offsetof(struct timeline_arguments, member)
+#define PLACE(member) offsetof(struct program_timeline_arguments, member)
 
 static const struct command_option options[] = {
     OPTION_OUTPUT(PLACE(output),
@@ -174,7 +175,7 @@ const struct command timeline_command = {
     .name = "timeline",
     .summary = "draw when each instruction was active",
     .function = cmd_timeline,
-    .arguments_size = sizeof(struct timeline_arguments),
+    .arguments_size = sizeof(struct program_timeline_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

@@ -46,7 +46,7 @@ int cmd_print_share(const char *command, const struct job_set *job_set, size_t u
 
 /* ---- Pictures and pixels ------------------------------------------------- */
 
-int cmd_check_picture(const struct shared_arguments *shared)
+int cmd_check_picture(const struct trace_arguments *shared)
 {
     c205_error why;
 
@@ -69,7 +69,7 @@ bool cmd_take_pixel(char *text, void *value)
     return end && *end == '\0';
 }
 
-int cmd_check_pixel(const struct shared_arguments *shared,
+int cmd_check_pixel(const struct trace_arguments *shared,
                     const struct pixel_arguments *pixel)
 {
     const struct trace_options *trace = &shared->trace;

@@ -247,7 +247,8 @@ static bool print_all(const struct heat_arguments *args, const struct heat *heat
     return true;
 }
 
-static int find_and_print(struct session *session, const struct heat_arguments *args)
+static int find_and_print(struct trace_session *session,
+                          const struct heat_arguments *args)
 {
     const struct scene *scene = session_scene(session, &args->scene);
     struct heat_request request = request_of(args);
@@ -295,7 +296,7 @@ static int cmd_heat(void *given)
 {
     struct heat_arguments *args = given;
     const char *why = contradiction(args);
-    struct session session;
+    struct trace_session session;
     int code;
 
     if (why)

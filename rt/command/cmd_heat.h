@@ -5,7 +5,7 @@
 #include "rt/command/session.h"
 
 struct heat_arguments {
-    struct shared_arguments shared;
+    struct trace_arguments shared;
     struct scene_arguments scene;
     struct job_arguments jobs;
     size_t rays, repeats, seed, lines; /* lines 0: use rays */
@@ -20,6 +20,6 @@ struct heat_arguments {
 };
 
 /* Runs rt205 heat --hits. Returns the exit code. */
-int cmd_heat_hits(struct session *session, const struct heat_arguments *args);
+int cmd_heat_hits(struct trace_session *session, const struct heat_arguments *args);
 
 #endif

@@ -169,7 +169,7 @@ static bool begin(struct hits_ways *ways)
     return ways->other;
 }
 
-int cmd_heat_hits(struct session *session, const struct heat_arguments *args)
+int cmd_heat_hits(struct trace_session *session, const struct heat_arguments *args)
 {
     const struct scene *scene = session_scene(session, &args->scene);
     struct hits_ways ways = { .args = args, .scene = scene };

@@ -13,7 +13,7 @@
 #include "rt/study/stages.h"
 
 struct mass_arguments {
-    struct shared_arguments shared;
+    struct trace_arguments shared;
     struct scene_arguments scene;
     struct job_arguments jobs;
     size_t rays, repeats, limit, seed; /* rays and limit: of a view, in all shifts */
@@ -203,7 +203,8 @@ static void warn_of_endless(const struct mass_arguments *args, const struct mass
     }
 }
 
-static int find_and_print(struct session *session, const struct mass_arguments *args)
+static int find_and_print(struct trace_session *session,
+                          const struct mass_arguments *args)
 {
     const struct scene *scene = session_scene(session, &args->scene);
     struct mass_request request = request_of(args);
@@ -244,7 +245,7 @@ static void take_share(struct mass_arguments *args)
 static int cmd_mass(void *given)
 {
     struct mass_arguments *args = given;
-    struct session session;
+    struct trace_session session;
     int code;
 
     take_share(args);

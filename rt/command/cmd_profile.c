@@ -6,7 +6,7 @@
 #include "rt/study/profile.h"
 
 struct profile_arguments {
-    struct shared_arguments shared;
+    struct trace_arguments shared;
     struct scene_arguments scene;
 };
 
@@ -70,7 +70,8 @@ static bool print_result(const struct profile_arguments *args,
     return good;
 }
 
-static int profile_scene(struct session *session, const struct profile_arguments *args)
+static int profile_scene(struct trace_session *session,
+                         const struct profile_arguments *args)
 {
     const struct scene *scene = session_scene(session, &args->scene);
     struct profile profile = { .traces = { NULL } };
@@ -88,7 +89,7 @@ static int profile_scene(struct session *session, const struct profile_arguments
 static int cmd_profile(void *given)
 {
     struct profile_arguments *args = given;
-    struct session session;
+    struct trace_session session;
     int code = session_open(&session, &args->shared, NULL);
 
     if (code == CMD_DONE)

@@ -14,7 +14,7 @@
 #include "rt/platform/thread_pool.h"
 
 struct quartic_arguments {
-    struct shared_arguments shared;
+    struct trace_arguments shared;
     const char *file;
     bool all, first; /* roots of a polynomial */
     int falsi;       /* the rule; FALSI_RULES: compare all */
@@ -337,7 +337,7 @@ static int read_and_solve(const struct quartic_arguments *args,
 static int cmd_quartic(void *given)
 {
     struct quartic_arguments *args = given;
-    struct session session;
+    struct trace_session session;
     int code;
 
     if (args->all && args->first)

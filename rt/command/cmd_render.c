@@ -16,7 +16,7 @@
 #include "rt/view/pixel_verbs.h"
 
 struct render_arguments {
-    struct shared_arguments shared;
+    struct trace_arguments shared;
     struct scene_arguments scene;
     struct job_arguments jobs;
     bool no_picture, half;
@@ -309,8 +309,8 @@ static int end_early(const struct render_arguments *args, const struct trace *tr
     return cmd_failed(args->shared.command, "%s%s%s", why->message, rows, bands);
 }
 
-/* Opens the checkpoint files, and starts to load the library that writes pictures, which
- * takes place while the machine runs. */
+/* Opens the checkpoint files, and starts to load the library that writes pictures. The
+ * machine runs while it is loaded. */
 static bool prepare(const struct render_arguments *args, struct trace *trace,
                     struct picture_loader **loader, c205_error *error)
 {
@@ -340,7 +340,7 @@ static int finish(const struct render_arguments *args, struct trace *trace,
     return print_trace(args, trace, profile, results);
 }
 
-static int render(struct session *session, const struct render_arguments *args)
+static int render(struct trace_session *session, const struct render_arguments *args)
 {
     struct line_profile *profile = NULL; /* set when a band has been observed */
     struct observer observer = frame_profile_observer(&profile);
@@ -400,7 +400,7 @@ static int hold_debugger(const struct render_arguments *args, struct frame_pixel
 }
 
 /* Debugs the program of the frame, in the band that contains the pixel. */
-static int debug(struct session *session, const struct render_arguments *args)
+static int debug(struct trace_session *session, const struct render_arguments *args)
 {
     const struct scene *scene = session_scene(session, &args->scene);
     c205_error error = { "out of memory" };
@@ -436,7 +436,7 @@ static int check_debug(const struct render_arguments *args)
 
 static int check_picture(const struct render_arguments *args)
 {
-    const struct shared_arguments *shared = &args->shared;
+    const struct trace_arguments *shared = &args->shared;
     int code;
 
     if (shared->output && args->no_picture)
@@ -479,7 +479,7 @@ static int check_frame(const struct render_arguments *args)
 static int cmd_render(void *given)
 {
     struct render_arguments *args = given;
-    struct session session;
+    struct trace_session session;
     bool debugs = args->pixel.given;
     int code = debugs ? check_debug(args) : check_frame(args);
 

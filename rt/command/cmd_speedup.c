@@ -8,7 +8,7 @@
 #include "rt/study/speedup_report.h"
 
 struct speedup_arguments {
-    struct shared_arguments shared;
+    struct trace_arguments shared;
     struct speedup_view view;
     bool details, passes, formulations;
     struct command_texts rows; /* of the table; none: all */
@@ -220,7 +220,7 @@ static int cmd_speedup(void *given)
 {
     struct speedup_arguments *args = given;
     const struct command_texts *rows = &args->rows;
-    struct session session;
+    struct trace_session session;
     int code;
 
     for (size_t i = 0; i < rows->count; i++)

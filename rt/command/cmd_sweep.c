@@ -18,7 +18,7 @@ struct points {
 };
 
 struct sweep_arguments {
-    struct shared_arguments shared;
+    struct trace_arguments shared;
     struct scene_arguments scene; /* possibly the name of a primitive */
     struct speedup_view view;     /* angle 0: not given */
     struct points points;
@@ -221,8 +221,8 @@ static struct sweep sweep_of(const struct sweep_arguments *args,
 
 /* If only the plot cannot be drawn, the other results are valid: *drawn is then false,
  * and the code CMD_DONE. */
-static int measure_and_draw(struct session *session, const struct sweep_arguments *args,
-                            bool *drawn)
+static int measure_and_draw(struct trace_session *session,
+                            const struct sweep_arguments *args, bool *drawn)
 {
     const struct sweep_kind *kind = sweep_kinds[args->sweep];
     bool of_scene = names_scene(args->scene.path);
@@ -248,7 +248,7 @@ static int measure_and_draw(struct session *session, const struct sweep_argument
 static int cmd_sweep(void *given)
 {
     struct sweep_arguments *args = given;
-    struct session session;
+    struct trace_session session;
     bool drawn = true;
     int code = check(args);
 

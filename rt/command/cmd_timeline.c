@@ -10,7 +10,7 @@
 #include "rt/view/pixel_clocks.h"
 
 struct timeline_arguments {
-    struct shared_arguments shared;
+    struct trace_arguments shared;
     struct scene_arguments scene;
     struct pixel_arguments pixel;
     const char *region; /* of the program, or NULL */
@@ -105,7 +105,7 @@ static bool draw(const struct timeline_arguments *args, const struct frame_pixel
 }
 
 /* The default pixel is the one in the centre. */
-static int trace_and_draw(struct session *session,
+static int trace_and_draw(struct trace_session *session,
                           const struct timeline_arguments *args)
 {
     const struct trace_options *how = &args->shared.trace;
@@ -130,7 +130,7 @@ static int trace_and_draw(struct session *session,
 static int cmd_timeline(void *given)
 {
     struct timeline_arguments *args = given;
-    struct session session;
+    struct trace_session session;
     int code;
 
     if (!args->shared.output)

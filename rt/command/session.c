@@ -15,7 +15,7 @@
 /* ---- Ranks --------------------------------------------------------------- */
 
 /* Replaces this process by mpirun, which starts that many copies of this program. */
-static int begin_ranks(const struct session *session)
+static int begin_ranks(const struct trace_session *session)
 {
     char count[24];
     char *const words[] = {
@@ -37,7 +37,7 @@ static int begin_ranks(const struct session *session)
 }
 
 /* Redirects all output of a rank other than 0. */
-static void be_silent(struct shared_arguments *shared)
+static void be_silent(struct trace_arguments *shared)
 {
     shared->output = NULL;
     shared->results.path = NULL;
@@ -46,9 +46,9 @@ static void be_silent(struct shared_arguments *shared)
         abort();
 }
 
-static int join_ranks(struct session *session)
+static int join_ranks(struct trace_session *session)
 {
-    struct shared_arguments *shared = session->shared;
+    struct trace_arguments *shared = session->shared;
     c205_error error;
 
     if (shared->trace.jobs > 1)
@@ -64,9 +64,9 @@ static int join_ranks(struct session *session)
     return CMD_DONE;
 }
 
-static int open_jobs(struct session *session)
+static int open_jobs(struct trace_session *session)
 {
-    struct shared_arguments *shared = session->shared;
+    struct trace_arguments *shared = session->shared;
     struct job_set *job_set = &session->jobs->job_set;
 
     job_set->paths = session->jobs->resume.items;
@@ -82,7 +82,7 @@ static int open_jobs(struct session *session)
                                       : CMD_DONE;
 }
 
-static int close_jobs(struct session *session, int code)
+static int close_jobs(struct trace_session *session, int code)
 {
     struct job_set *job_set = &session->jobs->job_set;
 
@@ -96,7 +96,7 @@ static int close_jobs(struct session *session, int code)
 
 /* ---- Model and output ---------------------------------------------------- */
 
-static int check_frame(const struct shared_arguments *shared)
+static int check_frame(const struct trace_arguments *shared)
 {
     const struct trace_options *trace = &shared->trace;
 
@@ -108,12 +108,12 @@ static int check_frame(const struct shared_arguments *shared)
     return CMD_DONE;
 }
 
-int session_open(struct session *session, struct shared_arguments *shared,
+int session_open(struct trace_session *session, struct trace_arguments *shared,
                  struct job_arguments *jobs)
 {
     int code;
 
-    *session = (struct session){ .shared = shared, .jobs = jobs };
+    *session = (struct trace_session){ .shared = shared, .jobs = jobs };
     code = jobs ? open_jobs(session) : CMD_DONE;
     if (code == CMD_DONE)
         code = check_frame(shared);
@@ -134,7 +134,7 @@ int session_open(struct session *session, struct shared_arguments *shared,
     return CMD_DONE;
 }
 
-int session_close(struct session *session, int code)
+int session_close(struct trace_session *session, int code)
 {
     code = output_close(&session->results, code);
     scene_free(session->scene);
@@ -150,7 +150,7 @@ static bool go_on(void *context)
     return !interrupt_pending();
 }
 
-const struct scene *session_scene(struct session *session,
+const struct scene *session_scene(struct trace_session *session,
                                   const struct scene_arguments *args)
 {
     struct scene_options options = {

@@ -1,15 +1,15 @@
 /* session.h - what the commands of rt205 share: groups of arguments, the rows of their
  * options, and the session in which a command works.
  *
- *   struct session session;
- *   int code = session_open(&session, &arguments->shared, NULL);
+ *   struct trace_session session;
+ *   int code = session_open(&session, &args->shared, NULL);
  *
  *   if (code == CMD_DONE)
- *       code = render(&session, arguments);
+ *       code = render(&session, args);
  *   return session_close(&session, code);
  *
  * The arguments of a command are a structure in its file, which begins with
- * struct shared_arguments and contains the other groups that the command has.
+ * struct trace_arguments and contains the other groups that the command has.
  */
 #ifndef RT_SESSION_H
 #define RT_SESSION_H
@@ -26,7 +26,7 @@
 
 /* ---- Groups of arguments ------------------------------------------------- */
 
-struct shared_arguments {
+struct trace_arguments {
     const char *command, *model;
     const char *output; /* NULL: not requested */
     struct command_output results;
@@ -53,8 +53,8 @@ struct pixel_arguments {
 
 /* Reports a picture that cannot be written, if one is requested, and a pixel outside of
  * the frame. Both return CMD_DONE, or the exit code. */
-int cmd_check_picture(const struct shared_arguments *shared);
-int cmd_check_pixel(const struct shared_arguments *shared,
+int cmd_check_picture(const struct trace_arguments *shared);
+int cmd_check_pixel(const struct trace_arguments *shared,
                     const struct pixel_arguments *pixel);
 /* Parses a share such as "1/4". Returns false if the text is none. */
 bool cmd_is_part(const char *text, struct job_set *job_set);
@@ -68,11 +68,11 @@ command_take cmd_take_part, cmd_take_pixel;
 command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_choice;
 
 /* clang-format off */
-#define CMD_SHARED(member) offsetof(struct shared_arguments, member)
+#define CMD_SHARED(member) offsetof(struct trace_arguments, member)
 #define CMD_MODEL OPTION_MODEL(CMD_SHARED(model))
 #define CMD_RESULTS \
-    OUTPUT_OPTIONS(struct shared_arguments, results), \
-    OUTPUT_OPTION_PROVENANCE(struct shared_arguments, results)
+    OUTPUT_OPTIONS(struct trace_arguments, results), \
+    OUTPUT_OPTION_PROVENANCE(struct trace_arguments, results)
 #define CMD_OUTPUT(what) OPTION_OUTPUT(CMD_SHARED(output), what)
 
 #define CMD_SIZE(across, down) \
@@ -154,8 +154,8 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
 
 /* ---- Session ------------------------------------------------------------- */
 
-struct session {
-    struct shared_arguments *shared;
+struct trace_session {
+    struct trace_arguments *shared;
     struct job_arguments *jobs; /* NULL: the command has none */
     struct ranks ranks;
     c205_model *model;
@@ -168,19 +168,19 @@ struct session {
  * output, and completes the trace options. Other ranks print and write nothing. Returns
  * CMD_DONE, or the exit code after an error message. The session must be closed in
  * either case. */
-int session_open(struct session *session, struct shared_arguments *shared,
+int session_open(struct trace_session *session, struct trace_arguments *shared,
                  struct job_arguments *jobs);
 /* Closes everything that is open. JSON is written if the code is CMD_DONE, else
  * discarded. Returns the exit code. */
-int session_close(struct session *session, int code);
+int session_close(struct trace_session *session, int code);
 
 /* Reads the scene, which the session frees. Its diagnostics go to stderr. Returns NULL
  * after reporting its errors. */
-const struct scene *session_scene(struct session *session,
+const struct scene *session_scene(struct trace_session *session,
                                   const struct scene_arguments *args);
 
 /* Makes Ctrl-C stop a trace, and a second Ctrl-C end the process, and shows
  * progress on stderr if that is a terminal. Sets the progress of the trace options. */
-void session_watch(struct session *session);
+void session_watch(struct trace_session *session);
 
 #endif

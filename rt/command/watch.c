@@ -3,7 +3,7 @@
 #include "base/interrupt.h"
 #include "rt/command/session.h"
 
-void session_watch(struct session *session)
+void session_watch(struct trace_session *session)
 {
     interrupt_catch();
     progress_begin(&session->progress);

@@ -96,7 +96,7 @@ static void look(void *context, const struct trace *trace,
     band_free(&band);
 }
 
-void session_watch(struct session *session)
+void session_watch(struct trace_session *session)
 {
     session->shared->trace.progress = report_progress;
     session->shared->trace.look = look;
