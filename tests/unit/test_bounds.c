@@ -4,6 +4,7 @@
 #include "tests/unit/scene_reading.h"
 
 #include "rt/layout/bounds.h"
+#include "rt/shapes/shape_bound.h"
 #include "rt/scene/transform.h"
 #include "tests/oracle/plain_shapes.h"
 #include "tests/unit/draw.h"
