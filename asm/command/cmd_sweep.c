@@ -15,6 +15,7 @@
 #include "base/plural.h"
 #include "base/progress.h"
 #include "base/text_file.h"
+#include "vm/error.h"
 
 /* The constants of a sweep: one has a range, the others are fixed. */
 struct swept_constants {
@@ -185,8 +186,7 @@ static bool read_text(const struct program_sweep_arguments *args,
     program->path = path;
     program->text = text;
     if (text && object_recognise(text, program->length)) {
-        snprintf(error.message, sizeof error.message,
-                 "the constants of an object are fixed; use its program text");
+        error_set(&error, "the constants of an object are fixed; use its program text");
         program->text = NULL;
         free(text);
     }
