@@ -6,8 +6,6 @@
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/scene_expression.h"
 
-#include <math.h>
-
 /* Skips to the next case, whose match is then checked. */
 static bool to_next(struct reader *reader, struct scene_condition *condition)
 {

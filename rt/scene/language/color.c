@@ -8,7 +8,6 @@
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/transfer.h"
 
-#include <math.h>
 #include <string.h>
 
 enum { RED, GREEN, BLUE, FILTER, TRANSMIT };

@@ -14,7 +14,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #define COLUMN_DEPTH 1e4 /* instead of infinity */
 /* Grid of the corners. An edge at the water level is cut once for each of its

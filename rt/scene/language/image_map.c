@@ -2,7 +2,6 @@
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/image_file.h"
 #include "rt/scene/language/pattern.h"
-#include "rt/scene/language/string_value.h"
 #include "rt/scene/transfer.h"
 #include "rt/scene/vector3.h"
 

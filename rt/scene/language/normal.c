@@ -150,7 +150,7 @@ bool normal_body(struct reader *reader, const struct block *block, void *subject
            || reader_fault(reader, &block->open, "'average' requires 'normal_map'");
 }
 
-bool normal_keep(struct reader *reader, const struct normal_reading *reading,
+static bool keep(struct reader *reader, const struct normal_reading *reading,
                  struct bumps *bumps)
 {
     bumps->list = reader_keep(reader, &reading->list, sizeof reading->list);
@@ -168,5 +168,5 @@ bool normal_read(struct reader *reader, struct bumps *bumps)
 
     normal_begin(&reading, bumps);
     return block_open(reader, &block, '{') && normal_body(reader, &block, &reading)
-           && normal_keep(reader, &reading, bumps);
+           && keep(reader, &reading, bumps);
 }

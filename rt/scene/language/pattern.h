@@ -58,8 +58,6 @@ struct normal_reading {
     const struct block *block; /* the block that is read */
 };
 void normal_begin(struct normal_reading *reading, const struct bumps *bumps);
-bool normal_keep(struct reader *reader, const struct normal_reading *reading,
-                 struct bumps *bumps);
 /* These read the maps of a normal, and the normals of a list. */
 item_reader read_slope_map, read_normal_map;
 bool normal_list_read(struct reader *reader, struct normal_reading *reading,

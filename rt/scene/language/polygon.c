@@ -16,7 +16,6 @@
 #include "rt/scene/vector3.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* POV-Ray's tolerances: below SQUARE_NONE the square of a length or product counts as
  * 0; points closer than POINT_SAME in each component are the same; a point closer than

@@ -3,8 +3,6 @@
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/scene_statement.h"
 
-#include <string.h>
-
 enum step { STEP_TRANSLATE, STEP_ROTATE, STEP_SCALE, STEP_MATRIX, STEP_NAMED };
 
 #define SCALED_BY_0 "scale by 0 along %c is replaced by 1"

@@ -4,7 +4,6 @@
 
 #include "base/fnv_hash.h"
 
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
