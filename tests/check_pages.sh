@@ -48,6 +48,22 @@ offers() { # WORD PROGRAM WORD ..: checks one of several completions
     esac
 }
 
+# The manual page has the words of the help of each command.
+paragraphs() { # PATTERN: the words after the second paragraph, and not of examples
+    awk -v skipped="$1" 'BEGIN { RS = "" } NR > 2 && !(skipped && $0 ~ skipped)' |
+        tr -s '[:space:]' '\n' | sed '/^$/d'
+}
+repeats_help() { # PROGRAM
+    awk '$1 == "command" && $2 != "-" { print $2 }' "$1.list" | while read -r command; do
+        "$build/$1" help "$command" >help
+        paragraphs "^ *$1 $command " <help >expected
+        sed -n "/^ *$1 $command\$/,/^ \{0,3\}[A-Za-z]/{/^ *$1 $command\$/p
+            /^ \{0,3\}[A-Za-z]/!p
+        }" "$1.text" | paragraphs '' | diff expected - >differences
+        verdict $? "$1.1 differs from the help of $command: $(cat differences)"
+    done
+}
+
 all_complete() { # EXPECTED PROGRAM WORD ..: in each shell that is installed
     completes "$@"
     command -v fish >/dev/null || return
@@ -70,7 +86,7 @@ for program in c205 rt205 fit205; do
         complaints=$(groff -man -ww -Tutf8 -z "$program.1" 2>&1)
         [ -z "$complaints" ]
         verdict $? "$program.1: $complaints"
-        groff -man -Tascii -P -cbou "$program.1" >"$program.text"
+        groff -man -rHY=0 -Tascii -P -cbou "$program.1" >"$program.text"
         for title in NAME SYNOPSIS "EXIT STATUS"; do
             grep -qx "$title" "$program.text"
             verdict $? "$program.1 has no section $title"
@@ -87,6 +103,7 @@ for program in c205 rt205 fit205; do
                 verdict $? "$program.1 does not name $word ($kind)"
             done
         done <"$program.list"
+        repeats_help $program
     fi
     while read -r what command name letter kind choices; do
         [ "$what" = option ] || continue
