@@ -54,14 +54,14 @@ paragraphs() { # PATTERN: the words after the second paragraph, and not of examp
         tr -s '[:space:]' '\n' | sed '/^$/d'
 }
 repeats_help() { # PROGRAM
-    awk '$1 == "command" && $2 != "-" { print $2 }' "$1.list" | while read -r command; do
-        "$build/$1" help "$command" >help
-        paragraphs "^ *$1 $command " <help >expected
+    awk '$1 == "command" && $2 != "-" { print $2 }' "$1.list" >commands
+    while read -r command; do
+        "$build/$1" help "$command" | paragraphs "^ *$1 $command " >expected
         sed -n "/^ *$1 $command\$/,/^ \{0,3\}[A-Za-z]/{/^ *$1 $command\$/p
             /^ \{0,3\}[A-Za-z]/!p
         }" "$1.text" | paragraphs '' | diff expected - >differences
         verdict $? "$1.1 differs from the help of $command: $(cat differences)"
-    done
+    done <commands
 }
 
 all_complete() { # EXPECTED PROGRAM WORD ..: in each shell that is installed
