@@ -1,6 +1,6 @@
 /* breakpoints.h - breakpoints and watchpoints; see c205_machine.h. */
-#ifndef C205_STOPS_H
-#define C205_STOPS_H
+#ifndef C205_BREAKPOINTS_H
+#define C205_BREAKPOINTS_H
 
 #include "vm/machine.h"
 

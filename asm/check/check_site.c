@@ -15,7 +15,7 @@ enum { CHUNK = 256, FULL_LOOKS = 16 };
  * early, and the cost of a long run stays small. */
 static bool should_sample(struct site *site)
 {
-    uint64_t n = ++site->looks;
+    uint64_t n = ++site->executions;
 
     return n <= FULL_LOOKS || (n & (n - 1)) == 0;
 }
@@ -458,7 +458,7 @@ static bool is_named(const c205_insn *insn, const char *names)
 /* Chooses the checks of an instruction. A SPARSE instruction combines the elements
  * that its order vectors select; the checks do not determine which these are, so
  * precision is not checked. */
-void spot_choose(struct site *site)
+void site_choose(struct site *site)
 {
     const c205_insn *insn = site->view.insn;
 

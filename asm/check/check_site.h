@@ -17,7 +17,7 @@ struct site {
     struct instruction_view view;
     site_check *before, *after; /* NULL: nothing */
     enum precision_rule rule;
-    uint64_t looks; /* number of executions */
+    uint64_t executions;
     /* In a linked pair the first instruction passes its result to the second and stores
      * none. hands_over in the first and is_handed in the second are the register of
      * that result; 0: not linked. */
@@ -57,7 +57,7 @@ struct runtime_checker {
 };
 
 /* Sets before and after (check_site.c). */
-void spot_choose(struct site *site);
+void site_choose(struct site *site);
 void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
                         struct site *site, size_t elements);
 

@@ -135,7 +135,7 @@ struct site *runtime_site(struct runtime_checker *watch, const c205 *machine,
     *site = empty;
     view_decode(&site->view, machine, pc);
     if (site->view.insn)
-        spot_choose(site);
+        site_choose(site);
     return site;
 }
 

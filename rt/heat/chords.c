@@ -42,7 +42,8 @@ bool chords_run(const struct chords *chords, const struct emission_choice *choic
         return false;
     for (size_t i = 0; i < count; i++)
         for (size_t k = 0; k < 3; k++) {
-            lines[i].origin[k] = c205_to_double(planes[(EMITTED_SPOT + k) * count + i]);
+            lines[i].origin[k] = c205_to_double(
+                planes[(EMITTED_POINT + k) * count + i]);
             lines[i].direction[k] = c205_to_double(
                 planes[(EMITTED_RAY + k) * count + i]);
         }

@@ -34,10 +34,10 @@ struct emission_choice {
 /* The output: planes with a word for each point, in the machine's number format
  * and in world space, in the order of emission_program.s. */
 enum emitted {
-    EMITTED_SPOT, /* x, y, z of the point */
+    EMITTED_POINT, /* x, y, z of the point */
     /* The outward normal, of length 1. For a complement in a tree it points into the
      * complement; for a surface without an outside, to either side. */
-    EMITTED_FACE = EMITTED_SPOT + 3,
+    EMITTED_FACE = EMITTED_POINT + 3,
     EMITTED_WEIGHT = EMITTED_FACE + 3, /* an area; the mean over all points is the
                                         * area of the surface */
     EMITTED_RAY, /* a direction of length 1, by the cosine law about the normal */

@@ -146,7 +146,7 @@ static bool follow(const struct packet_work *work, const struct ray_query *lines
     for (size_t i = 0; i < count; i++)
         for (size_t k = 0; k < 3; k++) {
             work->lines[i].origin[k] = c205_to_double(
-                planes[(EMITTED_SPOT + k) * points + i]);
+                planes[(EMITTED_POINT + k) * points + i]);
             work->lines[i].direction[k] = c205_to_double(
                 planes[(direction + k) * points + i]);
         }

@@ -30,7 +30,7 @@ static size_t between(size_t low, size_t high)
 /* A point as the machine writes it to its planes, and the numbers of these words. */
 struct emitted_point {
     c205_word words[EMITTED_PLANES];
-    double spot[3], face[3], weight, ray[3];
+    double place[3], face[3], weight, ray[3];
 };
 
 static void run(const struct emission *emission, size_t count,
@@ -44,7 +44,7 @@ static void run(const struct emission *emission, size_t count,
         for (size_t k = 0; k < EMITTED_PLANES; k++)
             point->words[k] = planes[k * count + i];
         for (size_t k = 0; k < 3; k++) {
-            point->spot[k] = c205_to_double(point->words[EMITTED_SPOT + k]);
+            point->place[k] = c205_to_double(point->words[EMITTED_POINT + k]);
             point->face[k] = c205_to_double(point->words[EMITTED_FACE + k]);
             point->ray[k] = c205_to_double(point->words[EMITTED_RAY + k]);
         }
@@ -87,14 +87,14 @@ static void each_shape(size_t times, void (*check)(const struct primitive *primi
 /* Returns whether a ray from above a point, straight down, hits the surface at the
  * point. The crossing is computed in the shape's own space. Near an edge another
  * crossing may be first. */
-static bool meets(const struct primitive *primitive, const double spot[3],
+static bool meets(const struct primitive *primitive, const double place[3],
                   const double face[3])
 {
     struct crossing found[MAX_CROSSINGS];
     struct ray ray;
     copy(ray.direction, face);
     scale_by(ray.direction, -1);
-    add_scaled(ray.origin, spot, 1e-3, face);
+    add_scaled(ray.origin, place, 1e-3, face);
     transform_point(&primitive->to_local, ray.origin);
     transform_direction(&primitive->to_local, ray.direction);
     size_t count = plain_crossings(primitive, &ray, found);
@@ -111,12 +111,12 @@ static bool meets(const struct primitive *primitive, const double spot[3],
     return false;
 }
 
-static bool encloses(const struct primitive *primitive, const double spot[3],
+static bool encloses(const struct primitive *primitive, const double place[3],
                      double above, const double face[3])
 {
     double point[3];
 
-    add_scaled(point, spot, above, face);
+    add_scaled(point, place, above, face);
     transform_point(&primitive->to_local, point);
     return plain_encloses(primitive, point);
 }
@@ -131,15 +131,15 @@ static void check_surface(const struct primitive *primitive)
     size_t astray = 0;
     emit(primitive, options, some_choice(), emitted[0]);
     for (size_t i = 0; i < POINTS; i++) {
-        const double *spot = emitted[0][i].spot, *face = emitted[0][i].face;
+        const double *place = emitted[0][i].place, *face = emitted[0][i].face;
         const double *ray = emitted[0][i].ray;
         assert_near(dot(face, face), 1, 1e-12);
         assert_near(dot(ray, ray), 1, 1e-12);
         assert_true(dot(face, ray) > 0);
-        astray += !meets(primitive, spot, face)
+        astray += !meets(primitive, place, face)
                   || (sided
-                      && (encloses(primitive, spot, 1e-7, face)
-                          || !encloses(primitive, spot, -1e-7, face)));
+                      && (encloses(primitive, place, 1e-7, face)
+                          || !encloses(primitive, place, -1e-7, face)));
     }
     assert_in_range(astray, 0, POINTS / 1000);
 }
@@ -182,7 +182,7 @@ static void check_area(const struct primitive *primitive)
         const struct emitted_point *point = &emitted[0][i];
         add_to(&area, point->weight);
         for (int k = 0; k < 3; k++)
-            add_to(&moments[k], point->weight * (point->spot[k] - expected.middle[k]));
+            add_to(&moments[k], point->weight * (point->place[k] - expected.middle[k]));
     }
     assert_mean(&area, expected.area, 4.5, slack);
     for (int k = 0; k < 3; k++)
@@ -232,7 +232,7 @@ TEST(accuracy)
         long double r = 2 * sqrtl(u * (1 - u));
         long double exact[] = { r * cosl(turn * t), 1 - 2 * u, r * sinl(turn * t) };
         for (int k = 0; k < 3; k++)
-            most = fmax(most, (double)fabsl(emitted[0][i].spot[k] - exact[k]));
+            most = fmax(most, (double)fabsl(emitted[0][i].place[k] - exact[k]));
     }
     print_message("points of the unit circle: off by %.1e at most\n", most);
     assert_true(most < 3e-13);
@@ -302,12 +302,13 @@ static void check_share(const struct primitive *primitive, double height, double
     emit(primitive, options, some_choice(), emitted[0]);
     for (size_t i = 0; i < options.points; i++) {
         const struct emitted_point *point = &emitted[0][i];
-        double spot[3];
-        add_scaled(spot, point->spot, (height - point->spot[1]) / point->ray[1],
+        double place[3];
+        add_scaled(place, point->place, (height - point->place[1]) / point->ray[1],
                    point->ray);
         through += radius > 0
-                       ? spot[0] * spot[0] + spot[2] * spot[2] <= radius * radius
-                       : spot[0] >= 0 && spot[0] <= 1 && spot[2] >= 0 && spot[2] <= 1;
+                       ? place[0] * place[0] + place[2] * place[2] <= radius * radius
+                       : place[0] >= 0 && place[0] <= 1 && place[2] >= 0
+                             && place[2] <= 1;
     }
     assert_near((double)through / 60000, expected,
                 4 * sqrt(expected * (1 - expected) / 60000));

@@ -14,7 +14,7 @@ bool refuse_of(c205_error *error, const char *name)
     return error_set(error, "%.80s: %.160s", name, why.message);
 }
 
-bool refuse_as_said(struct engine *engine, c205_error *error)
+bool refuse_is_clip(struct engine *engine, c205_error *error)
 {
     const char *said = debugger_report(&engine->said);
 

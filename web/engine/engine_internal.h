@@ -137,7 +137,7 @@ bool slice_is_full(const struct engine *engine);
 /* Prefixes the error with a name and returns false. */
 bool refuse_of(c205_error *error, const char *name);
 /* Sets the error to the debugger's report, without "error: ", and returns false. */
-bool refuse_as_said(struct engine *engine, c205_error *error);
+bool refuse_is_clip(struct engine *engine, c205_error *error);
 /* Writes the debugger's report as a member, and clears it. */
 bool put_said(struct engine *engine, struct json *reply, const char *key,
               c205_error *error);

@@ -116,7 +116,7 @@ static bool go_on(struct engine *engine, struct json *reply, c205_error *error)
 
     engine->goes_on = NULL;
     if (ended == EXECUTION_FAILED)
-        return refuse_as_said(engine, error);
+        return refuse_is_clip(engine, error);
     if (ended != EXECUTION_INTERRUPTED || engine->slice.to_the_limit)
         return arrive(engine, ended, reply, error);
     engine->goes_on = go_on;

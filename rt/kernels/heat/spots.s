@@ -52,12 +52,12 @@ spots_weight:   .word 0.0               ; an area
         SWAP    [spot_work], spot_lines, [r0]
         SHIFTI  spot_lines, 6, spot_line_stride
         SHIFTI  spot_count, 6, spot_stride
-        plane_at spot_from, spot_line_stride, EMITTED_SPOT, spot_origin
+        plane_at spot_from, spot_line_stride, EMITTED_POINT, spot_origin
         plane_at spot_from, spot_line_stride, EMITTED_RAY, spot_direction
         plane_at spot_list, spot_stride, CROSSED_DISTANCE, spot_distance
         plane_at spot_list, spot_stride, CROSSED_LINE, spot_line
         plane_at spot_list, spot_stride, CROSSED_NORMAL, spot_normal
-        plane_at spot_results, spot_stride, EMITTED_SPOT, result_spot
+        plane_at spot_results, spot_stride, EMITTED_POINT, result_spot
         plane_at spot_results, spot_stride, EMITTED_FACE, result_face
         plane_at spot_results, spot_stride, EMITTED_WEIGHT, result_weight
         plane_at spot_results, spot_stride, EMITTED_RAY, result_ray

@@ -144,18 +144,18 @@ lathe_level\@:
 cone_solved\@:
         .endm
 
-; Branches to passed_over if the ray does not cross the segment twice.
-        .macro  keep_twice passed_over
-        CFPGE   r0, cone_e, \passed_over
-        CFPGE   r0, cone_a, \passed_over
+; Branches to missed if the ray does not cross the segment twice.
+        .macro  keep_twice missed
+        CFPGE   r0, cone_e, \missed
+        CFPGE   r0, cone_a, \missed
         MPYS    cone_b, dy, t1
         SUBN    row_low, near_y, t2
         SUBN    row_high, near_y, t3
         MPYS    t2, cone_a, t2
         MPYS    t3, cone_a, t3
         SUBN    r0, t1, t1
-        CFPLT   t1, t2, \passed_over
-        CFPGE   t1, t3, \passed_over
+        CFPLT   t1, t2, \missed
+        CFPGE   t1, t3, \missed
         .endm
 
 ; Computes crossed_at of a segment that is crossed once: c / q if t0 = 1, else

@@ -181,8 +181,8 @@
         .endm
 
 ; [once] = the rays that cross the segment once, [twice] = those that may cross
-; it twice.  Branches to passed_over if both are empty.
-        .macro  sort_rays passed_over
+; it twice.  Branches to missed if both are empty.
+        .macro  sort_rays missed
         XORB    [beyond], [beyond_before], [once]
         CMPGEV  [ray_high], row_low, [bits0]
         CMPGEV  row_high, [ray_low], [bits1]
@@ -191,7 +191,7 @@
         ANDNB   [twice], [bits0], [twice]
         ORB     [twice], [once], [bits0]
         CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, \passed_over
+        IBXEQ   s0, r0, r0, \missed
         .endm
 
 ; Computes the coefficients of the segment's cone, and [w0] = E.
@@ -227,8 +227,8 @@
         .endm
 
 ; Keeps the rays of [twice] that cross the segment itself.  Branches to
-; passed_over if [twice] and [once] are empty.
-        .macro  keep_twice passed_over
+; missed if [twice] and [once] are empty.
+        .macro  keep_twice missed
         CMPLTV  r0, [w0], [bits0]
         ANDB    [bits0], [twice], [twice]
         CMPLTV  r0, [cone_a], [bits0]
@@ -249,7 +249,7 @@
 none_twice\@:
         ORB     [twice], [once], [bits0]
         CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, \passed_over
+        IBXEQ   s0, r0, r0, \missed
         .endm
 
 ; Computes q.  [bits0] = b >= 0.

@@ -114,7 +114,7 @@ static const struct keyword words[] = {
     { "aperture", read_aperture, 0 },
     { "blur_samples", read_lens_points, 0 },
     /* Thresholds at which POV-Ray stops adding random rays. */
-    { "confidence variance", item_passed_over, 0 },
+    { "confidence variance", item_ignored, 0 },
     { "bokeh normal", item_left_out, 0 },
     { "cylinder fisheye mesh_camera omnimax panoramic spherical ultra_wide_angle",
       item_unsupported, 0 },

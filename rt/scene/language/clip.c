@@ -20,7 +20,7 @@
 /* The objects that have been read, one solid each. */
 struct clipping {
     struct scene_object solids; /* first member: the subject of transforms */
-    bool as_said; /* bounded_by { clipped_by }, which has no effect of its own */
+    bool is_clip; /* bounded_by { clipped_by }, which has no effect of its own */
 };
 
 /* Checks that the object has an inside. */
@@ -54,7 +54,7 @@ static bool read_solid(struct reader *reader, const struct item *item)
 }
 
 static const struct keyword clipped_by_word[] = {
-    { "clipped_by", item_flag, offsetof(struct clipping, as_said) },
+    { "clipped_by", item_flag, offsetof(struct clipping, is_clip) },
     { NULL, NULL, 0 },
 };
 static const struct keyword bounded_by_word[] = {
@@ -131,7 +131,7 @@ static bool clip(struct reader *reader, struct scene_object *object,
 
 bool clipped_by_read(struct reader *reader, const struct item *item)
 {
-    struct clipping clipping = { .as_said = false };
+    struct clipping clipping = { .is_clip = false };
     bool done = block_read(reader, &of_clip, &clipping)
                 && make_whole(reader, item->subject);
 
@@ -282,13 +282,13 @@ static bool is_forgotten(const struct scene_object *object)
 static bool changes_nothing(const struct clipping *clipping,
                             const struct scene_object *object)
 {
-    return clipping->as_said || is_forgotten(object) || clipping->solids.part_count == 0
+    return clipping->is_clip || is_forgotten(object) || clipping->solids.part_count == 0
            || holds_object(&clipping->solids, object);
 }
 
 bool bounded_by_read(struct reader *reader, const struct item *item)
 {
-    struct clipping clipping = { .as_said = false };
+    struct clipping clipping = { .is_clip = false };
     bool done = block_read(reader, &of_bound, &clipping)
                 && make_whole(reader, item->subject);
 

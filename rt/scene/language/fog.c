@@ -39,7 +39,7 @@ static const struct keyword words[] = {
     { "fog_type", read_type, 0 },
     { COLOR_WORDS, read_fog_color, 0 },
     /* Words of ground fog, and of turbulence, which itself is reported. */
-    { "fog_alt fog_offset lambda octaves omega turb_depth up", item_passed_over, 0 },
+    { "fog_alt fog_offset lambda octaves omega turb_depth up", item_ignored, 0 },
     { "turbulence", item_left_out, 0 },
     { NULL, NULL, 0 },
 };

@@ -210,7 +210,7 @@ static const struct keyword words[] = {
     { "gamma", read_gamma, 0 },
     { "filter transmit", read_passing, 0 },
     { "offset", item_left_out, 0 },
-    { "premultiplied use_alpha use_color use_colour use_index", item_passed_over, 0 },
+    { "premultiplied use_alpha use_color use_colour use_index", item_ignored, 0 },
     { NULL, NULL, 0 },
 };
 

@@ -166,7 +166,7 @@ static const struct keyword words[] = {
     { "fade_power", read_fading, offsetof(struct light, fade_power) },
     /* Words about unsupported features, which are reported, and about adaptive sampling
      * of areas: here all points of an area are used. */
-    { "adaptive media_attenuation media_interaction photons", item_passed_over, 0 },
+    { "adaptive media_attenuation media_interaction photons", item_ignored, 0 },
     { "area_illumination jitter orient projected_through", item_left_out, 0 },
     { NULL, NULL, 0 },
 };

@@ -22,7 +22,7 @@ const struct keyword pattern_words_left_out[] = {
       "octaves offset omega orientation phase poly_wave ramp_wave scallop_wave "
       "sine_wave solid triangle_wave turbulence uv_mapping warp",
       item_left_out, 0 },
-    { "noise_generator", item_passed_over, 0 },
+    { "noise_generator", item_ignored, 0 },
     { "quick_color quick_colour", read_quick_color, 0 },
     { NULL, NULL, 0 },
 };

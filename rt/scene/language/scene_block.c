@@ -219,7 +219,7 @@ bool item_left_out(struct reader *reader, const struct item *item)
     return true;
 }
 
-bool item_passed_over(struct reader *reader, const struct item *item)
+bool item_ignored(struct reader *reader, const struct item *item)
 {
     (void)item;
     skip_arguments(reader);

@@ -98,7 +98,7 @@ item_reader item_flag;
 item_reader item_left_out;
 /* Ignores a word without a report: it has no effect on a picture, or only with another
  * word, which is reported. */
-item_reader item_passed_over;
+item_reader item_ignored;
 /* Reports an error: the word would change the geometry. */
 item_reader item_unsupported;
 /* Treats a word as a directive, which old scenes may write without '#'. The word is not

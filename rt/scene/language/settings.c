@@ -50,7 +50,7 @@ static const struct keyword words[] = {
      * here. */
     { "hf_gray_16 irid_wavelength max_intersections mm_per_unit noise_generator "
       "number_of_waves",
-      item_passed_over, 0 },
+      item_ignored, 0 },
     { "photons radiosity subsurface", item_left_out, 0 },
     { NULL, NULL, 0 },
 };

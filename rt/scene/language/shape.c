@@ -219,8 +219,8 @@ static const struct keyword modifiers[] = {
     { "bounded_by", bounded_by_read, 0 },
     /* Words about media, photons, radiosity and light groups, which are reported
      * elsewhere, or about the internals of POV-Ray. They have no effect here. */
-    { "global_lights hierarchy hollow no_radiosity photons split_union",
-      item_passed_over, 0 },
+    { "global_lights hierarchy hollow no_radiosity photons split_union", item_ignored,
+      0 },
     { "color colour cutaway_textures double_illuminate interior_texture radiosity "
       "uv_mapping",
       item_left_out, 0 },
