@@ -6,10 +6,8 @@ const struct effect no_effect;
 
 struct clock *clock_of(const char *text)
 {
-    SCOPED(c205_model) *model = c205_model_parse("test", text, &failure);
-    REQUIRE(model);
-    struct clock *clock = clock_new(model, &failure);
-    assert_non_null(clock);
+    SCOPED(c205_model) *model = NON_NULL(c205_model_parse("test", text, &failure));
+    struct clock *clock = NON_NULL(clock_new(model, &failure));
     return clock;
 }
 

@@ -33,8 +33,7 @@ void client_write(const char *text)
         snprintf(client_path, sizeof client_path, "%s/dap.%d.s",
                  getenv("RT205_LIBDIR") ? getenv("RT205_LIBDIR") : "build",
                  (int)getpid());
-    file = fopen(client_path, "w");
-    assert_non_null(file);
+    file = NON_NULL(fopen(client_path, "w"));
     fputs(text, file);
     fclose(file);
 }
@@ -115,10 +114,9 @@ const char *value_of(const struct json_value *list, const char *name)
 
 c205_word word_in(const char *value)
 {
-    const char *at = strstr(value, "X'");
+    const char *at = NON_NULL(strstr(value, "X'"));
     c205_word word = 0;
 
-    assert_non_null(at);
     for (at += 2; *at != '\''; at++)
         if (*at != ' ')
             word = word << 4 | (c205_word)(*at >= 'A' ? *at - 'A' + 10 : *at - '0');

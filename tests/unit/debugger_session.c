@@ -11,8 +11,7 @@ void session_begin(struct debug_session *session, struct object *object,
                                     .clocks_most = 1000000000 };
 
     *session = (struct debug_session){ .object = object };
-    session->debugger = debugger_new(&setup, &failure);
-    assert_non_null(session->debugger);
+    session->debugger = NON_NULL(debugger_new(&setup, &failure));
 }
 
 void session_end(struct debug_session *session)

@@ -32,13 +32,11 @@ const struct json_value *talk_bytes(struct talk *talk, const char *request,
     const struct json_value *ok;
 
     forget(talk);
-    talk->text = engine_answer(talk->engine, request, length);
-    assert_non_null(talk->text);
+    talk->text = NON_NULL(engine_answer(talk->engine, request, length));
     talk->reply = json_read(&talk->arena, talk->text, strlen(talk->text), &failure);
     if (!talk->reply)
         fail_msg("%.*s\n%s: %s", (int)length, request, talk->text, failure.message);
-    ok = json_member(talk->reply, "ok");
-    assert_non_null(ok);
+    ok = NON_NULL(json_member(talk->reply, "ok"));
     assert_int_equal(ok->kind, JSON_TRUTH);
     if (!ok->truth)
         assert_true(*text_of(talk->reply, "error"));

@@ -11,9 +11,8 @@ void add_half(struct small_machine *fixture, c205_word half)
 
 uint64_t add(struct small_machine *fixture, const char *mnemonic, c205_fields fields)
 {
-    const c205_insn *insn = c205_insn_named(mnemonic, strlen(mnemonic));
+    const c205_insn *insn = NON_NULL(c205_insn_named(mnemonic, strlen(mnemonic)));
     uint64_t address = CODE + fixture->halves * HALF_WORD;
-    assert_non_null(insn);
     c205_word word = c205_encode(insn, &fields);
     add_half(fixture, word >> 32);
     if (c205_format_halves(insn->format) == 2)
@@ -31,10 +30,8 @@ struct small_machine make_small_machine(void)
 {
     struct small_machine fixture;
     begin(&fixture);
-    fixture.model = c205_model_find("cyber205-2pipe-prior", &failure);
-    assert_non_null(fixture.model);
-    fixture.machine = c205_new(fixture.model, &failure);
-    REQUIRE(fixture.machine);
+    fixture.model = NON_NULL(c205_model_find("cyber205-2pipe-prior", &failure));
+    fixture.machine = NON_NULL(c205_new(fixture.model, &failure));
     return fixture;
 }
 

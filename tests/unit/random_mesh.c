@@ -372,8 +372,7 @@ void net_primitive(const struct net *net, struct primitive *primitive)
     memset(primitive, 0, sizeof *primitive);
     primitive->kind = PRIMITIVE_MESH;
     triangles->count = net->face_count;
-    triangles->list = calloc(net->face_count, sizeof *triangles->list);
-    assert_non_null(triangles->list);
+    triangles->list = NON_NULL(calloc(net->face_count, sizeof *triangles->list));
     for (size_t i = 0; i < net->face_count; i++)
         for (int k = 0; k < 3; k++) {
             size_t at = net->faces[i][k];

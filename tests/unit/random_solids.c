@@ -313,8 +313,7 @@ static void add_leaf(char *text, size_t size)
 /* Repeats the text that begins at `from`. */
 static void add_again(char *text, size_t size, size_t from)
 {
-    FREED char *copy = malloc(size);
-    assert_non_null(copy);
+    FREED char *copy = NON_NULL(malloc(size));
     strcpy(copy, text + from);
     add_text(text, size, "%s", copy);
 }

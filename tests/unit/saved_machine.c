@@ -11,8 +11,7 @@ bool append(void *context, const void *more, size_t count)
     struct bytes *bytes = context;
     if (bytes->count + count > bytes->reserved) {
         bytes->reserved = 2 * bytes->count + count;
-        bytes->byte = realloc(bytes->byte, bytes->reserved);
-        assert_non_null(bytes->byte);
+        bytes->byte = NON_NULL(realloc(bytes->byte, bytes->reserved));
     }
     if (bytes->room && bytes->count + count > bytes->room)
         return false;
@@ -30,8 +29,7 @@ struct bytes save(const c205 *machine)
 
 c205 *restore(const struct bytes *bytes, const c205_model *model)
 {
-    c205 *machine = c205_restore(bytes->byte, bytes->count, model, &failure);
-    REQUIRE(machine);
+    c205 *machine = NON_NULL(c205_restore(bytes->byte, bytes->count, model, &failure));
     return machine;
 }
 
@@ -82,16 +80,14 @@ c205 *machine_from(const char *path, const c205_model *model)
 
 c205_model *model_of(const struct random_program *program)
 {
-    c205_model *model = c205_model_parse("random", random_models[program->model],
-                                         &failure);
-    assert_non_null(model);
+    c205_model *model = NON_NULL(
+        c205_model_parse("random", random_models[program->model], &failure));
     return model;
 }
 
 c205 *machine_of(const struct random_program *program, const c205_model *model)
 {
-    c205 *machine = c205_new(model, &failure);
-    assert_non_null(machine);
+    c205 *machine = NON_NULL(c205_new(model, &failure));
     assert_true(random_load(machine, program, &failure));
     return machine;
 }

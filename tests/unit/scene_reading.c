@@ -19,8 +19,7 @@ const struct scene_options with_images = { .width = 640,
 
 void write_bytes(const char *path, const char *bytes, size_t count)
 {
-    FILE *file = fopen(path, "wb");
-    assert_non_null(file);
+    FILE *file = NON_NULL(fopen(path, "wb"));
     assert_int_equal(fwrite(bytes, 1, count, file), count);
     assert_int_equal(fclose(file), 0);
 }
@@ -50,8 +49,7 @@ void assert_numbers(const char *what, const double *found, const double *expecte
 char *repeated(const char *head, const char *part, size_t count)
 {
     size_t start = strlen(head), length = strlen(part);
-    char *text = malloc(start + count * length + 1);
-    assert_non_null(text);
+    char *text = NON_NULL(malloc(start + count * length + 1));
     memcpy(text, head, start + 1);
     for (size_t i = 0; i < count; i++)
         memcpy(text + start + i * length, part, length + 1);
@@ -62,8 +60,7 @@ struct scene *read_versioned(const char *name, const char *text,
                              const struct scene_options *how,
                              struct diagnostics *reports)
 {
-    FREED char *versioned = malloc(strlen(VERSION) + strlen(text) + 1);
-    assert_non_null(versioned);
+    FREED char *versioned = NON_NULL(malloc(strlen(VERSION) + strlen(text) + 1));
     strcpy(versioned, VERSION);
     strcat(versioned, text);
     struct scene *scene = scene_read_text(name, versioned, how, reports);

@@ -40,8 +40,7 @@ size_t empty_folder(void)
 
 void write_file(const char *name, const char *text)
 {
-    FILE *file = fopen(in_folder(name), "w");
-    assert_non_null(file);
+    FILE *file = NON_NULL(fopen(in_folder(name), "w"));
     fputs(text, file);
     assert_int_equal(fclose(file), 0);
 }
@@ -49,7 +48,6 @@ void write_file(const char *name, const char *text)
 char *text_of_file(const char *name)
 {
     size_t length;
-    char *text = file_read(in_folder(name), FILE_LARGEST, &length, &failure);
-    REQUIRE(text);
+    char *text = NON_NULL(file_read(in_folder(name), FILE_LARGEST, &length, &failure));
     return text;
 }

@@ -112,12 +112,11 @@ static void check_place(struct view view, const struct accounts *accounts,
 static void check_matrix(const struct accounts *accounts, enum accounts_rows rows)
 {
     c205_account sum = accounts_together(accounts);
-    SCOPED(table) *table = accounts_matrix(accounts, rows, 0, MAX_REGIONS);
+    SCOPED(table) *table = NON_NULL(accounts_matrix(accounts, rows, 0, MAX_REGIONS));
     size_t regions = accounts_regions(accounts), place = 0, used = 0;
     struct view view = { table, rows == ACCOUNTS_CAUSES };
     size_t figures = 1u + (sum.vector_instructions > 0) + (sum.elements > 0)
                      + (sum.operations > 0);
-    assert_non_null(table);
     for (int cause = 0; cause < C205_CAUSES; cause++)
         used += sum.clocks[cause] > 0;
     size_t rows_of_regions = regions > 1 ? regions + 1 : 1;
@@ -149,9 +148,8 @@ static void show(const struct accounts *accounts, enum output_format format,
                  char **text)
 {
     size_t size;
-    FILE *file = open_memstream(text, &size);
+    FILE *file = NON_NULL(open_memstream(text, &size));
     struct command_output results = { .format = format, .file = file };
-    assert_non_null(file);
     assert_int_equal(accounts_show(accounts, &results), CMD_DONE);
     assert_int_equal(fclose(file), 0);
 }
@@ -194,9 +192,8 @@ static void check_share(const struct accounts *accounts, const char *text,
                         const char *row, uint64_t clocks)
 {
     double all = (double)accounts->clocks;
-    const char *found = strstr(text, row);
+    const char *found = NON_NULL(strstr(text, row));
     char *end;
-    assert_non_null(found);
     assert_near(strtod(found + strlen(row), &end),
                 accounts_seconds(prior_model, clocks));
     assert_int_equal(*end, ',');

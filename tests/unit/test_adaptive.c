@@ -330,8 +330,7 @@ static struct trace *begin_kept(const struct scene *scene, double threshold,
                                             .progress = patience ? wait_on : NULL,
                                             .job_set = job_set, .context = patience);
     c205_error error = { "" };
-    struct trace *trace = trace_new(scene, &options, &failure);
-    REQUIRE(trace);
+    struct trace *trace = NON_NULL(trace_new(scene, &options, &failure));
     assert_int_equal(trace_bands(trace), 3);
     if (job_set && !trace_keep(trace, &error)) {
         assert_non_null(strstr(error.message, "another run"));

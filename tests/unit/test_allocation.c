@@ -103,8 +103,7 @@ struct outcome {
 static struct outcome attempt(task *work, size_t fails, bool for_good)
 {
     struct outcome outcome = { false, { "" }, NULL, 0 };
-    FILE *out = open_memstream(&outcome.output, &outcome.length);
-    assert_non_null(out);
+    FILE *out = NON_NULL(open_memstream(&outcome.output, &outcome.length));
     long before = host.living;
     host.calls = 0;
     host.fails = fails;
@@ -533,9 +532,8 @@ TEST(untouched_page)
     SCOPED(object) *program = assembled(text, &error);
     size_t lacked = 0;
     for (size_t fails = 1;; fails++) {
-        SCOPED(c205) *machine = loaded(program, &error);
+        SCOPED(c205) *machine = NON_NULL(loaded(program, &error));
         c205_word word;
-        assert_non_null(machine);
         assert_true(c205_map(machine, 0x50000000, 1, C205_WHEN_TOUCHED, &error));
         host.calls = 0;
         host.fails = fails;
@@ -560,12 +558,10 @@ TEST(untouched_page)
  * of attempted allocations. */
 static size_t calls_without_memory(const char *loop, size_t steps)
 {
-    SCOPED(object) *program = assembled(loop, &failure);
+    SCOPED(object) *program = NON_NULL(assembled(loop, &failure));
     c205_stop stop;
-    assert_non_null(program);
-    SCOPED(c205_history) *history = c205_history_new(loaded(program, &failure),
-                                                     SIZE_MAX, &failure);
-    assert_non_null(history);
+    SCOPED(c205_history) *history = NON_NULL(
+        c205_history_new(loaded(program, &failure), SIZE_MAX, &failure));
     while (c205_history_step(history) < 16)
         assert_true(c205_history_forward(history, &stop));
     host.calls = 0;

@@ -20,8 +20,8 @@ static void run(const struct object *object, const char *name)
     struct sink report = stream_sink(stderr);
     const struct warning_choice choice = { .errors = true };
     assert_true(c205_listen(machine, printer_listen, &printer));
-    struct runtime_checker *watch = runtime_new(object, name, &choice, &report);
-    assert_non_null(watch);
+    struct runtime_checker *watch = NON_NULL(
+        runtime_new(object, name, &choice, &report));
     assert_true(c205_listen(machine, runtime_listen, watch));
     runtime_begin(watch, machine);
     c205_stop stop = c205_run(machine, 1000000);
@@ -34,14 +34,12 @@ static void run(const struct object *object, const char *name)
 
 static void check_block(const char *name, const char *text, size_t length)
 {
-    FREED char *copy = calloc(1, length + 1);
+    FREED char *copy = NON_NULL(calloc(1, length + 1));
     SCOPED_VALUE(diagnostics) errors = { 0 };
     struct sink sink = stream_sink(stderr);
-    assert_non_null(copy);
     memcpy(copy, text, length);
-    SCOPED(object) *object = assemble_text(name, copy, NULL, &errors);
+    SCOPED(object) *object = NON_NULL(assemble_text(name, copy, NULL, &errors));
     diagnostics_put(&errors, &sink);
-    assert_non_null(object);
     if (object->expectation_count > 0)
         run(object, name);
 }
@@ -51,17 +49,15 @@ static void check_block(const char *name, const char *text, size_t length)
 static void check_file(const char *path)
 {
     size_t length;
-    FREED char *text = file_read(path, FILE_LARGEST, &length, &failure);
+    FREED char *text = NON_NULL(file_read(path, FILE_LARGEST, &length, &failure));
     const char *at = text;
-    assert_non_null(text);
     while ((at = strstr(at, fence)) != NULL) {
         unsigned number = 1;
         char name[700];
         for (const char *line = text; (line = strchr(line, '\n')) && line < at; line++)
             number++;
         at += sizeof fence - 1;
-        const char *end = strstr(at, "```");
-        assert_non_null(end);
+        const char *end = NON_NULL(strstr(at, "```"));
         snprintf(name, sizeof name, "%s:%u", path, number);
         check_block(name, at, (size_t)(end - at));
         at = end + 3;

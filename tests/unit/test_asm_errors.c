@@ -128,8 +128,7 @@ static char *repeated(const char *begin, const char *part, size_t times,
                       const char *end)
 {
     size_t length = strlen(part);
-    char *text = malloc(strlen(begin) + times * length + strlen(end) + 1);
-    assert_non_null(text);
+    char *text = NON_NULL(malloc(strlen(begin) + times * length + strlen(end) + 1));
     char *at = text + sprintf(text, "%s", begin);
     for (; times > 0; times--, at += length)
         memcpy(at, part, length);
@@ -187,10 +186,9 @@ TEST(search_folders)
     for (size_t i = 0; i < COUNT(folders); i++) {
         const struct asm_options options = { .search = folders[i] };
         SCOPED_VALUE(diagnostics) errors = { 0 };
-        SCOPED(object) *object = assemble_text("test.s",
-                                               " .include \"scalar.inc\"\n EXIT\n",
-                                               &options, &errors);
-        assert_non_null(object);
+        SCOPED(object) *object = NON_NULL(
+            assemble_text("test.s", " .include \"scalar.inc\"\n EXIT\n", &options,
+                          &errors));
         assert_int_equal(errors.count, 0);
     }
 }

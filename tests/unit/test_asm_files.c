@@ -91,13 +91,11 @@ TEST(sample)
     check_disassembly(object);
     check_object_file(object);
     assert_true(object_save(object, path, &failure));
-    FREED char *text = file_read(path, FILE_LARGEST, &length, &failure);
-    assert_non_null(text);
+    FREED char *text = NON_NULL(file_read(path, FILE_LARGEST, &length, &failure));
     assert_true(object_recognise(text, length));
     assert_false(object_recognise(text, 11));
     assert_false(object_recognise(text + 1, length - 1));
-    SCOPED(object) *again = object_load(path, &failure);
-    assert_non_null(again);
+    SCOPED(object) *again = NON_NULL(object_load(path, &failure));
     assert_same_program(&object->program, &again->program);
     assert_int_equal(remove(path), 0);
     assert_false(object_save(object, "no/such/folder", &failure));
@@ -162,8 +160,7 @@ TEST(names)
     static const char *const lines[] = { ".entry main\n",  "\nmain:\n",
                                          "EX r2, twice\n", "\nlist:\n",
                                          "\ntwice:\n",     "\n$end.:\n" };
-    SCOPED(object) *object = object_read(file, sizeof file - 1, &failure);
-    assert_non_null(object);
+    SCOPED(object) *object = NON_NULL(object_read(file, sizeof file - 1, &failure));
     check_disassembly(object);
     SCOPED_VALUE(text_buffer) text = disassembled(object);
     for (size_t i = 0; i < COUNT(lines); i++)
@@ -205,8 +202,7 @@ static void check_refused(const char *text, const char *message)
 TEST(refused_files)
 {
     static const char last[] = "c205-object 1\nzeros FFFFFFFFFFC0 1\nend\n";
-    SCOPED(object) *accepted = object_read(last, sizeof last - 1, &failure);
-    assert_non_null(accepted);
+    SCOPED(object) *accepted = NON_NULL(object_read(last, sizeof last - 1, &failure));
     check_refused("", "the end line is missing");
     check_refused("hello\n", "not an object file");
     check_refused("c205-object 2\nend\n", "version");

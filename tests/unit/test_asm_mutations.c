@@ -96,9 +96,8 @@ TEST(mutations)
     for (i = 0; i < COUNT(programs); i++) {
         size_t length;
         FREED char *text = file_read(programs[i], FILE_LARGEST, &length, &failure);
-        FREED char *copy = text ? malloc(length + 100 * MISTAKES) : NULL;
+        FREED char *copy = NON_NULL(text ? malloc(length + 100 * MISTAKES) : NULL);
 
-        assert_non_null(copy);
         for (int try = 0; try < TRIES; try++) {
             memcpy(copy, text, length + 1);
             for (k = 0; k < 1 + below(&seed, MISTAKES); k++)

@@ -254,9 +254,8 @@ TEST(random_declarations)
         SCOPED_VALUE(diagnostics) found = { 0 };
         size_t next = 0;
         make_declarations(&declarations, &seed);
-        SCOPED(object) *object = assemble_text("test.s", declarations.text, NULL,
-                                               &found);
-        assert_non_null(object);
+        SCOPED(object) *object = NON_NULL(
+            assemble_text("test.s", declarations.text, NULL, &found));
         for (size_t line = 1; line <= LINES; line++) {
             bool here = next < found.count && found.items[next].line == line;
 

@@ -201,9 +201,8 @@ TEST(conditions)
     static const struct asm_define defines[] = { { "N", 2 }, { NULL, 0 } };
     const struct asm_options options = { .defines = defines };
     struct diagnostics errors = { 0 };
-    SCOPED(object) *object = assemble_text("t.s", text, &options, &errors);
+    SCOPED(object) *object = NON_NULL(assemble_text("t.s", text, &options, &errors));
 
-    assert_non_null(object);
     assert_int_equal(word_of(&object->program, DATA), 2);
     assert_int_equal(word_of(&object->program, DATA + 64), 22);
     assert_int_equal(word_of(&object->program, DATA + 128), 4);

@@ -40,8 +40,7 @@ static struct trace_options how(enum trace_mode mode)
 static struct trace *begin(const struct scene *scene,
                            const struct trace_options *options)
 {
-    struct trace *trace = trace_new(scene, options, &failure);
-    REQUIRE(trace);
+    struct trace *trace = NON_NULL(trace_new(scene, options, &failure));
     return trace;
 }
 
@@ -126,8 +125,7 @@ static void plant(struct trace *trace, struct job_set *job_set, uint64_t unit,
     size_t count = FRAME_CHANNELS * rows * WIDTH;
     struct serialized_result words = { .items = NULL };
     assert_true(trace_keep(trace, &failure));
-    band.words = malloc(count * sizeof *band.words);
-    assert_non_null(band.words);
+    band.words = NON_NULL(malloc(count * sizeof *band.words));
     for (size_t i = 0; i < count; i++)
         band.words[i] = c205_from_integer(205);
     band_put(&band, WIDTH, &words);

@@ -409,8 +409,8 @@ TEST(programs)
         char constants[300];
         snprintf(constants, sizeof constants, "title T\nlike cyber205-2pipe-prior\n%s",
                  programs[i].constants);
-        SCOPED(c205_model) *model = c205_model_parse("other", constants, &failure);
-        assert_non_null(model);
+        SCOPED(c205_model) *model = NON_NULL(
+            c205_model_parse("other", constants, &failure));
         prior_model = model;
         SCOPED_VALUE(both) both = compare(programs[i].text);
     }

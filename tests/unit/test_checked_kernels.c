@@ -20,12 +20,10 @@ static const struct sink *report;
 
 static void *begin(void *context, const struct object *program, c205_error *error)
 {
-    struct watched *watched = calloc(1, sizeof *watched);
+    struct watched *watched = NON_NULL(calloc(1, sizeof *watched));
     (void)context;
     (void)error;
-    assert_non_null(watched);
-    watched->watch = runtime_new(program, "kernels", &choice, report);
-    assert_non_null(watched->watch);
+    watched->watch = NON_NULL(runtime_new(program, "kernels", &choice, report));
     return watched;
 }
 
@@ -92,9 +90,8 @@ TEST(kernels)
         "tests/scenes/mesh.pov",
     };
     struct sink sink = stream_sink(stderr);
-    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &failure);
+    SCOPED(c205_model) *model = NON_NULL(c205_model_find("cyber205-2pipe", &failure));
     report = &sink;
-    assert_non_null(model);
     for (size_t i = 0; i < COUNT(scenes); i++) {
         check(scenes[i], model, TRACE_SCALAR, VISIBLE_DEFAULT);
         check(scenes[i], model, TRACE_VECTOR, VISIBLE_DEFAULT);

@@ -65,8 +65,7 @@ static void assert_unit(struct checkpoint_file *file, uint64_t number)
 
 static struct checkpoint_file *open_file(size_t i)
 {
-    struct checkpoint_file *file = checkpoint_open(paths[i], KEY, &failure);
-    REQUIRE(file);
+    struct checkpoint_file *file = NON_NULL(checkpoint_open(paths[i], KEY, &failure));
     return file;
 }
 
@@ -101,8 +100,7 @@ static long size_of(const char *path)
 
 static void turn_bit(const char *path, long at, int bit)
 {
-    FILE *file = fopen(path, "r+b");
-    assert_non_null(file);
+    FILE *file = NON_NULL(fopen(path, "r+b"));
     assert_int_equal(fseek(file, at, SEEK_SET), 0);
     int byte = getc(file);
     assert_int_equal(fseek(file, at, SEEK_SET), 0);
@@ -221,8 +219,8 @@ TEST_WITH(not_merged, set_up, tear_down)
     refuse_merge(file, paths[0], "named twice");
     refuse_merge(file, paths[1], "No such file");
     assert_int_not_equal(access(paths[1], F_OK), 0);
-    struct checkpoint_file *other = checkpoint_open(paths[1], KEY + 1, &failure);
-    assert_non_null(other);
+    struct checkpoint_file *other = NON_NULL(
+        checkpoint_open(paths[1], KEY + 1, &failure));
     checkpoint_close(other, false);
     refuse_merge(file, paths[1], "belongs to another run");
     checkpoint_close(file, false);

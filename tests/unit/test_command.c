@@ -289,8 +289,7 @@ static void catch (struct caught *caught)
 {
     fflush(stderr);
     caught->before = dup(STDERR_FILENO);
-    caught->file = tmpfile();
-    assert_non_null(caught->file);
+    caught->file = NON_NULL(tmpfile());
     dup2(fileno(caught->file), STDERR_FILENO);
 }
 

@@ -92,9 +92,8 @@ static void run(const struct bundle *bundle, const char *form, size_t queue,
     static c205_word planes[6 * MAX_RAYS], words[WORDS * MAX_CYLINDERS];
     size_t n = bundle->rays;
     struct single_run run;
-    SCOPED(object) *program = program_assemble(form, defines, &failure);
+    SCOPED(object) *program = NON_NULL(program_assemble(form, defines, &failure));
     uint64_t clocks = 0;
-    assert_non_null(program);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < 3; k++) {
             planes[k * n + i] = c205_from_double(bundle->origin[i][k]);
@@ -163,11 +162,10 @@ TEST(scene)
     struct sampling_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 100,
                                                .points = 256, .repeats = 4,
                                                .lattice = true, .seed = 3);
-    SCOPED(factors) *factors = factors_new(scene, &options, &failure);
+    SCOPED(factors) *factors = NON_NULL(factors_new(scene, &options, &failure));
     SCOPED_VALUE(factor_row) row;
     SCOPED_VALUE(hits) vector;
     SCOPED_VALUE(hits) scalar;
-    assert_non_null(factors);
     assert_true(factors_find(factors, &(size_t){ 0 }, 1, &row, &failure));
     find(scene, "Burner", TRACE_VECTOR, 77, &vector);
     find(scene, "Burner", TRACE_SCALAR, 0, &scalar);

@@ -167,8 +167,7 @@ static void take_reference(struct session *session, char *name)
     char text[LINE];
     snprintf(text, sizeof text, "{\"name\": \"%s\", ", name);
     check_text(session, text);
-    const char *at = strstr(strstr(session->client.text, text), key);
-    assert_non_null(at);
+    const char *at = NON_NULL(strstr(strstr(session->client.text, text), key));
     session->reference = atoi(at + strlen(key));
 }
 
@@ -186,9 +185,8 @@ static void check_step(struct session *session, char *step)
 
 static void check_value(struct session *session, char *value)
 {
-    char *text = strstr(value, " = ");
+    char *text = NON_NULL(strstr(value, " = "));
 
-    assert_non_null(text);
     *text = '\0';
     client_print(&session->client, value);
     check_text(session, text + strlen(" = "));
@@ -271,12 +269,11 @@ static void play_line(struct session *session, char *line)
 
 TEST(sessions)
 {
-    FILE *script = fopen("tests/unit/dap.txt", "r");
+    FILE *script = NON_NULL(fopen("tests/unit/dap.txt", "r"));
     struct session session = { .program = client_program };
     struct dap_client client;
     size_t tried = 0, promised = 0;
     char line[LINE];
-    assert_non_null(script);
     const struct json_value *capabilities = client_launch(&client, client_program, "");
     for (const struct json_value *item = capabilities->first; item; item = item->next)
         promised += item->kind == JSON_TRUTH && item->truth;

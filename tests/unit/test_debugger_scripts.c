@@ -202,9 +202,8 @@ static struct debugger *begin(const struct object *object, const char *name,
                                     .model = prior_model,
                                     .out = text_buffer_sink(said),
                                     .clocks_most = 10000000 };
-    struct debugger *debugger = debugger_new(&setup, &failure);
+    struct debugger *debugger = NON_NULL(debugger_new(&setup, &failure));
 
-    assert_non_null(debugger);
     debugger_greet(debugger);
     return debugger;
 }

@@ -56,8 +56,7 @@ static void emit(const struct primitive *primitive, struct emission_options opti
                  struct emission_choice choice, struct emitted_point *points)
 {
     options.model = prior_model;
-    SCOPED(emission) *emission = emission_new(primitive, &options, &failure);
-    REQUIRE(emission);
+    SCOPED(emission) *emission = NON_NULL(emission_new(primitive, &options, &failure));
     run(emission, options.points, &choice, points, NULL);
 }
 
@@ -416,8 +415,7 @@ static double print_clocks(const struct primitive *primitive, enum trace_mode mo
 {
     struct emission_options options = { mode, queue, MAX_EMISSION, false, model };
     SCOPED_VALUE(accounts) accounts = { .model = model };
-    SCOPED(emission) *emission = emission_new(primitive, &options, &failure);
-    assert_non_null(emission);
+    SCOPED(emission) *emission = NON_NULL(emission_new(primitive, &options, &failure));
     run(emission, MAX_EMISSION, &(struct emission_choice){ .seed = 1 }, emitted[0],
         &accounts);
     double all = clocks_a_point(&accounts, NULL);

@@ -390,8 +390,7 @@ TEST(replays)
         for (size_t k = 0; k < MOVES; k++) {
             walk_by_chance(&walk, 3);
             talk_ask(&walk.talk, "{'do': 'view'}");
-            FREED char *before = strdup(walk.talk.text);
-            assert_non_null(before);
+            FREED char *before = NON_NULL(strdup(walk.talk.text));
             SCOPED_VALUE(fresh) fresh;
             const struct json_value *rows, *row;
 

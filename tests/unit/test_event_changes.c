@@ -306,11 +306,10 @@ static void check_history(uint64_t seed)
     struct places places = draw_places(&program, model);
     c205 *machine = machine_of(&program, model);
     SCOPED(c205) *plain = machine_of(&program, model);
-    c205_history *history = c205_history_new(machine, 1 << 20, &failure);
+    c205_history *history = NON_NULL(c205_history_new(machine, 1 << 20, &failure));
     uint64_t pc[STEPS + 1], steps = 0;
     c205_stop stop;
 
-    assert_non_null(history);
     for (size_t i = 0; i < PLACES; i++)
         assert_true(c205_break(machine, places.at[i], true));
     assert_true(c205_watch(machine, places.watched, places.words, true));

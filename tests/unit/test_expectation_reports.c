@@ -68,8 +68,7 @@ TEST(model)
                                "; expect-clocks: 7\n"
                                "; expect-model: cyber205-2pipe-prior\n";
     check_said(text, "");
-    FREED char *report = run_on("cyber205-2pipe-prior", text);
-    assert_non_null(report);
+    FREED char *report = NON_NULL(run_on("cyber205-2pipe-prior", text));
     assert_non_null(strstr(report, "test.s:4: expected 7 clocks, found"));
     check_said(" EXIT\n; expect-clocks: 7\n", "expected 7 clocks");
 }

@@ -37,8 +37,7 @@ static struct run_options small(void)
 static const char *file_of(const char *text)
 {
     static const char path[] = "test_fit.csv";
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
+    FILE *file = NON_NULL(fopen(path, "w"));
     fputs(text, file);
     fclose(file);
     return path;
@@ -47,8 +46,7 @@ static const char *file_of(const char *text)
 static struct fit_run *new_run(const char *program)
 {
     struct run_options how = small();
-    struct fit_run *run = run_new(program, &how, &failure);
-    REQUIRE(run);
+    struct fit_run *run = NON_NULL(run_new(program, &how, &failure));
     return run;
 }
 
@@ -297,8 +295,7 @@ TEST(constants)
     c205_setting settings[MAX_SETTINGS];
     double places[MAX_FREE] = { .5 };
     const struct free_constant *first = &constants.items[0];
-    SCOPED(c205_model) *like = c205_model_find("eta10g", &failure);
-    assert_non_null(like);
+    SCOPED(c205_model) *like = NON_NULL(c205_model_find("eta10g", &failure));
     read_constants(&constants, "a,cyber205,latency.load swap.word,R,5,40,?\n"
                                "b,cyber720,time.add,S,5,40,?\n");
     assert_int_equal(constants.count, 2);

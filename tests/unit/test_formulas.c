@@ -55,13 +55,11 @@ TEST(by_chance)
     for (int i = 0; i < FORMULAS; i++) {
         FREED char *formula = NULL;
         size_t length;
-        FILE *file = open_memstream(&formula, &length);
-        assert_non_null(file);
+        FILE *file = NON_NULL(open_memstream(&formula, &length));
         put_formula(file, &random, DEPTH);
         fclose(file);
         size_t room = sizeof frame + 2 * strlen(formula);
-        FREED char *text = malloc(room);
-        assert_non_null(text);
+        FREED char *text = NON_NULL(malloc(room));
         snprintf(text, room, frame, formula, formula);
         SCOPED(scene) *scene = read_scene(text);
         const double *center = scene->primitives->shape.sphere.center;

@@ -63,9 +63,8 @@ static c205_word channel_of(const struct frame_pixel *pixel, enum frame_channel 
 /* Returns the band's machine at an instruction boundary near the clock. */
 static c205 *machine_at(const struct frame_pixel *pixel, uint64_t clock)
 {
-    c205 *machine = trace_machine(pixel->trace, pixel->band, &failure);
+    c205 *machine = NON_NULL(trace_machine(pixel->trace, pixel->band, &failure));
     c205_stop stop;
-    assert_non_null(machine);
     while (c205_clock(machine) < clock && c205_step(machine, &stop))
         continue;
     return machine;
@@ -375,8 +374,7 @@ TEST(sessions)
                                         .verbs = pixel_verbs,
                                         .context = &pixel };
         char again[200];
-        session.debugger = debugger_new(&setup, &failure);
-        assert_non_null(session.debugger);
+        session.debugger = NON_NULL(debugger_new(&setup, &failure));
         session_check(&session, lines, 1);
         session_obey(&session, "seek");
         snprintf(again, sizeof again, "%s", session.said.text);

@@ -17,9 +17,8 @@ static c205_word word_at(size_t i)
 /* Returns the bytes of memory that the process occupies. */
 static size_t resident(void)
 {
-    FILE *file = fopen("/proc/self/statm", "r");
+    FILE *file = NON_NULL(fopen("/proc/self/statm", "r"));
     unsigned long all = 0, pages = 0;
-    assert_non_null(file);
     assert_int_equal(fscanf(file, "%lu %lu", &all, &pages), 2);
     fclose(file);
     return (size_t)pages * (size_t)sysconf(_SC_PAGESIZE);

@@ -25,8 +25,7 @@ static size_t some_length(size_t most)
 static struct object *assemble(const char *name)
 {
     static const struct asm_define none[] = { { NULL, 0 } };
-    struct object *program = program_assemble(name, none, &failure);
-    REQUIRE(program);
+    struct object *program = NON_NULL(program_assemble(name, none, &failure));
     return program;
 }
 

@@ -102,11 +102,9 @@ TEST(jumps)
             story.target[k] = below((size_t)story.steps + 1);
         run_plainly(&story, true);
         SCOPED(c205_model) *model = story.model;
-        SCOPED(c205_history) *history = c205_history_new(machine_of(&story.program,
-                                                                    story.model),
-                                                         below(2) * below(1 << 20),
-                                                         &failure);
-        assert_non_null(history);
+        SCOPED(c205_history) *history = NON_NULL(
+            c205_history_new(machine_of(&story.program, story.model),
+                             below(2) * below(1 << 20), &failure));
         /* In half of the stories the history first moves to the end of the unchanged
          * run, before a trap, and back. Then all changes are applied. */
         if (below(2)) {
@@ -176,8 +174,7 @@ static uint64_t constant_of(const c205 *machine, const char *kind,
     char name[80];
     const c205_constant *constant;
     snprintf(name, sizeof name, "%s.%s", kind, c205_timing_name(insn->timing));
-    constant = c205_model_lookup(c205_machine_model(machine), name);
-    assert_non_null(constant);
+    constant = NON_NULL(c205_model_lookup(c205_machine_model(machine), name));
     return (uint64_t)constant->value;
 }
 

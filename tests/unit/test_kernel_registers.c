@@ -112,9 +112,8 @@ TEST_CALL(fit_programs,
 
 static void run_watched(const struct object *program, c205 *machine, const char *what)
 {
-    SCOPED(register_owners) *owners = register_owners_new(program);
+    SCOPED(register_owners) *owners = NON_NULL(register_owners_new(program));
     struct sink sink = stream_sink(stderr);
-    assert_non_null(owners);
     assert_int_equal(c205_loaded_program(machine),
                      c205_program_hash(&program->program));
     assert_true(c205_listen(machine, register_owners_listen, owners));
@@ -186,8 +185,7 @@ static struct scene *read_file(const char *path)
                                            .height = ROWS,
                                            .read_raster = picture_read_raster };
     SCOPED_VALUE(diagnostics) reports = { 0 };
-    struct scene *scene = scene_read(path, &reading, &reports);
-    assert_non_null(scene);
+    struct scene *scene = NON_NULL(scene_read(path, &reading, &reports));
     return scene;
 }
 
@@ -374,8 +372,8 @@ TEST(points)
             .coordinates = STREAM_DRAWS,
         };
         SCOPED(point_maker) *maker = point_maker_new(&kind, &failure);
-        c205 *machine = maker ? point_maker_load(maker, &choice, &failure) : NULL;
-        REQUIRE(machine);
+        c205 *machine = NON_NULL(maker ? point_maker_load(maker, &choice, &failure)
+                                       : NULL);
         run_watched(point_maker_program(maker), machine, "points");
     }
 }
@@ -396,9 +394,8 @@ TEST(emission)
                                                    .queue = 7, .points = 200,
                                                    .lattice = i / TRACE_FORMS % 2);
         SCOPED(emission) *emission = emission_new(primitive, &options, &failure);
-        SCOPED(c205) *machine = emission ? emission_load(emission, &choice, &failure)
-                                         : NULL;
-        REQUIRE(machine);
+        SCOPED(c205) *machine = NON_NULL(
+            emission ? emission_load(emission, &choice, &failure) : NULL);
         run_watched(emission_program(emission), machine, "emission");
     }
 }

@@ -230,8 +230,7 @@ static void check_json(const struct lesson_verdict *verdict)
 
     lesson_verdict_json(verdict, json);
     assert_true(json_close(json, &failure));
-    read = json_read(&arena, line.text, line.length, &failure);
-    assert_non_null(read);
+    read = NON_NULL(json_read(&arena, line.text, line.length, &failure));
     assert_string_equal(json_member_text(read, "lesson"), "drawn");
     assert_string_equal(json_member_text(read, "title"), "Drawn at random");
     assert_string_equal(json_member_text(read, "answer"), "my.s");
@@ -391,11 +390,10 @@ static void check_said(const struct random_lesson *drawn, const char *old,
 {
     SCOPED_VALUE(lesson) lesson;
     SCOPED_VALUE(lesson_verdict) verdict;
-    const char *at = strstr(drawn->answer, old);
+    const char *at = NON_NULL(strstr(drawn->answer, old));
     char answer[sizeof drawn->answer + 200];
     const struct lesson_report *report;
 
-    assert_non_null(at);
     snprintf(answer, sizeof answer, "%.*s%s%s", (int)(at - drawn->answer),
              drawn->answer, new, at + strlen(old));
     random_open(drawn, &lesson);

@@ -90,12 +90,10 @@ TEST(formulas)
     const char *asked = getenv("MASS_RAYS");
     double rays = asked ? strtod(asked, NULL) : 1 << 15;
     size_t rays_log = (size_t)lround(log2(rays / 16));
-    FREED struct csv_table *table = calloc(1, sizeof *table);
+    FREED struct csv_table *table = NON_NULL(calloc(1, sizeof *table));
     size_t length;
-    FREED char *text = file_read("tests/unit/massprops.csv", 1 << 20, &length,
-                                 &failure);
-    assert_non_null(table);
-    assert_non_null(text);
+    FREED char *text = NON_NULL(
+        file_read("tests/unit/massprops.csv", 1 << 20, &length, &failure));
     csv_table(text, table);
     assert_true(table->rows > 5);
     for (size_t row = 1; row < table->rows; row++)

@@ -11,8 +11,7 @@
 
 static struct memory *memory_of(uint64_t address, size_t words)
 {
-    struct memory *memory = calloc(1, sizeof *memory);
-    assert_non_null(memory);
+    struct memory *memory = NON_NULL(calloc(1, sizeof *memory));
     memory_init(memory);
     assert_true(memory_map(memory, address, words, C205_READ_WRITE, &failure));
     return memory;

@@ -119,8 +119,8 @@ TEST(change)
                                              { "page.words", 2048 },
                                              { "stream.vadd", 1.25 } };
     SCOPED(c205_model) *model = named_model("cyber205-2pipe");
-    SCOPED(c205_model) *changed = c205_model_change(model, settings, 3, &failure);
-    assert_non_null(changed);
+    SCOPED(c205_model) *changed = NON_NULL(
+        c205_model_change(model, settings, 3, &failure));
     assert_string_equal(c205_model_name(changed),
                         "cyber205-2pipe with machine.pipes 4, "
                         "page.words 2048, stream.vadd 1.25");
@@ -307,8 +307,7 @@ TEST(errors_in_beliefs)
 static c205_model *model_of_file(const char *path, const char *text, int remarks,
                                  const char *end)
 {
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
+    FILE *file = NON_NULL(fopen(path, "w"));
     fputs(text, file);
     for (int i = 0; i < remarks; i++)
         fputs("# a remark that takes some room\n", file);

@@ -116,9 +116,8 @@ static void check_within(const struct nested_scene *nested, size_t node,
 /* Each leaf occurs once. */
 static void check_leaves(const struct scene *scene, const struct scene *nested)
 {
-    FREED bool *there = calloc(scene->primitive_count, sizeof *there);
+    FREED bool *there = NON_NULL(calloc(scene->primitive_count, sizeof *there));
     size_t count = 0;
-    assert_non_null(there);
     for (size_t i = 0; i < nested->node_count; i++) {
         size_t leaf = nested->nodes[i].primitive;
         if (nested->nodes[i].operation != TREE_LEAF)

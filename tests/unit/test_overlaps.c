@@ -29,8 +29,7 @@ struct crowd {
 static void write_text(struct crowd *crowd)
 {
     size_t length;
-    FILE *file = open_memstream(&crowd->text, &length);
-    assert_non_null(file);
+    FILE *file = NON_NULL(open_memstream(&crowd->text, &length));
     for (size_t i = 0; i < crowd->box_count; i++) {
         const struct box *box = &crowd->boxes[i];
         fprintf(file,

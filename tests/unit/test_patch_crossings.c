@@ -102,9 +102,9 @@ static void check_behind_crossings(const struct scene *scene, const struct trace
                                    c205 *machine, const char *text)
 {
     const struct object *program = trace_program(trace);
-    FREED struct leaf_plan *plans = calloc(scene->primitive_count, sizeof *plans);
+    FREED struct leaf_plan *plans = NON_NULL(
+        calloc(scene->primitive_count, sizeof *plans));
     uint64_t at = program_round_up(program_end(program));
-    assert_non_null(plans);
     at += UINT64_C(64) * plan_leaves(scene, plans)
           * (uint64_t)object_symbol(program, "CROSSING_SIZE")->value;
     uint64_t end = program_round_up(at);

@@ -211,9 +211,8 @@ TEST(same_bytes_later)
         for (size_t i = 0; i < 4; i++) {
             const char *path = in_folder(names[i]);
             assert_true(picture_write(path, &frame, notes, true, &error));
-            bytes[i][round] = file_read(path, FILE_LARGEST, &length[i][round],
-                                        &message);
-            assert_non_null(bytes[i][round]);
+            bytes[i][round] = NON_NULL(
+                file_read(path, FILE_LARGEST, &length[i][round], &message));
         }
         if (round == 0)
             nanosleep(&over_a_second, NULL);
@@ -328,10 +327,9 @@ TEST(rows_missing)
     SCOPED_VALUE(frame) frame = sample_frame();
     for (int given_up = 0; given_up < 2; given_up++) {
         c205_error error = { "" };
-        struct picture *picture = picture_begin(in_folder("p.png"), WIDTH,
-                                                HEIGHT + 1 - (size_t)given_up, notes,
-                                                false, NULL, &error);
-        assert_non_null(picture);
+        struct picture *picture = NON_NULL(picture_begin(in_folder("p.png"), WIDTH,
+                                                         HEIGHT + 1 - (size_t)given_up,
+                                                         notes, false, NULL, &error));
         assert_true(picture_rows(picture, &frame, &error));
         assert_false(picture_rows(picture, &frame, &error));
         assert_false(picture_end(picture, !given_up, &error));

@@ -16,8 +16,7 @@ struct solid {
 static struct solid solid_with(const char *text, size_t reports)
 {
     struct solid solid = { read_with(text, reports), NULL };
-    solid.crossings = crossing_list_new(solid.scene);
-    assert_non_null(solid.crossings);
+    solid.crossings = NON_NULL(crossing_list_new(solid.scene));
     assert_int_equal(solid.scene->region_count, 1);
     return solid;
 }

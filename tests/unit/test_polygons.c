@@ -238,8 +238,7 @@ static void check_outline(const struct flat_outline *outline)
     write_outline(outline, text);
     SCOPED(scene) *scene = read_scene(text);
     const struct triangles *triangles = triangles_of(scene);
-    flat = malloc(triangles->count * sizeof *flat);
-    assert_non_null(flat);
+    flat = NON_NULL(malloc(triangles->count * sizeof *flat));
     for (size_t i = 0; i < triangles->count; i++) {
         flat[i] = put_in_plane(outline, &triangles->list[i]);
         area += fabs(side(flat[i].points[0], flat[i].points[1], flat[i].points[2])) / 2;

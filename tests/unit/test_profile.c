@@ -42,10 +42,8 @@ static char *table_text_of(enum profile_table kind)
     char *text;
     size_t size;
     FILE *file = open_memstream(&text, &size);
-    SCOPED(table) *table = profile_table(kind, &profile);
-    struct json *json = json_open_stream(file, NULL, &failure);
-    assert_non_null(table);
-    assert_non_null(json);
+    SCOPED(table) *table = NON_NULL(profile_table(kind, &profile));
+    struct json *json = NON_NULL(json_open_stream(file, NULL, &failure));
     table_json(table, json, "rows");
     assert_true(json_close(json, &failure));
     fclose(file);
@@ -55,8 +53,7 @@ static char *table_text_of(enum profile_table kind)
 /* Returns the number of a key in the row that begins here. */
 static double number_of(const char *row, const char *key)
 {
-    const char *at = strstr(row, key);
-    assert_non_null(at);
+    const char *at = NON_NULL(strstr(row, key));
     return strtod(strchr(at, ':') + 1, NULL);
 }
 
@@ -113,9 +110,8 @@ static double sum_of_rows(const struct table *table, const char *text, size_t co
 TEST(groups)
 {
     static char text[8192];
-    SCOPED(table) *table = profile_table(PROFILE_GROUPS, &profile);
+    SCOPED(table) *table = NON_NULL(profile_table(PROFILE_GROUPS, &profile));
     FILE *file = fmemopen(text, sizeof text, "w");
-    assert_non_null(table);
     assert_true(table_print(table, file));
     fclose(file);
     for (int i = 0; i < TRACE_MODES; i++)

@@ -32,10 +32,9 @@ static void add_text(struct program_sweep *sweep, const char *path, const char *
 
 static char *file_text(const char *path)
 {
-    FILE *file = fopen(path, "r");
+    FILE *file = NON_NULL(fopen(path, "r"));
     char *text = calloc(1, 65536);
 
-    assert_non_null(file);
     assert_true(fread(text, 1, 65535, file) > 0);
     fclose(file);
     return text;
@@ -56,11 +55,10 @@ static c205 *run_plainly(const struct program_sweep *sweep, int which, uint64_t 
     struct asm_define defines[] = { { sweep->constant, (int64_t)value }, { NULL, 0 } };
     struct asm_options options = { .defines = defines };
     SCOPED_VALUE(diagnostics) errors = { 0 };
-    SCOPED(object) *object = assemble_text(program->path, program->text, &options,
-                                           &errors);
+    SCOPED(object) *object = NON_NULL(
+        assemble_text(program->path, program->text, &options, &errors));
     c205 *machine = c205_new(prior_model, &failure);
 
-    assert_non_null(object);
     assert_true(c205_load(machine, &object->program, &failure));
     if (sweep->warm)
         c205_warm(machine);

@@ -293,9 +293,8 @@ TEST(no_lines)
                                                .model = prior_model };
     SCOPED(scene) *scene = read_text(HEAD "sphere { 0, 1 }");
     c205_error error = { "" };
-    SCOPED(ray_query) *lines = ray_query_new(scene, &options, &error);
+    SCOPED(ray_query) *lines = NON_NULL(ray_query_new(scene, &options, &error));
     SCOPED_VALUE(ray_hits) found;
-    assert_non_null(lines);
     for (size_t i = 0; i < 3; i++) {
         assert_false(ray_query_find(lines, bad[i], 2, &found, &error));
         assert_string_equal(error.message,

@@ -190,8 +190,8 @@ TEST(settings)
 static void compare_pages(const char *path, const c205_setting *settings, size_t count)
 {
     SCOPED_VALUE(run) recorded = run_of(named_model(PRIOR), path);
-    c205_model *changed = c205_model_change(recorded.model, settings, count, &failure);
-    assert_non_null(changed);
+    c205_model *changed = NON_NULL(
+        c205_model_change(recorded.model, settings, count, &failure));
     SCOPED_VALUE(run) ran = run_of(changed, path);
     assert_true(c205_clock(ran.machine) > c205_clock(recorded.machine));
     assert_retimes(path, &recorded, recorded.model, settings, count, ran.machine, NULL);
@@ -256,8 +256,8 @@ TEST(errors)
     SCOPED(c205_model) *projection = named_model("cyber720");
     SCOPED_VALUE(run) run = loaded(named_model(PRIOR),
                                    program_of("asm/examples/dot.s"));
-    SCOPED(c205_projection) *charged = c205_projection_new(projection, &error);
-    assert_non_null(charged);
+    SCOPED(c205_projection) *charged = NON_NULL(
+        c205_projection_new(projection, &error));
     assert_true(c205_listen(run.machine, c205_project, charged));
     assert_runs(run.machine);
     assert_false(c205_projection_holds(charged, &error));
@@ -301,9 +301,8 @@ static uint64_t projected(const char *text, const char *model_text)
     SCOPED(c205_model) *model = named_model(PRIOR);
     SCOPED(c205_model) *projection_model = parsed_model(model_text);
     SCOPED(c205) *machine = machine_with(&object->program, model);
-    SCOPED(c205_projection) *projection = c205_projection_new(projection_model,
-                                                              &failure);
-    assert_non_null(projection);
+    SCOPED(c205_projection) *projection = NON_NULL(
+        c205_projection_new(projection_model, &failure));
     assert_true(c205_listen(machine, c205_project, projection));
     assert_runs(machine);
     assert_true(c205_projection_holds(projection, &failure));

@@ -149,8 +149,7 @@ static void check_ways(const char *text)
 
 static void check_scenes(bool gridded, bool clear, bool spheres)
 {
-    FREED char *text = malloc(TEXT_ROOM);
-    assert_non_null(text);
+    FREED char *text = NON_NULL(malloc(TEXT_ROOM));
     solids.gridded = gridded;
     solids.clear = clear;
     for (size_t i = 0; i < scene_count; i++) {
@@ -189,9 +188,8 @@ static void write_window(char *text)
 TEST(windows)
 {
     enum { WINDOWS = 6 };
-    FREED char *text = malloc(TEXT_ROOM);
+    FREED char *text = NON_NULL(malloc(TEXT_ROOM));
 
-    assert_non_null(text);
     for (int i = 0; i < WINDOWS; i++) {
         write_window(text);
         check_ways(text);

@@ -93,16 +93,14 @@ static struct object *assemble(const char *text, const char *routine)
     const char *at = strstr(text, "ROUTINE");
     snprintf(program, sizeof program, "%.*s%s%s", (int)(at - text), text, routine,
              at + strlen("ROUTINE"));
-    struct object *object = assemble_text("test.s", program, &how, &errors);
+    struct object *object = NON_NULL(assemble_text("test.s", program, &how, &errors));
     diagnostics_put(&errors, &sink);
-    assert_non_null(object);
     return object;
 }
 
 static uint64_t address_of(const struct object *object, const char *name)
 {
-    const struct asm_symbol *symbol = object_symbol(object, name);
-    assert_non_null(symbol);
+    const struct asm_symbol *symbol = NON_NULL(object_symbol(object, name));
     return (uint64_t)symbol->value;
 }
 

@@ -58,8 +58,7 @@ static struct polynomial_roots *solve(const struct polynomial *polynomials,
                                       size_t count, const struct roots_options *options)
 {
     struct root_search *search = roots_new(polynomials, count, options, &failure);
-    struct polynomial_roots *roots = calloc(count, sizeof *roots);
-    assert_non_null(roots);
+    struct polynomial_roots *roots = NON_NULL(calloc(count, sizeof *roots));
     REQUIRE(search && roots_run(search, &failure)
             && roots_read(search, roots, &failure));
     roots_free(search);
@@ -147,10 +146,9 @@ TEST(falsi)
                              { "PEGASUS", FALSI_PEGASUS },
                              { "ANDERSON_BJORCK", FALSI_ANDERSON_BJORCK } };
     const struct asm_define defines[] = { { "QUEUE", 1 }, { NULL, 0 } };
-    SCOPED(object) *program = program_assemble("roots/roots_vector.s", defines,
-                                               &failure);
+    SCOPED(object) *program = NON_NULL(
+        program_assemble("roots/roots_vector.s", defines, &failure));
 
-    REQUIRE(program);
     for (int i = 0; i < FALSI_RULES; i++)
         assert_int_equal(object_symbol(program, rules[i].name)->value, rules[i].rule);
 }

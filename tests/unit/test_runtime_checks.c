@@ -17,8 +17,8 @@ static char *watched(const struct object *object, const struct warning_choice *c
     SCOPED(c205) *machine = machine_with(&object->program, model);
     struct text_buffer report = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&report);
-    struct runtime_checker *watch = runtime_new(object, "test.o", choice, &sink);
-    assert_non_null(watch);
+    struct runtime_checker *watch = NON_NULL(
+        runtime_new(object, "test.o", choice, &sink));
     assert_true(c205_listen(machine, runtime_listen, watch));
     runtime_begin(watch, machine);
     c205_run(machine, 1000000);
@@ -199,8 +199,7 @@ TEST(choice)
     SCOPED(object) *expected = good(" ADDNV [r1], [r1], [r1]\n EXIT\n"
                                     "; expect-warning: unset-length\n");
     struct sink sink = stream_sink(stderr);
-    struct runtime_checker *watch = runtime_new(expected, "", &choice, &sink);
-    assert_non_null(watch);
+    struct runtime_checker *watch = NON_NULL(runtime_new(expected, "", &choice, &sink));
     assert_int_equal(runtime_warned(watch), 0);
     runtime_free(watch);
 }

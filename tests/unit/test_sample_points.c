@@ -279,8 +279,7 @@ static struct quality try_seeds(bool lattice, size_t seeds)
                                      .points = N,
                                      .coordinates = STREAM_DRAWS };
     double squares = 0, sum = 0, covered = 0;
-    SCOPED(point_maker) *maker = point_maker_new(&kind, &failure);
-    REQUIRE(maker);
+    SCOPED(point_maker) *maker = NON_NULL(point_maker_new(&kind, &failure));
     for (size_t seed = 0; seed < seeds; seed++) {
         struct estimate found = estimate(maker, lattice, seed);
         double off = found.mean - 1;

@@ -137,8 +137,7 @@ TEST(stopped)
                                             .band = 40 * 20 * 9,
                                             .progress = stop_in_the_middle,
                                             .context = &asked);
-    SCOPED(trace) *trace = trace_new(scene, &options, &failure);
-    assert_non_null(trace);
+    SCOPED(trace) *trace = NON_NULL(trace_new(scene, &options, &failure));
     assert_int_equal(trace_bands(trace), 3);
     assert_false(trace_run(trace, &failure));
     assert_int_equal(trace_rows_done(trace), 20 * trace_bands_done(trace));

@@ -64,8 +64,7 @@ static void compare_frame(const struct scene *scene, enum trace_mode mode)
         .mode = mode, .width = 8, .height = 6, .queue = 30, .model = prior_model
     };
     SCOPED(trace) *trace = trace_new(scene, &options, &failure);
-    SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &failure) : NULL;
-    REQUIRE(machine);
+    SCOPED(c205) *machine = NON_NULL(trace ? trace_machine(trace, 0, &failure) : NULL);
     SCOPED_VALUE(bytes) begin = save(machine);
     compare_runs(&begin, 20011);
 }
@@ -104,8 +103,7 @@ TEST(untouched)
     const c205_access access[] = { C205_READ_WRITE, C205_WHEN_TOUCHED };
     struct bytes saved[2];
     for (size_t i = 0; i < 2; i++) {
-        SCOPED(c205) *machine = c205_new(prior_model, &failure);
-        assert_non_null(machine);
+        SCOPED(c205) *machine = NON_NULL(c205_new(prior_model, &failure));
         assert_true(c205_map(machine, 0, 3 * C205_PAGE_WORDS, access[i], &failure));
         saved[i] = save(machine);
         assert_int_equal(memory_is_untouched(
@@ -121,8 +119,7 @@ TEST(untouched)
 /* A machine without a program can be saved. */
 TEST(empty_machine)
 {
-    SCOPED(c205) *machine = c205_new(prior_model, &failure);
-    assert_non_null(machine);
+    SCOPED(c205) *machine = NON_NULL(c205_new(prior_model, &failure));
     machine = replace(machine);
     assert_int_equal(c205_loaded_program(machine), 0);
 }
@@ -253,8 +250,8 @@ TEST(foreign)
 {
     static const char text[] = "c205-object 1\nentry 400000\nend\n";
     SCOPED_VALUE(bytes) bytes = in_the_middle();
-    SCOPED(c205_model) *other = c205_model_find("cyber205-4pipe-prior", &failure);
-    assert_non_null(other);
+    SCOPED(c205_model) *other = NON_NULL(
+        c205_model_find("cyber205-4pipe-prior", &failure));
     assert_rejected(bytes.byte, bytes.count, other, "cyber205-2pipe-prior");
     assert_rejected(text, sizeof text, prior_model, "not a saved machine");
     put_word(&bytes, 1, get_word(&bytes, 1) + 1);
@@ -267,11 +264,10 @@ TEST(same_constants)
 {
     static const char text[] = "title As before\nlike cyber205-2pipe-prior\n"
                                "latency.load 15.0 clk P\n";
-    SCOPED(c205_model) *same = c205_model_parse("renamed", text, &failure);
+    SCOPED(c205_model) *same = NON_NULL(c205_model_parse("renamed", text, &failure));
     SCOPED_VALUE(bytes) bytes = in_the_middle();
-    assert_non_null(same);
-    SCOPED(c205) *machine = c205_restore(bytes.byte, bytes.count, same, &failure);
-    assert_non_null(machine);
+    SCOPED(c205) *machine = NON_NULL(
+        c205_restore(bytes.byte, bytes.count, same, &failure));
 }
 
 TEST(no_room)

@@ -486,10 +486,9 @@ TEST(gamma_of_versions)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED_VALUE(diagnostics) reports = { 0 };
-        SCOPED(scene) *scene = scene_read_text("test.pov", rows[i].text,
-                                               &reading_options, &reports);
+        SCOPED(scene) *scene = NON_NULL(
+            scene_read_text("test.pov", rows[i].text, &reading_options, &reports));
         size_t reported = 0;
-        assert_non_null(scene);
         for (size_t k = 0; k < reports.count; k++)
             reported += strstr(reports.items[k].message, "gamma correction") != NULL;
         assert_int_equal(scene->gamma_off, rows[i].off);
@@ -518,13 +517,11 @@ static size_t read_examples(const char *page)
 {
     static const char open[] = "\n```pov\n", close[] = "\n```\n";
     size_t length, count = 0;
-    FREED char *text = file_read(page, FILE_LARGEST, &length, &failure);
-    REQUIRE(text);
+    FREED char *text = NON_NULL(file_read(page, FILE_LARGEST, &length, &failure));
     char *end = text, *start = strstr(text, open);
     for (; start; start = strstr(end, open), count++) {
         start += strlen(open);
-        end = strstr(start, close);
-        assert_non_null(end);
+        end = NON_NULL(strstr(start, close));
         *end++ = '\0';
         scene_free(read_scene(start));
     }

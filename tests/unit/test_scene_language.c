@@ -27,8 +27,8 @@ TEST(lists)
         snprintf(path, sizeof path, "tests/language/%s.pov", names[i]);
         SCOPED(scene) *scene = scene_read(path, &reading_options, &reports);
         snprintf(path, sizeof path, "tests/language/%s.txt", names[i]);
-        FREED char *expected = file_read(path, FILE_LARGEST, &length, &failure);
-        REQUIRE(expected);
+        FREED char *expected = NON_NULL(
+            file_read(path, FILE_LARGEST, &length, &failure));
         if (!scene || reports.count != 1) {
             diagnostics_print(&reports, stderr);
             fail_msg("%s.pov has other reports", names[i]);

@@ -174,8 +174,7 @@ TEST(reported_by_chance)
     for (int i = 0; i < SCENES; i++) {
         FREED char *text = NULL;
         size_t length;
-        drawing.text = open_memstream(&text, &length);
-        assert_non_null(drawing.text);
+        drawing.text = NON_NULL(open_memstream(&text, &length));
         unsigned expected = draw(&drawing);
         fclose(drawing.text);
         unsigned reported = reported_of(text);

@@ -15,8 +15,7 @@ static struct scene *scene_with(const char *words, size_t reports)
 
 static const struct bump_list *list_of(const struct scene *scene)
 {
-    const struct bump_list *list = scene->primitives[0].bumps.list;
-    assert_non_null(list);
+    const struct bump_list *list = NON_NULL(scene->primitives[0].bumps.list);
     return list;
 }
 

@@ -245,8 +245,7 @@ TEST(includes)
                "\n\nbox { -1, L }");
     write_file(folder, "loop.inc", "#include \"loop.inc\"\n");
     snprintf(path, sizeof path, "%s/main.pov", folder);
-    scene = scene_read(path, &reading_options, &reports);
-    assert_non_null(scene);
+    scene = NON_NULL(scene_read(path, &reading_options, &reports));
     assert_int_equal(scene->primitives[0].line, 2); /* line of the #include */
     assert_int_equal(scene->primitives[1].line, 3);
     assert_close(scene->primitives[1].shape.sphere.radius, 3, 0);
@@ -266,8 +265,8 @@ TEST(includes)
 
     const char *const search[] = { folder, NULL };
     const struct scene_options searching = { 4, 3, false, search, NULL, NULL, NULL, 0 };
-    scene = read_versioned("x.pov", "#include \"part.inc\"", &searching, &reports);
-    assert_non_null(scene);
+    scene = NON_NULL(
+        read_versioned("x.pov", "#include \"part.inc\"", &searching, &reports));
     scene_free(scene);
     delete_files(folder, names);
     assert_null(scene_read(path, &reading_options, &reports));
@@ -358,9 +357,8 @@ TEST(many_files)
                  "#for (J, 1, 3) #for (I, 1, %d) #fopen F concat(\"%s/\","
                  " str(I, 0, 0)) read #fclose F #end #end",
                  FILES - 1 + more, folder);
-        SCOPED(scene) *scene = read_versioned("x.pov", text, &reading_options,
-                                              &reports);
-        assert_non_null(scene);
+        SCOPED(scene) *scene = NON_NULL(
+            read_versioned("x.pov", text, &reading_options, &reports));
     }
     snprintf(text, sizeof text,
              "#for (I, 1, %d) #fopen F concat(\"%s/\", str(I, 0, 0)) read"
@@ -392,16 +390,15 @@ TEST(libraries)
                "#declare C = finish { crand 1 }\n"
                "#declare D = finish { crand 1 }\n"
                "#declare E = finish { irid { 1 } }\n");
-    scene = read_versioned("x.pov",
-                           "#include \"one.inc\"\n"
-                           "sphere { 0, 1 finish { B } }\n"
-                           "sphere { 0, 1 finish { A } }\n"
-                           "sphere { 0, 1 finish { C } }\n"
-                           "sphere { 0, 1 finish { D } }\n"
-                           "sphere { 0, 1 finish { crand 1 } }\n"
-                           "sphere { 0, 1 finish { crand 1 } }\n",
-                           &searching, &reports);
-    assert_non_null(scene);
+    scene = NON_NULL(read_versioned("x.pov",
+                                    "#include \"one.inc\"\n"
+                                    "sphere { 0, 1 finish { B } }\n"
+                                    "sphere { 0, 1 finish { A } }\n"
+                                    "sphere { 0, 1 finish { C } }\n"
+                                    "sphere { 0, 1 finish { D } }\n"
+                                    "sphere { 0, 1 finish { crand 1 } }\n"
+                                    "sphere { 0, 1 finish { crand 1 } }\n",
+                                    &searching, &reports));
     assert_int_equal(reports.count, 1);
     assert_non_null(strstr(reports.items->file, "one.inc"));
     assert_non_null(strstr(reports.items->message, "(4 places"));

@@ -179,8 +179,7 @@ static void check_net(size_t *seeing, size_t *within)
     net_move(&net, scale, by);
     take_primitive(&mesh);
     size_t count = shape_table_count(&mesh, &viewpoints);
-    FREED double *table = shape_table(&mesh, &viewpoints, count);
-    assert_non_null(table);
+    FREED double *table = NON_NULL(shape_table(&mesh, &viewpoints, count));
     if (net.smooth)
         row = 21;
     for (size_t i = 0; i < table[TABLE_VIEWPOINT_COUNT]; i++) {
@@ -215,9 +214,8 @@ TEST(few_are_asked)
     for (int i = 0; i < 3; i++)
         net_divide(&net);
     take_primitive(&mesh);
-    FREED double *table = shape_table(&mesh, &viewpoints,
-                                      shape_table_count(&mesh, &viewpoints));
-    assert_non_null(table);
+    FREED double *table = NON_NULL(
+        shape_table(&mesh, &viewpoints, shape_table_count(&mesh, &viewpoints)));
     assert_int_equal((int)table[TABLE_VIEWPOINT_COUNT], 1);
     assert_in_range((int)check_viewpoint(&mesh, table,
                                          table + (size_t)table[TABLE_VIEWPOINTS], 13),
@@ -526,9 +524,8 @@ TEST(where_they_do_not_pay)
     }
     mesh.shape.mesh.triangles.list = blades;
     mesh.shape.mesh.triangles.count = 100;
-    FREED double *table = shape_table(&mesh, &viewpoints,
-                                      shape_table_count(&mesh, &viewpoints));
-    assert_non_null(table);
+    FREED double *table = NON_NULL(
+        shape_table(&mesh, &viewpoints, shape_table_count(&mesh, &viewpoints)));
     assert_int_equal((int)table[TABLE_VIEWPOINT_COUNT], 0);
 }
 

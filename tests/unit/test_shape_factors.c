@@ -23,8 +23,7 @@ static struct factors *begin(const struct scene *scene, struct sampling_options 
 {
     options.seed = seed;
     options.model = prior_model;
-    struct factors *factors = factors_new(scene, &options, &failure);
-    REQUIRE(factors);
+    struct factors *factors = NON_NULL(factors_new(scene, &options, &failure));
     return factors;
 }
 
@@ -317,8 +316,7 @@ TEST(pieces)
     SCOPED(factors) *factors = begin(scene, programs.options);
     SCOPED_VALUE(factor_row) row = find(factors, 1);
     assert_true(packet_programs_begin(&programs, &failure));
-    struct heat_source *source = source_new(scene, 1, &half, &failure);
-    assert_non_null(source);
+    struct heat_source *source = NON_NULL(source_new(scene, 1, &half, &failure));
     for (size_t i = 0; i < 4; i++) { /* the halves of two repeats */
         struct packet_choice choice = { 1, i / 2, i % 2 * half.points };
         struct packet packet;

@@ -139,8 +139,7 @@ static size_t read_file(const char *name, char text[TEXT])
     size_t length;
 
     path_of(path, name);
-    file = fopen(path, "r");
-    assert_non_null(file);
+    file = NON_NULL(fopen(path, "r"));
     length = fread(text, 1, TEXT - 1, file);
     fseek(file, length < TEXT - 1 ? 0 : -16, SEEK_END);
     if (length == TEXT - 1)
@@ -184,11 +183,10 @@ static bool is_input(const char *name)
 /* The folder must contain only the named files. */
 static void check_folder(const char *const *words, int number)
 {
-    DIR *directory = opendir(folder);
+    DIR *directory = NON_NULL(opendir(folder));
     struct dirent *entry;
     char command[100];
 
-    assert_non_null(directory);
     snprintf(command, sizeof command, "%s %s", words[0], words[1]);
     while ((entry = readdir(directory))) {
         size_t i = 0;

@@ -120,8 +120,7 @@ static void solve(struct system *system)
 
 static void check_oracle(const struct found *found, const double *smooth)
 {
-    FREED struct system *system = calloc(1, sizeof *system);
-    assert_non_null(system);
+    FREED struct system *system = NON_NULL(calloc(1, sizeof *system));
     list_flows(found, system);
     put_equations(found, system);
     solve(system);

@@ -148,8 +148,7 @@ static void print(bool (*print_tables)(const struct speedup_report *, enum table
                                        FILE *),
                   enum table_format format)
 {
-    FILE *stream = fmemopen(text, sizeof text, "w");
-    assert_non_null(stream);
+    FILE *stream = NON_NULL(fmemopen(text, sizeof text, "w"));
     assert_true(print_tables(report, format, stream));
     assert_int_equal(fclose(stream), 0);
 }
@@ -171,8 +170,7 @@ TEST(detail)
 static void read_detail(const char *heading, struct csv_table *table)
 {
     print(speedup_report_detail, TABLE_CSV);
-    const char *at = strstr(text, heading);
-    assert_non_null(at);
+    const char *at = NON_NULL(strstr(text, heading));
     csv_table(strchr(at, '\n') + 1, table);
 }
 
@@ -358,9 +356,8 @@ TEST(formulations)
 TEST(markdown)
 {
     print(speedup_report_table1, TABLE_MARKDOWN);
-    const char *rule = strstr(text, "\n|:-");
+    const char *rule = NON_NULL(strstr(text, "\n|:-"));
     assert_int_equal(strncmp(text, "\n## Table 1", 11), 0);
-    assert_non_null(rule);
     assert_non_null(strstr(rule, "-:|"));
     assert_non_null(strstr(rule, "\n| sphere "));
 }
@@ -379,8 +376,7 @@ TEST(projection_models)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        SCOPED(c205_model) *on = c205_model_find(rows[i][0], &failure);
-        assert_non_null(on);
+        SCOPED(c205_model) *on = NON_NULL(c205_model_find(rows[i][0], &failure));
         assert_string_equal(speedup_projection_model(on, SPEEDUP_720), rows[i][1]);
         assert_string_equal(speedup_projection_model(on, SPEEDUP_6600), "cdc6600");
     }

@@ -124,8 +124,8 @@ TEST(small_memory)
     static const size_t lengths[] = { 8, 64, 256, 2500, 4096 };
     SCOPED(scene) *scene = read_scene(balls);
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
-    SCOPED(c205_model) *small = c205_model_change(model, settings, 3, &failure);
-    assert_non_null(small);
+    SCOPED(c205_model) *small = NON_NULL(
+        c205_model_change(model, settings, 3, &failure));
     sweep.subject = NULL;
     sweep.scene = scene;
     sweep.base.trace.model = small;
@@ -257,13 +257,12 @@ TEST(hits_out_of_view)
 static void check_crossover(const struct sweep *sweep,
                             const struct sweep_lengths_found *found)
 {
-    const struct sweep_measure *before = sweep_with_queue(sweep, found->crossover - 1);
+    const struct sweep_measure *before = NON_NULL(
+        sweep_with_queue(sweep, found->crossover - 1));
     assert_true(found->crossover > 1);
-    assert_non_null(before);
     assert_true(before->forms[SWEEP_QUEUED].total >= before->forms[SWEEP_SCALAR].total);
     for (size_t n = found->crossover; n <= found->checked; n++) {
-        const struct sweep_measure *measure = sweep_with_queue(sweep, n);
-        assert_non_null(measure);
+        const struct sweep_measure *measure = NON_NULL(sweep_with_queue(sweep, n));
         assert_true(measure->forms[SWEEP_QUEUED].total
                     < measure->forms[SWEEP_SCALAR].total);
     }

@@ -20,9 +20,8 @@ static size_t scene_count = 10; /* of each kind; make check draws a third */
 static void check_prism(const struct primitive *prism, bool tangled)
 {
     size_t count = shape_table_count(prism, NULL);
-    FREED double *table = shape_table(prism, NULL, count);
+    FREED double *table = NON_NULL(shape_table(prism, NULL, count));
     (void)tangled;
-    assert_non_null(table);
     for (double *row = table; row < table + count; row += 8) {
         double outside[3], inside[3];
         if (row[2] == 1)
@@ -76,8 +75,7 @@ static void check_point(const struct primitive *prism, const struct parabola *ro
 static void check_quadratic_prism(const struct primitive *prism, bool tangled)
 {
     size_t count = shape_table_count(prism, NULL);
-    FREED double *table = shape_table(prism, NULL, count);
-    assert_non_null(table);
+    FREED double *table = NON_NULL(shape_table(prism, NULL, count));
     const struct parabola *rows = (const struct parabola *)table;
     for (size_t i = 0; i < count / 16; i++)
         if (rows[i].begins == 0)
@@ -101,11 +99,10 @@ static bool is_closed(const struct primitive *lathe)
 static void check_lathe(const struct primitive *lathe, bool tangled)
 {
     size_t count = shape_table_count(lathe, NULL);
-    FREED double *table = shape_table(lathe, NULL, count);
+    FREED double *table = NON_NULL(shape_table(lathe, NULL, count));
     struct shape_words words;
     (void)tangled;
     shape_words(lathe, &words);
-    assert_non_null(table);
     for (double *row = table; row < table + 16 * (size_t)words.words[3]; row += 16) {
         double outside[3] = { 0 }, inside[3] = { 0 };
         if (row[BEGINS_WORD] == 1)

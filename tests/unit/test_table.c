@@ -49,8 +49,7 @@ FIXTURE(tear_down)
 static void expect_text(const char *path, const char *expected)
 {
     char text[2048] = "";
-    FILE *file = fopen(path, "r");
-    assert_non_null(file);
+    FILE *file = NON_NULL(fopen(path, "r"));
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
     fclose(file);
     assert_string_equal(text, expected);
@@ -124,8 +123,7 @@ static char *written(const struct table *table, enum table_format format)
 {
     char *text = NULL;
     size_t length = 0;
-    FILE *file = open_memstream(&text, &length);
-    assert_non_null(file);
+    FILE *file = NON_NULL(open_memstream(&text, &length));
     assert_true(table_write(table, format, file));
     assert_int_equal(fclose(file), 0);
     return text;
@@ -395,8 +393,7 @@ TEST(no_folder)
 TEST(device_stays)
 {
     struct stat status;
-    struct atomic_file *whole = atomic_file_open("/dev/full", &failure);
-    assert_non_null(whole);
+    struct atomic_file *whole = NON_NULL(atomic_file_open("/dev/full", &failure));
     fputs("lost", whole->file);
     assert_false(atomic_file_commit(whole, &failure));
     assert_int_equal(stat("/dev/full", &status), 0);

@@ -241,12 +241,10 @@ static void check_font(const char *name, bool points)
     char path[100];
     size_t length;
     snprintf(path, sizeof path, "/usr/share/povray-3.7/include/%s.ttf", name);
-    FREED char *bytes = file_read(path, FILE_LARGEST, &length, &failure);
-    assert_non_null(bytes);
+    FREED char *bytes = NON_NULL(file_read(path, FILE_LARGEST, &length, &failure));
     if (points)
         leave_points((unsigned char *)bytes);
-    struct font *font = font_open(bytes, length, &fault);
-    assert_non_null(font);
+    struct font *font = NON_NULL(font_open(bytes, length, &fault));
     for (uint32_t character = 32; character < 256; character++) {
         struct glyph glyph;
         assert_true(font_glyph(font, character, &arena, &glyph));

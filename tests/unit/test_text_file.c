@@ -100,8 +100,7 @@ TEST(utf16)
             text[length++] = (char)(big ? code : code >> 8);
         }
         if (marked || count > 8) {
-            const char *fault = c205_plain_text(text, &length);
-            assert_non_null(fault);
+            const char *fault = NON_NULL(c205_plain_text(text, &length));
             assert_non_null(strstr(fault, "UTF-16"));
         }
     }

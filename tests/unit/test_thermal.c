@@ -31,9 +31,8 @@ static void find_rows(struct study *study)
                                                .surface_of = study->surfaces.surface_of,
                                                .surfaces = study->surfaces.count);
     size_t count = study->scene->primitive_count;
-    SCOPED(factors) *factors = factors_new(study->scene, &options, &failure);
+    SCOPED(factors) *factors = NON_NULL(factors_new(study->scene, &options, &failure));
     const char **refusals = source_refusals(study->scene);
-    assert_non_null(factors);
     assert_non_null(refusals);
     study->rows = calloc(count + 1, sizeof *study->rows);
     for (size_t i = 0; i < count; i++)

@@ -27,10 +27,8 @@ FIXTURE(make_machines)
 {
     for (int i = 0; i < MODELS; i++) {
         begin(&fixture[i]);
-        fixture[i].model = c205_model_find(model_names[i], &failure);
-        assert_non_null(fixture[i].model);
-        fixture[i].machine = c205_new(fixture[i].model, &failure);
-        assert_non_null(fixture[i].machine);
+        fixture[i].model = NON_NULL(c205_model_find(model_names[i], &failure));
+        fixture[i].machine = NON_NULL(c205_new(fixture[i].model, &failure));
     }
     return 0;
 }
@@ -80,8 +78,7 @@ static double constant(const c205_model *model, const char *kind, const char *na
 {
     char text[64];
     snprintf(text, sizeof text, "%s.%s", kind, name);
-    const c205_constant *found = c205_model_lookup(model, text);
-    assert_non_null(found);
+    const c205_constant *found = NON_NULL(c205_model_lookup(model, text));
     return found->value;
 }
 

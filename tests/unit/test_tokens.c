@@ -71,17 +71,14 @@ static void compare(struct lexer *keeping, struct lexer *fresh,
 
 TEST(any_cut)
 {
-    FREED struct lexer *keeping = calloc(1, sizeof *keeping);
-    FREED struct lexer *fresh = calloc(1, sizeof *fresh);
+    FREED struct lexer *keeping = NON_NULL(calloc(1, sizeof *keeping));
+    FREED struct lexer *fresh = NON_NULL(calloc(1, sizeof *fresh));
     struct scene_source *sources = NULL;
-    assert_non_null(keeping);
-    assert_non_null(fresh);
     for (size_t i = 0; i < TEXTS; i++) {
         char text[MAX_TEXT];
         draw_text(text);
-        struct scene_source *source = source_add(&sources, "drawn", text, strlen(text),
-                                                 &failure);
-        assert_non_null(source);
+        struct scene_source *source = NON_NULL(
+            source_add(&sources, "drawn", text, strlen(text), &failure));
         if (i % 2) { /* otherwise the body is that of the main file */
             assert_true(lexer_open(keeping, source));
             assert_true(lexer_open(fresh, source));

@@ -297,9 +297,8 @@ static void fill(struct bench *bench, size_t border, enum contents contents)
 
 static struct bench *make_bench(void)
 {
-    struct bench *bench = calloc(1, sizeof *bench);
+    struct bench *bench = NON_NULL(calloc(1, sizeof *bench));
 
-    assert_non_null(bench);
     bench->fixture = make_small_machine();
     load(&bench->fixture, 1);
     reference_begin(&bench->reference);

@@ -150,9 +150,8 @@ static bool seen[CSV_ROWS];
 FIXTURE(read_table)
 {
     size_t length;
-    FREED char *text = file_read("tests/unit/viewfactors.csv", 1 << 20, &length,
-                                 &failure);
-    assert_non_null(text);
+    FREED char *text = NON_NULL(
+        file_read("tests/unit/viewfactors.csv", 1 << 20, &length, &failure));
     csv_table(text, &table);
     return set_up_model(test_state);
 }
@@ -216,8 +215,7 @@ static void find_rows(const struct factor_scene *what, struct study *study,
                                                .surface_of = study->surfaces.surface_of,
                                                .surfaces = study->surfaces.count);
     size_t count = study->scene->primitive_count;
-    SCOPED(factors) *factors = factors_new(study->scene, &options, &failure);
-    assert_non_null(factors);
+    SCOPED(factors) *factors = NON_NULL(factors_new(study->scene, &options, &failure));
     study->rows = calloc(count + 1, sizeof *study->rows);
     for (size_t i = 0; i < count; i++)
         if (emits(what, &study->surfaces, study->surfaces.surface_of[i])

@@ -105,8 +105,8 @@ TEST(choice)
 TEST(manual)
 {
     size_t length;
-    FREED char *text = file_read("docs/assembly.md", FILE_LARGEST, &length, &failure);
-    assert_non_null(text);
+    FREED char *text = NON_NULL(
+        file_read("docs/assembly.md", FILE_LARGEST, &length, &failure));
     for (unsigned i = 0; i < WARNINGS; i++) {
         char row[80];
 

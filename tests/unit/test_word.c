@@ -177,9 +177,8 @@ TEST(ends_of_the_range)
 TEST(distant_digits)
 {
     enum { ZEROS = 30000 };
-    FREED char *text = malloc(ZEROS + 8);
+    FREED char *text = NON_NULL(malloc(ZEROS + 8));
 
-    assert_non_null(text);
     memset(text, '0', ZEROS + 8);
     memcpy(text, "-1.", 3);
     text[ZEROS] = '1';

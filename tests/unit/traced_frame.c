@@ -30,8 +30,7 @@ struct words *trace_words(const struct scene *scene, enum trace_mode mode, size_
                                             .no_bounds = traced.no_bounds,
                                             .flat = traced.flat);
     SCOPED(trace) *trace = run_trace(scene, &options);
-    struct words *words = calloc(1, sizeof *words);
-    assert_non_null(words);
+    struct words *words = NON_NULL(calloc(1, sizeof *words));
     for (int i = 0; i < FRAME_CHANNELS; i++)
         memcpy(words->channel[i], trace_channel(trace, (enum frame_channel)i),
                traced.pixels * sizeof(c205_word));

@@ -42,6 +42,19 @@ static c205_error failure __attribute__((unused));
             fail_msg("%s", error.message); \
     } while (0)
 
+/* Returns the pointer. Fails the test if it is NULL. */
+#define NON_NULL(pointer) \
+    ((__typeof__(pointer))non_null(pointer, #pointer, __FILE__, __LINE__))
+
+static inline void *non_null(const void *pointer, const char *text, const char *file,
+                             int line)
+{
+    if (!pointer)
+        print_error("%s\n", failure.message);
+    _assert_true(cast_ptr_to_largest_integral_type(pointer), text, file, line);
+    return (void *)pointer;
+}
+
 /* Defines a test of one statement. */
 #define TEST_CALL(name, statement) \
     static void test_##name(STATE) \
