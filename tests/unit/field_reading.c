@@ -26,9 +26,8 @@ void field_keep(const char *bytes, size_t count)
 struct scene *field_read(const char *words, const char *modifiers,
                          const struct scene_options *how, struct diagnostics *reports)
 {
-    char text[1000];
-    snprintf(text, sizeof text, "height_field { %s \"%s\" %s }", words, field_path,
-             modifiers);
+    const char *text = formatted("height_field { %s \"%s\" %s }", words, field_path,
+                                 modifiers);
     return read_versioned("test.pov", text, how, reports);
 }
 

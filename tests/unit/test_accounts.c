@@ -211,13 +211,12 @@ TEST(csv_is_exact)
         for (size_t k = 0; k < accounts.count; k++) {
             const c205_account *account = &accounts.items[k];
             uint64_t clocks = accounts_clocks(account);
-            char row[200];
-            snprintf(row, sizeof row,
-                     "\n%s,%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64
-                     ",%" PRIu64 ",",
-                     account->name, account->entries, account->instructions,
-                     account->vector_instructions, account->elements,
-                     account->operations, clocks);
+            const char *row = formatted("\n%s,%" PRIu64 ",%" PRIu64 ",%" PRIu64
+                                        ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",",
+                                        account->name, account->entries,
+                                        account->instructions,
+                                        account->vector_instructions, account->elements,
+                                        account->operations, clocks);
             check_share(&accounts, text, row, clocks);
         }
     }

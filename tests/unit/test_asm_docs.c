@@ -53,13 +53,11 @@ static void check_file(const char *path)
     const char *at = text;
     while ((at = strstr(at, fence)) != NULL) {
         unsigned number = 1;
-        char name[700];
         for (const char *line = text; (line = strchr(line, '\n')) && line < at; line++)
             number++;
         at += sizeof fence - 1;
         const char *end = NON_NULL(strstr(at, "```"));
-        snprintf(name, sizeof name, "%s:%u", path, number);
-        check_block(name, at, (size_t)(end - at));
+        check_block(formatted("%s:%u", path, number), at, (size_t)(end - at));
         at = end + 3;
         blocks++;
     }

@@ -9,12 +9,9 @@
 /* Returns the word that .word makes of the expression. */
 static c205_word value(const char *expression)
 {
-    char text[1200];
-    snprintf(text, sizeof text,
-             " .equ N, 7\n .equ F, 2.5\n .data\n"
-             "here: .word %s\nthere:\n",
-             expression);
-    SCOPED(object) *object = good(text);
+    SCOPED(object) *object = good(formatted(" .equ N, 7\n .equ F, 2.5\n .data\n"
+                                            "here: .word %s\nthere:\n",
+                                            expression));
     return word_of(&object->program, 0x800000);
 }
 
@@ -78,8 +75,7 @@ TEST(edges)
 
 static void expect_failure(const char *expression, const char *message)
 {
-    char text[1200];
-    snprintf(text, sizeof text, " .equ F, 2.5\n .reg x, r5\n .word %s\n", expression);
+    const char *text = formatted(" .equ F, 2.5\n .reg x, r5\n .word %s\n", expression);
     assert_asm_errors(&(struct asm_error){ text, 3, 0, message }, 1);
 }
 

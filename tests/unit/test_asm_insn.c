@@ -12,9 +12,7 @@ static const char names[] = " .regs r16, a, x, b, y, c, o, z, s\n"
 
 static c205_word encoding(const char *instruction)
 {
-    char text[300];
-    snprintf(text, sizeof text, "%sback: %s\nnext:\n", names, instruction);
-    SCOPED(object) *object = good(text);
+    SCOPED(object) *object = good(formatted("%sback: %s\nnext:\n", names, instruction));
     return word_of(&object->program, 0x400000);
 }
 

@@ -210,8 +210,7 @@ static void check_function(const char *name, bool two)
 TEST(indefinite)
 {
     for (size_t i = 0; i < COUNT(operators); i++) {
-        char text[80];
-        snprintf(text, sizeof text, "X'7000 0000 0000 0000' %s 1.0", operators[i]);
+        const char *text = formatted("X'7000 0000 0000 0000' %s 1.0", operators[i]);
         SCOPED(object) *object = NON_NULL(assemble_value(text));
         assert_int_equal(word_of(&object->program, 0x800000), i == 5);
     }

@@ -95,12 +95,10 @@ TEST(random_records)
 
     for (size_t i = 0; i < 300; i++) {
         struct random_record record = { 0 };
-        char name[16];
         make_record(&record, &seed);
         SCOPED(object) *object = good(record.text.text);
         for (size_t field = 0; field < record.count; field++) {
-            snprintf(name, sizeof name, "f%zu", field);
-            assert_place(object, name, record.place[field]);
+            assert_place(object, formatted("f%zu", field), record.place[field]);
         }
         assert_place(object, "R_SIZE", record.size);
         text_buffer_free(&record.text);

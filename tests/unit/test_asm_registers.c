@@ -179,10 +179,8 @@ static void say(struct declarations *declarations, const char *text)
 static void open_block(struct declarations *declarations, unsigned word)
 {
     struct given *around = &declarations->around;
-    char text[40];
 
-    snprintf(text, sizeof text, word ? " .share w%u\n" : " .share\n", word);
-    say(declarations, text);
+    say(declarations, formatted(word ? " .share w%u\n" : " .share\n", word));
     around->blocks[around->depth] = ++declarations->blocks;
     around->words[around->depth++] = word;
 }

@@ -128,10 +128,9 @@ TEST(humps)
     assert_int_equal(words.segments, 3);
     assert_int_equal(plain_crossings(scene->primitives, &ray, crossings), 6);
     for (int i = 0; i < 5; i++) {
-        char text[600];
-        snprintf(text, sizeof text,
-                 AHEAD "intersection { " HUMPS "} plane { -z, -(%s) } }", cuts[i]);
-        free(plain_frame(text));
+        free(plain_frame(formatted(AHEAD "intersection { " HUMPS
+                                         "} plane { -z, -(%s) } }",
+                                   cuts[i])));
     }
 }
 

@@ -46,9 +46,7 @@ static const char arithmetic[] = /* solves 40 quadratics, with calls */
 
 static c205 *load(const char *text)
 {
-    char whole[4000];
-    snprintf(whole, sizeof whole, "        .include \"core.s\"\n%s", text);
-    SCOPED(object) *object = good(whole);
+    SCOPED(object) *object = good(formatted("        .include \"core.s\"\n%s", text));
     c205 *machine = machine_with(&object->program, prior_model);
     return machine;
 }
@@ -406,9 +404,8 @@ TEST(programs)
 {
     c205_model *usual = prior_model;
     for (size_t i = 0; i < COUNT(programs); i++) {
-        char constants[300];
-        snprintf(constants, sizeof constants, "title T\nlike cyber205-2pipe-prior\n%s",
-                 programs[i].constants);
+        const char *constants = formatted("title T\nlike cyber205-2pipe-prior\n%s",
+                                          programs[i].constants);
         SCOPED(c205_model) *model = NON_NULL(
             c205_model_parse("other", constants, &failure));
         prior_model = model;

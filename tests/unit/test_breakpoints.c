@@ -66,10 +66,9 @@ static void check_addresses(const char *path, bool stripped)
     for (size_t i = 0; i < PLACES; i++) {
         uint64_t address = draw_address(whole);
         bool good = is_instruction(whole, address);
-        char line[80];
 
-        snprintf(line, sizeof line, "%s *0x%" PRIX64, below(2) ? "break" : "tbreak",
-                 address);
+        const char *line = formatted("%s *0x%" PRIX64, below(2) ? "break" : "tbreak",
+                                     address);
         check_line(&session, line, good,
                    good ? "break " : "error: no instruction begins at ");
     }
@@ -91,11 +90,10 @@ TEST(visited)
     for (size_t i = 0; i < PROGRAMS; i++) {
         struct plain plain = run_plainly(good_file(programs[i]), &random_state);
         struct debug_session session;
-        char line[80];
 
         session_begin(&session, plain.object, programs[i]);
         for (size_t k = 0; k < plain.end; k++) {
-            snprintf(line, sizeof line, "break *0x%" PRIX64, plain.moments[k].pc);
+            const char *line = formatted("break *0x%" PRIX64, plain.moments[k].pc);
             check_line(&session, line, true, "break ");
         }
         session_end(&session);

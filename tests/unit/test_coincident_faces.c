@@ -135,8 +135,7 @@ TEST(sights)
 {
     for (size_t i = 0; i < COUNT(sights); i++) {
         size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
-        char text[1024];
-        snprintf(text, sizeof text, VIEW "%s", sights[i].text);
+        const char *text = formatted(VIEW "%s", sights[i].text);
         FREED struct words *bounded = frame_of_all(text);
         traced.no_bounds = true;
         FREED struct words *words = frame_of_all(text);

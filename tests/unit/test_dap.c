@@ -130,7 +130,7 @@ static void restart(struct session *session, char *rest)
     client_stopped(&session->client, "entry");
 }
 
-static void check_text(struct session *session, char *text)
+static void check_text(struct session *session, const char *text)
 {
     if (!session->client.text || !strstr(session->client.text, text))
         wrong(session, text);
@@ -164,8 +164,7 @@ static void check_event(struct session *session, char *event)
 static void take_reference(struct session *session, char *name)
 {
     static const char key[] = "\"variablesReference\": ";
-    char text[LINE];
-    snprintf(text, sizeof text, "{\"name\": \"%s\", ", name);
+    const char *text = formatted("{\"name\": \"%s\", ", name);
     check_text(session, text);
     const char *at = NON_NULL(strstr(strstr(session->client.text, text), key));
     session->reference = atoi(at + strlen(key));

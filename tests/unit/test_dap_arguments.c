@@ -142,9 +142,7 @@ static void check_list(struct dap_client *client, const char *request,
 static void check_breakpoint(struct dap_client *client, const char *request,
                              const char *key, const char *value)
 {
-    char text[100];
-    snprintf(text, sizeof text, "{\"%s\": %s}", key, value);
-    check_list(client, request, text, key);
+    check_list(client, request, formatted("{\"%s\": %s}", key, value), key);
 }
 
 TEST(arguments)

@@ -26,7 +26,6 @@ static void check_moment(struct walk *walk, const char *request)
 {
     const struct moment *moment = &walk->plain.moments[walk->step];
     const struct json_value *item, *time = client_variables(&walk->client, "Time");
-    char watched[40];
     size_t i = 0;
 
     if (strtoull(value_of(time, "step"), NULL, 10) != walk->step
@@ -39,7 +38,7 @@ static void check_moment(struct walk *walk, const char *request)
     for (; item; item = item->next, i++)
         assert_true(word_in(the_text(item, "value")) == moment->registers[i]);
     assert_int_equal(i, C205_REGISTERS);
-    snprintf(watched, sizeof watched, "[%" PRIu64 "]", walk->plain.watched);
+    const char *watched = formatted("[%" PRIu64 "]", walk->plain.watched);
     assert_true(word_in(client_print(&walk->client, watched)) == moment->watched);
 }
 

@@ -37,12 +37,11 @@ TEST(elements)
     int reference = (int)the_whole(item, "variablesReference");
     for (int start = 0; start < 4; start++)
         for (int count = 0; count < 6; count++) {
-            char range[80];
             int i = start;
 
-            snprintf(range, sizeof range,
-                     ", \"filter\": \"indexed\", \"start\": %d, \"count\": %d", start,
-                     count);
+            const char *range =
+                formatted(", \"filter\": \"indexed\", \"start\": %d, \"count\": %d",
+                          start, count);
             item = client_inside(&client, reference, range)->first;
             for (; item; item = item->next, i++)
                 assert_string_equal(the_text(item, "value"), values[i]);
@@ -105,9 +104,8 @@ TEST(time)
 
 static const struct json_value *read_file(struct arena *arena, const char *name)
 {
-    char whole[100];
     size_t length;
-    snprintf(whole, sizeof whole, "docs/editors/vscode/%s", name);
+    const char *whole = formatted("docs/editors/vscode/%s", name);
     FREED char *text = file_read(whole, FILE_LARGEST, &length, &failure);
     if (!text)
         fail_msg("%s: %s", whole, failure.message);

@@ -90,8 +90,7 @@ static void check(const struct random_text *drawn)
     SCOPED(object) *object = good(drawn->text.text);
 
     for (size_t i = 0; i < LABELS; i++) {
-        char name[24];
-        snprintf(name, sizeof name, "l%zu", i);
+        const char *name = formatted("l%zu", i);
         const struct asm_symbol *symbol = object_symbol(object, name);
         if (symbol->contents != drawn->label[i].contents
             || symbol->count != drawn->label[i].count) {

@@ -54,40 +54,32 @@ static void obey(struct session *session, const char *line)
 
 static void choose_place(struct session *session)
 {
-    char line[80];
-
     session->reported.by_place = true;
     session->reported.place = session->plain->moments[below(session->plain->end)].pc;
     session->reported.every = 1 + below(below(2) ? 3 : 97);
     obey(session, "delete");
     session->reported.by_watch = false;
     session->reported.region = NULL;
-    snprintf(line, sizeof line, "break *%" PRIu64 " if $step %% %zu == 0",
-             session->reported.place, session->reported.every);
-    obey(session, line);
+    obey(session, formatted("break *%" PRIu64 " if $step %% %zu == 0",
+                            session->reported.place, session->reported.every));
 }
 
 static void choose_region(struct session *session)
 {
     const c205_program *program = &session->plain->object->program;
-    char line[80];
 
     if (session->reported.region || program->region_count == 0)
         return;
     session->reported.region = program->regions[below(program->region_count)].name;
-    snprintf(line, sizeof line, "break region %s", session->reported.region);
-    obey(session, line);
+    obey(session, formatted("break region %s", session->reported.region));
 }
 
 static void choose_watch(struct session *session)
 {
-    char line[80];
-
     if (session->reported.by_watch)
         return;
     session->reported.by_watch = true;
-    snprintf(line, sizeof line, "watch *%" PRIu64, session->plain->watched);
-    obey(session, line);
+    obey(session, formatted("watch *%" PRIu64, session->plain->watched));
 }
 
 /* Draws a command line. Returns the step that the program must reach. */

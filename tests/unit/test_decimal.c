@@ -14,11 +14,10 @@ static uint64_t state = RANDOM_SEED;
 static c205_word draw_below_power(void)
 {
     static const char nines[] = "9.999999999999999999";
-    char text[60];
     const char *end;
 
-    snprintf(text, sizeof text, "%.*se%d", (int)xorshift_between(&state, 3, 16), nines,
-             (int)xorshift_between(&state, -8000, 8000));
+    const char *text = formatted("%.*se%d", (int)xorshift_between(&state, 3, 16), nines,
+                                 (int)xorshift_between(&state, -8000, 8000));
     return c205_from_text(text, &end);
 }
 

@@ -62,10 +62,9 @@ TEST(slices)
     talk_ask(&whole, "{'do': 'breaks', 'lines': [8]}");
     talk_ask(&sliced, "{'do': 'breaks', 'lines': [8]}");
     for (size_t i = 0; i < ROUNDS; i++) {
-        char jump[80];
 
-        snprintf(jump, sizeof jump, "{'do': 'go', 'how': '%s', 'n': %d",
-                 below(2) ? "step-to" : "step", (int)below(200000));
+        const char *jump = formatted("{'do': 'go', 'how': '%s', 'n': %d",
+                                     below(2) ? "step-to" : "step", (int)below(200000));
         if (below(2))
             ask_both(&whole, &sliced, jump, 30000);
         ask_both(&whole, &sliced, requests[below(REQUESTS)], 30000);

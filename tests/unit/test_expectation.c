@@ -19,7 +19,6 @@ static const char program[] = " .include \"print.s\"\n"
 /* Runs the program with one expectation. Returns whether it holds. */
 static bool holds(const char *expectation)
 {
-    char text[600];
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe-prior", &failure);
     SCOPED(c205) *machine = c205_new(model, &failure);
     SCOPED_VALUE(text_buffer) printed = { NULL, 0, 0, false };
@@ -29,8 +28,7 @@ static bool holds(const char *expectation)
     c205_stop stop;
     bool good_end;
 
-    snprintf(text, sizeof text, "%s; %s\n", program, expectation);
-    SCOPED(object) *object = good(text);
+    SCOPED(object) *object = good(formatted("%s; %s\n", program, expectation));
     assert_true(c205_listen(machine, printer_listen, &printer));
     assert_true(c205_load(machine, &object->program, &failure));
     stop = c205_run(machine, 100000);

@@ -57,9 +57,7 @@ static void read_observations(struct observations *all, const char *rows)
 {
     struct run_options how = small();
     SCOPED_VALUE(diagnostics) found = { 0 };
-    char text[512];
-    snprintf(text, sizeof text, HEAD "%s", rows);
-    if (!observations_read(all, file_of(text), &how, &found))
+    if (!observations_read(all, file_of(formatted(HEAD "%s", rows)), &how, &found))
         fail_msg("%s", found.items[0].message);
     remove("test_fit.csv");
 }
@@ -67,9 +65,8 @@ static void read_observations(struct observations *all, const char *rows)
 static void read_constants(struct constants *constants, const char *rows)
 {
     SCOPED_VALUE(diagnostics) found = { 0 };
-    char text[512];
-    snprintf(text, sizeof text, "name,machine,constants,source,least,most,why\n%s",
-             rows);
+    const char *text = formatted("name,machine,constants,source,least,most,why\n%s",
+                                 rows);
     if (!constants_read(constants, file_of(text), &found))
         fail_msg("%s", found.items[0].message);
     remove("test_fit.csv");
@@ -103,10 +100,9 @@ TEST(fewer_rays)
                                          .queue = TRACE_QUEUE,
                                          .model = model };
         struct speedup_measure all;
-        char program[64];
         if (subject->paper.speedup == 0)
             continue;
-        snprintf(program, sizeof program, "%s scalar", subject->name);
+        const char *program = formatted("%s scalar", subject->name);
         struct fit_run *run = new_run(program);
         REQUIRE(speedup_measure(subject, &view, &options, &all, &failure));
         assert_int_equal(run->rays, 640);
@@ -139,8 +135,7 @@ TEST(units)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED_VALUE(observations) all = { 0 };
-        char text[256];
-        snprintf(text, sizeof text, "# a remark\n\na,vector_add.s:%s\n", rows[i].row);
+        const char *text = formatted("# a remark\n\na,vector_add.s:%s\n", rows[i].row);
         read_observations(&all, text);
         assert_int_equal(all.count, 1);
         FREED double(*clocks)[MAX_RUN_REGIONS] = calloc(all.timing_count,
@@ -187,12 +182,11 @@ TEST(refused)
         SCOPED_VALUE(observations) all = { 0 };
         SCOPED_VALUE(diagnostics) found = { 0 };
         struct run_options how = small();
-        char text[200];
         assert_false(observations_read(&all, file_of(rows[i][0]), &how, &found));
         assert_int_equal(found.count, 1);
         assert_string_equal(found.items[0].file, "test_fit.csv");
-        snprintf(text, sizeof text, "%zu:%zu: %s", found.items[0].line,
-                 found.items[0].column, found.items[0].message);
+        const char *text = formatted("%zu:%zu: %s", found.items[0].line,
+                                     found.items[0].column, found.items[0].message);
         assert_string_equal(text, rows[i][1]);
         remove("test_fit.csv");
     }

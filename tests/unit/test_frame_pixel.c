@@ -373,11 +373,10 @@ TEST(sessions)
                                         .machine = pixel_machine,
                                         .verbs = pixel_verbs,
                                         .context = &pixel };
-        char again[200];
         session.debugger = NON_NULL(debugger_new(&setup, &failure));
         session_check(&session, lines, 1);
         session_obey(&session, "seek");
-        snprintf(again, sizeof again, "%s", session.said.text);
+        const char *again = formatted("%s", session.said.text);
         assert_true(pixel_is_made(&pixel, debugger_machine(session.debugger)));
         session_obey(&session, "step 50");
         session_obey(&session, "reverse-step 50");

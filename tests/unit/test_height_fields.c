@@ -61,8 +61,7 @@ TEST(surface)
     for (size_t i = 0; i < field_count; i++) {
         struct grid grid = draw_grid();
         double water = i % 3 ? between(-.2, .8) : 0;
-        char words[50];
-        snprintf(words, sizeof words, "water_level %.9f", water);
+        const char *words = formatted("water_level %.9f", water);
         if (water > surface(&grid, .5, .5))
             continue; /* the water may cover everything */
         SCOPED(scene) *scene = field_expect(i % 2 ? "pgm" : "",
@@ -123,8 +122,7 @@ TEST(normals)
     for (size_t i = 0; i < field_count; i++) {
         struct grid grid = draw_grid();
         double wide = between(.5, 2), high = between(1, 4000);
-        char words[80];
-        snprintf(words, sizeof words, "smooth scale <%.17g, %.17g, 1>", wide, high);
+        const char *words = formatted("smooth scale <%.17g, %.17g, 1>", wide, high);
         SCOPED(scene) *scene = field_expect("", words);
         const struct triangles *triangles = triangles_of(scene);
         assert_int_equal(triangles->count, 2 * (grid.columns - 1) * (grid.rows - 1));

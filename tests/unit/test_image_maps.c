@@ -158,10 +158,8 @@ TEST(kinds)
 {
     for (size_t i = 0; i < COUNT(known_files); i++) {
         const struct known_file *file = &known_files[i];
-        char words[20];
         field_keep(file->bytes, file->count);
-        snprintf(words, sizeof words, "%s \"%%s\"", file->word);
-        expect_light("#version 3.7;", words, file->light);
+        expect_light("#version 3.7;", formatted("%s \"%%s\"", file->word), file->light);
         expect_light("", "\"%s\"", file->light);
     }
 }
@@ -257,9 +255,8 @@ TEST(kinds_left_out)
                                          "function 9, 9 { x }",
                                          "pigment 9, 9 { rgb 1 }" };
     for (size_t i = 0; i < COUNT(words); i++) {
-        char text[200];
-        snprintf(text, sizeof text,
-                 "sphere { 0, 1 pigment { image_map { %s } scale 2 } }", words[i]);
+        const char *text =
+            formatted("sphere { 0, 1 pigment { image_map { %s } scale 2 } }", words[i]);
         SCOPED(scene) *scene = read_with(text, 1);
         assert_int_equal(scene->primitives->pigment.kind, PIGMENT_COLOR);
         assert_vector(scene->primitives->pigment.color[0], 0, 0, 0);
@@ -270,11 +267,10 @@ TEST(kinds_left_out)
 TEST(sky)
 {
     for (size_t planar = 0; planar < 2; planar++) {
-        char text[200];
         field_keep(FILE_OF("P6\n8 1\n255\n" COLORS));
-        snprintf(text, sizeof text,
-                 "sky_sphere { pigment { image_map { \"%s\" %s once } } }", field_path,
-                 planar ? "" : "map_type 1");
+        const char
+            *text = formatted("sky_sphere { pigment { image_map { \"%s\" %s once } } }",
+                              field_path, planar ? "" : "map_type 1");
         SCOPED(scene) *scene = read_with(text, planar);
         assert_int_equal(scene->sky.kind, PIGMENT_IMAGE);
         assert_int_equal(scene->sky.image.once, !planar);
@@ -314,16 +310,15 @@ TEST(limit)
 {
     enum { SIDE = 2100, PIXELS = SIDE * SIDE };
     FREED char *bytes = calloc(1, 100 + PIXELS);
-    char text[400];
     SCOPED_VALUE(diagnostics) reports = { 0 };
     int head = sprintf(bytes, "P5\n%d %d\n255\n", SIDE, SIDE);
 
     field_keep(bytes, (size_t)head + PIXELS);
     scene_free(expect_reports("", "\"%s\"", 0, ""));
-    snprintf(text, sizeof text,
-             "sphere { 0, 1 pigment { image_map { \"%s\" } } }\n"
-             "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }",
-             field_path, field_path);
+    const char
+        *text = formatted("sphere { 0, 1 pigment { image_map { \"%s\" } } }\n"
+                          "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }",
+                          field_path, field_path);
     assert_null(read_versioned("test.pov", text, &with_images, &reports));
     assert_int_equal(reports.count, 1);
     assert_int_equal(reports.items->line, 2);

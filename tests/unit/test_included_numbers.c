@@ -56,13 +56,11 @@ static void draw_table(struct random_table *table, bool headed)
     if (one_in(&state, 3))
         strcat(table->text, "# a table\n");
     for (size_t i = 0; headed && i < table->columns; i++) {
-        char name[40];
 
-        snprintf(name, sizeof name,
-                 one_in(&state, 2) ? "\"c %zu\""
-                 : table->commas   ? "c %zu"
-                                   : "\"c %zu\"",
-                 i + 1);
+        const char *name = formatted(one_in(&state, 2) ? "\"c %zu\""
+                                     : table->commas   ? "c %zu"
+                                                       : "\"c %zu\"",
+                                     i + 1);
         strcat(table->text, name);
         if (i + 1 < table->columns)
             add_separator(table);
@@ -96,13 +94,11 @@ static void draw_table(struct random_table *table, bool headed)
 
 static struct object *include_file(const char *expectations, struct diagnostics *errors)
 {
-    char program[300];
-
-    snprintf(program, sizeof program,
-             "        .data\nhere:   .incfile \"%s\"%s\nend:\n"
-             "        .equ count, (end - here) / 64\n        .code\n"
-             "        EXIT\n",
-             path, expectations);
+    const char
+        *program = formatted("        .data\nhere:   .incfile \"%s\"%s\nend:\n"
+                             "        .equ count, (end - here) / 64\n        .code\n"
+                             "        EXIT\n",
+                             path, expectations);
     return assemble_text("test.s", program, NULL, errors);
 }
 

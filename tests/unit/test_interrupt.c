@@ -177,10 +177,8 @@ TEST(long_vectors)
 {
     for (size_t i = 0; i < 2 * COUNT(long_programs); i++) {
         const c205_model *on = i % 2 ? slow : prior_model;
-        char whole[4000];
-        snprintf(whole, sizeof whole, "%s%s        EXIT\n", preamble,
-                 long_programs[i / 2]);
-        SCOPED(object) *object = good(whole);
+        SCOPED(object) *object = good(
+            formatted("%s%s        EXIT\n", preamble, long_programs[i / 2]));
         compare_ends(machine_with(&object->program, on),
                      machine_with(&object->program, on), i % 2 ? SAVED : 61);
     }

@@ -113,9 +113,8 @@ TEST(bad)
         struct bench bench = new_bench(between(1, MAX));
         struct job_set job_set = { .parts = 0 };
         c205_error error = { "" };
-        char text[24];
         bench.bad = between(0, bench.count - 1);
-        snprintf(text, sizeof text, "bad %zu", bench.bad);
+        const char *text = formatted("bad %zu", bench.bad);
         assert_false(do_job_set(&job_set, &bench, between(1, 5), &error));
         assert_string_equal(error.message, text);
         for (size_t unit = 0; unit < bench.bad; unit++)

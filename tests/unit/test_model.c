@@ -196,7 +196,6 @@ TEST(errors_in_changes)
 static void assert_fails(const char *text, unsigned line, unsigned column,
                          const char *message)
 {
-    char whole[300];
     c205_error error;
     c205_place place;
     assert_null(c205_model_read("test", text, &place, &error));
@@ -204,7 +203,7 @@ static void assert_fails(const char *text, unsigned line, unsigned column,
         || (column > 0 && place.column != column))
         fail_msg("%s%u:%u: %s, not %u:%u: %s", text, place.line, place.column,
                  error.message, line, column, message);
-    snprintf(whole, sizeof whole, "test:%u: %s", line, message);
+    const char *whole = formatted("test:%u: %s", line, message);
     assert_null(c205_model_parse("test", text, &error));
     assert_string_equal(error.message, whole);
 }
@@ -295,10 +294,8 @@ TEST(errors_in_beliefs)
                                            "3 figures, at most 1e300 % off: x",
                                            "3 figures, at most 5 off: x" };
     for (size_t i = 0; i < COUNT(beliefs); i++) {
-        char text[200];
-        snprintf(text, sizeof text, "title T\nfitted %s\nlike cyber205-2pipe\n",
-                 beliefs[i]);
-        assert_fails(text, 2, 0,
+        assert_fails(formatted("title T\nfitted %s\nlike cyber205-2pipe\n", beliefs[i]),
+                     2, 0,
                      "expected 'N figures, at most E % off: NAME' after 'fitted'");
     }
 }

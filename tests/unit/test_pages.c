@@ -17,13 +17,11 @@ SCOPED_BY_FREE(clock);
 
 static struct clock *pages_of(unsigned words, unsigned real_words, unsigned registers)
 {
-    char text[200];
-    snprintf(text, sizeof text,
-             "title T\nlike cyber205-2pipe-prior\npage.words %u words R\n"
-             "memory.real_words %u words R\n"
-             "translation.registers %u registers R\n",
-             words, real_words, registers);
-    return clock_of(text);
+    return clock_of(
+        formatted("title T\nlike cyber205-2pipe-prior\npage.words %u words R\n"
+                  "memory.real_words %u words R\n"
+                  "translation.registers %u registers R\n",
+                  words, real_words, registers));
 }
 
 /* Compares the misses and faults since the last reset. */

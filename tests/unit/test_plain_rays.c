@@ -142,11 +142,9 @@ static void check_behind(const char *things, double shift, double depth)
 
 static void check_slab(double n, double depth)
 {
-    char text[512];
-    snprintf(text, sizeof text,
-             "box { <-9, -9, 0>, <9, 9, %.17g> "
-             "pigment { rgbt 1 } interior { ior %.17g } } ",
-             depth, n);
+    const char *text = formatted("box { <-9, -9, 0>, <9, 9, %.17g> "
+                                 "pigment { rgbt 1 } interior { ior %.17g } } ",
+                                 depth, n);
     check_behind(text, aside(n, depth), depth);
 }
 

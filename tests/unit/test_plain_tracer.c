@@ -127,11 +127,10 @@ TEST(shading)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        char text[400];
-        snprintf(text, sizeof text,
-                 "light_source { %s, rgb <.5, 1, 1> %s }\n"
-                 "plane { y, 0 pigment { rgb <.8, 1, 1> } finish { %s } } %s",
-                 rows[i].place, rows[i].light, rows[i].finish, rows[i].others);
+        const char *text =
+            formatted("light_source { %s, rgb <.5, 1, 1> %s }\n"
+                      "plane { y, 0 pigment { rgb <.8, 1, 1> } finish { %s } } %s",
+                      rows[i].place, rows[i].light, rows[i].finish, rows[i].others);
         if (!(fabs(red(&onto_floor, text) - rows[i].expected) <= CLOSE))
             fail_msg("%.17g is not %.17g: %s", red(&onto_floor, text), rows[i].expected,
                      text);

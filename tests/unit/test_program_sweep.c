@@ -383,9 +383,8 @@ TEST(ranges)
     struct swept_range range;
 
     for (const char *at = bad, *end; (end = strchr(at, ',')); at = end + 1) {
-        char text[40];
 
-        snprintf(text, sizeof text, "%.*s", (int)(end - at), at);
+        const char *text = formatted("%.*s", (int)(end - at), at);
         if (swept_take_range(text, &range))
             fail_msg("'%s' is a range", text);
     }

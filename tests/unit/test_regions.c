@@ -91,9 +91,8 @@ static void check_kernel(const struct stage *stage, size_t i, const char *kernel
 /* Checks a shape in a tree, after a sphere, and alone. */
 static void check_shape(const struct shape_row *row, const char *how)
 {
-    char text[500];
-    snprintf(text, sizeof text, "merge { sphere { 0, 3 } %s %s } } %s %s }", row->text,
-             how, row->text, how);
+    const char *text = formatted("merge { sphere { 0, 3 } %s %s } } %s %s }", row->text,
+                                 how, row->text, how);
     SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
     check_kernel(&stage, 1, "P_KERNEL", "P_INNER", row->kernel);
     check_kernel(&stage, 1, "P_STATE_KERNEL", "P_STATE_INNER", row->state);

@@ -126,9 +126,7 @@ TEST(left_alone)
     };
 
     for (size_t i = 0; i < COUNT(texts); i++) {
-        char text[1000];
 
-        snprintf(text, sizeof text, NAMES "%s EXIT\n", texts[i]);
-        check(text, 0, "");
+        check(formatted(NAMES "%s EXIT\n", texts[i]), 0, "");
     }
 }

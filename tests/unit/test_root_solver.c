@@ -89,10 +89,9 @@ static struct object *assemble(const char *text, const char *routine)
     const struct asm_options how = { .defines = defines, .texts = texts };
     SCOPED_VALUE(diagnostics) errors = { 0 };
     struct sink sink = stream_sink(stderr);
-    char program[4096];
     const char *at = strstr(text, "ROUTINE");
-    snprintf(program, sizeof program, "%.*s%s%s", (int)(at - text), text, routine,
-             at + strlen("ROUTINE"));
+    const char *program = formatted("%.*s%s%s", (int)(at - text), text, routine,
+                                    at + strlen("ROUTINE"));
     struct object *object = NON_NULL(assemble_text("test.s", program, &how, &errors));
     diagnostics_put(&errors, &sink);
     return object;

@@ -72,8 +72,7 @@ TEST(looks)
     static const char *const by[] = { "the texture of the blob", "the first one" };
     static const double colors[][3] = { { .25, .5, .75 }, { 1, 0, 0 } };
     for (int i = 0; i < 2; i++) {
-        char blob[400];
-        snprintf(blob, sizeof blob, text, own[i]);
+        const char *blob = formatted(text, own[i]);
         SCOPED(scene) *scene = read_with(blob, 1);
         parts_of(scene, 2);
         assert_numbers(blob, scene->primitives->pigment.color[0], colors[i], 3, CLOSE);

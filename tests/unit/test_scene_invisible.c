@@ -184,15 +184,13 @@ TEST(without_height)
         { "text { ttf \"timrom.ttf\" \"ab\" 0, 0 scale 3 translate -x",
           "text { ttf \"timrom.ttf\" \"ab\" 1e-5, 0 scale 3 translate -x" },
     };
-    char text[700];
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         size_t seen[2];
         for (int k = 0; k < 2; k++) {
-            snprintf(text, sizeof text,
-                     VIEW "%s rotate <10, 20, 0> pigment { rgb 1 } }\n",
-                     k ? rows[i].other : rows[i].flat);
-            FREED struct words *words = same_frame(text);
+            FREED struct words *words = same_frame(
+                formatted(VIEW "%s rotate <10, 20, 0> pigment { rgb 1 } }\n",
+                          k ? rows[i].other : rows[i].flat));
             seen[k] = hits(words);
         }
         if (seen[0] != seen[1] || seen[0] == 0)

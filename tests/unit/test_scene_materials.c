@@ -218,8 +218,7 @@ TEST(maps_and_layers)
 
     for (size_t i = 0; i < COUNT(texts); i++) {
         SCOPED_VALUE(diagnostics) reports = { 0 };
-        char text[400];
-        snprintf(text, sizeof text, "#declare C = rgb <1, 2, 3>; %s", texts[i]);
+        const char *text = formatted("#declare C = rgb <1, 2, 3>; %s", texts[i]);
         SCOPED(scene) *scene = read_reported(text, &reading_options, &reports);
         assert_vector(scene->primitives->pigment.color[0], 1, 2, 3);
         assert_int_equal(reports.count > 0, i + 1 < COUNT(texts));

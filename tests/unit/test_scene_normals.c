@@ -8,9 +8,7 @@
 /* Reads a sphere with this normal. */
 static struct scene *scene_with(const char *words, size_t reports)
 {
-    char text[1024];
-    snprintf(text, sizeof text, "sphere { 0, 1 normal { %s } }", words);
-    return read_with(text, reports);
+    return read_with(formatted("sphere { 0, 1 normal { %s } }", words), reports);
 }
 
 static const struct bump_list *list_of(const struct scene *scene)

@@ -216,17 +216,13 @@ TEST(print)
 
 static void write_file(const char *folder, const char *name, const char *text)
 {
-    char path[200];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    write_bytes(path, text, strlen(text));
+    write_bytes(formatted("%s/%s", folder, name), text, strlen(text));
 }
 
 static void delete_files(const char *folder, const char *const *names)
 {
-    char path[200];
     for (; *names; names++) {
-        snprintf(path, sizeof path, "%s/%s", folder, *names);
-        assert_int_equal(remove(path), 0);
+        assert_int_equal(remove(formatted("%s/%s", folder, *names)), 0);
     }
     assert_int_equal(remove(folder), 0);
 }

@@ -122,9 +122,7 @@ TEST(pictures)
 
 static struct scene *bodies_of(int decade)
 {
-    char text[512];
-    snprintf(text, sizeof text, BODIES, decade);
-    return read_text(text);
+    return read_text(formatted(BODIES, decade));
 }
 
 /* Returns the figures of all bodies, about a point other than the origin. */

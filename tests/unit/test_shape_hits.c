@@ -18,9 +18,7 @@ static void check_sights(const char *view, const struct sight *sights, size_t co
 {
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2, failed = 0;
     for (size_t i = 0; i < count; i++) {
-        char text[2048];
-        snprintf(text, sizeof text, "%s%s", view, sights[i].text);
-        FREED struct words *words = same_frame(text);
+        FREED struct words *words = same_frame(formatted("%s%s", view, sights[i].text));
         int64_t id = c205_to_integer(words->channel[CHANNEL_ID][middle]);
         double depth = c205_to_double(words->channel[CHANNEL_DEPTH][middle]);
         if (id == sights[i].id && fabs(depth - sights[i].depth) <= 1e-10)

@@ -208,10 +208,9 @@ static void remove_files(void)
 {
     DIR *directory = opendir(folder);
     struct dirent *entry;
-    char path[300];
 
     while (directory && (entry = readdir(directory))) {
-        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
+        const char *path = formatted("%s/%s", folder, entry->d_name);
         if (*entry->d_name != '.' && !is_input(entry->d_name))
             unlink(path);
     }
@@ -262,13 +261,10 @@ TEST(commands)
 /* nohup makes a command ignore SIGHUP. */
 TEST(nohup)
 {
-    char command[400];
-
-    snprintf(command, sizeof command,
-             "trap '' HUP; \"${RT205_LIBDIR:-build}/c205\" run "
-             "asm/examples/sieve.s --json %s/json >/dev/null & "
-             "kill -HUP $!; wait $!",
-             folder);
+    const char *command = formatted("trap '' HUP; \"${RT205_LIBDIR:-build}/c205\" run "
+                                    "asm/examples/sieve.s --json %s/json >/dev/null & "
+                                    "kill -HUP $!; wait $!",
+                                    folder);
     assert_int_equal(system(command), 0);
 }
 

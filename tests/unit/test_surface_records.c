@@ -163,8 +163,7 @@ TEST(interiors)
         assert_number(primitive(&stage, i, "P_INTERIOR"), numbers[i]);
     check_interiors(few, 3, 4, 0);
     for (size_t i = 0; i < COUNT(rows); i++) {
-        char text[200];
-        snprintf(text, sizeof text, many, rows[i].bodies);
+        const char *text = formatted(many, rows[i].bodies);
         check_interiors(text, (size_t)rows[i].bodies, rows[i].base, rows[i].full);
     }
 }

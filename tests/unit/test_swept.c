@@ -177,10 +177,8 @@ TEST_CALL(lathes, check_scenes(&lathe))
 
 static size_t segments_of(const struct swept *shape, const char *path)
 {
-    char text[2000];
     struct shape_words words;
-    snprintf(text, sizeof text, "%s%s }", shape->begin, path);
-    SCOPED(scene) *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(formatted("%s%s }", shape->begin, path));
     shape_words(scene->primitives, &words);
     assert_int_equal(shape_table_count(scene->primitives, NULL) % shape->row_words, 0);
     return words.segments;
@@ -286,8 +284,7 @@ TEST(known_normals)
     };
     size_t count = COUNT(paths);
     for (size_t i = 0; i < count; i++) {
-        char text[1000];
-        snprintf(text, sizeof text, "prism { quadratic_spline -1, 1, %s }", paths[i]);
+        const char *text = formatted("prism { quadratic_spline -1, 1, %s }", paths[i]);
         SCOPED(scene) *scene = read_text(text);
         check_quadratic_prism(scene->primitives, i + 1 == count);
     }

@@ -365,8 +365,7 @@ TEST_WITH(nothing_is_left, set_up, tear_down)
 /* A third-party file may already have the temporary name. */
 TEST_WITH(other_file_stays, set_up, tear_down)
 {
-    char beside[80];
-    snprintf(beside, sizeof beside, "%s.new0", folder.path);
+    const char *beside = formatted("%s.new0", folder.path);
     write_bytes(beside, "theirs", strlen("theirs"));
     struct atomic_file *whole = atomic_file_open(folder.path, &failure);
     fputs("ours", whole->file);

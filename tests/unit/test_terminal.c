@@ -34,7 +34,6 @@ struct terminal {
 static void become(const char *name, bool libedit, char *const *words)
 {
     const char *built = getenv("RT205_LIBDIR");
-    char command[1000];
 
     signal(SIGHUP, SIG_DFL); /* nohup ignores it */
     if (setsid() < 0)
@@ -45,8 +44,7 @@ static void become(const char *name, bool libedit, char *const *words)
     setenv("TERM", "xterm", 1);
     if (!libedit)
         setenv("LD_LIBRARY_PATH", folder, 1);
-    snprintf(command, sizeof command, "%s/%s", built ? built : "build", words[0]);
-    execv(command, words);
+    execv(formatted("%s/%s", built ? built : "build", words[0]), words);
     _exit(127);
 }
 

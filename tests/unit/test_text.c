@@ -238,9 +238,8 @@ static void check_font(const char *name, bool points)
 {
     SCOPED_VALUE(arena) arena = { NULL, false };
     const char *fault;
-    char path[100];
     size_t length;
-    snprintf(path, sizeof path, "/usr/share/povray-3.7/include/%s.ttf", name);
+    const char *path = formatted("/usr/share/povray-3.7/include/%s.ttf", name);
     FREED char *bytes = NON_NULL(file_read(path, FILE_LARGEST, &length, &failure));
     if (points)
         leave_points((unsigned char *)bytes);

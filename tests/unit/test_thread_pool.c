@@ -97,9 +97,8 @@ TEST(a_bad_one)
     for (int i = 0; i < 100; i++) {
         struct bench bench = { .count = 1 + below(&random, MAX), .stop_at = SIZE_MAX };
         size_t jobs = below(&random, 5);
-        char expected[32];
         bench.bad = below(&random, bench.count);
-        snprintf(expected, sizeof expected, "bad %zu", bench.bad);
+        const char *expected = formatted("bad %zu", bench.bad);
         assert_false(go(&bench, jobs, below(&random, 2) > 0, &error));
         assert_string_equal(error.message, expected);
         assert_int_equal(bench.ends, 0);
@@ -117,9 +116,8 @@ TEST(the_lowest_of_many)
         struct bench bench = { .count = 1 + below(&random, MAX),
                                .slow = true,
                                .stop_at = SIZE_MAX };
-        char expected[32];
         bench.bad = below(&random, bench.count);
-        snprintf(expected, sizeof expected, "bad %zu", bench.bad);
+        const char *expected = formatted("bad %zu", bench.bad);
         assert_false(go(&bench, 2 + below(&random, 7), i % 2, &error));
         assert_string_equal(error.message, expected);
     }

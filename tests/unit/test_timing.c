@@ -76,8 +76,7 @@ static void begin_with(struct small_machine *on, const struct vector_case *one,
 
 static double constant(const c205_model *model, const char *kind, const char *name)
 {
-    char text[64];
-    snprintf(text, sizeof text, "%s.%s", kind, name);
+    const char *text = formatted("%s.%s", kind, name);
     const c205_constant *found = NON_NULL(c205_model_lookup(model, text));
     return found->value;
 }
@@ -88,9 +87,8 @@ static uint64_t stream(const c205_model *model, const char *name, uint64_t n, bo
 {
     uint64_t million = 1000000, pipes = 1;
     uint64_t rate = (uint64_t)llround(constant(model, "stream", name) * 1e6);
-    char text[64];
 
-    snprintf(text, sizeof text, "stream.%s", name);
+    const char *text = formatted("stream.%s", name);
     if (strncmp(c205_model_lookup(model, text)->unit, "clk*pipe", 8) == 0) {
         pipes = (uint64_t)constant(model, "machine", "pipes");
         pipes *= half ? (uint64_t)constant(model, "vector", "half_rate") : 1;

@@ -10,20 +10,18 @@
  * around it are ones too. */
 static struct vector_use use_of(const char *instruction)
 {
-    char text[600];
     struct vector_use sum = { 0, 0, 0, 0 };
     struct observer observer = vector_use_observer(&sum);
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe-prior", &failure);
-    snprintf(text, sizeof text,
-             " .include \"core.s\"\n .data\n"
-             "bits: .word X'FFFFFFFFFF3FFFFF', X'FFFFFFFFFFFFFFFF'\n"
-             " .word X'FFFFFFFFFFFFFFFB', X'FFFFFFFFFFFFFFFF'\n"
-             "v: .space 200\n .code\n"
-             " descriptor r10, v, 150\n"
-             " descriptor r20, bits + 40, 0\n"
-             " %s\n EXIT\n",
-             instruction);
-    SCOPED(object) *object = good(text);
+    SCOPED(object) *object = good(
+        formatted(" .include \"core.s\"\n .data\n"
+                  "bits: .word X'FFFFFFFFFF3FFFFF', X'FFFFFFFFFFFFFFFF'\n"
+                  " .word X'FFFFFFFFFFFFFFFB', X'FFFFFFFFFFFFFFFF'\n"
+                  "v: .space 200\n .code\n"
+                  " descriptor r10, v, 150\n"
+                  " descriptor r20, bits + 40, 0\n"
+                  " %s\n EXIT\n",
+                  instruction));
     SCOPED(c205) *machine = machine_with(&object->program, model);
     void *use = observer.begin(observer.context, object, &failure);
     assert_true(c205_listen(machine, observer.listen, use));

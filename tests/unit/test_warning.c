@@ -108,9 +108,8 @@ TEST(manual)
     FREED char *text = NON_NULL(
         file_read("docs/assembly.md", FILE_LARGEST, &length, &failure));
     for (unsigned i = 0; i < WARNINGS; i++) {
-        char row[80];
 
-        snprintf(row, sizeof row, "\n| `%s` | ", warning_name((enum warning)i));
+        const char *row = formatted("\n| `%s` | ", warning_name((enum warning)i));
         if (!strstr(text, row))
             fail_msg("no row%s in docs/assembly.md", row);
         assert_int_equal(warning_named(warning_name((enum warning)i)), i);

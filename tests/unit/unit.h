@@ -55,6 +55,20 @@ static inline void *non_null(const void *pointer, const char *text, const char *
     return (void *)pointer;
 }
 
+/* Returns a text that is formatted by printf, until 16 more have been. */
+__attribute__((format(printf, 1, 2))) static inline const char *
+formatted(const char *format, ...)
+{
+    static char texts[17][8192];
+    static size_t count;
+    char *text = texts[count++ % COUNT(texts)];
+    va_list list;
+    va_start(list, format);
+    assert_in_range(vsnprintf(text, sizeof *texts, format, list), 0, sizeof *texts - 1);
+    va_end(list);
+    return text;
+}
+
 /* Defines a test of one statement. */
 #define TEST_CALL(name, statement) \
     static void test_##name(STATE) \
