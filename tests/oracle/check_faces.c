@@ -134,8 +134,7 @@ static bool same_as_plain(const struct scene *scene, const struct trace *expecte
 {
     struct frame plain;
     size_t others = 0, worst = 0;
-    if (!plain_trace(scene, WIDTH, HEIGHT, &plain))
-        give_up("out of memory");
+    need(plain_trace(scene, WIDTH, HEIGHT, &plain));
     for (size_t k = 0; k < PIXELS; k++) {
         if (!same_sight(scene, &plain, expected, k)) {
             others++;

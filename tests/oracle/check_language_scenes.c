@@ -272,8 +272,7 @@ static void judge_scene(const char *text, const struct scene *scene, struct povr
     bool good = same_in_all_forms(scene, expected, seed_of(judgement->number),
                                   judgement);
     bool read = povray_end(run, &theirs, &error);
-    if (!frame_allocate(&ours, WIDTH, HEIGHT))
-        give_up("out of memory");
+    need(frame_allocate(&ours, WIDTH, HEIGHT));
     trace_read(expected, 0, &ours);
     if (good && !read)
         blame(judgement, NOT_BY_POVRAY, error.message);

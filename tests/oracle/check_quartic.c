@@ -56,10 +56,9 @@ static void show(const struct polynomial *polynomial,
 static void solve(struct polynomial_roots *roots, const struct polynomial *polynomials,
                   size_t count, const struct roots_options *options)
 {
-    c205_error error = { "" };
-    struct root_search *search = roots_new(polynomials, count, options, &error);
-    if (!search || !roots_run(search, &error) || !roots_read(search, roots, &error))
-        give_up(error.message);
+    struct root_search *search = roots_new(polynomials, count, options, &last_error);
+    need(search && roots_run(search, &last_error)
+         && roots_read(search, roots, &last_error));
     roots_free(search);
 }
 
@@ -195,10 +194,7 @@ static int check(const struct arguments *arguments)
                                      .queue = 1,
                                      .falsi = arguments->falsi };
     uint64_t state = arguments->seed;
-    c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
-    if (!model)
-        give_up(error.message);
+    c205_model *model = NEEDED(c205_model_find("cyber205-2pipe-prior", &last_error));
     options.model = model;
     for (size_t i = 0; i < count; i++)
         quartic_case(&polynomials[i], (enum quartic_kind)(i % QUARTIC_KINDS), &state);

@@ -83,9 +83,8 @@ static bool same_as_plain(const struct random_scene *regions, const struct scene
 {
     struct frame expected, found;
     bool good = true;
-    if (!plain_trace(scene, regions->width, regions->height, &expected)
-        || !frame_allocate(&found, regions->width, regions->height))
-        give_up("out of memory");
+    need(plain_trace(scene, regions->width, regions->height, &expected)
+         && frame_allocate(&found, regions->width, regions->height));
     trace_read(trace, 0, &found);
     bool *inner = inner_pixels(&expected);
     for (size_t i = 0; good && i < WITH_FRAME; i++) {

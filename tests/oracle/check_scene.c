@@ -247,8 +247,7 @@ static bool same_as_plain(struct file *file, const struct frame *plain,
     const struct scene *scene = scene_at(file, plain->width, plain->height);
     struct trace *trace = traced_in(scene, in_mode(options, TRACE_VECTOR));
     bool good = frame_allocate(frame, plain->width, plain->height);
-    if (!good)
-        give_up("out of memory");
+    need(good);
     trace_read(trace, 0, frame);
     trace_free(trace);
     for (size_t i = 0; i < WITH_FRAME; i++)

@@ -43,11 +43,9 @@ static void run_text(struct digest *digest, const c205_model *model, const char 
     struct diagnostics errors = { 0 };
     struct sink sink = stream_sink(stderr);
     struct object *object = assemble_file(path, NULL, &errors);
-    c205_error error = { "" };
-    c205 *machine = c205_new(model, &error);
+    c205 *machine = c205_new(model, &last_error);
     diagnostics_put(&errors, &sink);
-    if (!object || !machine || !c205_load(machine, &object->program, &error))
-        give_up(error.message);
+    need(object && machine && c205_load(machine, &object->program, &last_error));
     c205_run(machine, CLOCKS);
     take(digest, machine, path);
     c205_free(machine);
@@ -57,10 +55,7 @@ static void run_text(struct digest *digest, const c205_model *model, const char 
 
 static void run_texts(struct digest *digest, char **paths)
 {
-    c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
-    if (!model)
-        give_up(error.message);
+    c205_model *model = NEEDED(c205_model_find("cyber205-2pipe-prior", &last_error));
     for (; *paths; paths++)
         run_text(digest, model, *paths);
     c205_model_free(model);

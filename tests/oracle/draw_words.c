@@ -31,13 +31,9 @@ static void draw_by_machine(uint64_t seed)
                                             .points = RAYS,
                                             .coordinates = STREAM_DRAWS };
     struct point_choice choice = { .seed = seed };
-    c205_error error = { "" };
-    struct point_maker *maker = point_maker_new(&kind, &error);
-    if (!maker)
-        give_up(error.message);
+    struct point_maker *maker = NEEDED(point_maker_new(&kind, &last_error));
     do {
-        if (!point_maker_run(maker, &choice, planes, &error))
-            give_up(error.message);
+        need(point_maker_run(maker, &choice, planes, &last_error));
         for (size_t k = 0; k < WORDS; k++)
             drawn[k] = (uint32_t)(planes[k % STREAM_DRAWS * RAYS + k / STREAM_DRAWS]
                                   >> 15);

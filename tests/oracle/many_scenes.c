@@ -12,10 +12,7 @@
 
 c205_model *usual_model(void)
 {
-    c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe", &error);
-    if (!model)
-        give_up(error.message);
+    c205_model *model = NEEDED(c205_model_find("cyber205-2pipe", &last_error));
     return model;
 }
 
@@ -47,11 +44,9 @@ struct trace_options sized(struct trace_options form, size_t width, size_t heigh
 
 struct trace *traced_in(const struct scene *scene, struct trace_options options)
 {
-    c205_error error;
     options.model = check_model;
-    struct trace *trace = trace_new(scene, &options, &error);
-    if (!trace || !trace_run(trace, &error))
-        give_up(error.message);
+    struct trace *trace = trace_new(scene, &options, &last_error);
+    need(trace && trace_run(trace, &last_error));
     return trace;
 }
 

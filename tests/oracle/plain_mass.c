@@ -65,8 +65,7 @@ void plain_mass(const struct scene *scene, const double middle[3],
 {
     struct box box = { scene, middle, width, crossing_list_new(scene) };
     double sum[TURNS][PLAIN_MASS_FIGURES] = { { 0 } };
-    if (!box.crossings)
-        give_up("out of memory");
+    need(box.crossings);
     for (size_t turn = 0; turn < TURNS; turn++)
         one_turn(&box, state, sum[turn]);
     for (size_t i = 0; i < PLAIN_MASS_FIGURES; i++) {

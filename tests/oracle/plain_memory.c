@@ -8,9 +8,7 @@ enum { WORD_BITS = 64 };
 
 void *plain_room(void *items, size_t count, size_t size)
 {
-    void *room = realloc(items, count * size);
-    if (!room)
-        give_up("out of memory");
+    void *room = NEEDED(realloc(items, count * size));
     return room;
 }
 
@@ -37,9 +35,7 @@ static struct plain_page *page_of(const struct plain_memory *memory, uint64_t ad
 static void map_page(struct plain_memory *memory, uint64_t address, c205_access access)
 {
     if (!page_of(memory, address)) {
-        c205_word *words = calloc(C205_PAGE_WORDS, sizeof *words);
-        if (!words)
-            give_up("out of memory");
+        c205_word *words = NEEDED(calloc(C205_PAGE_WORDS, sizeof *words));
         memory->pages = plain_room(memory->pages, memory->page_count + 1,
                                    sizeof *memory->pages);
         memory->pages[memory->page_count++] = (struct plain_page){

@@ -81,8 +81,7 @@ void random_load_shared(c205 *machine, const struct random_program *program,
                         struct random_shared *shared)
 {
     static c205_word words[C205_PAGE_WORDS];
-    c205_error error = { "out of memory" };
-    bool good = random_load(machine, program, &error);
+    bool good = random_load(machine, program, &last_error);
     for (size_t i = 0; i < RANDOM_PAGES; i++) {
         bool writable = random_pages[i].access == C205_READ_WRITE;
         good = good
@@ -91,13 +90,12 @@ void random_load_shared(c205 *machine, const struct random_program *program,
                                            : NULL;
         good = good && (!writable || shared->page[i]);
     }
-    good = good && load_nothing(machine, program, &error);
+    good = good && load_nothing(machine, program, &last_error);
     for (size_t i = 0; good && i < RANDOM_PAGES; i++)
         good = shared->page[i] ? c205_map_shared(machine, random_pages[i].address,
-                                                 shared->page[i], &error)
-                               : map_page(machine, i, &error);
-    if (!good)
-        give_up(error.message);
+                                                 shared->page[i], &last_error)
+                               : map_page(machine, i, &last_error);
+    need(good);
     put_data(machine, program, false);
     put_registers(machine, program);
 }

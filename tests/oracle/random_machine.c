@@ -16,13 +16,8 @@ static c205_model **models;
 
 static void make_machine(size_t i)
 {
-    c205_error error;
-    models[i] = c205_model_parse("random", random_models[i], &error);
-    if (!models[i])
-        give_up(error.message);
-    machines[i] = c205_new(models[i], &error);
-    if (!machines[i])
-        give_up(error.message);
+    models[i] = NEEDED(c205_model_parse("random", random_models[i], &last_error));
+    machines[i] = NEEDED(c205_new(models[i], &last_error));
 }
 
 void random_machines_begin(void)
@@ -46,9 +41,7 @@ void random_machines_end(void)
 c205 *random_machine_load(const struct random_program *program)
 {
     c205 *machine = machines[program->model];
-    c205_error error;
-    if (!random_load(machine, program, &error))
-        give_up(error.message);
+    need(random_load(machine, program, &last_error));
     return machine;
 }
 
@@ -64,15 +57,13 @@ uint64_t random_shared_hash(c205 *machine, const struct random_shared *shared)
     static const c205_program nothing = { 0, 0, NULL, 0, NULL, false };
     static c205_word words[C205_PAGE_WORDS];
     uint64_t hash = HASH_BEGIN;
-    c205_error error = { "out of memory" };
     for (size_t i = 0; i < RANDOM_PAGES; i++) {
         uint64_t address = random_pages[i].address;
         if (!shared->page[i])
             continue;
-        if (!c205_load(machine, &nothing, &error)
-            || !c205_map_shared(machine, address, shared->page[i], &error)
-            || !c205_read(machine, address, words, C205_PAGE_WORDS))
-            give_up(error.message);
+        need(c205_load(machine, &nothing, &last_error)
+             && c205_map_shared(machine, address, shared->page[i], &last_error)
+             && c205_read(machine, address, words, C205_PAGE_WORDS));
         for (size_t k = 0; k < C205_PAGE_WORDS; k++)
             hash = hash_word(hash, words[k]);
     }
@@ -92,9 +83,7 @@ static bool hash_bytes(void *context, const void *bytes, size_t count)
 
 void random_machine_save(const c205 *machine, c205_writer *write, void *context)
 {
-    c205_error error;
-    if (!c205_save(machine, write, context, &error))
-        give_up(error.message);
+    need(c205_save(machine, write, context, &last_error));
 }
 
 uint64_t machine_hash(const c205 *machine)

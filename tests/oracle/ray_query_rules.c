@@ -50,11 +50,9 @@ struct ray_hits find_lines(const struct scene *scene,
                            const struct ray_query_options *options,
                            const struct scene_ray *list, size_t count)
 {
-    c205_error error;
     struct ray_hits found;
-    struct ray_query *lines = ray_query_new(scene, options, &error);
-    if (!lines || !ray_query_find(lines, list, count, &found, &error))
-        give_up(error.message);
+    struct ray_query *lines = ray_query_new(scene, options, &last_error);
+    need(lines && ray_query_find(lines, list, count, &found, &last_error));
     ray_query_free(lines);
     return found;
 }
@@ -291,8 +289,7 @@ static bool is_plain_line(const struct along *along, bool certain)
     size_t room = along->count + 1;
     struct plain_crossing *plain = calloc(room, sizeof *plain);
     struct ray ray = ray_of(along->line);
-    if (!plain)
-        give_up("out of memory");
+    need(plain);
     bool same = plain_line(along->scene, &ray, LEAST - along->behind, plain, room)
                 == along->count;
     for (size_t k = 0; same && k < along->count; k++)

@@ -38,12 +38,9 @@ static bool keep_bytes(void *context, const void *bytes, size_t count)
 static c205 *copy_machine(const c205 *machine)
 {
     struct bytes kept = { NULL, 0, 0 };
-    c205_error error;
     random_machine_save(machine, keep_bytes, &kept);
-    c205 *copy = c205_restore(kept.bytes, kept.count, c205_machine_model(machine),
-                              &error);
-    if (!copy)
-        give_up(error.message);
+    c205 *copy = NEEDED(
+        c205_restore(kept.bytes, kept.count, c205_machine_model(machine), &last_error));
     free(kept.bytes);
     return copy;
 }

@@ -8,18 +8,14 @@
 
 void *test_room(size_t size)
 {
-    void *made = calloc(1, size);
-    if (!made)
-        give_up("out of memory");
+    void *made = NEEDED(calloc(1, size));
     return made;
 }
 
 FILE *test_text(char **words)
 {
     static size_t size;
-    FILE *text = open_memstream(words, &size);
-    if (!text)
-        give_up("out of memory");
+    FILE *text = NEEDED(open_memstream(words, &size));
     return text;
 }
 
