@@ -130,8 +130,8 @@ void assert_asm_warnings(const struct asm_error *warning, size_t count)
     for (; count > 0; count--, warning++) {
         SCOPED_VALUE(diagnostics) found = { 0 };
         SCOPED(object) *object = assemble_text("test.s", warning->text, NULL, &found);
-        if (!object || found.errors > 0 || (!warning->line && found.count > 0))
-            fail_msg("%s\n%s", warning->text, found.count ? found.items->message : "");
+        FAIL_IF(!object || found.errors > 0 || (!warning->line && found.count > 0),
+                "%s\n%s", warning->text, found.count ? found.items->message : "");
         if (warning->line)
             assert_one_error(&found, warning->text, warning->line, warning->column,
                              warning->message);

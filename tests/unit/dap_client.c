@@ -122,9 +122,8 @@ static void receive_more(struct dap_client *client)
     char bytes[4096];
     ssize_t length = read(client->from, bytes, sizeof bytes);
 
-    if (length <= 0)
-        fail_msg("the adapter has ended; of a message there is: %s",
-                 client->input.text ? client->input.text : "nothing");
+    FAIL_IF(length <= 0, "the adapter has ended; of a message there is: %s",
+            client->input.text ? client->input.text : "nothing");
     sink.put(sink.context, bytes, (size_t)length);
 }
 
@@ -138,15 +137,13 @@ static struct dap_message next_message(struct dap_client *client)
 
         if (state == MESSAGE_WHOLE)
             break;
-        if (state == MESSAGE_BROKEN)
-            fail_msg("%s: %s", failure.message, client->input.text);
+        FAIL_IF(state == MESSAGE_BROKEN, "%s: %s", failure.message, client->input.text);
         receive_more(client);
     }
     message.text = arena_text(&client->arena, client->input.text + content.begin,
                               content.length);
     message.value = json_read(&client->arena, message.text, content.length, &failure);
-    if (!message.value)
-        fail_msg("%s: %s", failure.message, client->input.text);
+    FAIL_IF(!message.value, "%s: %s", failure.message, client->input.text);
     message_drop(&client->input, content.begin + content.length);
     assert_int_equal(the_whole(message.value, "seq"), ++client->heard);
     return message;
@@ -188,8 +185,8 @@ const struct json_value *client_success(struct dap_client *client, const char *c
     const struct json_value *response = client_response(client);
 
     assert_string_equal(the_text(response, "command"), command);
-    if (!json_member_truth(response, "success", false))
-        fail_msg("%s: %s", command, the_text(response, "message"));
+    FAIL_IF(!json_member_truth(response, "success", false), "%s: %s", command,
+            the_text(response, "message"));
     return the(response, "body");
 }
 
@@ -197,10 +194,10 @@ void client_failure(struct dap_client *client, const char *words, const char *co
 {
     const struct json_value *response = client_response(client);
 
-    if (json_member_truth(response, "success", true)
-        || !strstr(the_text(response, "message"), words))
-        fail_msg("%s: not refused with '%s', but %s", command, words,
-                 json_member_text(response, "message"));
+    FAIL_IF(json_member_truth(response, "success", true)
+                || !strstr(the_text(response, "message"), words),
+            "%s: not refused with '%s', but %s", command, words,
+            json_member_text(response, "message"));
 }
 
 const struct json_value *client_event(struct dap_client *client, const char *name)
@@ -234,8 +231,7 @@ const struct json_value *the(const struct json_value *object, const char *key)
 {
     const struct json_value *member = json_member(object, key);
 
-    if (!member)
-        fail_msg("there is no '%s'", key);
+    FAIL_IF(!member, "there is no '%s'", key);
     return member;
 }
 
@@ -243,8 +239,7 @@ const char *the_text(const struct json_value *object, const char *key)
 {
     const char *text = the(object, key)->text;
 
-    if (!text)
-        fail_msg("'%s' is no text", key);
+    FAIL_IF(!text, "'%s' is no text", key);
     return text;
 }
 
@@ -253,8 +248,7 @@ int64_t the_whole(const struct json_value *object, const char *key)
     int64_t value = 0;
 
     the(object, key);
-    if (!json_member_whole(object, key, &value))
-        fail_msg("'%s' is no integer", key);
+    FAIL_IF(!json_member_whole(object, key, &value), "'%s' is no integer", key);
     return value;
 }
 

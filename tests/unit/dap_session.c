@@ -107,8 +107,7 @@ const char *value_of(const struct json_value *list, const char *name)
 {
     const struct json_value *variable = element_with(list, "name", name);
 
-    if (!variable)
-        fail_msg("there is no variable %s", name);
+    FAIL_IF(!variable, "there is no variable %s", name);
     return the_text(variable, "value");
 }
 
@@ -147,8 +146,8 @@ void client_stop_at(struct dap_client *client, const char *stop)
                        client_path, stop),
             "breakpoints");
 
-    if (list->first && !json_member_truth(list->first, "verified", false))
-        fail_msg("%s: %s", stop, the_text(list->first, "message"));
+    FAIL_IF(list->first && !json_member_truth(list->first, "verified", false), "%s: %s",
+            stop, the_text(list->first, "message"));
 }
 
 void client_go(struct dap_client *client, const char *request, const char *reason)

@@ -40,8 +40,8 @@ void session_check(struct debug_session *session, const struct line_said *lines,
         bool absent = *lines[i].said == '!';
 
         session_obey(session, lines[i].line);
-        if (session_says(session, lines[i].said + absent) == absent)
-            fail_msg("%s: %s", lines[i].line, session->said.text);
+        FAIL_IF(session_says(session, lines[i].said + absent) == absent, "%s: %s",
+                lines[i].line, session->said.text);
     }
 }
 

@@ -34,8 +34,8 @@ const struct json_value *talk_bytes(struct talk *talk, const char *request,
     forget(talk);
     talk->text = NON_NULL(engine_answer(talk->engine, request, length));
     talk->reply = json_read(&talk->arena, talk->text, strlen(talk->text), &failure);
-    if (!talk->reply)
-        fail_msg("%.*s\n%s: %s", (int)length, request, talk->text, failure.message);
+    FAIL_IF(!talk->reply, "%.*s\n%s: %s", (int)length, request, talk->text,
+            failure.message);
     ok = NON_NULL(json_member(talk->reply, "ok"));
     assert_int_equal(ok->kind, JSON_TRUTH);
     if (!ok->truth)
@@ -75,22 +75,21 @@ const char *talk_send(struct talk *talk, const char *format, ...)
 
 const struct json_value *talk_success(const struct talk *talk, const char *request)
 {
-    if (!json_member_truth(talk->reply, "ok", false))
-        fail_msg("%s\n%s", request, talk->text);
+    FAIL_IF(!json_member_truth(talk->reply, "ok", false), "%s\n%s", request,
+            talk->text);
     return talk->reply;
 }
 
 void talk_failure(const struct talk *talk, const char *why, const char *request)
 {
-    if (json_member_truth(talk->reply, "ok", true)
-        || !has(text_of(talk->reply, "error"), why))
-        fail_msg("%s\n%s, not %s", request, talk->text, why);
+    FAIL_IF(json_member_truth(talk->reply, "ok", true)
+                || !has(text_of(talk->reply, "error"), why),
+            "%s\n%s, not %s", request, talk->text, why);
 }
 
 void talk_says(const struct talk *talk, const char *part)
 {
-    if (!has(talk->text, part))
-        fail_msg("not '%s', but %s", part, talk->text);
+    FAIL_IF(!has(talk->text, part), "not '%s', but %s", part, talk->text);
 }
 
 const struct json_value *talk_load(struct talk *talk, const char *text,
@@ -117,8 +116,7 @@ double number_of(const struct json_value *object, const char *key)
 {
     const struct json_value *value = json_member(object, key);
 
-    if (!value || value->kind != JSON_NUMBER)
-        fail_msg("'%s' is no number", key);
+    FAIL_IF(!value || value->kind != JSON_NUMBER, "'%s' is no number", key);
     return value->number;
 }
 
@@ -126,8 +124,7 @@ const char *text_of(const struct json_value *object, const char *key)
 {
     const char *text = json_member_text(object, key);
 
-    if (!text)
-        fail_msg("'%s' is no text", key);
+    FAIL_IF(!text, "'%s' is no text", key);
     return text;
 }
 

@@ -4,8 +4,7 @@
 
 void assert_near(double found, double expected, double within)
 {
-    if (!(fabs(found - expected) <= within))
-        fail_msg("%.17g is not %.17g", found, expected);
+    FAIL_IF(!(fabs(found - expected) <= within), "%.17g is not %.17g", found, expected);
 }
 
 double number_between(uint64_t *random, double low, double high)
@@ -149,6 +148,5 @@ void assert_same_surface(const struct surface *a, const struct surface *b, doubl
         strays += !(fabs(x.distance - y.distance) < 1e-11 && dn < 1e-9);
     }
     assert_true(hits > 400);
-    if (strays > 1)
-        fail_msg("%d of %d differ", strays, hits);
+    FAIL_IF(strays > 1, "%d of %d differ", strays, hits);
 }

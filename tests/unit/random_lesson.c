@@ -256,8 +256,8 @@ static void put_test(const struct random_lesson *drawn, const struct random_test
 
 static void take(struct lesson *lesson, const char *file, const char *text)
 {
-    if (!lesson_take(lesson, file, text, strlen(text), &failure))
-        fail_msg("%s\n%s", failure.message, text);
+    FAIL_IF(!lesson_take(lesson, file, text, strlen(text), &failure), "%s\n%s",
+            failure.message, text);
 }
 
 void random_open(const struct random_lesson *drawn, struct lesson *lesson)
@@ -284,6 +284,6 @@ void grade_well(struct lesson_verdict *verdict, const struct lesson *lesson,
                 const char *answer)
 {
     *verdict = (struct lesson_verdict){ 0 };
-    if (!lesson_grade(verdict, lesson, "my.s", answer, strlen(answer), &failure))
-        fail_msg("%s\n%s", failure.message, answer);
+    FAIL_IF(!lesson_grade(verdict, lesson, "my.s", answer, strlen(answer), &failure),
+            "%s\n%s", failure.message, answer);
 }

@@ -408,6 +408,6 @@ void check_solids_with(void (*add_shape)(char *text, size_t size))
     FREED struct words *others = same_frame(text);
     traced.visible = VISIBLE_DEFAULT;
     traced.no_bounds = false;
-    if (memcmp(words, others, sizeof *words) != 0)
-        fail_msg("every crossing without bounds gives another frame of\n%s", text);
+    FAIL_IF(memcmp(words, others, sizeof *words) != 0,
+            "every crossing without bounds gives another frame of\n%s", text);
 }

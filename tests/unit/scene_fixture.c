@@ -47,8 +47,7 @@ static struct object *stage_program(void)
         put_kernels(&sink, &shapes[i]->other);
     }
     struct object *program = assemble_text("stage", text.text, &how, &errors);
-    if (!program)
-        fail_msg("%s", errors.items[0].message);
+    FAIL_IF(!program, "%s", errors.items[0].message);
     return program;
 }
 
@@ -60,10 +59,10 @@ struct stage stage_of(const char *text, enum bounding bounding)
                            .machine = c205_new(prior_model, &failure) };
     stage.layout = layout_new(stage.program, stage.scene, bounding, NULL, NULL,
                               &failure);
-    if (!stage.machine || !stage.layout
-        || !c205_load(stage.machine, &stage.program->program, &failure)
-        || !layout_put(stage.layout, stage.machine, &frame, &failure))
-        fail_msg("%s: %s", text, failure.message);
+    FAIL_IF(!stage.machine || !stage.layout
+                || !c205_load(stage.machine, &stage.program->program, &failure)
+                || !layout_put(stage.layout, stage.machine, &frame, &failure),
+            "%s: %s", text, failure.message);
     return stage;
 }
 
@@ -78,8 +77,7 @@ void stage_free(struct stage *stage)
 uint64_t symbol(const struct stage *stage, const char *name)
 {
     const struct asm_symbol *found = object_symbol(stage->program, name);
-    if (!found)
-        fail_msg("no symbol %s", name);
+    FAIL_IF(!found, "no symbol %s", name);
     return (uint64_t)found->value;
 }
 

@@ -26,8 +26,7 @@ void write_bytes(const char *path, const char *bytes, size_t count)
 
 void assert_close(double a, double b, double within)
 {
-    if (!(fabs(a - b) <= within))
-        fail_msg("%.15g is not %.15g", a, b);
+    FAIL_IF(!(fabs(a - b) <= within), "%.15g is not %.15g", a, b);
 }
 
 void assert_vector(const double a[3], double x, double y, double z)
@@ -41,9 +40,9 @@ void assert_numbers(const char *what, const double *found, const double *expecte
                     size_t count, double within)
 {
     for (size_t i = 0; i < count; i++)
-        if (!(fabs(found[i] - expected[i]) <= within))
-            fail_msg("%s: number %zu of %zu: %.15g is not %.15g", what, i + 1, count,
-                     found[i], expected[i]);
+        FAIL_IF(!(fabs(found[i] - expected[i]) <= within),
+                "%s: number %zu of %zu: %.15g is not %.15g", what, i + 1, count,
+                found[i], expected[i]);
 }
 
 char *repeated(const char *head, const char *part, size_t count)

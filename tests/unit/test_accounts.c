@@ -53,8 +53,7 @@ static double cell(const struct table *table, size_t row, size_t column)
 
 static void assert_near(double a, double b)
 {
-    if (!(fabs(a - b) <= 1e-9 * (1 + fabs(b))))
-        fail_msg("%.17g is not %.17g", a, b);
+    FAIL_IF(!(fabs(a - b) <= 1e-9 * (1 + fabs(b))), "%.17g is not %.17g", a, b);
 }
 
 static double in_unit(const struct accounts *accounts, uint64_t clocks)

@@ -145,11 +145,11 @@ static void check_plain(struct scene *scene, const struct trace *trace,
     struct plain_refined refined = expect(scene, options, &expected);
     trace_read(trace, 0, &found);
     size_t others = count_others(&expected, &found, scene->assumed_gamma);
-    if (refined.margin > 1e-9 && others > 0)
-        fail_msg("%zu of %zu x %zu pixels are others, threshold %g, samples "
-                 "%zu, in\n%s",
-                 others, options->width, options->height, options->threshold,
-                 options->samples, text);
+    FAIL_IF(refined.margin > 1e-9 && others > 0,
+            "%zu of %zu x %zu pixels are others, threshold %g, samples "
+            "%zu, in\n%s",
+            others, options->width, options->height, options->threshold,
+            options->samples, text);
     if (refined.margin > 1e-9)
         check_rays(trace, options, refined.count);
 }
@@ -166,12 +166,12 @@ static void check_form(const struct scene *scene, const struct trace_options *li
     options.band = among(0, 1) ? 0 : among(1, 4000);
     options.jobs = among(1, 3);
     SCOPED(trace) *trace = run_trace(scene, &options);
-    if (trace_checksum(trace) != trace_checksum(expected))
-        fail_msg("%s by %s, queue %zu, band %zu, threshold %g, samples %zu: "
-                 "another frame of %zu x %zu of\n%s",
-                 trace_mode_name(options.mode), order_name(options.order),
-                 options.queue, options.band, options.threshold, options.samples,
-                 options.width, options.height, text);
+    FAIL_IF(trace_checksum(trace) != trace_checksum(expected),
+            "%s by %s, queue %zu, band %zu, threshold %g, samples %zu: "
+            "another frame of %zu x %zu of\n%s",
+            trace_mode_name(options.mode), order_name(options.order), options.queue,
+            options.band, options.threshold, options.samples, options.width,
+            options.height, text);
     if (trace_bands(trace) == trace_bands(expected))
         for (int kind = 0; kind < RAY_KINDS; kind++)
             assert_int_equal(trace_rays(trace, kind), trace_rays(expected, kind));
@@ -291,8 +291,7 @@ static void check_refused(const char *text, size_t width, size_t samples,
                                             .samples = samples, .threshold = threshold);
     c205_error error = { "" };
     assert_null(trace_new(scene, &options, &error));
-    if (!strstr(error.message, why))
-        fail_msg("%s, not %s", error.message, why);
+    FAIL_IF(!strstr(error.message, why), "%s, not %s", error.message, why);
 }
 
 TEST(refused)

@@ -111,8 +111,8 @@ static struct outcome attempt(task *work, size_t fails, bool for_good)
     outcome.done = work(out, &outcome.error);
     host.fails = 0;
     fclose(out);
-    if (host.living != before)
-        fail_msg("allocation %zu failed, %ld are lost", fails, host.living - before);
+    FAIL_IF(host.living != before, "allocation %zu failed, %ld are lost", fails,
+            host.living - before);
     return outcome;
 }
 
@@ -122,18 +122,17 @@ static void exhaust(task *work, bool once)
 {
     struct outcome wanted = attempt(work, 0, false);
     size_t calls = host.calls;
-    if (!wanted.done)
-        fail_msg("%s", wanted.error.message);
+    FAIL_IF(!wanted.done, "%s", wanted.error.message);
     assert_true(calls > 0);
     for (size_t fails = 1; fails <= calls; fails++)
         for (int for_good = once; for_good < 2; for_good++) {
             struct outcome outcome = attempt(work, fails, for_good);
-            if (!outcome.done && !outcome.error.message[0])
-                fail_msg("allocation %zu failed without a message", fails);
-            if (outcome.done
-                && (outcome.length != wanted.length
-                    || memcmp(outcome.output, wanted.output, wanted.length)))
-                fail_msg("allocation %zu failed, and the output is wrong", fails);
+            FAIL_IF(!outcome.done && !outcome.error.message[0],
+                    "allocation %zu failed without a message", fails);
+            FAIL_IF(outcome.done
+                        && (outcome.length != wanted.length
+                            || memcmp(outcome.output, wanted.output, wanted.length)),
+                    "allocation %zu failed, and the output is wrong", fails);
             __real_free(outcome.output);
         }
     __real_free(wanted.output);

@@ -25,9 +25,9 @@ static void run(const struct object *object, const char *name)
     assert_true(c205_listen(machine, runtime_listen, watch));
     runtime_begin(watch, machine);
     c205_stop stop = c205_run(machine, 1000000);
-    if (!expect_check(object, machine, &stop, printed.text ? printed.text : "",
-                      object->warned | runtime_warned(watch), &report))
-        fail_msg("%s", name);
+    FAIL_IF(!expect_check(object, machine, &stop, printed.text ? printed.text : "",
+                          object->warned | runtime_warned(watch), &report),
+            "%s", name);
     assert_int_equal(runtime_errors(watch), 0);
     runtime_free(watch);
 }

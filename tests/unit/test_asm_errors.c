@@ -200,11 +200,11 @@ static void check_all(const char *text, const struct asm_error *wanted, size_t c
     SCOPED_VALUE(diagnostics) errors = { 0 };
     assert_null(assemble_text("test.s", text, NULL, &errors));
     for (size_t i = 0; i < errors.count; i++)
-        if (i >= count || errors.items[i].line != wanted[i].line
-            || errors.items[i].column != wanted[i].column
-            || !strstr(errors.items[i].message, wanted[i].message))
-            fail_msg("%s\n%zu: %zu:%zu: %s", text, i, errors.items[i].line,
-                     errors.items[i].column, errors.items[i].message);
+        FAIL_IF(i >= count || errors.items[i].line != wanted[i].line
+                    || errors.items[i].column != wanted[i].column
+                    || !strstr(errors.items[i].message, wanted[i].message),
+                "%s\n%zu: %zu:%zu: %s", text, i, errors.items[i].line,
+                errors.items[i].column, errors.items[i].message);
     assert_int_equal(errors.count, count);
 }
 

@@ -41,8 +41,8 @@ TEST(integers)
         { "1 << 5", 32 },  { "64 >> 5", 2 },  { "bits(word(77))", 77 },
     };
     for (size_t i = 0; i < COUNT(cases); i++)
-        if (value(cases[i].text) != c205_from_integer(cases[i].value))
-            fail_msg("%s is not %lld", cases[i].text, (long long)cases[i].value);
+        FAIL_IF(value(cases[i].text) != c205_from_integer(cases[i].value),
+                "%s is not %lld", cases[i].text, (long long)cases[i].value);
 }
 
 TEST(words)

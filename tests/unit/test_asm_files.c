@@ -164,8 +164,7 @@ TEST(names)
     check_disassembly(object);
     SCOPED_VALUE(text_buffer) text = disassembled(object);
     for (size_t i = 0; i < COUNT(lines); i++)
-        if (!strstr(text.text, lines[i]))
-            fail_msg("no '%s' in\n%s", lines[i], text.text);
+        FAIL_IF(!strstr(text.text, lines[i]), "no '%s' in\n%s", lines[i], text.text);
     assert_null(strstr(text.text, "L5"));
     assert_null(strstr(text.text, "inside"));
 }
@@ -195,8 +194,7 @@ static void check_refused(const char *text, const char *message)
     c205_error error;
 
     assert_null(object_read(text, strlen(text), &error));
-    if (!strstr(error.message, message))
-        fail_msg("%s: %s", text, error.message);
+    FAIL_IF(!strstr(error.message, message), "%s: %s", text, error.message);
 }
 
 TEST(refused_files)

@@ -102,9 +102,8 @@ TEST(encodings)
                   { "CONV s, [c, o]", 0x9630001700000014 },
                   { "EXTV -h, [c]", 0x9C12003200000014 } };
     for (size_t i = 0; i < COUNT(cases); i++)
-        if (encoding(cases[i].text) != cases[i].word)
-            fail_msg("%s: %016llX", cases[i].text,
-                     (unsigned long long)encoding(cases[i].text));
+        FAIL_IF(encoding(cases[i].text) != cases[i].word, "%s: %016llX", cases[i].text,
+                (unsigned long long)encoding(cases[i].text));
 }
 
 TEST(errors)
@@ -195,8 +194,7 @@ static void check_round_trip(c205_word word)
     c205_word made = word_of(&object->program, address);
     if (halves == 1)
         word &= 0xFFFFFFFF00000000;
-    if (made != word)
-        fail_msg("%s", one);
+    FAIL_IF(made != word, "%s", one);
 }
 
 TEST(round_trip)
@@ -229,9 +227,9 @@ static void check_written(const c205_insn *insn, uint8_t g)
     fields.g = (uint8_t)(insn->subop | g);
     c205_word word = c205_encode(insn, &fields);
     disassemble_one(word, 0x40000000, text);
-    if (strncmp(text, insn->mnemonic, strlen(insn->mnemonic)) != 0
-        || (strstr(text, ",H") != NULL) != (g != 0))
-        fail_msg("%s: %s", insn->mnemonic, text);
+    FAIL_IF(strncmp(text, insn->mnemonic, strlen(insn->mnemonic)) != 0
+                || (strstr(text, ",H") != NULL) != (g != 0),
+            "%s: %s", insn->mnemonic, text);
     check_round_trip(word);
 }
 

@@ -75,16 +75,15 @@ static size_t check_text(const char *path, const char *text)
     SCOPED(object) *object = assemble_bytes(path, text, strlen(text), NULL, &found);
     size_t errors = found.errors;
 
-    if (!object != (errors > 0))
-        fail_msg("%s: %zu errors, and %s object in\n%s", path, errors,
-                 object ? "an" : "no", text);
+    FAIL_IF(!object != (errors > 0), "%s: %zu errors, and %s object in\n%s", path,
+            errors, object ? "an" : "no", text);
     for (size_t i = 0; i < found.count; i++) {
         const struct diagnostic *item = &found.items[i];
-        if (item->line == 0 || item->column < 1
-            || item->column > strlen(item->source) + 1 || !*item->message
-            || strchr(item->source, '\n'))
-            fail_msg("%s:%zu:%zu: %s\n%s\nin\n%s", item->file, item->line, item->column,
-                     item->message, item->source, text);
+        FAIL_IF(item->line == 0 || item->column < 1
+                    || item->column > strlen(item->source) + 1 || !*item->message
+                    || strchr(item->source, '\n'),
+                "%s:%zu:%zu: %s\n%s\nin\n%s", item->file, item->line, item->column,
+                item->message, item->source, text);
     }
     return errors;
 }

@@ -162,8 +162,8 @@ TEST(operations)
     for (int i = 0; i < TRIES; i++) {
         draw_value(&drawn, DEPTH);
         SCOPED(object) *object = assemble_value(drawn.text);
-        if (drawn.good != (bool)object)
-            fail_msg("%s: it has %s value", drawn.text, drawn.good ? "a" : "no");
+        FAIL_IF(drawn.good != (bool)object, "%s: it has %s value", drawn.text,
+                drawn.good ? "a" : "no");
         if (!object)
             continue;
         c205_word word = word_of(&object->program, 0x800000);

@@ -10,9 +10,8 @@ static void assert_place(const struct object *object, const char *name, int64_t 
 {
     const struct asm_symbol *symbol = object_symbol(object, name);
 
-    if (!symbol || symbol->is_label || symbol->value != place)
-        fail_msg("%s: %ld, not %ld", name, symbol ? (long)symbol->value : -1,
-                 (long)place);
+    FAIL_IF(!symbol || symbol->is_label || symbol->value != place, "%s: %ld, not %ld",
+            name, symbol ? (long)symbol->value : -1, (long)place);
 }
 
 TEST(places)

@@ -257,8 +257,8 @@ TEST(random_declarations)
         for (size_t line = 1; line <= LINES; line++) {
             bool here = next < found.count && found.items[next].line == line;
 
-            if (here != declarations.reported[line])
-                fail_msg("%sline %zu", declarations.text, line);
+            FAIL_IF(here != declarations.reported[line], "%sline %zu",
+                    declarations.text, line);
             next += here;
             reported += here;
             silent += !here;

@@ -165,8 +165,8 @@ TEST(words)
         SCOPED(object) *object = good(cases[i].text);
         c205_word word = word_of(&object->program, cases[i].address);
 
-        if (word != cases[i].word)
-            fail_msg("%s: %016llX", cases[i].text, (unsigned long long)word);
+        FAIL_IF(word != cases[i].word, "%s: %016llX", cases[i].text,
+                (unsigned long long)word);
     }
 }
 

@@ -77,9 +77,9 @@ static size_t check_stopped(const struct scene *scene, const struct trace *whole
     assert_int_equal(patience == 0, trace_rows_done(trace) < TALL);
     done = trace_rows_done(trace);
     for (size_t row = 0; row < TALL; row++) {
-        if (!same_row(trace, NULL, row) && !same_row(trace, whole, row))
-            fail_msg("%d row %zu done %zu bands %zu", mode, row, done,
-                     trace_bands_done(trace));
+        FAIL_IF(!same_row(trace, NULL, row) && !same_row(trace, whole, row),
+                "%d row %zu done %zu bands %zu", mode, row, done,
+                trace_bands_done(trace));
         same += same_row(trace, whole, row);
     }
     assert_int_equal(same, done);
@@ -182,8 +182,8 @@ static void check_kept(const char *one, const char *other, bool same,
             plant(trace, &job_set, 1, ROWS);
         else
             assert_int_equal(trace_keep(trace, &error), same);
-        if (i == 1 && !same && !strstr(error.message, "another scene"))
-            fail_msg("%s", error.message);
+        FAIL_IF(i == 1 && !same && !strstr(error.message, "another scene"), "%s",
+                error.message);
         job_set_close(&job_set, false);
     }
     remove(path);

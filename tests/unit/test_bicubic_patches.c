@@ -249,9 +249,9 @@ TEST(random_patches)
         expected.count = 0;
         expect_cell(&patch, (struct cell){ .to = { 1, 1 } }, &expected);
         SCOPED(scene) *scene = read_scene(text);
-        if (!has_all(triangles_of(scene), &expected))
-            fail_msg("patch %zu: %zu triangles, not these %zu, of\n%s", i,
-                     triangles_of(scene)->count, expected.count, text);
+        FAIL_IF(!has_all(triangles_of(scene), &expected),
+                "patch %zu: %zu triangles, not these %zu, of\n%s", i,
+                triangles_of(scene)->count, expected.count, text);
     }
 }
 
@@ -276,8 +276,8 @@ TEST(words)
     };
     for (size_t i = 0; i < COUNT(cases); i++) {
         SCOPED(scene) *scene = read_scene(cases[i].text);
-        if (triangles_of(scene)->count != cases[i].triangles)
-            fail_msg("%zu triangles of %s", triangles_of(scene)->count, cases[i].text);
+        FAIL_IF(triangles_of(scene)->count != cases[i].triangles, "%zu triangles of %s",
+                triangles_of(scene)->count, cases[i].text);
     }
 }
 

@@ -74,10 +74,10 @@ TEST(known)
         double within = rows[i].slack * rows[i].radius;
         for (int k = 0; k < 3; k++)
             assert_close(bound.center[k], center[k], within);
-        if (bound.radius < rows[i].radius
-            || bound.radius > rows[i].radius * (1 + rows[i].slack))
-            fail_msg("%s: radius %.9g, expected %.9g", rows[i].text, bound.radius,
-                     rows[i].radius);
+        FAIL_IF(bound.radius < rows[i].radius
+                    || bound.radius > rows[i].radius * (1 + rows[i].slack),
+                "%s: radius %.9g, expected %.9g", rows[i].text, bound.radius,
+                rows[i].radius);
     }
 }
 
@@ -182,8 +182,7 @@ TEST(crossings)
         assert_false(bound_is_none(&bound));
         for (int line = 0; line < LINES; line++)
             count += count_crossings(scene->primitives, &bound);
-        if (count == 0)
-            fail_msg("no line crosses %s", text);
+        FAIL_IF(count == 0, "no line crosses %s", text);
     }
 }
 

@@ -46,9 +46,9 @@ static void check_line(struct debug_session *session, const char *line, bool goo
     size_t stops = session->debugger->breakpoint_count;
 
     session_obey(session, line);
-    if (session->debugger->breakpoint_count != stops + good
-        || !session_says(session, said))
-        fail_msg("%s: %s", line, session->said.text);
+    FAIL_IF(session->debugger->breakpoint_count != stops + good
+                || !session_says(session, said),
+            "%s: %s", line, session->said.text);
     session_obey(session, "delete");
 }
 
@@ -198,9 +198,9 @@ static void check_verified(struct dap_client *client, const char *request,
                        client_path, stop),
             "breakpoints");
 
-    if (json_member_truth(list->first, "verified", !good) != good
-        || !*the_text(list->first, "message"))
-        fail_msg("%s %s", request, stop);
+    FAIL_IF(json_member_truth(list->first, "verified", !good) != good
+                || !*the_text(list->first, "message"),
+            "%s %s", request, stop);
 }
 
 TEST(protocol)

@@ -17,8 +17,7 @@ static void expect(const char *yields, const char *objects)
     SCOPED(scene) *scene = scene_of(text);
     for (size_t i = 0; i < scene->region_count && i < 19; i++)
         found[i] = (char)('0' + (int)(10 * scene->regions[i].yield + .01));
-    if (strcmp(found, yields) != 0)
-        fail_msg("%s, not %s: %s", found, yields, objects);
+    FAIL_IF(strcmp(found, yields) != 0, "%s, not %s: %s", found, yields, objects);
 }
 
 TEST(coincident_faces_give_earlier_regions_a_yield)

@@ -17,9 +17,9 @@ static struct words *frame_of_all(const char *text)
     traced.visible = VISIBLE_EVERY;
     FREED struct words *every = trace_words(scene, TRACE_VECTOR, WIDTH);
     traced.visible = VISIBLE_DEFAULT;
-    if (memcmp(stepping, words, sizeof *stepping) != 0
-        || memcmp(every, words, sizeof *every) != 0)
-        fail_msg("another way to the nearest gives another frame of\n%s", text);
+    FAIL_IF(memcmp(stepping, words, sizeof *stepping) != 0
+                || memcmp(every, words, sizeof *every) != 0,
+            "another way to the nearest gives another frame of\n%s", text);
     check_paper_stage(text, words);
     return words;
 }
@@ -140,12 +140,11 @@ TEST(sights)
         traced.no_bounds = true;
         FREED struct words *words = frame_of_all(text);
         traced.no_bounds = false;
-        if (memcmp(bounded, words, sizeof *words) != 0)
-            fail_msg("bounds change the frame of\n%s", text);
+        FAIL_IF(memcmp(bounded, words, sizeof *words) != 0,
+                "bounds change the frame of\n%s", text);
         int64_t id = c205_to_integer(words->channel[CHANNEL_ID][middle]);
         double depth = c205_to_double(words->channel[CHANNEL_DEPTH][middle]);
-        if (id != sights[i].id || !(fabs(depth - sights[i].depth) <= 1e-10))
-            fail_msg("%s: primitive %lld at %.12g", sights[i].text, (long long)id,
-                     depth);
+        FAIL_IF(id != sights[i].id || !(fabs(depth - sights[i].depth) <= 1e-10),
+                "%s: primitive %lld at %.12g", sights[i].text, (long long)id, depth);
     }
 }

@@ -324,9 +324,8 @@ static void refused(const char *word, const char *value, const char *why)
         release(&caught);
         assert_int_equal(code, CMD_USAGE);
         assert_string_equal(seen, "");
-        if (!strstr(caught.text, why))
-            fail_msg("%s %s: '%s' does not tell '%s'", word, value ? value : "",
-                     caught.text, why);
+        FAIL_IF(!strstr(caught.text, why), "%s %s: '%s' does not tell '%s'", word,
+                value ? value : "", caught.text, why);
     }
 }
 

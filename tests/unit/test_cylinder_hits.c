@@ -125,10 +125,9 @@ TEST(rays)
                                   bundle.words[k]);
                 expected = one == 0 ? expected : one;
             }
-            if (expected >= 0 && c205_to_integer(scalar[ray]) != expected)
-                fail_msg("ray %zu of %zu, %zu cylinders: told %d, not %d", ray,
-                         bundle.rays, bundle.cylinders,
-                         (int)c205_to_integer(scalar[ray]), expected);
+            FAIL_IF(expected >= 0 && c205_to_integer(scalar[ray]) != expected,
+                    "ray %zu of %zu, %zu cylinders: told %d, not %d", ray, bundle.rays,
+                    bundle.cylinders, (int)c205_to_integer(scalar[ray]), expected);
         }
         run(&bundle, "heat/hits_vector.s", queues[(size_t)i % COUNT(queues)], vector);
         assert_memory_equal(scalar, vector, bundle.rays * sizeof *scalar);
@@ -188,8 +187,7 @@ static void refuses(const char *text, const char *from, const char *message)
     c205_error error = { "" };
     assert_true(named_parts_find(scene, &parts));
     assert_false(hits_find(scene, &parts, &options, &hits, &error));
-    if (!strstr(error.message, message))
-        fail_msg("%s: %s", message, error.message);
+    FAIL_IF(!strstr(error.message, message), "%s: %s", message, error.message);
 }
 
 TEST(refused)

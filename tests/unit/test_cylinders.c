@@ -17,8 +17,8 @@ static void check_hit(const char *text, double depth, double x, double y, double
     assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][middle]), 1);
     for (int i = 0; i < 4; i++) {
         double found = c205_to_double(words->channel[CHANNEL_DEPTH + i][middle]);
-        if (!(fabs(found - expected[i]) <= 5e-11 * (1 + fabs(expected[i]) / 100)))
-            fail_msg("%s: %d is %.15g, not %.15g", text, i, found, expected[i]);
+        FAIL_IF(!(fabs(found - expected[i]) <= 5e-11 * (1 + fabs(expected[i]) / 100)),
+                "%s: %d is %.15g, not %.15g", text, i, found, expected[i]);
     }
     check_paper_stage(text, words);
 }

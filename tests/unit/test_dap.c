@@ -203,8 +203,8 @@ static void check_output(struct session *session, char *text)
         memmove(end + 1, end + 2, strlen(end + 1));
         whole = true;
     }
-    if (!printed || (whole ? strcmp(printed, text) != 0 : !strstr(printed, text)))
-        fail_msg("dap.txt:%u: not '%s', but '%s'", session->line, text, printed);
+    FAIL_IF(!printed || (whole ? strcmp(printed, text) != 0 : !strstr(printed, text)),
+            "dap.txt:%u: not '%s', but '%s'", session->line, text, printed);
 }
 
 static const struct {

@@ -134,9 +134,9 @@ static void check_list(struct dap_client *client, const char *request,
                        client_path, breakpoint),
             "breakpoints");
     assert_int_equal(length_of(list), 1);
-    if (json_member_truth(list->first, "verified", true)
-        || !strstr(the_text(list->first, "message"), said))
-        fail_msg("%s %s", request, breakpoint);
+    FAIL_IF(json_member_truth(list->first, "verified", true)
+                || !strstr(the_text(list->first, "message"), said),
+            "%s %s", request, breakpoint);
 }
 
 static void check_breakpoint(struct dap_client *client, const char *request,

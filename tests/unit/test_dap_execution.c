@@ -28,12 +28,11 @@ static void check_moment(struct walk *walk, const char *request)
     const struct json_value *item, *time = client_variables(&walk->client, "Time");
     size_t i = 0;
 
-    if (strtoull(value_of(time, "step"), NULL, 10) != walk->step
-        || strtoull(value_of(time, "clock"), NULL, 10) != moment->clock
-        || client_pc(&walk->client) != moment->pc)
-        fail_msg("%s: step %s at clock %s, not %zu at %" PRIu64, request,
-                 value_of(time, "step"), value_of(time, "clock"), walk->step,
-                 moment->clock);
+    FAIL_IF(strtoull(value_of(time, "step"), NULL, 10) != walk->step
+                || strtoull(value_of(time, "clock"), NULL, 10) != moment->clock
+                || client_pc(&walk->client) != moment->pc,
+            "%s: step %s at clock %s, not %zu at %" PRIu64, request,
+            value_of(time, "step"), value_of(time, "clock"), walk->step, moment->clock);
     item = client_variables(&walk->client, "All registers")->first;
     for (; item; item = item->next, i++)
         assert_true(word_in(the_text(item, "value")) == moment->registers[i]);

@@ -107,11 +107,9 @@ static const struct json_value *read_file(struct arena *arena, const char *name)
     size_t length;
     const char *whole = formatted("docs/editors/vscode/%s", name);
     FREED char *text = file_read(whole, FILE_LARGEST, &length, &failure);
-    if (!text)
-        fail_msg("%s: %s", whole, failure.message);
+    FAIL_IF(!text, "%s: %s", whole, failure.message);
     const struct json_value *tree = json_read(arena, text, length, &failure);
-    if (!tree)
-        fail_msg("%s: %s", whole, failure.message);
+    FAIL_IF(!tree, "%s: %s", whole, failure.message);
     return tree;
 }
 

@@ -127,15 +127,15 @@ static void check_place(const struct session *session, const char *line)
     struct moment found = moment_of(machine_of(session->debug.debugger),
                                     session->plain->watched);
 
-    if (c205_history_step(session->debug.debugger->history) != session->step
-        || memcmp(&found, expected, sizeof found) != 0)
-        fail_msg("'%s' (watch %d, place %d every %zu, region %s): step %" PRIu64
-                 ", not %zu, or another state; it said %s",
-                 line, session->reported.by_watch, session->reported.by_place,
-                 session->reported.every,
-                 session->reported.region ? session->reported.region : "none",
-                 c205_history_step(session->debug.debugger->history), session->step,
-                 session->debug.said.text);
+    FAIL_IF(c205_history_step(session->debug.debugger->history) != session->step
+                || memcmp(&found, expected, sizeof found) != 0,
+            "'%s' (watch %d, place %d every %zu, region %s): step %" PRIu64
+            ", not %zu, or another state; it said %s",
+            line, session->reported.by_watch, session->reported.by_place,
+            session->reported.every,
+            session->reported.region ? session->reported.region : "none",
+            c205_history_step(session->debug.debugger->history), session->step,
+            session->debug.said.text);
 }
 
 static void end(struct session *session)

@@ -233,9 +233,9 @@ static struct text_buffer play(const struct object *object, const char *name,
 static void check_same(const struct text_buffer *one, const struct text_buffer *other,
                        const char *name)
 {
-    if (one->length != other->length
-        || memcmp(one->text, other->text, one->length) != 0)
-        fail_msg("%s:\n%s\nand again:\n%s", name, one->text, other->text);
+    FAIL_IF(one->length != other->length
+                || memcmp(one->text, other->text, one->length) != 0,
+            "%s:\n%s\nand again:\n%s", name, one->text, other->text);
 }
 
 /* Two debuggers that run the script alternately, line by line, must not affect each

@@ -81,9 +81,8 @@ static void check(c205_word word, c205_notation notation, unsigned digits)
     /* The machine has only one zero, so the sign of -0 is removed. */
     if (*exact == '-' && !strpbrk(exact, "123456789"))
         memmove(exact, exact + 1, strlen(exact));
-    if (strcmp(text, exact) != 0)
-        fail_msg("%016llx, %u digits: %s should be %s", (unsigned long long)word,
-                 digits, text, exact);
+    FAIL_IF(strcmp(text, exact) != 0, "%016llx, %u digits: %s should be %s",
+            (unsigned long long)word, digits, text, exact);
 }
 
 TEST(digits)

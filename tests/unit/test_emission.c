@@ -331,8 +331,8 @@ static void assert_no_emission(const struct primitive *primitive,
     c205_error error = { "" };
     options.model = prior_model;
     assert_null(emission_new(primitive, &options, &error));
-    if (!strstr(error.message, message))
-        fail_msg("\"%s\" does not say \"%s\"", error.message, message);
+    FAIL_IF(!strstr(error.message, message), "\"%s\" does not say \"%s\"",
+            error.message, message);
 }
 
 TEST(refused)

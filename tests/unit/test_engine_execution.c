@@ -173,9 +173,8 @@ static void check_place(struct walk *walk, const char *asked)
     SCOPED_VALUE(fresh) fresh;
 
     fresh_run(&fresh, walk->plain.object, walk->step);
-    if (number_of(view, "step") != (double)walk->step)
-        fail_msg("%s: step %g, not %llu", asked, number_of(view, "step"),
-                 (unsigned long long)walk->step);
+    FAIL_IF(number_of(view, "step") != (double)walk->step, "%s: step %g, not %llu",
+            asked, number_of(view, "step"), (unsigned long long)walk->step);
     assert_true(number_of(view, "steps") == (double)walk->known);
     assert_true(number_of(view, "clock") == (double)c205_clock(fresh.machine));
     assert_true(number_of(view, "pc") == (double)c205_pc(fresh.machine));
@@ -235,9 +234,8 @@ static void go(struct walk *walk, const char *how, uint64_t n, uint64_t step,
     walk->step = step;
     walk->known = step > walk->known ? step : walk->known;
     assert_true(json_member_truth(reply, "done", false));
-    if (strcmp(text_of(reply, "why"), why) != 0)
-        fail_msg("%s %llu: %s, not %s", how, (unsigned long long)n, walk->talk.text,
-                 why);
+    FAIL_IF(strcmp(text_of(reply, "why"), why) != 0, "%s %llu: %s, not %s", how,
+            (unsigned long long)n, walk->talk.text, why);
     check_place(walk, how);
 }
 

@@ -50,16 +50,15 @@ static void compare(const struct contents *before, const struct contents *after,
                     const c205_event *event)
 {
     for (unsigned i = 1; i < C205_REGISTERS; i++)
-        if (before->registers[i] != after->registers[i]
-            && !(event->written[i / 64] >> i % 64 & 1))
-            fail_msg("%s at %" PRIx64 " changed r%u", event->insn->mnemonic, event->pc,
-                     i);
+        FAIL_IF(before->registers[i] != after->registers[i]
+                    && !(event->written[i / 64] >> i % 64 & 1),
+                "%s at %" PRIx64 " changed r%u", event->insn->mnemonic, event->pc, i);
     for (size_t i = 0; i < random_area_count; i++)
         for (size_t k = 0; k < random_areas[i].words; k++)
-            if (before->words[i][k] != after->words[i][k]
-                && !is_reported(event, random_areas[i].address + 64 * k))
-                fail_msg("%s at %" PRIx64 " changed %" PRIx64, event->insn->mnemonic,
-                         event->pc, (random_areas[i].address + 64 * k));
+            FAIL_IF(before->words[i][k] != after->words[i][k]
+                        && !is_reported(event, random_areas[i].address + 64 * k),
+                    "%s at %" PRIx64 " changed %" PRIx64, event->insn->mnemonic,
+                    event->pc, (random_areas[i].address + 64 * k));
 }
 
 /* True for instructions that store consecutive elements; their range has exactly the

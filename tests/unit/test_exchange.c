@@ -220,8 +220,7 @@ static void refuses(const struct enclosure *enclosure, const char *message)
         struct exchange_given given = given_of(enclosure, (enum trace_mode)mode);
         given.names = names;
         assert_false(exchange_find(&given, &exchange, &error));
-        if (!strstr(error.message, message))
-            fail_msg("%s: %s", message, error.message);
+        FAIL_IF(!strstr(error.message, message), "%s: %s", message, error.message);
     }
 }
 

@@ -58,9 +58,7 @@ TEST(expectations)
     };
 
     for (size_t i = 0; i < COUNT(cases); i++) {
-        if (!holds(cases[i].right))
-            fail_msg("fails: %s", cases[i].right);
-        if (holds(cases[i].wrong))
-            fail_msg("holds: %s", cases[i].wrong);
+        FAIL_IF(!holds(cases[i].right), "fails: %s", cases[i].right);
+        FAIL_IF(holds(cases[i].wrong), "holds: %s", cases[i].wrong);
     }
 }

@@ -24,10 +24,10 @@ static void check_said(const char *text, const char *said)
 {
     FREED char *report = run_on("cyber205-2pipe", text);
 
-    if (!*said && report && *report)
-        fail_msg("%s\nexpected nothing said, found %s", text, report);
-    if (*said && (!report || !strstr(report, said)))
-        fail_msg("%s\nexpected '%s', found '%s'", text, said, report ? report : "");
+    FAIL_IF(!*said && report && *report, "%s\nexpected nothing said, found %s", text,
+            report);
+    FAIL_IF(*said && (!report || !strstr(report, said)),
+            "%s\nexpected '%s', found '%s'", text, said, report ? report : "");
 }
 
 #define RUN \

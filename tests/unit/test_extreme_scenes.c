@@ -110,8 +110,8 @@ static struct words *frame_in(const struct scene *scene, enum trace_mode mode,
     c205_error error = { "" };
     SCOPED(trace) *trace = trace_new(scene, &options, &error);
     if (!trace || !trace_run(trace, &error)) {
-        if (!strstr(error.message, "too large or too small"))
-            fail_msg("%s in\n%s", error.message, text);
+        FAIL_IF(!strstr(error.message, "too large or too small"), "%s in\n%s",
+                error.message, text);
         free(words);
         words = NULL;
     }
@@ -138,8 +138,8 @@ static void check_scene(const struct scene *scene)
     for (size_t i = 0; i < COUNT(forms); i++) {
         FREED struct words *words = frame_in(scene, forms[i].mode, forms[i].queue,
                                              forms[i].no_bounds, forms[i].flat);
-        if (!same != !words || (same && memcmp(same, words, sizeof *same) != 0))
-            fail_msg("form %zu gives another frame of\n%s", i, text);
+        FAIL_IF(!same != !words || (same && memcmp(same, words, sizeof *same) != 0),
+                "form %zu gives another frame of\n%s", i, text);
     }
 }
 

@@ -14,8 +14,8 @@ static c205_model *model;
 
 static void assert_near(double value, double expected, const char *what)
 {
-    if (!(fabs(value - expected) < 1e-6))
-        fail_msg("%s: %.9g is not %.9g", what, value, expected);
+    FAIL_IF(!(fabs(value - expected) < 1e-6), "%s: %.9g is not %.9g", what, value,
+            expected);
 }
 
 static const struct speedup_view view = { .distance = SPEEDUP_DISTANCE,
@@ -57,8 +57,8 @@ static void read_observations(struct observations *all, const char *rows)
 {
     struct run_options how = small();
     SCOPED_VALUE(diagnostics) found = { 0 };
-    if (!observations_read(all, file_of(formatted(HEAD "%s", rows)), &how, &found))
-        fail_msg("%s", found.items[0].message);
+    FAIL_IF(!observations_read(all, file_of(formatted(HEAD "%s", rows)), &how, &found),
+            "%s", found.items[0].message);
     remove("test_fit.csv");
 }
 
@@ -67,8 +67,8 @@ static void read_constants(struct constants *constants, const char *rows)
     SCOPED_VALUE(diagnostics) found = { 0 };
     const char *text = formatted("name,machine,constants,source,least,most,why\n%s",
                                  rows);
-    if (!constants_read(constants, file_of(text), &found))
-        fail_msg("%s", found.items[0].message);
+    FAIL_IF(!constants_read(constants, file_of(text), &found), "%s",
+            found.items[0].message);
     remove("test_fit.csv");
 }
 
@@ -107,8 +107,8 @@ TEST(fewer_rays)
         REQUIRE(speedup_measure(subject, &view, &options, &all, &failure));
         assert_int_equal(run->rays, 640);
         double scaled = clocks_of(run, "", NULL) * 25000 / 640;
-        if (fabs(scaled / (double)all.total - 1) > .01)
-            fail_msg("%s: %g clocks, scaled %g", program, (double)all.total, scaled);
+        FAIL_IF(fabs(scaled / (double)all.total - 1) > .01, "%s: %g clocks, scaled %g",
+                program, (double)all.total, scaled);
         run_free(run);
     }
 }
@@ -230,8 +230,8 @@ TEST(photons)
 {
     struct fit_run *run = new_run("photons.s OWN_RANF=1");
     double calls = slower_swaps(run, "scalar") / 2;
-    if (fabs(calls / photon_draws() - 1) > .001)
-        fail_msg("%g calls for %g numbers", calls, photon_draws());
+    FAIL_IF(fabs(calls / photon_draws() - 1) > .001, "%g calls for %g numbers", calls,
+            photon_draws());
     assert_near(slower_swaps(run, "in_registers"), 0, "in_registers");
     assert_near(slower_swaps(run, "vector"), 0, "vector");
     run_free(run);
@@ -345,8 +345,8 @@ TEST(unidentifiable)
     assert_true(unidentifiable_find(&fit, &none, &unidentifiable, &failure));
     for (size_t i = 0; i < COUNT(rows); i++) {
         const char *found = moved_by(&unidentifiable, rows[i][0]);
-        if (!found != !rows[i][1] || (found && strcmp(found, rows[i][1]) != 0))
-            fail_msg("%s is moved by %s", rows[i][0], found ? found : "the fit");
+        FAIL_IF(!found != !rows[i][1] || (found && strcmp(found, rows[i][1]) != 0),
+                "%s is moved by %s", rows[i][0], found ? found : "the fit");
     }
     constants_free(&constants);
 }

@@ -63,8 +63,8 @@ TEST(by_chance)
         snprintf(text, room, frame, formula, formula);
         SCOPED(scene) *scene = read_scene(text);
         const double *center = scene->primitives->shape.sphere.center;
-        if (memcmp(&center[0], &center[1], sizeof *center))
-            fail_msg("%.17g and %.17g of:\n%s", center[0], center[1], text);
+        FAIL_IF(memcmp(&center[0], &center[1], sizeof *center),
+                "%.17g and %.17g of:\n%s", center[0], center[1], text);
     }
 }
 

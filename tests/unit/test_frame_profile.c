@@ -84,11 +84,11 @@ static char *check_frame(const struct scene *scene, struct trace_options options
                 sum.clocks[cause] += row->clocks[cause];
         }
         for (int cause = 0; cause < C205_CAUSES; cause++)
-            if (sum.clocks[cause] != account->clocks[cause])
-                fail_msg("%s: %s of '%s' is %llu line by line, %llu in all", what,
-                         c205_cause_name((c205_cause)cause), account->name,
-                         (unsigned long long)sum.clocks[cause],
-                         (unsigned long long)account->clocks[cause]);
+            FAIL_IF(sum.clocks[cause] != account->clocks[cause],
+                    "%s: %s of '%s' is %llu line by line, %llu in all", what,
+                    c205_cause_name((c205_cause)cause), account->name,
+                    (unsigned long long)sum.clocks[cause],
+                    (unsigned long long)account->clocks[cause]);
         assert_int_equal(sum.instructions, account->instructions);
         assert_int_equal(sum.elements, account->elements);
     }
@@ -115,8 +115,7 @@ static struct scene *read_file(const char *path)
                                            .read_raster = picture_read_raster };
     SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = scene_read(path, &reading, &reports);
-    if (!scene)
-        fail_msg("%s cannot be read", path);
+    FAIL_IF(!scene, "%s cannot be read", path);
     return scene;
 }
 

@@ -155,11 +155,9 @@ static void check_pair(struct pair *pair, uint64_t *seed, size_t *done_count)
     }
     *done_count += moderate;
     for (size_t i = 0; i < pair->n; i++)
-        if (c[i] != expected[i])
-            fail_msg("%s, then %s %s: %016llX, not %016llX; %zu of %zu",
-                     pair->first->name, pair->second->name,
-                     pair->hands_a ? "with" : "from", (unsigned long long)c[i],
-                     (unsigned long long)expected[i], i, pair->n);
+        FAIL_IF(c[i] != expected[i], "%s, then %s %s: %016llX, not %016llX; %zu of %zu",
+                pair->first->name, pair->second->name, pair->hands_a ? "with" : "from",
+                (unsigned long long)c[i], (unsigned long long)expected[i], i, pair->n);
     assert_int_equal(flags, exact_flags);
     if (c == apart)
         for (size_t i = 0; i < SLACK; i++)

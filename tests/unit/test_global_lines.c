@@ -23,8 +23,8 @@ static struct global_lines find(const char *text, struct sampling_options option
     struct global_lines found;
     options.seed = seed;
     options.model = prior_model;
-    if (!global_lines_find(scene, &options, &found, &failure))
-        fail_msg("%s: %s", text, failure.message);
+    FAIL_IF(!global_lines_find(scene, &options, &found, &failure), "%s: %s", text,
+            failure.message);
     return found;
 }
 

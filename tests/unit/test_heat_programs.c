@@ -38,8 +38,8 @@ static void begin(struct single_run *run, const struct object *program)
 static void end(struct single_run *run, uint64_t from, c205_word *words, size_t count)
 {
     uint64_t clocks = 0;
-    if (!single_run_end(run, from, words, count, &clocks))
-        fail_msg("%s", run->error->message);
+    FAIL_IF(!single_run_end(run, from, words, count, &clocks), "%s",
+            run->error->message);
     assert_true(clocks > 0);
 }
 
@@ -86,8 +86,8 @@ TEST(received)
                     count++;
                 }
             assert_int_equal(c205_to_integer(words[0][receivers + 1 + r]), count);
-            if (!(fabs(found - sum) <= 1e-12 * sum))
-                fail_msg("receiver %zu gets %.15g, not %.15g", r, found, sum);
+            FAIL_IF(!(fabs(found - sum) <= 1e-12 * sum),
+                    "receiver %zu gets %.15g, not %.15g", r, found, sum);
             all += sum;
         }
         assert_close(c205_to_double(words[0][receivers]), all, 1e-12 * all);

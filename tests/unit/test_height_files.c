@@ -113,12 +113,12 @@ TEST(kinds)
         for (int i = 0; i < 6; i++) {
             double x = i % 3 / 2., z = i < 3;
             double height = -1, x_in = x + (x < .5 ? 1 : -1) * 1e-9;
-            if (!field_meet(triangles_of(scene), x_in, z + (i < 3 ? -1 : 1) * 1e-9,
-                            &height))
-                fail_msg("%s %d: nothing is met", file->word, i);
-            if (fabs(height * 65536 - file->heights[i]) > .01)
-                fail_msg("%s %d: %.3f, not %d", file->word, i, height * 65536,
-                         file->heights[i]);
+            FAIL_IF(!field_meet(triangles_of(scene), x_in, z + (i < 3 ? -1 : 1) * 1e-9,
+                                &height),
+                    "%s %d: nothing is met", file->word, i);
+            FAIL_IF(fabs(height * 65536 - file->heights[i]) > .01,
+                    "%s %d: %.3f, not %d", file->word, i, height * 65536,
+                    file->heights[i]);
         }
     }
 }

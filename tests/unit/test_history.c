@@ -124,10 +124,9 @@ TEST(jumps)
             else
                 go_on_to(history, step);
             assert_int_equal(c205_history_step(history), step);
-            if (hash_of(c205_history_machine(history)) != story.hash[target])
-                fail_msg("seed %llu: step %llu is another one",
-                         (unsigned long long)story.program.seed,
-                         (unsigned long long)step);
+            FAIL_IF(hash_of(c205_history_machine(history)) != story.hash[target],
+                    "seed %llu: step %llu is another one",
+                    (unsigned long long)story.program.seed, (unsigned long long)step);
         }
         assert_true(story.change_count == 0
                     || c205_history_known(history) == story.steps);

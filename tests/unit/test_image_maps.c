@@ -149,8 +149,8 @@ static void expect_light(const char *before, const char *words,
     assert_int_equal(table->height, 1);
     for (size_t i = 0; i < 3 * SHADES; i++) {
         double found = table->light[table->samples[i]];
-        if (fabs(found - light[i / 3]) > SEEN)
-            fail_msg("%s, sample %zu: %.6f, not %.4f", words, i, found, light[i / 3]);
+        FAIL_IF(fabs(found - light[i / 3]) > SEEN, "%s, sample %zu: %.6f, not %.4f",
+                words, i, found, light[i / 3]);
     }
 }
 

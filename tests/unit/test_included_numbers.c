@@ -109,15 +109,13 @@ static void check_words(const struct random_table *table, const char *expectatio
     SCOPED(object) *object = include_file(expectations, &errors);
     uint64_t at = 0x800000;
 
-    if (!object)
-        fail_msg("%s, of\n%s", errors.items[0].message, table->text);
+    FAIL_IF(!object, "%s, of\n%s", errors.items[0].message, table->text);
     for (size_t k = 0; k < table->rows * table->columns; k++) {
         size_t row = k / table->columns, i = k % table->columns;
         if (column && column != i + 1)
             continue;
-        if (word_of(&object->program, at) != table->words[row][i])
-            fail_msg("row %zu, column %zu%s of\n%s", row, i + 1, expectations,
-                     table->text);
+        FAIL_IF(word_of(&object->program, at) != table->words[row][i],
+                "row %zu, column %zu%s of\n%s", row, i + 1, expectations, table->text);
         at += 64;
     }
     assert_int_equal(object_symbol(object, "count")->value, (at - 0x800000) / 64);

@@ -35,17 +35,17 @@ TEST(rows)
         assert_non_null(strchr("PSDR", insn->provenance));
         assert_int_equal(c205_timing_is_vector(insn->timing),
                          c205_unit_is_vector(insn->unit));
-        if ((insn->flags & C205_INSN_PADZ) && (insn->flags & C205_INSN_PADO))
-            fail_msg("%s is padded with zeros and ones", insn->mnemonic);
+        FAIL_IF((insn->flags & C205_INSN_PADZ) && (insn->flags & C205_INSN_PADO),
+                "%s is padded with zeros and ones", insn->mnemonic);
         /* The operation of an instruction with numeric operands, and of no other, names
          * the rule for special values. */
         const char *rule = c205_operation_specials(insn->operation);
         bool has_numbers = strpbrk(insn->operands, "fvFV") != NULL;
-        if (has_numbers && strcmp(rule, of_bits) == 0)
-            fail_msg("%s: numbers, but %s", insn->mnemonic, rule);
-        if (!has_numbers && strcmp(rule, of_bits) != 0
-            && insn->operation != C205_OPERATION_copy)
-            fail_msg("%s: bits, but %s", insn->mnemonic, rule);
+        FAIL_IF(has_numbers && strcmp(rule, of_bits) == 0, "%s: numbers, but %s",
+                insn->mnemonic, rule);
+        FAIL_IF(!has_numbers && strcmp(rule, of_bits) != 0
+                    && insn->operation != C205_OPERATION_copy,
+                "%s: bits, but %s", insn->mnemonic, rule);
     }
     assert_string_equal(c205_insn_named("AdDnVx", 5)->mnemonic, "ADDNV");
     assert_null(c205_insn_named("ADDNVX", 6));
@@ -171,9 +171,9 @@ TEST(operand_letters)
         const char *operand = insn->operands, *letters;
         bool bracket = false;
         while ((letters = allowed_letters(&syntax, &bracket)) != NULL) {
-            if (!*operand || !strchr(letters, *operand))
-                fail_msg("%s: operand %s is not one of %s", insn->mnemonic, operand,
-                         letters);
+            FAIL_IF(!*operand || !strchr(letters, *operand),
+                    "%s: operand %s is not one of %s", insn->mnemonic, operand,
+                    letters);
             operand++;
         }
         assert_int_equal(*operand, '\0');

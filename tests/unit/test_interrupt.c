@@ -73,9 +73,8 @@ TEST(rows)
 {
     each_file("tests/programs/*.s", compare_file);
     for (size_t i = 0; i < c205_insn_count; i++)
-        if (c205_unit_is_vector(c205_insns[i].unit) && !divided[i])
-            fail_msg("%s was never interrupted between elements",
-                     c205_insns[i].mnemonic);
+        FAIL_IF(c205_unit_is_vector(c205_insns[i].unit) && !divided[i],
+                "%s was never interrupted between elements", c205_insns[i].mnemonic);
     assert_true(each_file("asm/examples/*.s", compare_file) > 6);
 }
 

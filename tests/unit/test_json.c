@@ -128,8 +128,7 @@ TEST(written_and_read)
         write_document(&text);
         random_state = seed;
         tree = read_in(&arena, text.text, &failure);
-        if (!tree)
-            fail_msg("%s: %s", failure.message, text.text);
+        FAIL_IF(!tree, "%s: %s", failure.message, text.text);
         check_value(tree->first, 0);
         assert_string_equal(tree->first->key, "value");
     }
@@ -205,13 +204,11 @@ TEST(right_and_wrong)
     c205_error error;
 
     for (size_t i = 0; i < COUNT(right); i++)
-        if (!read_in(&arena, right[i], &error))
-            fail_msg("%s: %s", right[i], error.message);
+        FAIL_IF(!read_in(&arena, right[i], &error), "%s: %s", right[i], error.message);
     for (size_t i = 0; i < COUNT(wrong); i++) {
-        if (read_in(&arena, wrong[i].text, &error))
-            fail_msg("%s is read", wrong[i].text);
-        if (!strstr(error.message, wrong[i].error))
-            fail_msg("%s: %s", wrong[i].text, error.message);
+        FAIL_IF(read_in(&arena, wrong[i].text, &error), "%s is read", wrong[i].text);
+        FAIL_IF(!strstr(error.message, wrong[i].error), "%s: %s", wrong[i].text,
+                error.message);
     }
     assert_string_equal(read_in(&arena, "\"\\ud83d\\ude00\\u00e4\"", &error)->text,
                         "\xf0\x9f\x98\x80\xc3\xa4");
@@ -242,8 +239,8 @@ TEST(members)
     int64_t value = 7;
 
     for (size_t i = 0; i < COUNT(keys); i++) /* the last three are no integers */
-        if (json_member_whole(tree, keys[i], &value) != (i < 3) || value != 1)
-            fail_msg("%s: %lld", keys[i], (long long)value);
+        FAIL_IF(json_member_whole(tree, keys[i], &value) != (i < 3) || value != 1,
+                "%s: %lld", keys[i], (long long)value);
     assert_null(json_member(tree, "b"));
     assert_null(json_member(NULL, "b"));
     assert_null(json_member(tree->first, "b"));

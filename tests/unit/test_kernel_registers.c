@@ -119,8 +119,8 @@ static void run_watched(const struct object *program, c205 *machine, const char 
     assert_true(c205_listen(machine, register_owners_listen, owners));
     bool good = program_run(machine, NULL, NULL, NULL, &failure);
     register_owners_print(owners, &sink);
-    if (!good || register_owners_found(owners) > 0)
-        fail_msg("%s: %s", what, failure.message);
+    FAIL_IF(!good || register_owners_found(owners) > 0, "%s: %s", what,
+            failure.message);
     assert_true(register_owners_read(owners) > 1000);
 }
 
@@ -129,8 +129,7 @@ static void trace_watched(const struct scene *scene,
 {
     SCOPED(trace) *trace = trace_new(scene, options, &failure);
     SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &failure) : NULL;
-    if (!machine)
-        fail_msg("%s: %s", what, failure.message);
+    FAIL_IF(!machine, "%s: %s", what, failure.message);
     run_watched(trace_program(trace), machine, what);
 }
 
@@ -157,8 +156,7 @@ static void trace_modes(const struct scene *scene, size_t queue, const char *wha
         SCOPED(ray_query) *lines = ray_query_new(scene, &along, &failure);
         SCOPED(c205) *machine = lines ? ray_query_machine(lines, list, LINES, &failure)
                                       : NULL;
-        if (!machine)
-            fail_msg("%s: %s", what, failure.message);
+        FAIL_IF(!machine, "%s: %s", what, failure.message);
         run_watched(ray_query_program(lines), machine, what);
     }
 }
@@ -289,11 +287,11 @@ TEST(nothing_is_saved_in_vain)
         for (size_t i = 0; i < saves.count; i++) {
             const struct area *area = &saves.areas[i];
             for (unsigned k = 0; k < area->count; k++)
-                if (!area->changed[area->first + k])
-                    fail_msg("the kernel that saves r%u to r%u at %llX does "
-                             "not use r%u",
-                             area->first, area->first + area->count - 1,
-                             (unsigned long long)area->address, area->first + k);
+                FAIL_IF(!area->changed[area->first + k],
+                        "the kernel that saves r%u to r%u at %llX does "
+                        "not use r%u",
+                        area->first, area->first + area->count - 1,
+                        (unsigned long long)area->address, area->first + k);
         }
     }
 }

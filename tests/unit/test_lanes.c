@@ -131,15 +131,14 @@ static void check_words(const operation *op, const c205_word *a, const c205_word
     apply(op, c, a, b, n, &flags);
     for (size_t i = 0; i < n; i++) {
         c205_word exact = apply_rule(op, a[i], b[i], &exact_flags);
-        if (c[i] != exact)
-            fail_msg("%s(%016llX, %016llX) = %016llX, not %016llX; "
-                     "lane %zu of %zu",
-                     op->name, (unsigned long long)a[i], (unsigned long long)b[i],
-                     (unsigned long long)c[i], (unsigned long long)exact, i, n);
+        FAIL_IF(c[i] != exact,
+                "%s(%016llX, %016llX) = %016llX, not %016llX; "
+                "lane %zu of %zu",
+                op->name, (unsigned long long)a[i], (unsigned long long)b[i],
+                (unsigned long long)c[i], (unsigned long long)exact, i, n);
     }
-    if (flags != exact_flags)
-        fail_msg("%s, length %zu: flags %llX, not %llX", op->name, n,
-                 (unsigned long long)flags, (unsigned long long)exact_flags);
+    FAIL_IF(flags != exact_flags, "%s, length %zu: flags %llX, not %llX", op->name, n,
+            (unsigned long long)flags, (unsigned long long)exact_flags);
     for (size_t i = 0; i < SLACK; i++)
         assert_int_equal(c[n + i], UINT64_C(0x5A5A5A5A5A5A5A5A));
 }
@@ -155,8 +154,7 @@ static void check_comparison(const operation *op, const c205_word *a,
     op->span.compare(bits, a, b, n);
     for (size_t i = 0; i < n; i++)
         expected[i / 64] |= (uint64_t)op->exact.compare(a[i], b[i]) << (63 - i % 64);
-    if (memcmp(bits, expected, sizeof bits) != 0)
-        fail_msg("%s, length %zu", op->name, n);
+    FAIL_IF(memcmp(bits, expected, sizeof bits) != 0, "%s, length %zu", op->name, n);
 }
 
 /* Checks the operations of two operands. */
@@ -215,11 +213,11 @@ static void check_upon(const operation *op, const c205_word *const operands[2],
     upon[which] = memcpy(room + below, operands[which], n * sizeof *room);
     apply(op, expected, operands[0], operands[1], n, &flags);
     apply(op, room, upon[0], upon[1], n, &flags_upon);
-    if (memcmp(room, expected, n * sizeof *room) != 0 || flags != flags_upon
-        || memcmp(room + below + n - left, operands[which] + n - left,
-                  left * sizeof *room)
-               != 0)
-        fail_msg("%s upon an operand, %zu words below, length %zu", op->name, below, n);
+    FAIL_IF(memcmp(room, expected, n * sizeof *room) != 0 || flags != flags_upon
+                || memcmp(room + below + n - left, operands[which] + n - left,
+                          left * sizeof *room)
+                       != 0,
+            "%s upon an operand, %zu words below, length %zu", op->name, below, n);
 }
 
 static void check_all_upon(const operations *size, size_t n, size_t below,
@@ -379,8 +377,8 @@ static void check_reduction(const operation *op, supply *next, word_format f,
         for (size_t i = 0; i < n; i++)
             expected = op->exact.of_two(expected, a[i], &exact_flags);
         op->span.reduce(&accumulator, a, n, &flags);
-        if (accumulator != expected || flags != exact_flags)
-            fail_msg("%s, length %zu", op->name, n);
+        FAIL_IF(accumulator != expected || flags != exact_flags, "%s, length %zu",
+                op->name, n);
     }
 }
 

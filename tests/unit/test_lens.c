@@ -45,10 +45,10 @@ TEST(random)
         options.jobs = among(1, 2);
         SCOPED(trace) *other = run_trace(scene, &options);
         assert_int_equal(trace_samples(scalar), trace_samples(other));
-        if (trace_checksum(scalar) != trace_checksum(other))
-            fail_msg("%s by %s, queue %zu, band %zu, samples %zu: another frame of\n%s",
-                     trace_mode_name(options.mode), order_name(options.order),
-                     options.queue, options.band, options.samples, text);
+        FAIL_IF(trace_checksum(scalar) != trace_checksum(other),
+                "%s by %s, queue %zu, band %zu, samples %zu: another frame of\n%s",
+                trace_mode_name(options.mode), order_name(options.order), options.queue,
+                options.band, options.samples, text);
     }
 }
 

@@ -31,8 +31,7 @@ static void run_plainly(const struct random_lesson *drawn,
     SCOPED_VALUE(diagnostics) errors = { 0 };
 
     plain->object = assemble_text("my.s", drawn->answer, &options, &errors);
-    if (!plain->object)
-        fail_msg("%s\n%s", errors.items[0].message, drawn->answer);
+    FAIL_IF(!plain->object, "%s\n%s", errors.items[0].message, drawn->answer);
     plain->model = c205_model_find(test->model, &failure);
     plain->machine = machine_with(&plain->object->program, plain->model);
     plain->profile = line_profile_new(plain->object);
@@ -76,11 +75,11 @@ check_begins(const struct random_lesson *drawn, const struct lesson_trial *trial
     va_start(arguments, format);
     vsnprintf(wanted, sizeof wanted, format, arguments);
     va_end(arguments);
-    if (sentence >= trial->report.count)
-        fail_msg("'%s' is not said\n%s", wanted, drawn->answer);
-    if (strncmp(trial->report.sentences[sentence], wanted, strlen(wanted)) != 0)
-        fail_msg("'%s' is said for '%s'\n%s", trial->report.sentences[sentence], wanted,
-                 drawn->answer);
+    FAIL_IF(sentence >= trial->report.count, "'%s' is not said\n%s", wanted,
+            drawn->answer);
+    FAIL_IF(strncmp(trial->report.sentences[sentence], wanted, strlen(wanted)) != 0,
+            "'%s' is said for '%s'\n%s", trial->report.sentences[sentence], wanted,
+            drawn->answer);
 }
 
 /* ---- Slow texts ------------------------------------------------------------ */
@@ -178,8 +177,7 @@ static void check_right(const struct random_lesson *drawn,
 {
     uint64_t goal;
 
-    if (!trial->right)
-        fail_msg("%s\n%s", trial->report.sentences[0], drawn->answer);
+    FAIL_IF(!trial->right, "%s\n%s", trial->report.sentences[0], drawn->answer);
     assert_int_equal(trial->clocks, c205_clock(plain->machine));
     assert_int_equal(trial->medal, trial->test->has_goals ? medal : MEDAL_NONE);
     assert_int_equal(trial->passed, !trial->test->has_goals || medal);
@@ -401,10 +399,10 @@ static void check_said(const struct random_lesson *drawn, const char *old,
     report = of_all ? &verdict.report : &trial_of(&verdict, drawn->tests[0].n)->report;
     assert_int_equal(verdict.graded, !of_all);
     assert_false(verdict.passed);
-    if (report->count != 1
-        || strncmp(report->sentences[0], wanted, strlen(wanted)) != 0)
-        fail_msg("'%s' for '%s'\n%s", report->count ? report->sentences[0] : "nothing",
-                 wanted, answer);
+    FAIL_IF(report->count != 1
+                || strncmp(report->sentences[0], wanted, strlen(wanted)) != 0,
+            "'%s' for '%s'\n%s", report->count ? report->sentences[0] : "nothing",
+            wanted, answer);
     check_json(&verdict);
 }
 

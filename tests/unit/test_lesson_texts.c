@@ -192,11 +192,11 @@ static void grade_any(const char *test, const char *answer)
                 && lesson_grade(&verdict, &lesson, "my.s", answer, strlen(answer),
                                 &error);
 
-    if (good != (*error.message == '\0'))
-        fail_msg("'%s'\n%s\n%s", error.message, test, answer);
-    if (good && !verdict.passed
-        && verdict.report.count + verdict.trials[0].report.count == 0)
-        fail_msg("nothing is said\n%s\n%s", test, answer);
+    FAIL_IF(good != (*error.message == '\0'), "'%s'\n%s\n%s", error.message, test,
+            answer);
+    FAIL_IF(good && !verdict.passed
+                && verdict.report.count + verdict.trials[0].report.count == 0,
+            "nothing is said\n%s\n%s", test, answer);
 }
 
 TEST(any)
@@ -304,10 +304,10 @@ TEST(likeness)
         take_elements(rows[i].found, rows[i].contents, found);
         item.count = take_elements(rows[i].wanted, rows[i].contents, wanted);
         assert_false(mismatch_report(&item, &report));
-        if (rows[i].said ? !strstr(report.sentences[0], rows[i].said)
-                         : !strstr(report.sentences[0], " (counted from 0).")
-                               || strstr(report.sentences[0], ").  "))
-            fail_msg("row %zu: %s", i, report.sentences[0]);
+        FAIL_IF(rows[i].said ? !strstr(report.sentences[0], rows[i].said)
+                             : !strstr(report.sentences[0], " (counted from 0).")
+                                   || strstr(report.sentences[0], ").  "),
+                "row %zu: %s", i, report.sentences[0]);
     }
 }
 

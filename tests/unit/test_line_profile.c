@@ -15,10 +15,9 @@ static void check_sums(const struct line_profile *profile, const c205 *machine,
 
         for (size_t i = 0; i < line_profile_count(profile); i++)
             sum += line_profile_row(profile, i)->clocks[cause];
-        if (sum != all)
-            fail_msg("%s: %s is %llu line by line, %llu in all", path,
-                     c205_cause_name((c205_cause)cause), (unsigned long long)sum,
-                     (unsigned long long)all);
+        FAIL_IF(sum != all, "%s: %s is %llu line by line, %llu in all", path,
+                c205_cause_name((c205_cause)cause), (unsigned long long)sum,
+                (unsigned long long)all);
     }
     for (size_t i = 0; i < line_profile_count(profile); i++) {
         instructions += line_profile_row(profile, i)->executions;

@@ -29,8 +29,8 @@ static struct columns_options usual(size_t rays_log)
 static struct measured measured_of(const char *text, struct columns_options options)
 {
     struct measured measured;
-    if (!measure_scene(text, options, &measured))
-        fail_msg("%s: %s", text, measured.error.message);
+    FAIL_IF(!measure_scene(text, options, &measured), "%s: %s", text,
+            measured.error.message);
     return measured;
 }
 
@@ -57,10 +57,10 @@ static void check_figure(const char *solid, const struct mass_figures *found,
 {
     double off = fabs(found->value[figure] - expected);
     double most = 4 * found->error[figure] / STUDENT + 1e-9 * scale;
-    if (off > most || off > share * scale)
-        fail_msg("%s: %s is %.12g, not %.12g: %.2g of the scale, %.1f standard errors",
-                 solid, figure_name(figure), found->value[figure], expected,
-                 off / scale, 4 * off / most);
+    FAIL_IF(off > most || off > share * scale,
+            "%s: %s is %.12g, not %.12g: %.2g of the scale, %.1f standard errors",
+            solid, figure_name(figure), found->value[figure], expected, off / scale,
+            4 * off / most);
 }
 
 static void check_row(const struct csv_table *table, size_t row, size_t rays_log,
@@ -185,10 +185,10 @@ TEST(points)
         struct tried tried = try_seeds((enum columns_points)points, SEEDS);
         double bias = tried.sum / sqrt(tried.square);
         square[points] = tried.square;
-        if (fabs(bias) > 4 || tried.covered < .75 * SEEDS)
-            fail_msg("points %d: a bias of %.1f standard errors, %.0f of %d "
-                     "intervals hold",
-                     points, bias, tried.covered, SEEDS);
+        FAIL_IF(fabs(bias) > 4 || tried.covered < .75 * SEEDS,
+                "points %d: a bias of %.1f standard errors, %.0f of %d "
+                "intervals hold",
+                points, bias, tried.covered, SEEDS);
     }
     assert_true(square[POINTS_LATTICE] < square[POINTS_RANDOM] / 4);
     assert_true(square[POINTS_GRID] < square[POINTS_RANDOM] / 4);

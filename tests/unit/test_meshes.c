@@ -92,8 +92,8 @@ static void write_world(void)
 static void check_other_way(const struct words *words)
 {
     FREED struct words *others = same_frame(text);
-    if (memcmp(words, others, sizeof *words) != 0)
-        fail_msg("another way gives another frame of\n%s", text);
+    FAIL_IF(memcmp(words, others, sizeof *words) != 0,
+            "another way gives another frame of\n%s", text);
 }
 
 static void check_world(void)

@@ -199,10 +199,10 @@ static void assert_fails(const char *text, unsigned line, unsigned column,
     c205_error error;
     c205_place place;
     assert_null(c205_model_read("test", text, &place, &error));
-    if (strcmp(error.message, message) != 0 || place.line != line
-        || (column > 0 && place.column != column))
-        fail_msg("%s%u:%u: %s, not %u:%u: %s", text, place.line, place.column,
-                 error.message, line, column, message);
+    FAIL_IF(strcmp(error.message, message) != 0 || place.line != line
+                || (column > 0 && place.column != column),
+            "%s%u:%u: %s, not %u:%u: %s", text, place.line, place.column, error.message,
+            line, column, message);
     const char *whole = formatted("test:%u: %s", line, message);
     assert_null(c205_model_parse("test", text, &error));
     assert_string_equal(error.message, whole);

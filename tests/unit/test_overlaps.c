@@ -124,8 +124,8 @@ static void find(const struct crowd *crowd, enum trace_mode mode, size_t queue,
     options.part_count = found->parts.count;
     options.part_of = found->parts.part_of;
     options.overlaps = &found->overlaps;
-    if (!columns_sum(scene, &options, &found->sums, &failure))
-        fail_msg("%s%s", crowd->text, failure.message);
+    FAIL_IF(!columns_sum(scene, &options, &found->sums, &failure), "%s%s", crowd->text,
+            failure.message);
     found->checksum = columns_checksum(&found->sums);
 }
 
@@ -146,16 +146,15 @@ static void check(const struct crowd *crowd, const struct found *found)
         const size_t *parts = found->overlaps.pairs[i].parts;
         double expected = cells[parts[0]][parts[1]], volume, error;
         bool some = mass_overlap_of(&found->sums, i, &volume, &error);
-        if (some != (expected > 0)
-            || fabs(volume - expected) > 8 * error / STUDENT + 1e-6)
-            fail_msg("%sP%zu and P%zu claim both %.9g, not %.9g: the error is %.2g",
-                     crowd->text, parts[0], parts[1], volume, expected, error);
+        FAIL_IF(some != (expected > 0)
+                    || fabs(volume - expected) > 8 * error / STUDENT + 1e-6,
+                "%sP%zu and P%zu claim both %.9g, not %.9g: the error is %.2g",
+                crowd->text, parts[0], parts[1], volume, expected, error);
         cells[parts[0]][parts[1]] = 0;
     }
     for (size_t a = 0; a < crowd->part_count; a++)
         for (size_t b = a; b < crowd->part_count; b++)
-            if (cells[a][b] > 0)
-                fail_msg("%sP%zu and P%zu are no pair", crowd->text, a, b);
+            FAIL_IF(cells[a][b] > 0, "%sP%zu and P%zu are no pair", crowd->text, a, b);
 }
 
 /* ---- The tests ----------------------------------------------------------- */
@@ -170,8 +169,7 @@ TEST(boxes)
         find(&crowd, TRACE_VECTOR, 2000, &vector);
         check(&crowd, &vector);
         find(&crowd, TRACE_SCALAR, 0, &scalar);
-        if (vector.checksum != scalar.checksum)
-            fail_msg("%sthe forms differ", crowd.text);
+        FAIL_IF(vector.checksum != scalar.checksum, "%sthe forms differ", crowd.text);
         free(crowd.text);
     }
 }

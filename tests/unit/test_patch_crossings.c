@@ -111,9 +111,8 @@ static void check_behind_crossings(const struct scene *scene, const struct trace
     assert_true(at < end);
     for (c205_word word; at < end; at += 64) {
         assert_true(c205_read(machine, at, &word, 1));
-        if (word != 0)
-            fail_msg("%llX is written, which is behind the crossings, by\n%s",
-                     (unsigned long long)at, text);
+        FAIL_IF(word != 0, "%llX is written, which is behind the crossings, by\n%s",
+                (unsigned long long)at, text);
     }
 }
 

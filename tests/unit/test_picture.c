@@ -70,9 +70,9 @@ static void compare(const struct round_trip *trip, const struct frame *frame,
         double kept = channel < trip->channels ? value : 0;
         double allowed = (color ? trip->relative : 0x1p-24) * fabs(kept)
                          + (color ? trip->absolute : 0);
-        if (fabs(back->channel[channel][i] - kept) > allowed)
-            fail_msg("%s, channel %zu, pixel %zu: %g is %g", trip->name, channel, i,
-                     kept, back->channel[channel][i]);
+        FAIL_IF(fabs(back->channel[channel][i] - kept) > allowed,
+                "%s, channel %zu, pixel %zu: %g is %g", trip->name, channel, i, kept,
+                back->channel[channel][i]);
     }
 }
 
@@ -286,8 +286,7 @@ TEST(failure_keeps_the_old_file)
         limit_file_size(200);
         bool written = picture_write(path, &frame, NULL, false, &error);
         limit_file_size(RLIM_INFINITY);
-        if (written)
-            fail_msg("%s is said to be written", names[i]);
+        FAIL_IF(written, "%s is said to be written", names[i]);
         assert_non_null(strstr(error.message, names[i]));
         FREED char *old = text_of_file(names[i]);
         assert_string_equal(old, "old");

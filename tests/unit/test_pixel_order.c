@@ -21,11 +21,10 @@ static void check_same(const struct scene *scene, const struct trace_options *op
                        uint64_t expected)
 {
     SCOPED(trace) *trace = run_trace(scene, options);
-    if (trace_checksum(trace) != expected)
-        fail_msg("%zu x %zu, %s by %s, queue %zu, band %zu, jobs %zu: another frame",
-                 options->width, options->height, trace_mode_name(options->mode),
-                 order_name(options->order), options->queue, options->band,
-                 options->jobs);
+    FAIL_IF(trace_checksum(trace) != expected,
+            "%zu x %zu, %s by %s, queue %zu, band %zu, jobs %zu: another frame",
+            options->width, options->height, trace_mode_name(options->mode),
+            order_name(options->order), options->queue, options->band, options->jobs);
 }
 
 TEST(same_frame)

@@ -192,8 +192,7 @@ static void assert_round_trip(uint64_t *random, const struct primitive *patch)
     size_t count = plain_crossings(patch, &ray, crossings);
     for (size_t i = 0; i < count; i++)
         found = found || fabs(crossings[i].distance - 1) < 1e-11;
-    if (!found)
-        fail_msg("no crossing at %.17g, %.17g of %zu", s, t, count);
+    FAIL_IF(!found, "no crossing at %.17g, %.17g of %zu", s, t, count);
 }
 
 TEST(round_trips)

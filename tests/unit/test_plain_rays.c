@@ -21,9 +21,9 @@ static void check(const struct look *look, double red, double green, double blue
     assert_in_range(vsnprintf(text, sizeof text, format, list), 0, sizeof text - 1);
     va_end(list);
     trace_ray(look, HEAD, text, color);
-    if (!(fabs(color[0] - red) < CLOSE && fabs(color[1] - green) < CLOSE
-          && fabs(color[2] - blue) < CLOSE))
-        fail_msg("%s: %.15g %.15g %.15g", text, color[0], color[1], color[2]);
+    FAIL_IF(!(fabs(color[0] - red) < CLOSE && fabs(color[1] - green) < CLOSE
+              && fabs(color[2] - blue) < CLOSE),
+            "%s: %.15g %.15g %.15g", text, color[0], color[1], color[2]);
 }
 
 #define LAMP "finish { ambient 1 } "

@@ -115,8 +115,7 @@ TEST(known)
                         : fabs(found.distance - line->distance) <= CLOSE;
         for (int k = 0; k < 3 && line->distance != 0; k++)
             good = good && fabs(found.normal[k] - line->normal[k]) <= CLOSE;
-        if (!good)
-            fail_msg("row %zu, %s: a hit at %.17g", i, text, found.distance);
+        FAIL_IF(!good, "row %zu, %s: a hit at %.17g", i, text, found.distance);
     }
 }
 

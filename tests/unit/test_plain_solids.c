@@ -147,9 +147,8 @@ TEST(volumes)
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED_VALUE(solid) solid = solid_of(rows[i].text);
         double found = volume(&solid, rows[i].size);
-        if (!(fabs(found - rows[i].volume) <= .002 * rows[i].volume))
-            fail_msg("%s: volume %.6g, expected %.6g", rows[i].text, found,
-                     rows[i].volume);
+        FAIL_IF(!(fabs(found - rows[i].volume) <= .002 * rows[i].volume),
+                "%s: volume %.6g, expected %.6g", rows[i].text, found, rows[i].volume);
     }
 }
 
@@ -189,10 +188,9 @@ TEST(coincident_faces)
         SCOPED_VALUE(solid) solid = solid_of(rows[i].text);
         const struct ray ray = { { rows[i].x, rows[i].y, -5 }, { 0, 0, 1 } };
         struct passage is = pass(&solid, &ray);
-        if (is.events != rows[i].events
-            || !(fabs(is.length - rows[i].length) <= PLAIN_DELTA))
-            fail_msg("%s: %d events, inside for %.9g", rows[i].text, is.events,
-                     is.length);
+        FAIL_IF(is.events != rows[i].events
+                    || !(fabs(is.length - rows[i].length) <= PLAIN_DELTA),
+                "%s: %d events, inside for %.9g", rows[i].text, is.events, is.length);
     }
 }
 
@@ -254,7 +252,7 @@ TEST(open_surfaces)
         plain_cross_region(solid.crossings, solid.scene, solid.scene->regions, &ray);
         for (; plain_next_hit(solid.crossings, last, 1e6, &hit); count++)
             last = hit.distance;
-        if (count != rows[i].count)
-            fail_msg("%s: not %d crossings", rows[i].text, rows[i].count);
+        FAIL_IF(count != rows[i].count, "%s: not %d crossings", rows[i].text,
+                rows[i].count);
     }
 }

@@ -69,9 +69,9 @@ TEST(hits)
         double values[FRAME_CHANNELS];
         trace_ray(&rows[i].look, HEAD, rows[i].text, values);
         for (size_t k = 0; k < COUNT(channels); k++)
-            if (!(fabs(values[channels[k]] - rows[i].expected[k]) <= CLOSE))
-                fail_msg("row %zu, %s: channel %d is %.17g", i, rows[i].text,
-                         channels[k], values[channels[k]]);
+            FAIL_IF(!(fabs(values[channels[k]] - rows[i].expected[k]) <= CLOSE),
+                    "row %zu, %s: channel %d is %.17g", i, rows[i].text, channels[k],
+                    values[channels[k]]);
     }
 }
 
@@ -131,9 +131,9 @@ TEST(shading)
             formatted("light_source { %s, rgb <.5, 1, 1> %s }\n"
                       "plane { y, 0 pigment { rgb <.8, 1, 1> } finish { %s } } %s",
                       rows[i].place, rows[i].light, rows[i].finish, rows[i].others);
-        if (!(fabs(red(&onto_floor, text) - rows[i].expected) <= CLOSE))
-            fail_msg("%.17g is not %.17g: %s", red(&onto_floor, text), rows[i].expected,
-                     text);
+        FAIL_IF(!(fabs(red(&onto_floor, text) - rows[i].expected) <= CLOSE),
+                "%.17g is not %.17g: %s", red(&onto_floor, text), rows[i].expected,
+                text);
     }
 }
 

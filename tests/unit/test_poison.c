@@ -204,8 +204,8 @@ static void run_image(struct small_machine *fixture, const char *name,
     for (unsigned i = 0; i < C205_REGISTERS; i++)
         set(fixture, i, before->reg[i]);
     stop = run(fixture);
-    if (stop.trap != C205_TRAP_NONE)
-        fail_msg("%s: trap %s", name, c205_trap_name(stop.trap));
+    FAIL_IF(stop.trap != C205_TRAP_NONE, "%s: trap %s", name,
+            c205_trap_name(stop.trap));
     assert_true(c205_read(fixture->machine, DATA, after->memory, MEMORY_WORDS));
     for (unsigned i = 0; i < C205_REGISTERS; i++)
         after->reg[i] = get(fixture, i);
@@ -220,10 +220,10 @@ static void check_words(const char *name, const char *what, const c205_word *a,
                         size_t count)
 {
     for (size_t i = 0; i < count; i++)
-        if ((a[i] ^ b[i]) & (bits[i] ^ flip))
-            fail_msg("%s: %s %zu: %016llX and %016llX, of which %016llX", name, what, i,
-                     (unsigned long long)a[i], (unsigned long long)b[i],
-                     (unsigned long long)(bits[i] ^ flip));
+        FAIL_IF((a[i] ^ b[i]) & (bits[i] ^ flip),
+                "%s: %s %zu: %016llX and %016llX, of which %016llX", name, what, i,
+                (unsigned long long)a[i], (unsigned long long)b[i],
+                (unsigned long long)(bits[i] ^ flip));
 }
 
 /* Compares the bits of two images that are written, or those that are not. */
@@ -268,10 +268,10 @@ static void check_images(struct vector_case *one, const struct image *before,
     for (int i = 0; i < TWICE; i++)
         check_contents(name, &before[i], &after[i], &one->written, true);
     check_contents(name, a, b, &one->written, false);
-    if (a->flags != b->flags || (time_is_known(one) && a->clock != b->clock))
-        fail_msg("%s: flags %llX and %llX, clocks %llu and %llu", name,
-                 (unsigned long long)a->flags, (unsigned long long)b->flags,
-                 (unsigned long long)a->clock, (unsigned long long)b->clock);
+    FAIL_IF(a->flags != b->flags || (time_is_known(one) && a->clock != b->clock),
+            "%s: flags %llX and %llX, clocks %llu and %llu", name,
+            (unsigned long long)a->flags, (unsigned long long)b->flags,
+            (unsigned long long)a->clock, (unsigned long long)b->clock);
 }
 
 /* ---- The tests --------------------------------------------------------- */

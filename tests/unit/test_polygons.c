@@ -225,8 +225,8 @@ static void check_samples(const struct flat_outline *outline,
             near = near || is_near_edge(&flat[k], p, 1e-9);
             times += is_inside(&flat[k], p);
         }
-        if (!near && times != is_inside(outline, p))
-            fail_msg("%zu triangles at %g, %g of\n%s", times, p[0], p[1], text);
+        FAIL_IF(!near && times != is_inside(outline, p),
+                "%zu triangles at %g, %g of\n%s", times, p[0], p[1], text);
     }
 }
 
@@ -246,8 +246,8 @@ static void check_outline(const struct flat_outline *outline)
             assert_true(is_near_edge(outline, flat[i].points[k], 1e-9));
     }
     check_samples(outline, flat, triangles->count, text);
-    if (!(fabs(area - area_by_lines(outline)) < .01))
-        fail_msg("an area of %g, not %g, of\n%s", area, area_by_lines(outline), text);
+    FAIL_IF(!(fabs(area - area_by_lines(outline)) < .01),
+            "an area of %g, not %g, of\n%s", area, area_by_lines(outline), text);
 }
 
 TEST(random_polygons)

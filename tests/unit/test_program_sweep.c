@@ -42,8 +42,7 @@ static char *file_text(const char *path)
 
 static void run(struct program_sweep *sweep)
 {
-    if (!swept_run(sweep, &failure))
-        fail_msg("%s", failure.message);
+    FAIL_IF(!swept_run(sweep, &failure), "%s", failure.message);
 }
 
 /* ---- Plain runs ------------------------------------------------------------ */
@@ -385,8 +384,7 @@ TEST(ranges)
     for (const char *at = bad, *end; (end = strchr(at, ',')); at = end + 1) {
 
         const char *text = formatted("%.*s", (int)(end - at), at);
-        if (swept_take_range(text, &range))
-            fail_msg("'%s' is a range", text);
+        FAIL_IF(swept_take_range(text, &range), "'%s' is a range", text);
     }
     assert_true(swept_take_range("8:0xFFFF", &range));
     assert_true(range.from == 8 && range.to == 65535 && range.step == 0
@@ -457,8 +455,7 @@ static void check_fault(const char *text, const char *said)
     sweep.clocks_most = 20000;
     add_text(&sweep, "fault.s", text);
     assert_false(swept_run(&sweep, &error));
-    if (!strstr(error.message, said))
-        fail_msg("'%s', not '%s'", error.message, said);
+    FAIL_IF(!strstr(error.message, said), "'%s', not '%s'", error.message, said);
     assert_int_equal(sweep.count > 0, sweep.points[0].runs[0].clocks[0] > 0);
     swept_free(&sweep);
 }

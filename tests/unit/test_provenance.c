@@ -39,8 +39,7 @@ static char *as_json(const c205_model *model)
 
 static void holds(const char *text, const char *expected)
 {
-    if (!strstr(text, expected))
-        fail_msg("'%s' does not hold '%s'", text, expected);
+    FAIL_IF(!strstr(text, expected), "'%s' does not hold '%s'", text, expected);
 }
 
 /* ---- Uncertainty -------------- */
@@ -94,8 +93,8 @@ TEST(models)
 
         snprintf(expected, sizeof expected, cases[i].begins, belief.figures,
                  belief.largest, belief.worst);
-        if (strncmp(text, expected, strlen(expected)) != 0)
-            fail_msg("'%s' does not begin with '%s'", text, expected);
+        FAIL_IF(strncmp(text, expected, strlen(expected)) != 0,
+                "'%s' does not begin with '%s'", text, expected);
         holds(text, cases[i].holds);
         snprintf(expected, sizeof expected, cases[i].json, belief.figures);
         holds(json, expected);

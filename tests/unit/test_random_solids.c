@@ -57,9 +57,8 @@ static void check_depths(const struct scene *scene, const char *text,
         double expected = plain.channel[CHANNEL_DEPTH][k];
         bool close = fabs(found - expected) <= 1e-6 * (1 + expected);
         others += close ? 0 : 1;
-        if (others > PIXELS / 100)
-            fail_msg("pixel %zu: %.9f deep, not %.9f, in\n%s", k, found, expected,
-                     text);
+        FAIL_IF(others > PIXELS / 100, "pixel %zu: %.9f deep, not %.9f, in\n%s", k,
+                found, expected, text);
     }
 }
 
@@ -80,8 +79,8 @@ static void check_scenes(bool gridded, bool clear)
         traced.no_bounds = true;
         FREED struct words *others = same_frame_of(scene, text);
         traced.no_bounds = false;
-        if (memcmp(others, words, sizeof *words) != 0)
-            fail_msg("another frame without bounds of\n%s", text);
+        FAIL_IF(memcmp(others, words, sizeof *words) != 0,
+                "another frame without bounds of\n%s", text);
     }
 }
 

@@ -25,8 +25,7 @@ static void write_scene(char *text, size_t size, const char *camera)
 
 static void check(bool good, const char *reason, const char *text)
 {
-    if (!good)
-        fail_msg("%s in\n%s", reason, text);
+    FAIL_IF(!good, "%s in\n%s", reason, text);
 }
 
 /* The camera is on either side of the solids, or inside them with crossings behind
@@ -102,8 +101,7 @@ static void check_nearest(const struct scene *scene, const struct words *words,
         same = same
                && is_word(words->channel[CHANNEL_NORMAL_X + i][pixel], seen->normal[i],
                           mesh);
-    if (!same)
-        fail_msg("pixel %zu: not the first along its line in\n%s", pixel, text);
+    FAIL_IF(!same, "pixel %zu: not the first along its line in\n%s", pixel, text);
 }
 
 TEST(nearest)
@@ -165,9 +163,8 @@ static void check_form(const char *text, enum trace_mode mode, double behind,
         list[i] = (struct scene_ray){ { 0, .125, -4 }, { 0, 0, 2 } };
     SCOPED_VALUE(ray_hits) found = find_lines(scene, &options, list, COPIES);
     for (size_t i = 0; i < COPIES; i++) {
-        if (found.first[i + 1] != (i + 1) * count)
-            fail_msg("%zu crossings, not %zu, in\n%s", found.first[i + 1] - i * count,
-                     count, text);
+        FAIL_IF(found.first[i + 1] != (i + 1) * count, "%zu crossings, not %zu, in\n%s",
+                found.first[i + 1] - i * count, count, text);
         for (size_t k = 0; k < count; k++) {
             const struct ray_hit *seen = &found.list[i * count + k];
             double distance = c205_to_double(seen->distance) - expected[k].distance;

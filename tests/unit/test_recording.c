@@ -24,8 +24,7 @@ static void assert_runs(c205 *machine)
 {
     c205_stop stop = c205_run(machine, C205_NO_LIMIT);
     c205_describe_stop(machine, &stop, &failure);
-    if (stop.trap != C205_TRAP_NONE)
-        fail_msg("%s", failure.message);
+    FAIL_IF(stop.trap != C205_TRAP_NONE, "%s", failure.message);
 }
 
 static struct object *program_of(const char *path)
@@ -34,8 +33,7 @@ static struct object *program_of(const char *path)
     struct asm_options options = { .search = folders };
     SCOPED_VALUE(diagnostics) errors = { 0 };
     struct object *object = assemble_file(path, &options, &errors);
-    if (!object)
-        fail_msg("%s: %s", path, errors.items[0].message);
+    FAIL_IF(!object, "%s: %s", path, errors.items[0].message);
     return object;
 }
 
@@ -82,10 +80,9 @@ static void assert_retimes(const char *name, const struct run *recorded,
     for (size_t i = 0; i < count; i++) {
         uint64_t expected = machine ? accounts_clocks(c205_account_at(machine, i))
                                     : c205_projected_clocks(projection, i);
-        if (!(projection && isnan(clocks[i])) && clocks[i] != (double)expected)
-            fail_msg("%s on %s: %llu clocks in region %zu, played again %g", name,
-                     c205_model_name(model), (unsigned long long)expected, i,
-                     clocks[i]);
+        FAIL_IF(!(projection && isnan(clocks[i])) && clocks[i] != (double)expected,
+                "%s on %s: %llu clocks in region %zu, played again %g", name,
+                c205_model_name(model), (unsigned long long)expected, i, clocks[i]);
     }
 }
 

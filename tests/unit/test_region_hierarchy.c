@@ -122,9 +122,9 @@ static void check(const struct scene *scene, const char *text,
     FREED struct words *found = trace_words(scene, mode, queue);
     for (int channel = 0; channel < FRAME_CHANNELS; channel++)
         for (size_t k = 0; k < PIXELS; k++)
-            if (found->channel[channel][k] != expected->channel[channel][k])
-                fail_msg("%s, queue %zu: channel %d, pixel %zu: another frame in\n%s",
-                         what, queue, channel, k, text);
+            FAIL_IF(found->channel[channel][k] != expected->channel[channel][k],
+                    "%s, queue %zu: channel %d, pixel %zu: another frame in\n%s", what,
+                    queue, channel, k, text);
 }
 
 static void check_ways(const char *text)

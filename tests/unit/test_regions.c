@@ -424,8 +424,8 @@ static void check_region(const struct stage *stage, size_t i, const char *text)
         for (size_t k = tree->first_primitive; k < last; k++)
             inside[k] = below(few) == 0;
         bool value = tree_value(stage->scene, tree->first_node, inside);
-        if (machine_value(stage, i, inside, &visited) != (value != complement))
-            fail_msg("region %zu of %s", i, text);
+        FAIL_IF(machine_value(stage, i, inside, &visited) != (value != complement),
+                "region %zu of %s", i, text);
     }
 }
 

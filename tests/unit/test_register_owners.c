@@ -21,9 +21,9 @@ static void check(const char *text, size_t count, const char *expected)
     assert_true(c205_listen(machine, register_owners_listen, owners));
     assert_int_equal(c205_run(machine, 100000).trap, C205_TRAP_NONE);
     register_owners_print(owners, &sink);
-    if (register_owners_found(owners) != count
-        || (count > 0 && !strstr(printed.text, expected)))
-        fail_msg("%s%s", text, printed.text ? printed.text : "");
+    FAIL_IF(register_owners_found(owners) != count
+                || (count > 0 && !strstr(printed.text, expected)),
+            "%s%s", text, printed.text ? printed.text : "");
 }
 
 /* a and b are r5, u and p r20, v and q r21. */

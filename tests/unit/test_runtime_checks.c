@@ -35,9 +35,9 @@ static void check(const char *text, const char *said)
     SCOPED(object) *object = good(text);
     FREED char *report = watched(object, &all);
 
-    if (*said ? count_of(report, said) != 1 || count_of(report, "[-W") != 1
-              : report != NULL)
-        fail_msg("%s\nexpected '%s', found '%s'", text, said, report ? report : "");
+    FAIL_IF(*said ? count_of(report, said) != 1 || count_of(report, "[-W") != 1
+                  : report != NULL,
+            "%s\nexpected '%s', found '%s'", text, said, report ? report : "");
 }
 
 #define DATA \

@@ -113,13 +113,12 @@ static void compare_words(const struct point_kind *kind,
     for (unsigned j = 0; j < kind->coordinates; j++)
         for (size_t i = 0; i < kind->points; i++) {
             c205_word word = made[j * kind->points + i];
-            if (word != defined(kind, choice, i, j))
-                fail_msg("form %d, queue %zu, seed %llu, m %d, shift %llu: "
-                         "coordinate %u of point %llu + %zu is %llX",
-                         kind->form, kind->queue, (unsigned long long)choice->seed,
-                         (int)choice->m, (unsigned long long)choice->shift, j,
-                         (unsigned long long)choice->first, i,
-                         (unsigned long long)word);
+            FAIL_IF(word != defined(kind, choice, i, j),
+                    "form %d, queue %zu, seed %llu, m %d, shift %llu: "
+                    "coordinate %u of point %llu + %zu is %llX",
+                    kind->form, kind->queue, (unsigned long long)choice->seed,
+                    (int)choice->m, (unsigned long long)choice->shift, j,
+                    (unsigned long long)choice->first, i, (unsigned long long)word);
         }
 }
 

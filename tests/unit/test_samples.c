@@ -85,10 +85,10 @@ static void check_forms(const struct scene *scene, size_t width, size_t height,
                 .queue = xorshift(&traced.random) % 2 ? among(1, 9) : among(1, 999),
                 .band = among(1, n * n * width * height), .jobs = among(1, 3));
         SCOPED(trace) *trace = run_trace(scene, &options);
-        if (trace_checksum(trace) != expected)
-            fail_msg("%zu x %zu of %zu, %s by %s, queue %zu, band %zu: another frame",
-                     width, height, n, trace_mode_name(options.mode),
-                     order_name(options.order), options.queue, options.band);
+        FAIL_IF(trace_checksum(trace) != expected,
+                "%zu x %zu of %zu, %s by %s, queue %zu, band %zu: another frame", width,
+                height, n, trace_mode_name(options.mode), order_name(options.order),
+                options.queue, options.band);
     }
 }
 

@@ -180,8 +180,8 @@ static void assert_rejected(const void *bytes, size_t count, const c205_model *o
 {
     c205_error error = { "" };
     assert_null(c205_restore(bytes, count, other, &error));
-    if (!strstr(error.message, why) || !error.message[0])
-        fail_msg("'%s' does not say '%s'", error.message, why);
+    FAIL_IF(!strstr(error.message, why) || !error.message[0], "'%s' does not say '%s'",
+            error.message, why);
 }
 
 /* Each part has an allocation of exact size, so that reads after its end are

@@ -44,8 +44,7 @@ static void check_regions(const char *text, size_t reports, const char *expected
     fclose(out);
     assert_int_equal(leaf, scene->primitive_count);
     assert_int_equal(node, scene->node_count);
-    if (strcmp(found, expected) != 0)
-        fail_msg("%s: %s, expected %s", text, found, expected);
+    FAIL_IF(strcmp(found, expected) != 0, "%s: %s, expected %s", text, found, expected);
 }
 
 #define A "sphere { 0, 1 }"
@@ -220,8 +219,8 @@ TEST(hidden)
                           p->no_shadow ? "s" : "", p->hidden_from & 1 ? "i" : "",
                           p->hidden_from & 2 ? "r" : "");
         }
-        if (strcmp(found, rows[i][1]) != 0)
-            fail_msg("%s: %s, expected %s", rows[i][0], found, rows[i][1]);
+        FAIL_IF(strcmp(found, rows[i][1]) != 0, "%s: %s, expected %s", rows[i][0],
+                found, rows[i][1]);
     }
 }
 
@@ -278,8 +277,7 @@ static void check_bodies(const char *text, const char *expected)
             bodies[count++] = p[i].interior;
         found[i] = p[i].invisible ? '.' : (char)('a' + k);
     }
-    if (strcmp(found, expected) != 0)
-        fail_msg("%s: %s, expected %s", text, found, expected);
+    FAIL_IF(strcmp(found, expected) != 0, "%s: %s, expected %s", text, found, expected);
 }
 
 #define FILLED "sphere { 0, 1 interior { ior 1.5 } } "

@@ -140,14 +140,13 @@ static void check(size_t shape, size_t place, const struct words *expected)
     scene_text(text, sizeof text, shape, place);
     SCOPED(scene) *scene = scene_read_text("invisible.pov", text, &reading_options,
                                            &reports);
-    if (!scene)
-        fail_msg("is not read: %s\n%s", reports.items[0].message, text);
-    if (count_reports(&reports) != 1 || (place == 0 && reports.count != 1))
-        fail_msg("%zu reports that the shape is ignored:\n%s", count_reports(&reports),
-                 text);
+    FAIL_IF(!scene, "is not read: %s\n%s", reports.items[0].message, text);
+    FAIL_IF(count_reports(&reports) != 1 || (place == 0 && reports.count != 1),
+            "%zu reports that the shape is ignored:\n%s", count_reports(&reports),
+            text);
     FREED struct words *words = same_frame_of(scene, text);
-    if (memcmp(words, expected, sizeof *words) != 0)
-        fail_msg("the frame is not that of the scene without:\n%s", text);
+    FAIL_IF(memcmp(words, expected, sizeof *words) != 0,
+            "the frame is not that of the scene without:\n%s", text);
 }
 
 TEST(invisible)
@@ -193,8 +192,8 @@ TEST(without_height)
                           k ? rows[i].other : rows[i].flat));
             seen[k] = hits(words);
         }
-        if (seen[0] != seen[1] || seen[0] == 0)
-            fail_msg("%zu pixels, not %zu: %s", seen[0], seen[1], rows[i].flat);
+        FAIL_IF(seen[0] != seen[1] || seen[0] == 0, "%zu pixels, not %zu: %s", seen[0],
+                seen[1], rows[i].flat);
     }
 }
 

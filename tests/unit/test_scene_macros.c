@@ -56,8 +56,8 @@ TEST(spheres)
         for (size_t k = 0; k < scene->primitive_count; k++)
             to += sprintf(to, k > 0 ? " %.17g" : "%.17g",
                           scene->primitives[k].shape.sphere.radius);
-        if (strcmp(found, rows[i][1]) != 0)
-            fail_msg("%s: radii %s, expected %s", rows[i][0], found, rows[i][1]);
+        FAIL_IF(strcmp(found, rows[i][1]) != 0, "%s: radii %s, expected %s", rows[i][0],
+                found, rows[i][1]);
     }
 }
 
@@ -118,8 +118,7 @@ static void check_bounded(const struct bounded *rows, size_t count)
     for (size_t i = 0; i < count; i++) {
         clock_t start = clock();
         assert_refused(rows[i].text, 2, rows[i].message);
-        if (clock() - start > 60 * CLOCKS_PER_SEC)
-            fail_msg("too long: %s", rows[i].text);
+        FAIL_IF(clock() - start > 60 * CLOCKS_PER_SEC, "too long: %s", rows[i].text);
     }
 }
 

@@ -178,8 +178,8 @@ TEST(reported_by_chance)
         unsigned expected = draw(&drawing);
         fclose(drawing.text);
         unsigned reported = reported_of(text);
-        if (reported != expected)
-            fail_msg("told %X, expected %X, of:\n%s", reported, expected, text);
+        FAIL_IF(reported != expected, "told %X, expected %X, of:\n%s", reported,
+                expected, text);
     }
 }
 

@@ -450,8 +450,7 @@ TEST(three_ways)
         strcat(text, "}\n");
         SCOPED(scene) *scene = scene_read_text("test.pov", text, &reading_options,
                                                &reports);
-        if (!scene)
-            fail_msg("%s: %s", reports.items->message, text);
+        FAIL_IF(!scene, "%s: %s", reports.items->message, text);
         bool seen = !strstr(reports.items->message, "no triangle of the mesh");
         if (seen)
             assert_same(scene);

@@ -97,9 +97,8 @@ static void compare_frames(const struct words *same, size_t shape, size_t light,
     unit *= pow(10, -decade);
     for (size_t pixel = 0; pixel < PIXELS; pixel++)
         others += difference(same, words, pixel, unit) > 1e-4;
-    if (others > MAX_OTHERS)
-        fail_msg("shape %zu, light %zu, 10^%d: %zu pixels of %d differ", shape, light,
-                 decade, others, PIXELS);
+    FAIL_IF(others > MAX_OTHERS, "shape %zu, light %zu, 10^%d: %zu pixels of %d differ",
+            shape, light, decade, others, PIXELS);
 }
 
 TEST(pictures)

@@ -122,10 +122,10 @@ static double check_viewpoint(const struct primitive *mesh, const double *table,
         random_point(table + (size_t)place, point);
         struct screen_point look = project(eye, point);
         assert_true(look.z > 0);
-        if (!traversal_reaches(table, eye, &look, place, row, &asked))
-            fail_msg("from %.17g, %.17g, %.17g a ray to %.17g, %.17g, %.17g "
-                     "does not come to triangle %zu of %zu",
-                     eye[0], eye[1], eye[2], point[0], point[1], point[2], i, count);
+        FAIL_IF(!traversal_reaches(table, eye, &look, place, row, &asked),
+                "from %.17g, %.17g, %.17g a ray to %.17g, %.17g, %.17g "
+                "does not come to triangle %zu of %zu",
+                eye[0], eye[1], eye[2], point[0], point[1], point[2], i, count);
     }
     return (double)asked / (double)count;
 }
@@ -299,8 +299,8 @@ static size_t check_frame(const char *variant)
     FREED struct words *others = same_frame(text);
     traced.variant = NULL;
     traced.no_bounds = false;
-    if (memcmp(words, others, sizeof *words) != 0)
-        fail_msg("%s: another frame of\n%s", variant ? variant : "no bounds", text);
+    FAIL_IF(memcmp(words, others, sizeof *words) != 0, "%s: another frame of\n%s",
+            variant ? variant : "no bounds", text);
     return hits(words);
 }
 

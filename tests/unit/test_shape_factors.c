@@ -171,9 +171,9 @@ TEST(crowds)
             }
         for (size_t i = 0; i < BOXES; i++) {
             SCOPED_VALUE(factor_row) row = find(factors, i);
-            if (fabs(row.area.value - faces[i]) > 8 * row.area.error + 1e-9)
-                fail_msg("%sbox %zu shows %g +- %g, not %g", text, i + 1,
-                         row.area.value, row.area.error, faces[i]);
+            FAIL_IF(fabs(row.area.value - faces[i]) > 8 * row.area.error + 1e-9,
+                    "%sbox %zu shows %g +- %g, not %g", text, i + 1, row.area.value,
+                    row.area.error, faces[i]);
         }
     }
 }
@@ -250,8 +250,8 @@ TEST(bias)
         }
         double mean = sum / SEEDS;
         double deviation = sqrt((squares / SEEDS - mean * mean) / (SEEDS - 1));
-        if (!(fabs(mean - 0.1809950221376) <= 4 * deviation))
-            fail_msg("the mean of %d seeds is %.7g +- %.2g", SEEDS, mean, deviation);
+        FAIL_IF(!(fabs(mean - 0.1809950221376) <= 4 * deviation),
+                "the mean of %d seeds is %.7g +- %.2g", SEEDS, mean, deviation);
     }
 }
 

@@ -40,8 +40,8 @@ static void check_routines(const struct object *program,
                                   kernels->historical, kernels->historical_normal };
     assert_true(kernels->kernel && kernels->normal);
     for (size_t i = 0; i < (historical ? COUNT(names) : 4); i++)
-        if (names[i] && !object_symbol(program, names[i]))
-            fail_msg("%s is no routine of the kernels", names[i]);
+        FAIL_IF(names[i] && !object_symbol(program, names[i]),
+                "%s is no routine of the kernels", names[i]);
 }
 
 static void check_program(const char *kernel, bool historical)
@@ -108,8 +108,7 @@ static void look_at_scene(const char *path)
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
     SCOPED(scene) *scene = scene_read(path, &with_images, &reports);
-    if (!scene)
-        fail_msg("%s is not read", path);
+    FAIL_IF(!scene, "%s is not read", path);
     for (size_t i = 0; i < scene->primitive_count; i++)
         if (found[scene->primitives[i].kind].count++ < 20)
             look_through(&scene->primitives[i]);
@@ -120,11 +119,9 @@ TEST(scenes)
     each_file("tests/scenes/*.pov", look_at_scene);
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
         const char *name = primitive_kind_name((enum primitive_kind)i);
-        if (found[i].count == 0)
-            fail_msg("no scene of the tests has a %s", name);
-        if (found[i].crossings == 0)
-            fail_msg("the plain tracer finds no %s", name);
-        if (shapes[i]->kernels.segments > 0 && found[i].inside == 0)
-            fail_msg("the plain tracer finds nothing inside of a %s", name);
+        FAIL_IF(found[i].count == 0, "no scene of the tests has a %s", name);
+        FAIL_IF(found[i].crossings == 0, "the plain tracer finds no %s", name);
+        FAIL_IF(shapes[i]->kernels.segments > 0 && found[i].inside == 0,
+                "the plain tracer finds nothing inside of a %s", name);
     }
 }

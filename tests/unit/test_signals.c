@@ -166,10 +166,10 @@ static void check_file(const char *name, const char *command, int number)
     char text[TEXT];
     size_t length = read_file(name, text), wanted = strlen(ending_of(name));
 
-    if (strcmp(text, old) != 0
-        && (length < 2 || length < wanted
-            || memcmp(text + length - wanted, ending_of(name), wanted) != 0))
-        fail_msg("%s, signal %d: %s is no whole file", command, number, name);
+    FAIL_IF(strcmp(text, old) != 0
+                && (length < 2 || length < wanted
+                    || memcmp(text + length - wanted, ending_of(name), wanted) != 0),
+            "%s, signal %d: %s is no whole file", command, number, name);
 }
 
 static bool is_input(const char *name)
@@ -196,8 +196,7 @@ static void check_folder(const char *const *words, int number)
         while (words[i]
                && !(*words[i] == '%' && strcmp(words[i] + 1, entry->d_name) == 0))
             i++;
-        if (!words[i])
-            fail_msg("%s, signal %d: leaves %s", command, number, entry->d_name);
+        FAIL_IF(!words[i], "%s, signal %d: leaves %s", command, number, entry->d_name);
         if (strcmp(entry->d_name, "kept") != 0)
             check_file(entry->d_name, command, number);
     }
@@ -246,8 +245,8 @@ static void check_command(const char *const *words, int number)
     kill(process, number);
     status = end(process);
     close(null);
-    if (status != 0 && status != 1 && status != -number)
-        fail_msg("%s %s, signal %d: ends with %d", words[0], words[1], number, status);
+    FAIL_IF(status != 0 && status != 1 && status != -number,
+            "%s %s, signal %d: ends with %d", words[0], words[1], number, status);
     check_folder(words, number);
 }
 

@@ -128,9 +128,9 @@ static void check_oracle(const struct found *found, const double *smooth)
         double expected = (double)(system->words[k][system->size]
                                    / system->words[k][k]);
         double flow = smooth[place(found, system->from[k], system->to[k])];
-        if (!(fabs(flow - expected) < 1e-10))
-            fail_msg("%zu surfaces, from %zu to %zu: %.15g, not %.15g", found->count,
-                     system->from[k] + 1, system->to[k] + 1, flow, expected);
+        FAIL_IF(!(fabs(flow - expected) < 1e-10),
+                "%zu surfaces, from %zu to %zu: %.15g, not %.15g", found->count,
+                system->from[k] + 1, system->to[k] + 1, flow, expected);
     }
 }
 
@@ -212,8 +212,7 @@ static void refuses(const struct found *found, const char *message)
         c205_error error = { "" };
         given.names = names;
         assert_false(smooth_flows(&given, smooth, &accounts, &error));
-        if (!strstr(error.message, message))
-            fail_msg("%s: %s", message, error.message);
+        FAIL_IF(!strstr(error.message, message), "%s: %s", message, error.message);
     }
 }
 

@@ -74,13 +74,13 @@ static void expect(const struct trial *t, struct outcome expected)
 {
     struct outcome result = result_of(t);
 
-    if (result.word != expected.word || result.flags != expected.flags)
-        fail_msg("%s of %016llX and %016llX, %d digits: %016llX, flags %llX, "
-                 "not %016llX, %llX",
-                 t->of->name, (unsigned long long)t->a, (unsigned long long)t->b,
-                 (int)t->f.digits, (unsigned long long)result.word,
-                 (unsigned long long)result.flags, (unsigned long long)expected.word,
-                 (unsigned long long)expected.flags);
+    FAIL_IF(result.word != expected.word || result.flags != expected.flags,
+            "%s of %016llX and %016llX, %d digits: %016llX, flags %llX, "
+            "not %016llX, %llX",
+            t->of->name, (unsigned long long)t->a, (unsigned long long)t->b,
+            (int)t->f.digits, (unsigned long long)result.word,
+            (unsigned long long)result.flags, (unsigned long long)expected.word,
+            (unsigned long long)expected.flags);
 }
 
 static bool is_zero(const struct trial *t, c205_word w)

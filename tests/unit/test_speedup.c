@@ -230,8 +230,7 @@ static const struct csv_table *read_table1(void)
 /* Compares up to rounding. */
 static void assert_near(double a, double b)
 {
-    if (!(fabs(a - b) <= 1e-12 * fabs(b) + 1e-11))
-        fail_msg("%.17g is not %.17g", a, b);
+    FAIL_IF(!(fabs(a - b) <= 1e-12 * fabs(b) + 1e-11), "%.17g is not %.17g", a, b);
 }
 
 static double figure(const struct csv_table *table, size_t row, int column)
@@ -239,8 +238,7 @@ static double figure(const struct csv_table *table, size_t row, int column)
     char *end;
     const char *cell = table->cell[row][2 + column];
     double value = strtod(cell, &end);
-    if (*cell == '\0' || *end != '\0')
-        fail_msg("no number: %s", cell);
+    FAIL_IF(*cell == '\0' || *end != '\0', "no number: %s", cell);
     return value;
 }
 

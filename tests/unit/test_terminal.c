@@ -96,8 +96,8 @@ static bool hears(struct terminal *terminal, const char *text, int milliseconds)
 
 static void expect(struct terminal *terminal, const char *text)
 {
-    if (!hears(terminal, text, MAX_MILLISECONDS))
-        fail_msg("not '%s': %s", text, terminal->said.text);
+    FAIL_IF(!hears(terminal, text, MAX_MILLISECONDS), "not '%s': %s", text,
+            terminal->said.text);
 }
 
 /* Asks a question; its answer shows that all earlier lines were executed. */
@@ -213,8 +213,8 @@ TEST(ends)
         type(&terminal, typed[i / 4]);
         poll(NULL, 0, 100);
         kill(terminal.process, signals[i / 2 % 2]);
-        if (end(&terminal) != 1)
-            fail_msg("typed '%s', signal %d", typed[i / 4], signals[i / 2 % 2]);
+        FAIL_IF(end(&terminal) != 1, "typed '%s', signal %d", typed[i / 4],
+                signals[i / 2 % 2]);
     }
 }
 

@@ -91,8 +91,8 @@ static bool exchange(const struct study *study, const char *temperatures,
 
 static void assert_estimate(struct estimate found, double expected)
 {
-    if (!(fabs(found.value - expected) <= 5 * found.error + 1e-9))
-        fail_msg("%.9g +- %.2g is not %.9g", found.value, found.error, expected);
+    FAIL_IF(!(fabs(found.value - expected) <= 5 * found.error + 1e-9),
+            "%.9g +- %.2g is not %.9g", found.value, found.error, expected);
 }
 
 TEST(parts)
@@ -214,8 +214,8 @@ TEST(refused)
         c205_error error = { "" };
         assert_false(exchange(&study, refused[i].temperatures, refused[i].emissivities,
                               &thermal, &error));
-        if (!strstr(error.message, refused[i].message))
-            fail_msg("%s: %s", refused[i].message, error.message);
+        FAIL_IF(!strstr(error.message, refused[i].message), "%s: %s",
+                refused[i].message, error.message);
     }
 }
 

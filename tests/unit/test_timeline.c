@@ -43,8 +43,8 @@ static void check_sums(const struct timeline *timeline, const c205 *machine,
     }
     assert_int_equal(at, c205_clock(machine));
     for (int cause = 0; cause < C205_CAUSES; cause++)
-        if (clocks_of_cause(machine, (c205_cause)cause) != clocks[cause])
-            fail_msg("%s: %s", path, c205_cause_name((c205_cause)cause));
+        FAIL_IF(clocks_of_cause(machine, (c205_cause)cause) != clocks[cause], "%s: %s",
+                path, c205_cause_name((c205_cause)cause));
 }
 
 static void check_rows(const struct timeline *timeline)
@@ -148,8 +148,7 @@ static void check_kanata(const struct timeline *timeline)
     reader = (struct reader){ .timeline = timeline };
     assert_true(timeline_kanata(timeline, &sink));
     const char *fault = kanata_fault(text.text, &number);
-    if (fault)
-        fail_msg("line %zu: %s", number, fault);
+    FAIL_IF(fault, "line %zu: %s", number, fault);
     char *line = strtok(text.text, "\n");
     assert_string_equal(line, "Kanata\t0004");
     line = strtok(NULL, "\n");

@@ -57,8 +57,7 @@ static uint64_t measured(struct small_machine *on, const struct vector_case *one
             set(on, i, one->reg[i]);
         c205_set_pc(on->machine, CODE);
         c205_reset_clock(on->machine);
-        if (run(on).trap != C205_TRAP_NONE)
-            fail_msg("%s traps", one->row->mnemonic);
+        FAIL_IF(run(on).trap != C205_TRAP_NONE, "%s traps", one->row->mnemonic);
     }
     return c205_clock(on->machine);
 }
@@ -225,11 +224,10 @@ TEST(closed_formula)
             uint64_t clocks = startup + conflicts(&one, on->model)
                               + stream(on->model, timing, elements(&one),
                                        one.fields.g & C205_G_HALF);
-            if (measured(on, &one) != clocks)
-                fail_msg("%s of %zu on %s: %llu clocks, not %llu", one.row->mnemonic,
-                         one.n, model_names[k % MODELS],
-                         (unsigned long long)measured(on, &one),
-                         (unsigned long long)clocks);
+            FAIL_IF(measured(on, &one) != clocks,
+                    "%s of %zu on %s: %llu clocks, not %llu", one.row->mnemonic, one.n,
+                    model_names[k % MODELS], (unsigned long long)measured(on, &one),
+                    (unsigned long long)clocks);
         }
 }
 
@@ -261,11 +259,11 @@ static void try_lengths(struct vector_case *one, unsigned times)
                                                            length);
         for (int i = 0; i < MODELS; i++) {
             now[i] = measured(&fixture[i], one);
-            if (now[i] < before[i])
-                fail_msg("%s of %zu is cheaper", one->row->mnemonic, length);
+            FAIL_IF(now[i] < before[i], "%s of %zu is cheaper", one->row->mnemonic,
+                    length);
         }
-        if (now[0] < now[1] || now[1] < now[2])
-            fail_msg("%s is slower with more pipes", one->row->mnemonic);
+        FAIL_IF(now[0] < now[1] || now[1] < now[2], "%s is slower with more pipes",
+                one->row->mnemonic);
         memcpy(before, now, sizeof now);
     }
 }
@@ -314,9 +312,9 @@ static void try_program(uint64_t seed)
     for (int i = 0; i < MODELS; i++)
         assert_true(random_load(fixture[i].machine, &program, &failure));
     for (int step = 0; step < STEPS && step_all(); step++)
-        if (c205_clock(fixture[0].machine) < c205_clock(fixture[1].machine)
-            || c205_clock(fixture[1].machine) < c205_clock(fixture[2].machine))
-            fail_msg("seed %llu is slower with more pipes", (unsigned long long)seed);
+        FAIL_IF(c205_clock(fixture[0].machine) < c205_clock(fixture[1].machine)
+                    || c205_clock(fixture[1].machine) < c205_clock(fixture[2].machine),
+                "seed %llu is slower with more pipes", (unsigned long long)seed);
 }
 
 TEST(random_programs)
@@ -376,10 +374,9 @@ TEST(small_programs)
         c205 *machine = fixture[1].machine;
         assert_true(c205_load(machine, &object->program, &failure));
         assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
-        if (c205_clock(machine) != programs[i].clocks)
-            fail_msg("%llu clocks, not %llu: %s",
-                     (unsigned long long)c205_clock(machine),
-                     (unsigned long long)programs[i].clocks, programs[i].what);
+        FAIL_IF(c205_clock(machine) != programs[i].clocks, "%llu clocks, not %llu: %s",
+                (unsigned long long)c205_clock(machine),
+                (unsigned long long)programs[i].clocks, programs[i].what);
         assert_sum(machine);
     }
 }

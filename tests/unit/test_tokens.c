@@ -34,13 +34,13 @@ static struct text_place place_of(const struct scene_source *source, size_t at)
 static void assert_same(const struct scene_token *a, const struct scene_token *b,
                         const char *text)
 {
-    if (a->kind != b->kind || a->source != b->source || a->text != b->text
-        || a->length != b->length || a->sign != b->sign || a->depth != b->depth
-        || a->main_line != b->main_line || a->fault != b->fault
-        || memcmp(&a->number, &b->number, sizeof a->number) != 0
-        || memcmp(&a->place, &b->place, sizeof a->place) != 0)
-        fail_msg("'%.*s' at %zu is kept as '%.*s' of\n%s", (int)a->length, a->text,
-                 a->place.at, (int)b->length, b->text, text);
+    FAIL_IF(a->kind != b->kind || a->source != b->source || a->text != b->text
+                || a->length != b->length || a->sign != b->sign || a->depth != b->depth
+                || a->main_line != b->main_line || a->fault != b->fault
+                || memcmp(&a->number, &b->number, sizeof a->number) != 0
+                || memcmp(&a->place, &b->place, sizeof a->place) != 0,
+            "'%.*s' at %zu is kept as '%.*s' of\n%s", (int)a->length, a->text,
+            a->place.at, (int)b->length, b->text, text);
 }
 
 /* Compares all tokens of a body, with some steps back. */

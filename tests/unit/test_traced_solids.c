@@ -54,9 +54,8 @@ static void check_every(const char *text)
         traced.visible = VISIBLE_EVERY;
         FREED struct words *found = trace_words(scene, TRACE_VECTOR, queues[i]);
         traced.visible = VISIBLE_DEFAULT;
-        if (memcmp(found, expected, sizeof *found) != 0)
-            fail_msg("queue %zu, every crossing: another frame of\n%s", queues[i],
-                     text);
+        FAIL_IF(memcmp(found, expected, sizeof *found) != 0,
+                "queue %zu, every crossing: another frame of\n%s", queues[i], text);
     }
 }
 

@@ -16,8 +16,8 @@ static void check(const char *text, bool lines, const char *const *said)
     assert_int_not_equal(stop.trap, C205_TRAP_NONE);
     trap_report(lines ? object : NULL, "test.o", machine, &stop, &sink);
     for (; *said; said++)
-        if (!strstr(report.text, *said))
-            fail_msg("%s\nexpected '%s', found\n%s", text, *said, report.text);
+        FAIL_IF(!strstr(report.text, *said), "%s\nexpected '%s', found\n%s", text,
+                *said, report.text);
 }
 
 #define CHECK(text, ...) check(text, true, (const char *const[]){ __VA_ARGS__, NULL })

@@ -278,9 +278,9 @@ static c205_fields draw_fields(struct bench *bench, const c205_insn *row)
 static void map(struct bench *bench, uint64_t page, c205_access access)
 {
     plain_map(&bench->reference.memory, DATA + page * PAGE, C205_PAGE_WORDS, access);
-    if (!c205_map(bench->fixture.machine, DATA + page * PAGE, C205_PAGE_WORDS, access,
-                  &failure))
-        fail_msg("%s", failure.message);
+    FAIL_IF(!c205_map(bench->fixture.machine, DATA + page * PAGE, C205_PAGE_WORDS,
+                      access, &failure),
+            "%s", failure.message);
 }
 
 static void fill(struct bench *bench, size_t border, enum contents contents)
@@ -541,8 +541,8 @@ static bool one_pair(struct bench *bench)
 /* Some cases must trap, but at most half of them. */
 static void check_traps(const char *name, size_t traps, size_t cases)
 {
-    if (traps == 0 || traps > cases / 2)
-        fail_msg("%s: %zu of %zu cases trap", name, traps, cases);
+    FAIL_IF(traps == 0 || traps > cases / 2, "%s: %zu of %zu cases trap", name, traps,
+            cases);
 }
 
 TEST(instructions)

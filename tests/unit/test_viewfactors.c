@@ -218,9 +218,9 @@ static void find_rows(const struct factor_scene *what, struct study *study,
     SCOPED(factors) *factors = NON_NULL(factors_new(study->scene, &options, &failure));
     study->rows = calloc(count + 1, sizeof *study->rows);
     for (size_t i = 0; i < count; i++)
-        if (emits(what, &study->surfaces, study->surfaces.surface_of[i])
-            && !factors_find(factors, &i, 1, &study->rows[i], &failure))
-            fail_msg("%s: %s", what->text, failure.message);
+        FAIL_IF(emits(what, &study->surfaces, study->surfaces.surface_of[i])
+                    && !factors_find(factors, &i, 1, &study->rows[i], &failure),
+                "%s: %s", what->text, failure.message);
     surfaces_combine(&study->surfaces, study->rows);
 }
 
@@ -249,10 +249,10 @@ static void check_case(const struct factor_case *which, const struct surfaces *s
     double off = 0, expected = known(which, &off);
     struct estimate found = surfaces->list[named(surfaces, which->from)]
                                 .factor[named(surfaces, which->to)];
-    if (!(fabs(found.value - expected)
-          <= SIGMAS * (found.error + off) + 1e-5 * expected))
-        fail_msg("%s: %.7g +- %.2g is not %.7g", which->id, found.value, found.error,
-                 expected);
+    FAIL_IF(!(fabs(found.value - expected)
+              <= SIGMAS * (found.error + off) + 1e-5 * expected),
+            "%s: %.7g +- %.2g is not %.7g", which->id, found.value, found.error,
+            expected);
 }
 
 /* Another form must give the same values as the vector form. */
@@ -289,8 +289,7 @@ TEST(factors)
     for (size_t i = 0; i < COUNT(bores); i++)
         check_scene(&bores[i], BY_PRIMITIVE);
     for (size_t row = 1; row < table.rows; row++)
-        if (!seen[row])
-            fail_msg("row %s is not tried", table.cell[row][0]);
+        FAIL_IF(!seen[row], "row %s is not tried", table.cell[row][0]);
 }
 
 GROUP(read_table, tear_down_model);

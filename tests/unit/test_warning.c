@@ -22,8 +22,8 @@ static void check_none(const char *text, const char *choice)
     SCOPED_VALUE(diagnostics) diagnostics = { 0 };
     SCOPED(object) *object = assembled(text, choice, &diagnostics);
 
-    if (!object || diagnostics.count > 0)
-        fail_msg("%s\n%s", text, diagnostics.count ? diagnostics.items[0].message : "");
+    FAIL_IF(!object || diagnostics.count > 0, "%s\n%s", text,
+            diagnostics.count ? diagnostics.items[0].message : "");
 }
 
 static const struct asm_error warnings[] = {
@@ -110,8 +110,7 @@ TEST(manual)
     for (unsigned i = 0; i < WARNINGS; i++) {
 
         const char *row = formatted("\n| `%s` | ", warning_name((enum warning)i));
-        if (!strstr(text, row))
-            fail_msg("no row%s in docs/assembly.md", row);
+        FAIL_IF(!strstr(text, row), "no row%s in docs/assembly.md", row);
         assert_int_equal(warning_named(warning_name((enum warning)i)), i);
     }
 }

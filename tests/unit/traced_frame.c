@@ -48,12 +48,12 @@ struct words *same_frame_of(const struct scene *scene, const char *text)
 
         for (int channel = 0; channel < FRAME_CHANNELS; channel++)
             for (size_t k = 0; k < traced.pixels; k++)
-                if (scalar->channel[channel][k] != vector->channel[channel][k])
-                    fail_msg("queue %zu, channel %d, pixel %zu: %016llX, "
-                             "scalar %016llX in\n%s",
-                             queue[i], channel, k,
-                             (unsigned long long)vector->channel[channel][k],
-                             (unsigned long long)scalar->channel[channel][k], text);
+                FAIL_IF(scalar->channel[channel][k] != vector->channel[channel][k],
+                        "queue %zu, channel %d, pixel %zu: %016llX, "
+                        "scalar %016llX in\n%s",
+                        queue[i], channel, k,
+                        (unsigned long long)vector->channel[channel][k],
+                        (unsigned long long)scalar->channel[channel][k], text);
     }
     return scalar;
 }
@@ -89,9 +89,9 @@ struct words *plain_frame(const char *text)
     for (size_t k = 0; k < traced.pixels; k++) {
         int channel = other_channel(words, &plain, k);
         others += channel != FRAME_CHANNELS;
-        if (others > 3 * traced.pixels / 1000)
-            fail_msg("channel %d, pixel %zu: not what the plain tracer sees in\n%s",
-                     channel, k, text);
+        FAIL_IF(others > 3 * traced.pixels / 1000,
+                "channel %d, pixel %zu: not what the plain tracer sees in\n%s", channel,
+                k, text);
     }
     return words;
 }
@@ -100,8 +100,8 @@ void check_paper_stage(const char *text, const struct words *expected)
 {
     SCOPED(scene) *scene = read_text(text);
     FREED struct words *found = trace_words(scene, TRACE_KERNELS, traced.width + 1);
-    if (memcmp(found, expected, sizeof *found) != 0)
-        fail_msg("the paper's stage gives another frame of\n%s", text);
+    FAIL_IF(memcmp(found, expected, sizeof *found) != 0,
+            "the paper's stage gives another frame of\n%s", text);
 }
 
 size_t hits(const struct words *words)

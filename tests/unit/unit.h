@@ -30,17 +30,20 @@
 
 #define TEST(name) static void test_##name(STATE)
 
+/* Fails the test with a message if the condition is true. */
+#define FAIL_IF(condition, ...) \
+    do { \
+        if (condition) \
+            fail_msg(__VA_ARGS__); \
+    } while (0)
+
 /* The error of the last call that failed. */
 static c205_error failure __attribute__((unused));
 
 /* Fails the test unless the value is true, with the message of `failure` or of another
  * error. */
 #define REQUIRE(value) REQUIRE_OF(value, failure)
-#define REQUIRE_OF(value, error) \
-    do { \
-        if (!(value)) \
-            fail_msg("%s", error.message); \
-    } while (0)
+#define REQUIRE_OF(value, error) FAIL_IF(!(value), "%s", error.message)
 
 /* Returns the pointer. Fails the test if it is NULL. */
 #define NON_NULL(pointer) \
