@@ -97,10 +97,9 @@ static void begin(size_t number)
     char path[PATH];
     if (coincident_scene_kind(seed_of(number)) != COINCIDENT_CLEAR)
         return;
-    char *text = coincident_scene_text(seed_of(number), LIFT);
+    FREED char *text = coincident_scene_text(seed_of(number), LIFT);
     snprintf(path, PATH, "coincident_%zu_lifted.pov", number);
     runs[begun++ % (AHEAD + 1)] = povray_begin(path, text, WIDTH, HEIGHT);
-    free(text);
 }
 
 static bool same_as_povray(size_t number, const struct frame *ours, const bool *inner,
@@ -128,12 +127,11 @@ static bool same_as_others(const struct scene *scene, const struct trace *trace,
         || !frame_allocate(&ours, WIDTH, HEIGHT))
         give_up("out of memory");
     trace_read(trace, 0, &ours);
-    bool *inner = inner_pixels(&plain);
+    FREED bool *inner = inner_pixels(&plain);
     bool good = same_as_plain(&plain, &ours, inner, reason);
     bool by_povray = same_as_povray(number, &ours, inner, also);
     if (good)
         strcpy(reason, also);
-    free(inner);
     frame_free(&plain);
     frame_free(&ours);
     return good && by_povray;
@@ -149,13 +147,11 @@ static struct random_scene draw(uint64_t *state, size_t number)
 
 static bool passes(struct random_scene *drawn, char *reason)
 {
-    struct scene *scene = scene_of(drawn->text);
-    struct trace *expected = traced_in(scene, sized(forms[0], WIDTH, HEIGHT));
+    SCOPED(scene) *scene = scene_of(drawn->text);
+    SCOPED(trace) *expected = traced_in(scene, sized(forms[0], WIDTH, HEIGHT));
     bool good = same_as_others(scene, expected, drawn->number, reason);
     for (size_t i = 1; good && i < FORMS; i++)
         good = same_in_form(scene, expected, sized(forms[i], WIDTH, HEIGHT), reason);
-    trace_free(expected);
-    scene_free(scene);
     return good;
 }
 

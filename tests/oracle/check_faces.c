@@ -84,16 +84,14 @@ static bool same_in_any_order(const struct random_scene *grid,
 {
     if (!grid->other)
         return true;
-    struct scene *scene = scene_of(grid->other);
-    struct trace *trace = traced_in(scene, sized(forms[ANY_ORDER], WIDTH, HEIGHT));
+    SCOPED(scene) *scene = scene_of(grid->other);
+    SCOPED(trace) *trace = traced_in(scene, sized(forms[ANY_ORDER], WIDTH, HEIGHT));
     const c205_word *depth = trace_channel(trace, CHANNEL_DEPTH);
     const c205_word *first = trace_channel(expected, CHANNEL_DEPTH);
     size_t other = first_apart(depth, first, has_offsets(scene));
     if (other < PIXELS)
         snprintf(reason, MANY_REASON,
                  "parts in another order: another depth at pixel %zu", other);
-    trace_free(trace);
-    scene_free(scene);
     return other == PIXELS;
 }
 
@@ -151,16 +149,14 @@ static bool same_as_plain(const struct scene *scene, const struct trace *expecte
 
 static bool passes(struct random_scene *grid, char *reason)
 {
-    struct scene *scene = scene_of(grid->text);
-    struct trace *expected = traced_in(scene, sized(forms[0], WIDTH, HEIGHT));
+    SCOPED(scene) *scene = scene_of(grid->text);
+    SCOPED(trace) *expected = traced_in(scene, sized(forms[0], WIDTH, HEIGHT));
     bool good = true;
     for (size_t i = 1; good && i < FORMS; i++)
         good = same_in_form(scene, expected, sized(forms[i], WIDTH, HEIGHT), reason);
     good = good && same_in_any_order(grid, expected, reason)
            && (grid->certainty == NOTHING_CERTAIN
                || same_as_plain(scene, expected, reason));
-    trace_free(expected);
-    scene_free(scene);
     return good;
 }
 

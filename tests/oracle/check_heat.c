@@ -78,10 +78,9 @@ static struct random_scene draw(uint64_t *state, size_t number)
         struct place place = { .size = between(state, .5, 1) };
         for (int k = 0; k < 3; k++)
             place.at[k] = between(state, -1.5, 1.5);
-        char *solid = closed_solid(state, &place);
+        FREED char *solid = closed_solid(state, &place);
         fprintf(file, "#declare Part%zu = object {\n%s}\nobject { Part%zu }\n", i,
                 solid, i);
-        free(solid);
     }
     fclose(file);
     return (struct random_scene){ .text = text };
@@ -250,10 +249,8 @@ static bool passes_as(const struct scene *scene, uint64_t *state, char *reason)
 
 static bool passes(struct random_scene *random, char *reason)
 {
-    struct scene *scene = scene_of(random->text);
-    bool good = passes_as(scene, &random->state, reason);
-    scene_free(scene);
-    return good;
+    SCOPED(scene) *scene = scene_of(random->text);
+    return passes_as(scene, &random->state, reason);
 }
 
 int main(int count, char **words)

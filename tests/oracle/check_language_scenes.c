@@ -79,7 +79,7 @@ static struct scene *read_text(const char *text, struct judgement *judgement)
     const struct scene_options options = { .width = WIDTH,
                                            .height = HEIGHT,
                                            .strict = true };
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = scene_read_text("scene", text, &options, &reports);
     if (!scene) {
         const struct diagnostic *first = reports.items;
@@ -89,7 +89,6 @@ static struct scene *read_text(const char *text, struct judgement *judgement)
             snprintf(judgement->reason, REASON, "line %zu: %.300s", first->line,
                      first->message);
     }
-    diagnostics_free(&reports);
     return scene;
 }
 
@@ -266,7 +265,7 @@ static uint64_t seed_of(size_t number)
 static void judge_scene(const char *text, const struct scene *scene, struct povray *run,
                         struct judgement *judgement)
 {
-    struct trace *expected = traced_in(scene, random_form(0, NULL));
+    SCOPED(trace) *expected = traced_in(scene, random_form(0, NULL));
     c205_error error;
     struct frame ours, theirs;
     bool good = same_in_all_forms(scene, expected, seed_of(judgement->number),
@@ -281,7 +280,6 @@ static void judge_scene(const char *text, const struct scene *scene, struct povr
     if (read)
         frame_free(&theirs);
     frame_free(&ours);
-    trace_free(expected);
 }
 
 /* Compares the scene with the picture of the run, which has been started. */
@@ -290,14 +288,13 @@ static struct judgement judge(const char *text, size_t number, struct povray *ru
     struct judgement judgement = { .number = number };
     c205_error error;
     struct frame theirs;
-    struct scene *scene = read_text(text, &judgement);
+    SCOPED(scene) *scene = read_text(text, &judgement);
     if (scene)
         judge_scene(text, scene, run, &judgement);
     else if (povray_end(run, &theirs, &error))
         frame_free(&theirs);
     else
         strcat(judgement.message, " (nor does POV-Ray)");
-    scene_free(scene);
     return judgement;
 }
 
@@ -336,15 +333,14 @@ static size_t begun, ended;
 
 static void begin_scene(size_t number)
 {
-    char *text = language_scene_text(seed_of(number));
+    FREED char *text = language_scene_text(seed_of(number));
     runs[begun++ % (AHEAD + 1)] = begin_run(text, number, "");
-    free(text);
 }
 
 static bool check_scene(size_t number, bool first)
 {
     static size_t failed;
-    char *text = language_scene_text(seed_of(number));
+    FREED char *text = language_scene_text(seed_of(number));
     struct judgement judgement = judge(text, number, runs[ended++ % (AHEAD + 1)]);
     if (judgement.fault)
         printf("scene %zu: %s\n", number, judgement.reason);
@@ -353,7 +349,6 @@ static bool check_scene(size_t number, bool first)
         text = text_shrunk(text, MAX_TRIALS, fails_as, &judgement);
         show(text, number);
     }
-    free(text);
     return judgement.fault == NO_FAULT;
 }
 

@@ -177,7 +177,7 @@ static bool same_plain(const char *text, const struct measured *measured,
                        uint64_t *state, char *reason)
 {
     struct comparing comparing = { reason, true };
-    struct scene *scene = scene_of(text);
+    SCOPED(scene) *scene = scene_of(text);
     const struct mass_figures *figures = &measured->part[0];
     double value[PLAIN_MASS_FIGURES], error[PLAIN_MASS_FIGURES], width[3];
     double volume = figures->value[FIGURE_VOLUME];
@@ -194,7 +194,6 @@ static bool same_plain(const char *text, const struct measured *measured,
                     + width[i] * figures->error[FIGURE_VOLUME],
                 value[1 + i], STUDENT * error[1 + i], volume * width[i],
                 "first moment, and points inside");
-    scene_free(scene);
     return comparing.good;
 }
 

@@ -79,7 +79,7 @@ static unsigned long compare(const struct polynomial *polynomials, size_t count,
                              const struct polynomial_roots *expected,
                              const struct roots_options *options)
 {
-    struct polynomial_roots *roots = test_room(count * sizeof *roots);
+    FREED struct polynomial_roots *roots = test_room(count * sizeof *roots);
     unsigned long differ = 0;
     solve(roots, polynomials, count, options);
     for (size_t i = 0; i < count; i++)
@@ -88,7 +88,6 @@ static unsigned long compare(const struct polynomial *polynomials, size_t count,
             show(&polynomials[i], &roots[i], trace_mode_name(options->mode));
             differ++;
         }
-    free(roots);
     return differ;
 }
 
@@ -164,7 +163,7 @@ static int print_kind(const struct arguments *arguments)
 static unsigned long check_all(const struct polynomial *polynomials, size_t count,
                                const struct roots_options *options)
 {
-    struct polynomial_roots *roots = test_room(count * sizeof *roots);
+    FREED struct polynomial_roots *roots = test_room(count * sizeof *roots);
     struct tally tallies[QUARTIC_KINDS] = { { 0 } };
     struct half half;
     unsigned long wrong, differ;
@@ -182,25 +181,23 @@ static unsigned long check_all(const struct polynomial *polynomials, size_t coun
     printf("%lu polynomials differ between the forms\n", differ);
     printf("%lu passed, %lu failed\n", 2 * (unsigned long)count - wrong - differ,
            wrong + differ);
-    free(roots);
     return wrong + differ;
 }
 
 static int check(const struct arguments *arguments)
 {
     size_t count = arguments->each * QUARTIC_KINDS;
-    struct polynomial *polynomials = test_room(count * sizeof *polynomials);
+    FREED struct polynomial *polynomials = test_room(count * sizeof *polynomials);
     struct roots_options options = { .mode = TRACE_SCALAR,
                                      .queue = 1,
                                      .falsi = arguments->falsi };
     uint64_t state = arguments->seed;
-    c205_model *model = NEEDED(c205_model_find("cyber205-2pipe-prior", &last_error));
+    SCOPED(c205_model) *model = NEEDED(
+        c205_model_find("cyber205-2pipe-prior", &last_error));
     options.model = model;
     for (size_t i = 0; i < count; i++)
         quartic_case(&polynomials[i], (enum quartic_kind)(i % QUARTIC_KINDS), &state);
     unsigned long failed = check_all(polynomials, count, &options);
-    free(polynomials);
-    c205_model_free(model);
     return failed > 0;
 }
 

@@ -71,14 +71,13 @@ static bool same_in_ways(const struct scene *scene, uint64_t state, double behin
     bool same = true;
     for (size_t i = 0; same && i < WAYS; i++) {
         struct ray_query_options way = random_way(&state);
-        struct ray_hits found = find_in(scene, way, behind, list);
+        SCOPED_VALUE(ray_hits) found = find_in(scene, way, behind, list);
         same = same_crossings(expected, &found, reason);
         if (!same)
             snprintf(reason + strlen(reason), LINE_REASON - strlen(reason),
                      " with %s, a queue of %zu%s%s", trace_mode_name(way.mode),
                      way.queue, way.no_bounds ? ", without bounds" : "",
                      way.flat ? ", flat" : "");
-        ray_hits_free(&found);
     }
     return same;
 }
@@ -90,33 +89,28 @@ static bool same_in_any_order(const struct random_scene *sight, double behind,
     const struct ray_query_options way = { .mode = TRACE_VECTOR, .queue = 77 };
     if (!sight->other)
         return true;
-    struct scene *scene = scene_of(sight->other);
-    struct ray_hits found = find_in(scene, way, behind, list);
+    SCOPED(scene) *scene = scene_of(sight->other);
+    SCOPED_VALUE(ray_hits) found = find_in(scene, way, behind, list);
     bool same = same_distances(expected, &found, reason);
     if (!same)
         strcat(reason, " with parts in another order");
-    ray_hits_free(&found);
-    scene_free(scene);
     return same;
 }
 
 static bool passes(struct random_scene *sight, char *reason)
 {
     const struct ray_query_options serial = { .mode = TRACE_SCALAR, .queue = 1 };
-    struct scene *scene = scene_of(sight->text);
+    SCOPED(scene) *scene = scene_of(sight->text);
     struct scene_ray list[LINES];
     double behind = sight->state % 3 == 0 ? 100 : 0;
     draw_lines(sight, scene, list);
-    struct ray_hits found = find_in(scene, serial, behind, list);
-    bool good = same_in_ways(scene, sight->state, behind, list, &found, reason)
-                && keep_line_rules(scene, list, &found, behind, reason)
-                && same_in_any_order(sight, behind, list, &found, reason)
-                && (sight->certainty == NOTHING_CERTAIN
-                    || same_as_plain_lines(scene, list, &found, behind,
-                                           sight->certainty == ALL_CERTAIN, reason));
-    ray_hits_free(&found);
-    scene_free(scene);
-    return good;
+    SCOPED_VALUE(ray_hits) found = find_in(scene, serial, behind, list);
+    return same_in_ways(scene, sight->state, behind, list, &found, reason)
+           && keep_line_rules(scene, list, &found, behind, reason)
+           && same_in_any_order(sight, behind, list, &found, reason)
+           && (sight->certainty == NOTHING_CERTAIN
+               || same_as_plain_lines(scene, list, &found, behind,
+                                      sight->certainty == ALL_CERTAIN, reason));
 }
 
 int main(int count, char **words)

@@ -86,7 +86,7 @@ static bool same_as_plain(const struct random_scene *regions, const struct scene
     need(plain_trace(scene, regions->width, regions->height, &expected)
          && frame_allocate(&found, regions->width, regions->height));
     trace_read(trace, 0, &found);
-    bool *inner = inner_pixels(&expected);
+    FREED bool *inner = inner_pixels(&expected);
     for (size_t i = 0; good && i < WITH_FRAME; i++) {
         struct comparison comparison = with_frame[i];
         comparison.share = ROUNDED;
@@ -101,7 +101,6 @@ static bool same_as_plain(const struct random_scene *regions, const struct scene
                  comparison.name, is.beyond, is.compared, is.greatest, is.worst_x,
                  is.worst_y);
     }
-    free(inner);
     frame_free(&found);
     frame_free(&expected);
     return good;
@@ -119,9 +118,9 @@ static struct ways {
 
 static bool passes(struct random_scene *regions, char *reason)
 {
-    struct scene *scene = scene_of(regions->text);
-    struct trace *expected = traced_in(scene, sized(plainest, regions->width,
-                                                    regions->height));
+    SCOPED(scene) *scene = scene_of(regions->text);
+    SCOPED(trace) *expected = traced_in(scene, sized(plainest, regions->width,
+                                                     regions->height));
     bool good = true;
     for (size_t i = 0; good && i < ways.count; i++)
         if (!same_in_form(scene, expected,
@@ -135,8 +134,6 @@ static bool passes(struct random_scene *regions, char *reason)
         ways.count = 0;
         good = false;
     }
-    trace_free(expected);
-    scene_free(scene);
     return good;
 }
 

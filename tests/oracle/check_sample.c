@@ -64,7 +64,7 @@ static bool compare(const char *path, const struct trace_options *options,
 {
     const struct antialiasing how = { options->samples, options->threshold };
     size_t pixels = frame->width * frame->height;
-    bool *all = test_room(pixels);
+    FREED bool *all = test_room(pixels);
     c205_error error;
     struct frame theirs;
     bool good = run_povray(path, frame->width, frame->height,
@@ -79,7 +79,6 @@ static bool compare(const char *path, const struct trace_options *options,
         printf("\t-\t-\n");
         fprintf(stderr, "%s: %s\n", path, error.message);
     }
-    free(all);
     return good;
 }
 
@@ -89,7 +88,7 @@ static bool print_scene(const char *path, const struct scene *scene,
     c205_error error = { "out of memory" };
     struct frame frame;
     bool good = true;
-    struct trace *trace = trace_new(scene, options, &error);
+    SCOPED(trace) *trace = trace_new(scene, options, &error);
     double begin = processor_seconds();
     if (!trace || !trace_run(trace, &error)) {
         printf("untraced\t%s\n", error.message);
@@ -105,7 +104,6 @@ static bool print_scene(const char *path, const struct scene *scene,
             frame_free(&frame);
         }
     }
-    trace_free(trace);
     return good;
 }
 
@@ -114,15 +112,13 @@ static bool print_case(const char *path, const struct trace_options *options)
     const struct scene_options reading = { .width = (int)options->width,
                                            .height = (int)options->height,
                                            .read_raster = picture_read_raster };
-    struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read(path, &reading, &reports);
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    SCOPED(scene) *scene = scene_read(path, &reading, &reports);
     bool good = true;
     if (scene)
         good = print_scene(path, scene, options, count_reports(&reports));
     else
         printf("refused\t%s\n", first_error(&reports));
-    scene_free(scene);
-    diagnostics_free(&reports);
     return good;
 }
 

@@ -202,7 +202,7 @@ static void check_ways(struct file *file, struct trace_options scalar,
                        const struct way *others, size_t count)
 {
     const struct scene *scene = scene_at(file, scalar.width, scalar.height);
-    struct trace *expected = traced_in(scene, in_mode(scalar, TRACE_SCALAR));
+    SCOPED(trace) *expected = traced_in(scene, in_mode(scalar, TRACE_SCALAR));
     char reason[MANY_REASON];
     for (size_t i = 0; i < count; i++) {
         struct trace_options options = sized(in_mode(others[i].options,
@@ -211,7 +211,6 @@ static void check_ways(struct file *file, struct trace_options scalar,
         if (has_turn(file, others[i].turn))
             verdict(same_in_form(scene, expected, options, reason), file->path, reason);
     }
-    trace_free(expected);
 }
 
 static void check_modes(struct file *file, unsigned turn, struct trace_options options)
@@ -245,11 +244,10 @@ static bool same_as_plain(struct file *file, const struct frame *plain,
                                            .width = plain->width,
                                            .height = plain->height };
     const struct scene *scene = scene_at(file, plain->width, plain->height);
-    struct trace *trace = traced_in(scene, in_mode(options, TRACE_VECTOR));
+    SCOPED(trace) *trace = traced_in(scene, in_mode(options, TRACE_VECTOR));
     bool good = frame_allocate(frame, plain->width, plain->height);
     need(good);
     trace_read(trace, 0, frame);
-    trace_free(trace);
     for (size_t i = 0; i < WITH_FRAME; i++)
         good &= report(historical ? "1984" : "rt205", &with_frame[i], plain, frame,
                        inner);
@@ -302,13 +300,11 @@ static void check_others(struct file *file)
         height = length_of(height);
     }
     const struct scene *scene = scene_at(file, width, height);
-    struct frame plain = { 0 };
+    SCOPED_VALUE(frame) plain = { 0 };
     if (!scene || !plain_trace(scene, width, height, &plain))
         give_up("the scene has no plain frame");
-    bool *inner = inner_pixels(&plain);
+    FREED bool *inner = inner_pixels(&plain);
     verdict(compare(file, &plain, inner), file->path, "not what the other tracers see");
-    free(inner);
-    frame_free(&plain);
 }
 
 /* ---- The command --------------------------------------------------------- */

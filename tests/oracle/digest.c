@@ -40,25 +40,22 @@ static void take(struct digest *digest, const c205 *machine, const char *name)
 
 static void run_text(struct digest *digest, const c205_model *model, const char *path)
 {
-    struct diagnostics errors = { 0 };
+    SCOPED_VALUE(diagnostics) errors = { 0 };
     struct sink sink = stream_sink(stderr);
-    struct object *object = assemble_file(path, NULL, &errors);
-    c205 *machine = c205_new(model, &last_error);
+    SCOPED(object) *object = assemble_file(path, NULL, &errors);
+    SCOPED(c205) *machine = c205_new(model, &last_error);
     diagnostics_put(&errors, &sink);
     need(object && machine && c205_load(machine, &object->program, &last_error));
     c205_run(machine, CLOCKS);
     take(digest, machine, path);
-    c205_free(machine);
-    object_free(object);
-    diagnostics_free(&errors);
 }
 
 static void run_texts(struct digest *digest, char **paths)
 {
-    c205_model *model = NEEDED(c205_model_find("cyber205-2pipe-prior", &last_error));
+    SCOPED(c205_model) *model = NEEDED(
+        c205_model_find("cyber205-2pipe-prior", &last_error));
     for (; *paths; paths++)
         run_text(digest, model, *paths);
-    c205_model_free(model);
 }
 
 /* ---- Random programs ---------------------------------------------------- */

@@ -31,7 +31,7 @@ static void draw_by_machine(uint64_t seed)
                                             .points = RAYS,
                                             .coordinates = STREAM_DRAWS };
     struct point_choice choice = { .seed = seed };
-    struct point_maker *maker = NEEDED(point_maker_new(&kind, &last_error));
+    SCOPED(point_maker) *maker = NEEDED(point_maker_new(&kind, &last_error));
     do {
         need(point_maker_run(maker, &choice, planes, &last_error));
         for (size_t k = 0; k < WORDS; k++)
@@ -39,7 +39,6 @@ static void draw_by_machine(uint64_t seed)
                                   >> 15);
         choice.first += RAYS;
     } while (write_drawn());
-    point_maker_free(maker);
 }
 
 static void draw_bare(uint64_t seed)

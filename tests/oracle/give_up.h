@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "tests/scoped.h"
 #include "vm/c205.h"
 
 /* The error of the last call that failed. */

@@ -26,21 +26,16 @@ static bool find_all(const struct columns_sums *sums, struct measured *measured)
 bool measure_scene(const char *text, struct columns_options options,
                    struct measured *measured)
 {
-    struct scene *scene = scene_of(text);
-    c205_model *model = usual_model();
-    struct columns_sums sums = { 0 };
-    struct named_parts parts;
+    SCOPED(scene) *scene = scene_of(text);
+    SCOPED(c205_model) *model = usual_model();
+    SCOPED_VALUE(columns_sums) sums = { 0 };
+    SCOPED_VALUE(named_parts) parts;
     if (!named_parts_find(scene, &parts) || parts.count > MEASURED_PARTS)
         give_up("the scene cannot be measured");
     measured->parts = parts.count;
     options.part_count = parts.count;
     options.part_of = parts.part_of;
     options.model = model;
-    bool good = columns_sum(scene, &options, &sums, &measured->error)
-                && find_all(&sums, measured);
-    columns_sums_free(&sums);
-    named_parts_free(&parts);
-    c205_model_free(model);
-    scene_free(scene);
-    return good;
+    return columns_sum(scene, &options, &sums, &measured->error)
+           && find_all(&sums, measured);
 }

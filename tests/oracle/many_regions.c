@@ -362,7 +362,7 @@ static size_t random_count(uint64_t *state)
 
 static void draw_scene(uint64_t *state, struct regions *scene)
 {
-    struct drawing *drawing = test_room(sizeof *drawing);
+    FREED struct drawing *drawing = test_room(sizeof *drawing);
     *state = stream_beside(*state, 1, 0);
     drawing->state = state;
     drawing->scene = scene;
@@ -380,12 +380,11 @@ static void draw_scene(uint64_t *state, struct regions *scene)
     if (scene->solid_count > 0 && one_in(state, 6))
         join_some(drawing);
     add_ground(drawing);
-    free(drawing);
 }
 
 struct random_scene many_regions(uint64_t *state)
 {
-    struct regions *scene = test_room(sizeof *scene);
+    FREED struct regions *scene = test_room(sizeof *scene);
     draw_scene(state, scene);
     struct random_scene made = {
         .text = solids_text(scene->settings, scene->view, scene->lamps,
@@ -397,6 +396,5 @@ struct random_scene many_regions(uint64_t *state)
     };
     for (size_t i = 0; i < scene->solid_count; i++)
         solid_free(scene->solids[i]);
-    free(scene);
     return made;
 }

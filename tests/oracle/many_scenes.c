@@ -24,14 +24,13 @@ static struct scene *read_scene(const char *text, struct diagnostics *reports)
 
 struct scene *scene_of(const char *text)
 {
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = read_scene(text, &reports);
     if (!scene) {
         fputs(text, stderr);
         diagnostics_print(&reports, stderr);
         give_up("this is no scene");
     }
-    diagnostics_free(&reports);
     return scene;
 }
 
@@ -103,13 +102,12 @@ static void print_form(const struct trace_options *form, char *words, size_t siz
 bool same_in_form(const struct scene *scene, const struct trace *expected,
                   struct trace_options form, char *reason)
 {
-    struct trace *found = traced_in(scene, form);
+    SCOPED(trace) *found = traced_in(scene, form);
     bool good = same_frames(expected, found, form.width, form.height, reason)
                 && same_rays(expected, found, reason);
     size_t used = strlen(reason);
     if (!good)
         print_form(&form, reason + used, MANY_REASON - used);
-    trace_free(found);
     return good;
 }
 
@@ -156,12 +154,9 @@ static const struct random_check *the_check;
 
 static bool is_scene(const char *text)
 {
-    struct diagnostics reports = { 0 };
-    struct scene *scene = read_scene(text, &reports);
-    bool good = scene;
-    diagnostics_free(&reports);
-    scene_free(scene);
-    return good;
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    SCOPED(scene) *scene = read_scene(text, &reports);
+    return scene;
 }
 
 static bool fails(const char *text, void *context)

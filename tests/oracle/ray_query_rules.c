@@ -51,9 +51,8 @@ struct ray_hits find_lines(const struct scene *scene,
                            const struct scene_ray *list, size_t count)
 {
     struct ray_hits found;
-    struct ray_query *lines = ray_query_new(scene, options, &last_error);
+    SCOPED(ray_query) *lines = ray_query_new(scene, options, &last_error);
     need(lines && ray_query_find(lines, list, count, &found, &last_error));
-    ray_query_free(lines);
     return found;
 }
 
@@ -287,14 +286,13 @@ static bool is_plain(const struct ray_hit *seen, const struct plain_crossing *pl
 static bool is_plain_line(const struct along *along, bool certain)
 {
     size_t room = along->count + 1;
-    struct plain_crossing *plain = calloc(room, sizeof *plain);
+    FREED struct plain_crossing *plain = calloc(room, sizeof *plain);
     struct ray ray = ray_of(along->line);
     need(plain);
     bool same = plain_line(along->scene, &ray, LEAST - along->behind, plain, room)
                 == along->count;
     for (size_t k = 0; same && k < along->count; k++)
         same = is_plain(&along->list[k], &plain[k], certain);
-    free(plain);
     return same;
 }
 

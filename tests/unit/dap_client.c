@@ -94,7 +94,7 @@ static void put(void *context, const char *text, size_t length)
 void client_command(struct dap_client *client, const char *command, const char *format,
                     ...)
 {
-    struct text_buffer text = { 0 };
+    SCOPED_VALUE(text_buffer) text = { 0 };
     struct sink sink = text_buffer_sink(&text), out = { put, client };
     char whole[4000] = "{}";
     va_list arguments;
@@ -111,7 +111,6 @@ void client_command(struct dap_client *client, const char *command, const char *
     sink_put(&sink, whole);
     sink_put(&sink, "}");
     message_put(&text, &out);
-    text_buffer_free(&text);
 }
 
 /* ---- Notifications ------------------------------------------------------------- */

@@ -95,7 +95,7 @@ void talk_says(const struct talk *talk, const char *part)
 const struct json_value *talk_load(struct talk *talk, const char *text,
                                    const char *more)
 {
-    struct text_buffer line = { .text = NULL };
+    SCOPED_VALUE(text_buffer) line = { .text = NULL };
     struct sink sink = text_buffer_sink(&line);
     struct json *json = json_open_line(&line, &failure);
     size_t length;
@@ -108,7 +108,6 @@ const struct json_value *talk_load(struct talk *talk, const char *text,
     talk_quote(line.text + length);
     talk_bytes(talk, line.text, line.length);
     talk_success(talk, line.text);
-    text_buffer_free(&line);
     return talk->reply;
 }
 

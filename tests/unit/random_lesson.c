@@ -174,7 +174,7 @@ static void put_fault(const struct random_lesson *drawn, const struct sink *sink
 static void write_answer(struct random_lesson *drawn)
 {
     const char *directive = kinds[drawn->kind].directive;
-    struct text_buffer text = { 0 };
+    SCOPED_VALUE(text_buffer) text = { 0 };
     struct sink sink = text_buffer_sink(&text);
 
     sink_print(&sink,
@@ -193,7 +193,6 @@ static void write_answer(struct random_lesson *drawn)
                kinds[drawn->kind].work);
     assert_true(text.length < sizeof drawn->answer);
     strcpy(drawn->answer, text.text);
-    text_buffer_free(&text);
 }
 
 void draw_lesson(struct random_lesson *drawn, uint64_t *state)
@@ -266,13 +265,12 @@ void random_open(const struct random_lesson *drawn, struct lesson *lesson)
     assert_true(lesson_begin(lesson, "07-drawn", &failure));
     for (size_t i = 0; i < drawn->count; i++) {
         char file[] = "test-0.s";
-        struct text_buffer text = { 0 };
+        SCOPED_VALUE(text_buffer) text = { 0 };
         struct sink sink = text_buffer_sink(&text);
 
         file[5] = (char)(file[5] + (int)i);
         put_test(drawn, &drawn->tests[i], &sink);
         take(lesson, file, text.text);
-        text_buffer_free(&text);
     }
     take(lesson, "start.s", "        EXIT\n");
     take(lesson, "solution.s", "nothing of it is read\n");

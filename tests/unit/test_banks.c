@@ -65,7 +65,7 @@ static void check_list(uint64_t *seed)
     uint64_t access = 1 + xorshift(seed) % 3;
     uint64_t table = xorshift(seed) >> 16, busy = xorshift(seed) % 16;
     unsigned step = xorshift(seed) % 4 ? 64 : 32;
-    struct banks banks;
+    SCOPED_VALUE(banks) banks;
     SCOPED_VALUE(index_list) list = { 0 };
 
     assert_true(
@@ -77,7 +77,6 @@ static void check_list(uint64_t *seed)
                          by_the_rule(&banks, table, step, indices, count));
         change(indices, count, &table, &step, seed);
     }
-    banks_free(&banks);
 }
 
 TEST(lists_by_chance)

@@ -132,7 +132,7 @@ TEST(motions)
 
     for (size_t i = 0; i < ROUNDS; i++) {
         struct walk walk = { .step = 0 };
-        struct text_buffer text;
+        SCOPED_VALUE(text_buffer) text;
 
         draw_walk(&random_state, &text);
         walk.plain = run_plainly(good(text.text), &random_state);
@@ -150,7 +150,6 @@ TEST(motions)
         client_leave(&walk.client);
         object_free(walk.plain.object);
         free(walk.plain.moments);
-        text_buffer_free(&text);
     }
 }
 
@@ -162,7 +161,7 @@ TEST(objects)
     client_write("");
     for (size_t i = 0; i < ROUNDS; i++) {
         struct walk walk = { .step = 0 };
-        struct text_buffer text;
+        SCOPED_VALUE(text_buffer) text;
         draw_walk(&random_state, &text);
         SCOPED(object) *object = good(text.text);
         assert_true(object_save(object, client_path, &failure));
@@ -173,6 +172,5 @@ TEST(objects)
         for (size_t k = 0; k < 20; k++)
             check_disassembly(&walk);
         client_leave(&walk.client);
-        text_buffer_free(&text);
     }
 }

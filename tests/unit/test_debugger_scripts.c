@@ -221,11 +221,10 @@ static struct text_buffer play(const struct object *object, const char *name,
                                script_line *lines, size_t count)
 {
     struct text_buffer said = { 0 };
-    struct debugger *debugger = begin(object, name, &said);
+    SCOPED(debugger) *debugger = begin(object, name, &said);
 
     for (size_t i = 0; i < count; i++)
         obey(debugger, &said, lines[i]);
-    debugger_free(debugger);
     assert_false(said.failed);
     return said;
 }
@@ -287,7 +286,7 @@ static void check_anew(const struct object *object, const char *name)
     struct text_buffer before = { 0 }, said[2] = { { 0 }, { 0 } };
     struct sink sink[2] = { text_buffer_sink(&said[0]), text_buffer_sink(&said[1]) };
     static script_line lines[LINES];
-    struct debugger *debugger = begin(object, name, &before);
+    SCOPED(debugger) *debugger = begin(object, name, &before);
 
     obey(debugger, &before, "run");
     for (int i = 0; i < STOPS; i++) {
@@ -307,7 +306,6 @@ static void check_anew(const struct object *object, const char *name)
             obey(debugger, &said[k], lines[i]);
     }
     check_same(&said[0], &said[1], name);
-    debugger_free(debugger);
     text_buffer_free(&before);
     text_buffer_free(&said[0]);
     text_buffer_free(&said[1]);

@@ -305,7 +305,8 @@ static void check_history(uint64_t seed)
     struct places places = draw_places(&program, model);
     c205 *machine = machine_of(&program, model);
     SCOPED(c205) *plain = machine_of(&program, model);
-    c205_history *history = NON_NULL(c205_history_new(machine, 1 << 20, &failure));
+    SCOPED(c205_history) *history = NON_NULL(
+        c205_history_new(machine, 1 << 20, &failure));
     uint64_t pc[STEPS + 1], steps = 0;
     c205_stop stop;
 
@@ -329,7 +330,6 @@ static void check_history(uint64_t seed)
         for (uint64_t k = below(10); k > 0 && c205_history_step(history) < steps; k--)
             c205_history_forward(history, &stop);
     }
-    c205_history_free(history);
 }
 
 TEST(history)

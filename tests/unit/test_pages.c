@@ -133,8 +133,8 @@ static void compare_lists(size_t capacity, size_t registers)
 {
     static struct plain_list list;
     struct translation expected = { 0, 0 }, met = { 0, 0 };
-    struct pages pages;
-    struct index_list met_list = { 0 };
+    SCOPED_VALUE(pages) pages;
+    SCOPED_VALUE(index_list) met_list = { 0 };
     uint64_t page = 0;
     list.registers = registers;
     list.capacity = capacity;
@@ -152,8 +152,6 @@ static void compare_lists(size_t capacity, size_t registers)
             list.count = 0;
         }
     }
-    index_list_free(&met_list);
-    pages_free(&pages);
 }
 
 TEST(plain_list)

@@ -28,7 +28,7 @@ TEST(random)
 
     for (int try = 0; try < TRIES; try++) {
         size_t numbers[MAX], count = xorshift(&random) % (MAX + 1), largest = 0;
-        struct rank_index ranks;
+        SCOPED_VALUE(rank_index) ranks;
 
         assert_true(rank_index_begin(&ranks, count));
         for (size_t i = 0; i < count; i++) {
@@ -43,6 +43,5 @@ TEST(random)
                              place_of(numbers, count, numbers[i]));
         for (size_t i = 0; i < 30; i++)
             assert_int_equal(rank_index_place(&ranks, i), place_of(numbers, count, i));
-        rank_index_free(&ranks);
     }
 }

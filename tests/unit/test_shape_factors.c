@@ -319,13 +319,12 @@ TEST(pieces)
     struct heat_source *source = NON_NULL(source_new(scene, 1, &half, &failure));
     for (size_t i = 0; i < 4; i++) { /* the halves of two repeats */
         struct packet_choice choice = { 1, i / 2, i % 2 * half.points };
-        struct packet packet;
+        SCOPED_VALUE(packet) packet;
         assert_true(packet_begin(&packet, &programs));
         assert_true(packet_run(&programs, source, &choice, &packet, &failure));
         assert_int_equal(packet_receivers(&programs), COUNT(counts));
         for (size_t j = 0; j < COUNT(counts); j++)
             counts[j] += (uint64_t)c205_to_integer(packet.counts[j]);
-        packet_free(&packet);
     }
     source_free(source);
     assert_int_equal(row.tried, 2 * 65536);

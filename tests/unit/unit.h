@@ -18,7 +18,7 @@
 
 #include <cmocka.h>
 
-#include "tests/unit/scoped.h"
+#include "tests/scoped.h"
 #include "vm/c205.h"
 
 /* Undefines the macro of cmocka: a function of asm/check/expect.h has the same name. */

@@ -31,8 +31,10 @@ static inline void free_at(void *at)
     struct name
 
 SCOPED_BY_FREE(c205);
+SCOPED_BY_FREE(c205_history);
 SCOPED_BY_FREE(c205_model);
 SCOPED_BY_FREE(c205_projection);
+SCOPED_BY_FREE(debugger);
 SCOPED_BY_FREE(emission);
 SCOPED_BY_FREE(factors);
 SCOPED_BY_FREE(line_profile);
