@@ -3,6 +3,7 @@
  *     SCOPED(scene) *scene = read_scene(text);    by scene_free(scene)
  *     SCOPED_VALUE(frame) frame;                  by frame_free(&frame)
  *     FREED char *text = malloc(count);           by free(text)
+ *     FREED_BY(client_leave) struct client c;     by client_leave(&c)
  *
  * Variables are freed in the reverse order of their declaration.
  */
@@ -11,9 +12,10 @@
 
 #include <stdlib.h>
 
-#define SCOPED(name) __attribute__((cleanup(free_##name##_at))) struct name
-#define SCOPED_VALUE(name) __attribute__((cleanup(name##_free))) struct name
-#define FREED __attribute__((cleanup(free_at)))
+#define SCOPED(name) FREED_BY(free_##name##_at) struct name
+#define SCOPED_VALUE(name) FREED_BY(name##_free) struct name
+#define FREED_BY(function) __attribute__((cleanup(function)))
+#define FREED FREED_BY(free_at)
 
 static inline void free_at(void *at)
 {

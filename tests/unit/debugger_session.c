@@ -48,10 +48,9 @@ void session_check(struct debug_session *session, const struct line_said *lines,
 void check_session(const char *text, const struct line_said *lines, size_t count,
                    size_t faults)
 {
-    struct debug_session session;
+    FREED_BY(session_end) struct debug_session session;
 
     session_begin(&session, good(text), "test.s");
     session_check(&session, lines, count);
     assert_int_equal(debugger_faults(session.debugger), faults);
-    session_end(&session);
 }

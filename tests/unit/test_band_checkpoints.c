@@ -123,14 +123,13 @@ static void plant(struct trace *trace, struct job_set *job_set, uint64_t unit,
 {
     SCOPED_VALUE(band) band = { .rows = rows };
     size_t count = FRAME_CHANNELS * rows * WIDTH;
-    struct serialized_result words = { .items = NULL };
+    FREED_BY(result_free) struct serialized_result words = { .items = NULL };
     assert_true(trace_keep(trace, &failure));
     band.words = NON_NULL(malloc(count * sizeof *band.words));
     for (size_t i = 0; i < count; i++)
         band.words[i] = c205_from_integer(205);
     band_put(&band, WIDTH, &words);
     assert_true(checkpoint_add(job_set->file, unit, &words, &failure));
-    result_free(&words);
 }
 
 /* Adds such a unit to a file. It must be accepted, or the frame must be the same as

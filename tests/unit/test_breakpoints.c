@@ -58,7 +58,7 @@ static void check_line(struct debug_session *session, const char *line, bool goo
 static void check_addresses(const char *path, bool stripped)
 {
     struct object *whole = good_file(path), *object = good_file(path);
-    struct debug_session session;
+    FREED_BY(session_end) struct debug_session session;
 
     if (stripped)
         object->line_count = 0;
@@ -72,7 +72,6 @@ static void check_addresses(const char *path, bool stripped)
         check_line(&session, line, good,
                    good ? "break " : "error: no instruction begins at ");
     }
-    session_end(&session);
     object_free(whole);
 }
 
@@ -89,14 +88,13 @@ TEST(visited)
 {
     for (size_t i = 0; i < PROGRAMS; i++) {
         struct plain plain = run_plainly(good_file(programs[i]), &random_state);
-        struct debug_session session;
+        FREED_BY(session_end) struct debug_session session;
 
         session_begin(&session, plain.object, programs[i]);
         for (size_t k = 0; k < plain.end; k++) {
             const char *line = formatted("break *0x%" PRIX64, plain.moments[k].pc);
             check_line(&session, line, true, "break ");
         }
-        session_end(&session);
         free(plain.moments);
     }
 }
@@ -133,7 +131,7 @@ TEST(lines)
 
     for (size_t i = 0; i < COUNT(paths); i++) {
         struct object *object = good_file(paths[i]);
-        struct debug_session session;
+        FREED_BY(session_end) struct debug_session session;
 
         session_begin(&session, object, paths[i]);
         for (long number = -3; number < 100; number++) {
@@ -149,7 +147,6 @@ TEST(lines)
                          found);
             check_line(&session, line, found > 0, said);
         }
-        session_end(&session);
     }
 }
 
@@ -206,7 +203,7 @@ static void check_verified(struct dap_client *client, const char *request,
 TEST(protocol)
 {
     SCOPED(object) *object = good(client_program);
-    struct dap_client client;
+    FREED_BY(client_leave) struct dap_client client;
     char stop[100];
 
     client_enter(&client, client_program);
@@ -226,5 +223,4 @@ TEST(protocol)
     check_verified(&client, "setFunctionBreakpoints", "{\"name\": \"0\"}", false);
     check_verified(&client, "setFunctionBreakpoints", "{\"name\": \"a.words\"}", false);
     check_verified(&client, "setFunctionBreakpoints", "{\"name\": \"again\"}", true);
-    client_leave(&client);
 }

@@ -47,9 +47,8 @@ static struct serialized_result words_of(uint64_t number)
 
 static void add(struct checkpoint_file *file, uint64_t number)
 {
-    struct serialized_result words = words_of(number);
+    FREED_BY(result_free) struct serialized_result words = words_of(number);
     REQUIRE(checkpoint_add(file, number, &words, &failure));
-    result_free(&words);
 }
 
 static void assert_unit(struct checkpoint_file *file, uint64_t number)

@@ -270,7 +270,7 @@ TEST(sessions)
 {
     FILE *script = NON_NULL(fopen("tests/unit/dap.txt", "r"));
     struct session session = { .program = client_program };
-    struct dap_client client;
+    FREED_BY(client_leave) struct dap_client client;
     size_t tried = 0, promised = 0;
     char line[LINE];
     const struct json_value *capabilities = client_launch(&client, client_program, "");
@@ -295,7 +295,6 @@ TEST(sessions)
     end_session(&session);
     fclose(script);
     assert_int_equal(tried, promised);
-    client_leave(&client);
 }
 
 /* A message that is not JSON is reported and ignored. After a malformed header the next

@@ -147,7 +147,7 @@ static void check_breakpoint(struct dap_client *client, const char *request,
 
 TEST(arguments)
 {
-    struct dap_client client;
+    FREED_BY(client_leave) struct dap_client client;
 
     client_write(client_program);
     client_begin(&client, NULL);
@@ -169,7 +169,6 @@ TEST(arguments)
         check_types(&client, &breakpoints[i], check_breakpoint);
     }
     assert_int_equal(client_step(&client), 0);
-    client_leave(&client);
 }
 
 /* Names of constants, from the client and from the command line. */
@@ -184,7 +183,7 @@ TEST(defines)
         { "{\"N\": 1, \"SUMV\": 1}", "'SUMV' cannot be defined: it is an in" },
         { "{\"N\": 1, \"M\": 1}", "'M' is defined, but the program does not use it" },
     };
-    struct dap_client client;
+    FREED_BY(client_leave) struct dap_client client;
 
     client_write("        ES r10, N\n        EXIT r10, r0, 0\n");
     client_begin(&client, NULL);
@@ -196,5 +195,4 @@ TEST(defines)
     client_ask(&client, "launch", "{\"program\": \"%s\", \"defines\": {\"N\": 1}}",
                client_path);
     client_event(&client, "initialized");
-    client_leave(&client);
 }

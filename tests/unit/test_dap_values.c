@@ -26,7 +26,7 @@ TEST(elements)
                                           "-2  X'FFD2 8000 0000 0000'  ? 0",
                                           "3  X'FFD3 6000 0000 0000'  ? 1",
                                           "4  X'FFD4 4000 0000 0000'  ? 0" };
-    struct dap_client client;
+    FREED_BY(client_leave) struct dap_client client;
     client_enter(&client, masked_text);
     client_stop_at(&client, "{\"line\": 6}");
     client_go(&client, "continue", "breakpoint");
@@ -51,7 +51,6 @@ TEST(elements)
     item = element_with(client_variables(&client, "Registers"), "name", "mask");
     item = client_inside(&client, (int)the_whole(item, "variablesReference"), "");
     assert_int_equal(length_of(item), 2 + 4); /* the same bits can be shown as words */
-    client_leave(&client);
 }
 
 /* The time that is shown must equal the machine's accounts after every step. */
@@ -82,7 +81,7 @@ static void check_accounts(struct dap_client *client, const c205 *machine)
 
 TEST(time)
 {
-    struct dap_client client;
+    FREED_BY(client_leave) struct dap_client client;
     SCOPED(object) *object = good(client_program);
     SCOPED(c205) *machine = machine_with(&object->program, prior_model);
     c205_stop stop;
@@ -97,7 +96,6 @@ TEST(time)
         client_go_finely(&client, "stepIn");
         check_accounts(&client, machine);
     }
-    client_leave(&client);
 }
 
 /* ---- The extension --------------------------------------------------------------- */
@@ -138,7 +136,7 @@ static void put_defaults(struct json *json, const struct json_value *properties)
  * proposes. */
 TEST(extension)
 {
-    struct dap_client client;
+    FREED_BY(client_leave) struct dap_client client;
     SCOPED_VALUE(text_buffer) launch_text = { 0 };
     SCOPED_VALUE(arena) arena = { 0 };
     const struct json_value *package = read_file(&arena, "package.json");
@@ -162,5 +160,4 @@ TEST(extension)
     client_event(&client, "initialized");
     client_ask(&client, "configurationDone", NULL);
     client_stopped(&client, "entry");
-    client_leave(&client);
 }

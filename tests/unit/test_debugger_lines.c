@@ -130,7 +130,7 @@ TEST(faults)
         { "until *1.5", "1.5 is not an address" },
     };
     enum { LINES = COUNT(lines) };
-    struct debug_session session;
+    FREED_BY(session_end) struct debug_session session;
 
     session_begin(&session, good(text), "-");
     session_check(&session, lines, LINES);
@@ -138,7 +138,6 @@ TEST(faults)
     assert_int_equal(c205_history_step(session.debugger->history), 0);
     assert_int_equal(session.debugger->breakpoint_count, 0);
     assert_false(debugger_obey(session.debugger, "quit"));
-    session_end(&session);
 }
 
 /* ---- Sessions ------------------------------------------------------------- */

@@ -363,7 +363,7 @@ TEST(sessions)
             { mode == TRACE_SCALAR ? "lane dx" : "lane adx", "dx  " },
             { "continue", "the program has ended" },
         };
-        struct debug_session session = { .object = NULL };
+        FREED_BY(session_end) struct debug_session session = { .object = NULL };
         struct frame_pixel pixel = some_pixel(trace);
         struct debugger_setup setup = { .object = trace_program(trace),
                                         .name = "frame",
@@ -399,6 +399,5 @@ TEST(sessions)
         session_obey(&session, "lane nothing");
         session_obey(&session, "seek nothing");
         assert_true(debugger_faults(session.debugger) > 0);
-        session_end(&session);
     }
 }

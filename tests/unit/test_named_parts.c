@@ -118,6 +118,7 @@ TEST(choice)
 TEST(densities)
 {
     SCOPED(scene) *scene = read_scene(assembly);
+    FREED_BY(named_free)
     struct named_values densities = { .kind = &density_kind, .others = NAN };
     SCOPED_VALUE(named_parts) parts;
     c205_error error;
@@ -141,13 +142,13 @@ TEST(densities)
     assert_string_equal(error.message,
                         "unknown part or material 'Brass'; parts: Plate, Pin, "
                         "line 10, line 11, line 12; materials: Steel, Copper");
-    named_free(&densities);
 }
 
 TEST(wrong_densities)
 {
     static const char *const wrong[] = { "",     "=1",    "a",    "a=",  "a=0",
                                          "a=-1", "a=inf", "a=1x", "a=x", "a=nan" };
+    FREED_BY(named_free)
     struct named_values densities = { .kind = &density_kind, .others = NAN };
     SCOPED(scene) *scene = read_scene("#declare Lead_Density = 0;\n");
     c205_error error;
@@ -156,7 +157,6 @@ TEST(wrong_densities)
     assert_false(named_add_scene(&densities, scene, &error));
     assert_string_equal(error.message, "Lead_Density must be above 0");
     assert_int_equal(densities.count, 0);
-    named_free(&densities);
 }
 
 static bool read_file(const char *text, struct named_values *densities,
@@ -171,6 +171,7 @@ static bool read_file(const char *text, struct named_values *densities,
 
 TEST(file)
 {
+    FREED_BY(named_free)
     struct named_values densities = { .kind = &density_kind, .others = NAN };
     SCOPED_VALUE(diagnostics) reports = { 0 };
     assert_true(read_file("# a table\n\n1 7.85 Carbon Steel\r\n"
@@ -188,7 +189,6 @@ TEST(file)
     assert_string_equal(reports.items[2].message,
                         "expected a line with a number, a density and a name");
     assert_false(named_read(&densities, "no/such/file", &reports));
-    named_free(&densities);
 }
 
 /* ---- Units --------------------------------------------------------------- */

@@ -150,7 +150,7 @@ TEST(random_trees)
     size_t nested_more = 0;
 
     for (int i = 0; i < FORESTS; i++) {
-        struct nested_scene nested;
+        FREED_BY(nesting_free) struct nested_scene nested;
         grow(&forest);
         assert_true(nesting_make(&forest.scene, &nested));
         assert_int_equal(nested.scene.regions[0].first_node, 0);
@@ -165,7 +165,6 @@ TEST(random_trees)
                 check_within(&nested, k, &nested.bounds[k]);
         assert_true(nested.scene.node_count <= 3 * forest.scene.node_count);
         nested_more += nested.scene.node_count > forest.scene.node_count;
-        nesting_free(&nested);
     }
     assert_in_range(nested_more, FORESTS / 10, FORESTS);
 }
@@ -202,11 +201,10 @@ TEST(depth)
         SCOPED(scene)
         *scene = read_format("merge { #for (I, 1, %zu) sphere { %s } #end }",
                              rows[i].count, rows[i].sphere);
-        struct nested_scene nested;
+        FREED_BY(nesting_free) struct nested_scene nested;
         assert_true(nesting_make(scene, &nested));
         assert_in_range(depth_of(&nested.scene, 0), rows[i].least, rows[i].most);
         check_leaves(scene, &nested.scene);
-        nesting_free(&nested);
     }
 }
 
@@ -224,7 +222,7 @@ TEST(few_parts)
 
     for (size_t i = 0; i < COUNT(texts); i++) {
         SCOPED(scene) *scene = read_scene(texts[i]);
-        struct nested_scene nested;
+        FREED_BY(nesting_free) struct nested_scene nested;
         assert_true(nesting_make(scene, &nested));
         assert_int_equal(nested.scene.node_count, scene->node_count);
         for (size_t k = 0; k < scene->node_count; k++) {
@@ -232,6 +230,5 @@ TEST(few_parts)
                              scene->nodes[k].operation);
             assert_int_equal(nested.scene.nodes[k].next, scene->nodes[k].next);
         }
-        nesting_free(&nested);
     }
 }

@@ -121,6 +121,7 @@ TEST(examples)
     static const struct asm_options options = { .search = folders };
 
     for (size_t i = 0; i < COUNT(examples); i++) {
+        FREED_BY(swept_free)
         struct program_sweep sweep = sweep_of(examples[i].constant, examples[i].from,
                                               examples[i].to);
         FREED char *text = file_text(examples[i].path);
@@ -132,7 +133,6 @@ TEST(examples)
         run(&sweep);
         assert_true(sweep.count > 5);
         check_points(&sweep);
-        swept_free(&sweep);
     }
 }
 
@@ -141,7 +141,7 @@ static size_t tried, ended;
 /* The constant changes nothing. Programs that trap, as some must, are skipped. */
 static void try_program(const char *path)
 {
-    struct program_sweep sweep = sweep_of("no_change", 1, 2);
+    FREED_BY(swept_free) struct program_sweep sweep = sweep_of("no_change", 1, 2);
     SCOPED_VALUE(text_buffer) report = { 0 };
     FREED char *text = file_text(path);
 
@@ -153,7 +153,6 @@ static void try_program(const char *path)
         check_points(&sweep);
         ended++;
     }
-    swept_free(&sweep);
 }
 
 TEST(programs)
@@ -167,6 +166,7 @@ TEST(programs)
 TEST(random_programs)
 {
     for (int i = 0; i < 60; i++) {
+        FREED_BY(swept_free)
         struct program_sweep sweep = sweep_of("n", 1 + below(20), 30 + below(2000));
         char text[DRAWN_TEXT];
 
@@ -176,7 +176,6 @@ TEST(random_programs)
         add_text(&sweep, "drawn.s", text);
         run(&sweep);
         check_points(&sweep);
-        swept_free(&sweep);
     }
 }
 
@@ -228,6 +227,7 @@ TEST(crossings)
     size_t crossed = 0;
 
     for (int i = 0; i < 50; i++) {
+        FREED_BY(swept_free)
         struct program_sweep sweep = sweep_of("n", 1 + below(10), 30 + below(60));
         char first[DRAWN_TEXT], second[DRAWN_TEXT];
 
@@ -239,7 +239,6 @@ TEST(crossings)
         run(&sweep);
         check_crossings(&sweep);
         crossed += sweep.crossing_count;
-        swept_free(&sweep);
     }
     assert_true(crossed > 9);
 }
@@ -247,7 +246,7 @@ TEST(crossings)
 /* With a step, values in between are not tested. */
 TEST(steps)
 {
-    struct program_sweep sweep = sweep_of("n", 8, 1000);
+    FREED_BY(swept_free) struct program_sweep sweep = sweep_of("n", 8, 1000);
     char first[DRAWN_TEXT], second[DRAWN_TEXT];
 
     write_line(first, 100, 0);
@@ -262,7 +261,6 @@ TEST(steps)
     assert_int_equal(sweep.crossings[0].at.value, 128);
     assert_false(sweep.crossings[0].faster);
     check_points(&sweep);
-    swept_free(&sweep);
 }
 
 /* ---- The line -------------------------------------------------------------- */
@@ -341,6 +339,7 @@ TEST(lines)
 
     for (size_t i = 0; i < 400; i++) {
         uint64_t from = 1 + below(100);
+        FREED_BY(swept_free)
         struct program_sweep sweep = sweep_of("n", from, from * (2 + below(1000)));
         double noise = noises[i % COUNT(noises)];
 
@@ -349,13 +348,12 @@ TEST(lines)
         check_line(&sweep, noise);
         if (noise <= 0)
             assert_true(fabs(swept_line_of(&sweep, SWEPT_FIRST).off) < 1e-9);
-        swept_free(&sweep);
     }
 }
 
 TEST(no_line)
 {
-    struct program_sweep sweep = sweep_of("n", 10, 1000);
+    FREED_BY(swept_free) struct program_sweep sweep = sweep_of("n", 10, 1000);
 
     make_points(&sweep, 500, 0, 0);
     struct swept_line line = swept_line_of(&sweep, SWEPT_FIRST);
@@ -368,7 +366,6 @@ TEST(no_line)
     line = swept_line_of(&sweep, SWEPT_FIRST);
     assert_true(line.grows && !line.good && !(line.flops > 0));
     assert_true(fabs(swept_power(&sweep, SWEPT_FIRST) - 3) < 1e-9);
-    swept_free(&sweep);
 }
 
 /* ---- Ranges ---------------------------------------------------------------- */
@@ -446,7 +443,7 @@ TEST(values)
 
 static void check_fault(const char *text, const char *said)
 {
-    struct program_sweep sweep = sweep_of("n", 1, 64);
+    FREED_BY(swept_free) struct program_sweep sweep = sweep_of("n", 1, 64);
     SCOPED_VALUE(text_buffer) report = { 0 };
     c205_error error;
 
@@ -457,7 +454,6 @@ static void check_fault(const char *text, const char *said)
     assert_false(swept_run(&sweep, &error));
     FAIL_IF(!strstr(error.message, said), "'%s', not '%s'", error.message, said);
     assert_int_equal(sweep.count > 0, sweep.points[0].runs[0].clocks[0] > 0);
-    swept_free(&sweep);
 }
 
 static bool never(void *context, size_t done, size_t all)
@@ -470,7 +466,7 @@ static bool never(void *context, size_t done, size_t all)
 TEST(faults)
 {
     static const char good_text[] = "        ES r1, n\n        EXIT\n";
-    struct program_sweep sweep = sweep_of("n", 1, 64);
+    FREED_BY(swept_free) struct program_sweep sweep = sweep_of("n", 1, 64);
     c205_error error;
 
     check_fault("        EX r10, 64 * (n & 8)\n        .if n == 8\n"
@@ -489,7 +485,6 @@ TEST(faults)
     add_text(&sweep, "good.s", good_text);
     assert_false(swept_run(&sweep, &error));
     assert_string_equal(error.message, "good.s with n = 4: interrupted");
-    swept_free(&sweep);
 }
 
 /* ---- The picture ----------------------------------------------------------- */
@@ -535,6 +530,7 @@ static void check_picture(const struct program_sweep *sweep)
 TEST(pictures)
 {
     for (int i = 0; i < 60; i++) {
+        FREED_BY(swept_free)
         struct program_sweep sweep = sweep_of("n", 1 + below(100),
                                               102 + below(UINT64_C(1) << below(12)));
         char first[DRAWN_TEXT], second[DRAWN_TEXT];
@@ -547,6 +543,5 @@ TEST(pictures)
         sweep.asked = 2 + below(20);
         run(&sweep);
         check_picture(&sweep);
-        swept_free(&sweep);
     }
 }

@@ -302,6 +302,7 @@ TEST(forms)
 TEST(pieces)
 {
     SCOPED(scene) *scene = read_scene("sphere { 0, 1 } box { 1.5, 3 }");
+    FREED_BY(packet_programs_end)
     struct packet_programs programs = { .scene = scene, .options = usual };
     const struct emission_options half = { .mode = usual.mode,
                                            .queue = usual.queue,
@@ -331,7 +332,6 @@ TEST(pieces)
     assert_int_equal(row.receivers, 3);
     assert_memory_equal(row.count, counts, sizeof counts);
     assert_estimate("six faces", row.area, 6 * 1.5 * 1.5);
-    packet_programs_end(&programs);
 }
 
 TEST(refused)
