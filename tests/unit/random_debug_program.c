@@ -1,8 +1,6 @@
 /* random_debug_program.c - draws random program texts that terminate. */
 #include "tests/unit/random_debug_program.h"
 
-#include <string.h>
-
 #include "tests/random.h"
 
 struct kinds {

@@ -3,7 +3,6 @@
 #include "scene_fixture.h"
 
 #include "rt/layout/layout.h"
-#include "rt/layout/program.h"
 #include "rt/shapes/shape.h"
 #include "vm/text.h"
 

@@ -3,8 +3,6 @@
 
 #include "rt/picture/picture.h"
 
-#include <stdio.h>
-
 #define VERSION "#version 3.7;"
 
 const struct scene_options reading_options = { .width = 640,

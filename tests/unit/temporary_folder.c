@@ -4,7 +4,6 @@
 #include "base/file.h"
 
 #include <dirent.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 char temporary_folder[64];

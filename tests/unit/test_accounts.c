@@ -7,7 +7,6 @@
 #include "base/accounts_show.h"
 #include "base/word_wrap.h"
 #include "tests/unit/prior_model.h"
-#include "tests/unit/unit.h"
 
 enum { MAX_REGIONS = 20, TRIES = 300 };
 

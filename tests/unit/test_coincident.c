@@ -2,7 +2,6 @@
  * compared with expected ones, for pairs of all kinds of faces: coincident, resting on
  * each other, and apart. A missed pair, which leaves its faces to rounding, or a
  * superfluous one, which costs clocks, fails here. */
-#include "rt/scene/scene.h"
 #include "tests/oracle/many_scenes.h"
 #include "tests/unit/unit.h"
 

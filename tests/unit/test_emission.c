@@ -8,7 +8,6 @@
 #include "base/accounts.h"
 #include "rt/heat/alias.h"
 #include "rt/heat/emission.h"
-#include "rt/scene/transform.h"
 #include "rt/shapes/shape.h"
 #include "tests/oracle/plain_area.h"
 #include "tests/oracle/points.h"

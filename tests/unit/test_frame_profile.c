@@ -6,7 +6,6 @@
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/traced_frame.h"
 
-#include "rt/picture/picture.h"
 #include "rt/view/frame_profile.h"
 
 static uint64_t random_state = RANDOM_SEED;

@@ -1,7 +1,6 @@
 /* test_image_maps.c - the samples of image files of all kinds are compared with POV-Ray
  * 3.7's pictures of the same bytes, and the words of an image_map with its fields. A
  * wrong gamma, channel order or place of a report fails here. */
-#include "rt/shapes/primitive.h"
 #include "tests/unit/field_reading.h"
 
 #define SEEN 6e-5 /* POV-Ray's pictures have four decimals */

@@ -4,7 +4,6 @@
  * field fails here.
  */
 #include "tests/unit/unit.h"
-#include "vm/c205.h"
 
 #include <ctype.h>
 

@@ -12,14 +12,12 @@
 #include "rt/shapes/shape.h"
 #include "rt/layout/program.h"
 #include "rt/heat/emission.h"
-#include "rt/picture/picture.h"
 #include "rt/roots/roots.h"
 #include "rt/study/speedup.h"
 #include "tests/oracle/ray_query_rules.h"
 #include "tests/oracle/points.h"
 #include "tests/oracle/register_owners.h"
 #include "vm/text.h"
-
 
 enum { COLUMNS = 8, ROWS = 6 };
 static size_t scene_count = 8;

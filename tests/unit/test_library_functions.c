@@ -13,7 +13,6 @@
 
 #include <inttypes.h>
 #include <limits.h>
-#include <math.h>
 
 enum { STRIP = 48, MAX = 60000, DIGITS = 200, EXPONENTS = 28672, AT_END = 60 };
 

@@ -4,10 +4,7 @@
 #include "rt/mass/bodies.h"
 #include "rt/mass/densities.h"
 #include "rt/mass/units.h"
-#include "rt/shapes/primitive.h"
 #include "scene_reading.h"
-
-#include <stdio.h>
 
 static const char assembly[] =
     "#declare Copper = texture { pigment { rgb x } };\n"

@@ -4,7 +4,6 @@
  *
  *     test_polygons [POLYGONS [SEED]]
  */
-#include "rt/shapes/primitive.h"
 #include "tests/oracle/plain_shapes.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/scene_reading.h"

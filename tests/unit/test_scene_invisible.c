@@ -2,7 +2,6 @@
  * those of the scene without them. A shape that is reported twice, or is not the empty
  * set in a solid, fails here. */
 #define SMALL_FRAMES
-#include "rt/shapes/primitive.h"
 #include "tests/unit/traced_frame.h"
 
 #include "tests/unit/scene_reading.h"

@@ -2,7 +2,6 @@
  * with expected entries. A stop out of order, a lost wave or a missing transformation
  * fails here. */
 #include "rt/scene/transform.h"
-#include "rt/shapes/primitive.h"
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 

@@ -1,7 +1,6 @@
 /* test_scene_meshes.c - the scene language: the triangles of triangle, smooth_triangle,
  * mesh and mesh2 are compared with expected ones and, over random meshes, with each
  * other. A wrong index, normal or texture fails here. */
-#include "rt/shapes/primitive.h"
 #include "tests/random.h"
 #include "tests/unit/random_mesh.h"
 #include "tests/unit/scene_reading.h"

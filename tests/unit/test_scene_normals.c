@@ -2,7 +2,6 @@
  * compared with expected fields, in all syntactic forms. A wrong amount, transformation
  * or entry fails here. */
 #include "rt/scene/transform.h"
-#include "rt/shapes/primitive.h"
 #include "tests/unit/scene_reading.h"
 
 /* Reads a sphere with this normal. */

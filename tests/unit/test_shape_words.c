@@ -1,7 +1,6 @@
 /* test_shape_words.c - the words that the host computes for each primitive, such as a
  * quadric about its centre or the kind of a Steiner patch, are compared with
  * definitions. A wrong word, kernel or count of crossings fails here. */
-#include <math.h>
 
 #include "rt/shapes/moving_planes.h"
 #include "rt/shapes/shape_words.h"

@@ -6,7 +6,6 @@
 #include "rt/heat/smooth.h"
 #include "tests/random.h"
 #include "tests/unit/prior_model.h"
-#include "tests/unit/unit.h"
 
 enum { MAX = 12, UNKNOWNS = MAX * (MAX + 1) / 2 + MAX + MAX };
 

@@ -3,8 +3,6 @@
  * here. */
 #include "tests/unit/scene_fixture.h"
 
-#include <math.h>
-
 #include "rt/layout/pigment.h"
 
 TEST(surfaces)

@@ -4,8 +4,6 @@
 #include "rt/study/sweep/sweep_types.h"
 #include "tests/unit/scene_reading.h"
 
-#include <math.h>
-
 static c205_model *model;
 static const size_t few[] = { 1, 16, 64, 200, 256 };
 

@@ -5,7 +5,6 @@
  */
 #include <float.h>
 
-#include <math.h>
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -12,7 +12,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/sink.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/scene_reading.h"
 

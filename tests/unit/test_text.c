@@ -5,7 +5,6 @@
 #include "rt/scene/font.h"
 #include "rt/scene/transform.h"
 #include "rt/shapes/path.h"
-#include "rt/shapes/primitive.h"
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 

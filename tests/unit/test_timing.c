@@ -11,7 +11,6 @@
 #include "tests/unit/vector_case.h"
 
 #include "tests/oracle/random_program.h"
-#include "vm/number/arith.h"
 
 #include <math.h>
 
