@@ -155,18 +155,17 @@ static void add_row(struct table *table, const struct bench *bench, const c205 *
 
 static void run_bench(struct table *table, const struct bench *bench, c205 *machine)
 {
-    struct object *object = program_to_time(bench->program);
+    SCOPED(object) *object = program_to_time(bench->program);
     add_row(table, bench, machine, time_program(machine, &object->program, trials));
-    object_free(object);
 }
 
 int main(int count, char **words)
 {
     trials = count > 1 ? atoi(words[1]) : trials;
     c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe", &error);
-    c205 *machine = model ? c205_new(model, &error) : NULL;
-    struct table *table = table_new(columns, sizeof columns / sizeof *columns);
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
+    SCOPED(c205) *machine = model ? c205_new(model, &error) : NULL;
+    SCOPED(table) *table = table_new(columns, sizeof columns / sizeof *columns);
     if (!machine || !table) {
         stop_bench(machine ? "out of memory" : error.message);
     }
@@ -177,8 +176,5 @@ int main(int count, char **words)
         run_bench(table, &benches[i], machine);
     }
     table_print(table, stdout);
-    table_free(table);
-    c205_free(machine);
-    c205_model_free(model);
     return 0;
 }

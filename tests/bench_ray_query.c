@@ -51,11 +51,10 @@ static double follow(const struct scene *scene, const c205_model *model,
                                                .normals = what->normals,
                                                .model = model };
     c205_error error = { "out of memory" };
-    struct ray_query *lines = ray_query_new(scene, &options, &error);
+    SCOPED(ray_query) *lines = ray_query_new(scene, &options, &error);
 
     if (!lines || !ray_query_find(lines, list, LINES, found, &error))
         stop_bench(error.message);
-    ray_query_free(lines);
     return (double)found->accounts.clocks / LINES;
 }
 
@@ -90,7 +89,7 @@ static void print_row(const char *path, const struct scene *scene,
 int main(int count, char **paths)
 {
     c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
 
     if (!model)
         stop_bench(error.message);
@@ -98,12 +97,10 @@ int main(int count, char **paths)
     printf("%-24s %-13s %15s %9s %9s %8s\n", "scene", "asked", "a line", "clocks",
            "clocks", "speedup");
     for (int i = 1; i < count; i++) {
-        struct scene *scene = scene_to_time(paths[i], ACROSS, DOWN);
+        SCOPED(scene) *scene = scene_to_time(paths[i], ACROSS, DOWN);
 
         for (size_t k = 0; k < sizeof asked / sizeof *asked; k++)
             print_row(paths[i], scene, model, &asked[k]);
-        scene_free(scene);
     }
-    c205_model_free(model);
     return 0;
 }

@@ -36,12 +36,11 @@ static bool time_trace(struct trace *trace, c205_error *error)
 static bool trace_scene(const struct scene *scene, const struct trace_options *options)
 {
     c205_error error = { "out of memory" };
-    struct trace *trace = trace_new(scene, options, &error);
+    SCOPED(trace) *trace = trace_new(scene, options, &error);
     bool good = trace && time_trace(trace, &error);
 
     if (!good)
         fprintf(stderr, "bench_trace: %s\n", error.message);
-    trace_free(trace);
     return good;
 }
 

@@ -114,10 +114,9 @@ static int trials = 5;
 static double nanoseconds(c205 *machine, const char *instruction, size_t n)
 {
     size_t turns = FEWEST_TURNS + ELEMENTS / UNROLLED / (n + 100);
-    struct object *object = assemble(instruction, n, turns);
+    SCOPED(object) *object = assemble(instruction, n, turns);
     double seconds = time_program(machine, &object->program, trials);
 
-    object_free(object);
     return seconds / (double)(turns * UNROLLED) * 1e9;
 }
 
@@ -139,9 +138,9 @@ int main(int count, char **words)
     trials = count > 1 ? atoi(words[1]) : trials;
     const char *wanted = count > 2 ? words[2] : "";
     c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe", &error);
-    c205 *machine = model ? c205_new(model, &error) : NULL;
-    struct table *table = table_new(columns, sizeof columns / sizeof *columns);
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
+    SCOPED(c205) *machine = model ? c205_new(model, &error) : NULL;
+    SCOPED(table) *table = table_new(columns, sizeof columns / sizeof *columns);
 
     if (!machine || !table)
         stop_bench(machine ? "out of memory" : error.message);
@@ -153,8 +152,5 @@ int main(int count, char **words)
             table_number(table, nanoseconds(machine, instructions[i], lengths[k]));
     }
     table_print(table, stdout);
-    table_free(table);
-    c205_free(machine);
-    c205_model_free(model);
     return 0;
 }

@@ -38,6 +38,7 @@ SCOPED_BY_FREE(c205_model);
 SCOPED_BY_FREE(c205_projection);
 SCOPED_BY_FREE(debugger);
 SCOPED_BY_FREE(emission);
+SCOPED_BY_FREE(engine);
 SCOPED_BY_FREE(factors);
 SCOPED_BY_FREE(line_profile);
 SCOPED_BY_FREE(ray_query);

@@ -35,7 +35,7 @@ double wall_seconds(void)
 
 struct object *program_to_time(const char *text)
 {
-    struct diagnostics errors = { 0 };
+    SCOPED_VALUE(diagnostics) errors = { 0 };
     struct sink messages = stream_sink(stderr);
     struct object *object = assemble_text("bench", text, NULL, &errors);
 
@@ -43,7 +43,6 @@ struct object *program_to_time(const char *text)
         diagnostics_put(&errors, &messages);
         stop_bench("the program has errors");
     }
-    diagnostics_free(&errors);
     return object;
 }
 
@@ -52,14 +51,13 @@ struct scene *scene_to_time(const char *path, int width, int height)
     const struct scene_options options = { .width = width,
                                            .height = height,
                                            .read_raster = picture_read_raster };
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = scene_read(path, &options, &reports);
 
     if (!scene) {
         diagnostics_print(&reports, stderr);
         stop_bench("the scene has errors");
     }
-    diagnostics_free(&reports);
     return scene;
 }
 

@@ -4,6 +4,7 @@
 
 #include "asm/text/assemble.h"
 #include "rt/scene/scene.h"
+#include "tests/scoped.h"
 
 /* Prints the reason and exits with status 1. */
 void stop_bench(const char *message);

@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "tests/scoped.h"
 #include "vm/c205.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -18,6 +19,16 @@ static inline void must(bool holds)
 {
     if (!holds)
         abort();
+}
+
+/* Fails unless the clocks of all causes sum to the clock. */
+static inline void check_accounts(const c205 *machine)
+{
+    uint64_t sum = 0;
+    for (size_t i = 0; i < c205_account_count(machine); i++)
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            sum += c205_account_at(machine, i)->clocks[cause];
+    must(sum == c205_clock(machine));
 }
 
 /* Returns the model on which seed.sh saves machines; it is read once. */

@@ -22,23 +22,21 @@ static const struct sink nowhere = { ignore, NULL };
 /* The disassembly of an object must assemble. */
 static void go_round(const struct object *object)
 {
-    struct text_buffer text = { NULL, 0, 0, false };
+    SCOPED_VALUE(text_buffer) text = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&text);
-    struct diagnostics errors = { 0 };
+    SCOPED_VALUE(diagnostics) errors = { 0 };
     struct object *again;
     disassemble(object, &sink);
     again = assemble_text("again.s", text.text, NULL, &errors);
     if (!again)
         abort();
     object_free(again);
-    diagnostics_free(&errors);
-    text_buffer_free(&text);
 }
 
 static void try_text(const char *text)
 {
-    struct diagnostics errors = { 0 };
-    struct object *object = assemble_text("fuzz.s", text, NULL, &errors);
+    SCOPED_VALUE(diagnostics) errors = { 0 };
+    SCOPED(object) *object = assemble_text("fuzz.s", text, NULL, &errors);
     if (!object && errors.count == 0)
         abort();
     diagnostics_put(&errors, &nowhere);
@@ -48,17 +46,14 @@ static void try_text(const char *text)
         listing(object, &nowhere);
         object_write(object, &nowhere);
     }
-    object_free(object);
-    diagnostics_free(&errors);
 }
 
 static void try_object(const uint8_t *data, size_t size)
 {
     c205_error error;
-    struct object *object = object_read((const char *)data, size, &error);
+    SCOPED(object) *object = object_read((const char *)data, size, &error);
     if (object)
         object_write(object, &nowhere);
-    object_free(object);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

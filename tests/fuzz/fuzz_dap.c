@@ -47,14 +47,13 @@ static void frame_lines(struct talk *talk, const uint8_t *data, size_t size)
     size_t from = 0, lines = 0;
 
     for (size_t i = 0; i <= size && lines < MAX_LINES; i++) {
-        struct text_buffer line = { 0 };
+        SCOPED_VALUE(text_buffer) line = { 0 };
         struct sink filling = text_buffer_sink(&line);
         if (i < size && data[i] != '\n')
             continue;
         filling.put(filling.context, (const char *)data + from, i - from);
         if (line.length > 0)
             message_put(&line, &sink);
-        text_buffer_free(&line);
         from = i + 1;
         lines++;
     }
@@ -95,7 +94,7 @@ static void hear(void *context, const char *bytes, size_t length)
     struct talk *talk = context;
     struct text_buffer whole = { .text = (char *)bytes, .length = length };
     struct message_content content;
-    struct arena arena = { 0 };
+    SCOPED_VALUE(arena) arena = { 0 };
     c205_error error;
     const struct json_value *message, *success;
     int64_t number = -1;
@@ -106,7 +105,6 @@ static void hear(void *context, const char *bytes, size_t length)
     must(number == ++talk->heard);
     success = json_member(message, "success");
     fuzz_accepted = fuzz_accepted || (success && success->truth);
-    arena_free(&arena);
 }
 
 /* Ignores the program that the client names, so that no file of the host is opened. */
@@ -115,12 +113,11 @@ static bool open_program(void *context, const struct dap_program *program,
                          c205_model **model)
 {
     const struct asm_options options = { .defines = program->defines };
-    struct diagnostics errors = { 0 };
+    SCOPED_VALUE(diagnostics) errors = { 0 };
     c205_error error;
     (void)context;
     *object = assemble_text("fuzz.s", text, &options, &errors);
     diagnostics_put(&errors, report);
-    diagnostics_free(&errors);
     if (*object)
         *model = c205_model_find(C205_DEFAULT_MODEL, &error);
     return *object && *model;

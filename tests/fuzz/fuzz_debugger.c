@@ -76,7 +76,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                                     .clocks_most = 1000000,
                                     .interrupted = is_enough };
     c205_error error;
-    char *lines = malloc(size + 1);
+    FREED char *lines = malloc(size + 1);
     must(lines != NULL);
     memcpy(lines, data, size);
     lines[size] = '\0';
@@ -84,12 +84,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         object = assemble_text("fuzz.s", text, NULL, &errors);
     must(object);
     setup.object = object;
-    struct debugger *debugger = debugger_new(&setup, &error);
+    SCOPED(debugger) *debugger = debugger_new(&setup, &error);
     must(debugger != NULL);
     obey_lines(debugger, lines);
     debugger_obey(debugger, "goto 0");
     must(c205_clock(machine_of(debugger)) == 0);
-    debugger_free(debugger);
-    free(lines);
     return 0;
 }

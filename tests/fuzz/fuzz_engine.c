@@ -11,8 +11,8 @@ bool fuzz_accepted;
 
 static void ask(struct engine *engine, const char *line, size_t length)
 {
-    char *text = engine_answer(engine, line, length);
-    struct arena arena = { 0 };
+    FREED char *text = engine_answer(engine, line, length);
+    SCOPED_VALUE(arena) arena = { 0 };
     c205_error error;
     const struct json_value *reply, *ok;
     must(text);
@@ -21,14 +21,12 @@ static void ask(struct engine *engine, const char *line, size_t length)
     must(ok && ok->kind == JSON_TRUTH);
     must(ok->truth || json_member_text(reply, "error"));
     fuzz_accepted = fuzz_accepted || ok->truth;
-    arena_free(&arena);
-    free(text);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     enum { MAX = 6 }; /* requests */
-    struct engine *engine = engine_new();
+    SCOPED(engine) *engine = engine_new();
     const char *line = (const char *)data, *end = line + size;
 
     must(engine);
@@ -39,6 +37,5 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         ask(engine, line, (size_t)(next - line));
         line = next + 1;
     }
-    engine_free(engine);
     return 0;
 }

@@ -79,15 +79,6 @@ static void fill_registers(c205 *machine)
 
 /* ---- Checks ------------------------------------------------------------- */
 
-static void check_accounts(const c205 *machine)
-{
-    uint64_t sum = 0;
-    for (size_t i = 0; i < c205_account_count(machine); i++)
-        for (int cause = 0; cause < C205_CAUSES; cause++)
-            sum += c205_account_at(machine, i)->clocks[cause];
-    must(sum == c205_clock(machine));
-}
-
 static void take_state(const c205 *machine, struct state *state)
 {
     memset(state, 0, sizeof *state);
@@ -190,11 +181,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     c205_word code[CODE_WORDS] = { 0 };
     c205_error error;
-    c205 *machine = c205_new(fuzz_model(), &error);
+    SCOPED(c205) *machine = c205_new(fuzz_model(), &error);
     for (size_t i = 0; i < CODE_WORDS && 8 * i + 8 <= size; i++)
         code[i] = word_of(data + 8 * i);
     if (machine)
         run_and_walk(machine, code);
-    c205_free(machine);
     return 0;
 }

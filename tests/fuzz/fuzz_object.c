@@ -19,21 +19,19 @@ static size_t words_of(const c205_program *program)
 static void load_and_run(const c205_program *program)
 {
     c205_error error;
-    c205 *machine = c205_new(fuzz_model(), &error);
+    SCOPED(c205) *machine = c205_new(fuzz_model(), &error);
     if (machine && c205_load(machine, program, &error)) {
         c205_stop stop = c205_run(machine, CLOCKS);
         c205_describe_stop(machine, &stop, &error);
         fuzz_accepted = true;
     }
-    c205_free(machine);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     c205_error error;
-    struct object *object = object_read((const char *)data, size, &error);
+    SCOPED(object) *object = object_read((const char *)data, size, &error);
     if (object && words_of(&object->program) <= MAX_WORDS)
         load_and_run(&object->program);
-    object_free(object);
     return 0;
 }

@@ -68,15 +68,6 @@ static size_t seal(uint8_t *byte, size_t size)
 
 /* ---- Checks ------------------------------------------------------------- */
 
-static void check_accounts(const c205 *machine)
-{
-    uint64_t sum = 0;
-    for (size_t i = 0; i < c205_account_count(machine); i++)
-        for (int cause = 0; cause < C205_CAUSES; cause++)
-            sum += c205_account_at(machine, i)->clocks[cause];
-    must(sum == c205_clock(machine));
-}
-
 static void check_same(const c205 *a, const c205 *b)
 {
     struct bytes left = save(a), right = save(b);
@@ -102,7 +93,7 @@ static c205_stop go_on(c205 *machine)
 static void check_twins(c205 *machine)
 {
     struct bytes bytes = save(machine);
-    c205 *twin = restore(bytes.byte, bytes.count);
+    SCOPED(c205) *twin = restore(bytes.byte, bytes.count);
     c205_stop one, other;
     must(twin != NULL);
     check_accounts(machine);
@@ -111,30 +102,27 @@ static void check_twins(c205 *machine)
     other = go_on(twin);
     must(one.trap == other.trap && one.pc == other.pc);
     check_same(machine, twin);
-    c205_free(twin);
     free(bytes.byte);
 }
 
 static void try_bytes(const uint8_t *data, size_t size)
 {
-    c205 *machine = restore(data, size);
+    SCOPED(c205) *machine = restore(data, size);
     if (machine) {
         fuzz_accepted = true;
         check_twins(machine);
     }
-    c205_free(machine);
 }
 
 /* The copy has an allocation of exact size, so that reads after its end are
  * detected. */
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    uint8_t *sealed = malloc(size ? size : 1);
+    FREED uint8_t *sealed = malloc(size ? size : 1);
     try_bytes(data, size);
     must(sealed != NULL);
     if (size > 0)
         memcpy(sealed, data, size);
     try_bytes(sealed, seal(sealed, size));
-    free(sealed);
     return 0;
 }

@@ -12,19 +12,16 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     static const struct scene_options options = { .width = 640,
                                                   .reading_most = 1000000,
                                                   .height = 480 };
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     FILE *out = fopen("/dev/null", "w");
-    char *text = malloc(size + 1);
+    FREED char *text = malloc(size + 1);
     if (out && text) {
         memcpy(text, data, size);
         text[size] = '\0';
-        struct scene *scene = scene_read_text("fuzz.pov", text, &options, &reports);
+        SCOPED(scene) *scene = scene_read_text("fuzz.pov", text, &options, &reports);
         fuzz_accepted = fuzz_accepted || scene;
-        scene_free(scene);
         diagnostics_print(&reports, out);
     }
-    diagnostics_free(&reports);
-    free(text);
     if (out)
         fclose(out);
     return 0;

@@ -33,7 +33,6 @@ void *__wrap_calloc(size_t count, size_t size);
 void *__wrap_realloc(void *old, size_t size);
 void __wrap_free(void *old);
 
-SCOPED_BY_FREE(engine);
 SCOPED_BY_FREE(speedup_report);
 
 /* ---- The host ------------------------------------------------------------ */
