@@ -12,8 +12,7 @@
 
 c205_model *usual_model(void)
 {
-    c205_model *model = NEEDED(c205_model_find("cyber205-2pipe", &last_error));
-    return model;
+    return NEEDED(c205_model_find("cyber205-2pipe", &last_error));
 }
 
 static struct scene *read_scene(const char *text, struct diagnostics *reports)

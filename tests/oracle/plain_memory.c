@@ -8,8 +8,7 @@ enum { WORD_BITS = 64 };
 
 void *plain_room(void *items, size_t count, size_t size)
 {
-    void *room = NEEDED(realloc(items, count * size));
-    return room;
+    return NEEDED(realloc(items, count * size));
 }
 
 uint64_t plain_address(uint64_t address)

@@ -8,15 +8,13 @@
 
 void *test_room(size_t size)
 {
-    void *made = NEEDED(calloc(1, size));
-    return made;
+    return NEEDED(calloc(1, size));
 }
 
 FILE *test_text(char **words)
 {
     static size_t size;
-    FILE *text = NEEDED(open_memstream(words, &size));
-    return text;
+    return NEEDED(open_memstream(words, &size));
 }
 
 void solid_words(char words[SOLID_WORDS], const char *format, ...)

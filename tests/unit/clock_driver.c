@@ -7,8 +7,7 @@ const struct effect no_effect;
 struct clock *clock_of(const char *text)
 {
     SCOPED(c205_model) *model = NON_NULL(c205_model_parse("test", text, &failure));
-    struct clock *clock = NON_NULL(clock_new(model, &failure));
-    return clock;
+    return NON_NULL(clock_new(model, &failure));
 }
 
 struct clock *two_pipes(void)

@@ -3,12 +3,10 @@
 
 c205_model *named_model(const char *name)
 {
-    c205_model *model = NON_NULL(c205_model_find(name, &failure));
-    return model;
+    return NON_NULL(c205_model_find(name, &failure));
 }
 
 c205_model *parsed_model(const char *text)
 {
-    c205_model *model = NON_NULL(c205_model_parse("test", text, &failure));
-    return model;
+    return NON_NULL(c205_model_parse("test", text, &failure));
 }

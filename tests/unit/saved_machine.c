@@ -29,8 +29,7 @@ struct bytes save(const c205 *machine)
 
 c205 *restore(const struct bytes *bytes, const c205_model *model)
 {
-    c205 *machine = NON_NULL(c205_restore(bytes->byte, bytes->count, model, &failure));
-    return machine;
+    return NON_NULL(c205_restore(bytes->byte, bytes->count, model, &failure));
 }
 
 static void assert_saved_as(const c205 *machine, const struct bytes *expected)
@@ -80,9 +79,8 @@ c205 *machine_from(const char *path, const c205_model *model)
 
 c205_model *model_of(const struct random_program *program)
 {
-    c205_model *model = NON_NULL(
+    return NON_NULL(
         c205_model_parse("random", random_models[program->model], &failure));
-    return model;
 }
 
 c205 *machine_of(const struct random_program *program, const c205_model *model)

@@ -47,6 +47,5 @@ void write_file(const char *name, const char *text)
 char *text_of_file(const char *name)
 {
     size_t length;
-    char *text = NON_NULL(file_read(in_folder(name), FILE_LARGEST, &length, &failure));
-    return text;
+    return NON_NULL(file_read(in_folder(name), FILE_LARGEST, &length, &failure));
 }

@@ -40,8 +40,7 @@ static struct trace_options how(enum trace_mode mode)
 static struct trace *begin(const struct scene *scene,
                            const struct trace_options *options)
 {
-    struct trace *trace = NON_NULL(trace_new(scene, options, &failure));
-    return trace;
+    return NON_NULL(trace_new(scene, options, &failure));
 }
 
 /* ---- Stopped ------------------------------------------------------------- */

@@ -47,8 +47,7 @@ static const char arithmetic[] = /* solves 40 quadratics, with calls */
 static c205 *load(const char *text)
 {
     SCOPED(object) *object = good(formatted("        .include \"core.s\"\n%s", text));
-    c205 *machine = machine_with(&object->program, prior_model);
-    return machine;
+    return machine_with(&object->program, prior_model);
 }
 
 static c205_stop step_to_end(c205 *machine)

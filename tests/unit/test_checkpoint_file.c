@@ -64,8 +64,7 @@ static void assert_unit(struct checkpoint_file *file, uint64_t number)
 
 static struct checkpoint_file *open_file(size_t i)
 {
-    struct checkpoint_file *file = NON_NULL(checkpoint_open(paths[i], KEY, &failure));
-    return file;
+    return NON_NULL(checkpoint_open(paths[i], KEY, &failure));
 }
 
 /* Fails unless the file has exactly the units of the list. */

@@ -46,8 +46,7 @@ static const char *file_of(const char *text)
 static struct fit_run *new_run(const char *program)
 {
     struct run_options how = small();
-    struct fit_run *run = NON_NULL(run_new(program, &how, &failure));
-    return run;
+    return NON_NULL(run_new(program, &how, &failure));
 }
 
 /* Reads observations from a text after the heading of their table. */

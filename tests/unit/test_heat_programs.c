@@ -25,8 +25,7 @@ static size_t some_length(size_t most)
 static struct object *assemble(const char *name)
 {
     static const struct asm_define none[] = { { NULL, 0 } };
-    struct object *program = NON_NULL(program_assemble(name, none, &failure));
-    return program;
+    return NON_NULL(program_assemble(name, none, &failure));
 }
 
 static void begin(struct single_run *run, const struct object *program)

@@ -181,8 +181,7 @@ static struct scene *read_file(const char *path)
                                            .height = ROWS,
                                            .read_raster = picture_read_raster };
     SCOPED_VALUE(diagnostics) reports = { 0 };
-    struct scene *scene = NON_NULL(scene_read(path, &reading, &reports));
-    return scene;
+    return NON_NULL(scene_read(path, &reading, &reports));
 }
 
 /* Two passes, with nearly all code that is assembled for some scenes only. */

@@ -12,8 +12,7 @@ static struct scene *scene_with(const char *words, size_t reports)
 
 static const struct bump_list *list_of(const struct scene *scene)
 {
-    const struct bump_list *list = NON_NULL(scene->primitives[0].bumps.list);
-    return list;
+    return NON_NULL(scene->primitives[0].bumps.list);
 }
 
 static void check_bump(const char *words, enum pattern_function function, double amount,

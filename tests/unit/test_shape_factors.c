@@ -23,8 +23,7 @@ static struct factors *begin(const struct scene *scene, struct sampling_options 
 {
     options.seed = seed;
     options.model = prior_model;
-    struct factors *factors = NON_NULL(factors_new(scene, &options, &failure));
-    return factors;
+    return NON_NULL(factors_new(scene, &options, &failure));
 }
 
 static struct factor_row find(const struct factors *factors, size_t primitive)
