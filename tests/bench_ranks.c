@@ -30,10 +30,8 @@ struct load {
 
 static size_t count_taken(struct load *load, size_t more)
 {
-    size_t taken;
-
     pthread_mutex_lock(&load->lock);
-    taken = load->taken += more;
+    size_t taken = load->taken += more;
     pthread_mutex_unlock(&load->lock);
     return taken;
 }
@@ -76,7 +74,6 @@ int main(int argc, char **argv)
                                  .context = &load };
     c205_error error = { "usage: mpirun -n RANKS bench_ranks UNITS WORDS" };
     double began, worked;
-    bool good;
 
     if (argc != 3 || !ranks_are_many() || !ranks_join(&ranks, &error)) {
         fprintf(stderr, "bench_ranks: %s\n", error.message);
@@ -87,7 +84,7 @@ int main(int argc, char **argv)
     load.words = strtoull(argv[2], NULL, 10);
     began = now(CLOCK_MONOTONIC);
     worked = now(CLOCK_PROCESS_CPUTIME_ID);
-    good = job_set_run(&work, &error);
+    bool good = job_set_run(&work, &error);
     if (ranks.rank == 0 && good)
         printf("%.3e %.3e\n", (now(CLOCK_MONOTONIC) - began) / (double)work.count,
                (now(CLOCK_PROCESS_CPUTIME_ID) - worked) / (double)work.count);

@@ -51,8 +51,6 @@ int main(int count, char **words)
                                      .jobs = 1 };
     c205_error error;
     c205_model *model;
-    struct scene *scene;
-    bool good;
 
     if (count < 4 || count > 5) {
         fputs("usage: bench_trace SCENE.pov WIDTH HEIGHT [JOBS]\n", stderr);
@@ -63,10 +61,11 @@ int main(int count, char **words)
     if (count == 5)
         options.jobs = strtoul(words[4], NULL, 10);
     options.model = model = c205_model_find("cyber205-2pipe", &error);
-    scene = scene_to_time(words[1], (int)options.width, (int)options.height);
+    struct scene *scene = scene_to_time(words[1], (int)options.width,
+                                        (int)options.height);
     if (!model)
         fprintf(stderr, "bench_trace: %s\n", error.message);
-    good = model && trace_scene(scene, &options);
+    bool good = model && trace_scene(scene, &options);
     scene_free(scene);
     c205_model_free(model);
     return good ? 0 : 1;

@@ -25,9 +25,8 @@ static void go_round(const struct object *object)
     SCOPED_VALUE(text_buffer) text = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&text);
     SCOPED_VALUE(diagnostics) errors = { 0 };
-    struct object *again;
     disassemble(object, &sink);
-    again = assemble_text("again.s", text.text, NULL, &errors);
+    struct object *again = assemble_text("again.s", text.text, NULL, &errors);
     if (!again)
         abort();
     object_free(again);

@@ -12,12 +12,11 @@ int main(int argc, char **argv)
     uint8_t *data = malloc(MAX_SIZE);
     for (int i = 1; data && i < argc; i++) {
         FILE *file = fopen(argv[i], "rb");
-        size_t size;
         if (!file) {
             perror(argv[i]);
             return 1;
         }
-        size = fread(data, 1, MAX_SIZE, file);
+        size_t size = fread(data, 1, MAX_SIZE, file);
         fclose(file);
         LLVMFuzzerTestOneInput(data, size);
     }

@@ -85,13 +85,12 @@ static void narrow(struct search *s, int sign)
 static void halve_wide(struct search *s)
 {
     for (;;) {
-        int sign;
         mpfr_mul_2ui(s->step, s->a, 1, MPFR_RNDN);
         if (mpfr_lessequal_p(s->b, s->step))
             return;
         mpfr_mul(s->x, s->a, s->b, MPFR_RNDN);
         mpfr_sqrt(s->x, s->x, MPFR_RNDN);
-        sign = sign_at(s);
+        int sign = sign_at(s);
         if (sign == 0)
             sign = s->sign;
         narrow(s, sign);
@@ -164,7 +163,6 @@ static void search_between(struct search *s, const struct exact_roots *knots,
     mpfr_init2(knot, EXACT_BITS);
     mpfr_set_ui_2exp(knot, 1, -bound, MPFR_RNDN);
     for (size_t i = 0; i <= knots->count; i++) {
-        int right;
         mpfr_set(s->a, knot, MPFR_RNDN);
         if (i < knots->count)
             mpfr_set(knot, knots->x[i], MPFR_RNDN);
@@ -172,7 +170,7 @@ static void search_between(struct search *s, const struct exact_roots *knots,
             mpfr_set_ui_2exp(knot, 1, bound, MPFR_RNDN);
         mpfr_set(s->b, knot, MPFR_RNDN);
         mpfr_set(s->x, knot, MPFR_RNDN);
-        right = s->sign = sign_at(s);
+        int right = s->sign = sign_at(s);
         if (is_zero_at(s->c, s->degree, knot, s->f)) {
             add_root(roots, knot, true);
             right = 0;

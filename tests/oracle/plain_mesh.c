@@ -188,11 +188,10 @@ ENCLOSE(in_mesh)
     struct ray ray;
     copy(ray.origin, point);
     for (int i = 0; i < DIRECTIONS; i++) {
-        long count;
         ray.direction[0] = sin(3 + 2.1 * i);
         ray.direction[1] = cos(1 + 3.3 * i);
         ray.direction[2] = sin(5.7 * i + .4);
-        count = count_ahead(triangles, &ray);
+        long count = count_ahead(triangles, &ray);
         if (count >= 0)
             return count % 2 != 0;
     }

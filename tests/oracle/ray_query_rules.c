@@ -209,12 +209,11 @@ static bool region_keeps_rules(const struct along *along, const struct region *r
 static bool is_on_triangle(const struct along *along, const struct ray_hit *seen)
 {
     const struct primitive *mesh = &along->scene->primitives[seen->primitive];
-    const struct triangle *triangle;
     double point[3], edges[2][3], away[3], normal[3];
     struct ray ray = ray_of(along->line);
     if (mesh->kind != PRIMITIVE_MESH)
         return seen->triangle == 0;
-    triangle = &mesh->shape.mesh.triangles.list[seen->triangle];
+    const struct triangle *triangle = &mesh->shape.mesh.triangles.list[seen->triangle];
     point_on(&ray, c205_to_double(seen->distance), point);
     to_other_space(&mesh->to_local, point, away);
     add_scaled(away, away, -1, triangle->corners[0]);

@@ -201,11 +201,9 @@ void client_failure(struct dap_client *client, const char *words, const char *co
 
 const struct json_value *client_event(struct dap_client *client, const char *name)
 {
-    struct dap_message event;
-
     while (client->event_count == 0)
         keep_event(client, next_message(client));
-    event = client->events[0];
+    struct dap_message event = client->events[0];
     client->event_count--;
     memmove(client->events, client->events + 1,
             client->event_count * sizeof *client->events);

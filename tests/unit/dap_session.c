@@ -27,13 +27,11 @@ char client_path[200];
 
 void client_write(const char *text)
 {
-    FILE *file;
-
     if (!*client_path)
         snprintf(client_path, sizeof client_path, "%s/dap.%d.s",
                  getenv("RT205_LIBDIR") ? getenv("RT205_LIBDIR") : "build",
                  (int)getpid());
-    file = NON_NULL(fopen(client_path, "w"));
+    FILE *file = NON_NULL(fopen(client_path, "w"));
     fputs(text, file);
     fclose(file);
 }
@@ -45,12 +43,11 @@ const char *client_file_name(void)
 
 const struct json_value *client_launch_file(struct dap_client *client, const char *more)
 {
-    const struct json_value *capabilities;
-
     client_begin(client, NULL);
-    capabilities = client_ask(client, "initialize",
-                              "{\"adapterID\": \"c205\", "
-                              "\"supportsInvalidatedEvent\": true}");
+    const struct json_value
+        *capabilities = client_ask(client, "initialize",
+                                   "{\"adapterID\": \"c205\", "
+                                   "\"supportsInvalidatedEvent\": true}");
     client_ask(client, "launch", "{\"program\": \"%s\"%s}", client_path, more);
     client_event(client, "initialized");
     return capabilities;

@@ -29,14 +29,12 @@ void talk_free(struct talk *talk)
 const struct json_value *talk_bytes(struct talk *talk, const char *request,
                                     size_t length)
 {
-    const struct json_value *ok;
-
     forget(talk);
     talk->text = NON_NULL(engine_answer(talk->engine, request, length));
     talk->reply = json_read(&talk->arena, talk->text, strlen(talk->text), &failure);
     FAIL_IF(!talk->reply, "%.*s\n%s: %s", (int)length, request, talk->text,
             failure.message);
-    ok = NON_NULL(json_member(talk->reply, "ok"));
+    const struct json_value *ok = NON_NULL(json_member(talk->reply, "ok"));
     assert_int_equal(ok->kind, JSON_TRUTH);
     if (!ok->truth)
         assert_true(*text_of(talk->reply, "error"));
@@ -98,12 +96,11 @@ const struct json_value *talk_load(struct talk *talk, const char *text,
     SCOPED_VALUE(text_buffer) line = { .text = NULL };
     struct sink sink = text_buffer_sink(&line);
     struct json *json = json_open_line(&line, &failure);
-    size_t length;
 
     json_text(json, "do", "load");
     json_text(json, "text", text);
     assert_true(json_close(json, &failure));
-    length = line.length -= strlen("}");
+    size_t length = line.length -= strlen("}");
     sink_print(&sink, "%s}", more);
     talk_quote(line.text + length);
     talk_bytes(talk, line.text, line.length);

@@ -40,7 +40,6 @@ TEST(load)
         " .include \"own.inc\"\n EX r10, m\n EXIT\n .data\nx: .space 3\n",
         ", 'defines': {'n': 7}, 'warm': true, 'files': {'own.inc': ' .equ m, n + "
         "1\\n'}");
-    const struct json_value *said;
 
     talk_says(&talk, "'warm': true");
     talk_says(&talk, "'lines': [2, 3]");
@@ -51,7 +50,7 @@ TEST(load)
     talk_ask(&talk, "{'do': 'go', 'how': 'step'}");
     talk_refused(&talk, "program.s cannot be assembled: 1 error",
                  "{'do': 'load', 'text': ' EXIT\\n  ADDNX r1\\n'}");
-    said = json_member_first(talk.reply, "diagnostics");
+    const struct json_value *said = json_member_first(talk.reply, "diagnostics");
     assert_true(number_of(said, "line") == 2 && number_of(said, "column") == 3
                 && number_of(said, "length") == 5);
     talk_ask(&talk, "{'do': 'view'}");
@@ -90,12 +89,11 @@ TEST(instructions)
 TEST(trap)
 {
     SCOPED_VALUE(talk) talk = talk_with(" ES r10, 64\n LOD [r10], r11\n EXIT\n", "");
-    double clocks;
 
     talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
     assert_string_equal(text_of(talk.reply, "why"), "trap");
     assert_non_null(strstr(text_of(talk.reply, "message"), "program.s:2"));
-    clocks = number_of(talk.reply, "clock");
+    double clocks = number_of(talk.reply, "clock");
     talk_ask(&talk, "{'do': 'profile'}");
     talk_ask(&talk, "{'do': 'view'}");
     assert_string_equal(text_of(talk.reply, "trap"), "unmapped-address");

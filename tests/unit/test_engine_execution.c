@@ -116,10 +116,9 @@ static void check_accounts(const struct json_value *view, const c205 *machine)
     const struct json_value *reported = json_member(view, "accounts");
     const struct json_value *region = json_member_first(reported, "regions");
     SCOPED_VALUE(accounts) accounts = { .model = prior_model };
-    c205_account all;
 
     assert_true(accounts_add(&accounts, machine));
-    all = accounts_together(&accounts);
+    c205_account all = accounts_together(&accounts);
     check_causes(reported, &all);
     for (size_t i = 0; i < accounts.count; i++) {
         if (accounts_clocks(&accounts.items[i]) == 0)
@@ -201,7 +200,6 @@ static void choose_stop(struct walk *walk)
 {
     const struct object *object = walk->plain.object;
     size_t wanted = 1 + below(60), found = 0;
-    const struct json_value *line;
 
     for (size_t i = 0; i < object->line_count; i++) {
         const struct asm_line *each = &object->lines[i];
@@ -213,9 +211,10 @@ static void choose_stop(struct walk *walk)
             walk->stops.place = each->address;
         }
     }
-    line = json_member_first(talk_ask(&walk->talk, "{'do': 'breaks', 'lines': [%zu]}",
-                                      wanted),
-                             "lines");
+    const struct json_value
+        *line = json_member_first(talk_ask(&walk->talk,
+                                           "{'do': 'breaks', 'lines': [%zu]}", wanted),
+                                  "lines");
     assert_true(number_of(line, "wanted") == (double)wanted);
     walk->stops.by_place = found > 0;
     if (found > 0)
@@ -420,13 +419,12 @@ TEST(changed)
                   "        DBNZ r10, [r11]\n        EXIT\n",
                   AND_PRIOR);
     const struct json_value *rows, *account;
-    double clocks;
 
     talk_ask(&talk, "{'do': 'go', 'how': 'step', 'n': 10}");
     talk_ask(&talk, "{'do': 'say', 'line': 'set r10 = 5'}");
     talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
     account = json_member(talk_ask(&talk, "{'do': 'view'}"), "accounts");
-    clocks = number_of(account, "clocks");
+    double clocks = number_of(account, "clocks");
     rows = json_member_first(talk_ask(&talk, "{'do': 'profile'}"), "lines");
     for (; rows; rows = rows->next)
         clocks -= number_of(rows, "clocks");

@@ -25,14 +25,12 @@ static bool holds(const char *expectation)
     SCOPED_VALUE(text_buffer) said = { NULL, 0, 0, false };
     struct printer printer = { text_buffer_sink(&printed) };
     struct sink report = text_buffer_sink(&said);
-    c205_stop stop;
-    bool good_end;
 
     SCOPED(object) *object = good(formatted("%s; %s\n", program, expectation));
     assert_true(c205_listen(machine, printer_listen, &printer));
     assert_true(c205_load(machine, &object->program, &failure));
-    stop = c205_run(machine, 100000);
-    good_end = expect_check(object, machine, &stop, printed.text, 0, &report);
+    c205_stop stop = c205_run(machine, 100000);
+    bool good_end = expect_check(object, machine, &stop, printed.text, 0, &report);
     assert_int_equal(good_end, said.length == 0);
     return good_end;
 }

@@ -168,9 +168,9 @@ struct heard {
 static uint64_t constant_of(const c205 *machine, const char *kind,
                             const c205_insn *insn)
 {
-    const c205_constant *constant;
     const char *name = formatted("%s.%s", kind, c205_timing_name(insn->timing));
-    constant = NON_NULL(c205_model_lookup(c205_machine_model(machine), name));
+    const c205_constant *constant = NON_NULL(
+        c205_model_lookup(c205_machine_model(machine), name));
     return (uint64_t)constant->value;
 }
 

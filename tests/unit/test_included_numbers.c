@@ -128,12 +128,11 @@ TEST(tables)
     for (int i = 0; i < TRIES; i++) {
         bool headed = one_in(&state, 2);
         char expectations[60];
-        size_t column;
 
         draw_table(&table, headed);
         write_bytes(path, table.text, strlen(table.text));
         check_words(&table, table.integers ? ", integers" : "", 0);
-        column = below(&state, table.columns) + 1;
+        size_t column = below(&state, table.columns) + 1;
         snprintf(expectations, sizeof expectations, ", %zu%s", column,
                  table.integers ? ", integers" : "");
         check_words(&table, expectations, column);

@@ -123,11 +123,10 @@ TEST(written_and_read)
         uint64_t seed = random_state;
         SCOPED_VALUE(text_buffer) text = { 0 };
         SCOPED_VALUE(arena) arena = { 0 };
-        const struct json_value *tree;
 
         write_document(&text);
         random_state = seed;
-        tree = read_in(&arena, text.text, &failure);
+        const struct json_value *tree = read_in(&arena, text.text, &failure);
         FAIL_IF(!tree, "%s: %s", failure.message, text.text);
         check_value(tree->first, 0);
         assert_string_equal(tree->first->key, "value");
@@ -142,10 +141,9 @@ static bool is_read(const char *text, size_t length)
     SCOPED_VALUE(arena) arena = { 0 };
     c205_error error = { "" };
     FREED char *copy = malloc(length + !length);
-    const struct json_value *tree;
 
     memcpy(copy, text, length);
-    tree = json_read(&arena, copy, length, &error);
+    const struct json_value *tree = json_read(&arena, copy, length, &error);
     assert_true(tree || *error.message);
     return tree;
 }

@@ -98,11 +98,10 @@ static void check_cause(const struct random_lesson *drawn,
                         const struct plain_trial *plain)
 {
     SCOPED_VALUE(accounts) accounts = { .model = plain->model };
-    c205_account all;
     int most = 0, wait = 1;
 
     assert_true(accounts_add(&accounts, plain->machine));
-    all = accounts_together(&accounts);
+    c205_account all = accounts_together(&accounts);
     for (int cause = 1; cause < C205_CAUSES; cause++) {
         if (all.clocks[cause] > all.clocks[most])
             most = cause;
@@ -175,8 +174,6 @@ static void check_right(const struct random_lesson *drawn,
                         const struct lesson_trial *trial,
                         const struct plain_trial *plain, enum medal medal)
 {
-    uint64_t goal;
-
     FAIL_IF(!trial->right, "%s\n%s", trial->report.sentences[0], drawn->answer);
     assert_int_equal(trial->clocks, c205_clock(plain->machine));
     assert_int_equal(trial->medal, trial->test->has_goals ? medal : MEDAL_NONE);
@@ -185,7 +182,7 @@ static void check_right(const struct random_lesson *drawn,
         assert_int_equal(trial->report.count, 0);
         return;
     }
-    goal = trial->test->goals[medal + 1];
+    uint64_t goal = trial->test->goals[medal + 1];
     check_begins(drawn, trial, 0,
                  "It took %" PRIu64 " clocks, %" PRIu64 " more than the %" PRIu64
                  " of %s.",
@@ -390,13 +387,14 @@ static void check_said(const struct random_lesson *drawn, const char *old,
     SCOPED_VALUE(lesson_verdict) verdict;
     const char *at = NON_NULL(strstr(drawn->answer, old));
     char answer[sizeof drawn->answer + 200];
-    const struct lesson_report *report;
 
     snprintf(answer, sizeof answer, "%.*s%s%s", (int)(at - drawn->answer),
              drawn->answer, new, at + strlen(old));
     random_open(drawn, &lesson);
     grade_well(&verdict, &lesson, answer);
-    report = of_all ? &verdict.report : &trial_of(&verdict, drawn->tests[0].n)->report;
+    const struct lesson_report *report = of_all ? &verdict.report
+                                                : &trial_of(&verdict, drawn->tests[0].n)
+                                                       ->report;
     assert_int_equal(verdict.graded, !of_all);
     assert_false(verdict.passed);
     FAIL_IF(report->count != 1

@@ -28,11 +28,11 @@ static void check_run(const char *test, const char *answer, const char *wanted)
 {
     SCOPED_VALUE(lesson) lesson;
     SCOPED_VALUE(lesson_verdict) verdict;
-    const struct lesson_report *report;
 
     assert_true(open_with(&lesson, test, &failure));
     grade_well(&verdict, &lesson, answer);
-    report = verdict.graded ? &verdict.trials[0].report : &verdict.report;
+    const struct lesson_report *report = verdict.graded ? &verdict.trials[0].report
+                                                        : &verdict.report;
     assert_int_equal(verdict.passed, wanted == NULL);
     assert_int_equal(report->count, wanted != NULL);
     if (wanted)

@@ -421,11 +421,10 @@ TEST(quotients)
 static c205_word word_below(const mpfr_t value)
 {
     mpfr_t cut;
-    c205_word word;
 
     mpfr_init2(cut, 47);
     mpfr_set(cut, value, MPFR_RNDD);
-    word = oracle_word(&oracle_full, cut);
+    c205_word word = oracle_word(&oracle_full, cut);
     mpfr_clear(cut);
     return word;
 }

@@ -197,13 +197,11 @@ static void poison_words(c205_word *words, const c205_word *good,
 static void run_image(struct small_machine *fixture, const char *name,
                       const struct image *before, struct image *after)
 {
-    c205_stop stop;
-
     load(fixture, MEMORY_WORDS);
     assert_true(c205_write(fixture->machine, DATA, before->memory, MEMORY_WORDS));
     for (unsigned i = 0; i < C205_REGISTERS; i++)
         set(fixture, i, before->reg[i]);
-    stop = run(fixture);
+    c205_stop stop = run(fixture);
     FAIL_IF(stop.trap != C205_TRAP_NONE, "%s: trap %s", name,
             c205_trap_name(stop.trap));
     assert_true(c205_read(fixture->machine, DATA, after->memory, MEMORY_WORDS));
@@ -346,12 +344,10 @@ static c205_fields first_fields(const c205_insn *row, unsigned half)
  * stored. */
 static void draw_pair(uint64_t *random)
 {
-    unsigned half;
-
     do
         draw_case(&one, draw_linked(random), random, draw_size(random));
     while (one.scalar[ROLE_A] || one.fields.x || one.scalar[ROLE_B]);
-    half = one.fields.g & C205_G_HALF;
+    unsigned half = one.fields.g & C205_G_HALF;
     memset(&other, 0, sizeof other);
     other.row = draw_first(random, one.row->unit);
     other.fields = first_fields(other.row, half);

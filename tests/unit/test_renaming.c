@@ -40,11 +40,10 @@ static bool can_be_renamed(const struct random_program *program)
     for (size_t i = 0; i < program->insn_count; i++) {
         const struct program_insn *insn = &program->insns[i];
         const c205_insn *row = row_of(insn);
-        c205_fields fields;
         if (!row || row->format == C205_FORMAT_SWAP
             || c205_format_halves(row->format) != insn->halves)
             return false;
-        fields = c205_decode(row, insn->word);
+        c205_fields fields = c205_decode(row, insn->word);
         if (c205_encode(row, &fields) != insn->word || fields.c == C205_REGISTERS - 1
             || fields.c == IN_HALVES - 1)
             return false;

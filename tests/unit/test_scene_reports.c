@@ -232,7 +232,6 @@ TEST(includes)
     static const char *const names[] = { "main.pov", "part.inc", "loop.inc", NULL };
     char folder[] = "/tmp/scene-XXXXXX", path[200];
     struct diagnostics reports = { 0 };
-    struct scene *scene;
     assert_non_null(mkdtemp(folder));
     write_file(folder, "main.pov",
                "#version 3.7;\n#include \"part.inc\"\nsphere { 0, R }\n");
@@ -241,7 +240,7 @@ TEST(includes)
                "\n\nbox { -1, L }");
     write_file(folder, "loop.inc", "#include \"loop.inc\"\n");
     snprintf(path, sizeof path, "%s/main.pov", folder);
-    scene = NON_NULL(scene_read(path, &reading_options, &reports));
+    struct scene *scene = NON_NULL(scene_read(path, &reading_options, &reports));
     assert_int_equal(scene->primitives[0].line, 2); /* line of the #include */
     assert_int_equal(scene->primitives[1].line, 3);
     assert_close(scene->primitives[1].shape.sphere.radius, 3, 0);

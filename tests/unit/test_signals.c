@@ -135,12 +135,10 @@ static void write_file(const char *name, const char *text)
 static size_t read_file(const char *name, char text[TEXT])
 {
     char path[PATH];
-    FILE *file;
-    size_t length;
 
     path_of(path, name);
-    file = NON_NULL(fopen(path, "r"));
-    length = fread(text, 1, TEXT - 1, file);
+    FILE *file = NON_NULL(fopen(path, "r"));
+    size_t length = fread(text, 1, TEXT - 1, file);
     fseek(file, length < TEXT - 1 ? 0 : -16, SEEK_END);
     if (length == TEXT - 1)
         length = fread(text, 1, 16, file);
@@ -233,12 +231,11 @@ static void check_command(const char *const *words, int number)
 {
     int null = open("/dev/null", O_RDWR), status;
     int delay = below(2) ? below(30) : below(300);
-    pid_t process;
 
     remove_files();
     if (below(2))
         write_old_files(words);
-    process = begin(words, null, null);
+    pid_t process = begin(words, null, null);
     wait_for(delay);
     kill(process, number);
     wait_for(below(100));
@@ -285,7 +282,6 @@ static int run_script(const char *const *words, const char *lines, int number,
     int to[2], from[2], status;
     size_t length = 0;
     ssize_t count;
-    pid_t process;
 
     write_file("lines", lines);
     assert_int_equal(pipe(to), 0);
@@ -294,7 +290,7 @@ static int run_script(const char *const *words, const char *lines, int number,
         fcntl(to[i], F_SETFD, FD_CLOEXEC);
         fcntl(from[i], F_SETFD, FD_CLOEXEC);
     }
-    process = begin(words, to[0], from[1]);
+    pid_t process = begin(words, to[0], from[1]);
     close(to[0]);
     close(from[1]);
     if (words == debug_words)

@@ -13,13 +13,11 @@ static size_t least(size_t a, size_t b)
 /* Computes the distance by its definition, from the first letters. */
 static size_t plain(const char *a, const char *b)
 {
-    size_t d;
-
     if (!*a || !*b)
         return strlen(a) + strlen(b);
     if (*a == *b)
         return plain(a + 1, b + 1);
-    d = 1 + least(plain(a + 1, b + 1), least(plain(a + 1, b), plain(a, b + 1)));
+    size_t d = 1 + least(plain(a + 1, b + 1), least(plain(a + 1, b), plain(a, b + 1)));
     if (a[0] == b[1] && a[1] == b[0])
         d = least(d, 1 + plain(a + 2, b + 2));
     return d;

@@ -102,7 +102,6 @@ static void take_command(struct reader *reader, const char *line)
 {
     char kind = *line, word[16] = "", rest[TEXT_LENGTH] = "";
     unsigned long id = 0, second = 0;
-    struct shown *shown;
 
     assert_true(sscanf(line + 1, "\t%lu", &id) == 1);
     if (kind == 'C') {
@@ -111,7 +110,7 @@ static void take_command(struct reader *reader, const char *line)
         return;
     }
     assert_true(id < MAX_INSNS + 2);
-    shown = &reader->shown[id];
+    struct shown *shown = &reader->shown[id];
     if (kind == 'I') {
         assert_int_equal(sscanf(line, "I\t%lu\t%lu\t0%15s", &id, &second, word), 2);
         assert_int_equal(id, reader->next++);
