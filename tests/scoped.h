@@ -14,6 +14,9 @@
 
 #define SCOPED(name) FREED_BY(free_##name##_at) struct name
 #define SCOPED_VALUE(name) FREED_BY(name##_free) struct name
+/* Marks a parameter that a function must take and does not use. */
+#define UNUSED __attribute__((unused))
+
 #define FREED_BY(function) __attribute__((cleanup(function)))
 #define FREED FREED_BY(free_at)
 

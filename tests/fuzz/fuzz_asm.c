@@ -10,11 +10,8 @@
 
 bool fuzz_accepted;
 
-static void ignore(void *context, const char *text, size_t length)
+static void ignore(void *context UNUSED, const char *text UNUSED, size_t length UNUSED)
 {
-    (void)context;
-    (void)text;
-    (void)length;
 }
 
 static const struct sink nowhere = { ignore, NULL };

@@ -83,9 +83,8 @@ static size_t give(void *context, char *bytes, size_t most)
     return length;
 }
 
-static bool is_ready(void *context)
+static bool is_ready(void *context UNUSED)
 {
-    (void)context;
     return true;
 }
 
@@ -108,14 +107,13 @@ static void hear(void *context, const char *bytes, size_t length)
 }
 
 /* Ignores the program that the client names, so that no file of the host is opened. */
-static bool open_program(void *context, const struct dap_program *program,
+static bool open_program(void *context UNUSED, const struct dap_program *program,
                          const struct sink *report, struct object **object,
                          c205_model **model)
 {
     const struct asm_options options = { .defines = program->defines };
     SCOPED_VALUE(diagnostics) errors = { 0 };
     c205_error error;
-    (void)context;
     *object = assemble_text("fuzz.s", text, &options, &errors);
     diagnostics_put(&errors, report);
     if (*object)

@@ -27,19 +27,15 @@ static const char text[] = "        .include \"vectors.s\"\n"
                            "        EXIT  turns, r0, 2\n"
                            "        EXIT\n";
 
-static void ignore(void *context, const char *said, size_t length)
+static void ignore(void *context UNUSED, const char *said UNUSED, size_t length UNUSED)
 {
-    (void)context;
-    (void)said;
-    (void)length;
 }
 
 /* Interrupts a program that runs forever because a line has changed it. */
 static unsigned asked;
 
-static bool is_enough(void *unused)
+static bool is_enough(void *unused UNUSED)
 {
-    (void)unused;
     return ++asked > MAX_ASKED;
 }
 

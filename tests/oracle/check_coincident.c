@@ -137,9 +137,8 @@ static bool same_as_others(const struct scene *scene, const struct trace *trace,
     return good && by_povray;
 }
 
-static struct random_scene draw(uint64_t *state, size_t number)
+static struct random_scene draw(uint64_t *state, size_t number UNUSED)
 {
-    (void)number;
     return (struct random_scene){ .text = coincident_scene_text(*state, 0),
                                   .width = WIDTH,
                                   .height = HEIGHT };

@@ -160,9 +160,8 @@ static bool passes(struct random_scene *grid, char *reason)
     return good;
 }
 
-static struct random_scene draw(uint64_t *state, size_t number)
+static struct random_scene draw(uint64_t *state, size_t number UNUSED)
 {
-    (void)number;
     return grid_scene(state);
 }
 

@@ -68,10 +68,9 @@ static char *closed_solid(uint64_t *state, const struct place *place)
     }
 }
 
-static struct random_scene draw(uint64_t *state, size_t number)
+static struct random_scene draw(uint64_t *state, size_t number UNUSED)
 {
     char *text;
-    (void)number;
     FILE *file = test_text(&text);
     size_t count = 2 + below(state, 2);
     for (size_t i = 0; i < count; i++) {

@@ -230,11 +230,10 @@ static bool is_empty(const struct measured *measured, char *reason)
 
 static struct motion motion; /* of the text; the other text is not transformed */
 
-static struct random_scene draw(uint64_t *state, size_t number)
+static struct random_scene draw(uint64_t *state, size_t number UNUSED)
 {
     const struct place place = { .at = { 0 }, .size = 1 };
     struct solid *solid = solid_at(state, &place, DULL, (int)below(state, 3));
-    (void)number;
     motion = random_motion(state);
     struct random_scene scene = { .text = text_of(solid, &motion),
                                   .other = text_of(solid, NULL) };

@@ -137,10 +137,9 @@ static bool passes(struct random_scene *regions, char *reason)
     return good;
 }
 
-static struct random_scene draw(uint64_t *state, size_t number)
+static struct random_scene draw(uint64_t *state, size_t number UNUSED)
 {
     struct random_scene scene = many_regions(state);
-    (void)number;
     ways = (struct ways){ .count = WAYS, .way = { serial }, .plain = true };
     for (size_t i = 1; i < WAYS; i++)
         ways.way[i] = some_way(state, &scene);

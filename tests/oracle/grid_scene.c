@@ -127,9 +127,8 @@ static void random_quadric(uint64_t *state, char *shape)
 }
 
 /* Makes x^4 + y^4 + z^4 = 1. */
-static void random_quartic(uint64_t *state, char *shape)
+static void random_quartic(uint64_t *state UNUSED, char *shape)
 {
-    (void)state;
     solid_words(shape, "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,"
                        "0,0,0,0,0,0,1,0,0,0,-1> ");
 }

@@ -46,7 +46,6 @@ static void about(uint64_t *state, const double centre[3], double spread, double
         at[i] = centre[i] + between(state, -spread, spread);
 }
 
-#define UNUSED __attribute__((unused))
 #define PLACE(name) \
     static void name(uint64_t *state UNUSED, const struct group *group, \
                      size_t i UNUSED, struct place *place)

@@ -69,9 +69,9 @@ static void change_machine(struct run *run)
     run->restored = true;
 }
 
-static void ignore_events(void *context, const c205 *machine, const c205_event *event)
+static void ignore_events(void *context UNUSED, const c205 *machine UNUSED,
+                          const c205_event *event UNUSED)
 {
-    (void)context, (void)machine, (void)event;
 }
 
 /* Machines are reused and a listener cannot be removed, so a copy gets the listener. */

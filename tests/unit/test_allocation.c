@@ -458,9 +458,8 @@ static bool answer_requests(FILE *out, c205_error *error)
     return done;
 }
 
-static bool write_json(FILE *out, c205_error *error)
+static bool write_json(FILE *out UNUSED, c205_error *error)
 {
-    (void)out;
     struct json *json = json_open("/dev/null", error);
     if (!json)
         return false;

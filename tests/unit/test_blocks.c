@@ -135,10 +135,9 @@ struct heard {
 };
 
 /* Each event must begin at the clock at which the previous one ended. */
-static void hear(void *context, const c205 *machine, const c205_event *event)
+static void hear(void *context, const c205 *machine UNUSED, const c205_event *event)
 {
     struct heard *heard = context;
-    (void)machine;
     if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
     assert_int_equal(event->record->arrived, heard->clock);

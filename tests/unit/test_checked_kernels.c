@@ -18,11 +18,10 @@ struct watched {
 static const struct warning_choice choice;
 static const struct sink *report;
 
-static void *begin(void *context, const struct object *program, c205_error *error)
+static void *begin(void *context UNUSED, const struct object *program,
+                   c205_error *error UNUSED)
 {
     struct watched *watched = NON_NULL(calloc(1, sizeof *watched));
-    (void)context;
-    (void)error;
     watched->watch = NON_NULL(runtime_new(program, "kernels", &choice, report));
     return watched;
 }

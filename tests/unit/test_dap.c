@@ -92,9 +92,8 @@ static void launch(struct session *session, char *more)
     session->begun = true;
 }
 
-static void enter(struct session *session, char *rest)
+static void enter(struct session *session, char *rest UNUSED)
 {
-    (void)rest;
     client_enter(&session->client, session->program);
     session->begun = true;
 }
@@ -123,9 +122,8 @@ static void stop(struct session *session, char *request)
         wrong(session, fault ? fault : "verified");
 }
 
-static void restart(struct session *session, char *rest)
+static void restart(struct session *session, char *rest UNUSED)
 {
-    (void)rest;
     client_ask(&session->client, "restart", NULL);
     client_stopped(&session->client, "entry");
 }

@@ -22,9 +22,8 @@ struct shown {
     size_t some;            /* views with a part of their pixels */
 };
 
-static bool go_on(void *context, size_t done, size_t pixels)
+static bool go_on(void *context UNUSED, size_t done UNUSED, size_t pixels UNUSED)
 {
-    (void)context, (void)done, (void)pixels;
     return true;
 }
 

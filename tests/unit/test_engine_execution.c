@@ -21,11 +21,11 @@ struct fresh {
     struct printer printer;
 };
 
-static void keep_last(void *context, const c205 *machine, const c205_event *event)
+static void keep_last(void *context, const c205 *machine UNUSED,
+                      const c205_event *event)
 {
     struct fresh *fresh = context;
 
-    (void)machine;
     if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
     fresh->has_last = true;

@@ -72,9 +72,9 @@ static bool is_dense(const c205_event *event)
            && !strstr(insn->mnemonic, "CONV");
 }
 
-static void take_event(void *context, const c205 *machine, const c205_event *event)
+static void take_event(void *context, const c205 *machine UNUSED,
+                       const c205_event *event)
 {
-    (void)machine;
     *(c205_event *)context = *event;
 }
 
@@ -229,11 +229,11 @@ static c205_trap step_to_stop(c205 *machine, const struct places *places, uint64
     return stop->trap;
 }
 
-static void pause_now(void *context, const c205 *machine, const c205_event *event)
+static void pause_now(void *context, const c205 *machine UNUSED,
+                      const c205_event *event)
 {
     uint64_t *left = context;
 
-    (void)machine;
     if (event->kind <= C205_EVENT_REQUEST && *left > 0 && --*left == 0)
         c205_pause((c205 *)(uintptr_t)machine);
 }

@@ -42,10 +42,9 @@ static void put(struct run *run, const void *value, size_t size)
     run->count += size / sizeof run->words[0];
 }
 
-static bool tell(void *context, size_t done, size_t all)
+static bool tell(void *context, size_t done, size_t all UNUSED)
 {
     struct run *run = context;
-    (void)all;
     run->reported = done > run->reported ? done : run->reported;
     return run->stop == 0 || done < run->stop;
 }

@@ -112,9 +112,8 @@ TEST(values)
     check_picture(&heat, SHOWN_FACTOR, "Sheet", 2);
 }
 
-static void grey(const void *context, double share, double color[3])
+static void grey(const void *context UNUSED, double share, double color[3])
 {
-    (void)context;
     assert_true(share >= -1 && share <= 1);
     color[0] = color[1] = color[2] = .5;
 }

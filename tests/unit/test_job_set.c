@@ -38,11 +38,10 @@ static uint64_t worth(size_t unit)
     return xorshift(&one);
 }
 
-static bool run(void *context, size_t job, size_t unit, struct serialized_result *words,
-                c205_error *error)
+static bool run(void *context, size_t job UNUSED, size_t unit,
+                struct serialized_result *words, c205_error *error)
 {
     struct bench *bench = context;
-    (void)job;
     bench->run[unit]++;
     if (unit == bench->last) {
         struct timespec moment = { 0, (long)between(0, 300000) };

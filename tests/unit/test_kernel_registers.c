@@ -233,10 +233,10 @@ static struct area *area_at(c205_word descriptor)
     return NULL;
 }
 
-static void listen_to_saves(void *context, const c205 *machine, const c205_event *event)
+static void listen_to_saves(void *context UNUSED, const c205 *machine,
+                            const c205_event *event)
 {
     const c205_fields *fields = &event->fields;
-    (void)context;
     if (event->kind != C205_EVENT_INSTRUCTION)
         return;
     if (event->insn->format == C205_FORMAT_SWAP && fields->r != 0) {

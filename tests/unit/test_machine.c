@@ -283,10 +283,9 @@ struct heard {
     bool taken;
 };
 
-static void listen(void *context, const c205 *machine, const c205_event *event)
+static void listen(void *context, const c205 *machine UNUSED, const c205_event *event)
 {
     struct heard *heard = context;
-    (void)machine;
     heard->count[event->kind]++;
     heard->clocks += event->clocks;
     heard->taken = heard->taken || event->taken;

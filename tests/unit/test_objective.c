@@ -21,14 +21,10 @@ double fit_error(const struct observation *observation, double predicted)
     return predicted / observation->value - 1;
 }
 
-double study_speedup(const struct study *study, const double *predicted,
-                     const struct speedup_subject *subject, bool other,
+double study_speedup(const struct study *study UNUSED, const double *predicted UNUSED,
+                     const struct speedup_subject *subject UNUSED, bool other UNUSED,
                      double *reported)
 {
-    (void)study;
-    (void)predicted;
-    (void)subject;
-    (void)other;
     *reported = 10;
     return 10 * speedups[speedups_asked++];
 }

@@ -456,9 +456,8 @@ static void check_fault(const char *text, const char *said)
     assert_int_equal(sweep.count > 0, sweep.points[0].runs[0].clocks[0] > 0);
 }
 
-static bool never(void *context, size_t done, size_t all)
+static bool never(void *context UNUSED, size_t done, size_t all)
 {
-    (void)context;
     assert_true(done <= all);
     return done < 7;
 }

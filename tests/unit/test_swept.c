@@ -17,11 +17,10 @@ static size_t scene_count = 10; /* of each kind; make check draws a third */
 /* ---- Normals ------------------------------------------------------------- */
 
 /* The normal of each edge points from inside to outside. */
-static void check_prism(const struct primitive *prism, bool tangled)
+static void check_prism(const struct primitive *prism, bool tangled UNUSED)
 {
     size_t count = shape_table_count(prism, NULL);
     FREED double *table = NON_NULL(shape_table(prism, NULL, count));
-    (void)tangled;
     for (double *row = table; row < table + count; row += 8) {
         double outside[3], inside[3];
         if (row[2] == 1)
@@ -96,12 +95,11 @@ static bool is_closed(const struct primitive *lathe)
 
 /* The normal of each segment points from inside to outside. For an open lathe both
  * sides may be outside. */
-static void check_lathe(const struct primitive *lathe, bool tangled)
+static void check_lathe(const struct primitive *lathe, bool tangled UNUSED)
 {
     size_t count = shape_table_count(lathe, NULL);
     FREED double *table = NON_NULL(shape_table(lathe, NULL, count));
     struct shape_words words;
-    (void)tangled;
     shape_words(lathe, &words);
     for (double *row = table; row < table + 16 * (size_t)words.words[3]; row += 16) {
         double outside[3] = { 0 }, inside[3] = { 0 };

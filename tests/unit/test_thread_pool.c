@@ -51,9 +51,8 @@ static bool run(void *context, const struct task *task, c205_error *error)
     return true;
 }
 
-static double weight(const void *context, size_t number)
+static double weight(const void *context UNUSED, size_t number)
 {
-    (void)context;
     return (double)(1 + number % 7);
 }
 
