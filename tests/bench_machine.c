@@ -153,12 +153,6 @@ static void add_row(struct table *table, const struct bench *bench, const c205 *
     table_number(table, rate * period / 1e9);
 }
 
-static void run_bench(struct table *table, const struct bench *bench, c205 *machine)
-{
-    SCOPED(object) *object = program_to_time(bench->program);
-    add_row(table, bench, machine, time_program(machine, &object->program, trials));
-}
-
 int main(int count, char **words)
 {
     trials = count > 1 ? atoi(words[1]) : trials;
@@ -173,7 +167,9 @@ int main(int count, char **words)
         x[i] = y[i] = 1.0 + 0.001 * i;
     }
     for (size_t i = 0; i < sizeof benches / sizeof *benches; i++) {
-        run_bench(table, &benches[i], machine);
+        SCOPED(object) *object = program_to_time(benches[i].program);
+        add_row(table, &benches[i], machine,
+                time_program(machine, &object->program, trials));
     }
     table_print(table, stdout);
     return 0;

@@ -104,16 +104,12 @@ static const struct trace_options forms[] = {
 };
 enum { FORMS = sizeof forms / sizeof *forms };
 
-static size_t random_queue(uint64_t *state)
-{
-    return one_in(state, 4) ? TRACE_QUEUE : (size_t)of_any_size(state, 4, 2 * PIXELS);
-}
-
 static struct trace_options random_form(size_t i, uint64_t *state)
 {
     struct trace_options form = sized(forms[i], WIDTH, HEIGHT);
     if (form.mode != TRACE_SCALAR)
-        form.queue = random_queue(state);
+        form.queue = one_in(state, 4) ? TRACE_QUEUE
+                                      : (size_t)of_any_size(state, 4, 2 * PIXELS);
     if (form.jobs > 1)
         form.band = PIXELS / 5 + below(state, PIXELS / 2);
     return form;

@@ -148,12 +148,6 @@ static void compare_states(struct trial *trial)
             compare_area(trial, random_areas + i);
 }
 
-static void compare_all_memory(struct trial *trial)
-{
-    for (size_t i = 0; i < RANDOM_PAGES; i++)
-        compare_memory(trial, random_pages[i].address, C205_PAGE_WORDS);
-}
-
 /* ---- Clocks ------------------------------------------------------------ */
 
 static size_t region_of(const struct trial *trial, uint64_t pc)
@@ -303,7 +297,8 @@ static void run_steps(struct trial *trial)
         difference->step++;
     }
     if (difference->count == 0 && !trial->reference.lost)
-        compare_all_memory(trial);
+        for (size_t i = 0; i < RANDOM_PAGES; i++)
+            compare_memory(trial, random_pages[i].address, C205_PAGE_WORDS);
 }
 
 /* Compares other modes of execution, which load the machine again. */

@@ -2,7 +2,6 @@
  * rules (plain_light.h). */
 #include "tests/oracle/plain_light.h"
 
-
 /* POV-Ray 3.7's limits.  A light more oblique than the first adds nothing, and a point
  * nearer than that to the next cell of a pattern is in that cell.  The second is the
  * least distance of a shadow's blocker from the point, from the light and, within one

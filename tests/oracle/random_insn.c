@@ -158,21 +158,11 @@ static unsigned result_bits(const c205_insn *insn, unsigned g)
     return insn->format == C205_FORMAT_SPARSE ? g & ~C205_G_OFFSET : g;
 }
 
-static char bits_role(unsigned g, char field)
-{
-    return g & C205_G_OFFSET && field == 'C' ? 'q' : 'b';
-}
-
-static bool is_broadcast(char field, unsigned g)
-{
-    return (field == 'a' && g & C205_G_BROADCAST_A)
-           || (field == 'b' && g & C205_G_BROADCAST_B);
-}
-
 static char role_of(uint64_t *random, const c205_insn *insn, char field, unsigned g)
 {
     char letter = reference_letter(insn, g, (char)toupper(field));
-    bool number = is_broadcast(field, g);
+    bool number = (field == 'a' && g & C205_G_BROADCAST_A)
+                  || (field == 'b' && g & C205_G_BROADCAST_B);
     unsigned sources = g & ~C205_G_OFFSET;
     switch (letter) {
     case 'v':
@@ -188,7 +178,7 @@ static char role_of(uint64_t *random, const c205_insn *insn, char field, unsigne
     case 'C':
     case 'D': return vector_role(random, result_bits(insn, g), 'w');
     case 'e':
-    case 'o': return bits_role(g, field);
+    case 'o': return g & C205_G_OFFSET && field == 'C' ? 'q' : 'b';
     case 'b': return 'b';
     case 'z':
         return strstr(c205_format_syntax(insn->format), "!Z") || one_in(random, 3)

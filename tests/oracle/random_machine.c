@@ -14,18 +14,14 @@ static c205_model **models;
 
 /* ---- Begin and end ----------------------------------------------------- */
 
-static void make_machine(size_t i)
-{
-    models[i] = NEEDED(c205_model_parse("random", random_models[i], &last_error));
-    machines[i] = NEEDED(c205_new(models[i], &last_error));
-}
-
 void random_machines_begin(void)
 {
     models = plain_room(NULL, random_model_count, sizeof *models);
     machines = plain_room(NULL, random_model_count, sizeof *machines);
-    for (size_t i = 0; i < random_model_count; i++)
-        make_machine(i);
+    for (size_t i = 0; i < random_model_count; i++) {
+        models[i] = NEEDED(c205_model_parse("random", random_models[i], &last_error));
+        machines[i] = NEEDED(c205_new(models[i], &last_error));
+    }
 }
 
 void random_machines_end(void)

@@ -337,11 +337,6 @@ static c205_word preset(uint64_t *random, const struct random_program *program,
     }
 }
 
-static uint64_t step_of(char role)
-{
-    return is_of_halves(role) ? HALF : WORD;
-}
-
 /* Returns a vector near the previous one, or of half words near one of words. */
 static c205_word near_another(uint64_t *random, const struct random_program *program,
                               char role, unsigned number)
@@ -349,7 +344,8 @@ static c205_word near_another(uint64_t *random, const struct random_program *pro
     unsigned other = role == 'w' && one_in(random, 2) ? draw_register(random, 'v')
                                                       : number - 1;
     return program->registers[other]
-           + step_of(role) * (uint64_t)random_between(random, -3, 3);
+           + (is_of_halves(role) ? HALF : WORD)
+                 * (uint64_t)random_between(random, -3, 3);
 }
 
 /* Every fourth vector starts near another one, so that they overlap. */

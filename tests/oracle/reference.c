@@ -105,18 +105,13 @@ static unsigned shift_of_half(unsigned number)
     return number % 2 * HALF_BITS;
 }
 
-static bool is_number(char letter)
-{
-    return strchr("fFvV", letter);
-}
-
 c205_word read_operand(const struct reference *reference, char letter, unsigned number)
 {
     bool half = width_of_letter(letter) == HALF_BITS;
     unsigned whole = half ? whole_register(number) : number;
     c205_word word = read_bits(reference, whole);
     if (whole == 0)
-        return is_number(letter) ? C205_MACHINE_ZERO : 0;
+        return strchr("fFvV", letter) ? C205_MACHINE_ZERO : 0;
     return half ? word << shift_of_half(number) & LEFT_HALF : word;
 }
 
@@ -294,18 +289,14 @@ static bool has_only(const c205_insn *insn, c205_word word, const c205_fields *f
                 || (is_sum(insn) && fields->c % 2 != 0));
 }
 
-static bool lacks_control(const c205_insn *insn, const c205_fields *fields)
-{
-    return strstr(c205_format_syntax(insn->format), "!Z") && fields->z == 0;
-}
-
 /* Checks instruction i of the step. */
 static void check_code(struct reference *reference, size_t i)
 {
     const struct deed *deed = &reference->deed;
     if (!has_only(deed->insns[i], deed->words[i], deed->fields + i))
         add_fault(reference, C205_TRAP_UNDEFINED_INSTRUCTION, deed->pc, true);
-    if (lacks_control(deed->insns[i], deed->fields + i))
+    if (strstr(c205_format_syntax(deed->insns[i]->format), "!Z")
+        && deed->fields[i].z == 0) /* without a control vector */
         add_fault(reference, C205_TRAP_BAD_DESCRIPTOR, 0, true);
 }
 

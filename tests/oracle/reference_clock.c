@@ -287,11 +287,6 @@ static struct translation translate(struct reference_clock *clock,
 
 /* ---- The scalar unit --------------------------------------------------- */
 
-static void wait_for_unit(struct reference_clock *clock, c205_unit unit)
-{
-    charge(clock, clock->region, C205_UNIT_BUSY, clock->unit_free[unit]);
-}
-
 static void forget_loads(struct reference_clock *clock)
 {
     while (clock->load_count > 0 && clock->loads[0] <= clock->now)
@@ -344,7 +339,7 @@ static void step_scalar(struct reference_clock *clock, const struct deed *deed)
         reach_memory(clock, deed);
     if (load)
         wait_for_loads(clock, constant(clock, "memory", "loads_in_flight") - 1);
-    wait_for_unit(clock, insn->unit);
+    charge(clock, clock->region, C205_UNIT_BUSY, clock->unit_free[insn->unit]);
     uint64_t ready = clock->now + of_class(clock, "latency", insn->timing);
     clock->unit_free[insn->unit] = clock->now + of_class(clock, "busy", insn->timing);
     if (load)

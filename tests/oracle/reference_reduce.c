@@ -98,11 +98,6 @@ static bool is_indefinite(c205_word word)
     return word >> 60 == 7;
 }
 
-static bool is_machine_zero(c205_word word)
-{
-    return word >> 60 == 8;
-}
-
 /* Returns true if word replaces best.  An equal element does not, and nothing replaces
  * an indefinite one. */
 static bool surpasses(const struct oracle_format *format, c205_word word,
@@ -132,9 +127,9 @@ static void extreme(struct reference *reference, const struct vector *vector,
             index = i;
         }
     }
-    reference->now.flags |= is_indefinite(best)     ? FLAG_INDEFINITE
-                            : is_machine_zero(best) ? FLAG_MACHINE_ZERO
-                                                    : 0;
+    reference->now.flags |= is_indefinite(best) ? FLAG_INDEFINITE
+                            : best >> 60 == 8   ? FLAG_MACHINE_ZERO
+                                                : 0;
     write_register(reference, vector->fields->b, index);
     write_result(reference, vector, 0, best);
 }

@@ -137,11 +137,6 @@ static long name_of(const struct object *program, struct names names, unsigned n
     return found;
 }
 
-static long owner_of(const struct object *program, long name)
-{
-    return name == ANYONE ? ANYONE : (long)program->registers[name].owner;
-}
-
 /* Returns the name of the register count after a named one, if the names were declared
  * one after another. */
 static long name_behind(const struct object *program, long name, size_t count)
@@ -201,7 +196,9 @@ static void write_register(struct register_owners *owners, uint64_t address,
 {
     if (number >= C205_REGISTERS)
         return;
-    owners->owner[number] = owner_of(owners->program, name);
+    owners->owner[number] = name == ANYONE
+                                ? ANYONE
+                                : (long)owners->program->registers[name].owner;
     owners->written[number] = address;
 }
 

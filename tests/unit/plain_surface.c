@@ -22,7 +22,6 @@ void random_direction(uint64_t *random, double direction[3])
 
 /* ---- Crossings of a surface of many parts ------------------------------- */
 
-
 struct spelling shoot(const struct surface *surface, const struct ray *ray)
 {
     struct spelling nearest = { INFINITY, { 0 } };
@@ -71,7 +70,6 @@ void assert_hits(const struct surface *surface, const struct expectation *rows,
 
 /* ---- Volumes ------------------------------------------------------------ */
 
-
 static int compare_distances(const void *a, const void *b)
 {
     const struct crossing *x = a, *y = b;
@@ -110,7 +108,6 @@ double volume(const struct surface *surface, double size)
 }
 
 /* ---- Two surfaces that are one ------------------------------------------- */
-
 
 void set_coefficient(struct surface *surface, int x, int y, int z, double value)
 {

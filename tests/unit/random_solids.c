@@ -108,7 +108,6 @@ void add_turn(char *text, size_t size, double larger)
 
 /* ---- Shapes ------------------------------------------------------------- */
 
-
 static void add_ball(char *text, size_t size)
 {
     add_text(text, size, "sphere { 0, %.4f ", size_between(.5, 1.2));
@@ -308,7 +307,6 @@ static void add_leaf(char *text, size_t size)
 }
 
 /* ---- Trees -------------------------------------------------------------- */
-
 
 /* Repeats the text that begins at `from`. */
 static void add_again(char *text, size_t size, size_t from)

@@ -9,7 +9,6 @@
 
 #include <math.h>
 
-
 static c205_model *model;
 
 static void assert_near(double value, double expected, const char *what)

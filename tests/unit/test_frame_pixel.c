@@ -11,7 +11,6 @@
 #include "rt/view/pixel_rays.h"
 #include "rt/view/pixel_verbs.h"
 
-
 static uint64_t random_state = RANDOM_SEED;
 
 static size_t some(size_t least, size_t most)

@@ -7,7 +7,6 @@
 
 #include "base/fnv_hash.h"
 
-
 enum { PROGRAMS = 50, TARGETS = 40, MAX_STEPS = 2500, CHANGES = 2 };
 /* A change of a register at a step, made from outside. */
 struct change {

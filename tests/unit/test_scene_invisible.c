@@ -119,11 +119,6 @@ static void scene_text(char *text, size_t size, size_t shape, size_t place)
              invisible_shapes[shape].text, places[place].after);
 }
 
-static struct words *frame_without(bool ball)
-{
-    return same_frame(ball ? VIEW GROUND BALL "}\n" : VIEW GROUND);
-}
-
 static size_t count_reports(const struct diagnostics *reports)
 {
     size_t count = 0;
@@ -155,7 +150,7 @@ TEST(invisible)
 
     memcpy(traced.queues, (const size_t[]){ 40, 0 }, 2 * sizeof(size_t));
     for (int ball = 0; ball < 2; ball++)
-        without[ball] = frame_without(ball);
+        without[ball] = same_frame(ball ? VIEW GROUND BALL "}\n" : VIEW GROUND);
     for (size_t i = 0; i < COUNT(invisible_shapes); i++) {
         drawn[invisible_shapes[i].kind] = true;
         for (size_t place = 0; place < COUNT(places); place++)

@@ -12,7 +12,6 @@
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
-
 static uint64_t seed = 1;
 
 static const struct sampling_options usual = {

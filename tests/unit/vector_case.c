@@ -6,7 +6,6 @@
 
 /* ---- Properties of the row ----------------------------------------------- */
 
-
 bool is_row_of(const c205_insn *row, const char *names)
 {
     const char *found = strstr(names, row->mnemonic);
@@ -40,7 +39,6 @@ static unsigned width_of(const struct vector_case *one, enum role role)
 }
 
 /* ---- Bits --------------------------------------------------------------- */
-
 
 void mark(struct bits_of *bits, uint64_t address, uint64_t count)
 {
@@ -86,7 +84,6 @@ size_t count_chosen(const struct vector_case *one, bool chosen)
 }
 
 /* ---- Registers ---------------------------------------------------------- */
-
 
 const uint8_t role_register[ROLES] = { 130, 140, 150, 160, 170, 180 };
 const uint8_t role_half[ROLES] = { 201, 202, 205, 206, 209, 210 };
@@ -134,7 +131,6 @@ static bool length_matters(const struct vector_case *one, enum role role)
 }
 
 /* ---- Lengths and places ------------------------------------------------- */
-
 
 size_t draw(uint64_t *random, size_t low, size_t high)
 {
@@ -229,7 +225,6 @@ size_t source_length(uint64_t *random, size_t n)
 
 /* ---- G ------------------------------------------------------------------ */
 
-
 /* Rejects reductions and moves of a single number, which are not instructions. */
 static bool makes_sense(const c205_insn *row, unsigned g)
 {
@@ -265,7 +260,6 @@ static void draw_g(struct vector_case *one, uint64_t *random)
 }
 
 /* ---- Contents ----------------------------------------------------------- */
-
 
 static void put_word(struct vector_case *one, uint64_t address, c205_word word)
 {
@@ -351,7 +345,6 @@ static void fill_memory(struct vector_case *one, uint64_t *random)
 
 /* ---- Number of elements ------------------------------------------------- */
 
-
 static size_t scanned(const struct vector_case *one)
 {
     return one->vector[one->scalar[ROLE_A] ? ROLE_B : ROLE_A].length;
@@ -384,7 +377,6 @@ static size_t elements_of(const struct vector_case *one)
 }
 
 /* ---- The whole ---------------------------------------------------------- */
-
 
 static void place_operand(struct vector_case *one, enum role role, uint64_t *random,
                           size_t n, size_t offset)
