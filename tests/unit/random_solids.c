@@ -1,6 +1,8 @@
 /* random_solids.c - writes random shapes, materials, motions and trees of solids. */
 #include "random_solids.h"
 
+#include <ctype.h>
+
 struct solids solids;
 
 size_t below(size_t count)
@@ -26,26 +28,91 @@ double angle(void)
     return solids.gridded ? 90 * round(degrees / 90) : degrees;
 }
 
+/* ---- Random texts ------------------------------------------------------- */
+
+enum { MAX_PARTS = 24, PART = 200 };
+
+/* Returns the end of the number or choice that begins here. */
+static const char *part_end(const char *part)
+{
+    return *part == '^' ? strchr(part + 1, '^') + 1 : strchr(part, ']') + 1;
+}
+
+static void draw_number(const char *part, char *drawn)
+{
+    char kind = part[2], *end;
+    double low = strtod(part + 2 + (isalpha((unsigned char)kind) != 0), &end);
+    double high = strtod(end + 1, NULL);
+    sprintf(drawn, "%.*f", part[1] - '0',
+            kind == 's'   ? size_between(low, high)
+            : kind == 'p' ? place_between(low, high)
+            : kind == 'a' ? angle()
+                          : between(low, high));
+}
+
+static void draw_choice(const char *part, char *drawn)
+{
+    char *begin;
+    size_t which = below(strtoul(part + 1, &begin, 10));
+    const char *from = begin + 1;
+    for (; which > 0 && from[strcspn(from, "|]")] == '|'; which--)
+        from += strcspn(from, "|]") + 1;
+    sprintf(drawn, "%.*s", (int)strcspn(from, "|]"), from);
+}
+
+/* Adds the text up to the next point or $. and returns its end. */
+static const char *add_parts(char *text, size_t size, const char *pattern)
+{
+    char drawn[MAX_PARTS][PART];
+    const char *part[MAX_PARTS], *end = pattern;
+    size_t count = 0;
+    while (*end && *end != '@' && strncmp(end, "$.", 2) != 0)
+        if (*end == '^' || *end == '$')
+            end = part_end(part[count++] = end);
+        else
+            end++;
+    for (size_t i = count; i-- > 0;)
+        (*part[i] == '^' ? draw_number : draw_choice)(part[i], drawn[i]);
+    for (size_t i = 0; i < count; i++) {
+        add_text(text, size, "%.*s%s", (int)(part[i] - pattern), pattern, drawn[i]);
+        pattern = part_end(part[i]);
+    }
+    add_text(text, size, "%.*s", (int)(end - pattern), pattern);
+    return end;
+}
+
+void add_random(char *text, size_t size, const char *format, ...)
+{
+    char pattern[2000], *rest;
+    va_list list;
+    va_start(list, format);
+    vsnprintf(pattern, sizeof pattern, format, list);
+    va_end(list);
+    for (const char *at = pattern; *(at = add_parts(text, size, at));)
+        if (*at == '@') {
+            add_point(text, size, strtod(at + 1, &rest));
+            at = rest + 1;
+        } else {
+            at += 2;
+        }
+}
+
 /* ---- Modifiers ---------------------------------------------------------- */
 
 static void add_color(char *text, size_t size)
 {
     double filter = solids.clear && below(2) ? between(0, .7) : 0;
-    add_text(text, size, "%s rgbft <%.3f, %.3f, %.3f, %.3f, %.3f> ",
-             below(3) ? "" : "checker", between(0, 1), between(0, 1), between(0, 1),
-             filter, filter / 3);
+    add_random(text, size, "$3[checker|] rgbft <^30:1^, ^30:1^, ^30:1^, %.3f, %.3f> ",
+               filter, filter / 3);
 }
 
 /* Writes a gradient with one to six stops; some stops coincide. */
 void add_gradient(char *text, size_t size)
 {
     double at = between(-.1, .4);
-    add_text(text, size, "gradient ");
-    add_point(text, size, 1);
-    add_text(text, size, " color_map { ");
+    add_random(text, size, "gradient @1@ color_map { ");
     for (size_t left = 1 + below(6); left > 0; left--) {
-        add_text(text, size, "[%.3f rgb <%.3f, %.3f, %.3f>] ", at, between(0, 1),
-                 between(0, 1), between(0, 1));
+        add_random(text, size, "[%.3f rgb <^30:1^, ^30:1^, ^30:1^>] ", at);
         at += below(4) ? between(.02, .4) : 0;
     }
     add_text(text, size, "} ");
@@ -77,12 +144,11 @@ void add_look(char *text, size_t size)
         add_color(text, size);
     else
         add_gradient(text, size);
-    add_text(text, size, "scale %.3f } finish { ambient .2 diffuse .6 ",
-             between(.2, .6));
+    add_random(text, size, "scale ^3.2:.6^ } finish { ambient .2 diffuse .6 ");
     if (below(3) == 0)
-        add_text(text, size, "phong %.2f ", between(0, 1));
+        add_random(text, size, "phong ^20:1^ ");
     if (solids.clear && below(3) == 0)
-        add_text(text, size, "reflection %.2f ", between(.1, .5));
+        add_random(text, size, "reflection ^2.1:.5^ ");
     add_gloss(text, size);
     add_text(text, size, "} ");
 }
@@ -90,78 +156,52 @@ void add_look(char *text, size_t size)
 static void add_motion(char *text, size_t size)
 {
     if (below(2))
-        add_text(text, size, "rotate <%.2f, %.2f, %.2f> ", angle(), angle(), angle());
+        add_random(text, size, "rotate <^2a^, ^2a^, ^2a^> ");
     if (below(4) == 0)
-        add_text(text, size, "scale <%.2f, %.2f, %.2f> ", size_between(.6, 1.4),
-                 size_between(.6, 1.4), size_between(.6, 1.4));
-    add_text(text, size, "translate <%.3f, %.3f, %.3f> ", place_between(-.6, .6),
-             place_between(-.6, .6), place_between(-.6, .6));
+        add_random(text, size, "scale <^2s.6:1.4^, ^2s.6:1.4^, ^2s.6:1.4^> ");
+    add_random(text, size, "translate <^3p-.6:.6^, ^3p-.6:.6^, ^3p-.6:.6^> ");
 }
 
 void add_turn(char *text, size_t size, double larger)
 {
-    add_text(text, size, " scale %.1f rotate <%.2f, %.2f, %.2f> translate ", larger,
-             between(-90, 90), between(-90, 90), between(-90, 90));
-    add_point(text, size, 1.3);
-    add_text(text, size, " ");
+    add_random(text, size,
+               " scale %.1f rotate <^2-90:90^, ^2-90:90^, ^2-90:90^> translate @1.3@ ",
+               larger);
 }
 
 /* ---- Shapes ------------------------------------------------------------- */
 
-static void add_ball(char *text, size_t size)
-{
-    add_text(text, size, "sphere { 0, %.4f ", size_between(.5, 1.2));
-}
+#define SHAPE(name, pattern) \
+    static void name(char *text, size_t size) \
+    { \
+        add_random(text, size, pattern); \
+    }
+#define CORNER "<^4s.3:1.2^, ^4s.3:1.2^, ^4s.3:1.2^>"
 
-static void add_box(char *text, size_t size)
-{
-    add_text(text, size, "box { -<%.4f, %.4f, %.4f>, <%.4f, %.4f, %.4f> ",
-             size_between(.3, 1.2), size_between(.3, 1.2), size_between(.3, 1.2),
-             size_between(.3, 1.2), size_between(.3, 1.2), size_between(.3, 1.2));
-}
-
-static void add_cylinder(char *text, size_t size)
-{
-    add_text(text, size, "cylinder { -%.4f*y, %.4f*y, %.4f %s ", size_between(.3, 1.4),
-             size_between(.3, 1.4), size_between(.3, .8), below(4) ? "" : "open");
-}
-
-static void add_cone(char *text, size_t size)
-{
-    add_text(text, size, "cone { -%.4f*y, %.4f, %.4f*y, %.4f %s ",
-             size_between(.3, 1.4), size_between(.4, .9), size_between(.3, 1.4),
-             place_between(0, .3), below(4) ? "" : "open");
-}
+SHAPE(add_ball, "sphere { 0, ^4s.5:1.2^ ")
+SHAPE(add_box, "box { -" CORNER ", " CORNER " ")
+SHAPE(add_cylinder, "cylinder { -^4s.3:1.4^*y, ^4s.3:1.4^*y, ^4s.3:.8^ $4[open|] ")
+SHAPE(add_cone, "cone { -^4s.3:1.4^*y, ^4s.4:.9^, ^4s.3:1.4^*y, ^4p0:.3^ $4[open|] ")
+SHAPE(add_quadric, "quadric { <1, ^4p-1:1^, 1>, <0, 0, ^4p-.5:.5^>, 0, -^4s.2:.8^ ")
+SHAPE(add_elliptical_torus, "elliptical_torus { ^4s.6:1^, ^4s.15:.4^, ^4s.15:.6^ ")
+SHAPE(add_quartic, "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,"
+                   "0,0,0,0,0,0,0,1,0,0,^4p-.3:.3^,-^4s.4:1^> ")
 
 static void add_plane(char *text, size_t size)
 {
-    add_text(text, size, "plane { ");
-    if (solids.gridded)
-        add_text(text, size, "%c", "xyz"[below(3)]);
-    else
-        add_point(text, size, 1);
-    add_text(text, size, ", %.4f ", place_between(-.3, .6));
+    add_random(text, size,
+               solids.gridded ? "plane { $3[x|y|z]$., ^4p-.3:.6^ "
+                              : "plane { @1@, ^4p-.3:.6^ ");
 }
 
 /* Every other disc is a ring. */
 static void add_disc(char *text, size_t size)
 {
-    add_text(text, size, "disc { ");
-    add_point(text, size, .3);
-    add_text(text, size, ", ");
-    if (solids.gridded)
-        add_text(text, size, "%c", "xyz"[below(3)]);
-    else
-        add_point(text, size, 1);
-    add_text(text, size, ", %.4f ", size_between(.5, 1.5));
+    add_random(text, size,
+               solids.gridded ? "disc { @.3@, $3[x|y|z]$., ^4s.5:1.5^ "
+                              : "disc { @.3@, @1@, ^4s.5:1.5^ ");
     if (below(2))
-        add_text(text, size, ", %.4f ", size_between(.1, .5));
-}
-
-static void add_quadric(char *text, size_t size)
-{
-    add_text(text, size, "quadric { <1, %.4f, 1>, <0, 0, %.4f>, 0, -%.4f ",
-             place_between(-1, 1), place_between(-.5, .5), size_between(.2, .8));
+        add_random(text, size, ", ^4s.1:.5^ ");
 }
 
 /* Writes a lathe of two sizes, closed or open, with level and upright segments. */
@@ -183,20 +223,6 @@ static void add_torus(char *text, size_t size)
         add_lathe(text, size, major, minor);
     else
         add_text(text, size, "torus { %.4f, %.4f ", major, minor);
-}
-
-static void add_elliptical_torus(char *text, size_t size)
-{
-    add_text(text, size, "elliptical_torus { %.4f, %.4f, %.4f ", size_between(.6, 1),
-             size_between(.15, .4), size_between(.15, .6));
-}
-
-static void add_quartic(char *text, size_t size)
-{
-    add_text(text, size,
-             "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,"
-             "0,0,0,0,0,0,0,1,0,0,%.4f,-%.4f> ",
-             place_between(-.3, .3), size_between(.4, 1));
 }
 
 /* Writes a prism: a corner piece, an arrow, or a shape of parabolas. All draw the same
@@ -221,12 +247,11 @@ static void add_prism(char *text, size_t size)
 
 static void add_patch(char *text, size_t size)
 {
-    add_text(text, size,
-             "steiner_patch { <-1, 0, 0>, <0, 2, 0>, <1, 0, 0>, "
-             "<-1, 1, -%.4f>, <1, 1, %.4f>, <0, -.5, -%.4f> ",
-             size_between(.2, 1), place_between(-1, 1), size_between(.2, 1));
+    add_random(text, size,
+               "steiner_patch { <-1, 0, 0>, <0, 2, 0>, <1, 0, 0>, "
+               "<-1, 1, -^4s.2:1^>, <1, 1, ^4p-1:1^>, <0, -.5, -^4s.2:1^> ");
     if (below(2))
-        add_text(text, size, "weights 1, 1, 1, %.2f, .5, 1 ", size_between(.5, 2));
+        add_random(text, size, "weights 1, 1, 1, ^2s.5:2^, .5, 1 ");
 }
 
 /* Writes a mesh: a roof, its smooth gable, or both, which form a closed body. */
@@ -273,14 +298,11 @@ static bool add_blob(char *text, size_t size)
         below(2);
     bool there = below(16) == 0;
     if (there)
-        add_text(text, size,
-                 "blob { threshold %.4f sphere { <%.4f, 0, 0>, %.4f, 1 }"
-                 " cylinder { <%.4f, -%.4f, 0>, <%.4f, %.4f, 0>, %.4f, 1 }"
-                 " sphere { <0, %.4f, %.4f>, %.4f, %s.8 } ",
-                 between(.2, .6), place_between(-.5, 0), size_between(.5, 1),
-                 place_between(0, .5), size_between(.25, .5), place_between(0, .5),
-                 size_between(.25, .5), size_between(.4, .8), place_between(-.5, .5),
-                 place_between(-.5, .5), size_between(.4, .8), below(2) ? "-" : "");
+        add_random(text, size,
+                   "blob { threshold ^4.2:.6^ sphere { <^4p-.5:0^, 0, 0>, ^4s.5:1^, 1 }"
+                   " cylinder { <^4p0:.5^, -^4s.25:.5^, 0>, <^4p0:.5^, ^4s.25:.5^, 0>,"
+                   " ^4s.4:.8^, 1 }"
+                   " sphere { <0, ^4p-.5:.5^, ^4p-.5:.5^>, ^4s.4:.8^, $2[|-].8 } ");
     traced.random = kept;
     return there;
 }
@@ -380,11 +402,10 @@ static void write_solids_with(char *text, size_t size, shape_words *add_shape)
 {
     static const char *const joined[] = { "difference", "intersection", "merge",
                                           "union" };
-    add_text(text, size,
-             "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
-             "background { rgb <.2, .3, .5> } light_source { <%.1f, 8, -7>, .7 }\n"
-             "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n",
-             between(-7, 7), place_between(-2, 2), place_between(-2, 2));
+    add_random(text, size,
+               "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
+               "background { rgb <.2, .3, .5> } light_source { <^1-7:7^, 8, -7>, .7 }\n"
+               "camera { location <^3p-2:2^, ^3p-2:2^, -5> look_at 0 angle 45 }\n");
     for (size_t solids_left = 2; solids_left > 0; solids_left--) {
         add_text(text, size, "%s {\n", joined[below(4)]);
         for (size_t i = 2 + below(3); i > 0; i--)

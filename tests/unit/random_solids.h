@@ -25,6 +25,14 @@ double size_between(double low, double high);
 double place_between(double low, double high);
 double angle(void);
 
+/* Adds a format of printf with random parts:
+ *   ^4.3:1.2^  a number from .3 to 1.2 with 4 decimals; ^4s.3:1.2^ is a size,
+ *              ^4p-1:1^ a coordinate and ^2a^ an angle
+ *   $3[a|b|]   one of three texts; the last one for each that is missing
+ *   @1.3@      a point of this reach, by add_point
+ * Numbers and choices up to the next point, or up to $., are drawn from right to left. */
+void add_random(char *text, size_t size, const char *format, ...);
+
 /* Writes a motion that turns a shape in any direction and scales it by `larger`. */
 void add_turn(char *text, size_t size, double larger);
 void add_gradient(char *text, size_t size);

@@ -15,25 +15,16 @@ static size_t scene_count = 4; /* of each kind */
 
 /* ---- Components ---------------------------------------------------------- */
 
-/* Adds a point. On a grid, ends, planes and axes of several components coincide, and
- * some lie on rays. */
-static void add_place(char *text, size_t size, double reach)
-{
-    add_text(text, size, "<%.4f, %.4f, %.4f>", place_between(-reach, reach),
-             place_between(-reach, reach), place_between(-reach, reach));
-}
-
+/* On a grid, ends, planes and axes of several components coincide, and some lie on
+ * rays. */
 static void add_motions(char *text, size_t size)
 {
     if (below(3) == 0)
-        add_text(text, size, "scale <%.4f, %.4f, %.4f> ", size_between(.5, 1.5),
-                 size_between(.5, 1.5), size_between(.5, 1.5));
+        add_random(text, size, "scale <^4s.5:1.5^, ^4s.5:1.5^, ^4s.5:1.5^> ");
     if (below(3) == 0)
-        add_text(text, size, "rotate <%.2f, %.2f, %.2f> ", angle(), angle(), angle());
-    if (below(3) == 0) {
-        add_text(text, size, "translate ");
-        add_place(text, size, .5);
-    }
+        add_random(text, size, "rotate <^2a^, ^2a^, ^2a^> ");
+    if (below(3) == 0)
+        add_random(text, size, "translate <^4p-.5:.5^, ^4p-.5:.5^, ^4p-.5:.5^>");
 }
 
 static void add_cylinder_part(char *text, size_t size)
@@ -51,17 +42,12 @@ static void add_cylinder_part(char *text, size_t size)
 
 static void add_component(char *text, size_t size)
 {
-    if (below(2)) {
+    if (below(2))
         add_cylinder_part(text, size);
-    } else {
-        add_text(text, size, "sphere { ");
-        add_place(text, size, 1);
-        add_text(text, size, ", ");
-    }
-    add_text(text, size, "%.4f", size_between(.4, 1));
+    else
+        add_random(text, size, "sphere { <^4p-1:1^, ^4p-1:1^, ^4p-1:1^>, ");
     /* Every fifth strength is negative. */
-    add_text(text, size, ", %s%s%.4f ", below(2) ? "strength " : "",
-             below(5) ? "" : "-", between(.5, 2));
+    add_random(text, size, "^4s.4:1^$., $2[|strength ]$5[-|]^4.5:2^ ");
     if (below(2))
         add_motions(text, size);
     add_text(text, size, "} ");
@@ -70,9 +56,10 @@ static void add_component(char *text, size_t size)
 /* Adds a blob with one to six components. */
 static void add_any_blob(char *text, size_t size)
 {
-    add_text(text, size, "blob { threshold %.4f sphere { ", between(.2, .8));
-    add_place(text, size, .5);
-    add_text(text, size, ", %.4f, 1.5 } ", size_between(.5, 1));
+    add_random(
+        text, size,
+        "blob { threshold ^4.2:.8^ sphere { $.<^4p-.5:.5^, ^4p-.5:.5^, ^4p-.5:.5^>"
+        "$., ^4s.5:1^, 1.5 } ");
     for (size_t i = below(6); i > 0; i--)
         add_component(text, size);
 }
@@ -80,11 +67,8 @@ static void add_any_blob(char *text, size_t size)
 static void add_moved_blob(char *text, size_t size)
 {
     add_any_blob(text, size);
-    add_text(text, size, " scale <1.6, %.2f, 1.4> rotate <%.2f, %.2f, %.2f> ",
-             between(1, 2), angle(), angle(), angle());
-    add_text(text, size, "translate ");
-    add_point(text, size, 1.3);
-    add_text(text, size, " ");
+    add_random(text, size,
+               " scale <1.6, ^21:2^, 1.4> rotate <^2a^, ^2a^, ^2a^> translate @1.3@ ");
 }
 
 TEST(random_scenes)

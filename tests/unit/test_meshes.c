@@ -33,10 +33,9 @@ static void add_mesh(char *to, size_t size)
 {
     random_net();
     net_text(&net, to, size, &traced.random);
-    add_text(to, size, "scale %.4f rotate <%.2f, %.2f, %.2f> translate ",
-             between(1, 1.8), between(-90, 90), between(-90, 90), between(-90, 90));
-    add_point(to, size, 1.3);
-    add_text(to, size, " ");
+    add_random(
+        to, size,
+        "scale ^41:1.8^ rotate <^2-90:90^, ^2-90:90^, ^2-90:90^> translate @1.3@ ");
 }
 
 TEST_CALL(random_scenes, check_random_scenes(add_mesh, 2 * scene_count))
@@ -48,7 +47,7 @@ static void add_thing(char *to, size_t size)
 {
     bool ball = below(5) == 0, clear = solids.clear;
     if (ball) {
-        add_text(to, size, "sphere { 0, %.4f ", between(.3, .8));
+        add_random(to, size, "sphere { 0, ^4.3:.8^ ");
     } else {
         random_net();
         net_text(&net, to, size, &traced.random);
@@ -57,27 +56,23 @@ static void add_thing(char *to, size_t size)
     add_look(to, size);
     solids.clear = clear;
     if (clear && below(2))
-        add_text(to, size, "finish { reflection %.2f } ", between(.1, .6));
-    add_text(to, size, "scale <%.3f, %.3f, %.3f> rotate <%.2f, %.2f, %.2f> ",
-             between(.5, 1.4), between(.5, 1.4), between(.5, 1.4), between(-90, 90),
-             between(-90, 90), between(-90, 90));
-    add_text(to, size, "translate ");
-    add_point(to, size, .8);
-    add_text(to, size, "}\n");
+        add_random(to, size, "finish { reflection ^2.1:.6^ } ");
+    add_random(to, size,
+               "scale <^3.5:1.4^, ^3.5:1.4^, ^3.5:1.4^> "
+               "rotate <^2-90:90^, ^2-90:90^, ^2-90:90^> translate @.8@}\n");
 }
 
 /* Writes objects that intersect and contain each other, over a floor. */
 static void write_world(void)
 {
     text[0] = '\0';
-    add_text(text, sizeof text,
-             "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
-             "background { rgb <.2, .3, .5> } light_source { <%.1f, 8, -7>, .7 }\n"
-             "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n"
-             "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n"
-             "plane { y, -1.2 pigment { checker rgb .8 rgb .4 } "
-             "finish { reflection .2 } }\n",
-             between(-7, 7), between(2, 6), between(-2, 2), between(-1, 3));
+    add_random(text, sizeof text,
+               "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
+               "background { rgb <.2, .3, .5> } light_source { <^1-7:7^, 8, -7>, .7 }\n"
+               "light_source { <7, 3, -^22:6^>, rgb <.3, .2, .4> }\n"
+               "camera { location <^3-2:2^, ^3-1:3^, -5> look_at 0 angle 45 }\n"
+               "plane { y, -1.2 pigment { checker rgb .8 rgb .4 } "
+               "finish { reflection .2 } }\n");
     for (size_t i = 3 + below(3); i > 0; i--)
         add_thing(text, sizeof text);
     if (below(2))

@@ -13,30 +13,24 @@ static bool along;             /* rays lie in faces and hit edges; rounding deci
 static void add_view(char *text, size_t size)
 {
     along = solids.gridded && below(2);
-    if (along)
-        add_text(text, size, "camera { location <0, 0, -%.2f> " STRAIGHT_AHEAD " }\n",
-                 size_between(4, 6));
-    else
-        add_text(text, size,
-                 "camera { location <%.3f, %.3f, -5> look_at <%.3f, "
-                 "%.3f, 0> angle 45 }\n",
-                 between(-2, 2), between(-2, 2), between(-.2, .2), between(-.2, .2));
+    add_random(text, size,
+               along ? "camera { location <0, 0, -^2s4:6^> " STRAIGHT_AHEAD " }\n"
+                     : "camera { location <^3-2:2^, ^3-2:2^, -5> "
+                       "look_at <^3-.2:.2^, ^3-.2:.2^, 0> angle 45 }\n");
 }
 
 static void write_scene(char *text, size_t size)
 {
     text[0] = '\0';
-    add_text(text, size,
-             "#version 3.7; global_settings { assumed_gamma 1 "
-             "max_trace_level 4 }\nbackground { rgb <.2, .3, .5> }\n"
-             "light_source { <%.1f, 8, -7>, .7 }\n"
-             "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n",
-             between(-7, 7), between(2, 6));
+    add_random(text, size,
+               "#version 3.7; global_settings { assumed_gamma 1 "
+               "max_trace_level 4 }\nbackground { rgb <.2, .3, .5> }\n"
+               "light_source { <^1-7:7^, 8, -7>, .7 }\n"
+               "light_source { <7, 3, -^22:6^>, rgb <.3, .2, .4> }\n");
     if (below(2)) {
         add_text(text, size, "sky_sphere { pigment { ");
         add_gradient(text, size);
-        add_text(text, size, "scale %.3f } rotate %.2f*x }\n", between(.3, 2),
-                 between(-90, 90));
+        add_random(text, size, "scale ^3.3:2^ } rotate ^2-90:90^*x }\n");
     }
     add_view(text, size);
     for (size_t i = 1 + below(2); i > 0; i--)

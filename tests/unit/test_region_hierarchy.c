@@ -18,8 +18,7 @@ static void add_place(char *text, size_t size)
         add_text(text, size, "translate <%zu, %zu, %zu> - 2 ", below(5), below(5),
                  below(5));
     else
-        add_text(text, size, "translate <%.4f, %.4f, %.4f> ", between(-2, 2),
-                 between(-2, 2), between(-2, 2));
+        add_random(text, size, "translate <^4-2:2^, ^4-2:2^, ^4-2:2^> ");
 }
 
 /* Begins a shape; half of the kinds are balls. */
@@ -30,13 +29,11 @@ static void add_shape(char *text, size_t size, size_t kind)
         add_text(text, size, "box { -%.3f, .5 ", solids.gridded ? .5 : between(.1, .4));
         break;
     case 4:
-        add_text(text, size,
-                 "%s { sphere { 0, .5 } box { %s, 1 } bounded_by { sphere { 0, 3 } } ",
-                 below(2) ? "difference" : "merge", below(2) ? "0" : "-.25");
+        add_random(text, size,
+                   "$2[merge|difference] { sphere { 0, .5 } box { $2[-.25|0], 1 } "
+                   "bounded_by { sphere { 0, 3 } } ");
         break;
-    case 5:
-        add_text(text, size, "cylinder { -.5*x, .5*x, .2 %s ", below(2) ? "open" : "");
-        break;
+    case 5: add_random(text, size, "cylinder { -.5*x, .5*x, .2 $2[|open] "); break;
     default:
         add_text(text, size, "sphere { 0, %.3f ",
                  solids.gridded ? .5 : between(.05, .4));
@@ -96,14 +93,12 @@ static void add_spheres(char *text)
 static void write_scene(char *text, bool spheres)
 {
     text[0] = '\0';
-    add_text(text, TEXT_ROOM,
-             "#version 3.7; global_settings { assumed_gamma 1 "
-             "max_trace_level 4 }\nbackground { rgb <.2, .3, .5> }\n"
-             "light_source { <%.1f, 8, -7>, .7 }\n"
-             "light_source { <%.1f, 3, %.2f>, rgb <.3, .2, .4> }\n"
-             "camera { location <%.3f, %.3f, %.3f> look_at 0 angle 60 }\n",
-             between(-7, 7), between(-2, 7), between(-2, 6), between(-2, 2),
-             between(-2, 2), between(-6, -1));
+    add_random(text, TEXT_ROOM,
+               "#version 3.7; global_settings { assumed_gamma 1 "
+               "max_trace_level 4 }\nbackground { rgb <.2, .3, .5> }\n"
+               "light_source { <^1-7:7^, 8, -7>, .7 }\n"
+               "light_source { <^1-2:7^, 3, ^2-2:6^>, rgb <.3, .2, .4> }\n"
+               "camera { location <^3-2:2^, ^3-2:2^, ^3-6:-1^> look_at 0 angle 60 }\n");
     if (below(2))
         add_text(text, TEXT_ROOM, "plane { y, -2.5 pigment { color rgb .8 } }\n");
     if (spheres)
@@ -170,19 +165,16 @@ TEST_CALL(grids_of_spheres, check_scenes(true, false, true))
 static void write_window(char *text)
 {
     text[0] = '\0';
-    add_text(text, TEXT_ROOM,
-             "#version 3.7; global_settings { assumed_gamma 1 "
-             "max_trace_level 2 }\nlight_source { <%.2f, 9, %.2f>, 1 }\n"
-             "camera { location <0, .5, -6> look_at -y angle 60 }\n"
-             "plane { y, -2 pigment { color rgb .9 } }\n",
-             between(-2, 2), between(-2, 2));
+    add_random(text, TEXT_ROOM,
+               "#version 3.7; global_settings { assumed_gamma 1 "
+               "max_trace_level 2 }\nlight_source { <^2-2:2^, 9, ^2-2:2^>, 1 }\n"
+               "camera { location <0, .5, -6> look_at -y angle 60 }\n"
+               "plane { y, -2 pigment { color rgb .9 } }\n");
     for (size_t i = 20 + below(60); i > 0; i--)
-        add_text(text, TEXT_ROOM,
-                 "%s scale %.3f translate <%.3f, %.3f, %.3f> "
-                 "pigment { rgbf <%.3f, %.3f, %.3f, .9> } }\n",
-                 below(2) ? "sphere { 0, 1" : "box { <-1, -.1, -1>, 1", between(.2, .6),
-                 between(-2, 2), between(1, 6), between(-2, 2), between(.7, 1),
-                 between(.7, 1), between(.7, 1));
+        add_random(text, TEXT_ROOM,
+                   "$2[box { <-1, -.1, -1>, 1|sphere { 0, 1] scale ^3.2:.6^ "
+                   "translate <^3-2:2^, ^31:6^, ^3-2:2^> "
+                   "pigment { rgbf <^3.7:1^, ^3.7:1^, ^3.7:1^, .9> } }\n");
 }
 
 TEST(windows)

@@ -255,7 +255,7 @@ static void put_mesh(void)
     if (below(4) == 0)
         net_smooth(&net, .3, &traced.random);
     net_text(&net, text, sizeof text, &traced.random);
-    add_text(text, sizeof text, "pigment { rgb <%.2f, .5, .8> }", between(.2, 1));
+    add_random(text, sizeof text, "pigment { rgb <^2.2:1^, .5, .8> }");
     if (below(3) == 0)
         add_text(text, sizeof text, " finish { reflection .4 }");
     add_text(text, sizeof text, " }\n");
@@ -269,23 +269,22 @@ static void write_scene(const char *camera)
     strcpy(text, "#version 3.7; global_settings { assumed_gamma 1 }\n");
     random_place(place);
     add_vector("#declare Eye =", place);
-    add_text(text, sizeof text,
-             ";\ncamera { location Eye angle %.3f %s look_at <%.3f, %.3f, %.3f> }\n",
-             between(20, 90), camera, between(-.5, .5), between(-.5, .5),
-             between(-.5, .5));
+    add_random(text, sizeof text,
+               ";\ncamera { location Eye angle ^320:90^ %s look_at "
+               "<^3-.5:.5^, ^3-.5:.5^, ^3-.5:.5^> }\n",
+               camera);
     add_lights();
     for (size_t i = among(1, 2); i > 0; i--) {
         random_net();
         put_mesh();
     }
     if (below(2))
-        add_text(text, sizeof text, "plane { y, %.3f pigment { rgb .7 } }\n",
-                 between(-4, -1));
+        add_random(text, sizeof text, "plane { y, ^3-4:-1^ pigment { rgb .7 } }\n");
     if (below(2))
-        add_text(text, sizeof text,
-                 "sphere { <%.3f, %.3f, %.3f>, .6 pigment { rgb .3 } finish "
-                 "{ reflection .6 } }\n",
-                 place_between(-2, 2), place_between(-2, 2), place_between(-2, 2));
+        add_random(
+            text, sizeof text,
+            "sphere { <^3p-2:2^, ^3p-2:2^, ^3p-2:2^>, .6 pigment { rgb .3 } finish "
+            "{ reflection .6 } }\n");
 }
 
 /* Compares the frames of all forms and of a variant of the kernels; without a variant,
@@ -322,21 +321,20 @@ static void write_before_camera(const char *camera)
 {
     const double by[3] = { 0, 0, 6 };
     strcpy(text, "#version 3.7; global_settings { assumed_gamma 1 }\n");
-    add_text(text, sizeof text,
-             "#declare Eye = <%.3f, %.3f, -2>;\n"
-             "camera { %s location Eye direction z right 2*x up 2*y }\n"
-             "light_source { Eye, .5 }\nlight_source { z, .5 }\n",
-             between(-1, 1), between(-1, 1), camera);
+    add_random(text, sizeof text,
+               "#declare Eye = <^3-1:1^, ^3-1:1^, -2>;\n"
+               "camera { %s location Eye direction z right 2*x up 2*y }\n"
+               "light_source { Eye, .5 }\nlight_source { z, .5 }\n",
+               camera);
     for (size_t i = among(1, 2); i > 0; i--) {
         random_net();
         net_move(&net, 1, by);
         put_mesh();
     }
-    add_text(text, sizeof text,
-             "plane { z, 9 pigment { rgb .7 } }\n"
-             "sphere { <%.3f, %.3f, 7>, .6 pigment { rgb .3 } finish "
-             "{ reflection .6 } }\n",
-             place_between(-2, 2), place_between(-2, 2));
+    add_random(text, sizeof text,
+               "plane { z, 9 pigment { rgb .7 } }\n"
+               "sphere { <^3p-2:2^, ^3p-2:2^, 7>, .6 pigment { rgb .3 } finish "
+               "{ reflection .6 } }\n");
 }
 
 /* Rays of these cameras do not pass through the camera's location, but rays to a light

@@ -6,62 +6,35 @@
 
 static void add_shape(char *text, size_t size)
 {
-    switch (xorshift(&traced.random) % 5) {
-    case 0:
-        add_text(text, size, "sphere { ");
-        add_point(text, size, 2);
-        add_text(text, size, ", %.9f ", between(.2, 1));
-        break;
-    case 1:
-        add_text(text, size, "box { ");
-        add_point(text, size, 2);
-        add_text(text, size, ", ");
-        add_point(text, size, 2);
-        break;
-    case 2:
-        add_text(text, size, "plane { ");
-        add_point(text, size, 1);
-        add_text(text, size, ", %.9f ", between(-5, -3));
-        break;
-    default:
-        add_text(text, size, "cylinder { ");
-        add_point(text, size, 2);
-        add_text(text, size, ", ");
-        add_point(text, size, 2);
-        add_text(text, size, ", %.9f %s", between(.2, .8),
-                 xorshift(&traced.random) % 2 ? "open " : "");
-        break;
-    }
+    static const char *const shapes[] = {
+        "sphere { @2@, ^9.2:1^ ",
+        "box { @2@, @2@",
+        "plane { @1@, ^9-5:-3^ ",
+        "cylinder { @2@, @2@, ^9.2:.8^ $2[|open ]",
+    };
+    size_t which = below(5);
+    add_random(text, size, shapes[which < 3 ? which : 3]);
 }
 
 static void add_quadric_or_cone(char *text, size_t size)
 {
-    if (xorshift(&traced.random) % 3 == 0) {
-        add_text(text, size, "quadric { <%.6f, %.6f, %.6f>, ", between(-1, 1),
-                 between(-1, 1), between(-1, 1));
-        add_point(text, size, .5);
-        add_text(text, size, ", ");
-        add_point(text, size, 1);
-        add_text(text, size, ", %.6f ", between(-1, .3));
+    if (below(3) == 0) {
+        add_random(text, size,
+                   "quadric { <^6-1:1^, ^6-1:1^, ^6-1:1^>, @.5@, @1@, ^6-1:.3^ ");
         return;
     }
-    add_text(text, size, "cone { ");
-    add_point(text, size, 2);
-    add_text(text, size, ", %.9f, ",
-             xorshift(&traced.random) % 3 == 0 ? 0 : between(.2, .8));
-    add_point(text, size, 2);
-    add_text(text, size, ", %.9f %s", between(.2, .8),
-             xorshift(&traced.random) % 2 ? "open " : "");
+    add_random(text, size, "cone { @2@, ");
+    add_text(text, size, "%.9f, ", below(3) == 0 ? 0 : between(.2, .8));
+    add_random(text, size, "@2@, ^9.2:.8^ $2[|open ]");
 }
 
 /* A torus or an elliptical torus. */
 static void add_torus(char *text, size_t size)
 {
-    bool elliptical = xorshift(&traced.random) % 2;
-    add_text(text, size, "%storus { %.9f, %.9f", elliptical ? "elliptical_" : "",
-             between(.5, 1.2), between(.1, .6));
-    if (elliptical)
-        add_text(text, size, ", %.9f", between(.1, .6));
+    bool elliptical = below(2);
+    add_random(text, size,
+               elliptical ? "elliptical_torus { ^9.5:1.2^, ^9.1:.6^$., ^9.1:.6^"
+                          : "torus { ^9.5:1.2^, ^9.1:.6^");
 }
 
 /* A closed quartic, because of the terms x^4 + y^4 + z^4. The other terms are random;
@@ -87,10 +60,7 @@ static void add_quartic_or_torus(char *text, size_t size)
         add_quartic(text, size);
     else
         add_torus(text, size);
-    add_text(text, size, " rotate <%.2f, %.2f, %.2f> translate ", between(-90, 90),
-             between(-90, 90), between(-90, 90));
-    add_point(text, size, 2);
-    add_text(text, size, " ");
+    add_random(text, size, " rotate <^2-90:90^, ^2-90:90^, ^2-90:90^> translate @2@ ");
 }
 
 /* Enough discs for a hierarchy. */
@@ -99,14 +69,11 @@ static void add_discs(char *text, size_t size)
     size_t count = 12 + below(40);
     add_text(text, size, "union { ");
     for (size_t i = 0; i < count; i++) {
-        add_text(text, size, "disc { ");
-        add_point(text, size, 1.2);
-        add_text(text, size, ", ");
-        add_point(text, size, 1);
+        add_random(text, size, "disc { @1.2@, @1@");
         add_text(text, size, ", %.4f, %.4f }\n", between(.3, 1),
                  below(2) ? between(0, .3) : 0);
     }
-    add_text(text, size, "scale <%.3f, 1, %.3f> ", between(.6, 1.4), between(.6, 1.4));
+    add_random(text, size, "scale <^3.6:1.4^, 1, ^3.6:1.4^> ");
 }
 
 TEST_CALL(random_simple_shapes, check_random_scenes(add_shape, share_of(12)))

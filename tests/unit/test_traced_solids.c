@@ -21,9 +21,8 @@ static void write_scene(char *text, size_t size, size_t count)
         add_text(text, size, "}\n");
         add_solid(text, size, 2);
         if (solids.clear)
-            add_text(text, size, "interior { ior %.2f } ", between(1, 1.6));
-        add_text(text, size, "translate <%.2f, %.2f, %.2f> }\n", between(-2, 2),
-                 between(-1, 1), between(-1, 1));
+            add_random(text, size, "interior { ior ^21:1.6^ } ");
+        add_random(text, size, "translate <^2-2:2^, ^2-1:1^, ^2-1:1^> }\n");
     }
 }
 
