@@ -19,6 +19,8 @@ struct small_machine {
 
 void add_half(struct small_machine *fixture, c205_word half);
 
+#define F(...) ((c205_fields){ __VA_ARGS__ })
+
 /* Appends an instruction and returns its address. */
 uint64_t add(struct small_machine *fixture, const char *mnemonic, c205_fields fields);
 void begin(struct small_machine *fixture);

@@ -7,7 +7,14 @@
 
 /* Return the model of a name, or of a text that is called "test". Each fails the test if
  * there is an error; the caller frees the model. */
-c205_model *named_model(const char *name);
-c205_model *parsed_model(const char *text);
+static inline c205_model *named_model(const char *name)
+{
+    return NON_NULL(c205_model_find(name, &failure));
+}
+
+static inline c205_model *parsed_model(const char *text)
+{
+    return NON_NULL(c205_model_parse("test", text, &failure));
+}
 
 #endif

@@ -13,7 +13,17 @@ struct look {
 
 /* Reads the two parts of a text as one scene, and traces the ray. Sets the channels of
  * its frame of one pixel. */
-void trace_ray(const struct look *look, const char *head, const char *text,
-               double values[FRAME_CHANNELS]);
+static inline void trace_ray(const struct look *look, const char *head,
+                             const char *text, double values[FRAME_CHANNELS])
+{
+    SCOPED_VALUE(frame) frame;
+    SCOPED(scene) *scene = read_format("%s%s", head, text);
+    scene->camera = (struct camera){ .location = { 0 } };
+    copy(scene->camera.location, look->from);
+    copy(scene->camera.direction, look->along);
+    assert_true(plain_trace(scene, 1, 1, &frame));
+    for (int i = 0; i < FRAME_CHANNELS; i++)
+        values[i] = frame.channel[i][0];
+}
 
 #endif

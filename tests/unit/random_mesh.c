@@ -256,10 +256,7 @@ static void face_normal(const struct net *net, const size_t face[3], double norm
     double edges[2][3];
     for (int k = 0; k < 2; k++)
         add_scaled(edges[k], net->points[face[1 + k]], -1, net->points[face[0]]);
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        normal[i] = edges[0][j] * edges[1][k] - edges[0][k] * edges[1][j];
-    }
+    cross_product(edges[0], edges[1], normal);
 }
 
 /* Faces have either orientation; here their normals point away from the origin. */

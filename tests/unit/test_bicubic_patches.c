@@ -78,13 +78,6 @@ static void cell_point(const struct patch *patch, const struct cell *cell, int i
     blossom_point(patch, u, v, point);
 }
 
-static void product(const double a[3], const double b[3], double c[3])
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 /* The derivative of a cubic is three times the difference of its blossom at 1 and at 0;
  * the other two arguments are the parameter of the point. */
 static void oracle_normal(const struct patch *patch, double u, double v,
@@ -100,7 +93,7 @@ static void oracle_normal(const struct patch *patch, double u, double v,
         }
         add_scaled(along[axis], ends[1], -1, ends[0]);
     }
-    product(along[0], along[1], normal);
+    cross_product(along[0], along[1], normal);
     normalise(normal);
 }
 
@@ -112,7 +105,7 @@ static bool oracle_is_flat(const struct patch *patch, const struct cell *cell)
     cell_point(patch, cell, 3, 0, corners[2]);
     add_scaled(a, corners[1], -1, corners[0]);
     add_scaled(b, corners[2], -1, corners[0]);
-    product(a, b, normal);
+    cross_product(a, b, normal);
     normalise(normal);
     for (int i = 0; i < 16; i++) {
         double point[3];

@@ -7,6 +7,7 @@
  *     test_closed_meshes [SCENES [SEED]]
  */
 #define MIDDLING_FRAMES
+#include "tests/oracle/plain_shapes.h"
 #include "tests/unit/random_mesh.h"
 #include "tests/unit/random_solids.h"
 
@@ -107,14 +108,6 @@ TEST(closed)
     }
 }
 
-static void cross(const double a[3], const double b[3], double result[3])
-{
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        result[i] = a[j] * b[k] - a[k] * b[j];
-    }
-}
-
 /* The camera looks from the middle of a body along an axis, at the middle of an edge,
  * or at a corner: toward one of the 26 neighbours of a cube in a grid of cubes; index
  * 13 is the cube itself. */
@@ -127,8 +120,8 @@ static void write_symmetric(size_t neighbour, const double middle[3])
     while (ahead[axis] == 0)
         axis++;
     aside[(axis + 1) % 3] = 1;
-    cross(ahead, aside, right);
-    cross(right, ahead, up);
+    cross_product(ahead, aside, right);
+    cross_product(right, ahead, up);
     begin_scene(middle, ahead, right, up);
     begin_mesh(middle, 4);
     net_mesh_text(&net, text, sizeof text);

@@ -8,9 +8,6 @@
 
 #include "vm/machine.h"
 
-#define F(...) ((c205_fields){ __VA_ARGS__ })
-#define small_machine_free free_small_machine /* for SCOPED_VALUE */
-
 static c205_model *slow; /* one element or bit per clock, cheap faults */
 
 /* per row of the instruction table: interrupted between elements */

@@ -6,10 +6,6 @@
  */
 #include "machine_fixture.h"
 
-/* clang-format off */
-#define F(...) (c205_fields){ __VA_ARGS__ }
-/* clang-format on */
-
 static c205_stop expect_stop(struct small_machine *fixture, c205_trap trap,
                              uint64_t address)
 {

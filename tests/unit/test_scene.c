@@ -102,13 +102,15 @@ TEST(expressions)
     }
 }
 
+struct vector_row {
+    const char *text;
+    double vector[3];
+};
+
 /* Values of POV-Ray: rotations are left-handed. */
 TEST(rotations)
 {
-    static const struct {
-        const char *text;
-        double value[3];
-    } rows[] = {
+    static const struct vector_row rows[] = {
         { "vrotate(V, <30, 0, 0>)", { 1.000000, 0.232051, 3.598076 } },
         { "vrotate(V, <0, 30, 0>)", { 2.366025, 2.000000, 2.098076 } },
         { "vrotate(V, <0, 0, 30>)", { -0.133975, 2.232051, 3.000000 } },
@@ -123,17 +125,14 @@ TEST(rotations)
         SCOPED(scene) *scene = read_format("#declare V = <1, 2 3>; sphere { %s 1 }",
                                            rows[i].text);
         assert_numbers(rows[i].text, scene->primitives->shape.sphere.center,
-                       rows[i].value, 3, PRINTED);
+                       rows[i].vector, 3, PRINTED);
     }
 }
 
 /* Values of POV-Ray. */
 TEST(colors)
 {
-    static const struct {
-        const char *text;
-        double rgb[3];
-    } rows[] = {
+    static const struct vector_row rows[] = {
         { "rgb <1, 2, 3>*.5", { .5, 1, 1.5 } },
         { "color 2", { 2, 2, 2 } },
         { "<1, 2, 3>", { 1, 2, 3 } },
@@ -153,7 +152,7 @@ TEST(colors)
         SCOPED(scene) *scene = read_format(
             "#include \"colors.inc\"\n#declare W = rgb 1; background { %s }",
             rows[i].text);
-        assert_numbers(rows[i].text, scene->background, rows[i].rgb, 3, PRINTED);
+        assert_numbers(rows[i].text, scene->background, rows[i].vector, 3, PRINTED);
     }
 }
 
@@ -247,10 +246,8 @@ TEST(orthographic)
 
 TEST(transforms)
 {
-    static const struct {
-        const char *text;
-        double image[3]; /* of <1, 2, 3> */
-    } rows[] = {
+    static const struct vector_row rows[] = {
+        /* images of <1, 2, 3> */
         { "translate <1, 0, 2>", { 2, 2, 5 } },
         { "scale <2, 3, -1>", { 2, 6, -3 } },
         { "scale 2", { 2, 4, 6 } },
@@ -275,7 +272,7 @@ TEST(transforms)
             rows[i].text);
         to_other_space(&scene->primitives->to_world, point, image);
         to_other_space(&scene->primitives->to_local, image, back);
-        assert_numbers(rows[i].text, image, rows[i].image, 3, CLOSE);
+        assert_numbers(rows[i].text, image, rows[i].vector, 3, CLOSE);
         assert_numbers(rows[i].text, back, point, 3, CLOSE);
         assert_true(scene->primitives->transformed);
     }
