@@ -94,17 +94,6 @@ struct scene *read_scene(const char *text)
     return read_with(text, 0);
 }
 
-struct scene *read_format(const char *format, ...)
-{
-    char text[4000];
-    va_list list;
-
-    va_start(list, format);
-    assert_in_range(vsnprintf(text, sizeof text, format, list), 0, sizeof text - 1);
-    va_end(list);
-    return read_scene(text);
-}
-
 void assert_error(const char *text, const struct scene_options *how, size_t line,
                   size_t column, const char *message)
 {

@@ -39,8 +39,7 @@ struct scene *read_reported(const char *text, const struct scene_options *how,
 struct scene *read_with(const char *text, size_t expected);
 struct scene *read_scene(const char *text);
 /* Calls read_scene on a text that is formatted by printf. */
-struct scene *read_format(const char *format, ...)
-    __attribute__((format(printf, 1, 2)));
+#define read_format(...) read_scene(formatted(__VA_ARGS__))
 
 /* Return the triangles of primitive i, which must be a mesh, or of a scene of one
  * mesh. */

@@ -65,16 +65,13 @@ static void plain_free(struct plain_trial *plain)
 /* ---- Output ---------------------------------------------------------------- */
 
 /* Fails unless a sentence of the verdict begins with the formatted text. */
-static void __attribute__((format(printf, 4, 5)))
-check_begins(const struct random_lesson *drawn, const struct lesson_trial *trial,
-             size_t sentence, const char *format, ...)
-{
-    char wanted[400];
-    va_list arguments;
+#define check_begins(drawn, trial, sentence, ...) \
+    check_sentence(drawn, trial, sentence, formatted(__VA_ARGS__))
 
-    va_start(arguments, format);
-    vsnprintf(wanted, sizeof wanted, format, arguments);
-    va_end(arguments);
+static void check_sentence(const struct random_lesson *drawn,
+                           const struct lesson_trial *trial, size_t sentence,
+                           const char *wanted)
+{
     FAIL_IF(sentence >= trial->report.count, "'%s' is not said\n%s", wanted,
             drawn->answer);
     FAIL_IF(strncmp(trial->report.sentences[sentence], wanted, strlen(wanted)) != 0,

@@ -8,18 +8,13 @@
     "#default { finish { ambient 0 diffuse 0 } } "
 
 /* Compares the colour of a ray through a scene, a text that is formatted by printf. */
-static void check(const struct look *look, double red, double green, double blue,
-                  const char *format, ...) __attribute__((format(printf, 5, 6)));
-static void check(const struct look *look, double red, double green, double blue,
-                  const char *format, ...)
-{
-    char text[4000];
-    double color[FRAME_CHANNELS];
-    va_list list;
+#define check(look, red, green, blue, ...) \
+    check_text(look, red, green, blue, formatted(__VA_ARGS__))
 
-    va_start(list, format);
-    assert_in_range(vsnprintf(text, sizeof text, format, list), 0, sizeof text - 1);
-    va_end(list);
+static void check_text(const struct look *look, double red, double green, double blue,
+                       const char *text)
+{
+    double color[FRAME_CHANNELS];
     trace_ray(look, HEAD, text, color);
     FAIL_IF(!(fabs(color[0] - red) < CLOSE && fabs(color[1] - green) < CLOSE
               && fabs(color[2] - blue) < CLOSE),
