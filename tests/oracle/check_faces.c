@@ -165,10 +165,4 @@ static struct random_scene draw(uint64_t *state, size_t number UNUSED)
     return grid_scene(state);
 }
 
-int main(int count, char **words)
-{
-    static const struct random_check check = {
-        "faces", UINT64_C(0x9E3779B97F4A7C15), draw, passes, true, NULL, 0
-    };
-    return check_random(count, words, &check);
-}
+RANDOM_CHECK("faces", UINT64_C(0x9E3779B97F4A7C15), draw, passes, true, NULL, 0)

@@ -113,10 +113,4 @@ static bool passes(struct random_scene *sight, char *reason)
                                       sight->certainty == ALL_CERTAIN, reason));
 }
 
-int main(int count, char **words)
-{
-    static const struct random_check check = {
-        "lines", UINT64_C(0xA0761D6478BD642F), draw, passes, true, NULL, 0
-    };
-    return check_random(count, words, &check);
-}
+RANDOM_CHECK("lines", UINT64_C(0xA0761D6478BD642F), draw, passes, true, NULL, 0)

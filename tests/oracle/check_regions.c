@@ -146,10 +146,4 @@ static struct random_scene draw(uint64_t *state, size_t number UNUSED)
     return scene;
 }
 
-int main(int count, char **words)
-{
-    static const struct random_check check = {
-        "regions", UINT64_C(0xD1B54A32D192ED03), draw, passes, true, NULL, 0
-    };
-    return check_random(count, words, &check);
-}
+RANDOM_CHECK("regions", UINT64_C(0xD1B54A32D192ED03), draw, passes, true, NULL, 0)

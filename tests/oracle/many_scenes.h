@@ -73,4 +73,12 @@ enum { MANY_REASON = 600 };
  * KIND_NUMBER.pov.  With --first it is not reduced, and the check stops. */
 int check_random(int count, char **words, const struct random_check *check);
 
+/* Defines a main that makes the check with these members. */
+#define RANDOM_CHECK(...) \
+    int main(int count, char **words) \
+    { \
+        static const struct random_check check = { __VA_ARGS__ }; \
+        return check_random(count, words, &check); \
+    }
+
 #endif

@@ -53,10 +53,9 @@ char sized_letter(const c205_insn *row, unsigned g, enum role role)
 bool is_scalar(const c205_insn *row, unsigned g, enum role role)
 {
     char letter = (char)tolower((unsigned char)letter_of(row, role));
-    if (letter == 0 || strchr("fiwpkm", letter))
-        return true;
-    return (role == ROLE_A && g & C205_G_BROADCAST_A
-            && strchr(c205_format_syntax(row->format), 'a'))
+    return letter == 0 || strchr("fiwpkm", letter)
+           || (role == ROLE_A && g & C205_G_BROADCAST_A
+               && strchr(c205_format_syntax(row->format), 'a'))
            || (role == ROLE_B && g & C205_G_BROADCAST_B
                && strchr(c205_format_syntax(row->format), 'b'));
 }

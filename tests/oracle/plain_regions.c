@@ -216,10 +216,9 @@ static bool comes_into(const struct crossing_list *list, const struct place *pla
                        double along)
 {
     const struct primitive *primitive = place->primitive;
-    if (primitive->kind == PRIMITIVE_MESH
-        && (!is_alone(list->region) || pigment_is_clear(&primitive->pigment)))
-        return true;
-    return (along < 0) != primitive->inverted;
+    return (primitive->kind == PRIMITIVE_MESH
+            && (!is_alone(list->region) || pigment_is_clear(&primitive->pigment)))
+           || (along < 0) != primitive->inverted;
 }
 
 static void describe(const struct crossing_list *list, const struct place *place,

@@ -49,9 +49,8 @@ c205_word join(struct reference *reference, const struct pair *pair, uint64_t i,
 bool permitted(struct reference *reference, const struct vector *vector, uint64_t i)
 {
     bool on_zeros = vector->fields->g & C205_G_ZEROS;
-    if (vector->fields->z == 0)
-        return true;
-    return read_memory(reference, vector->z.address + i, BIT) != on_zeros;
+    return vector->fields->z == 0
+           || read_memory(reference, vector->z.address + i, BIT) != on_zeros;
 }
 
 void store_element(struct reference *reference, const struct target *target, uint64_t i,

@@ -106,10 +106,9 @@ static bool surpasses(const struct oracle_format *format, c205_word word,
     uint64_t flags = 0;
     if (is_indefinite(best))
         return false;
-    if (is_indefinite(word))
-        return true;
-    return greatest ? oracle_less(format, best, word, &flags)
-                    : oracle_less(format, word, best, &flags);
+    return is_indefinite(word)
+           || (greatest ? oracle_less(format, best, word, &flags)
+                        : oracle_less(format, word, best, &flags));
 }
 
 /* If both results are in one register, the value remains. */

@@ -125,9 +125,7 @@ static bool length_matters(const struct vector_case *one, enum role role)
     if (letter == 'z')
         return one->row->format == C205_FORMAT_SQUEEZE
                || one->row->format == C205_FORMAT_SQUEEZEB;
-    if (role == ROLE_Z && letter == 'e')
-        return false;
-    return !strchr("cCoxX", letter);
+    return !(role == ROLE_Z && letter == 'e') && !strchr("cCoxX", letter);
 }
 
 /* ---- Lengths and places ------------------------------------------------- */
