@@ -6,6 +6,7 @@
 #include "rt/layout/bounds.h"
 #include "rt/shapes/shape_bound.h"
 #include "rt/scene/transform.h"
+#include "rt/shapes/shape_bound.h"
 #include "tests/oracle/plain_shapes.h"
 #include "tests/unit/draw.h"
 
