@@ -1,6 +1,7 @@
 #!/bin/sh
 # check_grading.sh BUILD - c205 check as students and teachers use it: the verdicts on a
-# lesson, an answer, and a class of thirty are compared with the known ones.
+# lesson, an answer (rows of commands.txt), and a class of thirty are compared with the
+# known ones.
 set -u
 . "$(dirname "$0")/count.sh"
 cd "$(dirname "$0")/.." || exit 1
@@ -18,70 +19,7 @@ check() { # CODE WORD ..: c205 check exits with the code
     ends "$code" "$build/c205" check "$@"
 }
 
-# Output for a lesson.
-check 0
-check 0 "$lesson"
-tells out '^# Twice a vector$'
-tells out '^large  *25000  *40000  *300000  *n = 10000  *x  *above, y  *ten'
-expect "hints are printed, or tags" ! grep -q -e "First hint" -e "<" out
-check 0 "$lesson" --hints
-tells out "^First hint$"
-check 0 "$lesson" --format json
-tells out '"start": "; y := 2 x'
-check 0 "$lesson" --start
-expect "the program to complete is another one" cmp -s out "$lesson/start.s"
-check 0 "$lesson" --start -o begun.s
-expect "the program to complete is written otherwise" cmp -s begun.s "$lesson/start.s"
-check 1 "$lesson" --start -o missing/begun.s
-check 2 --start
-check 2 --hints
-check 2 "$lesson" begun.s --hints
-check 2 "$lesson" --start --hints
-check 2 "$lesson" --folder . --hints
-check 2 "$lesson" begun.s --start
-check 2 "$lesson" -o begun.s
-check 2 "$lesson" begun.s --folder .
-check 1 no-lesson
-tells err "unknown lesson 'no-lesson'"
-check 1 "$here/tests/lessons"
-tells err 'is not a lesson: it has no lesson.md'
-mkdir broken
-cp "$lesson"/lesson.md "$lesson"/start.s broken
-printf '; test: one\n; goals: gold 3, silver 2, bronze 1\n' >broken/test-one.s
-check 1 broken begun.s
-tells err "^c205 check: broken/test-one.s:2: expected 'goals:"
-printf '; test: one\nwant_y: .wort 1\n' >broken/test-one.s
-check 1 broken begun.s
-tells err '^c205 check: test-one.s:2:9: '
-check 1 broken
-tells err '^c205 check: test-one.s:2:9: '
-printf '; test: one\n; expect-model: nosuch\nwant_y: .word 1\n' >broken/test-one.s
-check 1 broken --folder .
-tells err "^c205 check: test-one.s: unknown machine model 'nosuch'"
-expect "a wrong test is told more than once" [ "$(wc -l <err)" -eq 1 ]
-
-# Output for an answer.
-check 0 "$lesson" "$lesson/solution.s"
-tells out '^scale: passed, gold$'
-"$build/c205" check "$lesson" - <"$lesson/solution.s" | cmp -s - out
-verdict $? "an answer from stdin is graded otherwise"
-check 1 "$lesson" begun.s --json verdict.json
-tells out '^small: not right (five elements)$'
-tells out '^    above is 0 and should be 1\.  The run did not change it'
-tells verdict.json '"passed": false'
-check 1 "$lesson" begun.s --format json
-expect "the verdict in a file is another one" cmp -s out verdict.json
-check 1 "$lesson" begun.s --format csv
-tells out '^small,no,,[0-9]*,"above is 0 and'
-check 1 "$lesson" begun.s --format md
-cp "$lesson/solution.s" .
-printf '        .include "solution.s"\n' >includes.s
-ends 0 "$build/c205" run includes.s
-check 1 "$lesson" includes.s
-tells out "cannot read 'solution.s'"
-check 1 "$lesson" missing.s
-tells err '^c205 check: missing.s: '
-check 1 "$lesson" begun.s --json missing/verdict.json
+rows grading
 
 # Files that students hand in.
 answer() { # NAME SCRIPT: writes the edited solution
