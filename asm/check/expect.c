@@ -35,7 +35,7 @@ static void print_tolerance(const struct outcome *outcome,
     sink_print(outcome->report, " ~ %s", text);
 }
 
-static double number_of(bool half, c205_word word)
+static double value_number(bool half, c205_word word)
 {
     return (half ? c205_half_to_double : c205_to_double)(word);
 }
@@ -45,7 +45,7 @@ static double number_of(bool half, c205_word word)
 static bool is_near(const struct asm_expectation *expectation, bool half,
                     c205_word wanted, c205_word found)
 {
-    double distance = number_of(half, found) - number_of(half, wanted);
+    double distance = value_number(half, found) - value_number(half, wanted);
 
     return fabs(distance) <= c205_to_double(expectation->tolerance);
 }
@@ -56,7 +56,7 @@ static void print_why(const struct outcome *outcome,
                       c205_word wanted, c205_word found)
 {
     if (expectation->kind != EXPECT_FLAGS
-        && number_of(half, wanted) == number_of(half, found))
+        && value_number(half, wanted) == value_number(half, found))
         sink_put(outcome->report,
                  ": the numbers are equal, the words are not: 5 is an integer, 5.0 is "
                  "normalised; ~ 0 accepts both");
@@ -274,8 +274,8 @@ static bool check_model(struct outcome *outcome,
     return true;
 }
 
-static const struct asm_expectation *find(const struct object *object,
-                                          enum expectation_kind kind)
+static const struct asm_expectation *find_expectation(const struct object *object,
+                                                      enum expectation_kind kind)
 {
     size_t i;
 
@@ -302,12 +302,12 @@ warning_set expect_warnings(const struct object *object)
 
 bool expect_anything(const struct object *object)
 {
-    return object->expectation_count > (find(object, EXPECT_MODEL) != NULL);
+    return object->expectation_count > (find_expectation(object, EXPECT_MODEL) != NULL);
 }
 
 const char *expect_model(const struct object *object)
 {
-    const struct asm_expectation *found = find(object, EXPECT_MODEL);
+    const struct asm_expectation *found = find_expectation(object, EXPECT_MODEL);
 
     return found ? found->text : NULL;
 }
@@ -316,7 +316,7 @@ bool expect_other_model(const struct object *object, const c205 *machine)
 {
     const char *named = expect_model(object);
 
-    return named && find(object, EXPECT_CLOCKS)
+    return named && find_expectation(object, EXPECT_CLOCKS)
            && strcmp(named, c205_model_name(c205_machine_model(machine))) != 0;
 }
 
@@ -324,7 +324,7 @@ static bool check_end(const struct outcome *outcome, const struct object *object
 {
     c205_error found;
 
-    if (outcome->stop->trap == C205_TRAP_NONE || find(object, EXPECT_TRAP))
+    if (outcome->stop->trap == C205_TRAP_NONE || find_expectation(object, EXPECT_TRAP))
         return true;
     c205_describe_stop(outcome->machine, outcome->stop, &found);
     sink_print(outcome->report, "expected the program to end with EXIT, found: %s\n",
@@ -337,7 +337,7 @@ static bool check_rest(const struct outcome *outcome, const struct object *objec
 {
     size_t length = strcspn(outcome->printed, "\n");
 
-    if (!*outcome->printed || !find(object, EXPECT_PRINT))
+    if (!*outcome->printed || !find_expectation(object, EXPECT_PRINT))
         return true;
     sink_print(outcome->report,
                "expected the end of the output, found "

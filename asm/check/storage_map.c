@@ -24,7 +24,7 @@ static int compare(const void *a, const void *b)
     return strcmp(first->name, second->name);
 }
 
-static bool holds(const c205_segment *segment, uint64_t address)
+static bool segment_contains(const c205_segment *segment, uint64_t address)
 {
     return address >= segment->address
            && address - segment->address < 64 * (uint64_t)segment->length;
@@ -40,9 +40,9 @@ static uint64_t end_of_data(const c205_program *program, uint64_t address)
     for (i = 0; i < program->segment_count; i++) {
         const c205_segment *segment = &program->segments[i];
 
-        if (!holds(segment, end ? end : address))
+        if (!segment_contains(segment, end ? end : address))
             continue;
-        if (holds(segment, program->entry))
+        if (segment_contains(segment, program->entry))
             return 0;
         end = segment->address + 64 * (uint64_t)segment->length;
     }

@@ -73,7 +73,7 @@ struct table *compared_causes(const struct compared_run runs[COMPARED_RUNS])
     return table;
 }
 
-static uint64_t clocks_of(const struct compared_run *run, const char *region)
+static uint64_t compared_clocks(const struct compared_run *run, const char *region)
 {
     const c205_account *account = accounts_find(&run->accounts, region);
     return account ? accounts_clocks(account) : 0;
@@ -87,8 +87,8 @@ struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS])
         const struct accounts *accounts = &runs[which].accounts;
         for (size_t i = 0; i < accounts->count; i++) {
             const char *name = accounts->items[i].name;
-            uint64_t first = clocks_of(&runs[COMPARED_FIRST], name);
-            uint64_t second = clocks_of(&runs[COMPARED_SECOND], name);
+            uint64_t first = compared_clocks(&runs[COMPARED_FIRST], name);
+            uint64_t second = compared_clocks(&runs[COMPARED_SECOND], name);
             bool reported = which == COMPARED_SECOND
                             && accounts_find(&runs[COMPARED_FIRST].accounts, name);
             if (!reported && first + second > 0)

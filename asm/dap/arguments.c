@@ -135,8 +135,8 @@ static bool has_elements(const struct json_value *value, enum kind kind)
     return true;
 }
 
-static bool check(struct dap *dap, const struct json_value *object, const char *key,
-                  enum kind kind)
+static bool check_member(struct dap *dap, const struct json_value *object,
+                         const char *key, enum kind kind)
 {
     const struct json_value *value = json_member(object, key);
 
@@ -155,7 +155,7 @@ bool dap_check(struct dap *dap, const char *owner, const struct json_value *obje
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         for (size_t k = 0;
              strcmp(rows[i].owner, owner) == 0 && k < MAX_KEYS && rows[i].keys[k]; k++)
-            if (!check(dap, object, rows[i].keys[k], rows[i].kind))
+            if (!check_member(dap, object, rows[i].keys[k], rows[i].kind))
                 return false;
     return true;
 }

@@ -203,7 +203,7 @@ static bool move_by(struct dap *dap, enum execution_end (*move)(struct debugger 
     return true;
 }
 
-static enum execution_end run(struct debugger *debugger)
+static enum execution_end run_to_end(struct debugger *debugger)
 {
     return execution_steps(debugger, UINT64_MAX);
 }
@@ -223,7 +223,7 @@ bool request_continue(struct dap *dap, const struct json_value *arguments,
 {
     (void)arguments;
     json_bool(body, "allThreadsContinued", true);
-    return move_by(dap, run);
+    return move_by(dap, run_to_end);
 }
 
 /* By instructions a macro call is not skipped; by statements and lines it is one

@@ -94,7 +94,7 @@ const char *source_file(const struct dap *dap, const struct json_value *source)
     return NULL;
 }
 
-static size_t number_of(const struct dap *dap, const char *file)
+static size_t member_number(const struct dap *dap, const char *file)
 {
     size_t i = 0;
 
@@ -112,7 +112,7 @@ void put_source_members(struct dap *dap, struct json *json, const char *file)
     if (path) {
         json_text(json, "path", path);
     } else {
-        json_count(json, "sourceReference", number_of(dap, file));
+        json_count(json, "sourceReference", member_number(dap, file));
         json_text(json, "origin", "the library of c205");
     }
     free(path);

@@ -67,7 +67,7 @@ bool request_initialize(struct dap *dap, const struct json_value *arguments,
 /* ---- launch --------------------------------------------------------------------- */
 
 /* Copies a text into memory that lasts as long as the program; NULL remains NULL. */
-static const char *keep(struct dap *dap, const char *text)
+static const char *copy_text(struct dap *dap, const char *text)
 {
     return text ? arena_text(&dap->launched, text, strlen(text)) : NULL;
 }
@@ -82,7 +82,7 @@ static const struct asm_define *read_defines(struct dap *dap,
                                                                 * sizeof *defines);
 
     for (size_t i = 0; defines && item; i++, item = item->next) {
-        defines[i].name = keep(dap, item->key);
+        defines[i].name = copy_text(dap, item->key);
         json_member_whole(object, item->key, &defines[i].value);
     }
     return defines;
@@ -97,7 +97,7 @@ static const char *const *read_search(struct dap *dap, const struct json_value *
                                      (json_length(list) + 1) * sizeof *search);
 
     for (size_t i = 0; search && item; i++, item = item->next)
-        search[i] = keep(dap, item->text);
+        search[i] = copy_text(dap, item->text);
     return search;
 }
 
@@ -112,7 +112,7 @@ static bool read_program(struct dap *dap, const struct json_value *launch,
     if (strcmp(path, "-") == 0)
         return dap_fault(
             dap, "the program cannot be read from stdin, which carries the requests");
-    program->path = dap->path = keep(dap, path);
+    program->path = dap->path = copy_text(dap, path);
     program->model = json_member_text(launch, "model");
     program->defines = read_defines(dap, launch);
     program->search = program->defines ? read_search(dap, launch) : NULL;

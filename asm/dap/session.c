@@ -212,7 +212,7 @@ bool dap_listen(void *given)
 
 /* ---- The session --------------------------------------------------------- */
 
-static void end(struct dap *dap)
+static void end_session(struct dap *dap)
 {
     debugger_free(dap->debugger);
     object_free(dap->object);
@@ -230,6 +230,6 @@ bool dap_serve(const struct dap_setup *setup, c205_error *error)
     while (!dap.over)
         if (!handle_next(&dap) && !dap.over)
             read_more(&dap);
-    end(&dap);
+    end_session(&dap);
     return !dap.failed;
 }

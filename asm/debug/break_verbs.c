@@ -6,8 +6,8 @@
 
 /* Reads an optional "if CONDITION" to the end of the line, adds the stop and prints
  * it. */
-static bool add(struct debugger *debugger, struct text_cursor *cursor,
-                struct breakpoint *stop)
+static bool add_stop(struct debugger *debugger, struct text_cursor *cursor,
+                     struct breakpoint *stop)
 {
     if (text_cursor_take(cursor, "if")) {
         if (text_cursor_end(cursor))
@@ -29,7 +29,7 @@ static bool make_break(struct debugger *debugger, struct text_cursor *cursor, bo
 {
     struct breakpoint stop = { .once = once };
 
-    return place_read(debugger, cursor, &stop) && add(debugger, cursor, &stop);
+    return place_read(debugger, cursor, &stop) && add_stop(debugger, cursor, &stop);
 }
 
 bool verb_break(struct debugger *debugger, struct text_cursor *cursor)
@@ -47,7 +47,8 @@ bool verb_watch(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct breakpoint stop = { .number = 0 };
 
-    return breakpoints_watch(debugger, cursor, &stop) && add(debugger, cursor, &stop);
+    return breakpoints_watch(debugger, cursor, &stop)
+           && add_stop(debugger, cursor, &stop);
 }
 
 /* Deletes the stop with the given number, or all stops if the line gives none. */

@@ -53,7 +53,8 @@ static bool is_there(const struct debugger *debugger, const struct breakpoint *s
 
 /* A condition that cannot be evaluated counts as true, so that the program stops where
  * it fails. */
-static bool holds(struct debugger *debugger, const struct breakpoint *stop)
+static bool stop_condition_holds(struct debugger *debugger,
+                                 const struct breakpoint *stop)
 {
     struct text_cursor cursor = { stop->condition };
     struct value_of value;
@@ -104,7 +105,7 @@ bool breakpoints_meet(struct debugger *debugger, uint64_t before)
         struct breakpoint *stop = &debugger->breakpoints[i];
         bool there = is_there(debugger, stop, before);
 
-        stop->met = there && holds(debugger, stop);
+        stop->met = there && stop_condition_holds(debugger, stop);
         if (stop->met && !debugger->searching)
             stop->hits++;
         stop->met = stop->met && has_hits(debugger, stop);
@@ -168,7 +169,8 @@ void breakpoints_pass(struct debugger *debugger, bool reported)
 
 /* ---- Create and delete ---------------------------------------------------- */
 
-static bool read_text(struct debugger *debugger, char kept[MAX_TEXT], const char *text)
+static bool read_condition(struct debugger *debugger, char kept[MAX_TEXT],
+                           const char *text)
 {
     struct text_cursor cursor = { text };
 
@@ -192,7 +194,7 @@ static bool is_condition(struct debugger *debugger, const char *text)
 bool breakpoints_condition(struct debugger *debugger, struct breakpoint *stop,
                            const char *text)
 {
-    return read_text(debugger, stop->condition, text ? text : "")
+    return read_condition(debugger, stop->condition, text ? text : "")
            && (!*stop->condition || is_condition(debugger, stop->condition));
 }
 
@@ -201,7 +203,7 @@ bool breakpoints_wanted(struct debugger *debugger, struct breakpoint *stop,
 {
     char whole[WANTED_TEXT];
 
-    if (!read_text(debugger, stop->wanted, text ? text : ""))
+    if (!read_condition(debugger, stop->wanted, text ? text : ""))
         return false;
     wanted_text(whole, stop->wanted, 1);
     return !*stop->wanted || is_condition(debugger, whole);

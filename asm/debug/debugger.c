@@ -150,7 +150,7 @@ static c205 *make_machine(const struct debugger_setup *setup, c205_error *error)
     return NULL;
 }
 
-static c205 *load(struct debugger *debugger, c205_error *error)
+static c205 *load_machine(struct debugger *debugger, c205_error *error)
 {
     c205 *machine = make_machine(&debugger->setup, error);
 
@@ -178,7 +178,7 @@ struct debugger *debugger_new(const struct debugger_setup *setup, c205_error *er
     debugger->printer.sink = setup->printed_apart
                                  ? setup->printed
                                  : line_tracker_sink(&debugger->printed);
-    machine = load(debugger, error);
+    machine = load_machine(debugger, error);
     if (machine)
         debugger->history = c205_history_new(machine,
                                              setup->history > 0 ? setup->history

@@ -10,8 +10,8 @@
 
 /* ---- Instructions --------------------------------------------------------- */
 
-static void put_text(const struct debugger *debugger, const char *file, size_t number,
-                     const char *source)
+static void put_source_line(const struct debugger *debugger, const char *file,
+                            size_t number, const char *source)
 {
     const char *slash = strrchr(file, '/');
 
@@ -24,11 +24,11 @@ static void put_text(const struct debugger *debugger, const char *file, size_t n
 static void put_source(const struct debugger *debugger, const struct asm_line *line)
 {
     sink_put(&debugger->out, "  ; ");
-    put_text(debugger, line->call_file, line->call_number, line->call_source);
+    put_source_line(debugger, line->call_file, line->call_number, line->call_source);
     if (!place_is_called(line))
         return;
     sink_put(&debugger->out, "  <- ");
-    put_text(debugger, line->file, line->number, line->source);
+    put_source_line(debugger, line->file, line->number, line->source);
 }
 
 void show_instruction(struct debugger *debugger, uint64_t address, const char *before)

@@ -180,7 +180,7 @@ bool debug_is_true(const struct value_of *value)
     return value->real != 0;
 }
 
-static bool take(struct reading *reading, const char *sign)
+static bool take_sign(struct reading *reading, const char *sign)
 {
     size_t length = strlen(sign);
 
@@ -266,9 +266,9 @@ c205_word debug_register_word(const struct debugger *debugger, struct register_o
 /* Reads ".i", the low 48 bits as an integer, or ".length", the high 16 bits. */
 static void take_part(struct reading *reading, struct value_of *value)
 {
-    if (take(reading, ".length"))
+    if (take_sign(reading, ".length"))
         *value = of_integer((int64_t)c205_descriptor_length(value->word));
-    else if (take(reading, ".i"))
+    else if (take_sign(reading, ".i"))
         *value = of_integer(value->integer);
 }
 
@@ -321,7 +321,7 @@ static bool read_symbol(const struct debugger *debugger, const char *name,
 }
 
 /* Names of the program have precedence over those of registers and of the machine. */
-static bool read_name(struct reading *reading, struct value_of *value)
+static bool read_value_name(struct reading *reading, struct value_of *value)
 {
     struct debugger *debugger = reading->debugger;
     const char *name = reading->cursor->at;
@@ -414,7 +414,7 @@ static bool read_memory(struct reading *reading, struct value_of *value)
 
     if (!read_address(reading->debugger, reading, value, &address))
         return false;
-    if (!take(reading, "]"))
+    if (!take_sign(reading, "]"))
         return debug_fault(reading->debugger, "expected ']'");
     if (!c205_read(machine_of(reading->debugger), address, &word, 1)
         && !reading->grammar)
@@ -431,18 +431,18 @@ static bool read_first(struct reading *reading, struct value_of *value)
 
     text_cursor_skip(reading->cursor);
     at = reading->cursor->at;
-    if (take(reading, "("))
+    if (take_sign(reading, "("))
         return read_any(reading, value)
-               && (take(reading, ")")
+               && (take_sign(reading, ")")
                    || debug_fault(reading->debugger, "expected ')'"));
-    if (take(reading, "["))
+    if (take_sign(reading, "["))
         return read_memory(reading, value);
     if (at[0] == 'X' && at[1] == '\'')
         return read_hex(reading, value);
     if (isdigit((unsigned char)*at) || (*at == '.' && isdigit((unsigned char)at[1])))
         return read_number(reading, value);
     if (is_name(*at))
-        return read_name(reading, value);
+        return read_value_name(reading, value);
     return debug_fault(reading->debugger,
                        *at ? "expected a value, found '%.40s'"
                            : "expected a value%.40s",
@@ -458,13 +458,13 @@ static bool read_signed(struct reading *reading, struct value_of *value)
     if (reading->depth++ > MAX_DEPTH)
         return debug_fault(reading->debugger,
                            "more than %d nested operators or brackets", MAX_DEPTH);
-    if (take(reading, "-")) {
+    if (take_sign(reading, "-")) {
         good = read_signed(reading, value);
         if (good)
             *value = value->is_real
                          ? of_real(-value->real)
                          : of_integer((int64_t)(0 - (uint64_t)value->integer));
-    } else if (strncmp(reading->cursor->at, "!=", 2) != 0 && take(reading, "!")) {
+    } else if (strncmp(reading->cursor->at, "!=", 2) != 0 && take_sign(reading, "!")) {
         good = read_signed(reading, value);
         if (good)
             *value = of_integer(!debug_is_true(value));
@@ -551,7 +551,8 @@ static const char *take_operator(struct reading *reading, unsigned precedence)
     };
 
     for (size_t i = 0; i < sizeof operators / sizeof *operators; i++)
-        if (operators[i].precedence == precedence && take(reading, operators[i].sign))
+        if (operators[i].precedence == precedence
+            && take_sign(reading, operators[i].sign))
             return operators[i].sign;
     return NULL;
 }

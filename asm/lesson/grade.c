@@ -293,7 +293,7 @@ static void judge(struct sitting *sitting, const c205_stop *stop)
                                 &trial->report);
 }
 
-static bool run(struct sitting *sitting)
+static bool run_test(struct sitting *sitting)
 {
     struct lesson_trial *trial = sitting->trial;
     uint64_t limit = patience_least
@@ -333,7 +333,7 @@ static bool sit(struct sitting *sitting)
                                             .report = &sitting->trial->report,
                                             .general = sitting->general,
                                             .kept = sitting->kept };
-    return !test_data_begin(test_data) || run(sitting);
+    return !test_data_begin(test_data) || run_test(sitting);
 }
 
 static void leave(struct sitting *sitting)
@@ -369,8 +369,8 @@ static void conclude(struct lesson_verdict *verdict)
         verdict->medal = MEDAL_NONE;
 }
 
-static bool begin(struct lesson_verdict *verdict, const struct lesson *lesson,
-                  const char *name, c205_error *error)
+static bool grade_begin(struct lesson_verdict *verdict, const struct lesson *lesson,
+                        const char *name, c205_error *error)
 {
     verdict->lesson = lesson;
     verdict->answer = name;
@@ -437,7 +437,7 @@ bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
     struct object *object;
     bool good = true;
 
-    if (!begin(verdict, lesson, name, error))
+    if (!grade_begin(verdict, lesson, name, error))
         return false;
     object = assemble_bytes(name, text, length, &options, &said);
     if (!object)

@@ -10,7 +10,7 @@
 
 /* ---- Elements -------------------------------------------------------------- */
 
-static double number_of(const struct test_item *item, c205_word element)
+static double plain_number(const struct test_item *item, c205_word element)
 {
     switch (item->contents) {
     case ASM_WORDS: return c205_to_double(element);
@@ -24,7 +24,7 @@ static bool is_same(const struct test_item *item, c205_word expected, c205_word 
 {
     return expected == actual
            || (item->tolerance
-               && fabs(number_of(item, actual) - number_of(item, expected))
+               && fabs(plain_number(item, actual) - plain_number(item, expected))
                       <= item->tolerance->most);
 }
 
@@ -55,13 +55,14 @@ static bool is_untouched(const struct test_item *item, size_t i)
 
 static bool is_zero(const struct test_item *item, size_t i)
 {
-    return number_of(item, item->actual[i]) == 0;
+    return plain_number(item, item->actual[i]) == 0;
 }
 
 static bool is_equal(const struct test_item *item, size_t i)
 {
     return is_right(item, i)
-           || number_of(item, item->actual[i]) == number_of(item, item->expected[i]);
+           || plain_number(item, item->actual[i])
+                  == plain_number(item, item->expected[i]);
 }
 
 static bool is_late(const struct test_item *item, size_t i)
@@ -142,8 +143,8 @@ static bool other_order(const struct test_item *item)
 static bool is_above(const struct test_item *item, size_t i)
 {
     return i == 0
-           || number_of(item, item->expected[i - 1])
-                  <= number_of(item, item->expected[i]);
+           || plain_number(item, item->expected[i - 1])
+                  <= plain_number(item, item->expected[i]);
 }
 
 static bool unsorted(const struct test_item *item)
@@ -153,7 +154,8 @@ static bool unsorted(const struct test_item *item)
 
 static bool has_other_sign(const struct test_item *item, size_t i)
 {
-    return number_of(item, item->actual[i]) == -number_of(item, item->expected[i]);
+    return plain_number(item, item->actual[i])
+           == -plain_number(item, item->expected[i]);
 }
 
 static bool is_other_bit(const struct test_item *item, size_t i)
@@ -165,15 +167,15 @@ static bool is_other_bit(const struct test_item *item, size_t i)
 static bool is_little_off(const struct test_item *item, size_t i)
 {
     double little = item->contents == ASM_HALF_WORDS ? 1e-5 : 1e-9;
-    double expected = number_of(item, item->expected[i]);
-    double actual = number_of(item, item->actual[i]);
+    double expected = plain_number(item, item->expected[i]);
+    double actual = plain_number(item, item->actual[i]);
 
     return is_right(item, i) || fabs(actual - expected) <= little * fabs(expected);
 }
 
 static bool is_indefinite(const struct test_item *item, size_t i)
 {
-    return is_right(item, i) || isnan(number_of(item, item->actual[i]));
+    return is_right(item, i) || isnan(plain_number(item, item->actual[i]));
 }
 
 static bool is_normalised(const struct test_item *item, c205_word element)
@@ -263,7 +265,7 @@ static void print_value(const struct test_item *item, c205_word element, bool wi
     struct word_text text = word_text(element, half);
 
     if (item->contents == ASM_BITS || item->contents == ASM_BYTES) {
-        sink_print(sink, "%.0f", number_of(item, element));
+        sink_print(sink, "%.0f", plain_number(item, element));
         return;
     }
     if (with_bits)

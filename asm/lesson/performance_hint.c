@@ -111,7 +111,7 @@ static void print_scalar(const c205_account *all, struct lesson_report *report)
 
 /* ---- The lines ------------------------------------------------------------- */
 
-static uint64_t clocks_of(const struct profile_row *row)
+static uint64_t cause_clocks(const struct profile_row *row)
 {
     uint64_t sum = 0;
 
@@ -129,11 +129,11 @@ static const struct profile_row *next_line(const struct line_profile *profile,
 
     for (size_t i = 0; i < line_profile_count(profile); i++) {
         const struct profile_row *row = line_profile_row(profile, i);
-        uint64_t clocks = clocks_of(row);
+        uint64_t clocks = cause_clocks(row);
 
-        if (row->file && clocks > (found ? clocks_of(found) : 0)
-            && (!before || clocks < clocks_of(before)
-                || (clocks == clocks_of(before) && row > before)))
+        if (row->file && clocks > (found ? cause_clocks(found) : 0)
+            && (!before || clocks < cause_clocks(before)
+                || (clocks == cause_clocks(before) && row > before)))
             found = row;
     }
     return found;
@@ -152,7 +152,7 @@ static void print_line(const struct lesson_trial *trial, const struct profile_ro
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
-    uint64_t clocks = clocks_of(row);
+    uint64_t clocks = cause_clocks(row);
     bool link = is_link(row);
 
     sink_print(&sink, "Line %zu took %" PRIu64 " clock%s, %d %%, in %" PRIu64 " %s%s:",
@@ -175,7 +175,7 @@ static void print_lines(const struct lesson_trial *trial,
     const struct profile_row *row = NULL;
 
     for (int i = 0; i < LINES_TOLD && (row = next_line(profile, row)); i++) {
-        if (i > 0 && 10 * clocks_of(row) < trial->clocks)
+        if (i > 0 && 10 * cause_clocks(row) < trial->clocks)
             return;
         print_line(trial, row, report);
     }

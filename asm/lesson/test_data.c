@@ -8,7 +8,7 @@
 
 /* ---- Elements -------------------------------------------------------------- */
 
-static unsigned width_of(enum asm_contents contents)
+static unsigned contents_width(enum asm_contents contents)
 {
     return contents == ASM_BYTES ? 8 : vector_width(contents);
 }
@@ -46,7 +46,7 @@ static void set_element(c205 *machine, uint64_t at, unsigned width, c205_word el
 static void get_elements(const c205 *machine, uint64_t at, const struct test_item *item,
                          c205_word *words)
 {
-    unsigned width = width_of(item->contents);
+    unsigned width = contents_width(item->contents);
 
     for (size_t i = 0; i < item->count; i++)
         words[i] = get_element(machine, at + i * width, width);
@@ -55,7 +55,7 @@ static void get_elements(const c205 *machine, uint64_t at, const struct test_ite
 static void put_elements(const struct lesson_test_data *test_data,
                          const struct test_item *item)
 {
-    unsigned width = width_of(item->contents);
+    unsigned width = contents_width(item->contents);
 
     for (size_t i = 0; i < item->count; i++)
         set_element(test_data->machine, item->actual_at + i * width, width,

@@ -159,7 +159,7 @@ const struct profile_row *line_profile_row(const struct line_profile *profile, s
 
 /* ---- The listener --------------------------------------------------------- */
 
-static bool holds(const struct asm_line *line, uint64_t address)
+static bool line_contains(const struct asm_line *line, uint64_t address)
 {
     return line && address >= line->address
            && address - line->address < 32 * line->halves;
@@ -167,7 +167,7 @@ static bool holds(const struct asm_line *line, uint64_t address)
 
 static struct profile_row *row_at(struct line_profile *profile, uint64_t address)
 {
-    if (!holds(profile->last, address))
+    if (!line_contains(profile->last, address))
         profile->last = object_line(profile->object, address);
     return profile->last
                ? &profile->rows[profile->row_of[profile->last - profile->object->lines]]
@@ -259,7 +259,7 @@ enum {
     BEFORE = sizeof before / sizeof *before
 };
 
-static uint64_t clocks_of(const struct profile_row *row)
+static uint64_t row_clocks(const struct profile_row *row)
 {
     uint64_t sum = 0;
     int cause;
@@ -297,7 +297,7 @@ static void put_source(struct table *table, const struct profile_row *row)
 static void put_causes(struct table *table, const struct profile_row *row)
 {
     char text[160] = "";
-    uint64_t all = clocks_of(row);
+    uint64_t all = row_clocks(row);
     bool reported[C205_CAUSES] = { false };
     size_t used = 0;
     int i, cause;
@@ -333,14 +333,14 @@ static struct table *new_columns(size_t first)
     return table_new(columns + first, BEFORE + C205_CAUSES + 1 - first);
 }
 
-static void put_row(struct table *table, const struct line_profile *profile,
-                    const struct profile_row *row, uint64_t all, bool words)
+static void put_profile_row(struct table *table, const struct line_profile *profile,
+                            const struct profile_row *row, uint64_t all, bool words)
 {
     int cause;
 
     put_name(table, profile, row);
-    table_count(table, clocks_of(row));
-    table_number(table, all > 0 ? 100 * (double)clocks_of(row) / (double)all : 0);
+    table_count(table, row_clocks(row));
+    table_number(table, all > 0 ? 100 * (double)row_clocks(row) / (double)all : 0);
     table_count(table, row->executions);
     table_count(table, row->elements);
     for (cause = 0; !words && cause < C205_CAUSES; cause++)
@@ -372,7 +372,7 @@ static bool choose_rows(const struct line_profile *profile, struct shown_rows *s
     *shown = (struct shown_rows){ .rows = malloc(count * sizeof *shown->rows) };
     for (size_t i = 0; shown->rows && i < count; i++) {
         const struct profile_row *row = &profile->rows[i];
-        uint64_t clocks = clocks_of(row);
+        uint64_t clocks = row_clocks(row);
 
         if (row->executions == 0 && clocks == 0)
             continue;
@@ -425,7 +425,7 @@ static void put_rows(struct table *table, const struct line_profile *profile,
     for (size_t i = 0; table && i < shown->count; i++) {
         if (regions)
             table_text(table, shown->rows[i].row->region);
-        put_row(table, profile, shown->rows[i].row, shown->clocks, words);
+        put_profile_row(table, profile, shown->rows[i].row, shown->clocks, words);
     }
 }
 

@@ -219,7 +219,8 @@ static c205_word next_word(const struct subject *subject, enum operand_place ope
                                    : next_numbers(state, subject->half);
 }
 
-static bool fill(c205 *machine, const struct subject *subject, c205_error *error)
+static bool fill_operands(c205 *machine, const struct subject *subject,
+                          c205_error *error)
 {
     enum { PIECE = 1024 };
     uint64_t state = UINT64_C(0x9E3779B97F4A7C15);
@@ -274,8 +275,8 @@ static bool run_once(const struct rig *rig, uint64_t entry, size_t length,
 
 /* Runs twice and returns the clocks of the second run, in which
  * all pages are resident. */
-static bool clocks_of(const struct rig *rig, uint64_t entry, size_t length,
-                      uint64_t *clocks, c205_error *error)
+static bool measure_clocks(const struct rig *rig, uint64_t entry, size_t length,
+                           uint64_t *clocks, c205_error *error)
 {
     bool good = run_once(rig, entry, length, error)
                 && run_once(rig, entry, length, error);
@@ -298,11 +299,11 @@ static bool measure_points(const struct rig *rig, uint64_t entry, uint64_t last,
 {
     for (size_t i = 0; i < MEASURE_POINTS; i++) {
         uint64_t whole, empty, operations;
-        if (!clocks_of(rig, entry, lengths[i], &whole, error)) {
+        if (!measure_clocks(rig, entry, lengths[i], &whole, error)) {
             return false;
         }
         operations = operations_of(rig->machine);
-        if (!clocks_of(rig, last, lengths[i], &empty, error)) {
+        if (!measure_clocks(rig, last, lengths[i], &empty, error)) {
             return false;
         }
         result->flops = (double)operations / (double)lengths[i];
@@ -349,7 +350,7 @@ static bool measure_object(const c205_model *model, const struct object *object,
                        subject->insn && subject->insn->format == C205_FORMAT_SCAN,
                        one_for(subject) };
     bool good = machine && c205_load(machine, &object->program, error)
-                && fill(machine, subject, error)
+                && fill_operands(machine, subject, error)
                 && measure_points(&rig, object->program.entry, (uint64_t)last->value,
                                   result, error);
     c205_free(machine);

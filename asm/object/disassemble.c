@@ -208,8 +208,8 @@ static void put_label(const struct disassembler *disassembler, uint64_t address)
     sink_put(disassembler->sink, ":\n");
 }
 
-static void show(struct disassembler *disassembler, const c205_segment *segment,
-                 uint64_t address, unsigned halves, const char *text)
+static void show_line(struct disassembler *disassembler, const c205_segment *segment,
+                      uint64_t address, unsigned halves, const char *text)
 {
     (void)halves;
     turn_region(disassembler, segment, address);
@@ -228,7 +228,8 @@ static size_t count_zeros(const c205_word *words, size_t count)
     return i;
 }
 
-static size_t put_row(const struct sink *sink, const c205_word *words, size_t count)
+static size_t put_data_line(const struct sink *sink, const c205_word *words,
+                            size_t count)
 {
     char text[C205_TEXT_SIZE];
     size_t i;
@@ -279,7 +280,7 @@ static void show_data(const struct disassembler *disassembler,
         count = words_together(disassembler, address, segment->length - i);
         zeros = words ? count_zeros(words + i, count) : count;
         if (words && zeros < WORDS_A_LINE) {
-            i += put_row(sink, words + i, count);
+            i += put_data_line(sink, words + i, count);
         } else {
             sink_print(sink, "%s.space %zu\n", indent, zeros);
             i += zeros;
@@ -382,7 +383,7 @@ static void show_segment(struct disassembler *disassembler, const c205_segment *
     sink_print(disassembler->sink, "%s%s\n%s.org 0x%" PRIX64 "\n", indent,
                code ? ".code" : ".data", indent, segment->address);
     if (code)
-        walk(disassembler, segment, show);
+        walk(disassembler, segment, show_line);
     else
         show_data(disassembler, segment);
     turn_region(disassembler, segment, end_of(segment));

@@ -38,7 +38,7 @@ const struct asm_line *object_line(const struct object *object, uint64_t address
                : NULL;
 }
 
-static bool holds(const c205_segment *segment, uint64_t address)
+static bool segment_contains(const c205_segment *segment, uint64_t address)
 {
     return segment->words && address >= segment->address
            && address - segment->address < 64 * (uint64_t)segment->length;
@@ -49,7 +49,7 @@ const c205_segment *object_segment(const struct object *object, uint64_t address
     const c205_segment *segments = object->program.segments;
 
     for (size_t i = 0; i < object->program.segment_count; i++)
-        if (holds(&segments[i], address))
+        if (segment_contains(&segments[i], address))
             return &segments[i];
     return NULL;
 }
@@ -57,10 +57,10 @@ const c205_segment *object_segment(const struct object *object, uint64_t address
 bool object_is_code(const struct object *object, const c205_segment *segment)
 {
     const c205_program *program = &object->program;
-    bool code = holds(segment, program->entry);
+    bool code = segment_contains(segment, program->entry);
 
     for (size_t i = 0; !code && i < program->region_count; i++)
-        code = holds(segment, program->regions[i].begin);
+        code = segment_contains(segment, program->regions[i].begin);
     return code;
 }
 

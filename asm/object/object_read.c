@@ -217,7 +217,7 @@ static bool read_integer(struct object_reader *reader)
     return read_symbol(reader, false, false);
 }
 
-static bool read_word(struct object_reader *reader)
+static bool read_expected_word(struct object_reader *reader)
 {
     return read_symbol(reader, false, true);
 }
@@ -234,7 +234,7 @@ static bool take_kind(struct object_reader *reader, enum expectation_kind *kind)
     return wrong(reader, "expected the name of an expectation");
 }
 
-static bool read_text(struct object_reader *reader, const char **text)
+static bool read_expected_text(struct object_reader *reader, const char **text)
 {
     if (!next_line(reader))
         return false;
@@ -301,7 +301,7 @@ static bool read_expectation(struct object_reader *reader)
     made->words = take_words(reader, words_of(made));
     if (!made->file || !made->words || !read_tolerance(reader, made))
         return false;
-    return !has_text(made->kind) || read_text(reader, &made->text);
+    return !has_text(made->kind) || read_expected_text(reader, &made->text);
 }
 
 /* ---- The file ---- */
@@ -314,7 +314,7 @@ static bool read_line(struct object_reader *reader)
     } kinds[] = { { "entry", read_entry },       { "warm", read_warm },
                   { "segment", read_segment },   { "zeros", read_zeros },
                   { "region", read_region },     { "label", read_label },
-                  { "integer", read_integer },   { "word", read_word },
+                  { "integer", read_integer },   { "word", read_expected_word },
                   { "expect", read_expectation } };
     size_t i;
 

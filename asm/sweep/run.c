@@ -214,7 +214,7 @@ static bool search(struct program_sweep *sweep, bool *over, c205_error *error)
 
 /* ---- The sweep ------------------------------------------------------------- */
 
-static bool begin(struct program_sweep *sweep, c205_error *error)
+static bool sweep_begin(struct program_sweep *sweep, c205_error *error)
 {
     uint64_t values[MAX_SWEPT_POINTS];
 
@@ -235,7 +235,7 @@ bool swept_step(struct program_sweep *sweep, bool *over, c205_error *error)
     struct swept_point *point;
 
     *over = false;
-    if (!sweep->points && !begin(sweep, error))
+    if (!sweep->points && !sweep_begin(sweep, error))
         return false;
     if (sweep->count < sweep->point_count) {
         point = &sweep->points[sweep->count];

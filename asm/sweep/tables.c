@@ -7,7 +7,7 @@
 
 const char *const swept_names[SWEPT_PROGRAMS] = { "first", "second" };
 
-static double clocks_of(const struct swept_point *point, size_t which)
+static double point_clocks(const struct swept_point *point, size_t which)
 {
     return (double)accounts_clocks(&point->runs[which]);
 }
@@ -39,12 +39,12 @@ struct table *swept_points(const struct program_sweep *sweep)
         for (size_t k = 0; k < sweep->program_count; k++) {
             const c205_account *run = &point->runs[k];
             table_count(table, accounts_clocks(run));
-            table_number(table, clocks_of(point, k) / (double)point->value);
+            table_number(table, point_clocks(point, k) / (double)point->value);
             table_number(table, accounts_rate(sweep->model, run));
         }
         if (two)
-            table_number(table, clocks_of(point, SWEPT_FIRST)
-                                    / clocks_of(point, SWEPT_SECOND));
+            table_number(table, point_clocks(point, SWEPT_FIRST)
+                                    / point_clocks(point, SWEPT_SECOND));
     }
     return table;
 }

@@ -8,7 +8,7 @@
 
 enum { WORD_BITS = 64 };
 
-static char *keep(struct storage *storage, const char *text)
+static char *store_text(struct storage *storage, const char *text)
 {
     return arena_text(&storage->arena, text, strlen(text));
 }
@@ -22,7 +22,7 @@ static bool add_regions(struct assembler *assembler, struct storage *storage)
 
         if (!region)
             return false;
-        region->name = keep(storage, assembler->regions[i].name);
+        region->name = store_text(storage, assembler->regions[i].name);
         region->begin = assembler->regions[i].begin;
         region->end = assembler->regions[i].end;
     }
@@ -38,7 +38,7 @@ static bool add_symbol(struct storage *storage, const struct symbol *symbol)
     kept = storage_add_symbol(storage);
     if (!kept)
         return false;
-    kept->name = keep(storage, symbol->name);
+    kept->name = store_text(storage, symbol->name);
     kept->value = (int64_t)symbol->value.bits;
     kept->is_label = symbol->kind == SYMBOL_LABEL;
     kept->is_word = symbol->value.kind != VALUE_INTEGER;
@@ -104,9 +104,9 @@ static bool add_line(struct storage *storage, const struct layout_item *item)
     line->halves = item->halves;
     line->number = from->number;
     line->is_code = item->kind == ITEM_INSTRUCTION;
-    line->file = keep(storage, from->file);
+    line->file = store_text(storage, from->file);
     line->source = line->call_source = keep_source(storage, from);
-    line->call_file = keep(storage, call->file);
+    line->call_file = store_text(storage, call->file);
     line->call_number = call->number;
     if (call != from)
         line->call_source = keep_source(storage, call);
@@ -143,10 +143,10 @@ static bool add_registers(struct assembler *assembler, struct storage *storage)
 
         if (!kept)
             return false;
-        kept->name = keep(storage, naming->symbol->name);
+        kept->name = store_text(storage, naming->symbol->name);
         kept->half = naming->named.half;
         kept->number = naming->named.number;
-        kept->file = keep(storage, naming->line->file);
+        kept->file = store_text(storage, naming->line->file);
         kept->line = naming->line->number;
         kept->owner = naming->owner;
     }
@@ -206,8 +206,8 @@ static bool grant(struct assembler *assembler, struct storage *storage,
     made->number = expectation->number;
     made->count = expectation->count;
     made->words = words;
-    made->text = expectation->text ? keep(storage, expectation->text) : NULL;
-    made->file = keep(storage, expectation->line->file);
+    made->text = expectation->text ? store_text(storage, expectation->text) : NULL;
+    made->file = store_text(storage, expectation->line->file);
     made->line = expectation->line->number;
     made->has_tolerance = expectation->tolerance != NULL;
     grant_tolerance(assembler, expectation, made);
@@ -254,7 +254,7 @@ static void set_entry(struct assembler *assembler, struct storage *storage)
 }
 
 /* Continues after errors of values, so that all of them are reported. */
-static bool fill(struct assembler *assembler, struct storage *storage)
+static bool fill_storage(struct assembler *assembler, struct storage *storage)
 {
     return encode_segments(assembler, storage) && add_regions(assembler, storage)
            && add_symbols(assembler, storage) && add_lines(assembler, storage)
@@ -284,7 +284,7 @@ struct object *build_object(struct assembler *assembler)
     layout_sort(assembler);
     set_entry(assembler, storage);
     storage->object.program.warm = assembler->warm;
-    good = fill(assembler, storage)
+    good = fill_storage(assembler, storage)
            && assembler->diagnostics->errors == assembler->first_error;
     if (good)
         check_ends(assembler);

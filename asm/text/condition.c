@@ -82,8 +82,8 @@ static struct asm_condition *innermost(struct expander *expander, struct cursor 
     return NULL;
 }
 
-static void go_on(struct expander *expander, struct cursor *cursor,
-                  bool (*test)(struct cursor *))
+static void obey_else(struct expander *expander, struct cursor *cursor,
+                      bool (*test)(struct cursor *))
 {
     struct asm_condition *condition = innermost(expander, cursor);
 
@@ -113,8 +113,8 @@ static const struct {
 } directives[] = { { ".if", open, holds },
                    { ".ifdef", open, is_defined },
                    { ".ifndef", open, is_not_defined },
-                   { ".elseif", go_on, holds },
-                   { ".else", go_on, NULL },
+                   { ".elseif", obey_else, holds },
+                   { ".else", obey_else, NULL },
                    { ".endif", close_one, NULL } };
 enum { DIRECTIVES = sizeof directives / sizeof *directives };
 
@@ -123,7 +123,7 @@ const char *condition_name(size_t i)
     return i < DIRECTIVES ? directives[i].name : NULL;
 }
 
-static size_t find(const struct token *token)
+static size_t directive_index(const struct token *token)
 {
     size_t i = token->kind == TOKEN_DIRECTIVE ? 0 : DIRECTIVES;
 
@@ -134,12 +134,12 @@ static size_t find(const struct token *token)
 
 bool condition_names(const struct token *token)
 {
-    return find(token) < DIRECTIVES;
+    return directive_index(token) < DIRECTIVES;
 }
 
 bool condition_directive(struct expander *expander, struct cursor *cursor)
 {
-    size_t found = find(&cursor->token);
+    size_t found = directive_index(&cursor->token);
 
     if (found == DIRECTIVES)
         return false;

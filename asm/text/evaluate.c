@@ -137,9 +137,9 @@ static bool operand(struct assembler *assembler, const struct line *line,
 
 /* Converts a value to an operand of the machine's arithmetic.
  * Integers are normalised. */
-static bool number_of(struct assembler *assembler, const struct line *line,
-                      const struct expression *expression, const struct value *value,
-                      c205_word *word)
+static bool machine_number(struct assembler *assembler, const struct line *line,
+                           const struct expression *expression,
+                           const struct value *value, c205_word *word)
 {
     if (!word_of(assembler, line, expression, value, word))
         return false;
@@ -183,7 +183,8 @@ static bool evaluate_function(struct assembler *assembler, const struct line *li
         struct value value;
 
         good = evaluate(assembler, line, argument[i], &value)
-               && number_of(assembler, line, argument[i], &value, &word[i]) && good;
+               && machine_number(assembler, line, argument[i], &value, &word[i])
+               && good;
     }
     return good
            && compute(assembler, line, expression, expression->function, word[0],
@@ -229,8 +230,8 @@ static bool calculate_numbers(struct assembler *assembler, const struct line *li
     if (!rule)
         return report(assembler, line, expression->at,
                       "this operator requires integers, not floating-point numbers");
-    return number_of(assembler, line, expression->left, left, &x)
-           && number_of(assembler, line, expression->right, right, &y)
+    return machine_number(assembler, line, expression->left, left, &x)
+           && machine_number(assembler, line, expression->right, right, &y)
            && compute(assembler, line, expression,
                       constant_folder_find(rule->name, strlen(rule->name)),
                       rule->turned ? y : x, rule->turned ? x : y, result);

@@ -69,9 +69,9 @@ static void fold(struct expression *node)
     node->depth = 0;
 }
 
-static struct expression *join(struct cursor *cursor, struct expression *node, int code,
-                               const struct expression *left,
-                               const struct expression *right)
+static struct expression *join_nodes(struct cursor *cursor, struct expression *node,
+                                     int code, const struct expression *left,
+                                     const struct expression *right)
 {
     if (!node)
         return NULL;
@@ -277,7 +277,7 @@ static const struct expression *parse_unary(struct cursor *cursor)
         return parse_negative_number(cursor, at);
     node = new_node(cursor, at, UNARY);
     left = parse_binary(cursor, 11);
-    return left ? join(cursor, node, code, left, NULL) : NULL;
+    return left ? join_nodes(cursor, node, code, left, NULL) : NULL;
 }
 
 /* Parses a chain of binary operators by precedence climbing: an operand, then all
@@ -294,7 +294,7 @@ static const struct expression *parse_chain(struct cursor *cursor, int level)
 
         cursor_next(cursor);
         right = parse_binary(cursor, found + 1);
-        left = right ? join(cursor, node, code, left, right) : NULL;
+        left = right ? join_nodes(cursor, node, code, left, right) : NULL;
     }
     return left;
 }

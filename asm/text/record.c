@@ -7,7 +7,7 @@
 
 #include "asm/text/statement.h"
 
-static bool is_open(struct cursor *cursor)
+static bool is_in_record(struct cursor *cursor)
 {
     return cursor->assembler->record.line
            || report(cursor->assembler, cursor->line, cursor->line->begin,
@@ -58,7 +58,8 @@ bool parse_field(struct cursor *cursor)
     size_t length;
     int64_t count = 1;
 
-    if (!is_open(cursor) || !expect_name(cursor, "the field's name", &name, &length)
+    if (!is_in_record(cursor)
+        || !expect_name(cursor, "the field's name", &name, &length)
         || (cursor_take(cursor, ',')
             && !parse_integer(cursor, 0, (int64_t)MAX_WORDS - open->next,
                               "a number of words", &count))
@@ -74,7 +75,7 @@ bool parse_at(struct cursor *cursor)
 {
     int64_t place;
 
-    if (!is_open(cursor)
+    if (!is_in_record(cursor)
         || !parse_integer(cursor, 0, MAX_WORDS, "a position in the record", &place))
         return false;
     go_to(&cursor->assembler->record, place);
@@ -88,7 +89,7 @@ bool parse_endrecord(struct cursor *cursor)
     size_t length;
     char *name;
 
-    if (!is_open(cursor))
+    if (!is_in_record(cursor))
         return false;
     open->line = NULL;
     length = strlen(open->name);

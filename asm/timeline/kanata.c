@@ -46,8 +46,8 @@ static const char *stage_of(c205_cause cause)
     }
 }
 
-static bool add(struct log *log, uint64_t clock, size_t insn, int kind,
-                const char *stage)
+static bool add_event(struct log *log, uint64_t clock, size_t insn, int kind,
+                      const char *stage)
 {
     struct happening happening = { clock, insn, kind, log->count, stage };
 
@@ -60,14 +60,14 @@ static bool add_stage(struct log *log, size_t insn, uint64_t begin, uint64_t end
                       const char *stage)
 {
     return begin == end
-           || (add(log, begin, insn, ENTERS, stage)
-               && add(log, end, insn, LEAVES, stage));
+           || (add_event(log, begin, insn, ENTERS, stage)
+               && add_event(log, end, insn, LEAVES, stage));
 }
 
 static bool add_insn(struct log *log, const struct timeline *timeline, size_t i)
 {
     const struct timed_insn *insn = &timeline->insns[i];
-    bool good = add(log, insn->arrived, i, APPEARS, NULL)
+    bool good = add_event(log, insn->arrived, i, APPEARS, NULL)
                 && add_stage(log, i, insn->arrived, insn->issued, "W");
     size_t k;
 
@@ -78,7 +78,7 @@ static bool add_insn(struct log *log, const struct timeline *timeline, size_t i)
     }
     if (good && insn->phase_count == 0)
         good = add_stage(log, i, insn->issued, insn->ready, "X");
-    return good && add(log, insn->done, i, RETIRES, NULL);
+    return good && add_event(log, insn->done, i, RETIRES, NULL);
 }
 
 static int compare(const void *a, const void *b)

@@ -41,7 +41,7 @@ struct making {
     uint64_t ends[LANES][MAX_ROWS];
 };
 
-static bool add(struct making *making, struct timed_span span)
+static bool add_span(struct making *making, struct timed_span span)
 {
     struct lanes *lanes = making->lanes;
 
@@ -64,8 +64,8 @@ static bool add_pieces(struct making *making, const struct timed_insn *insn)
         const struct timed_piece *piece = &making->timeline
                                                ->pieces[insn->first_piece + i];
 
-        if (!add(making, (struct timed_span){ piece->begin, piece->end, LANE_CHARGED, 0,
-                                              insn, piece }))
+        if (!add_span(making, (struct timed_span){ piece->begin, piece->end,
+                                                   LANE_CHARGED, 0, insn, piece }))
             return false;
     }
     return true;
@@ -81,8 +81,8 @@ static bool add_phases(struct making *making, const struct timed_insn *insn)
         enum lane lane = phase->cause == C205_VECTOR_STREAM ? LANE_STREAM
                                                             : LANE_STARTUP;
 
-        if (!add(making,
-                 (struct timed_span){ phase->begin, phase->end, lane, 0, insn, phase }))
+        if (!add_span(making, (struct timed_span){ phase->begin, phase->end, lane, 0,
+                                                   insn, phase }))
             return false;
     }
     return true;
@@ -99,9 +99,9 @@ static bool add_insn(struct making *making, const struct timed_insn *insn)
 {
     return add_pieces(making, insn) && add_phases(making, insn)
            && (insn->phase_count > 0 || !insn->insn
-               || add(making,
-                      (struct timed_span){ insn->issued, insn->ready,
-                                           lane_of(insn->insn), 0, insn, NULL }));
+               || add_span(making,
+                           (struct timed_span){ insn->issued, insn->ready,
+                                                lane_of(insn->insn), 0, insn, NULL }));
 }
 
 bool lanes_make(const struct timeline *timeline, struct arena *arena,

@@ -46,7 +46,7 @@ static bool is_broadcast(const c205_fields *fields, char field)
 }
 
 /* Returns the width of an element in bits: 64, or 32 for a capital letter, or 1. */
-static unsigned width_of(char letter)
+static unsigned element_width(char letter)
 {
     if (strchr("beoz", letter))
         return 1;
@@ -91,7 +91,7 @@ static void decode_one(struct operand_view *operand,
                          || (strchr("vu", letter)
                              && !(islower((unsigned char)*syntax)
                                   && is_broadcast(&view->fields, operand->field)));
-    operand->width = width_of(operand->letter);
+    operand->width = element_width(operand->letter);
     operand->is_half = !operand->is_vector && operand->width == HALF_BITS;
     if (operand->is_vector)
         add_offset(operand, view, syntax);
