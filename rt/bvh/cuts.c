@@ -39,7 +39,7 @@ static size_t bin_of(const struct cut *cut, const struct boxed *thing)
     return place >= BINS ? BINS - 1 : place > 0 ? (size_t)place : 0;
 }
 
-static void join(struct cut_part *part, const struct cut_part *other)
+static void join_parts(struct cut_part *part, const struct cut_part *other)
 {
     part->count += other->count;
     box_join(&part->box, &other->box);
@@ -54,7 +54,7 @@ static void fill_bins(const struct cutting *cutting, const size_t *row, size_t c
         const struct boxed *thing = &cutting->things[row[i]];
         struct cut_part one = { 1, thing->box };
 
-        join(&bins[bin_of(cut, thing)], &one);
+        join_parts(&bins[bin_of(cut, thing)], &one);
     }
 }
 
@@ -69,10 +69,10 @@ static void try_axis(const struct cutting *cutting, const size_t *row, size_t co
     above[BINS] = below;
     for (size_t i = BINS; i-- > 0;) {
         above[i] = above[i + 1];
-        join(&above[i], &bins[i]);
+        join_parts(&above[i], &bins[i]);
     }
     for (cut.bin = 1; cut.bin < BINS; cut.bin++) {
-        join(&below, &bins[cut.bin - 1]);
+        join_parts(&below, &bins[cut.bin - 1]);
         if (below.count == 0 || above[cut.bin].count == 0)
             continue;
         cut.cost = cutting->cost(&below, whole) + cutting->cost(&above[cut.bin], whole);

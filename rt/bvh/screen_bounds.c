@@ -103,7 +103,7 @@ static const struct node_bounds no_bounds = { { INFINITY, INFINITY },
                                               { -INFINITY, -INFINITY },
                                               INFINITY };
 
-static void join(struct node_bounds *window, const struct node_bounds *other)
+static void join_bounds(struct node_bounds *window, const struct node_bounds *other)
 {
     for (int i = 0; i < 2; i++) {
         window->low[i] = fmin(window->low[i], other->low[i]);
@@ -140,11 +140,11 @@ static void find_node_bounds(const struct screen_bounds *of,
             struct node_bounds corner = bounds_of_point(viewpoint,
                                                         triangle + k % 3 * 3);
 
-            join(&bounds[i], &corner);
+            join_bounds(&bounds[i], &corner);
         }
         if (nodes[i].count == 0) {
-            join(&bounds[i], &bounds[i + 1]);
-            join(&bounds[i], &bounds[nodes[i + 1].next]);
+            join_bounds(&bounds[i], &bounds[i + 1]);
+            join_bounds(&bounds[i], &bounds[nodes[i + 1].next]);
         }
     }
 }

@@ -20,7 +20,7 @@ static void put_column(struct columns *columns, const double *share, size_t i)
 /* Fills each scarce column from an ample one. The ample column loses the same
  * amount and is filed again. Each step completes one column, so the time is
  * linear. */
-static void fill(struct columns *columns, double *share, size_t *alias)
+static void fill_columns(struct columns *columns, double *share, size_t *alias)
 {
     while (columns->scarce > 0 && columns->ample > 0) {
         size_t poor = columns->list[--columns->scarce];
@@ -47,7 +47,7 @@ bool alias_build(const double *weights, size_t count, double *share, size_t *ali
         share[i] = weights[i] * ((double)count / sum);
         put_column(&columns, share, i);
     }
-    fill(&columns, share, alias);
+    fill_columns(&columns, share, alias);
     for (; columns.scarce > 0; columns.scarce--) /* nonempty only through rounding */
         share[columns.list[columns.scarce - 1]] = 1;
     for (; columns.ample > 0; columns.ample--)

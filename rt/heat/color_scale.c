@@ -117,8 +117,8 @@ static void put_dot(const struct scale_layout *layout, size_t x, size_t y,
     }
 }
 
-static void put_text(const struct scale_layout *layout, size_t x, size_t y,
-                     const char *text)
+static void draw_text(const struct scale_layout *layout, size_t x, size_t y,
+                      const char *text)
 {
     static const double white[3] = { .9, .9, .9 };
 
@@ -161,10 +161,10 @@ static void put_numbers(const struct scale_layout *layout)
     size_t least = MARGIN + text_width(layout->least) + ADVANCE;
     size_t most = before(end + 1, text_width(layout->most));
 
-    put_text(layout, MARGIN, BAR_END, layout->least);
-    put_text(layout, most, BAR_END + (layout->apart ? LINE : 0), layout->most);
+    draw_text(layout, MARGIN, BAR_END, layout->least);
+    draw_text(layout, most, BAR_END + (layout->apart ? LINE : 0), layout->most);
     if (layout->begin < 0 && layout->end > 0 && zero > least && zero + ADVANCE < most)
-        put_text(layout, zero - LETTER_WIDTH / 2, BAR_END, "0");
+        draw_text(layout, zero - LETTER_WIDTH / 2, BAR_END, "0");
 }
 
 void color_scale_draw(const struct color_scale *scale, struct frame *frame,
@@ -177,6 +177,6 @@ void color_scale_draw(const struct color_scale *scale, struct frame *frame,
     layout.first = first;
     put_bar(&layout);
     put_numbers(&layout);
-    put_text(&layout, before(layout.width / 2, text_width(scale->title) / 2), line,
-             scale->title);
+    draw_text(&layout, before(layout.width / 2, text_width(scale->title) / 2), line,
+              scale->title);
 }

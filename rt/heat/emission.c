@@ -103,8 +103,9 @@ static void put_pieces(struct record *record, const struct emitter *emitter)
     free(columns);
 }
 
-static bool lay_out(struct emission *emission, const struct primitive *primitive,
-                    const struct emitter *emitter, c205_error *error)
+static bool lay_out_emitter(struct emission *emission,
+                            const struct primitive *primitive,
+                            const struct emitter *emitter, c205_error *error)
 {
     struct record_layout layout = { .image = &emission->image,
                                     .program = emission->program,
@@ -149,7 +150,7 @@ static bool check_options(const struct emission_options *options, c205_error *er
     return true;
 }
 
-static bool assemble(struct emission *emission, c205_error *error)
+static bool assemble_emission(struct emission *emission, c205_error *error)
 {
     const struct emission_options *options = &emission->options;
     const struct asm_define defines[] = {
@@ -188,8 +189,8 @@ static bool prepare(struct emission *emission, const struct primitive *primitive
     struct emitter emitter;
     const char *fault = find_emitter(primitive, &emitter);
     bool good = !fault && check_options(&emission->options, error)
-                && assemble(emission, error)
-                && lay_out(emission, primitive, &emitter, error);
+                && assemble_emission(emission, error)
+                && lay_out_emitter(emission, primitive, &emitter, error);
 
     if (fault)
         error_set(error, "the %s of line %zu: %s", primitive_kind_name(primitive->kind),
@@ -225,8 +226,8 @@ void emission_free(struct emission *emission)
 
 /* ---- Runs ----------------------------------------------------------------- */
 
-static bool load(const struct emission *emission, c205 *machine,
-                 const struct emission_choice *choice, c205_error *error)
+static bool load_choice(const struct emission *emission, c205 *machine,
+                        const struct emission_choice *choice, c205_error *error)
 {
     /* An integer of the machine is a word with the exponent 0. */
     const c205_word words[] = { choice->seed, choice->first, choice->m, choice->shift };
@@ -243,7 +244,7 @@ c205 *emission_load(const struct emission *emission,
 {
     c205 *machine = c205_new(emission->options.model, error);
 
-    if (machine && load(emission, machine, choice, error))
+    if (machine && load_choice(emission, machine, choice, error))
         return machine;
     c205_free(machine);
     return NULL;

@@ -28,7 +28,7 @@ static bool check_surface(const struct exchange_given *given, size_t i,
     return true;
 }
 
-static bool check(const struct exchange_given *given, c205_error *error)
+static bool check_exchange(const struct exchange_given *given, c205_error *error)
 {
     if (given->count == 0 || given->count > MAX_EXCHANGE)
         return error_set(error, "%zu surfaces: the number must be between 1 and %d",
@@ -66,9 +66,9 @@ static c205_word *lay_words(const struct exchange_given *given)
 /* The output of the program: three planes, then three words. */
 enum { MADE_PLANES = 3, MADE_OUTSIDE = 0, MADE_SUM, MADE_SINGULAR, MADE_WORDS };
 
-static bool run(const struct exchange_given *given, struct object *program,
-                const c205_word *words, c205_word *made, struct accounts *accounts,
-                c205_error *error)
+static bool run_exchange(const struct exchange_given *given, struct object *program,
+                         const c205_word *words, c205_word *made,
+                         struct accounts *accounts, c205_error *error)
 {
     size_t n = given->count, count = MADE_PLANES * n + MADE_WORDS;
     struct single_run run;
@@ -88,8 +88,8 @@ static bool run(const struct exchange_given *given, struct object *program,
     return single_run_end(&run, at, made, count, &clocks);
 }
 
-static bool take(const struct exchange_given *given, const c205_word *made,
-                 struct exchange *exchange, c205_error *error)
+static bool take_exchange(const struct exchange_given *given, const c205_word *made,
+                          struct exchange *exchange, c205_error *error)
 {
     size_t n = given->count;
     const c205_word *behind = made + MADE_PLANES * n;
@@ -110,7 +110,8 @@ static bool take(const struct exchange_given *given, const c205_word *made,
     return true;
 }
 
-static bool begin(const struct exchange_given *given, struct exchange *exchange)
+static bool exchange_begin(const struct exchange_given *given,
+                           struct exchange *exchange)
 {
     size_t n = given->count;
 
@@ -139,16 +140,16 @@ bool exchange_find(const struct exchange_given *given, struct exchange *exchange
     bool good;
 
     *exchange = (struct exchange){ 0 };
-    if (!check(given, error))
+    if (!check_exchange(given, error))
         return false;
     program = form_assemble_beside("heat/exchange", given->mode, NULL, error);
     if (!program)
         return false;
     words = lay_words(given);
     made = calloc(count, sizeof *made);
-    good = words && made && begin(given, exchange)
-               ? run(given, program, words, made, &exchange->accounts, error)
-                     && take(given, made, exchange, error)
+    good = words && made && exchange_begin(given, exchange)
+               ? run_exchange(given, program, words, made, &exchange->accounts, error)
+                     && take_exchange(given, made, exchange, error)
                : error_set(error, "out of memory");
     free(words);
     free(made);

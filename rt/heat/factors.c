@@ -296,8 +296,8 @@ static size_t unit_count(const struct rows_work *work)
 
 /* Opens the files. The key identifies all inputs of the packets, in addition to the
  * scene. */
-static bool keep(const struct rows_work *work, struct job_set *job_set,
-                 c205_error *error)
+static bool open_files(const struct rows_work *work, struct job_set *job_set,
+                       c205_error *error)
 {
     const struct packet_programs *programs = work->programs;
     const struct sampling_options *options = &programs->options;
@@ -333,10 +333,10 @@ static bool run_job_set(struct rows_work *work, c205_error *error)
         .progress_context = options->context,
     };
 
-    return keep(work, packets.job_set, error) && job_set_run(&packets, error);
+    return open_files(work, packets.job_set, error) && job_set_run(&packets, error);
 }
 
-static bool begin(struct rows_work *work)
+static bool rows_begin(struct rows_work *work)
 {
     size_t jobs = work->programs->options.jobs;
 
@@ -346,7 +346,7 @@ static bool begin(struct rows_work *work)
     return work->emitting && work->coming;
 }
 
-static void end(struct rows_work *work)
+static void rows_end(struct rows_work *work)
 {
     for (size_t i = 0; work->emitting && i < work->job_count; i++)
         source_free(work->emitting[i].source);
@@ -372,8 +372,9 @@ bool factors_find(const struct factors *factors, const size_t *emitters, size_t 
 
     for (size_t i = 0; i < count; i++)
         rows[i] = (struct factor_row){ .receivers = 0 };
-    good = begin(&work) ? run_job_set(&work, error) : error_set(error, "out of memory");
-    end(&work);
+    good = rows_begin(&work) ? run_job_set(&work, error)
+                             : error_set(error, "out of memory");
+    rows_end(&work);
     for (size_t i = 0; !good && i < count; i++)
         factor_row_free(&rows[i]);
     return good;

@@ -32,14 +32,14 @@ struct global_work {
 };
 
 /* Returns the number of surfaces, including the environment. */
-static size_t width_of(const struct global_work *work)
+static size_t receiver_count(const struct global_work *work)
 {
     return work->found->surfaces + 1;
 }
 
 static size_t cells_of(const struct global_work *work)
 {
-    return width_of(work) * width_of(work);
+    return receiver_count(work) * receiver_count(work);
 }
 
 static size_t unit_count(const struct global_work *work)
@@ -94,8 +94,8 @@ static size_t surface_count(const struct scene *scene,
     return options->surface_of ? options->surfaces : scene->primitive_count;
 }
 
-static bool check(const struct scene *scene, const struct sampling_options *options,
-                  c205_error *error)
+static bool check_options(const struct scene *scene,
+                          const struct sampling_options *options, c205_error *error)
 {
     if (scene->primitive_count == 0)
         return error_set(error, "the scene has no surfaces");
@@ -153,7 +153,7 @@ static bool begin_room(struct global_work *work)
     return work->found->ends;
 }
 
-static bool begin(struct global_work *work, c205_error *error)
+static bool lines_begin(struct global_work *work, c205_error *error)
 {
     size_t lines = (size_t)1 << work->options->lines_log;
 
@@ -165,7 +165,7 @@ static bool begin(struct global_work *work, c205_error *error)
            && begin_lines(work, error) && begin_gaps(work, error);
 }
 
-static void end(struct global_work *work)
+static void lines_end(struct global_work *work)
 {
     chords_end(&work->chords);
     ray_query_free(work->lines);
@@ -273,7 +273,7 @@ static bool count_gaps(struct global_packet *packet, const struct ends *ends,
         single_run_begin(&run, work->gaps, work->options->model, packet->error);
         run.accounts = &packet->accounts;
         single_run_word(&run, "gaps_count", count);
-        single_run_word(&run, "gaps_surfaces", width_of(work));
+        single_run_word(&run, "gaps_surfaces", receiver_count(work));
         single_run_room(&run, "gaps_ends", part, GAP_PLANES * (count + 1));
         counts = single_run_room(&run, "gaps_counts", NULL, cells);
         single_run_room(&run, "gaps_room", NULL, 3 * count);
@@ -383,7 +383,8 @@ static bool run_unit(void *context, size_t job, size_t unit,
 static void add_gaps(const struct global_work *work, size_t unit, uint64_t cell,
                      uint64_t count)
 {
-    size_t width = width_of(work), i = (size_t)cell / width, j = (size_t)cell % width;
+    size_t width = receiver_count(work), i = (size_t)cell / width,
+           j = (size_t)cell % width;
     uint64_t *ends = work->found->ends + unit / work->packets * cells_of(work);
 
     ends[i * width + j] += count;
@@ -433,8 +434,8 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
 
 /* Opens the files. The key identifies all inputs of the packets, in addition to the
  * scene. */
-static bool keep(const struct global_work *work, struct job_set *job_set,
-                 c205_error *error)
+static bool open_files(const struct global_work *work, struct job_set *job_set,
+                       c205_error *error)
 {
     const struct sampling_options *options = work->options;
     const uint64_t choices[] = {
@@ -453,7 +454,7 @@ static bool keep(const struct global_work *work, struct job_set *job_set,
                           sizeof choices / sizeof *choices, error);
 }
 
-static bool run(struct global_work *work, c205_error *error)
+static bool run_packets(struct global_work *work, c205_error *error)
 {
     const struct sampling_options *options = work->options;
     const struct job_set_work packets = {
@@ -469,7 +470,7 @@ static bool run(struct global_work *work, c205_error *error)
     };
 
     work->found->units = packets.count;
-    return keep(work, packets.job_set, error) && job_set_run(&packets, error);
+    return open_files(work, packets.job_set, error) && job_set_run(&packets, error);
 }
 
 bool global_lines_find(const struct scene *scene,
@@ -483,10 +484,10 @@ bool global_lines_find(const struct scene *scene,
                                     .repeats = options->repeats,
                                     .lines_log = options->lines_log,
                                     .accounts = { .model = options->model } };
-    if (!check(scene, options, error))
+    if (!check_options(scene, options, error))
         return false;
-    good = begin(&work, error) && run(&work, error);
-    end(&work);
+    good = lines_begin(&work, error) && run_packets(&work, error);
+    lines_end(&work);
     if (!good)
         global_lines_free(found);
     return good;

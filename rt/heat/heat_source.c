@@ -147,8 +147,8 @@ static bool begin_lines(struct heat_source *source, c205_error *error)
     return source->spots && chords_begin(&source->chords, &emits, error);
 }
 
-static bool begin(struct heat_source *source, const struct scene *scene,
-                  size_t primitive, c205_error *error)
+static bool source_begin(struct heat_source *source, const struct scene *scene,
+                         size_t primitive, c205_error *error)
 {
     const struct primitive *emitter = &scene->primitives[primitive];
     struct emission_options emits = source->options;
@@ -175,7 +175,7 @@ struct heat_source *source_new(const struct scene *scene, size_t primitive,
         return NULL;
     }
     source->options = *options;
-    if (begin(source, scene, primitive, error))
+    if (source_begin(source, scene, primitive, error))
         return source;
     source_free(source);
     return NULL;

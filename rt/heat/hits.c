@@ -210,7 +210,7 @@ static bool run_emitters(struct hits_work *work)
     return true;
 }
 
-static struct object *assemble(const struct hits_work *work, const char *name)
+static struct object *assemble_hits(const struct hits_work *work, const char *name)
 {
     const struct hits_options *options = work->options;
     const struct asm_define defines[] = {
@@ -221,7 +221,7 @@ static struct object *assemble(const struct hits_work *work, const char *name)
     return form_assemble_beside(name, options->mode, defines, work->error);
 }
 
-static bool begin(struct hits_work *work)
+static bool hits_begin(struct hits_work *work)
 {
     const struct hits_options *options = work->options;
     size_t points = options->points, repeats = options->repeats;
@@ -239,12 +239,12 @@ static bool begin(struct hits_work *work)
         return error_set(work->error, "out of memory");
     if (!list_cylinders(work))
         return false;
-    work->program = assemble(work, "heat/hits");
-    work->received = work->program ? assemble(work, "heat/received") : NULL;
+    work->program = assemble_hits(work, "heat/hits");
+    work->received = work->program ? assemble_hits(work, "heat/received") : NULL;
     return work->received;
 }
 
-static void end(struct hits_work *work)
+static void hits_end(struct hits_work *work)
 {
     object_free(work->program);
     object_free(work->received);
@@ -269,10 +269,10 @@ bool hits_find(const struct scene *scene, const struct named_parts *parts,
     bool good;
 
     *hits = (struct hits){ .accounts = { .model = options->model } };
-    good = begin(&work) && run_emitters(&work);
+    good = hits_begin(&work) && run_emitters(&work);
     if (good)
         hits->factor = estimate_ratio(work.share, work.area, options->repeats);
-    end(&work);
+    hits_end(&work);
     if (!good)
         hits_free(hits);
     return good;

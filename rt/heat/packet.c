@@ -120,7 +120,7 @@ static void charge(const struct packet_work *work, enum heat_step step)
 
 /* Generates the points. Each primitive and repeat has its own shift, or its own
  * random numbers. */
-static bool emit(struct packet_work *work)
+static bool emit_points(struct packet_work *work)
 {
     const struct sampling_options *options = &work->programs->options;
     size_t place = work->choice.primitive * options->repeats + work->choice.repeat;
@@ -315,7 +315,7 @@ static bool run_packet(struct packet_work *work)
     size_t points, words;
     bool good;
 
-    if (!emit(work))
+    if (!emit_points(work))
         return false;
     points = work->made.count;
     work->packet->made = points;

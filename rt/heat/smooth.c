@@ -15,7 +15,7 @@ static bool is_positive(double value)
     return value >= 0 && isfinite(value);
 }
 
-static bool check(const struct smooth_given *given, c205_error *error)
+static bool check_factors(const struct smooth_given *given, c205_error *error)
 {
     size_t n = given->count;
 
@@ -64,9 +64,9 @@ static size_t made_size(size_t n)
     return n * (n + 1) + n + 1;
 }
 
-static bool run(const struct smooth_given *given, struct object *program,
-                const c205_word *words, c205_word *made, struct accounts *accounts,
-                c205_error *error)
+static bool run_smoothing(const struct smooth_given *given, struct object *program,
+                          const c205_word *words, c205_word *made,
+                          struct accounts *accounts, c205_error *error)
 {
     size_t n = given->count, size = n * (n + 1);
     struct single_run run;
@@ -83,8 +83,8 @@ static bool run(const struct smooth_given *given, struct object *program,
     return single_run_end(&run, at, made, made_size(n), &clocks);
 }
 
-static bool take(const struct smooth_given *given, const c205_word *made, double *flows,
-                 c205_error *error)
+static bool take_flows(const struct smooth_given *given, const c205_word *made,
+                       double *flows, c205_error *error)
 {
     size_t n = given->count;
     int64_t singular = c205_to_integer(made[made_size(n) - 1]);
@@ -107,15 +107,15 @@ bool smooth_flows(const struct smooth_given *given, double *flows,
     c205_word *words, *made;
     bool good;
 
-    if (!check(given, error))
+    if (!check_factors(given, error))
         return false;
     program = form_assemble_beside("heat/smooth", given->mode, NULL, error);
     if (!program)
         return false;
     words = lay_words(given);
     made = calloc(made_size(given->count), sizeof *made);
-    good = words && made ? run(given, program, words, made, accounts, error)
-                               && take(given, made, flows, error)
+    good = words && made ? run_smoothing(given, program, words, made, accounts, error)
+                               && take_flows(given, made, flows, error)
                          : error_set(error, "out of memory");
     free(words);
     free(made);
@@ -172,7 +172,7 @@ static void put_flow(const struct smoothing *smoothing, size_t i, size_t j,
     smoothing->variances[at] = flow.error * flow.error;
 }
 
-static void put_row(const struct smoothing *smoothing, size_t i)
+static void put_factor_row(const struct smoothing *smoothing, size_t i)
 {
     const struct surfaces *surfaces = smoothing->surfaces;
     const struct surface *surface = &surfaces->list[smoothing->seen[i]];
@@ -236,7 +236,7 @@ static bool smooth(const struct smoothing *smoothing, enum trace_mode mode,
                                         .model = model };
 
     for (size_t i = 0; i < smoothing->count; i++)
-        put_row(smoothing, i);
+        put_factor_row(smoothing, i);
     if (!smooth_flows(&given, smoothing->flows, accounts, error))
         return false;
     for (size_t i = 0; i < smoothing->count; i++)

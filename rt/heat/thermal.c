@@ -204,7 +204,7 @@ static bool find_exchange(const struct thermal_work *work, enum trace_mode mode,
     return good;
 }
 
-static bool begin(const struct surfaces *surfaces, struct thermal *thermal)
+static bool thermal_begin(const struct surfaces *surfaces, struct thermal *thermal)
 {
     size_t count = surfaces->count + 1;
 
@@ -235,7 +235,7 @@ bool thermal_find(const struct surfaces *surfaces, const struct named_parts *par
                                        .temperatures = temperatures,
                                        .thermal = thermal,
                                        .error = error };
-    bool good = begin(surfaces, thermal) || error_set(error, "out of memory");
+    bool good = thermal_begin(surfaces, thermal) || error_set(error, "out of memory");
 
     if (good)
         find_outside(&work);

@@ -46,7 +46,7 @@ static bool write_word(FILE *stream, uint64_t word)
     return fwrite(bytes, 1, WORD, stream) == WORD;
 }
 
-static bool read_word(FILE *stream, uint64_t *word)
+static bool read_file_word(FILE *stream, uint64_t *word)
 {
     unsigned char bytes[WORD];
 
@@ -66,16 +66,16 @@ static bool read_unit(FILE *stream, uint64_t *number, struct serialized_result *
     uint64_t head[2], sum, word = 0;
 
     result_clear(words);
-    if (!read_word(stream, &head[0]) || !read_word(stream, &head[1])
-        || !read_word(stream, &sum) || sum != hash_words(HASH_START, head, 2))
+    if (!read_file_word(stream, &head[0]) || !read_file_word(stream, &head[1])
+        || !read_file_word(stream, &sum) || sum != hash_words(HASH_START, head, 2))
         return false;
     for (uint64_t i = 0; i < head[1] && !words->failed; i++) {
-        if (!read_word(stream, &word))
+        if (!read_file_word(stream, &word))
             return false;
         result_put(words, word);
     }
     *number = head[0];
-    return !words->failed && read_word(stream, &word)
+    return !words->failed && read_file_word(stream, &word)
            && word == hash_words(sum, words->items, words->count);
 }
 
@@ -189,14 +189,15 @@ static bool read_head(FILE *stream, uint64_t key, c205_error *error)
 {
     uint64_t magic = 0, of = 0;
 
-    if (!read_word(stream, &magic) || !read_word(stream, &of) || magic != MAGIC)
+    if (!read_file_word(stream, &magic) || !read_file_word(stream, &of)
+        || magic != MAGIC)
         return error_set(error, "the file does not hold units of work");
     return of == key
            || error_set(error, "the file belongs to another run: another scene, "
                                "other options, or another version");
 }
 
-static bool write_head(FILE *stream, uint64_t key)
+static bool write_file_head(FILE *stream, uint64_t key)
 {
     return write_word(stream, MAGIC) && write_word(stream, key) && fflush(stream) == 0;
 }
@@ -250,7 +251,7 @@ static bool is_empty(const struct checkpoint_file *file)
     return fstat(fileno(file->stream), &status) == 0 && status.st_size == 0;
 }
 
-static bool begin(struct checkpoint_file *file, c205_error *error)
+static bool begin_file(struct checkpoint_file *file, c205_error *error)
 {
     bool fresh;
 
@@ -259,7 +260,7 @@ static bool begin(struct checkpoint_file *file, c205_error *error)
     fresh = is_empty(file);
     if (!fresh && !read_head(file->stream, file->key, error))
         return false;
-    return ((!fresh || write_head(file->stream, file->key)) && find_units(file)
+    return ((!fresh || write_file_head(file->stream, file->key)) && find_units(file)
             && drop_tail(file))
            || error_set(error, "out of memory, or the disk is full");
 }
@@ -294,7 +295,7 @@ struct checkpoint_file *checkpoint_open(const char *path, uint64_t key,
     struct checkpoint_file *file = new_file(path, key);
     c205_error why = { "out of memory" };
 
-    if (file && begin(file, &why))
+    if (file && begin_file(file, &why))
         return file;
     error_set(error, "%.100s: %.130s", path, why.message);
     if (file)

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool make_room(struct serialized_result *words, size_t more)
+static bool grow_result(struct serialized_result *words, size_t more)
 {
     size_t room = words->room > 0 ? words->room : 64;
     uint64_t *items;
@@ -31,7 +31,7 @@ void result_put(struct serialized_result *words, uint64_t word)
 void result_put_all(struct serialized_result *words, const uint64_t *items,
                     size_t count)
 {
-    if (!make_room(words, count)) {
+    if (!grow_result(words, count)) {
         words->failed = true;
     } else if (count > 0) {
         memcpy(words->items + words->count, items, count * sizeof *items);
@@ -60,7 +60,7 @@ void result_take_all(struct serialized_result *words, uint64_t *items, size_t co
 bool result_resize(struct serialized_result *words, size_t count)
 {
     result_clear(words);
-    if (!make_room(words, count))
+    if (!grow_result(words, count))
         return false;
     words->count = count;
     return true;

@@ -14,7 +14,7 @@ static bool is_there(const struct viewpoints *viewpoints, const double place[3])
     return false;
 }
 
-static void add(struct viewpoints *viewpoints, const double place[3])
+static void add_viewpoint(struct viewpoints *viewpoints, const double place[3])
 {
     if (viewpoints->count < MAX_VIEWPOINTS && !is_there(viewpoints, place))
         copy3(place, viewpoints->places[viewpoints->count++]);
@@ -24,8 +24,8 @@ void viewpoints_find(const struct scene *scene, struct viewpoints *viewpoints)
 {
     viewpoints->count = 0;
     if (!scene->camera.orthographic && scene->camera.lens_radius == 0)
-        add(viewpoints, scene->camera.location);
+        add_viewpoint(viewpoints, scene->camera.location);
     for (size_t i = 0; i < scene->light_count; i++)
         if (light_shadows_from_point(&scene->lights[i]))
-            add(viewpoints, scene->lights[i].position);
+            add_viewpoint(viewpoints, scene->lights[i].position);
 }

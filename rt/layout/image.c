@@ -7,14 +7,14 @@
 #include "base/array.h"
 #include "vm/error.h"
 
-static bool add(struct image *image, struct image_block block)
+static bool add_block(struct image *image, struct image_block block)
 {
     return array_add(&image->blocks, &image->count, &block, sizeof block);
 }
 
 bool image_reserve(struct image *image, uint64_t address, size_t count)
 {
-    return add(image, (struct image_block){ address, count, NULL, NULL, true });
+    return add_block(image, (struct image_block){ address, count, NULL, NULL, true });
 }
 
 /* Returns the mapped block that contains the words, or NULL. */
@@ -37,7 +37,8 @@ bool image_write(struct image *image, uint64_t address, const c205_word *words,
     struct image_block *block = block_of(image, address, count);
 
     if (!block) {
-        if (!add(image, (struct image_block){ address, count, NULL, NULL, false }))
+        if (!add_block(image,
+                       (struct image_block){ address, count, NULL, NULL, false }))
             return false;
         block = &image->blocks[image->count - 1];
     }

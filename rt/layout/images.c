@@ -73,7 +73,7 @@ static void put_rows(struct record_layout *layout, const struct image_table *tab
     free(words);
 }
 
-static uint64_t put_table(struct record_layout *layout, const struct image_table *table)
+static uint64_t put_image(struct record_layout *layout, const struct image_table *table)
 {
     uint64_t address = layout_reserve(layout,
                                       PIXEL_SIZE * table->width * table->height);
@@ -89,13 +89,13 @@ static uint64_t put_table(struct record_layout *layout, const struct image_table
     return address;
 }
 
-static void lay_out(struct record_layout *layout, const struct pigment *pigment,
-                    uint64_t *addresses)
+static void lay_out_image(struct record_layout *layout, const struct pigment *pigment,
+                          uint64_t *addresses)
 {
     const struct image_table *table = pigment->image.table;
 
     if (pigment->kind == PIGMENT_IMAGE && addresses[table->number] == 0)
-        addresses[table->number] = put_table(layout, table);
+        addresses[table->number] = put_image(layout, table);
 }
 
 uint64_t *images_layout(struct record_layout *layout, const struct scene *scene)
@@ -106,8 +106,8 @@ uint64_t *images_layout(struct record_layout *layout, const struct scene *scene)
         layout_fail(layout, "out of memory");
         return NULL;
     }
-    lay_out(layout, &scene->sky, addresses);
+    lay_out_image(layout, &scene->sky, addresses);
     for (size_t i = 0; i < scene->primitive_count; i++)
-        lay_out(layout, &scene->primitives[i].pigment, addresses);
+        lay_out_image(layout, &scene->primitives[i].pigment, addresses);
     return addresses;
 }

@@ -35,8 +35,8 @@ static bool put_integers(const struct primitive *primitive,
     return true;
 }
 
-static void put_table(struct record *record, const struct primitive *primitive,
-                      const struct viewpoints *viewpoints)
+static void put_shape_table(struct record *record, const struct primitive *primitive,
+                            const struct viewpoints *viewpoints)
 {
     size_t count = shape_table_count(primitive, viewpoints);
     double *table = shape_table(primitive, viewpoints, count);
@@ -93,7 +93,7 @@ static void put_shape(struct record *record, const struct primitive *primitive,
     record_integer(record, "P_EVENTS", shape.events);
     record_integer(record, "P_INVERTED", primitive->inverted);
     record_numbers(record, "P_SHAPE", shape.words, shape.count);
-    put_table(record, primitive, plan->simple ? viewpoints : NULL);
+    put_shape_table(record, primitive, plan->simple ? viewpoints : NULL);
     record_numbers(record, "P_LOCAL", &primitive->to_local.rows[0][0], 12);
 }
 

@@ -205,8 +205,8 @@ static struct tree_term either(struct evaluation *evaluation, struct tree_term x
 }
 
 /* Combines the topmost count values into one. */
-static void join(struct evaluation *evaluation, size_t count,
-                 enum tree_operation operation)
+static void join_terms(struct evaluation *evaluation, size_t count,
+                       enum tree_operation operation)
 {
     struct tree_term *children = evaluation->stack + evaluation->depth - count;
     struct tree_term value = children[0];
@@ -245,7 +245,8 @@ static void evaluate(struct evaluation *evaluation, const struct scene *scene,
     case TREE_NOT: top[-1].complement = !top[-1].complement; break;
     case TREE_AND:
     case TREE_OR:
-        join(evaluation, count_children(scene, node), scene->nodes[node].operation);
+        join_terms(evaluation, count_children(scene, node),
+                   scene->nodes[node].operation);
         break;
     }
     made->value = evaluation->stack[evaluation->depth - 1].place;

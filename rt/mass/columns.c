@@ -62,7 +62,7 @@ static bool find_box(const struct scene *scene, struct columns_sums *sums,
 }
 
 /* Returns the words of a shift, or of a packet: the sums of parts, then of pairs. */
-static size_t width_of(const struct columns_sums *sums)
+static size_t words_of_shift(const struct columns_sums *sums)
 {
     return sums->parts * MOMENTS + sums->pairs;
 }
@@ -89,8 +89,8 @@ static size_t unit_count(const struct columns_work *work)
     return VIEWS * work->options->repeats * work->packets;
 }
 
-static struct object *assemble(const struct columns_work *work, const char *name,
-                               c205_error *error)
+static struct object *assemble_columns(const struct columns_work *work,
+                                       const char *name, c205_error *error)
 {
     const struct asm_define defines[] = {
         { "POINTS", work->options->points },
@@ -126,15 +126,15 @@ static bool begin_work(struct columns_work *work, c205_error *error)
     work->rays_of_packet = rays < COLUMNS_PACKET ? rays : COLUMNS_PACKET;
     work->packets = rays / work->rays_of_packet;
     units = unit_count(work);
-    work->words = calloc(units * width_of(work->sums), sizeof *work->words);
+    work->words = calloc(units * words_of_shift(work->sums), sizeof *work->words);
     work->clocks = calloc(units, sizeof *work->clocks);
     work->crossings = calloc(units, sizeof *work->crossings);
     if (!work->words || !work->clocks || !work->crossings)
         return error_set(error, "out of memory");
-    work->rays = assemble(work, "mass/rays", error);
-    work->columns = assemble(work, "mass/columns", error);
-    work->overlaps = assemble(work, "mass/overlaps", error);
-    work->totals = assemble(work, "mass/totals", error);
+    work->rays = assemble_columns(work, "mass/rays", error);
+    work->columns = assemble_columns(work, "mass/columns", error);
+    work->overlaps = assemble_columns(work, "mass/overlaps", error);
+    work->totals = assemble_columns(work, "mass/totals", error);
     good = work->rays && work->columns && work->overlaps && work->totals;
     for (size_t view = 0; good && view < VIEWS; view++)
         good = begin_view(work, view, error);
@@ -291,7 +291,7 @@ static bool lay_crossings(const struct columns_packet *packet, c205_word *planes
 
 static c205_word *words_of(const struct columns_packet *packet)
 {
-    return packet->work->words + packet->unit * width_of(packet->work->sums);
+    return packet->work->words + packet->unit * words_of_shift(packet->work->sums);
 }
 
 /* Writes the crossings, and reserves room for `totals` sums. Returns the address
@@ -385,7 +385,7 @@ static bool run_unit(void *context, size_t job, size_t unit,
                      struct serialized_result *words, c205_error *error)
 {
     const struct columns_work *work = context;
-    size_t width = width_of(work->sums);
+    size_t width = words_of_shift(work->sums);
 
     (void)job;
     if (!do_packet(work, unit, error))
@@ -400,7 +400,7 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
                       c205_error *error)
 {
     const struct columns_work *work = context;
-    size_t width = width_of(work->sums);
+    size_t width = words_of_shift(work->sums);
 
     result_take_all(words, work->words + unit * width, width);
     result_take_all(words, work->clocks[unit], COLUMNS_STAGES);
@@ -410,8 +410,8 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
 
 /* Opens the files. The key identifies all inputs of the packets. If a run has several
  * rounds, the key is that of the first, since the later ones follow from it. */
-static bool keep(const struct columns_work *work, struct job_set *job_set,
-                 c205_error *error)
+static bool open_files(const struct columns_work *work, struct job_set *job_set,
+                       c205_error *error)
 {
     const struct columns_options *options = work->options;
     const uint64_t choices[] = {
@@ -446,7 +446,7 @@ static bool do_packets(struct columns_work *work, c205_error *error)
     };
 
     work->sums->units = packets.count;
-    return keep(work, packets.job_set, error) && job_set_run(&packets, error);
+    return open_files(work, packets.job_set, error) && job_set_run(&packets, error);
 }
 
 static bool collects(const struct columns_work *work)
@@ -459,7 +459,7 @@ static bool collects(const struct columns_work *work)
 static bool add_packets(struct columns_work *work, c205_error *error)
 {
     struct columns_sums *sums = work->sums;
-    size_t groups = VIEWS * sums->repeats, width = width_of(work->sums);
+    size_t groups = VIEWS * sums->repeats, width = words_of_shift(work->sums);
     struct single_run run;
     uint64_t made;
 
@@ -516,7 +516,8 @@ bool columns_sum(const struct scene *scene, const struct columns_options *option
                                    .rays_log = options->rays_log };
     if (!check_options(scene, options, error) || !find_box(scene, sums, error))
         return false;
-    sums->words = calloc(VIEWS * sums->repeats * width_of(sums), sizeof *sums->words);
+    sums->words = calloc(VIEWS * sums->repeats * words_of_shift(sums),
+                         sizeof *sums->words);
     good = sums->words ? begin_work(&work, error) && do_packets(&work, error)
                              && (!collects(&work) || add_packets(&work, error))
                        : error_set(error, "out of memory");
@@ -541,7 +542,7 @@ static double integral_of(const struct columns_sums *sums, size_t view, size_t r
                           size_t place)
 {
     size_t shift = view * sums->repeats + repeat;
-    c205_word sum = sums->words[shift * width_of(sums) + place];
+    c205_word sum = sums->words[shift * words_of_shift(sums) + place];
     double area = sums->width[axis_of(view, 1)] * sums->width[axis_of(view, 2)];
 
     return ldexp(c205_to_double(sum) * area, -(int)sums->rays_log);
@@ -561,5 +562,6 @@ double columns_overlap(const struct columns_sums *sums, size_t view, size_t repe
 
 uint64_t columns_checksum(const struct columns_sums *sums)
 {
-    return hash_words(HASH_START, sums->words, VIEWS * sums->repeats * width_of(sums));
+    return hash_words(HASH_START, sums->words,
+                      VIEWS * sums->repeats * words_of_shift(sums));
 }

@@ -20,7 +20,7 @@ struct boxes {
 static const struct bound empty = { .low = { INFINITY, INFINITY, INFINITY },
                                     .high = { -INFINITY, -INFINITY, -INFINITY } };
 
-static void join(struct bound *bound, const struct bound *more)
+static void join_bounds(struct bound *bound, const struct bound *more)
 {
     for (int i = 0; i < 3; i++) {
         bound->low[i] = fmin(bound->low[i], more->low[i]);
@@ -52,8 +52,8 @@ static bool box_objects(const struct scene *scene, struct bound *boxes)
     for (size_t i = 0; good && i < scene->region_count; i++) {
         const struct region *region = &scene->regions[i];
 
-        join(&boxes[scene->primitives[region->first_primitive].object],
-             &bounds[region->first_node]);
+        join_bounds(&boxes[scene->primitives[region->first_primitive].object],
+                    &bounds[region->first_node]);
     }
     free(bounds);
     return good;
@@ -70,7 +70,7 @@ static void list_objects(const struct scene *scene, const size_t *part_of,
     for (size_t i = 0; i < scene->object_count; i++)
         if (has_body(&boxes->of_objects[i])) {
             overlaps->objects[part_of[i]]++;
-            join(&boxes->of_parts[part_of[i]], &boxes->of_objects[i]);
+            join_bounds(&boxes->of_parts[part_of[i]], &boxes->of_objects[i]);
         }
     for (size_t i = 0; i < count; i++)
         boxes->first[i + 1] = boxes->first[i] + overlaps->objects[i];

@@ -179,7 +179,7 @@ struct picture_loader {
     struct thread *thread;
 };
 
-static void load(void *context)
+static void load_adapter(void *context)
 {
     c205_error error;
     (void)context;
@@ -195,7 +195,7 @@ struct picture_loader *picture_load(c205_error *error)
     if (!loader)
         error_set(error, "out of memory");
     else
-        loader->thread = thread_begin(load, NULL);
+        loader->thread = thread_begin(load_adapter, NULL);
     return loader;
 }
 

@@ -40,7 +40,7 @@ void lock_give_back(struct lock *lock)
     pthread_mutex_unlock(&lock->mutex);
 }
 
-static void *run(void *context)
+static void *run_thread(void *context)
 {
     const struct thread *thread = context;
 
@@ -56,7 +56,7 @@ struct thread *thread_begin(void (*work)(void *context), void *context)
         return NULL;
     thread->work = work;
     thread->context = context;
-    if (pthread_create(&thread->thread, NULL, run, thread) == 0)
+    if (pthread_create(&thread->thread, NULL, run_thread, thread) == 0)
         return thread;
     free(thread);
     return NULL;

@@ -19,8 +19,8 @@ const char *stage_name(enum stage stage)
     return stages[stage].name;
 }
 
-static bool find(const struct object *program, const char *routine, const char *suffix,
-                 uint64_t *address)
+static bool find_label(const struct object *program, const char *routine,
+                       const char *suffix, uint64_t *address)
 {
     char name[64];
     const struct asm_symbol *symbol;
@@ -42,11 +42,11 @@ bool iterations_begin(struct iterations *iterations, const struct object *progra
         struct stage_labels *labels = &iterations->labels[i];
         const char *routine = stages[i].routine;
 
-        good = find(program, routine, "", &labels->begin)
-               && find(program, routine, "_wide", &labels->wide)
-               && find(program, routine, "_step", &labels->step)
-               && find(program, routine, "_midpoint", &labels->midpoint)
-               && find(program, routine, "_left", &labels->left) && good;
+        good = find_label(program, routine, "", &labels->begin)
+               && find_label(program, routine, "_wide", &labels->wide)
+               && find_label(program, routine, "_step", &labels->step)
+               && find_label(program, routine, "_midpoint", &labels->midpoint)
+               && find_label(program, routine, "_left", &labels->left) && good;
     }
     return good;
 }

@@ -143,8 +143,8 @@ static bool is_heading(struct polynomial_line line)
     return false;
 }
 
-static bool add(struct polynomials *polynomials, size_t line,
-                const struct polynomial *polynomial)
+static bool add_polynomial(struct polynomials *polynomials, size_t line,
+                           const struct polynomial *polynomial)
 {
     size_t n = polynomials->count;
 
@@ -183,7 +183,7 @@ static bool read_lines(struct polynomials *polynomials, const char *path,
         if (line.at == line.end || *line.at == '#')
             continue;
         if (!(first && is_heading(line)) && take_polynomial(&line, &polynomial)
-            && !add(polynomials, line.number, &polynomial))
+            && !add_polynomial(polynomials, line.number, &polynomial))
             return failed(reports, path, "out of memory");
         first = false;
     }

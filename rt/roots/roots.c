@@ -31,7 +31,8 @@ static const char *const programs[TRACE_FORMS] = {
     [TRACE_VECTOR] = "roots/roots_vector.s",
 };
 
-static struct object *assemble(const struct roots_options *options, c205_error *error)
+static struct object *assemble_roots(const struct roots_options *options,
+                                     c205_error *error)
 {
     struct asm_define defines[] = { { "QUEUE", (int64_t)options->queue },
                                     { NULL, 0 },
@@ -121,8 +122,8 @@ static bool write_planes(struct root_search *search,
     return good;
 }
 
-static bool lay_out(struct root_search *search, const struct polynomial *polynomials,
-                    c205_error *error)
+static bool lay_out_polynomials(struct root_search *search,
+                                const struct polynomial *polynomials, c205_error *error)
 {
     size_t count = search->count;
 
@@ -150,13 +151,14 @@ static bool lay_out(struct root_search *search, const struct polynomial *polynom
 static bool prepare(struct root_search *search, const struct polynomial *polynomials,
                     c205_error *error)
 {
-    search->program = assemble(&search->options, error);
+    search->program = assemble_roots(&search->options, error);
     if (!search->program)
         return false;
     search->machine = c205_new(search->options.model, error);
     return search->machine != NULL
            && c205_load(search->machine, &search->program->program, error)
-           && find_planes(search, error) && lay_out(search, polynomials, error);
+           && find_planes(search, error)
+           && lay_out_polynomials(search, polynomials, error);
 }
 
 struct root_search *roots_new(const struct polynomial *polynomials, size_t count,

@@ -61,7 +61,7 @@ static struct twofold minus(struct twofold a)
     return (struct twofold){ -a.high, -a.low };
 }
 
-static struct twofold add(struct twofold a, struct twofold b)
+static struct twofold add_twofold(struct twofold a, struct twofold b)
 {
     struct twofold s = sum(a.high, b.high), t = sum(a.low, b.low);
 
@@ -84,20 +84,21 @@ static struct twofold by(struct twofold a, double b)
 static struct twofold divide(struct twofold a, struct twofold b)
 {
     double first = a.high / b.high, second;
-    struct twofold rest = add(a, minus(by(b, first)));
+    struct twofold rest = add_twofold(a, minus(by(b, first)));
 
     second = rest.high / b.high;
-    rest = add(rest, minus(by(b, second)));
-    return add(quick_sum(first, second), (struct twofold){ rest.high / b.high, 0 });
+    rest = add_twofold(rest, minus(by(b, second)));
+    return add_twofold(quick_sum(first, second),
+                       (struct twofold){ rest.high / b.high, 0 });
 }
 
 static struct twofold square_root(struct twofold a)
 {
     double root = sqrt(a.high);
-    struct twofold rest = add(a, minus(product(root, root)));
+    struct twofold rest = add_twofold(a, minus(product(root, root)));
 
-    return root > 0 ? add((struct twofold){ root, 0 },
-                          (struct twofold){ rest.high / (2 * root), 0 })
+    return root > 0 ? add_twofold((struct twofold){ root, 0 },
+                                  (struct twofold){ rest.high / (2 * root), 0 })
                     : a;
 }
 
@@ -133,14 +134,14 @@ static struct twofold series(struct twofold first, struct twofold f, int n, int 
     for (; fabs(term.high) > 0x1p-56 * fabs(all.high); n += step) {
         term = multiply(multiply(term, f),
                         reciprocal(step == 1 ? n : (double)n * (n + 1)));
-        all = add(all, term);
+        all = add_twofold(all, term);
     }
     small = term.high;
     for (; fabs(small) > 0x1p-112 * fabs(all.high); n += step) {
         small *= f.high / (step == 1 ? n : (double)n * (n + 1));
         rest += small;
     }
-    return add(all, (struct twofold){ rest, 0 });
+    return add_twofold(all, (struct twofold){ rest, 0 });
 }
 
 static struct twofold sine_of(struct twofold r)
@@ -160,11 +161,12 @@ static struct twofold reduce(double x, int *quadrant)
 {
     double k = floor(x / quarter[0] + .5);
     struct twofold first = product(k, quarter[0]);
-    struct twofold rest = add(sum(x, -first.high), (struct twofold){ -first.low, 0 });
+    struct twofold rest = add_twofold(sum(x, -first.high),
+                                      (struct twofold){ -first.low, 0 });
 
     *quadrant = (int)(k - 4 * floor(k / 4));
-    rest = add(rest, minus(product(k, quarter[1])));
-    return add(rest, minus(product(k, quarter[2])));
+    rest = add_twofold(rest, minus(product(k, quarter[1])));
+    return add_twofold(rest, minus(product(k, quarter[2])));
 }
 
 /* sin (x + quadrants pi / 2) */
@@ -193,14 +195,15 @@ static struct twofold power_less_one(struct twofold x)
     struct twofold less = series(r, r, 2, 1);
 
     for (int i = 0; i < HALVINGS; i++)
-        less = add(by(less, 2), multiply(less, less));
+        less = add_twofold(by(less, 2), multiply(less, less));
     return less;
 }
 
 static struct twofold power_of_e(struct twofold x)
 {
     double k = floor(x.high / ln2.high + .5);
-    struct twofold power = add(one, power_less_one(add(x, minus(by(ln2, k)))));
+    struct twofold power = add_twofold(one, power_less_one(
+                                                add_twofold(x, minus(by(ln2, k)))));
 
     return (struct twofold){ ldexp(power.high, (int)k), ldexp(power.low, (int)k) };
 }
@@ -212,14 +215,14 @@ static struct twofold sinh_of(struct twofold x)
     if (fabs(x.high) < .5)
         return series(x, multiply(x, x), 2, 2);
     e = power_of_e(x);
-    return by(add(e, minus(divide(one, e))), .5);
+    return by(add_twofold(e, minus(divide(one, e))), .5);
 }
 
 static struct twofold cosh_of(struct twofold x)
 {
     struct twofold e = power_of_e(x);
 
-    return by(add(e, divide(one, e)), .5);
+    return by(add_twofold(e, divide(one, e)), .5);
 }
 
 /* ---- Inverse functions --------------------------------------------------- */
@@ -238,9 +241,9 @@ static struct twofold log_of(double x)
         k--;
     }
     y = log(m);
-    off = add(by(power_less_one((struct twofold){ -y, 0 }), m), sum(m, -1));
-    off = add(off, by(multiply(off, off), -.5));
-    return add(by(ln2, k), add((struct twofold){ y, 0 }, off));
+    off = add_twofold(by(power_less_one((struct twofold){ -y, 0 }), m), sum(m, -1));
+    off = add_twofold(off, by(multiply(off, off), -.5));
+    return add_twofold(by(ln2, k), add_twofold((struct twofold){ y, 0 }, off));
 }
 
 /* Returns the angle of a point that is not the origin. The angle of the C library is
@@ -251,9 +254,9 @@ static struct twofold angle_of(struct twofold y, struct twofold x)
     double angle = atan2(y.high, x.high);
     struct twofold s = sine(angle, 0), c = cosine(angle);
 
-    return add((struct twofold){ angle, 0 },
-               divide(add(multiply(y, c), minus(multiply(x, s))),
-                      add(multiply(x, c), multiply(y, s))));
+    return add_twofold((struct twofold){ angle, 0 },
+                       divide(add_twofold(multiply(y, c), minus(multiply(x, s))),
+                              add_twofold(multiply(x, c), multiply(y, s))));
 }
 
 /* Returns the other leg of a right triangle with hypotenuse 1 and leg x. */
@@ -381,8 +384,8 @@ double elementary_asinh(double x)
 
     if (!isfinite(x) || is_tiny(x) || fabs(y.high) >= MAX_EXP)
         return y.high;
-    off = add((struct twofold){ x, 0 }, minus(sinh_of(y)));
-    return rounded(add(y, divide(off, cosh_of(y))));
+    off = add_twofold((struct twofold){ x, 0 }, minus(sinh_of(y)));
+    return rounded(add_twofold(y, divide(off, cosh_of(y))));
 }
 
 /* Newton step on cosh y = x; cosh y - 1 is computed as 2 sinh^2 (y / 2), without
@@ -394,8 +397,8 @@ double elementary_acosh(double x)
     if (!isfinite(x) || !(x > 1) || y.high >= MAX_EXP)
         return y.high;
     half = sinh_of(by(y, .5));
-    off = add(sum(x, -1), by(multiply(half, half), -2));
-    return rounded(add(y, divide(off, sinh_of(y))));
+    off = add_twofold(sum(x, -1), by(multiply(half, half), -2));
+    return rounded(add_twofold(y, divide(off, sinh_of(y))));
 }
 
 double elementary_atanh(double x)
@@ -406,8 +409,8 @@ double elementary_atanh(double x)
         return y.high;
     s = sinh_of(y);
     c = cosh_of(y);
-    off = add(by(c, x), minus(s));
-    return rounded(add(y, multiply(off, c)));
+    off = add_twofold(by(c, x), minus(s));
+    return rounded(add_twofold(y, multiply(off, c)));
 }
 
 double elementary_hypot(double x, double y)
@@ -421,5 +424,5 @@ double elementary_hypot(double x, double y)
     unit = exp2(ilogb(most));
     a = product(x / unit, x / unit);
     b = product(y / unit, y / unit);
-    return rounded(square_root(add(a, b))) * unit;
+    return rounded(square_root(add_twofold(a, b))) * unit;
 }

@@ -18,8 +18,8 @@ void named_begin(struct named_values *given, const struct value_kind *kind)
     *given = (struct named_values){ .kind = kind, .others = NAN };
 }
 
-static bool keep(struct named_values *given, const char *name, size_t length,
-                 double value)
+static bool store_value(struct named_values *given, const char *name, size_t length,
+                        double value)
 {
     struct named_value kept = { arena_text(&given->kept, name, length), value };
 
@@ -55,7 +55,7 @@ bool named_add(struct named_values *given, const char *text, c205_error *error)
         given->others = value;
         return true;
     }
-    return keep(given, text, (size_t)(sign - text), value)
+    return store_value(given, text, (size_t)(sign - text), value)
            || error_set(error, "out of memory");
 }
 
@@ -74,7 +74,7 @@ bool named_add_scene(struct named_values *given, const struct scene *scene,
         if (!given->kind->allows(declared->value))
             return error_set(error, "%.100s must be %s", declared->name,
                              given->kind->range);
-        if (!keep(given, declared->name, length - behind, declared->value))
+        if (!store_value(given, declared->name, length - behind, declared->value))
             return error_set(error, "out of memory");
     }
     return true;
@@ -128,7 +128,8 @@ static bool take_line(struct named_values *given, char *line, c205_error *error)
     if (!given->kind->allows(value))
         return error_set(error, "the %s must be %s", given->kind->name,
                          given->kind->range);
-    return keep(given, line, strlen(line), value) || error_set(error, "out of memory");
+    return store_value(given, line, strlen(line), value)
+           || error_set(error, "out of memory");
 }
 
 bool named_read(struct named_values *given, const char *path,

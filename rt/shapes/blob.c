@@ -226,7 +226,8 @@ static void put_matrix(const struct blob_part *part, const double center[3],
     }
 }
 
-static void put_row(const struct blob_part *part, const double center[3], double *row)
+static void put_component(const struct blob_part *part, const double center[3],
+                          double *row)
 {
     double axis[3];
 
@@ -254,7 +255,7 @@ static size_t put_table(const struct primitive *primitive,
     if (table) {
         find_center(primitive, &bound);
         for (size_t i = 0; i < parts->count; i++)
-            put_row(&parts->list[i], bound.center, table + ROW * i);
+            put_component(&parts->list[i], bound.center, table + ROW * i);
     }
     return ROW * parts->count;
 }

@@ -271,8 +271,8 @@ static bool is_straight(const struct parabola *parabola)
     return fabs(cross(parabola->bend, parabola->lead)) <= least;
 }
 
-static void put_row(const struct outline *path, size_t number,
-                    const struct parabola *parabola, double *row)
+static void put_parabola(const struct outline *path, size_t number,
+                         const struct parabola *parabola, double *row)
 {
     double middle[2], normal[2];
 
@@ -301,7 +301,7 @@ static void put_rows(const struct outline *path, double *table)
             table[BEGINS] = 1;
             table += ROW;
         }
-        put_row(path, i, &parabola, table);
+        put_parabola(path, i, &parabola, table);
         table += ROW;
     }
 }

@@ -111,7 +111,7 @@ static void print_head(const struct quartic_costs *costs,
     quartic_costs_model(results, options->model);
 }
 
-static void write_head(const struct quartic_costs *costs, struct json *json)
+static void write_costs_head(const struct quartic_costs *costs, struct json *json)
 {
     const struct roots_options *options = costs->options;
     uint64_t clocks = c205_clock(roots_machine(costs->search));
@@ -149,7 +149,7 @@ bool quartic_costs_print(const struct quartic_costs *costs,
 
     print_head(costs, results);
     if (results->json)
-        write_head(costs, results->json);
+        write_costs_head(costs, results->json);
     good = good && print_tables(tables, results);
     accounts_free(&accounts);
     for (int i = 0; i < TABLES; i++)

@@ -264,9 +264,10 @@ static bool find_projections(struct projecting projecting[SPEEDUP_PROJECTIONS],
 
 /* ---- A measurement -------------------------------------------------------- */
 
-static bool run(const struct speedup_subject *subject, const struct speedup_view *view,
-                const struct trace_options *options, struct speedup_measure *measure,
-                c205_error *error)
+static bool run_form(const struct speedup_subject *subject,
+                     const struct speedup_view *view,
+                     const struct trace_options *options,
+                     struct speedup_measure *measure, c205_error *error)
 {
     struct scene *scene;
     struct trace *trace = speedup_trace(subject, view, options, &scene, error);
@@ -304,7 +305,7 @@ static bool run_observed(const struct speedup_subject *subject,
         observers[1 + i] = &watching[1 + i];
     }
     how.observers = observers;
-    if (!run(subject, view, &how, measure, error))
+    if (!run_form(subject, view, &how, measure, error))
         return false;
     for (int i = 0; scalar && i < SPEEDUP_PROJECTIONS; i++) {
         if (projecting[i].failed)

@@ -22,8 +22,8 @@ const char *ray_kind_name(enum ray_kind kind)
     return kinds[kind].name;
 }
 
-static bool load(const struct band_work *work, c205 *machine, size_t first_row,
-                 size_t rows, struct frame_layout *layout, c205_error *error)
+static bool load_band(const struct band_work *work, c205 *machine, size_t first_row,
+                      size_t rows, struct frame_layout *layout, c205_error *error)
 {
     *layout = (struct frame_layout){ .width = work->width,
                                      .height = work->height,
@@ -41,7 +41,7 @@ c205 *band_machine(const struct band_work *work, size_t first_row, size_t rows,
 {
     c205 *machine = c205_new(work->model, error);
 
-    if (machine && load(work, machine, first_row, rows, layout, error))
+    if (machine && load_band(work, machine, first_row, rows, layout, error))
         return machine;
     c205_free(machine);
     return NULL;
@@ -83,8 +83,8 @@ static bool report_pixels(void *context, const c205 *machine)
                           pixels_begun(work, machine, reporting->pixels));
 }
 
-static bool run(const struct band_work *work, c205 *machine, size_t pixels,
-                void *context, bool *stopped, c205_error *error)
+static bool run_band(const struct band_work *work, c205 *machine, size_t pixels,
+                     void *context, bool *stopped, c205_error *error)
 {
     struct reporting reporting = { work, pixels, context };
 
@@ -233,9 +233,10 @@ bool band_trace(struct band_tracer *tracer, struct band *band, void *progress_co
     bool good;
 
     good = ready(tracer, error) && begin_watches(tracer, error)
-           && load(work, tracer->machine, band->first_row, band->rows, layout, error)
-           && run(work, tracer->machine, band->rows * work->width, progress_context,
-                  stopped, error)
+           && load_band(work, tracer->machine, band->first_row, band->rows, layout,
+                        error)
+           && run_band(work, tracer->machine, band->rows * work->width,
+                       progress_context, stopped, error)
            && collect(work, tracer->machine, layout, band, error);
     end_watches(tracer, good);
     if (*stopped)

@@ -61,7 +61,7 @@ static bool find_orders(struct ray_query *query)
     return query->orders;
 }
 
-static bool lay_out(struct ray_query *query, c205_error *error)
+static bool lay_out_query(struct ray_query *query, c205_error *error)
 {
     const struct ray_query_options *options = &query->options;
     enum bounding bounding = options->no_bounds ? BOUNDING_NONE
@@ -111,7 +111,7 @@ struct ray_query *ray_query_new(const struct scene *scene,
     query->scene = scene;
     if (options->packet == 0)
         query->options.packet = QUERY_PACKET;
-    if (lay_out(query, error))
+    if (lay_out_query(query, error))
         return query;
     ray_query_free(query);
     return NULL;

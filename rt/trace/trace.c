@@ -73,7 +73,7 @@ static bool ask(struct trace *trace)
                      plural(all));
 }
 
-static bool go_on(void *context)
+static bool may_continue(void *context)
 {
     struct trace *trace = context;
     bool going;
@@ -161,7 +161,8 @@ c205 *trace_machine(const struct trace *trace, size_t band, c205_error *error)
                         &layout, error);
 }
 
-static bool lay_out(struct trace *trace, const struct scene *scene, c205_error *error)
+static bool lay_out_frame(struct trace *trace, const struct scene *scene,
+                          c205_error *error)
 {
     const struct trace_options *options = &trace->options;
     enum bounding bounding = options->no_bounds ? BOUNDING_NONE
@@ -169,13 +170,13 @@ static bool lay_out(struct trace *trace, const struct scene *scene, c205_error *
                                                 : BOUNDING_HIERARCHY;
 
     trace->work.program = trace->program = form_assemble(options, scene, error);
-    trace->work.layout = trace->layout = trace->program
-                                             ? layout_new(trace->program, scene,
-                                                          bounding,
-                                                          options->progress ? go_on
-                                                                            : NULL,
-                                                          trace, error)
-                                             : NULL;
+    trace->work.layout = trace->layout = trace->program ? layout_new(trace->program,
+                                                                     scene, bounding,
+                                                                     options->progress
+                                                                         ? may_continue
+                                                                         : NULL,
+                                                                     trace, error)
+                                                        : NULL;
     return trace->layout;
 }
 
@@ -183,7 +184,7 @@ static bool prepare(struct trace *trace, const struct scene *scene, c205_error *
 {
     size_t pixels = trace->options.width * trace->options.height;
 
-    if (!lay_out(trace, scene, error))
+    if (!lay_out_frame(trace, scene, error))
         return false;
     error_set(error, "out of memory for the frame");
     return framebuffer_take(&trace->planes, FRAME_CHANNELS * pixels);
@@ -399,7 +400,7 @@ static bool watch(void *context, size_t done, c205_error *error)
     struct trace *trace = context;
 
     (void)done;
-    if (go_on(trace))
+    if (may_continue(trace))
         return true;
     *error = trace->error;
     return false;

@@ -74,7 +74,7 @@ static void listen(void *use, const c205 *machine, const c205_event *event)
         count_controlled(sum, machine, event);
 }
 
-static void *begin(void *context, const struct object *program, c205_error *error)
+static void *begin_use(void *context, const struct object *program, c205_error *error)
 {
     struct vector_use *use = calloc(1, sizeof *use);
 
@@ -98,5 +98,5 @@ static void merge(void *context, const void *band)
 
 struct observer vector_use_observer(struct vector_use *sum)
 {
-    return (struct observer){ begin, listen, merge, free, sum };
+    return (struct observer){ begin_use, listen, merge, free, sum };
 }

@@ -4,7 +4,7 @@
 
 #include "vm/error.h"
 
-static void *begin(void *context, const struct object *program, c205_error *error)
+static void *begin_band(void *context, const struct object *program, c205_error *error)
 {
     struct line_profile **sum = context, *band;
 
@@ -23,12 +23,12 @@ static void merge(void *context, const void *band)
     line_profile_add(*sum, band);
 }
 
-static void end(void *band)
+static void end_band(void *band)
 {
     line_profile_free(band);
 }
 
 struct observer frame_profile_observer(struct line_profile **sum)
 {
-    return (struct observer){ begin, line_profile_listen, merge, end, sum };
+    return (struct observer){ begin_band, line_profile_listen, merge, end_band, sum };
 }

@@ -58,7 +58,7 @@ static void record_region(void *context, const c205 *machine, const c205_event *
     recording->here = there;
 }
 
-static bool go_on(void *context, const c205 *machine)
+static bool may_continue(void *context, const c205 *machine)
 {
     const struct recording *recording = context;
     const struct trace_options *how = trace_how(recording->pixel->trace);
@@ -80,7 +80,7 @@ static bool on_event(struct recording *recording, c205_listener *listen,
     if (!machine)
         return false;
     good = (c205_listen(machine, listen, recording)
-            && program_run(machine, go_on, recording, &stopped, error))
+            && program_run(machine, may_continue, recording, &stopped, error))
            || recording->done;
     c205_free(machine);
     return good || (stopped ? error_set(error, "stopped") : false);

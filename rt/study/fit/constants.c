@@ -25,7 +25,7 @@ static const struct {
     { "cdc6600", "cdc6600" },
 };
 
-static bool fail(c205_error *error, const char *what, const char *name)
+static bool constants_fail(c205_error *error, const char *what, const char *name)
 {
     return error_set(error, what, name);
 }
@@ -37,13 +37,15 @@ static bool add_member(struct free_constant *constant, const char *name, size_t 
     const c205_constant *found;
 
     if (i == MAX_MEMBERS)
-        return fail(error, "%s has more than " LIMIT_TEXT(MAX_MEMBERS) " members",
-                    constant->name);
+        return constants_fail(error,
+                              "%s has more than " LIMIT_TEXT(MAX_MEMBERS) " members",
+                              constant->name);
     snprintf(constant->members[i].name, sizeof constant->members[i].name, "%.*s",
              (int)length, name);
     found = c205_model_lookup(model, constant->members[i].name);
     if (!found)
-        return fail(error, "unknown constant '%s'", constant->members[i].name);
+        return constants_fail(error, "unknown constant '%s'",
+                              constant->members[i].name);
     constant->members[i].prior = found->value;
     if (i == 0) {
         constant->prior = found->value;
@@ -63,7 +65,7 @@ static bool add_members(struct free_constant *constant, const char *names,
             return false;
     }
     return constant->member_count > 0
-           || fail(error, "%s has no members", constant->name);
+           || constants_fail(error, "%s has no members", constant->name);
 }
 
 static bool set_width(struct free_constant *constant, const char *source,
@@ -75,7 +77,7 @@ static bool set_width(struct free_constant *constant, const char *source,
             constant->width = widths[i].width;
             return true;
         }
-    return fail(error, "unknown source '%.20s'", source);
+    return constants_fail(error, "unknown source '%.20s'", source);
 }
 
 const c205_model *constants_prior(const struct constants *constants,

@@ -9,8 +9,8 @@
 #include <string.h>
 
 /* Reports an error at a place of the text, or of the whole file if `at` is NULL. */
-static bool fail(const struct csv *csv, size_t line, const char *at,
-                 const char *message, struct diagnostics *diagnostics)
+static bool csv_fail(const struct csv *csv, size_t line, const char *at,
+                     const char *message, struct diagnostics *diagnostics)
 {
     struct position position = { .file = csv->path };
 
@@ -31,10 +31,10 @@ static bool fail(const struct csv *csv, size_t line, const char *at,
 static bool fail_whole(const struct csv *csv, const char *message,
                        struct diagnostics *diagnostics)
 {
-    return fail(csv, 0, NULL, message, diagnostics);
+    return csv_fail(csv, 0, NULL, message, diagnostics);
 }
 
-static bool read_text(struct csv *csv, struct diagnostics *diagnostics)
+static bool read_source(struct csv *csv, struct diagnostics *diagnostics)
 {
     c205_error error;
     size_t length;
@@ -77,13 +77,13 @@ static bool cut(struct csv *csv, char *line, size_t number, char **fields,
 
     for (size_t i = 0; i < csv->columns; i++) {
         if (!line)
-            return fail(csv, number, begin,
-                        "this row has fewer fields than the heading", diagnostics);
+            return csv_fail(csv, number, begin,
+                            "this row has fewer fields than the heading", diagnostics);
         fields[i] = next_field(&line);
     }
     return !line
-           || fail(csv, number, line, "this row has more fields than the heading",
-                   diagnostics);
+           || csv_fail(csv, number, line, "this row has more fields than the heading",
+                       diagnostics);
 }
 
 static bool add_row(struct csv *csv, char *line, size_t number,
@@ -138,7 +138,7 @@ bool csv_read(struct csv *csv, const char *path, const char *const *columns,
         return false;
     }
     strcpy(csv->path, path);
-    if (!read_text(csv, diagnostics) || !read_rows(csv, diagnostics)
+    if (!read_source(csv, diagnostics) || !read_rows(csv, diagnostics)
         || !check_head(csv, columns, diagnostics))
         return false;
     free(csv->rows[0].fields);
@@ -161,7 +161,7 @@ void csv_free(struct csv *csv)
 bool csv_wrong(const struct csv *csv, const struct csv_row *row, size_t field,
                const char *message, struct diagnostics *diagnostics)
 {
-    return fail(csv, row->line, row->fields[field], message, diagnostics);
+    return csv_fail(csv, row->line, row->fields[field], message, diagnostics);
 }
 
 bool csv_positive(const struct csv *csv, const struct csv_row *row, size_t field,

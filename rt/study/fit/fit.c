@@ -153,7 +153,7 @@ struct asked {
     c205_error error;
 };
 
-static double width_of(const struct asked *asked, size_t constant)
+static double prior_width(const struct asked *asked, size_t constant)
 {
     double wider = asked->change->wider[constant];
 
@@ -222,7 +222,7 @@ static void find_residuals(const struct asked *asked, struct point *points,
     weigh_errors(asked, residuals, 1);
     for (size_t i = 0; i < asked->fit->constants->count; i++)
         residuals[asked->use_count + i] = (points[0].places[i] - change->center[i])
-                                          / width_of(asked, i);
+                                          / prior_width(asked, i);
 }
 
 static void find_derivatives(const struct asked *asked, struct point *points,
@@ -239,7 +239,7 @@ static void find_derivatives(const struct asked *asked, struct point *points,
     weigh_errors(asked, derivatives, constants);
     memset(prior, 0, constants * constants * sizeof *prior);
     for (size_t i = 0; i < constants; i++)
-        prior[i * constants + i] = 1 / width_of(asked, i);
+        prior[i * constants + i] = 1 / prior_width(asked, i);
 }
 
 /* The callback of Ceres. The clocks of the last point are reused if the places are

@@ -418,7 +418,7 @@ static void print_head(const struct study *study, const struct command_output *r
                   provenance_left_out(fitted_model(study)));
 }
 
-static void write_head(const struct study *study, struct json *json)
+static void write_fit_head(const struct study *study, struct json *json)
 {
     json_number(json, "cost", study->best.cost);
     json_count(json, "steps", (uint64_t)study->best.steps);
@@ -443,7 +443,7 @@ bool report_print(const struct study *study, const double *written,
 {
     print_head(study, results);
     if (results->json)
-        write_head(study, results->json);
+        write_fit_head(study, results->json);
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
         if ((parts[i].always || !study->brief)
             && !add_part(study, &parts[i], written, results))

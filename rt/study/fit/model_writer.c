@@ -151,8 +151,8 @@ static void write_belief(const struct study *study, const c205_model *model,
                 fitted ? "fitted" : "compared", figures, largest, worst);
 }
 
-static void write_head(const struct study *study, const c205_model *model,
-                       const double *predicted, FILE *file)
+static void write_model_head(const struct study *study, const c205_model *model,
+                             const double *predicted, FILE *file)
 {
     const struct observations *all = study->fit.observations;
     const char *title = c205_model_title(model);
@@ -193,7 +193,7 @@ bool written_model(const struct study *study,
 
     if (!whole)
         return false;
-    write_head(study, model, predicted, whole->file);
+    write_model_head(study, model, predicted, whole->file);
     count = written_settings(study, model, settings);
     for (size_t i = 0; i < count; i++)
         write_setting(&settings[i], model, whole->file);

@@ -17,7 +17,7 @@ static const char *const columns[FIELDS] = { "name",   "program", "machine",
 
 enum { MAX_TEXT = 128 };
 
-static bool fail(c205_error *error, const char *what, const char *name)
+static bool observations_fail(c205_error *error, const char *what, const char *name)
 {
     return error_set(error, what, name);
 }
@@ -33,7 +33,7 @@ static const struct fit_run *find_run(struct observations *all, const char *prog
     for (size_t i = 0; i < all->run_count; i++)
         if (strcmp(all->runs[i]->program, program) == 0)
             return all->runs[i];
-    fail(error, "%s", "out of memory");
+    observations_fail(error, "%s", "out of memory");
     added = array_add(&all->runs, &all->run_count, NULL, sizeof *added);
     if (!added)
         return NULL;
@@ -64,7 +64,7 @@ static const c205_model *find_model(struct observations *all, const char *machin
     for (size_t i = 0; i < all->model_count; i++)
         if (strcmp(c205_model_name(all->models[i]), name) == 0)
             return all->models[i];
-    fail(error, "%s", "out of memory");
+    observations_fail(error, "%s", "out of memory");
     added = array_add(&all->models, &all->model_count, NULL, sizeof *added);
     if (!added)
         return NULL;
@@ -82,7 +82,7 @@ static bool find_timing(struct observations *all, const struct fit_run *run,
         if (all->timings[*found].run == run && all->timings[*found].model == model)
             return true;
     return array_add(&all->timings, &all->timing_count, &timing, sizeof timing)
-           || fail(error, "%s", "out of memory");
+           || observations_fail(error, "%s", "out of memory");
 }
 
 /* ---- Terms -------------------------------------------------------------- */
@@ -172,10 +172,12 @@ static bool find_count(const struct run_timing *timing, const struct unit *unit,
     switch (unit->by) {
     case COUNTED_SYMBOL:
         return run_symbol(timing->run, unit->symbol, count)
-               || fail(error, "the program does not define %s", unit->symbol);
+               || observations_fail(error, "the program does not define %s",
+                                    unit->symbol);
     case COUNTED_RAYS:
         *count = (double)timing->run->rays;
-        return *count > 0 || fail(error, "%s has no rays", timing->run->program);
+        return *count > 0
+               || observations_fail(error, "%s has no rays", timing->run->program);
     case COUNTED_PERIOD:
         *count = c205_model_lookup(timing->model, "clock.period")->value;
         break;
@@ -194,7 +196,7 @@ static bool set_unit(const struct observations *all, struct observation *item,
     while (i < sizeof units / sizeof *units && strcmp(units[i].name, item->unit) != 0)
         i++;
     if (i == sizeof units / sizeof *units)
-        return fail(error, "unknown unit '%.60s'", item->unit);
+        return observations_fail(error, "unknown unit '%.60s'", item->unit);
     if (!find_count(timing, &units[i], &count, error))
         return false;
     item->rate = units[i].rate;

@@ -10,7 +10,7 @@
 
 enum { MAX_DEFINES = 8, MAX_WORDS = 256 };
 
-static bool fail(c205_error *error, const char *what, const char *name)
+static bool run_fail(c205_error *error, const char *what, const char *name)
 {
     return error_set(error, what, name);
 }
@@ -68,7 +68,7 @@ static bool cut_words(char *words, struct asm_define *defines, c205_error *error
         char *value = strchr(word, '=');
 
         if (!value || count + 1 == MAX_DEFINES)
-            return fail(error, "'%.60s' does not define a constant", word);
+            return run_fail(error, "'%.60s' does not define a constant", word);
         *value++ = '\0';
         defines[count++] = (struct asm_define){ word, atoll(value) };
     }
@@ -76,8 +76,8 @@ static bool cut_words(char *words, struct asm_define *defines, c205_error *error
     return true;
 }
 
-static bool assemble(struct fit_run *run, const struct run_options *options,
-                     c205_error *error)
+static bool assemble_observed(struct fit_run *run, const struct run_options *options,
+                              c205_error *error)
 {
     const struct text *const texts[] = { kernel_texts, NULL };
     struct asm_define defines[MAX_DEFINES];
@@ -91,8 +91,8 @@ static bool assemble(struct fit_run *run, const struct run_options *options,
     snprintf(path, sizeof path, "%.200s/%s", options->folder, words);
     run->object = assemble_file(path, &how, &errors);
     if (!run->object)
-        fail(error, "%.200s",
-             errors.count > 0 ? errors.items[0].message : "out of memory");
+        run_fail(error, "%.200s",
+                 errors.count > 0 ? errors.items[0].message : "out of memory");
     diagnostics_free(&errors);
     return run->object != NULL;
 }
@@ -100,8 +100,9 @@ static bool assemble(struct fit_run *run, const struct run_options *options,
 static c205 *text_machine(struct fit_run *run, const struct run_options *options,
                           c205_error *error)
 {
-    c205 *machine = assemble(run, options, error) ? c205_new(options->model, error)
-                                                  : NULL;
+    c205 *machine = assemble_observed(run, options, error)
+                        ? c205_new(options->model, error)
+                        : NULL;
 
     if (machine && !c205_load(machine, &run->object->program, error)) {
         c205_free(machine);
@@ -116,12 +117,12 @@ static bool name_regions(struct fit_run *run, const c205 *machine, c205_error *e
 {
     run->region_count = c205_account_count(machine);
     if (run->region_count > MAX_RUN_REGIONS)
-        return fail(error, "%s: more than " LIMIT_TEXT(MAX_RUN_REGIONS) " regions",
-                    run->program);
+        return run_fail(error, "%s: more than " LIMIT_TEXT(MAX_RUN_REGIONS) " regions",
+                        run->program);
     for (size_t i = 0; i < run->region_count; i++) {
         run->regions[i] = copied(c205_account_at(machine, i)->name);
         if (!run->regions[i])
-            return fail(error, "%s: out of memory", run->program);
+            return run_fail(error, "%s: out of memory", run->program);
     }
     return true;
 }
@@ -149,7 +150,7 @@ struct fit_run *run_new(const char *program, const struct run_options *options,
     c205 *machine = NULL;
     bool good;
 
-    fail(error, "%s", "out of memory");
+    run_fail(error, "%s", "out of memory");
     if (run && (run->program = copied(program)) != NULL)
         machine = find_subject(run, &mode) ? frame_machine(run, mode, options, error)
                                            : text_machine(run, options, error);
@@ -206,7 +207,7 @@ bool run_select(const struct fit_run *run, const char *name,
                                   : is_timed(run, run->regions[i]);
         found = found || chosen[i];
     }
-    return found || fail(error, "unknown region '%.60s'", name);
+    return found || run_fail(error, "unknown region '%.60s'", name);
 }
 
 bool run_time(const struct fit_run *run, const c205_model *model,

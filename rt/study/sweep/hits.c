@@ -231,7 +231,7 @@ static const struct table_column point_columns[] = {
 };
 enum { BEFORE = 2 };
 
-static void print(struct sweep_report *report, const struct sweep *sweep)
+static void print_hits(struct sweep_report *report, const struct sweep *sweep)
 {
     const struct sweep_measure *none = sweep->measures;
     const struct sweep_measure *all = none + sweep->count - 1;
@@ -248,7 +248,7 @@ static void print(struct sweep_report *report, const struct sweep *sweep)
                       sweep_speedup(none), sweep_speedup(all));
 }
 
-static void draw(struct sweep_report *report, const struct table *table)
+static void draw_hits(struct sweep_report *report, const struct table *table)
 {
     report->plotted = table;
     report->plot.x_column = BEFORE + SWEEP_COLUMN_HITS;
@@ -273,8 +273,8 @@ static bool report_hits(struct sweep *sweep, struct sweep_report *report,
         table_count(table, sweep->measures[i].hits);
         sweep_add_cells(table, &sweep->measures[i]);
     }
-    print(report, sweep);
-    draw(report, table);
+    print_hits(report, sweep);
+    draw_hits(report, table);
     return true;
 }
 

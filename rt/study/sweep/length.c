@@ -196,8 +196,8 @@ static bool is_asked(const struct sweep *sweep, size_t length)
 }
 
 /* Adds the requested lengths, the findings, and the length before each finding. */
-static void fill(struct table *table, const struct sweep *sweep,
-                 const struct sweep_lengths_found *found)
+static void fill_lengths(struct table *table, const struct sweep *sweep,
+                         const struct sweep_lengths_found *found)
 {
     for (size_t i = 0; i < sweep->count; i++) {
         size_t length = length_of(&sweep->measures[i]);
@@ -216,8 +216,8 @@ static const char *or_before(bool exact)
     return exact ? "" : " or before";
 }
 
-static void print(struct sweep_report *report, const struct sweep *sweep,
-                  const struct sweep_lengths_found *found)
+static void print_lengths(struct sweep_report *report, const struct sweep *sweep,
+                          const struct sweep_lengths_found *found)
 {
     if (found->crossover == 0)
         sweep_report_line(report, "The scalar form is cheaper at the longest "
@@ -239,7 +239,8 @@ static void print(struct sweep_report *report, const struct sweep *sweep,
                       found->best, found->half, or_before(found->half_is_exact));
 }
 
-static void draw(struct sweep_report *report, const struct sweep_lengths_found *found)
+static void draw_lengths(struct sweep_report *report,
+                         const struct sweep_lengths_found *found)
 {
     report->plotted = report->parts[0].table;
     report->plot.x = (struct plot_axis){ "rays, all in one queue", PLOT_LOG2 };
@@ -264,9 +265,9 @@ static bool report_length(struct sweep *sweep, struct sweep_report *report,
     error_set(error, "out of memory");
     if (!table)
         return false;
-    fill(table, sweep, &found);
-    print(report, sweep, &found);
-    draw(report, &found);
+    fill_lengths(table, sweep, &found);
+    print_lengths(report, sweep, &found);
+    draw_lengths(report, &found);
     return true;
 }
 

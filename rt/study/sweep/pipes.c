@@ -114,7 +114,7 @@ static void fill_plot(struct table *table, const struct sweep *sweep)
     }
 }
 
-static void draw(struct sweep_report *report, const struct table *table)
+static void draw_pipes(struct sweep_report *report, const struct table *table)
 {
     report->plotted = table;
     report->plot.x = (struct plot_axis){ "pipes", PLOT_LOG2 };
@@ -124,7 +124,7 @@ static void draw(struct sweep_report *report, const struct table *table)
         sweep_report_curve(report, i, plot_columns[i].heading);
 }
 
-static void print(struct sweep_report *report, const struct sweep *sweep)
+static void print_pipes(struct sweep_report *report, const struct sweep *sweep)
 {
     size_t last = MACHINES - 1;
 
@@ -163,8 +163,8 @@ static bool report_pipes(struct sweep *sweep, struct sweep_report *report,
         add_limit(limits, sweep, i);
     }
     fill_plot(plotted, sweep);
-    print(report, sweep);
-    draw(report, plotted);
+    print_pipes(report, sweep);
+    draw_pipes(report, plotted);
     return true;
 }
 

@@ -41,7 +41,7 @@ bool plot_check_path(const char *path, c205_error *error)
 }
 
 /* Ends a file. Returns true if it is good and has been written. */
-static bool end(struct atomic_file *whole, bool good, c205_error *error)
+static bool end_plot(struct atomic_file *whole, bool good, c205_error *error)
 {
     if (good)
         return atomic_file_commit(whole, error);
@@ -58,7 +58,7 @@ static bool write_svg(const struct plot *plot, const struct table *table,
     if (!whole)
         return false;
     sink = stream_sink(whole->file);
-    return end(whole, plot_draw(plot, table, &sink, error), error);
+    return end_plot(whole, plot_draw(plot, table, &sink, error), error);
 }
 
 /* Runs the converter. The error is its last message. */
@@ -91,10 +91,10 @@ static bool write_both(const struct plot *plot, const struct table *table,
     struct atomic_file *whole = atomic_file_open(png, error);
 
     return whole
-           && end(whole,
-                  write_svg(plot, table, svg, error)
-                      && convert(svg, whole->file, error),
-                  error);
+           && end_plot(whole,
+                       write_svg(plot, table, svg, error)
+                           && convert(svg, whole->file, error),
+                       error);
 }
 
 bool plot_write(const struct plot *plot, const struct table *table, const char *path,

@@ -188,8 +188,8 @@ static void print_memory(struct sweep_report *report, const struct sweep_memory 
                           MAX_TRACE_QUEUE);
 }
 
-static void print(struct sweep_report *report, const struct sweep *sweep,
-                  const struct trio *trio, const struct sweep_memory *memory)
+static void print_queues(struct sweep_report *report, const struct sweep *sweep,
+                         const struct trio *trio, const struct sweep_memory *memory)
 {
     sweep_report_line(report, "Best: a queue of %zu, %.2f clocks per ray.",
                       queue_of(trio->best), sweep_cost(trio->best, SWEEP_QUEUED));
@@ -208,7 +208,7 @@ static const enum sweep_group drawn[SWEEP_GROUPS] = { SWEEP_STREAM, SWEEP_CONFLI
  * where that ends. */
 enum { SHOWN_TIMES = 3 };
 
-static void draw(struct sweep_report *report, const struct trio *trio)
+static void draw_queues(struct sweep_report *report, const struct trio *trio)
 {
     const struct sweep_measure *best = trio->best;
     double scalar = sweep_cost(best, SWEEP_SCALAR);
@@ -258,8 +258,8 @@ static bool report_queue(struct sweep *sweep, struct sweep_report *report,
     fill_points(points, sweep);
     fill_memory(words, &memory, sweep->scene != NULL);
     fill_difference(difference, &trio);
-    print(report, sweep, &trio, &memory);
-    draw(report, &trio);
+    print_queues(report, sweep, &trio, &memory);
+    draw_queues(report, &trio);
     return true;
 }
 

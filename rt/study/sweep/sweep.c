@@ -218,7 +218,7 @@ static bool finish_queued(const struct form_run *run, struct sweep_measure *meas
 
 /* Copies the results to the measures. A scalar form serves all following points up
  * to the next scalar form. */
-static bool finish(const struct plan *plan, c205_error *error)
+static bool finish_row(const struct plan *plan, c205_error *error)
 {
     struct sweep *sweep = plan->sweep;
     const struct sweep_measure *last = sweep->count > 0
@@ -244,7 +244,7 @@ static bool finish(const struct plan *plan, c205_error *error)
     return true;
 }
 
-static bool make_room(struct sweep *sweep, size_t more, c205_error *error)
+static bool grow_measures(struct sweep *sweep, size_t more, c205_error *error)
 {
     struct sweep_measure *measures = realloc(sweep->measures,
                                              (sweep->count + more) * sizeof *measures);
@@ -268,14 +268,14 @@ bool sweep_run(struct sweep *sweep, const struct sweep_point *points, size_t cou
                                 .progress_context = options->context };
     bool good;
 
-    if (!make_room(sweep, count, error))
+    if (!grow_measures(sweep, count, error))
         return false;
     plan.runs = calloc(2 * count + 1, sizeof *plan.runs);
     if (!plan.runs)
         return false;
     plan_runs(&plan, points, count);
     pool.count = plan.count;
-    good = thread_pool_run(&pool, error) && finish(&plan, error);
+    good = thread_pool_run(&pool, error) && finish_row(&plan, error);
     free(plan.runs);
     return good;
 }
