@@ -41,8 +41,8 @@ void compare_drop(struct engine *engine)
 /* ---- Runs -------------------------------------------------------------------- */
 
 /* Runs a side for a slice. *over: it has ended, and its accounts are stored. */
-static bool run(struct engine *engine, struct text_comparison *comparison, bool *over,
-                c205_error *error)
+static bool run_side(struct engine *engine, struct text_comparison *comparison,
+                     bool *over, c205_error *error)
 {
     enum { AT_ONCE = 1 << 18 };
     c205 *machine = comparison->machine;
@@ -70,14 +70,14 @@ static bool begin_run(struct text_comparison *comparison, c205_error *error)
            && c205_load(comparison->machine, &side->object->program, error);
 }
 
-static bool go_on(struct engine *engine, struct text_comparison *comparison,
-                  c205_error *error)
+static bool continue_comparison(struct engine *engine,
+                                struct text_comparison *comparison, c205_error *error)
 {
     bool over = false;
 
     if (!comparison->machine && !begin_run(comparison, error))
         return false;
-    if (!run(engine, comparison, &over, error))
+    if (!run_side(engine, comparison, &over, error))
         return false;
     if (over) {
         c205_free(comparison->machine);
@@ -118,7 +118,7 @@ static bool slice(struct engine *engine, struct json *reply, c205_error *error)
     bool good = true;
 
     while (good && comparison->which < COMPARED_RUNS) {
-        good = go_on(engine, comparison, error);
+        good = continue_comparison(engine, comparison, error);
         if (good && slice_is_full(engine))
             break;
     }

@@ -110,7 +110,7 @@ static bool arrive(struct engine *engine, enum execution_end ended, struct json 
     return put_said(engine, reply, "message", error);
 }
 
-static bool go_on(struct engine *engine, struct json *reply, c205_error *error)
+static bool continue_walk(struct engine *engine, struct json *reply, c205_error *error)
 {
     enum execution_end ended = engine->execution.move(engine);
 
@@ -119,7 +119,7 @@ static bool go_on(struct engine *engine, struct json *reply, c205_error *error)
         return refuse_is_clip(engine, error);
     if (ended != EXECUTION_INTERRUPTED || engine->slice.to_the_limit)
         return arrive(engine, ended, reply, error);
-    engine->goes_on = go_on;
+    engine->goes_on = continue_walk;
     json_bool(reply, "done", false);
     json_text(reply, "why", "running");
     put_place(engine, reply);
@@ -169,7 +169,8 @@ bool answer_go(struct engine *engine, const struct json_value *request,
                struct json *reply, c205_error *error)
 {
     return needs_program(engine, error) && take_slice(engine, request, error)
-           && take_movement(engine, request, error) && go_on(engine, reply, error);
+           && take_movement(engine, request, error)
+           && continue_walk(engine, reply, error);
 }
 
 /* ---- say ----------------------------------------------------------------- */

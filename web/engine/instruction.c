@@ -10,8 +10,8 @@
 
 /* ---- The next instruction ------------------------------------------------------ */
 
-static void put_text(const struct engine *engine, const char *key, uint64_t pc,
-                     struct json *reply)
+static void put_disassembly(const struct engine *engine, const char *key, uint64_t pc,
+                            struct json *reply)
 {
     char text[DISASSEMBLE_TEXT_SIZE];
 
@@ -74,7 +74,7 @@ void put_next_insn(const struct engine *engine, struct json *reply)
         json_null(reply, "next");
         return;
     }
-    put_text(engine, "next", c205_pc(engine_machine(engine)), reply);
+    put_disassembly(engine, "next", c205_pc(engine_machine(engine)), reply);
     put_operands(engine, reply);
 }
 
@@ -174,7 +174,7 @@ bool put_last_insn(const struct engine *engine, struct json *reply, c205_error *
         return true;
     }
     json_object(reply, "last");
-    put_text(engine, "text", last->pc, reply);
+    put_disassembly(engine, "text", last->pc, reply);
     json_count(reply, "line", program_line(engine, last->pc));
     json_text(reply, "mnemonic", last->insn->mnemonic);
     json_text(reply, "effect", last->insn->effect);

@@ -49,8 +49,8 @@ bool put_lessons(struct json *reply, c205_error *error)
 
 /* ---- grade -------------------------------------------------------------------- */
 
-static bool put_words(const struct lesson_verdict *verdict, struct json *reply,
-                      c205_error *error)
+static bool put_lesson_words(const struct lesson_verdict *verdict, struct json *reply,
+                             c205_error *error)
 {
     struct text_buffer text = { .text = NULL };
     struct sink sink = text_buffer_sink(&text);
@@ -67,7 +67,7 @@ static bool grade(const struct lesson *lesson, const char *name, const char *tex
 
     if (good)
         lesson_verdict_json(&verdict, reply);
-    good = good && put_words(&verdict, reply, error);
+    good = good && put_lesson_words(&verdict, reply, error);
     lesson_verdict_free(&verdict);
     return good;
 }

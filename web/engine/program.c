@@ -370,8 +370,8 @@ static bool begin_program(struct engine *engine, const char *name,
     return false;
 }
 
-static bool load(struct engine *engine, const struct json_value *request,
-                 const char *name, struct object *object, c205_error *error)
+static bool load_program(struct engine *engine, const struct json_value *request,
+                         const char *name, struct object *object, c205_error *error)
 {
     const char *wanted = NULL;
     c205_model *model = NULL;
@@ -402,7 +402,7 @@ bool answer_load(struct engine *engine, const struct json_value *request,
         object = NULL;
     }
     arena_free(&arena);
-    if (!object || !load(engine, request, name, object, error))
+    if (!object || !load_program(engine, request, name, object, error))
         return false;
     json_text(reply, "name", name);
     json_text(reply, "model", c205_model_name(engine->model));

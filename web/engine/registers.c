@@ -106,7 +106,7 @@ enum { MAX_VECTORS = 256, MAX_ELEMENTS = 65536 };
 
 /* Returns the width of an element in bits, or 0 if the symbol has
  * no data with elements. */
-static unsigned width_of(const struct asm_symbol *symbol)
+static unsigned symbol_width(const struct asm_symbol *symbol)
 {
     return symbol->is_label && symbol->count > 0 ? vector_width(symbol->contents) : 0;
 }
@@ -176,7 +176,7 @@ static bool put_symbol(const struct engine *engine, const struct asm_symbol *sym
 {
     struct vector_view vector = { .address = (uint64_t)symbol->value,
                                   .length = (size_t)symbol->count,
-                                  .width = width_of(symbol) };
+                                  .width = symbol_width(symbol) };
     uint64_t first = window->first < symbol->count ? window->first : 0;
     uint64_t left = symbol->count - first;
     bool good;
@@ -221,7 +221,7 @@ bool put_vectors(const struct engine *engine, const struct json_value *request,
     for (size_t i = 0; good && i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
 
-        if (width_of(symbol) == 0 || count++ >= MAX_VECTORS)
+        if (symbol_width(symbol) == 0 || count++ >= MAX_VECTORS)
             continue;
         good = take_window(request, symbol->name, &window, error)
                && (put_symbol(engine, symbol, &window, reply)

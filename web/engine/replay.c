@@ -80,7 +80,7 @@ static bool has_recorded_all(const struct engine *engine)
 }
 
 /* Replays for a slice. *done: the replay is complete. */
-static bool go_on(struct engine *engine, bool *done, c205_error *error)
+static bool continue_replay(struct engine *engine, bool *done, c205_error *error)
 {
     enum { AT_ONCE = 512 };
     struct replay *replay = &engine->replay;
@@ -108,7 +108,7 @@ static bool go_on(struct engine *engine, bool *done, c205_error *error)
 bool replay_slice(struct engine *engine, struct json *reply, engine_slice *again,
                   engine_slice *put, c205_error *error)
 {
-    bool done = false, good = go_on(engine, &done, error);
+    bool done = false, good = continue_replay(engine, &done, error);
 
     engine->goes_on = good && !done ? again : NULL;
     if (good)

@@ -126,8 +126,8 @@ static void put_note(FILE *file, const struct picture_note *note)
     put_chunk(file, "tEXt", bytes, (size_t)length);
 }
 
-static void *begin(const char *path, const struct picture_image *image,
-                   const struct picture_note *notes, FILE *file, c205_error *error)
+static void *begin_png(const char *path, const struct picture_image *image,
+                       const struct picture_note *notes, FILE *file, c205_error *error)
 {
     static const unsigned char zlib[2] = { 0x78, 0x01 }; /* RFC 1950, 2.2 */
     const char *ending = strrchr(path, '.');
@@ -173,7 +173,7 @@ static bool rows(void *picture, size_t first, size_t last, const float *samples,
     return good;
 }
 
-static bool end(void *picture, bool whole, c205_error *error)
+static bool end_png(void *picture, bool whole, c205_error *error)
 {
     struct png *png = picture;
     unsigned char tail[BLOCK_HEAD + 4];
@@ -214,9 +214,9 @@ static bool read_raster(const char *format, const char *bytes, size_t length,
 }
 
 const struct picture_adapter png_adapter = {
-    .begin = begin,
+    .begin = begin_png,
     .rows = rows,
-    .end = end,
+    .end = end_png,
     .read = read,
     .read_note = read_note,
     .read_raster = read_raster,

@@ -63,7 +63,7 @@ static unsigned char *bytes_of(const struct frame *part)
     return rgba;
 }
 
-static void show(const struct trace *trace, const struct band *band)
+static void show_band(const struct trace *trace, const struct band *band)
 {
     const struct trace_options *how = trace_how(trace);
     struct text_buffer clocks = { .text = NULL };
@@ -92,7 +92,7 @@ static void look(void *context, const struct trace *trace,
     (void)context;
     if (!page_wants_rows(done) || !band_look(tracer, &band))
         return;
-    show(trace, &band);
+    show_band(trace, &band);
     band_free(&band);
 }
 
