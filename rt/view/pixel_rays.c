@@ -224,13 +224,14 @@ static bool meets_near(const struct pixel_look *look)
 static void list_near(const struct pixel_look *look, const struct queue *queue,
                       size_t ray)
 {
-    static const char *const names[] = {
-        "place", "near_limit", "wox", "woy", "woz", "wdx",  "wdy", "wdz", "ox", "oy",
-        "oz",    "dx",         "dy",  "dz",  "tin", "tout", "w0",  "w1",  "w2", "w3",
-        "w4",    "w5",         "w6",  "w7",  "w8",  "w9",   "w10", "w11", NULL
-    };
+    static const char *const names[] = { "ray_index", "near_limit", "wox", "woy", "woz",
+                                         "wdx",       "wdy",        "wdz", "ox",  "oy",
+                                         "oz",        "dx",         "dy",  "dz",  "tin",
+                                         "tout",      "w0",         "w1",  "w2",  "w3",
+                                         "w4",        "w5",         "w6",  "w7",  "w8",
+                                         "w9",        "w10",        "w11", NULL };
     size_t near = (size_t)c205_to_integer(register_of(look, "near"));
-    c205_word place = register_of(look, "place");
+    c205_word place = register_of(look, "ray_index");
 
     if (!meets_near(look) || c205_descriptor_length(place) != near)
         return;

@@ -230,7 +230,7 @@ static void check_same(struct following *following, const struct pixel_element *
             || strcmp(element->vector, "tout") == 0))
         following->crossed |= element->word
                               == channel_of(following->pixel, CHANNEL_DEPTH);
-    if (strcmp(element->vector, "place") == 0 || strcmp(element->vector, "at") == 0)
+    if (strcmp(element->vector, "ray_index") == 0 || strcmp(element->vector, "at") == 0)
         assert_int_equal(c205_to_integer(element->word), lane);
 }
 

@@ -5,7 +5,7 @@
 ; loop). Called by link_kernel.
 
         .regs   r13, loop_index, loop_count, loop_at, loop_work
-        .regs   r17, loop_place
+        .regs   r17, loop_ray_index
         .reg    loop_link, r30
 
         .macro  loop_next again

@@ -164,8 +164,8 @@ take_all:
         RTOR    dz, wdz
         RTOR    s9, near_limit
         load_word walk_set, s1
-        IX      s1, 64 * SET_PLACE
-        LOD     [s1], place
+        IX      s1, 64 * SET_INDEX
+        LOD     [s1], ray_index
         BIM     take_least
 
 ; Gathering is faster than compressing if 4 count + GATHER_LESS is below all.
@@ -194,17 +194,17 @@ take_all:
 
         .macro  gather_near vector, into, store, number
         describe \into, \store + 64 * QUEUE * \number, near
-        VXTOV   [place], [\vector], [\into]
+        VXTOV   [ray_index], [\vector], [\into]
         .endm
 
 take_some:
         set_near s6
         load_word walk_set, s1
-        IX      s1, 64 * SET_PLACE
+        IX      s1, 64 * SET_INDEX
         LOD     [s1], s3
-        take_near s3, place, place_store, 0
+        take_near s3, ray_index, ray_index_store, 0
         if_gather_pays near, s8, s0, take_sparse
-        take_near s9, near_limit, place_store, 1
+        take_near s9, near_limit, ray_index_store, 1
         take_near dx, wdx, world_store, 3
         take_near dy, wdy, world_store, 4
         take_near dz, wdz, world_store, 5
@@ -216,7 +216,7 @@ take_some:
 
 ; Gathers few rays from the queue.
 take_sparse:
-        gather_near nearest, near_limit, place_store, 1
+        gather_near nearest, near_limit, ray_index_store, 1
         gather_near adx, wdx, world_store, 3
         gather_near ady, wdy, world_store, 4
         gather_near adz, wdz, world_store, 5
@@ -261,7 +261,7 @@ take_passed:
         LOD     [s0], s0
         describe s1, passed_store + 64 * QUEUE * 2, near
         describe s2, passed_bits, near
-        VXTOV   [place], [s3], [s1]
+        VXTOV   [ray_index], [s3], [s1]
         CMPGEV  s0, [s1], [s2]
         CNTOB   [s2], s3
         IBXEQ   s3, r0, near, take_lengthen

@@ -30,9 +30,9 @@ operands:       .space OPERANDS
         SWAP    [s0], r7, [r0]
         .endm
 
-; Passes `number` registers, from `register` on, as operands from `place` on.
-        .macro  pass_operands register, number=1, place=0, into=operands
-        EX      s0, \into + 64 * \place
+; Passes `number` registers, from `register` on, as operands from `position` on.
+        .macro  pass_operands register, number=1, position=0, into=operands
+        EX      s0, \into + 64 * \position
         ELEN    s0, \number
         SWAP    [r0], \register, [s0]
         .endm

@@ -27,7 +27,7 @@
 
         .record SET
         .field  SET_RAY, 6              ; descriptors: origins, directions
-        .field  SET_PLACE               ; positions in the queue
+        .field  SET_INDEX               ; positions in the queue
         .field  SET_LIMIT
         .field  SET_COUNT               ; number of rays, an integer
         .field  SET_LAST                ; walk_last when the limits were taken
@@ -79,8 +79,8 @@ begin_walk:
         RTOR    n, s5
         ES      s6, 0
         EX      s7, set_arena
-        IX      s2, 64 * SET_PLACE
-        ELEN    s2, SET_SIZE - SET_PLACE
+        IX      s2, 64 * SET_INDEX
+        ELEN    s2, SET_SIZE - SET_INDEX
         SWAP    [r0], s3, [s2]
         EX      s3, walk_stack
         EX      s4, queue_set
@@ -125,12 +125,12 @@ set_of_some:
         load_word walk_last, s8
         ELEN    s7, 6
         SWAP    [s7], ox, [r0]
-        IX      s7, 64 * SET_PLACE
+        IX      s7, 64 * SET_INDEX
         ELEN    s7, 4
         SWAP    [s7], s3, [r0]
         IBXEQ   s8, r0, s6, set_limits
         VXTOV   [s3], [nearest], [s4]
-        IX      s7, 64 * (SET_LAST - SET_PLACE)
+        IX      s7, 64 * (SET_LAST - SET_INDEX)
         STO     [s7], s8
 set_limits:
         RTOR    s5, s8
@@ -212,9 +212,9 @@ walk_leaf:
 
 walk_narrow:
         load_word walk_set, s7
-        IX      s7, 64 * SET_PLACE
+        IX      s7, 64 * SET_INDEX
         LOD     [s7], s3
-        IX      s7, 64 * (SET_END - SET_PLACE)
+        IX      s7, 64 * (SET_END - SET_INDEX)
         LOD     [s7], s1
         EX      s0, walk_set
         STO     [s0], s1
@@ -257,8 +257,8 @@ walk_narrowed:
         load_word walk_last, s6
         ELEN    s1, 6
         SWAP    [r0], ox, [s1]
-        IX      s1, 64 * SET_PLACE
-        ELEN    s1, SET_SIZE - SET_PLACE
+        IX      s1, 64 * SET_INDEX
+        ELEN    s1, SET_SIZE - SET_INDEX
         SWAP    [r0], s3, [s1]
         BIM     walk_below
 

@@ -15,7 +15,7 @@
         .field  HIT_RAY, 6              ; O, D
         .field  HIT_DISTANCE
         .field  HIT_PRIMITIVE           ; address of its record
-        .field  HIT_PLACE               ; position of its ray in the queue
+        .field  HIT_INDEX               ; position of its ray in the queue
         .field  HIT_SAMPLE, SAMPLE_SIZE ; as in SHADE
         .field  HIT_LIGHT, 3            ; L
         .field  HIT_NDOTL               ; N . L, D . L, distance
@@ -72,7 +72,7 @@ hit_save:       .space SURFACE_REGISTERS
         .kernel shade
 surface:
         enter_hit 1, SURFACE_REGISTERS
-        load_hit HIT_RAY, HIT_PLACE, ox
+        load_hit HIT_RAY, HIT_INDEX, ox
         RTOR    hit_primitive, a_primitive
         RTOR    hit_distance, t0
         find_surface
@@ -146,7 +146,7 @@ shine:
         attenuate_light
 shine_all_around:
         .endif
-        load_hit HIT_RAY, HIT_PLACE, ox
+        load_hit HIT_RAY, HIT_INDEX, ox
         RTOR    hit_primitive, a_primitive
         .if     BUMPS
         load_hit HIT_SAMPLE, SAMPLE_SIZE, red

@@ -8,12 +8,12 @@
         .regs   r58, g_across, g_table, g_place, g_plane
         .endshare
 
-        .macro  within_pixel place, into
-        DIVS    \place, g_across, \into
+        .macro  within_pixel position, into
+        DIVS    \position, g_across, \into
         FLR     \into, \into
         ADDN    \into, r0, \into
         MPYS    \into, g_across, \into
-        SUBN    \place, \into, \into
+        SUBN    \position, \into, \into
         .endm
 
         .macro  through_lens location, o, d

@@ -10,13 +10,13 @@
         .endshare
 
 ; Computes the position of samples within their pixel, across or down.
-        .macro  within_pixel place, into
+        .macro  within_pixel position, into
         LINKV
-        DIVSV   [\place], lens_across, [\into]
+        DIVSV   [\position], lens_across, [\into]
         FLRV    [\into], [\into]
         ADDNV   [\into], r0, [\into]
         MPYSV   [\into], lens_across, [\into]
-        SUBNV   [\place], [\into], [\into]
+        SUBNV   [\position], [\into], [\into]
         .endm
 
         .macro  through_lens location, o, d

@@ -12,7 +12,7 @@
 ; the start or after the limit of a ray. Rays with one origin, or towards one
 ; point light, have L in common.
 ;
-; In:  region; the near current rays: wox .. wdz, near_limit, place.
+; In:  region; the near current rays: wox .. wdz, near_limit, ray_index.
 ; Out: the same for the rays that come near the box, s6 of them.
 ; Source: separating axes of a line and a box: Gottschalk, Lin and Manocha 1996.
 
@@ -104,8 +104,8 @@ box_taken:
 
 box_sparse:
         set_near s6
-        leave_only place, place_store, 0, near_bits
-        leave_only near_limit, place_store, 1, near_bits
+        leave_only ray_index, ray_index_store, 0, near_bits
+        leave_only near_limit, ray_index_store, 1, near_bits
         leave_only wdx, world_store, 3, near_bits
         leave_only wdy, world_store, 4, near_bits
         leave_only wdz, world_store, 5, near_bits

@@ -31,7 +31,7 @@ light_left:     .space 3 * QUEUE        ; transmitted light of each shadow ray
         .macro  store_depth distance
         .if     KEYS
         EX      loop_work, depth_store
-        STO     [loop_work, loop_place], \distance
+        STO     [loop_work, loop_ray_index], \distance
         .endif
         .endm
 
@@ -40,10 +40,10 @@ light_left:     .space 3 * QUEUE        ; transmitted light of each shadow ray
         .macro  take_nearer distance, taken
         CFPLT   \distance, loop_work, \taken
         CFPNE   \distance, loop_work, tree_skip
-        LOD     [to_nearest_primitive, loop_place], loop_work
+        LOD     [to_nearest_primitive, loop_ray_index], loop_work
         IBXGE   w_out, r0, loop_work, tree_skip
 \taken:
-        STO     [to_nearest, loop_place], \distance
+        STO     [to_nearest, loop_ray_index], \distance
         .endm
 
         .kernel visible
@@ -82,16 +82,16 @@ simple_next:
 simple_ahead:
         CFPGE   segment_in, ray_limit, simple_tie
 simple_taken:
-        find_place
+        find_ray_index
         IBXNE   to_lights, r0, r0, simple_dark
-        STO     [to_nearest, loop_place], segment_in
+        STO     [to_nearest, loop_ray_index], segment_in
         store_depth segment_in
-        STO     [to_nearest_primitive, loop_place], its_primitive
+        STO     [to_nearest_primitive, loop_ray_index], its_primitive
         IBXEQ   its_patch, r0, r0, simple_skip
         LOD     [from_patch_s, loop_index], segment_in
         LOD     [from_patch_t, loop_index], segment_out
-        STO     [to_hit_s, loop_place], segment_in
-        STO     [to_hit_t, loop_place], segment_out
+        STO     [to_hit_s, loop_ray_index], segment_in
+        STO     [to_hit_t, loop_ray_index], segment_out
         BIM     simple_skip
 simple_second:
         RTOR    segment_out, segment_in
@@ -100,12 +100,12 @@ simple_second:
 simple_tie:
         CFPNE   segment_in, ray_limit, simple_skip
         IBXNE   to_lights, r0, r0, simple_skip
-        find_place
-        LOD     [to_nearest_primitive, loop_place], loop_work
+        find_ray_index
+        LOD     [to_nearest_primitive, loop_ray_index], loop_work
         IBXLT   its_primitive, r0, loop_work, simple_taken
         BIM     simple_skip
 simple_dark:
-        STO     [to_nearest, loop_place], m_minus_big
+        STO     [to_nearest, loop_ray_index], m_minus_big
 simple_skip:
         loop_next simple_next
         to_vector
@@ -115,7 +115,7 @@ simple_skip:
 walk_tree:
         walk_rays
         IBXNE   to_lights, r0, r0, tree_to_light
-        LOD     [to_nearest, loop_place], loop_work
+        LOD     [to_nearest, loop_ray_index], loop_work
         .if     KEYS
         RTOR    w_out, loop_at
         IX      loop_at, 64 * P_TIE_OFFSET
@@ -127,11 +127,11 @@ walk_tree:
         .else
         take_nearer w_in, tree_taken
         .endif
-        STO     [to_nearest_primitive, loop_place], w_out
+        STO     [to_nearest_primitive, loop_ray_index], w_out
         store_depth w_in
         find_point tree_skip
-        STO     [to_hit_s, loop_place], segment_in
-        STO     [to_hit_t, loop_place], segment_out
+        STO     [to_hit_s, loop_ray_index], segment_in
+        STO     [to_hit_t, loop_ray_index], segment_out
         rays_end
         .endkernel
 
@@ -142,20 +142,20 @@ tree_to_light:
         EX      from_red, light_left
         EX      from_green, light_left + 64 * QUEUE
         EX      from_blue, light_left + 64 * QUEUE * 2
-        LOD     [from_red, loop_place], s_red
-        LOD     [from_green, loop_place], s_green
-        LOD     [from_blue, loop_place], s_blue
+        LOD     [from_red, loop_ray_index], s_red
+        LOD     [from_green, loop_ray_index], s_green
+        LOD     [from_blue, loop_ray_index], s_blue
 tree_clear:
         pass_through tree_dark
         ADDN    w_in, w_lower, w_in
         next_visible w_in, tree_passed
         BIM     tree_clear
 tree_passed:
-        STO     [from_red, loop_place], s_red
-        STO     [from_green, loop_place], s_green
-        STO     [from_blue, loop_place], s_blue
+        STO     [from_red, loop_ray_index], s_red
+        STO     [from_green, loop_ray_index], s_green
+        STO     [from_blue, loop_ray_index], s_blue
         BIM     tree_skip
 tree_dark:
-        STO     [to_nearest, loop_place], m_minus_big
+        STO     [to_nearest, loop_ray_index], m_minus_big
         BIM     tree_skip
         .endkernel

@@ -93,7 +93,7 @@ simple_hit:
         ANDB    [bits0], [bits1], [bits1]
         CNTOB   [bits1], s1
         IBXEQ   s1, r0, r0, simple_nearer
-        VXTOV   [place], [nearest_primitive], [w1]
+        VXTOV   [ray_index], [nearest_primitive], [w1]
         CMPGEV  identity, [w1], [bits2]
         ANDB    [bits1], [bits2], [bits1]
         XORB    [bits0], [bits1], [bits0]
@@ -102,7 +102,7 @@ simple_hit:
 simple_nearer:
         region_took_hits
         IBXEQ   near, r0, n, simple_all
-        take_found place, taken_at, 0, bits0
+        take_found ray_index, taken_at, 0, bits0
         mark_tested
         take_found w0, taken_distance, 1, bits0
         VTOVX   [taken_at], [taken_distance], [nearest]
@@ -137,7 +137,7 @@ simple_stops:
         IBXEQ   s0, r0, r0, walk_skip
         region_took_hits
         IBXEQ   near, r0, n, simple_stops_all
-        take_found place, taken_at, 0, bits0
+        take_found ray_index, taken_at, 0, bits0
         VTOVX   [taken_at], minus_big, [nearest]
         BIM     walk_skip
 simple_stops_all:

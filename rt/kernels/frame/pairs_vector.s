@@ -31,7 +31,7 @@
 ; Source: derived here.
 
         .share  hits
-        .regs   r136, pair_place, pair_node, pair_x, pair_y, pair_z
+        .regs   r136, pair_ray, pair_node, pair_x, pair_y, pair_z
         .regs   r141, pair_dx, pair_dy, pair_dz, pair_b, pair_work, pair_limit
         .regs   r147, pair_bits, pair_more, pair_tie, pair_in, pair_out
         .regs   r152, pair_hit, pair_count, pair_left
@@ -47,9 +47,9 @@ pair_stamp:     .word 0                 ; number of the last hits, for walk_last
 pair_order:     .space PAIRS            ; permutation, made at its first use
 pair_bit_store: .space 3 * PAIR_LIST / 64
         .align  64
-pool_places:    .space PAIRS * (HIERARCHY_DEPTH + 2)
+pool_rays:      .space PAIRS * (HIERARCHY_DEPTH + 2)
 pool_nodes:     .space PAIRS * (HIERARCHY_DEPTH + 2) ; addresses, in words
-sphere_places:  .space PAIR_LIST
+sphere_rays:    .space PAIR_LIST
 sphere_regions: .space PAIR_LIST
 pair_store:     .space 12 * PAIR_LIST
         .align  64 * 512
@@ -90,14 +90,14 @@ pair_store:     .space 12 * PAIR_LIST
 ; [c] = c - o, [d] = direction
         .macro  pair_from_ray o, d, c, into, work
         IBXNE   from_one_point, r0, r0, pair_one_point\@
-        VXTOV   [pair_place], [\o], [\work]
+        VXTOV   [pair_ray], [\o], [\work]
         SUBNV   [\c], [\work], [\c]
         BIM     pair_from\@
 pair_one_point\@:
         LOD     [\o], s1
         SUBNV   [\c], s1, [\c]
 pair_from\@:
-        VXTOV   [pair_place], [\d], [\into]
+        VXTOV   [pair_ray], [\d], [\into]
         .endm
 
         .kernel bound
@@ -111,11 +111,11 @@ add_pairs:
         EX      s2, pool_count
         STO     [s2], s1
         load_word walk_set, s3
-        IX      s3, 64 * SET_PLACE
+        IX      s3, 64 * SET_INDEX
         LOD     [s3], s3
         SHIFTI  s0, 6, s0
         SHIFTI  s8, 6, s5
-        EX      s4, pool_places
+        EX      s4, pool_rays
         ADDX    s4, s0, s4
         ADDLEN  s4, s8, s4
         VTOV    [s3], [s4]
@@ -172,7 +172,7 @@ mix_ordered:
         EX      pair_x, pair_store
         CPSV    [s3], [pair_x] ? [pair_bits]
         pair_vector pair_y, 1, s8
-        describe s3, pool_places, s8
+        describe s3, pool_rays, s8
         VXTOV   [pair_x], [s3], [pair_y]
         VTOV    [pair_y], [s3]
         describe s3, pool_nodes, s8
@@ -199,9 +199,9 @@ pairs_some:
         EX      s0, pool_count
         STO     [s0], s2
         SHIFTI  s2, 6, s2
-        EX      pair_place, pool_places
-        ADDX    pair_place, s2, pair_place
-        ADDLEN  pair_place, s8, pair_place
+        EX      pair_ray, pool_rays
+        ADDX    pair_ray, s2, pair_ray
+        ADDLEN  pair_ray, s8, pair_ray
         EX      pair_node, pool_nodes
         ADDX    pair_node, s2, pair_node
         ADDLEN  pair_node, s8, pair_node
@@ -228,7 +228,7 @@ pairs_some:
         CMPGEV  [pair_z], [pair_x], [pair_bits]
         CNTOB   [pair_bits], s0
         IBXEQ   s0, r0, r0, pairs_take
-        VXTOV   [pair_place], [nearest], [pair_limit]
+        VXTOV   [pair_ray], [nearest], [pair_limit]
         ADDNV   [pair_b], [pair_y], [pair_x]
         CMPLTV  r0, [pair_x], [pair_more]
         ANDB    [pair_bits], [pair_more], [pair_bits]
@@ -237,7 +237,7 @@ pairs_some:
         ANDB    [pair_bits], [pair_more], [pair_bits]
         CNTOB   [pair_bits], s8
         IBXEQ   s8, r0, r0, pairs_take
-        CPSV    [pair_place], [pair_place] ? [pair_bits]
+        CPSV    [pair_ray], [pair_ray] ? [pair_bits]
         CPSV    [pair_node], [pair_node] ? [pair_bits]
 
 ; Adds the regions of leaves to the list: first the first region of each leaf,
@@ -247,16 +247,16 @@ pairs_some:
         CMPNEV  [pair_x], r0, [pair_bits]
         CNTOB   [pair_bits], s5
         IBXEQ   s5, r0, r0, pairs_below
-        RTOR    pair_place, s6
+        RTOR    pair_ray, s6
         RTOR    pair_node, s7
         IBXEQ   s5, r0, s8, pairs_leaves
         pair_vector s6, 9, s5
         pair_vector s7, 10, s5
-        CPSV    [pair_place], [s6] ? [pair_bits]
+        CPSV    [pair_ray], [s6] ? [pair_bits]
         CPSV    [pair_node], [s7] ? [pair_bits]
         CPSV    [pair_x], [pair_x] ? [pair_bits]
         NANDB   [pair_bits], [pair_bits], [pair_bits]
-        CPSV    [pair_place], [pair_place] ? [pair_bits]
+        CPSV    [pair_ray], [pair_ray] ? [pair_bits]
         CPSV    [pair_node], [pair_node] ? [pair_bits]
 pairs_leaves:
         SUBX    s8, s5, s8
@@ -268,7 +268,7 @@ pairs_leaf:
         ADDX    s1, s5, s1
         EX      s3, sphere_count
         STO     [s3], s1
-        EX      s3, sphere_places
+        EX      s3, sphere_rays
         ADDX    s3, s2, s3
         ADDLEN  s3, s5, s3
         VTOV    [s6], [s3]
@@ -295,9 +295,9 @@ pairs_no_leaf:
 ; these pairs on.
 pairs_below:
         SHIFTI  s8, 6, s5
-        RTOR    pair_place, s3
+        RTOR    pair_ray, s3
         ADDX    s3, s5, s3
-        VTOV    [pair_place], [s3]
+        VTOV    [pair_ray], [s3]
         pair_address pair_node, H_REGIONS, pair_x
         ES      s1, H_SIZE
         ADDXV   [pair_node], s1, [pair_node]
@@ -330,7 +330,7 @@ intersect_spheres:
         EX      s0, sphere_count
         STO     [s0], r0
         set_pairs pair_count
-        describe pair_place, sphere_places, pair_count
+        describe pair_ray, sphere_rays, pair_count
         describe pair_node, sphere_regions, pair_count
         pair_vector pair_in, 9, pair_count
         pair_vector pair_out, 10, pair_count
@@ -347,7 +347,7 @@ intersect_spheres:
         .endkernel
 
         .kernel visible
-        VXTOV   [pair_place], [nearest], [pair_limit]
+        VXTOV   [pair_ray], [nearest], [pair_limit]
         RTOR    tmin, s1
         IBXEQ   shadows, r0, r0, spheres_least
         load_word k_shadow, s1
@@ -358,7 +358,7 @@ spheres_least:
         IBXNE   shadows, r0, r0, spheres_from_start
         load_word k_delta, s3
         SUBN    r0, s3, s3
-        VXTOV   [pair_place], [s2], [pair_work]
+        VXTOV   [pair_ray], [s2], [pair_work]
         CMPNEV  [pair_work], r0, [pair_more]
         MASKV   s3, s1, [pair_work] ? [pair_more]
         spheres_ahead [pair_work]
@@ -372,7 +372,7 @@ spheres_found:
         ANDB    [pair_bits], [pair_more], [pair_bits]
         CNTOB   [pair_bits], pair_count
         IBXEQ   pair_count, r0, r0, spheres_hit
-        CPSV    [pair_place], [pair_place] ? [pair_bits]
+        CPSV    [pair_ray], [pair_ray] ? [pair_bits]
         CPSV    [pair_hit], [pair_hit] ? [pair_bits]
         CPSV    [pair_node], [pair_node] ? [pair_bits]
         set_pairs pair_count
@@ -407,12 +407,12 @@ spheres_nearest:
         pair_field pair_node, P_ID, pair_y
         ES      pair_left, 0
 spheres_better:
-        VXTOV   [pair_place], [nearest], [pair_limit]
+        VXTOV   [pair_ray], [nearest], [pair_limit]
         CMPLTV  [pair_hit], [pair_limit], [pair_bits]
         CMPEQV  [pair_hit], [pair_limit], [pair_more]
         CNTOB   [pair_more], s0
         IBXEQ   s0, r0, r0, spheres_no_tie
-        VXTOV   [pair_place], [nearest_primitive], [pair_limit]
+        VXTOV   [pair_ray], [nearest_primitive], [pair_limit]
         CMPLTV  [pair_y], [pair_limit], [pair_tie]
         ANDB    [pair_more], [pair_tie], [pair_more]
         ORB     [pair_bits], [pair_more], [pair_bits]
@@ -421,7 +421,7 @@ spheres_no_tie:
         IBXEQ   s8, r0, r0, spheres_stamp
         ES      pair_left, 1
         IBXEQ   s8, r0, pair_count, spheres_scatter
-        CPSV    [pair_place], [pair_place] ? [pair_bits]
+        CPSV    [pair_ray], [pair_ray] ? [pair_bits]
         CPSV    [pair_hit], [pair_hit] ? [pair_bits]
         CPSV    [pair_y], [pair_y] ? [pair_bits]
         RTOR    s8, pair_count
@@ -430,12 +430,12 @@ spheres_no_tie:
         describe pair_more, pair_bit_store + PAIR_LIST, s8
         describe pair_tie, pair_bit_store + 2 * PAIR_LIST, s8
 spheres_scatter:
-        VTOVX   [pair_place], [pair_hit], [nearest]
+        VTOVX   [pair_ray], [pair_hit], [nearest]
         .if     KEYS
         describe s0, depth_store, n
-        VTOVX   [pair_place], [pair_hit], [s0]
+        VTOVX   [pair_ray], [pair_hit], [s0]
         .endif
-        VTOVX   [pair_place], [pair_y], [nearest_primitive]
+        VTOVX   [pair_ray], [pair_y], [nearest_primitive]
         BIM     spheres_better
 
 ; Blocks shadow rays.
@@ -444,8 +444,8 @@ spheres_stop:
         ANDB    [pair_bits], [pair_more], [pair_bits]
         CNTOB   [pair_bits], pair_left
         IBXEQ   pair_left, r0, r0, spheres_hit
-        CPSV    [pair_place], [pair_place] ? [pair_bits]
-        VTOVX   [pair_place], minus_big, [nearest]
+        CPSV    [pair_ray], [pair_ray] ? [pair_bits]
+        VTOVX   [pair_ray], minus_big, [nearest]
 spheres_stamp:
         IBXEQ   pair_left, r0, r0, spheres_hit
         load_word pair_stamp, s0

@@ -44,7 +44,7 @@
         .endm
 
 ; Computes the position of the first ray of a column or row.
-        .macro  through_middle number, place
-        MPYS    \number, place_step, \place
-        ADDN    \place, place_first, \place
+        .macro  through_middle number, position
+        MPYS    \number, place_step, \position
+        ADDN    \position, place_first, \position
         .endm

@@ -58,7 +58,7 @@
 
 ; Current rays, near long: positions in the queue (unused if all rays of the
 ; queue are current), limits, origins, directions, least distances.
-        .regs   r74, place, near_limit
+        .regs   r74, ray_index, near_limit
         .regs   r176, wox, woy, woz, wdx, wdy, wdz, wlower
         .share  phase
         .reg    space, r189             ; space of lox .., or 0
@@ -155,7 +155,7 @@ near_store:     .space (NEAR_VECTORS - 3) * QUEUE
 found_store:    .space 2 * QUEUE        ; tin, tout, if stored nowhere else
 queue_store:    .space 10 * QUEUE       ; rays, nearest,
                                         ; nearest_primitive, hit_s, hit_t
-place_store:    .space 2 * QUEUE        ; place, near_limit
+ray_index_store: .space 2 * QUEUE       ; ray_index, near_limit
 world_store:    .space 6 * QUEUE        ; wox ..
 least_store:    .space QUEUE            ; QUEUE copies of tmin
 least_shadow:   .space QUEUE            ; QUEUE copies of k_shadow

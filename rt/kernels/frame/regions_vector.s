@@ -138,7 +138,7 @@ walk_compress:
         load_word hidden_class, s1
         IBXEQ   s1, r0, r0, walk_take
         load_word walk_set, s2
-        IX      s2, 64 * SET_PLACE
+        IX      s2, 64 * SET_INDEX
         LOD     [s2], s2
         load_word queue_classes, s3
         describe bound_g0, bound_store, s8

@@ -9,7 +9,7 @@
 ;
 ;   walk_tree:
 ;           walk_rays       ; w_in, w_out = distance, primitive of a crossing;
-;           ..              ; loop_place = position of the ray in the queue
+;           ..              ; loop_ray_index = position of the ray in the queue
 ;           rays_end        ; has tree_skip: the next ray, then the next region
 ;
 ; The argument of walk_rays is a macro that loads its own registers of the loop,
@@ -20,7 +20,7 @@
 
 ; Operands from the vector program.
         .share  loop
-        .regs   r156, to_nearest, to_nearest_primitive, to_hit_s, to_hit_t, from_place
+        .regs   r156, to_nearest, to_nearest_primitive, to_hit_s, to_hit_t, from_ray_index
         .regs   r161, from_limit, from_patch_s, from_patch_t, from_least
         .regs   r165, its_primitive, to_lights
         .equ    SIMPLE_OPERANDS, 11
@@ -43,19 +43,19 @@
 
         .macro  pass_rays
         pass_operands nearest, 4
-        pass_operands place, 2, 4
+        pass_operands ray_index, 2, 4
         pass_operands patch_s, 2, 6
         pass_operands wlower, 1, 8
         pass_operands primitive, 1, 9
         pass_operands shadows, 1, 10
         .endm
 
-; Sets loop_place to the position of the current ray in the queue.
-        .macro  find_place
-        RTOR    loop_index, loop_place
-        IBXEQ   near, r0, n, found_place\@
-        LOD     [from_place, loop_index], loop_place
-found_place\@:
+; Sets loop_ray_index to the position of the current ray in the queue.
+        .macro  find_ray_index
+        RTOR    loop_index, loop_ray_index
+        IBXEQ   near, r0, n, found_ray_index\@
+        LOD     [from_ray_index, loop_index], loop_ray_index
+found_ray_index\@:
         .endm
 
         .macro  find_patch primitive
@@ -66,12 +66,12 @@ found_place\@:
 
 ; Loads the current ray, for crossings that serve normals and light.
         .macro  load_ray
-        LOD     [from_ox, loop_place], w_ox
-        LOD     [from_oy, loop_place], w_oy
-        LOD     [from_oz, loop_place], w_oz
-        LOD     [from_dx, loop_place], w_dx
-        LOD     [from_dy, loop_place], w_dy
-        LOD     [from_dz, loop_place], w_dz
+        LOD     [from_ox, loop_ray_index], w_ox
+        LOD     [from_oy, loop_ray_index], w_oy
+        LOD     [from_oz, loop_ray_index], w_oz
+        LOD     [from_dx, loop_ray_index], w_dx
+        LOD     [from_dy, loop_ray_index], w_dy
+        LOD     [from_dz, loop_ray_index], w_dz
         .endm
 
         .macro  walk_rays prepare=
@@ -126,7 +126,7 @@ tree_leaf_next:
         IBXEQ   w_hit, r0, r0, tree_skip
         STO     [chain_at], r0
         next_visible w_least, tree_skip
-        find_place
+        find_ray_index
         .endm
 
 ; Sets segment_in, segment_out to the parameters of a patch, or to the triangle

@@ -5,7 +5,7 @@
 ; In, out: as for resolve_vector.s.
 
         .share  loop
-        .regs   r156, child_level, parents_at, children_at, parent_place
+        .regs   r156, child_level, parents_at, children_at, parent_index
         .regs   r160, parent_stride, own_color, child_factor, child_color
         .regs   r164, factor0_at, factor1_at, factor2_at
         .regs   r167, color0_at, color1_at, color2_at
@@ -19,11 +19,11 @@
         .macro  add_channel factor_at, color_at
         LOD     [\factor_at, loop_index], child_factor
         LOD     [\color_at, loop_index], child_color
-        LOD     [parent_place], own_color
+        LOD     [parent_index], own_color
         MPYS    child_factor, child_color, child_color
         ADDN    own_color, child_color, own_color
-        STO     [parent_place], own_color
-        ADDX    parent_place, parent_stride, parent_place
+        STO     [parent_index], own_color
+        ADDX    parent_index, parent_stride, parent_index
         .endm
 
         .kernel resolve
@@ -50,9 +50,9 @@ add_children:
         load_at scene_pixels, 1, parent_stride
         SHIFTI  parent_stride, 6, parent_stride
 resolve_child:
-        LOD     [children_at, loop_index], parent_place
-        SHIFTI  parent_place, 6, parent_place
-        ADDX    parents_at, parent_place, parent_place
+        LOD     [children_at, loop_index], parent_index
+        SHIFTI  parent_index, 6, parent_index
+        ADDX    parents_at, parent_index, parent_index
         add_channel factor0_at, color0_at
         add_channel factor1_at, color1_at
         add_channel factor2_at, color2_at

@@ -14,7 +14,7 @@
 
         .regs   r177, hit_at, back_red, back_green, back_blue
         .regs   r181, new_ox, new_oy, new_oz, new_dx, new_dy, new_dz
-        .regs   r187, new_distance, new_primitive, new_place
+        .regs   r187, new_distance, new_primitive, new_index
         .regs   r190, lit_ndotl, lit_ddotl, lit_distance, lit_red, lit_green
         .regs   r195, lit_blue, lit_highlights, lit_at, lit_count, lit_limit
         .endshare
@@ -138,18 +138,18 @@ shade_ray:
         LOD     [of_dy, loop_index], new_dy
         LOD     [of_dz, loop_index], new_dz
         LOD     [of_nearest, loop_index], new_distance
-        RTOR    loop_index, new_place
+        RTOR    loop_index, new_index
         RTOR    hit_at, loop_at
         ELEN    loop_at, HIT_SAMPLE
         SWAP    [r0], new_ox, [loop_at]
         find_patch new_primitive
         IBXEQ   its_patch, r0, r0, shade_surface
         LOD     [of_hit_s, loop_index], loop_work
-        LOD     [of_hit_t, loop_index], loop_place
+        LOD     [of_hit_t, loop_index], loop_ray_index
         RTOR    new_primitive, loop_at
         IX      loop_at, 64 * P_PATCH_POINT
         STO     [loop_at], loop_work
-        STO     [loop_at, m_index_one], loop_place
+        STO     [loop_at, m_index_one], loop_ray_index
 shade_surface:
         call_hit surface
         IX      lit_count, 1
@@ -298,18 +298,18 @@ shade_store:
 shade_store_hit:
         in_hit  HIT_DISTANCE, 3, new_distance   ; primitive, place
         in_hit  HIT_SAMPLE, 6, new_ox           ; colour, normal
-        pixel_of new_place, loop_place
-        STO     [of_red, loop_place], new_ox
-        STO     [of_green, loop_place], new_oy
-        STO     [of_blue, loop_place], new_oz
+        pixel_of new_index, loop_ray_index
+        STO     [of_red, loop_ray_index], new_ox
+        STO     [of_green, loop_ray_index], new_oy
+        STO     [of_blue, loop_ray_index], new_oz
         IBXEQ   of_first, r0, r0, shade_store_next
         IX      new_primitive, 64 * P_ID
         LOD     [new_primitive], loop_work
-        STO     [of_depth, loop_place], new_distance
-        STO     [of_nx, loop_place], new_dx
-        STO     [of_ny, loop_place], new_dy
-        STO     [of_nz, loop_place], new_dz
-        STO     [of_id, loop_place], loop_work
+        STO     [of_depth, loop_ray_index], new_distance
+        STO     [of_nx, loop_ray_index], new_dx
+        STO     [of_ny, loop_ray_index], new_dy
+        STO     [of_nz, loop_ray_index], new_dz
+        STO     [of_id, loop_ray_index], loop_work
 shade_store_next:
         next_hit shade_store_hit
 shade_done:
@@ -325,15 +325,15 @@ shade_background:
         LOD     [of_dz, loop_index], new_dz
         see_sky new_dx, back_red, loop_at
 shade_no_sky:
-        pixel_of loop_index, loop_place
-        STO     [of_red, loop_place], back_red
-        STO     [of_green, loop_place], back_green
-        STO     [of_blue, loop_place], back_blue
+        pixel_of loop_index, loop_ray_index
+        STO     [of_red, loop_ray_index], back_red
+        STO     [of_green, loop_ray_index], back_green
+        STO     [of_blue, loop_ray_index], back_blue
         IBXEQ   of_first, r0, r0, shade_ray_next
-        STO     [of_depth, loop_place], m_zero
-        STO     [of_nx, loop_place], m_zero
-        STO     [of_ny, loop_place], m_zero
-        STO     [of_nz, loop_place], m_zero
-        STO     [of_id, loop_place], m_zero
+        STO     [of_depth, loop_ray_index], m_zero
+        STO     [of_nx, loop_ray_index], m_zero
+        STO     [of_ny, loop_ray_index], m_zero
+        STO     [of_nz, loop_ray_index], m_zero
+        STO     [of_id, loop_ray_index], m_zero
         BIM     shade_ray_next
         .endkernel

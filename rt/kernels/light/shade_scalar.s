@@ -30,12 +30,12 @@ shadow_light:   .space 3
         .equ    SHADE_ARGUMENTS, 4
         .endif
 
-; Traces the ray of shadow_ray up to limit.  place = the address of its target.
+; Traces the ray of shadow_ray up to limit.  position = the address of its target.
 ; here = the address of the remaining light.
-        .macro  cast_shadow limit, place
+        .macro  cast_shadow limit, position
         EX      here, shadow_limit
         STO     [here], \limit
-        RTOR    \place, t1
+        RTOR    \position, t1
         .if     BEAMS
         IBXEQ   light_beam, r0, r0, cast_to_place\@
         IBXEQ   beam_parallel, r0, r0, cast_to_place\@

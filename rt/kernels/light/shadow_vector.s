@@ -135,7 +135,7 @@ found_shadow:
         IX      s0, 64 * R_SHADOW
         LOD     [s0], s0
         IBXNE   s0, r0, one_index, shadow_of_parts
-        take_found place, taken_at, 0, seen
+        take_found ray_index, taken_at, 0, seen
         VTOVX   [taken_at], minus_big, [nearest]
         BIM     0, link_kernel
 shadow_of_parts:
@@ -147,7 +147,7 @@ shadow_leaf:
         ANDB    [bits0], [seen], [bits0]
         CNTOB   [bits0], m
         IBXEQ   m, r0, r0, shadow_next
-        take_found place, taken_at, 0, bits0
+        take_found ray_index, taken_at, 0, bits0
         load_field P_CLEAR, s0
         IBXNE   s0, r0, r0, shadow_clear
         VTOVX   [taken_at], minus_big, [nearest]

@@ -120,22 +120,22 @@ spawn_hit:
         spawn_argument 7, HIT_PIGMENT, 3
         .endif
         .if     INTERIORS
-        LOD     [ray_inside_at, new_place], ray_inside
-        LOD     [ray_level_at, new_place], ray_level
-        LOD     [hit_weight_at, new_place], ray_weight
+        LOD     [ray_inside_at, new_index], ray_inside
+        LOD     [ray_level_at, new_index], ray_level
+        LOD     [hit_weight_at, new_index], ray_weight
         EX      loop_work, spawn_state
         ELEN    loop_work, SPAWN_STATE
         SWAP    [r0], ray_inside, [loop_work]
         .else
-        SHIFTI  new_place, 6, loop_work
+        SHIFTI  new_index, 6, loop_work
         ADDX    hit_weight_at, loop_work, loop_work
         .endif
         EX      loop_at, spawn_list + 64 * 3
         STO     [loop_at], loop_work
         call    spawn, spawn_list
-        ADDX    new_place, of_position, parent
+        ADDX    new_index, of_position, parent
         IBXEQ   of_order, r0, r0, spawn_in_rows
-        LOD     [of_order, new_place], parent
+        LOD     [of_order, new_index], parent
 spawn_in_rows:
         load_at spawn_followed, 2, is_reflected
         .if     HIDDEN
@@ -147,7 +147,7 @@ spawn_not_reflected:
         IBXEQ   is_refracted, r0, r0, spawn_next
         .if     HIDDEN
         IBXEQ   is_refracted, r0, child_class, spawn_class_found ; 2: total
-        LOD     [ray_class_at, new_place], child_class
+        LOD     [ray_class_at, new_index], child_class
 spawn_class_found:
         .endif
         append  1, m_index_one, rays_refracted

@@ -147,9 +147,9 @@ mirror_is_outside\@:
         .endm
 
 ; Loads the colour and its maximum component, at an offset of the record plus
-; place, and computes the weight.
-        .macro  weigh offset, place
-        ADDX    sp_primitive, \place, sp_at
+; position, and computes the weight.
+        .macro  weigh offset, position
+        ADDX    sp_primitive, \position, sp_at
         IX      sp_at, 64 * (\offset)
         ELEN    sp_at, 4
         SWAP    [sp_at], sp_red, [r0]

@@ -39,7 +39,7 @@ query_ray:      .space 6
 ; Sets c_first_hit to the address of the ray's first crossing.
         .macro  find_query_hits
         ES      c_first_hit, 64
-        MPYX    loop_place, c_first_hit, c_first_hit
+        MPYX    loop_ray_index, c_first_hit, c_first_hit
         ADDX    c_first_hit, to_first, c_first_hit
         .endm
 
@@ -130,9 +130,9 @@ tree_stored:
         CFPEQ   to_start, r0, tree_from_origin
         SUBN    c_distance, to_start, c_distance
 tree_from_origin:
-        LOD     [to_counts, loop_place], c_count
+        LOD     [to_counts, loop_ray_index], c_count
         ADDX    c_count, m_index_one, c_other
-        STO     [to_counts, loop_place], c_other
+        STO     [to_counts, loop_ray_index], c_other
         put_in_order
         next_visible c_least, tree_skip
         BIM     tree_seen

@@ -35,7 +35,7 @@ found_crossings:
         RTOR    seen, s5
         EX      target, found_points
         BSAVE   link_kernel, [target]
-        take_found place, taken_at, 0, seen
+        take_found ray_index, taken_at, 0, seen
         take_found event, taken_distance, 1, seen
         take_found event_primitive, taken_primitive, 2, seen
         LTOR    taken_at, query_taken

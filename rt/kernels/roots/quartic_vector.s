@@ -72,7 +72,7 @@
         .share                          ; saved and restored
         .regs   r116, q_s3, q_s2, q_s1                      ; of f', with q_c1
         .regs   r119, q_bend1, q_bend2                      ; f'' = 0
-        .regs   r121, q_place, q_position, q_count
+        .regs   r121, q_lane, q_position, q_count
         .regs   r124, q_left_slope, q_right_slope
         .regs   r126, q_knot, q_knot_f, q_next, q_next_f
         .regs   r130, q_size, q_root, q_most_value, q_most_slope
@@ -273,7 +273,7 @@ is_zero\@:
         compress_input q_c1, 3
         compress_input q_c0, 4
         compress_input q_high, 5
-        compress_vector q_place
+        compress_vector q_lane
         .endm
 
         .macro  compressed
@@ -316,7 +316,7 @@ is_zero\@:
         give_place
         BIM     give_none\@
 give_one\@:
-        CPSV    [q_place], [q_at] ? [q_need]
+        CPSV    [q_lane], [q_at] ? [q_need]
         IBXEQ   s8, r0, r0, give_first\@
         EX      q_target, solver_show
         BSAVE   q_link, [q_target]
@@ -496,10 +496,10 @@ search_alive\@:
         VTOV    q_none, [root3]
         .endif
         VTOV    r0, [root_count]
-        INTVLV  r0, q_index_one, [q_place]
+        INTVLV  r0, q_index_one, [q_lane]
         EX      q_target, solver_order
         ADDLEN  q_target, q_lanes, q_target
-        VTOV    [q_place], [q_target]
+        VTOV    [q_lane], [q_target]
 
         CMPLTV  [q_low], [q_high], [q_alive]
         CNTOB   [q_alive], q_alive_count
@@ -521,7 +521,7 @@ search_alive\@:
         lengthen q_alive_count, q_most_slope
         compressed
 enter_alive\@:
-        VTOV    [q_place], [q_position]
+        VTOV    [q_lane], [q_position]
         VTOV    r0, [q_count]
         MPYSV   [q_c4], q_four, [q_s3]
         MPYSV   [q_c3], q_three, [q_s2]
@@ -586,7 +586,7 @@ solver_begin:
         VTOV    [q_high], [q_next]
         search_values 0
         IBXEQ   q_want, r0, q_index_one, solver_end
-        VTOVX   [q_place], [q_count], [root_count]
+        VTOVX   [q_lane], [q_count], [root_count]
 solver_end:
         ELEN    q_save_at, QUARTIC_REGISTERS
         SWAP    [q_save_at], q_s3, [r0]

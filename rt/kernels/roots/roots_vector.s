@@ -27,7 +27,7 @@
 ; Vectors of the queue, then bit vectors, in the order of roots_descriptors and
 ; roots_bits_at.
         .regs   r42, d4, d3, d2, d1, d0, x_low, size, far, near
-        .regs   r51, low, high, found, place, t0, t1, t2
+        .regs   r51, low, high, found, ray_index, t0, t1, t2
         .regs   r58, e0, e1, e2, e3, e4, top, degree, k, largest
         .equ    ROOTS_VECTORS, 25
         .regs   r80, at_zero, refused, bits0
@@ -68,9 +68,9 @@ roots_store:    .space QUEUE * ROOTS_VECTORS
         .macro  append root
         MPYSV   [\root], [size], [t0]
         CPSV    [t0], [t1] ? [bits0]
-        CPSV    [place], [t2] ? [bits0]
+        CPSV    [ray_index], [t2] ? [bits0]
         VTOVX   [t2], [t1], [roots]
-        ADDXV   [place], polynomials, [place] ? [bits0]
+        ADDXV   [ray_index], polynomials, [ray_index] ? [bits0]
         ADDNV   [found], one, [found] ? [bits0]
         .endm
 
@@ -144,7 +144,7 @@ roots_last:
         load_descriptors roots_bits_at, ROOTS_BITS, at_zero
         EX      s0, scale
         BSAVE   link, [s0]
-        INTVLV  r0, index_one, [place]
+        INTVLV  r0, index_one, [ray_index]
         VTOV    r0, [found]
 
         CMPLTV  [bound], r0, [bits0]    ; below zero

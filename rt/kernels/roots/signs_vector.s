@@ -60,7 +60,7 @@ search_none\@:
         search_slope_signs q_high
         VTOV    [q_high], [q_next]
         search_value_signs
-        VTOVX   [q_place], [q_count], [root_count]
+        VTOVX   [q_lane], [q_count], [root_count]
         LTOR    root0, q_u
         lengthen q_u, q_sign
         no_less root0, root1

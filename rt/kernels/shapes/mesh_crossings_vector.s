@@ -69,7 +69,7 @@ odd_store:      .space 2 * QUEUE
         .code
 
         .macro  set_crossing_sides count
-        set_lengths \count, m_high, crossing_bases, lane_descriptors, CROSSING_VECTORS, side_place
+        set_lengths \count, m_high, crossing_bases, lane_descriptors, CROSSING_VECTORS, side_ray
         .endm
 
 ; Changes [side_bits] in the lanes in which the edge from a to b crosses y = 0
@@ -286,19 +286,19 @@ every_counted:
         IBXEQ   s3, r0, s2, every_turn
         RTOR    s3, s2
 every_keep:
-        side_keep side_place
+        side_keep side_ray
         side_keep side_triangle
         side_keep side_z0
         set_crossing_sides s2
 every_turn:
-        VXTOV   [side_place], [mesh_counts], [side_x0]
+        VXTOV   [side_ray], [mesh_counts], [side_x0]
         EX      s3, CROSSING_SIZE
         MPYLV   [side_x0], s3, [side_x1]
-        ADDXV   [side_x1], [side_place], [side_x1]
+        ADDXV   [side_x1], [side_ray], [side_x1]
         VTOVX   [side_x1], [side_z0], [tin]
         VTOVX   [side_x1], [side_triangle], [triangles_at]
         ADDXV   [side_x0], one_index, [side_x0]
-        VTOVX   [side_place], [side_x0], [mesh_counts]
+        VTOVX   [side_ray], [side_x0], [mesh_counts]
         VXTOV   [side_x1], [triangles_at], [side_x2]
         CMPNEV  [side_x2], [side_triangle], [side_bits]
         CNTOB   [side_bits], s2

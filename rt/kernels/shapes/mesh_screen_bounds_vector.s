@@ -81,22 +81,22 @@ viewpoint_turned\@:
 ; Starts the rays that go towards the mesh at the first node, except rays to a
 ; light from far away.  Branches to none if there are none.
         .macro  start_screen_bounds none
-        place_rays
+        set_mesh_rays
         viewpoint_axes
-        VXTOV   [mesh_place], [s2], [mesh_forward]
-        VXTOV   [mesh_place], [s3], [mesh_u]
-        VXTOV   [mesh_place], [s4], [mesh_v]
+        VXTOV   [mesh_ray], [s2], [mesh_forward]
+        VXTOV   [mesh_ray], [s3], [mesh_u]
+        VXTOV   [mesh_ray], [s4], [mesh_v]
         MPYSV   [mesh_forward], s6, [mesh_forward]
         CMPLTV  r0, [mesh_forward], [mesh_bits]
         IBXEQ   shadows, r0, r0, screen_bounds_tested\@
         CMPLTV  [mesh_forward], r0, [mesh_bits]
-        VXTOV   [mesh_place], [near_limit], [mesh_limit]
+        VXTOV   [mesh_ray], [near_limit], [mesh_limit]
         CMPGEV  s7, [mesh_limit], [mesh_hit]
         ANDB    [mesh_bits], [mesh_hit], [mesh_bits]
 screen_bounds_tested\@:
         CNTOB   [mesh_bits], m
         IBXEQ   m, r0, r0, \none
-        walk_keep mesh_place
+        walk_keep mesh_ray
         walk_keep mesh_u
         walk_keep mesh_v
         walk_keep mesh_forward
@@ -140,7 +140,7 @@ screen_bounds_tested\@:
         LOD     [s2], s2
         CMPLTV  s2, [mesh_limit], [mesh_bits]
         CNTOB   [mesh_bits], m
-        walk_keep mesh_place
+        walk_keep mesh_ray
         walk_keep mesh_limit
         set_walk
 far_placed\@:
@@ -177,7 +177,7 @@ far_placed\@:
 
         .macro  keep_screen_bounds
         walk_keep mesh_at
-        walk_keep mesh_place
+        walk_keep mesh_ray
         walk_keep mesh_u
         walk_keep mesh_v
         walk_keep mesh_forward
@@ -185,7 +185,7 @@ far_placed\@:
         .endm
 
         .macro  limit_screen_bounds limits
-        VXTOV   [mesh_place], [\limits], [mesh_limit]
+        VXTOV   [mesh_ray], [\limits], [mesh_limit]
         MPYSV   [mesh_limit], [mesh_forward], [mesh_limit]
         .endm
 

@@ -47,7 +47,7 @@
 ; The m traversing rays: node, index among the near rays, origin, 1/d, 1/|d|,
 ; twice the number of its signs, limit.
         .share  hits
-        .regs   r136, mesh_at, mesh_place, mesh_ox, mesh_oy, mesh_oz
+        .regs   r136, mesh_at, mesh_ray, mesh_ox, mesh_oy, mesh_oz
         .regs   r141, mesh_ix, mesh_iy, mesh_iz, mesh_ax, mesh_ay, mesh_az
         .regs   r147, mesh_signs, mesh_limit
         .regs   r149, mesh_low, mesh_high, mesh_g0, mesh_g1, mesh_g2, mesh_g3
@@ -60,14 +60,14 @@
 ; Rays at a leaf: its next triangle, their indices, the number of its remaining
 ; triangles.
         .share  hits
-        .regs   r162, leaf_triangle, leaf_place, leaf_left, leaf_bits
+        .regs   r162, leaf_triangle, leaf_ray, leaf_left, leaf_bits
         .reg    leaf_count, r166
         .endshare
 
 ; Pairs: rays and triangles, three corners by x, y, z of the ray's own axes, U,
 ; V, W.
         .share  scratch
-        .regs   r233, side_place, side_triangle, side_x0, side_y0, side_z0
+        .regs   r233, side_ray, side_triangle, side_x0, side_y0, side_z0
         .regs   r238, side_x1, side_y1, side_z1, side_x2, side_y2, side_z2
         .regs   r244, side_u, side_v, side_w, side_g0
         .regs   r248, side_bits, side_more, side_tie
@@ -97,7 +97,7 @@ side_bases:
         .endm
 
         .macro  set_sides count
-        set_lengths \count, m_high, side_bases, lane_descriptors, SIDE_VECTORS, side_place
+        set_lengths \count, m_high, side_bases, lane_descriptors, SIDE_VECTORS, side_ray
         .endm
 
 ; [kx], [ky], [kz] = x, y, z in the order of each ray's own axes: y is the
@@ -117,7 +117,7 @@ side_bases:
 ; Neighbouring rays visit the same nodes, whose words are in one memory bank,
 ; and a bank is busy for four accesses.  So the rays are taken from each of
 ; PARTS parts in turn:
-; [mesh_place] = i / PARTS + (i mod PARTS) * (size of a part), without the
+; [mesh_ray] = i / PARTS + (i mod PARTS) * (size of a part), without the
 ; values that are m or more.  i runs to m, rounded up to a multiple of PARTS;
 ; the vectors of pairs have room for it.
         .macro  mix_rays
@@ -133,12 +133,12 @@ side_bases:
         MPYLV   [side_x1], s3, [side_x1]
         ADDXV   [side_x0], [side_x1], [side_x0]
         CMPLTV  [side_x0], m, [side_bits]
-        CPSV    [side_x0], [mesh_place] ? [side_bits]
+        CPSV    [side_x0], [mesh_ray] ? [side_bits]
         .endm
 
         .macro  begin_axis o, d, sign, own, inverse, size
-        VXTOV   [mesh_place], [\o], [\own]
-        VXTOV   [mesh_place], [\d], [mesh_g0]
+        VXTOV   [mesh_ray], [\o], [\own]
+        VXTOV   [mesh_ray], [\d], [mesh_g0]
         ES      s2, 2 * \sign
         CMPLTV  [mesh_g0], r0, [mesh_bits]
         ADDXV   [mesh_signs], s2, [mesh_signs] ? [mesh_bits]
@@ -190,7 +190,7 @@ side_bases:
 
 ; Keeps only the pairs of side_bits, which the ray may hit.
         .macro  keep_sides
-        side_keep side_place
+        side_keep side_ray
         side_keep side_triangle
         side_keep side_u
         side_keep side_v
@@ -202,7 +202,7 @@ side_bases:
 
 ; [into] = [vector] of the rays of the pairs.
         .macro  of_ray vector, into
-        VXTOV   [side_place], [\vector], [\into]
+        VXTOV   [side_ray], [\vector], [\into]
         .endm
 
 ; Gathers one coordinate of the corners, relative to the ray's origin.
@@ -287,7 +287,7 @@ side_bases:
 
         .macro  keep_boxes
         walk_keep mesh_at
-        walk_keep mesh_place
+        walk_keep mesh_ray
         walk_keep mesh_ox
         walk_keep mesh_oy
         walk_keep mesh_oz
@@ -302,13 +302,13 @@ side_bases:
         .endm
 
         .macro  limit_boxes limits
-        VXTOV   [mesh_place], [\limits], [mesh_limit]
+        VXTOV   [mesh_ray], [\limits], [mesh_limit]
         .endm
 
-; [mesh_place] = the near rays in the order of the traversal.
-        .macro  place_rays
+; [mesh_ray] = the near rays in the order of the traversal.
+        .macro  set_mesh_rays
         .if     QUEUE < PARTS || QUEUE > 65535 - PARTS
-        VTOV    [iota], [mesh_place]
+        VTOV    [iota], [mesh_ray]
         .else
         mix_rays
         .endif
@@ -321,7 +321,7 @@ side_bases:
         .macro  start_walk limits, some=all
         ES      s2, MESH_SIZE
         VTOV    s2, [mesh_at]
-        place_rays
+        set_mesh_rays
         limit_boxes \limits
         among_\some
         VTOV    r0, [mesh_signs]
@@ -360,10 +360,10 @@ mesh_narrow\@:
 mesh_leaves\@:
         SUBXV   [mesh_g1], mesh_leaf_link, [mesh_g1] ? [mesh_hit]
         RTOR    w10, leaf_triangle
-        RTOR    w11, leaf_place
+        RTOR    w11, leaf_ray
         RTOR    mesh_g0, leaf_left
         CPSV    [mesh_at], [leaf_triangle] ? [mesh_hit]
-        CPSV    [mesh_place], [leaf_place] ? [mesh_hit]
+        CPSV    [mesh_ray], [leaf_ray] ? [mesh_hit]
         RTOR    mesh_links, s0
         IX      s0, 64 * (\first + 1)
         VXTOV   [leaf_triangle], [s0], [leaf_left]
@@ -379,7 +379,7 @@ leaf_next\@:
         .endif
 leaf_pairs\@:
         SHIFTI  mesh_pairs, 6, s0
-        add_pair leaf_place, side_store
+        add_pair leaf_ray, side_store
         add_pair leaf_triangle, side_store + 64 * QUEUE
         ADDX    mesh_pairs, leaf_count, mesh_pairs
         SUBXV   [leaf_left], one_index, [leaf_left]
@@ -388,7 +388,7 @@ leaf_pairs\@:
         CNTOB   [leaf_bits], leaf_count
         IBXEQ   leaf_count, r0, r0, mesh_on\@
         CPSV    [leaf_triangle], [leaf_triangle] ? [leaf_bits]
-        CPSV    [leaf_place], [leaf_place] ? [leaf_bits]
+        CPSV    [leaf_ray], [leaf_ray] ? [leaf_bits]
         CPSV    [leaf_left], [leaf_left] ? [leaf_bits]
         ADDXV   [leaf_triangle], mesh_row, [leaf_triangle]
         BIM     leaf_next\@
@@ -493,17 +493,17 @@ sides_better:
         ANDB    [side_bits], [side_more], [side_bits]
         CNTOB   [side_bits], s2
         IBXEQ   s2, r0, r0, sides_hit
-        side_keep side_place
+        side_keep side_ray
         side_keep side_triangle
         side_keep side_z0
         set_sides s2
-        VTOVX   [side_place], [side_z0], [tin]
-        VTOVX   [side_place], [side_triangle], [patch_s]
+        VTOVX   [side_ray], [side_z0], [tin]
+        VTOVX   [side_ray], [side_triangle], [patch_s]
         IBXNE   shadows, r0, r0, sides_stop
-        VTOVX   [side_place], [side_z0], [w9]
+        VTOVX   [side_ray], [side_z0], [w9]
         BIM     sides_turn
 sides_stop:
-        VTOVX   [side_place], minus_big, [w9]
+        VTOVX   [side_ray], minus_big, [w9]
 sides_hit:
         BIM     0, lane_link
         .endkernel

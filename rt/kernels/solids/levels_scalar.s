@@ -89,18 +89,18 @@ hit:            .space 2                ; distance, primitive
         .endm
 
 ; Makes an argument: `number` words of the level's record from `offset` on.
-        .macro  level_argument place, offset, number
+        .macro  level_argument position, offset, number
         RTOR    level, main_t
         IX      main_t, 64 * (\offset)
         ELEN    main_t, \number
-        of_level \place
+        of_level \position
         STO     [main_at], main_t
         .endm
 
-        .macro  hit_argument place, number
+        .macro  hit_argument position, number
         EX      main_t, hit
         ELEN    main_t, \number
-        of_level \place
+        of_level \position
         STO     [main_at], main_t
         .endm
 

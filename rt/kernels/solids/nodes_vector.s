@@ -185,7 +185,7 @@ walk_nodes:
         load_word walk_last, s0
         IBXEQ   s0, r0, r0, walk_limited
         load_word bound_more, s0
-        describe s3, place_store + 64 * QUEUE, near
+        describe s3, ray_index_store + 64 * QUEUE, near
         .if     KEYS
         load_word k_delta, s1
         LINKV

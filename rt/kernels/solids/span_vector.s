@@ -80,7 +80,7 @@ node_later:
 node_limit:
         ADDNV   [tout], s2, [w0]
         CMPLTV  [w0], [near_limit], [bits0]
-        describe s3, place_store + 64 * QUEUE, near
+        describe s3, ray_index_store + 64 * QUEUE, near
         MASKV   [w0], [near_limit], [s3] ? [bits0]
         RTOR    s3, near_limit
         describe active, event_bits, near

@@ -23,7 +23,7 @@
         .data
 sparse_outer:   .word 0                 ; rays before gathering, 0 if not done
 sparse_saved:   .space 9                ; wox .. wlower, near_limit, nodes_end
-sparse_places:  .word 0                 ; descriptor: places of gathered rays
+sparse_rays:    .word 0                 ; descriptor: places of gathered rays
 sparse_first:   .word 0                 ; address of the primitive's crossings
         .align  64
         .if     INTERIORS
@@ -61,7 +61,7 @@ node_sparse:
         RTOR    node_after, nodes_end
         EX      s2, sparse_store
         CPSV    [iota], [s2] ? [near_bits]
-        EX      s3, sparse_places
+        EX      s3, sparse_rays
         STO     [s3], s2
         gather_sparse wdx, 4
         gather_sparse wdy, 5
@@ -152,7 +152,7 @@ sparse_solid:
         load_word sparse_outer, s1
         load_word sparse_first, s4
         ADDLEN  s4, s1, slot
-        load_word sparse_places, s4
+        load_word sparse_rays, s4
         IBXEQ   leaf_segments, r0, r0, sparse_patch
         expand_sparse tin, big
         expand_sparse tout, minus_big

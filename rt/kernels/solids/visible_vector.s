@@ -363,7 +363,7 @@ seen_found:
         CNTOB   [bits1], s0
         IBXEQ   s0, r0, r0, \other
         ANDNB   [bits0], [bits1], [bits0]
-        take_found place, taken_at, 0, bits1
+        take_found ray_index, taken_at, 0, bits1
         ADDX    slot, s3, s4
         take_found s4, taken_distance, 1, bits1
         VTOVX   [taken_at], [taken_distance], [hit_s]
@@ -407,8 +407,8 @@ compress_patch_slots:
         compress_slots leaf_events, leaf_first_event
 compress_next:
         leaves_next compress_leaf
-        leave_only place, place_store, 0, active
-        leave_only near_limit, place_store, 1, active
+        leave_only ray_index, ray_index_store, 0, active
+        leave_only near_limit, ray_index_store, 1, active
         set_near s9
         set_events
         EQVB    [active], [active], [active]
@@ -417,7 +417,7 @@ compress_next:
 ; Accepts hits that are nearer than the ray's hit, or equally near and on an
 ; earlier primitive. s5: the rays of seen that accept it.
 found_nearest:
-        take_found place, taken_at, 0, seen
+        take_found ray_index, taken_at, 0, seen
         take_found event, taken_distance, 1, seen
         take_found event_primitive, taken_primitive, 2, seen
         RTOR    seen, s5
