@@ -109,17 +109,17 @@ v\name\().strip:
         IBXLE   f_left, r0, f_target, v\name\().fits
         RTOR    f_target, f_n
 v\name\().fits:
-        f_room  f_0, 0
-        f_room  f_1, 1
-        f_room  f_2, 2
-        f_room  f_3, 3
-        f_room  f_4, 4
-        f_room  f_5, 5
-        f_room  f_6, 6
-        f_room  f_7, 7
-        f_room  f_8, 8
-        f_room  f_9, 9
-        f_room  f_linked, 0             ; never stored
+        f_scratch  f_0, 0
+        f_scratch  f_1, 1
+        f_scratch  f_2, 2
+        f_scratch  f_3, 3
+        f_scratch  f_4, 4
+        f_scratch  f_5, 5
+        f_scratch  f_6, 6
+        f_scratch  f_7, 7
+        f_scratch  f_8, 8
+        f_scratch  f_9, 9
+        f_scratch  f_linked, 0          ; never stored
         EX      f_bits, f_work_bits
         ADDLEN  f_bits, f_n, f_bits
         f_length f_strip_x
@@ -140,7 +140,7 @@ v\name\().done:
 \name\().over:
         .endm
 
-        .macro  f_room vector, number
+        .macro  f_scratch vector, number
         EX      \vector, f_work + 64 * F_STRIP * \number
         ADDLEN  \vector, f_n, \vector
         .endm

@@ -276,7 +276,7 @@ static bool count_gaps(struct global_packet *packet, const struct ends *ends,
         single_run_word(&run, "gaps_surfaces", receiver_count(work));
         single_run_room(&run, "gaps_ends", part, GAP_PLANES * (count + 1));
         counts = single_run_room(&run, "gaps_counts", NULL, cells);
-        single_run_room(&run, "gaps_room", NULL, 3 * count);
+        single_run_room(&run, "gaps_buffer", NULL, 3 * count);
         single_run_number(&run, "gaps_least", 0, least_gap);
         good = single_run_end(&run, counts, made, cells, &clocks);
         for (i = 0; good && i < cells; i++)

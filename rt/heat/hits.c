@@ -155,7 +155,7 @@ static bool run_received(struct hits_work *work, size_t repeat)
     single_run_room(&run, "received_list", work->reported, points);
     sums = single_run_room(&run, "received_sums", NULL, SUMS);
     layout_word(&run.layout, "received_counts", sums + 64 * (RECEIVERS + 1));
-    single_run_room(&run, "received_room", NULL, points);
+    single_run_room(&run, "received_buffer", NULL, points);
     single_run_room(&run, "received_places", NULL, RECEIVERS);
     if (!single_run_end(&run, sums, made, SUMS, &clocks))
         return false;

@@ -282,7 +282,7 @@ static bool run_received(const struct packet_work *work, const c205_word *list)
     single_run_room(&run, "received_list", list, rays);
     sums = single_run_room(&run, "received_sums", NULL, 2 * receivers + 1);
     layout_word(&run.layout, "received_counts", sums + 64 * (receivers + UINT64_C(1)));
-    single_run_room(&run, "received_room", NULL, rays);
+    single_run_room(&run, "received_buffer", NULL, rays);
     single_run_room(&run, "received_places", NULL, receivers);
     return single_run_end(&run, sums, made->sums, 2 * receivers + 1, &clocks);
 }

@@ -71,7 +71,7 @@ TEST(received)
             uint64_t sums = single_run_room(&run, "received_sums", NULL,
                                             2 * receivers + 1);
             layout_word(&run.layout, "received_counts", sums + 64 * (receivers + 1));
-            single_run_room(&run, "received_room", NULL, rays);
+            single_run_room(&run, "received_buffer", NULL, rays);
             single_run_room(&run, "received_places", NULL, receivers);
             end(&run, sums, words[form], 2 * receivers + 1);
         }
@@ -213,7 +213,7 @@ TEST(gaps)
             single_run_word(&run, "gaps_surfaces", n);
             single_run_room(&run, "gaps_ends", planes, 3 * (gaps + 1));
             uint64_t address = single_run_room(&run, "gaps_counts", NULL, cells);
-            single_run_room(&run, "gaps_room", NULL, 3 * gaps);
+            single_run_room(&run, "gaps_buffer", NULL, 3 * gaps);
             single_run_number(&run, "gaps_least", 0, .25);
             end(&run, address, counts, cells);
             int64_t left[MAX_SURFACES * MAX_SURFACES];

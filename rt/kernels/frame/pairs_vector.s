@@ -27,7 +27,7 @@
 ; operation, and the nearest hits are the same.
 ;
 ; add_pairs:   In: region, a node with only spheres, s8 rays of walk_set.
-; drain_pairs: processes the pool until at most pairs_room are left.
+; drain_pairs: processes the pool until at most pairs_capacity are left.
 ; Source: derived here.
 
         .share  hits
@@ -42,7 +42,7 @@
         .data
 pool_count:     .word 0
 sphere_count:   .word 0                 ; pairs with spheres
-pairs_room:     .word 0                 ; pairs that may be left in the pool
+pairs_capacity: .word 0                 ; pairs that may be left in the pool
 pair_stamp:     .word 0                 ; number of the last hits, for walk_last
 pair_order:     .space PAIRS            ; permutation, made at its first use
 pair_bit_store: .space 3 * PAIR_LIST / 64
@@ -135,7 +135,7 @@ add_pairs:
 add_after:
         SUBX    s2, s8, s2
         SUBX    s2, s8, s2
-        EX      s3, pairs_room
+        EX      s3, pairs_capacity
         STO     [s3], s2
         EX      target, mix_pairs
         BSAVE   link_kernel, [target]
@@ -143,7 +143,7 @@ add_after:
 
 ; Processes all remaining pairs.
 finish_pairs:
-        EX      s3, pairs_room
+        EX      s3, pairs_capacity
         STO     [s3], r0
         EX      target, mix_pairs
         BSAVE   link_kernel, [target]
@@ -188,7 +188,7 @@ drain_pairs:
         RTOR    link, link_kernel
 pairs_take:
         load_word pool_count, s8
-        load_word pairs_room, s1
+        load_word pairs_capacity, s1
         IBXLE   s8, r0, s1, pairs_drained
         EX      s1, PAIRS
         ES      s2, 0

@@ -274,14 +274,14 @@ nearest_tree:
         next_visible w_least, nearest_skip
         .if     KEYS
         count_hit
-        CFPLT   w_t0, w_limit, nearest_seen
+        CFPLT   w_t0, w_limit, nearest_visible
         CFPNE   w_t0, w_limit, nearest_skip
         .else
-        CFPLT   w_in, w_limit, nearest_seen
+        CFPLT   w_in, w_limit, nearest_visible
         CFPNE   w_in, w_limit, nearest_skip
         .endif
         IBXGE   w_out, r0, w_leaf, nearest_skip
-nearest_seen:
+nearest_visible:
         .if     KEYS
         RTOR    w_in, w_depth
         RTOR    w_t0, w_limit

@@ -27,13 +27,13 @@ gaps_count:     .word 0                 ; ends less one, 1 .. 65534, an integer
 gaps_surfaces:  .word 0                 ; surfaces, including the environment
 gaps_ends:      .word 0                 ; address of the planes of ends
 gaps_counts:    .word 0                 ; address of the counts, zeros
-gaps_room:      .word 0                 ; address of three words for each gap
+gaps_buffer:    .word 0                 ; address of three words for each gap
 gaps_least:     .word 0                 ; a length
                 .word 1
                 .equ    GAPS_ARGUMENTS, 7
         .code
 
-        .regs   r10, gap_count, gap_surfaces, gap_distances, gap_counts, gap_room, gap_least, gap_one
+        .regs   r10, gap_count, gap_surfaces, gap_distances, gap_counts, gap_buffer, gap_least, gap_one
         .regs   r17, gap_kinds, gap_scene_depths, gap_from, gap_to, gap_row, gap_work
 
         .macro  gaps_begin

@@ -19,7 +19,7 @@ gap_bits:       .space 65536 / 64 * 2
 
 ; Makes a descriptor of a vector in the room, of the given length.
         .macro  gap_vector vector, number, length
-        RTOR    gap_room, \vector
+        RTOR    gap_buffer, \vector
         .rept   \number
         ADDX    \vector, gap_work, \vector
         .endr

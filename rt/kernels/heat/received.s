@@ -22,14 +22,14 @@ received_weights: .word 0               ; address of the weights
 received_list:  .word 0                 ; address of each ray's receiver, from 0
 received_sums:  .word 0                 ; address of the sums, then the total
 received_counts: .word 0                ; address of the counts, zeros
-received_room:  .word 0                 ; address of a word for each ray
+received_buffer: .word 0                ; address of a word for each ray
 received_places: .word 0                ; address of a word for each receiver
                 .word 1, -1
                 .equ    RECEIVED_ARGUMENTS, 10
         .code
 
         .regs   r10, rec_rays, rec_left, rec_weights, rec_list, rec_sums, rec_counts
-        .regs   r16, rec_room, rec_places, rec_one, rec_minus_one
+        .regs   r16, rec_buffer, rec_places, rec_one, rec_minus_one
         .regs   r20, rec_count, rec_half, rec_at, rec_upper, rec_work
 
         .macro  received_begin

@@ -56,12 +56,12 @@ received_put:
         LOD     [rec_list, rec_ray], rec_receiver
         LOD     [rec_weights, rec_ray], rec_work
         LOD     [rec_places, rec_receiver], rec_at
-        STO     [rec_room, rec_at], rec_work
+        STO     [rec_buffer, rec_at], rec_work
         ADDX    rec_at, rec_one, rec_at
         STO     [rec_places, rec_receiver], rec_at
         IBXNE   rec_ray, rec_one, rec_rays, received_put, rec_ray
 
-        RTOR    rec_room, rec_first
+        RTOR    rec_buffer, rec_first
 received_next:
         LOD     [rec_counts], rec_count
         IBXEQ   rec_count, r0, r0, received_none

@@ -74,13 +74,13 @@ interiors_new:
         DIVS    sp_index, sp_t1, in_mirror
         .endif
         RTOR    sp_own_inside, sp_t0
-        CFPEQ   in_full, r0, interiors_room
+        CFPEQ   in_full, r0, interiors_limit
         MPYS    sp_own_inside, in_per_full, sp_t0
         FLR     sp_t0, sp_t0
         ADDN    sp_t0, r0, sp_t0
         MPYS    sp_t0, in_full, sp_t0
         SUBN    sp_own_inside, sp_t0, sp_t0
-interiors_room:
+interiors_limit:
         MPYS    sp_t0, in_base, sp_inside
         ADDN    sp_inside, in_body, sp_inside
 interiors_near:

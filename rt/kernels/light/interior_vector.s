@@ -52,7 +52,7 @@ interiors_known:
         .if     GLOSS
         DIVSV   spawn_index, [v2], [v7]
         .endif
-        CFPEQ   in_full, r0, interiors_room
+        CFPEQ   in_full, r0, interiors_limit
         MPYSV   [lx], in_per_full, [v2]
         FLRV    [v2], [v2]
         ADDNV   [v2], r0, [v2]
@@ -63,7 +63,7 @@ interiors_known:
         MPYSV   [v2], in_base, [v2]
         ADDNV   [v2], in_body, [ly]
         BIM     interiors_come
-interiors_room:
+interiors_limit:
         LINKV
         MPYSV   [lx], in_base, [v2]
         ADDNV   [v2], in_body, [ly]

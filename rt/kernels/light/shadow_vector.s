@@ -14,8 +14,8 @@
 ; Out: ndotl = 0 in the dark; tinted = 1 and tint_r .. for all hits if a
 ;      transparent surface is in the way of any.
 ; found_shadow: In: the results of walk_tree (visible_vector.s).  Out: nearest =
-;      minus_big for blocked rays; the tints of the queue; seen = the rays that
-;      are finished in this region.
+;      minus_big for blocked rays; the tints of the queue; visible_rays =
+;      the rays that are finished in this region.
 ; Source: derived here; the distance is POV-Ray's SHADOW_TOLERANCE.
 
         .data
@@ -59,7 +59,7 @@ hit_tint_store: .space 3 * QUEUE
         .endm
 
 ; Computes the points of the rays of taken_at at taken_distance.
-        .macro  seen_point o, d, p
+        .macro  shadow_point o, d, p
         VXTOV   [taken_at], [\d], [v0]
         MPYSV   [taken_distance], [v0], [v1]
         VXTOV   [taken_at], [\o], [\p]
@@ -135,7 +135,7 @@ found_shadow:
         IX      s0, 64 * R_SHADOW
         LOD     [s0], s0
         IBXNE   s0, r0, one_index, shadow_of_parts
-        take_found ray_index, taken_at, 0, seen
+        take_found ray_index, taken_at, 0, visible_rays
         VTOVX   [taken_at], minus_big, [nearest]
         BIM     0, link_kernel
 shadow_of_parts:
@@ -144,7 +144,7 @@ shadow_leaf:
         load_leaf_record
         load_field P_ID, identity
         CMPEQV  [event_primitive], identity, [bits0]
-        ANDB    [bits0], [seen], [bits0]
+        ANDB    [bits0], [visible_rays], [bits0]
         CNTOB   [bits0], m
         IBXEQ   m, r0, r0, shadow_next
         take_found ray_index, taken_at, 0, bits0
@@ -153,7 +153,7 @@ shadow_leaf:
         VTOVX   [taken_at], minus_big, [nearest]
         BIM     shadow_next
 shadow_clear:
-        XORB    [seen], [bits0], [seen]
+        XORB    [visible_rays], [bits0], [visible_rays]
         take_found event, taken_distance, 1, bits0
         load_word k_shadow, s0
         ADDNV   [event], s0, [event] ? [bits0]
@@ -173,9 +173,9 @@ shadow_tinted:
         tint_channel 2, sh2
         BIM     shadow_next
 shadow_checker:
-        seen_point aox, adx, px
-        seen_point aoy, ady, py
-        seen_point aoz, adz, pz
+        shadow_point aox, adx, px
+        shadow_point aoy, ady, py
+        shadow_point aoz, adz, pz
         .if     IMAGES
         EX      target, find_cells
         .else

@@ -65,7 +65,7 @@ columns_next:
         ES      col_part, 0
 columns_part:
         CMPEQV  [v_part], col_part, [b_part]
-        ANDB    [b_part], [b_seen], [b_part]
+        ANDB    [b_part], [b_visible], [b_part]
         CNTOB   [b_part], col_count
         IBXNE   col_count, r0, r0, columns_add
         IX      col_at, 64 * LANES * MOMENT_SIZE
@@ -77,7 +77,7 @@ columns_added:
         find_visible v_scene_depth
         find_weights
         find_moments
-        RTOR    b_seen, b_part
+        RTOR    b_visible, b_part
         add_moments
         crossed_done columns_next
 

@@ -1,7 +1,7 @@
 ; crossed_vector.s - iterates over LANES crossings at a time, in vector form.
 
         .regs   r32, v_s, v_normal, v_ray, v_part, v_sign, v_object_depth, v_scene_depth
-        .regs   r39, b_enter, b_leave, b_seen, b_part
+        .regs   r39, b_enter, b_leave, b_visible, b_part
         .regs   r43, v_w, col_n, col_count
 
         .data
@@ -41,7 +41,7 @@ crossed_full\@:
         ADDLEN  v_w, col_n, v_w
         crossed_bit b_enter, 0
         crossed_bit b_leave, 1
-        crossed_bit b_seen, 2
+        crossed_bit b_visible, 2
         crossed_bit b_part, 3
         .endm
 
@@ -61,7 +61,7 @@ crossed_full\@:
         CMPEQV  [v_sign], col_index_minus_one, [b_leave]
         CMPEQV  [\bodies], r0, [b_part]
         ANDB    [b_leave], [b_part], [b_leave]
-        ORB     [b_enter], [b_leave], [b_seen]
+        ORB     [b_enter], [b_leave], [b_visible]
         .endm
 
 ; [v_w] := w, which is -1 at crossings in [b_enter].

@@ -77,7 +77,7 @@ add_next\@:
         .endm
 
 ; Sets [b_enter] to the crossings where the pair at ovl_at turns on, and
-; [b_seen] to those where it changes. The bits after the crossings begin one bit
+; [b_visible] to those where it changes. The bits after the crossings begin one bit
 ; later than the bits before them.
         .macro  find_changes
         load_two ovl_at                 ; PAIR_LEVELS
@@ -90,8 +90,8 @@ add_next\@:
         ADDX    b_before, col_index_one, b_after
         ADDLEN  b_before, col_n, b_before
         ADDLEN  b_after, col_n, b_after
-        XORB    [b_before], [b_after], [b_seen]
-        CNTOB   [b_seen], col_count
+        XORB    [b_before], [b_after], [b_visible]
+        CNTOB   [b_visible], col_count
         .endm
 
         .entry  overlaps
@@ -133,10 +133,10 @@ overlaps_level:
 overlaps_pair:
         find_changes
         IBXEQ   col_count, r0, r0, overlaps_added
-        ANDB    [b_seen], [b_after], [b_enter]
+        ANDB    [b_visible], [b_after], [b_enter]
         find_weights
         MPYSV   [v_w], [v_s], [v_w]
-        ADDNV   [col_at], [v_w], [col_at] ? [b_seen]
+        ADDNV   [col_at], [v_w], [col_at] ? [b_visible]
 overlaps_added:
         IX      col_at, 64 * LANES
         IX      ovl_at, 64 * PAIR_SIZE

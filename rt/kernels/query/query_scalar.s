@@ -37,7 +37,7 @@
         .data
 query_ray:      .space 8
 query_arguments: .descriptor 8, query_ray
-query_hits_room: .word 0
+query_hits_buffer: .word 0
                 .descriptor 1, query_hit_count
 query_hit_count: .space 1
         .code
@@ -84,7 +84,7 @@ lines:
         load_of query_counts, query_counts_at
         load_of query_hits, query_hits_at
         load_of query_list, query_work
-        EX      ray_hit_at, query_hits_room
+        EX      ray_hit_at, query_hits_buffer
         STO     [ray_hit_at], query_work
         SHIFTI  query_left, 6, query_stride
         ES      query_step, RAY_HIT_SIZE

@@ -102,7 +102,7 @@ walk_tree:
         .if     NORMALS
         load_query_ray
         .endif
-tree_seen:
+tree_visible:
         RTOR    w_in, c_distance
         RTOR    w_out, w_leaf
         RTOR    w_out, w_at
@@ -135,6 +135,6 @@ tree_from_origin:
         STO     [to_counts, loop_ray_index], c_other
         put_in_order
         next_visible c_least, tree_skip
-        BIM     tree_seen
+        BIM     tree_visible
         rays_end
         .endkernel

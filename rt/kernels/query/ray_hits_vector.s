@@ -3,9 +3,9 @@
 ; The next crossing of a ray with k crossings goes to column k, so no ray
 ; occurs twice in one scatter.
 ;
-; found_crossings: In: the crossings of the rays of [seen] at [event], on
+; found_crossings: In: the crossings of the rays of [visible_rays] at [event], on
 ;                  event_primitive; the values of the region's tree after them.
-;                  Out: [seen] is empty, so all rays continue.
+;                  Out: [visible_rays] is empty, so all rays continue.
 ; Source: derived here.
 
         .regs   r208, query_link, query_taken, query_index, query_to, query_normals
@@ -32,12 +32,12 @@ query_store:    .space 2 * QUEUE
         .kernel lines
 found_crossings:
         RTOR    link_kernel, query_link
-        RTOR    seen, s5
+        RTOR    visible_rays, s5
         EX      target, found_points
         BSAVE   link_kernel, [target]
-        take_found ray_index, taken_at, 0, seen
-        take_found event, taken_distance, 1, seen
-        take_found event_primitive, taken_primitive, 2, seen
+        take_found ray_index, taken_at, 0, visible_rays
+        take_found event, taken_distance, 1, visible_rays
+        take_found event_primitive, taken_primitive, 2, visible_rays
         LTOR    taken_at, query_taken
         describe query_index, query_store, query_taken
         describe s3, query_store + 64 * QUEUE, query_taken
@@ -67,12 +67,12 @@ found_from_origin:
         describe s3, query_store + 64 * QUEUE, near
         VTOV    s7, [s3]
         VTOV    s6, [s3] ? [value_after]
-        take_found s3, taken_distance, 1, seen
+        take_found s3, taken_distance, 1, visible_rays
         to_plane [taken_distance]
         to_plane_of_hits hit_s
         to_plane_of_hits hit_t
-        VTOV    [after], [event] ? [seen]       ; within delta: the same place
-        XORB    [seen], [seen], [seen]
+        VTOV    [after], [event] ? [visible_rays] ; within delta: the same place
+        XORB    [visible_rays], [visible_rays], [visible_rays]
         BIM     0, query_link
 
         .if     NORMALS

@@ -56,7 +56,7 @@
 
 ; Data of the mesh, in the registers of its shape.
         .share  shape
-        .regs   r40, mesh_is_solid, mesh_room, triangles_at
+        .regs   r40, mesh_is_solid, mesh_capacity, triangles_at
         .endshare
 
         .data
@@ -115,19 +115,19 @@ mesh_body:
         SHIFTI  s2, 6, s2
         load_record P_TABLE, 2, mesh_table
         ADDX    mesh_table, s2, mesh_table
-        BIM     crossings_room
+        BIM     crossings_capacity
 mesh_solid:
         ES      mesh_is_solid, 1
         VTOV    big, [w9]
 crossings_begin:
         load_field P_SHAPE + 1, s3
         load_record P_TABLE, 2, mesh_table      ; also mesh_row
-crossings_room:
+crossings_capacity:
         FLR     mesh_row, mesh_row
-        FLR     s3, mesh_room
+        FLR     s3, mesh_capacity
         EX      s0, 64 * CROSSING_SIZE
-        MPYX    mesh_room, s0, mesh_room
-        ADDX    tin, mesh_room, triangles_at
+        MPYX    mesh_capacity, s0, mesh_capacity
+        ADDX    tin, mesh_capacity, triangles_at
         begin_mesh
         describe mesh_counts, mesh_count_store, near
         ES      s0, 0
@@ -195,8 +195,8 @@ crossings_before:
         RTOR    s6, s5
         EX      s0, -64 * CROSSING_SIZE
         ADDX    s5, s0, s5
-        ADDX    s5, mesh_room, s7
-        ADDX    s6, mesh_room, s8
+        ADDX    s5, mesh_capacity, s7
+        ADDX    s6, mesh_capacity, s8
         CMPLTV  [s6], [s5], [bits0]
         CMPEQV  [s6], [s5], [bits1]
         CMPLTV  [s8], [s7], [bits2]

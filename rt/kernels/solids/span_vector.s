@@ -17,7 +17,7 @@
 
 ; Events of the current rays (visible_vector.s).
         .share  scratch
-        .regs   r233, event, last, event_primitive, before, after, active, seen
+        .regs   r233, event, last, event_primitive, before, after, active, visible_rays
         .reg    inside, r240            ; of one segment
         .endshare
 

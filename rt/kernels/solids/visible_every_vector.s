@@ -56,8 +56,8 @@ every_column:
         EX      target, find_visible
         BSAVE   link_inner, [target]
         IBXEQ   s0, r0, r0, every_later
-        VTOV    [column], [event] ? [seen]
-        VTOV    [event_primitive], [best_primitive] ? [seen]
+        VTOV    [column], [event] ? [visible_rays]
+        VTOV    [event_primitive], [best_primitive] ? [visible_rays]
 every_later:
         EX      slot_size, 64 * CROSSING_SIZE
         ADDX    column, slot_size, column
@@ -65,8 +65,8 @@ every_later:
         RTOR    column_leaf, leaf_at
         leaves_next every_leaf
         RTOR    best_primitive, event_primitive
-        CMPNEV  [event_primitive], r0, [seen]
-        CNTOB   [seen], s0
+        CMPNEV  [event_primitive], r0, [visible_rays]
+        CNTOB   [visible_rays], s0
         IBXEQ   s0, r0, r0, walk_skip
         BSAVE   link_kernel, [found]
         BIM     walk_skip

@@ -24,8 +24,8 @@
 ;
 ; In:  region, its crossings, the current rays; found: a routine that
 ;      processes the visible crossings at [event] on the primitives
-;      [event_primitive] of the rays of [seen], and leaves in [seen] the rays that
-;      are done.
+;      [event_primitive] of the rays of [visible_rays], and leaves in
+;      [visible_rays] the rays that are done.
 ;
 ; VISIBLE selects the method when the program is assembled. The default was
 ; chosen by measured clocks (docs/solids.md):
@@ -66,7 +66,7 @@
         describe before, event_store + 64 * QUEUE * 2, near
         describe after, event_store + 64 * QUEUE * 3, near
         describe active, event_bits, near
-        describe seen, event_bits + 64 * QUEUE_BIT_WORDS, near
+        describe visible_rays, event_bits + 64 * QUEUE_BIT_WORDS, near
         describe inside, event_bits + 64 * QUEUE_BIT_WORDS * 2, near
         .endm
 
@@ -175,10 +175,10 @@ tree_values:
         BSAVE   link_inner, [target]
         IBXEQ   s0, r0, r0, tree_continue
         BSAVE   link_kernel, [found]
-        ANDNB   [active], [seen], [active]
+        ANDNB   [active], [visible_rays], [active]
         CNTOB   [active], s9
         IBXEQ   s9, r0, r0, walk_skip
-        VTOV    big, [event] ? [seen]
+        VTOV    big, [event] ? [visible_rays]
         BIM     tree_left_over
 tree_continue:
         CNTOB   [active], s9
@@ -197,7 +197,8 @@ tree_compress:
 ; Finds the visible crossings at the events of a column, one for each ray.
 ;
 ; In:  column, with its primitives in event_primitive; active.
-; Out: seen, a part of active; s0 = the count of its ones; event_primitive: the
+; Out: visible_rays, a part of active; s0 = the count of its ones;
+; event_primitive: the
 ;      visible primitive; its P_TESTED.
 find_visible:
         load_word k_delta, s0
@@ -261,10 +262,10 @@ tree_stepped:
         IBXNE   branch_at, r0, s2, tree_branch
 tree_done:
         tree_value
-        XORB    [value], [value_after], [seen]
-        ANDB    [seen], [active], [seen]
-        CNTOB   [seen], s0
-        IBXEQ   s0, r0, r0, seen_found
+        XORB    [value], [value_after], [visible_rays]
+        ANDB    [visible_rays], [active], [visible_rays]
+        CNTOB   [visible_rays], s0
+        IBXEQ   s0, r0, r0, visible_rays_found
 
 ; Finds rays for which another primitive changes than that of the event.
         XORB    [inside], [inside], [inside]
@@ -272,7 +273,7 @@ tree_done:
 other_leaf:
         leaf_with_value
         XORB    [value], [value_after], [bits0]
-        ANDB    [bits0], [seen], [bits0]
+        ANDB    [bits0], [visible_rays], [bits0]
         CNTOB   [bits0], s1
         IBXEQ   s1, r0, r0, other_next
         load_field P_ID, identity
@@ -284,12 +285,12 @@ other_leaf:
 other_next:
         leaves_next other_leaf
         CNTOB   [inside], s1
-        IBXEQ   s1, r0, r0, seen_found
+        IBXEQ   s1, r0, r0, visible_rays_found
 
 ; Computes which nodes show, into the bits of before. If a value stays the same,
 ; its parts do not show.
         tree_value
-        ORB     [seen], [seen], [value]
+        ORB     [visible_rays], [visible_rays], [value]
         load_branches
         RTOR    s2, branch_at
 show_branch:
@@ -314,7 +315,7 @@ show_parts:
 
 ; Finds the first primitive that shows, and the rays whose event is a crossing
 ; of a primitive that shows.
-        XORB    [seen], [seen], [seen]
+        XORB    [visible_rays], [visible_rays], [visible_rays]
         VTOV    big, [event_primitive]
         leaves_begin
 shown_leaf:
@@ -328,7 +329,7 @@ shown_crossing:
         ORB     [inside], [bits0], [inside]
         CMPEQV  [slot], [column], [bits0]
         ANDB    [bits0], [value], [bits0]
-        ORB     [seen], [bits0], [seen]
+        ORB     [visible_rays], [bits0], [visible_rays]
         ADDX    slot, slot_size, slot
         IBXNE   leaf_events, minus_one_index, r0, shown_crossing, leaf_events
         load_field P_ID, identity
@@ -338,8 +339,8 @@ shown_crossing:
         VTOV    identity, [event_primitive] ? [inside]
 shown_next:
         leaves_next shown_leaf
-        CNTOB   [seen], s0
-seen_found:
+        CNTOB   [visible_rays], s0
+visible_rays_found:
         BIM     0, link_inner
 
 ; Sets bits0 to the rays of s5 that hit the leaf, and before, after to the range
@@ -415,14 +416,14 @@ compress_next:
         BIM     0, link_inner
 
 ; Accepts hits that are nearer than the ray's hit, or equally near and on an
-; earlier primitive. s5: the rays of seen that accept it.
+; earlier primitive. s5: the rays of visible_rays that accept it.
 found_nearest:
-        take_found ray_index, taken_at, 0, seen
-        take_found event, taken_distance, 1, seen
-        take_found event_primitive, taken_primitive, 2, seen
-        RTOR    seen, s5
+        take_found ray_index, taken_at, 0, visible_rays
+        take_found event, taken_distance, 1, visible_rays
+        take_found event_primitive, taken_primitive, 2, visible_rays
+        RTOR    visible_rays, s5
         .if     KEYS
-        take_found event, taken_depth, 3, seen
+        take_found event, taken_depth, 3, visible_rays
         LTOR    taken_at, s2
         describe s4, found_bits, s2
         leaves_begin
@@ -463,7 +464,7 @@ found_counted_next:
         CPSV    [taken_depth], [taken_depth] ? [s4]
         .endif
         XORB    [bits1], [bits1], [bits1]
-        MRGB    [s4], [bits1], [inside] ? [seen]
+        MRGB    [s4], [bits1], [inside] ? [visible_rays]
         RTOR    inside, s5
 found_taken:
         region_took_hits
