@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 /* Two folders differ in case. All their files that match a spelling are found. */
-TEST_WITH(other_case, make_folder, remove_folder)
+TEST(other_case)
 {
     static const char *const files[] = { "maps/part.inc", "maps/Part.inc",
                                          "Maps/part.inc", "Maps/only.INC" };

@@ -345,6 +345,7 @@ TEST(unreadable)
     assert_false(picture_read(in_folder("bad.exr"), &frame, &error));
     assert_non_null(strstr(error.message, "bad.exr"));
     assert_false(picture_read(in_folder("none.png"), &frame, &error));
+    assert_int_equal(empty_folder(), 1);
 }
 
 TEST(frame_sizes)
