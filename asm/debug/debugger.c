@@ -53,8 +53,8 @@ static const struct verb verbs[] = {
     { "disassemble", NULL, verb_disassemble, false, "[PLACE] [, N]",
       "show instructions" },
     { "print", NULL, verb_print, false, "VALUE",
-      "show a value: r10, NAME, NAME.i, [ADDRESS], clock, step .. with + - * / % == "
-      "< && ||" },
+      "show a value: r10, NAME, NAME.i, [ADDRESS], clock, step .. with the operators "
+      "of .equ" },
     { "x", NULL, verb_x, false, "[/N fixhb] REGISTER | ADDRESS [? REGISTER]",
       "show elements: f numbers, i integers, x hex, h half words, b bits; at a label "
       "in its declared type; after ? with control bits" },

@@ -6,7 +6,7 @@
  *   label             its bit address; a constant: its value
  *   [ADDRESS]         the word there; [ADDRESS].i
  *   pc clock step flags    also $pc .., if the program itself has such a name
- *   - !   * / %   + -   == != < <= > >=   &&   ||
+ *   the operators of the assembler, - ~ ! and binary ones (asm/text/operators.h)
  */
 #include <ctype.h>
 #include <errno.h>
@@ -17,6 +17,7 @@
 #include <string.h>
 
 #include "asm/debug/debug_internal.h"
+#include "asm/text/operators.h"
 #include "asm/view/operand_view.h"
 #include "base/visible_text.h"
 
@@ -451,41 +452,44 @@ static bool read_first(struct reading *reading, struct value_of *value)
 
 /* ---- Operators ------------------------------------------------------------ */
 
+static bool needs_integers(struct reading *reading)
+{
+    return reading->grammar
+           || debug_fault(reading->debugger, "this operator requires integers, not "
+                                             "floating-point numbers");
+}
+
+static bool negate(struct reading *reading, char sign, struct value_of *value)
+{
+    if (sign == '!')
+        *value = of_integer(!debug_is_true(value));
+    else if (!value->is_real)
+        *value = of_integer((int64_t)integer_negation(sign, (uint64_t)value->integer));
+    else if (sign == '-')
+        *value = of_real(-value->real);
+    else
+        return needs_integers(reading);
+    return true;
+}
+
 static bool read_signed(struct reading *reading, struct value_of *value)
 {
+    const char *at;
     bool good;
 
+    text_cursor_skip(reading->cursor);
+    at = reading->cursor->at;
     if (reading->depth++ > MAX_DEPTH)
         return debug_fault(reading->debugger,
                            "more than %d nested operators or brackets", MAX_DEPTH);
-    if (take_sign(reading, "-")) {
-        good = read_signed(reading, value);
-        if (good)
-            *value = value->is_real
-                         ? of_real(-value->real)
-                         : of_integer((int64_t)(0 - (uint64_t)value->integer));
-    } else if (strncmp(reading->cursor->at, "!=", 2) != 0 && take_sign(reading, "!")) {
-        good = read_signed(reading, value);
-        if (good)
-            *value = of_integer(!debug_is_true(value));
+    if (*at == '-' || *at == '~' || (*at == '!' && at[1] != '=')) {
+        reading->cursor->at++;
+        good = read_signed(reading, value) && negate(reading, *at, value);
     } else {
         good = read_first(reading, value);
     }
     reading->depth--;
     return good;
-}
-
-static struct value_of combine_integers(char sign, int64_t a, int64_t b)
-{
-    uint64_t x = (uint64_t)a, y = (uint64_t)b;
-
-    switch (sign) {
-    case '+': return of_integer((int64_t)(x + y));
-    case '-': return of_integer((int64_t)(x - y));
-    case '*': return of_integer((int64_t)(x * y));
-    case '%': return of_integer(b == -1 ? 0 : a % b);
-    default: return of_integer(b == -1 ? (int64_t)(0 - x) : a / b);
-    }
 }
 
 /* Identical words are equal, also if both are indefinite. */
@@ -496,87 +500,78 @@ static bool is_equal(const struct value_of *a, const struct value_of *b)
     return a->is_real || b->is_real ? a->real == b->real : a->integer == b->integer;
 }
 
-static bool calculate(struct reading *reading, char sign, struct value_of *value,
-                      const struct value_of *other)
+static bool combine_reals(struct reading *reading, int code, struct value_of *value,
+                          double a, double b)
 {
-    double a = value->real, b = other->real;
-
-    if (reading->grammar)
-        return true;
-    if (!value->is_real && !other->is_real) {
-        if ((sign == '/' || sign == '%') && other->integer == 0)
-            return debug_fault(reading->debugger, "division by 0");
-        *value = combine_integers(sign, value->integer, other->integer);
-        return true;
+    switch (code) {
+    case '+': *value = of_real(a + b); break;
+    case '-': *value = of_real(a - b); break;
+    case '*': *value = of_real(a * b); break;
+    case '/': *value = of_real(a / b); break;
+    case '%': *value = of_real(fmod(a, b)); break;
+    case '<': *value = of_integer(a < b); break;
+    case '>': *value = of_integer(a > b); break;
+    case OPERATOR('<', '='): *value = of_integer(a <= b); break;
+    case OPERATOR('>', '='): *value = of_integer(a >= b); break;
+    default: return needs_integers(reading);
     }
-    *value = of_real(sign == '+'   ? a + b
-                     : sign == '-' ? a - b
-                     : sign == '*' ? a * b
-                     : sign == '%' ? fmod(a, b)
-                                   : a / b);
     return true;
 }
 
-static bool combine(struct reading *reading, const char *sign, struct value_of *value,
+static bool combine(struct reading *reading, int code, struct value_of *value,
                     const struct value_of *other)
 {
-    double a = value->real, b = other->real;
+    uint64_t integer = 0;
+    const char *problem = NULL;
 
-    switch (*sign) {
-    case '|': *value = of_integer(debug_is_true(value) || debug_is_true(other)); break;
-    case '&': *value = of_integer(debug_is_true(value) && debug_is_true(other)); break;
-    case '=': *value = of_integer(is_equal(value, other)); break;
-    case '!': *value = of_integer(!is_equal(value, other)); break;
-    case '<': *value = of_integer(sign[1] ? a <= b : a < b); break;
-    case '>': *value = of_integer(sign[1] ? a >= b : a > b); break;
-    default: return calculate(reading, *sign, value, other);
-    }
-    return true;
+    if (code == OPERATOR('|', '|'))
+        integer = debug_is_true(value) || debug_is_true(other);
+    else if (code == OPERATOR('&', '&'))
+        integer = debug_is_true(value) && debug_is_true(other);
+    else if (code == OPERATOR('=', '='))
+        integer = is_equal(value, other);
+    else if (code == OPERATOR('!', '='))
+        integer = !is_equal(value, other);
+    else if (value->is_real || other->is_real)
+        return combine_reals(reading, code, value, value->real, other->real);
+    else
+        problem = integer_operation(code, value->integer, other->integer, &integer);
+    *value = of_integer((int64_t)integer);
+    return !problem || reading->grammar
+           || debug_fault(reading->debugger, "%s", problem);
 }
 
-enum { COMPARISON = 2, OPERAND = 5 };
-
-/* Takes an operator of a precedence and returns its text, or NULL if there is none. */
-static const char *take_operator(struct reading *reading, unsigned precedence)
+/* Returns whether the right side of && or || has no effect. */
+static bool is_decided(int code, const struct value_of *value)
 {
-    static const struct {
-        const char *sign;
-        unsigned precedence;
-    } operators[] = {
-        { "||", 0 },          { "&&", 1 },          { "==", COMPARISON },
-        { "!=", COMPARISON }, { "<=", COMPARISON }, { ">=", COMPARISON },
-        { "<", COMPARISON },  { ">", COMPARISON },  { "+", 3 },
-        { "-", 3 },           { "*", 4 },           { "/", 4 },
-        { "%", 4 },
-    };
-
-    for (size_t i = 0; i < sizeof operators / sizeof *operators; i++)
-        if (operators[i].precedence == precedence
-            && take_sign(reading, operators[i].sign))
-            return operators[i].sign;
-    return NULL;
+    return code == OPERATOR('&', '&')   ? !debug_is_true(value)
+           : code == OPERATOR('|', '|') ? debug_is_true(value)
+                                        : false;
 }
 
-/* Operators of one precedence are evaluated from the left; the result of a comparison
- * is not compared again without brackets. */
-static bool read_operation(struct reading *reading, unsigned precedence,
-                           struct value_of *value)
+/* Reads an operand, and then the operators of at least this precedence. */
+static bool read_chain(struct reading *reading, int precedence, struct value_of *value)
 {
+    bool grammar = reading->grammar, good;
     struct value_of other;
-    const char *sign;
+    size_t length;
+    int code, found;
 
-    if (precedence == OPERAND)
-        return read_signed(reading, value);
-    if (!read_operation(reading, precedence + 1, value))
+    if (!read_signed(reading, value))
         return false;
-    while ((sign = take_operator(reading, precedence)) != NULL) {
-        if (!read_operation(reading, precedence + 1, &other)
-            || !combine(reading, sign, value, &other))
+    for (;;) {
+        text_cursor_skip(reading->cursor);
+        code = operator_at(reading->cursor->at, &length);
+        found = operator_precedence(code);
+        if (found == 0 || found < precedence)
+            return true;
+        reading->cursor->at += length;
+        reading->grammar = grammar || is_decided(code, value);
+        good = read_chain(reading, found + 1, &other);
+        reading->grammar = grammar;
+        if (!good || !combine(reading, code, value, &other))
             return false;
-        if (precedence == COMPARISON)
-            break;
     }
-    return true;
 }
 
 static bool read_any(struct reading *reading, struct value_of *value)
@@ -584,7 +579,7 @@ static bool read_any(struct reading *reading, struct value_of *value)
     if (reading->depth++ > MAX_DEPTH)
         return debug_fault(reading->debugger,
                            "more than %d nested operators or brackets", MAX_DEPTH);
-    if (!read_operation(reading, 0, value))
+    if (!read_chain(reading, 1, value))
         return false;
     reading->depth--;
     return true;

@@ -8,68 +8,9 @@
 
 enum { HALF_BITS = 32, HALF_INTEGERS = 1 << 24 };
 
-/* ---- Arithmetic ---- */
-
-static uint64_t shift_right(int64_t a, uint64_t count)
-{
-    return a < 0 ? ~(~(uint64_t)a >> count) : (uint64_t)a >> count;
-}
-
-static const char *divide(int code, int64_t a, int64_t b, uint64_t *result)
-{
-    if (b == 0)
-        return "division by zero";
-    if (a == INT64_MIN && b == -1)
-        return "the quotient does not fit in 64 bits";
-    *result = (uint64_t)(code == '/' ? a / b : a % b);
-    return NULL;
-}
-
-static const char *shift(int code, int64_t a, int64_t b, uint64_t *result)
-{
-    if (b < 0 || b > 63)
-        return "a shift count must be between 0 and 63";
-    if (code == OPERATOR('<', '<'))
-        *result = (uint64_t)a << b;
-    else
-        *result = shift_right(a, (uint64_t)b);
-    return NULL;
-}
-
-const char *integer_operation(int code, int64_t a, int64_t b, uint64_t *result)
-{
-    uint64_t ua = (uint64_t)a, ub = (uint64_t)b;
-
-    switch (code) {
-    case '+': *result = ua + ub; break;
-    case '-': *result = ua - ub; break;
-    case '*': *result = ua * ub; break;
-    case '&': *result = ua & ub; break;
-    case '|': *result = ua | ub; break;
-    case '^': *result = ua ^ ub; break;
-    case '<': *result = a < b; break;
-    case '>': *result = a > b; break;
-    case OPERATOR('<', '='): *result = a <= b; break;
-    case OPERATOR('>', '='): *result = a >= b; break;
-    case OPERATOR('=', '='): *result = a == b; break;
-    case OPERATOR('!', '='): *result = a != b; break;
-    case OPERATOR('&', '&'): *result = a && b; break;
-    case OPERATOR('|', '|'): *result = a || b; break;
-    case '/':
-    case '%': return divide(code, a, b, result);
-    default: return shift(code, a, b, result);
-    }
-    return NULL;
-}
-
 static bool is_logical(int code)
 {
     return code == OPERATOR('&', '&') || code == OPERATOR('|', '|');
-}
-
-uint64_t integer_negation(int code, uint64_t a)
-{
-    return code == '-' ? 0 - a : code == '~' ? ~a : !a;
 }
 
 /* ---- Evaluation ---- */

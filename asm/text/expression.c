@@ -3,36 +3,11 @@
 
 #include <string.h>
 
-static const struct {
-    int code;
-    int level; /* a higher level binds more tightly */
-} precedences[] = { { OPERATOR('|', '|'), 1 },
-                    { OPERATOR('&', '&'), 2 },
-                    { '|', 3 },
-                    { '^', 4 },
-                    { '&', 5 },
-                    { OPERATOR('=', '='), 6 },
-                    { OPERATOR('!', '='), 6 },
-                    { '<', 7 },
-                    { '>', 7 },
-                    { OPERATOR('<', '='), 7 },
-                    { OPERATOR('>', '='), 7 },
-                    { OPERATOR('<', '<'), 8 },
-                    { OPERATOR('>', '>'), 8 },
-                    { '+', 9 },
-                    { '-', 9 },
-                    { '*', 10 },
-                    { '/', 10 },
-                    { '%', 10 } };
-
 static int precedence(const struct cursor *cursor)
 {
-    size_t i;
+    const struct token *token = &cursor->token;
 
-    for (i = 0; i < sizeof precedences / sizeof *precedences; i++)
-        if (cursor_at(cursor, precedences[i].code))
-            return precedences[i].level;
-    return 0;
+    return token->kind == TOKEN_OPERATOR ? operator_precedence(token->code) : 0;
 }
 
 static struct expression *new_node(struct cursor *cursor, const char *at,

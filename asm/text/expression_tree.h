@@ -6,6 +6,7 @@
 
 #include "asm/text/constant_folder.h"
 #include "asm/text/expression.h"
+#include "asm/text/operators.h"
 
 enum operation { VALUE, SYMBOL, UNARY, BINARY, BITS, WORD, FUNCTION };
 
@@ -19,10 +20,5 @@ struct expression {
     const struct constant_folder_function *function;
     const struct expression *left, *right;
 };
-
-/* Computes an operation of integers. Returns NULL, or the text of an error. */
-const char *integer_operation(int code, int64_t a, int64_t b, uint64_t *result);
-/* Computes - ~ !. */
-uint64_t integer_negation(int code, uint64_t a);
 
 #endif

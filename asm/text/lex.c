@@ -1,5 +1,6 @@
 /* lex.c - the lexer: tokens, and a cursor in a line. */
 #include "asm/text/lex.h"
+#include "asm/text/operators.h"
 
 #include <ctype.h>
 #include <string.h>
@@ -146,21 +147,15 @@ static void lex_string(struct token *token, const char *end)
         token->end = at + 1;
 }
 
-static void lex_operator(struct token *token, const char *end)
+static void lex_operator(struct token *token)
 {
-    static const char *const doubles[] = { "<<", ">>", "<=", ">=",
-                                           "==", "!=", "&&", "||" };
     const char *at = token->begin;
-    size_t i;
+    size_t length;
+    int code = operator_at(at, &length);
 
     token->kind = TOKEN_OPERATOR;
-    token->code = *at;
-    token->end = at + 1;
-    for (i = 0; i < sizeof doubles / sizeof *doubles; i++)
-        if (end - at > 1 && memcmp(at, doubles[i], 2) == 0) {
-            token->code = OPERATOR(at[0], at[1]);
-            token->end = at + 2;
-        }
+    token->code = code ? code : *at;
+    token->end = at + (code ? length : 1);
     if (*at == '\0' || !strchr("+-*/%~!<>=&^|()[],:?.", *at))
         bad(token, at + 1,
             *at == '#'
@@ -203,7 +198,7 @@ static struct token lex(const char *at, const char *end)
     else if (*at == '"')
         lex_string(&token, end);
     else
-        lex_operator(&token, end);
+        lex_operator(&token);
     return token;
 }
 

@@ -11,13 +11,9 @@ enum token_kind {
     TOKEN_DIRECTIVE, /* ".name" */
     TOKEN_NUMBER,    /* integer, floating-point or X'..', in value */
     TOKEN_STRING,
-    TOKEN_OPERATOR, /* in code, see OPERATOR */
+    TOKEN_OPERATOR, /* in code, see operators.h */
     TOKEN_BAD       /* problem is the error message */
 };
-
-/* The code of an operator of two characters. The code of a single character is
- * the character itself. */
-#define OPERATOR(first, second) ((first) | (second) << 8)
 
 struct token {
     enum token_kind kind;

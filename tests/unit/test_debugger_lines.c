@@ -2,7 +2,10 @@
  * table: values, invalid lines, output of the program, calls, links, macros and ends. A
  * value of another register, or an output that is printed twice, fails here.
  */
+#include <inttypes.h>
+
 #include "tests/unit/debugger_session.h"
+#include "tests/unit/draw.h"
 
 /* ---- Values --------------------------------------------------------------- */
 
@@ -107,7 +110,7 @@ TEST(faults)
         { "print", "expected a value" },
         { "print (1", "expected ')'" },
         { "print [mask", "expected ']'" },
-        { "print 1 / 0", "division by 0" },
+        { "print 1 / 0", "division by zero" },
         { "print 1z", "'1z' is not a number" },
         { "print X'12G'", "expected up to 16 hex digits" },
         { "print [1]", "no memory word at 1" },
@@ -287,4 +290,55 @@ TEST(sessions)
         check_session(sessions[i].program, sessions[i].lines, count,
                       sessions[i].faults);
     }
+}
+
+/* ---- Expressions --------------------------------------------------------- */
+
+static void put_expression(const struct sink *sink, unsigned depth)
+{
+    static const char *const operators[] = { "+",  "-",  "*",  "/",  "%",  "&",
+                                             "|",  "^",  "<<", ">>", "<",  ">",
+                                             "<=", ">=", "==", "!=", "&&", "||" };
+    bool brackets = below(2);
+    if (depth == 0 || below(4) == 0) {
+        sink_print(sink, "%" PRIu64, below(4) ? below(70) : below(INT64_MAX));
+        return;
+    }
+    sink_put(sink, brackets ? "(" : "");
+    if (below(4) == 0) {
+        sink_print(sink, "%c", "-~!"[below(3)]);
+    } else {
+        put_expression(sink, depth - 1);
+        sink_print(sink, " %s ", operators[below(COUNT(operators))]);
+    }
+    put_expression(sink, depth - 1);
+    sink_put(sink, brackets ? ")" : "");
+}
+
+/* An expression has the value, or the error, that the assembler reports. */
+TEST(expressions)
+{
+    struct debug_session session;
+    size_t faults = 0;
+    session_begin(&session, good("        EXIT\n"), "test.s");
+    for (size_t i = 0; i < 2000; i++) {
+        SCOPED_VALUE(text_buffer) made = { .text = NULL };
+        SCOPED_VALUE(diagnostics) errors = { 0 };
+        struct sink sink = text_buffer_sink(&made);
+        put_expression(&sink, 4);
+        SCOPED(object) *object =
+            assemble_text("test.s",
+                          formatted("        .equ e, %s\n        EXIT\n", made.text),
+                          NULL, &errors);
+        session_obey(&session, formatted("print %s", made.text));
+        const char *expected = object
+                                   ? formatted("%" PRId64 "  X'",
+                                               object_symbol(object, "e")->value)
+                                   : formatted("error: %s\n", errors.items[0].message);
+        faults += !object;
+        FAIL_IF(strncmp(session.said.text, expected, strlen(expected)) != 0,
+                "%s: %s, not %s", made.text, session.said.text, expected);
+    }
+    assert_in_range(faults, 50, 1950);
+    session_end(&session);
 }

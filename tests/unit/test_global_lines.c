@@ -138,7 +138,7 @@ TEST(refusals)
     many.lines_log = 21;
     assert_fails("camera { location -5*z }", usual, "no surfaces");
     assert_fails("sphere { 0, 1 } plane { y, -2 }", usual, "has unknown bounds");
-    assert_fails("sphere { 0, 1 }", once, "two repeats");
+    assert_fails("sphere { 0, 1 }", once, "at least 2 repeats");
     assert_fails("sphere { 0, 1 }", many, "at most 2^20");
 }
 

@@ -343,7 +343,7 @@ TEST(refused)
     options.repeats = 1;
     options.model = prior_model;
     assert_null(factors_new(scene, &options, &failure));
-    assert_non_null(strstr(failure.message, "two repeats"));
+    assert_non_null(strstr(failure.message, "at least 2 repeats"));
     options.repeats = 2;
     options.points = MAX_FACTORS_POINTS + 1;
     assert_null(factors_new(scene, &options, &failure));
