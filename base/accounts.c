@@ -65,9 +65,8 @@ void accounts_time(const c205_model *model, uint64_t clocks, char text[ACCOUNTS_
 uint64_t accounts_clocks(const c205_account *account)
 {
     uint64_t clocks = 0;
-    for (int cause = 0; cause < C205_CAUSES; cause++) {
+    for (int cause = 0; cause < C205_CAUSES; cause++)
         clocks += account->clocks[cause];
-    }
     return clocks;
 }
 
@@ -79,20 +78,17 @@ double accounts_rate(const c205_model *model, const c205_account *account)
 
 const c205_account *accounts_find(const struct accounts *accounts, const char *region)
 {
-    for (size_t i = 0; i < accounts->count; i++) {
-        if (strcmp(accounts->items[i].name, region) == 0) {
+    for (size_t i = 0; i < accounts->count; i++)
+        if (strcmp(accounts->items[i].name, region) == 0)
             return &accounts->items[i];
-        }
-    }
     return NULL;
 }
 
 size_t accounts_regions(const struct accounts *accounts)
 {
     size_t count = 0;
-    for (size_t i = 0; i < accounts->count; i++) {
+    for (size_t i = 0; i < accounts->count; i++)
         count += accounts_clocks(&accounts->items[i]) > 0;
-    }
     return count;
 }
 
@@ -103,17 +99,15 @@ static c205_account *new_account(struct accounts *accounts, const char *name)
     c205_account *added = copy ? array_add(&accounts->items, &accounts->count, &account,
                                            sizeof account)
                                : NULL;
-    if (!added) {
+    if (!added)
         free(copy);
-    }
     return added;
 }
 
 static void add_account(c205_account *sum, const c205_account *account)
 {
-    for (int cause = 0; cause < C205_CAUSES; cause++) {
+    for (int cause = 0; cause < C205_CAUSES; cause++)
         sum->clocks[cause] += account->clocks[cause];
-    }
     sum->instructions += account->instructions;
     sum->vector_instructions += account->vector_instructions;
     sum->elements += account->elements;
@@ -126,9 +120,8 @@ bool accounts_add_account(struct accounts *accounts, const c205_account *account
     const c205_account *found = accounts_find(accounts, account->name);
     c205_account *sum = found ? &accounts->items[found - accounts->items]
                               : new_account(accounts, account->name);
-    if (!sum) {
+    if (!sum)
         return false;
-    }
     add_account(sum, account);
     accounts->clocks += accounts_clocks(account);
     return true;
@@ -136,29 +129,24 @@ bool accounts_add_account(struct accounts *accounts, const c205_account *account
 
 bool accounts_add(struct accounts *accounts, const c205 *machine)
 {
-    for (size_t i = 0; i < c205_account_count(machine); i++) {
-        if (!accounts_add_account(accounts, c205_account_at(machine, i))) {
+    for (size_t i = 0; i < c205_account_count(machine); i++)
+        if (!accounts_add_account(accounts, c205_account_at(machine, i)))
             return false;
-        }
-    }
     return true;
 }
 
 bool accounts_add_all(struct accounts *accounts, const struct accounts *more)
 {
-    for (size_t i = 0; i < more->count; i++) {
-        if (!accounts_add_account(accounts, &more->items[i])) {
+    for (size_t i = 0; i < more->count; i++)
+        if (!accounts_add_account(accounts, &more->items[i]))
             return false;
-        }
-    }
     return true;
 }
 
 void accounts_free(struct accounts *accounts)
 {
-    for (size_t i = 0; i < accounts->count; i++) {
+    for (size_t i = 0; i < accounts->count; i++)
         free((char *)accounts->items[i].name);
-    }
     free(accounts->items);
     *accounts = (struct accounts){ .model = accounts->model };
 }
@@ -196,9 +184,8 @@ static void add_causes(struct table *table, const struct accounts *accounts,
 c205_account accounts_together(const struct accounts *accounts)
 {
     c205_account sum = { .name = "all" };
-    for (size_t i = 0; i < accounts->count; i++) {
+    for (size_t i = 0; i < accounts->count; i++)
         add_account(&sum, &accounts->items[i]);
-    }
     return sum;
 }
 
@@ -206,9 +193,8 @@ struct table *accounts_of_run(const struct accounts *accounts)
 {
     struct table *table = table_new(TABLE_COLUMNS(by_cause));
     c205_account sum = accounts_together(accounts);
-    if (table) {
+    if (table)
         add_causes(table, accounts, &sum, sum.name);
-    }
     return table;
 }
 

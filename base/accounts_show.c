@@ -65,9 +65,8 @@ static double value(const struct matrix *matrix, int line, const c205_account *a
 {
     const c205_model *model = matrix->accounts->model;
     uint64_t clocks = line < ALL ? account->clocks[line] : accounts_clocks(account);
-    if (line >= FIRST_FIGURE) {
+    if (line >= FIRST_FIGURE)
         return figures[line - FIRST_FIGURE].of(model, account);
-    }
     return line == SHARE ? 100 * (double)clocks / (double)matrix->accounts->clocks
                          : accounts_seconds(model, clocks) * matrix->unit->per_second;
 }
@@ -96,16 +95,12 @@ static bool matrix_of(struct matrix *matrix, const struct accounts *accounts)
     matrix->sum = accounts_together(accounts);
     matrix->unit = accounts_unit(accounts_seconds(accounts->model, accounts->clocks));
     matrix->regions = malloc((accounts->count + 1) * sizeof *matrix->regions);
-    for (size_t i = 0; matrix->regions && i < accounts->count; i++) {
-        if (accounts_clocks(&accounts->items[i]) > 0) {
+    for (size_t i = 0; matrix->regions && i < accounts->count; i++)
+        if (accounts_clocks(&accounts->items[i]) > 0)
             matrix->regions[matrix->count++] = &accounts->items[i];
-        }
-    }
-    for (int line = 0; line < LINES; line++) {
-        if (value(matrix, line, &matrix->sum) > 0) {
+    for (int line = 0; line < LINES; line++)
+        if (value(matrix, line, &matrix->sum) > 0)
             matrix->lines[matrix->line_count++] = line;
-        }
-    }
     return matrix->regions != NULL;
 }
 
@@ -122,9 +117,8 @@ static void add_cause(struct table *table, const struct matrix *matrix, int line
         add_value(table, matrix, line, &matrix->sum);
         table_number(table, line <= ALL ? 100 * here / all : NAN);
     }
-    for (size_t i = first; i < first + count; i++) {
+    for (size_t i = first; i < first + count; i++)
         add_value(table, matrix, line, matrix->regions[i]);
-    }
 }
 
 static struct table *causes_down(const struct matrix *matrix, size_t first,
@@ -144,11 +138,9 @@ static struct table *causes_down(const struct matrix *matrix, size_t first,
         }
         table = table_new(columns, before + count);
     }
-    for (size_t i = 0; table && i < matrix->line_count; i++) {
-        if (matrix->lines[i] != SHARE) {
+    for (size_t i = 0; table && i < matrix->line_count; i++)
+        if (matrix->lines[i] != SHARE)
             add_cause(table, matrix, matrix->lines[i], first, count);
-        }
-    }
     free(columns);
     return table;
 }
@@ -159,9 +151,8 @@ static void add_region(struct table *table, const struct matrix *matrix,
                        const c205_account *account, const char *name)
 {
     table_text(table, name);
-    for (size_t i = 0; i < matrix->line_count; i++) {
+    for (size_t i = 0; i < matrix->line_count; i++)
         add_value(table, matrix, matrix->lines[i], account);
-    }
 }
 
 static struct table *regions_down(const struct matrix *matrix, size_t first,
@@ -179,9 +170,8 @@ static struct table *regions_down(const struct matrix *matrix, size_t first,
         add_region(table, matrix, matrix->regions[i],
                    accounts_region(matrix->regions[i]));
     }
-    if (table) {
+    if (table)
         add_region(table, matrix, &matrix->sum, "all");
-    }
     return table;
 }
 
@@ -231,9 +221,8 @@ static int show_parts(const struct accounts *accounts,
     do {
         count = all - first;
         struct table *table = widest(accounts, first, &count);
-        if (first > 0) {
+        if (first > 0)
             output_gap(results);
-        }
         code = output_show(results, table, NULL, "Clocks");
         first += count;
     } while (code == CMD_DONE && first < all);
@@ -247,9 +236,8 @@ static int show_matrix(const struct accounts *accounts,
     for (int rows = ACCOUNTS_CAUSES; rows <= ACCOUNTS_REGIONS; rows++) {
         struct table *table = accounts_matrix(accounts, (enum accounts_rows)rows, 0,
                                               accounts->count);
-        if (!narrow || fits(table)) {
+        if (!narrow || fits(table))
             return output_show(results, table, NULL, "Clocks");
-        }
         table_free(table);
     }
     return show_parts(accounts, results);
@@ -269,9 +257,8 @@ int accounts_show(const struct accounts *accounts, const struct command_output *
 {
     struct command_output exact = *results, matrix = *results;
     int code;
-    if (results->format != OUTPUT_CSV) {
+    if (results->format != OUTPUT_CSV)
         exact.file = NULL;
-    }
     matrix.json = NULL;
     code = show_exact(accounts, &exact);
     return code != CMD_DONE || exact.file || !results->file

@@ -26,7 +26,6 @@ static struct arena_block *add_block(struct arena *arena, size_t size)
 {
     size_t header = offsetof(struct arena_block, bytes);
     struct arena_block *block;
-
     if (size < BLOCK_SIZE)
         size = BLOCK_SIZE;
     block = size > SIZE_MAX - header ? NULL : calloc(1, header + size);
@@ -45,7 +44,6 @@ void *arena_take(struct arena *arena, size_t size)
     struct arena_block *block = arena->blocks;
     size_t step = sizeof(union widest);
     char *piece;
-
     if (size > SIZE_MAX / 2) {
         arena->failed = true;
         return NULL;
@@ -63,7 +61,6 @@ void *arena_take(struct arena *arena, size_t size)
 char *arena_text(struct arena *arena, const char *text, size_t length)
 {
     char *copy = arena_take(arena, length + 1);
-
     if (copy && length > 0)
         memcpy(copy, text, length);
     return copy;
@@ -75,7 +72,6 @@ static void *grow(struct arena *arena, void *items, size_t count, size_t *capaci
 {
     size_t larger = *capacity ? 2 * *capacity : 16;
     void *moved;
-
     if (count < *capacity)
         return items;
     if (larger > SIZE_MAX / 2 / size) {
@@ -97,7 +93,6 @@ void *arena_add(struct arena *arena, void *items, size_t *count, size_t *capacit
 {
     void *array;
     char *added;
-
     memcpy(&array, items, sizeof array);
     array = grow(arena, array, *count, capacity, size);
     if (!array)
@@ -115,7 +110,6 @@ void arena_free(struct arena *arena)
 {
     while (arena->blocks) {
         struct arena_block *next = arena->blocks->next;
-
         free(arena->blocks);
         arena->blocks = next;
     }

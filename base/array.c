@@ -20,7 +20,6 @@ void *array_add(void *items, size_t *count, const void *item, size_t size)
 {
     void *array;
     char *added;
-
     memcpy(&array, items, sizeof array);
     array = grow(array, *count, size);
     if (!array)

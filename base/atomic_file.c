@@ -32,9 +32,8 @@ static bool is_stream(const struct stat *status, int number)
 static bool is_special(const char *path)
 {
     struct stat status;
-    if (stat(path, &status) != 0) {
+    if (stat(path, &status) != 0)
         return errno == ELOOP;
-    }
     return !S_ISREG(status.st_mode) || is_stream(&status, STDOUT_FILENO)
            || is_stream(&status, STDERR_FILENO);
 }
@@ -44,9 +43,8 @@ static bool is_special(const char *path)
 static char *link_target(const char *path)
 {
     struct stat status;
-    if (lstat(path, &status) != 0 || !S_ISLNK(status.st_mode)) {
+    if (lstat(path, &status) != 0 || !S_ISLNK(status.st_mode))
         return NULL;
-    }
     const char *slash = strrchr(path, '/');
     size_t folder = slash ? (size_t)(slash - path) + 1 : 0;
     size_t size = folder + PATH_SIZE;
@@ -55,11 +53,10 @@ static char *link_target(const char *path)
         free(target);
         return NULL;
     }
-    if (target[folder] == '/') {
+    if (target[folder] == '/')
         memmove(target, target + folder, size - folder);
-    } else {
+    else
         memcpy(target, path, folder);
-    }
     return target;
 }
 
@@ -68,9 +65,8 @@ static char *link_target(const char *path)
 static char *followed(const char *path)
 {
     char *file = malloc(strlen(path) + 1), *target;
-    if (file) {
+    if (file)
         strcpy(file, path);
-    }
     for (int i = 0;
          file && !is_special(file) && i < MAX_LINKS && (target = link_target(file));
          i++) {
@@ -90,9 +86,8 @@ static int open_beside(struct atomic_file *whole)
     for (int n = 0; whole->temporary && file < 0 && n < ATTEMPTS; n++) {
         snprintf(whole->temporary, size, "%s.new%d", whole->path, n);
         file = interrupt_create(whole->temporary);
-        if (file < 0 && errno != EEXIST) {
+        if (file < 0 && errno != EEXIST)
             break;
-        }
     }
     return file;
 }
@@ -107,9 +102,8 @@ static void whole_free(struct atomic_file *whole)
 
 static FILE *open_place(struct atomic_file *whole)
 {
-    if (file_is_stream(whole->path)) {
+    if (file_is_stream(whole->path))
         return stdout;
-    }
     int file = is_special(whole->path) ? open(whole->path, O_WRONLY)
                                        : open_beside(whole);
     return file < 0 ? NULL : fdopen(file, "w");
@@ -140,20 +134,17 @@ struct atomic_file *atomic_file_open(const char *path, c205_error *error)
 
 bool atomic_file_check(const char *path, c205_error *error)
 {
-    if (file_is_stream(path)) {
+    if (file_is_stream(path))
         return true;
-    }
     if (is_special(path)) {
-        if (access(path, W_OK) == 0) {
+        if (access(path, W_OK) == 0)
             return true;
-        }
         set_path_error(error, path, strerror(errno));
         return false;
     }
     struct atomic_file *whole = atomic_file_open(path, error);
-    if (!whole) {
+    if (!whole)
         return false;
-    }
     atomic_file_discard(whole);
     return true;
 }
@@ -176,14 +167,12 @@ bool atomic_file_commit(struct atomic_file *whole, c205_error *error)
     errno = 0;
     bool good = reaches_disk(whole);
     good = close_place(whole) && good;
-    if (good && whole->temporary) {
+    if (good && whole->temporary)
         good = rename(whole->temporary, whole->path) == 0;
-    }
     if (!good) {
         set_path_error(error, whole->path, errno ? strerror(errno) : "write error");
-        if (whole->temporary) {
+        if (whole->temporary)
             unlink(whole->temporary);
-        }
     }
     whole_free(whole);
     return good;
@@ -192,8 +181,7 @@ bool atomic_file_commit(struct atomic_file *whole, c205_error *error)
 void atomic_file_discard(struct atomic_file *whole)
 {
     close_place(whole);
-    if (whole->temporary) {
+    if (whole->temporary)
         unlink(whole->temporary);
-    }
     whole_free(whole);
 }

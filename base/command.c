@@ -26,9 +26,8 @@ const struct command *command_named(const struct command_program *program,
                                     const char *name)
 {
     const struct command *const *command = program->commands;
-    while (*command && strcmp((*command)->name, name) != 0) {
+    while (*command && strcmp((*command)->name, name) != 0)
         command++;
-    }
     return *command;
 }
 
@@ -40,9 +39,8 @@ static int print_version(const struct command_program *program)
 
 static int finish_command(const char *name, int code)
 {
-    if (fflush(stdout) != 0 || ferror(stdout)) {
+    if (fflush(stdout) != 0 || ferror(stdout))
         return cmd_failed(name, "cannot write standard output: write error");
-    }
     return code;
 }
 
@@ -52,9 +50,8 @@ static int no_command(const struct command_program *program, const char *word)
 {
     struct spelling nearest = { .word = word };
     const struct command *const *command = program->commands;
-    for (; *command; command++) {
+    for (; *command; command++)
         spelling_try(&nearest, (*command)->name);
-    }
     cmd_print_line(stderr,
                    nearest.name ? "%s: unknown command '%s'; did you mean '%s'?"
                                 : "%s: unknown command '%s'",
@@ -72,9 +69,8 @@ static int help(const struct command_program *program, int argc, char **argv)
         return CMD_DONE;
     }
     const struct command *command = command_named(program, argv[1]);
-    if (!command) {
+    if (!command)
         return no_command(program, argv[1]);
-    }
     command_print_help(program, command, stdout);
     return CMD_DONE;
 }
@@ -113,9 +109,8 @@ static const struct command *select_command(const struct command_program *progra
         *code = help(program, argc - 1, argv + 1);
     } else {
         command = command_named(program, argv[1]);
-        if (!command) {
+        if (!command)
             *code = no_command(program, argv[1]);
-        }
     }
     return command;
 }
@@ -124,17 +119,15 @@ int command_main(const struct command_program *program, int argc, char **argv)
 {
     int code = CMD_DONE;
     const struct command *command = select_command(program, argc, argv, &code);
-    if (!command) {
+    if (!command)
         return finish_command(program->name, code);
-    }
     char name[COMMAND_NAME_SIZE];
     const char *full_name = name;
     int words = command->name ? 1 : 0; /* before the arguments of the command */
     void *arguments = calloc(1, command->arguments_size);
     command_full_name(program, command, name);
-    if (!arguments) {
+    if (!arguments)
         return cmd_failed(name, "out of memory");
-    }
     memcpy(arguments, &full_name, sizeof full_name);
     code = command_parse(program, command, argc - words, argv + words, arguments);
     if (code == CMD_DONE) {

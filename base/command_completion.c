@@ -13,27 +13,24 @@ static void put_candidate(const char *word, const char *dashes, const char *name
 {
     char text[COMMAND_NAME_SIZE];
     snprintf(text, sizeof text, "%s%s", dashes, name);
-    if (strncmp(text, word, strlen(word)) == 0) {
+    if (strncmp(text, word, strlen(word)) == 0)
         printf("%s\t%s\n", text, meaning);
-    }
 }
 
 static void put_option(const char *word, const struct command_option *row)
 {
     char letter[2] = { row->letter, '\0' };
     put_candidate(word, "--", row->name, row->help);
-    if (row->letter) {
+    if (row->letter)
         put_candidate(word, "-", letter, row->help);
-    }
 }
 
 static void put_commands(const struct command_program *program, const char *word)
 {
     const struct command *const *command = program->commands;
     putchar('\n');
-    for (; *command; command++) {
+    for (; *command; command++)
         put_candidate(word, "", (*command)->name, (*command)->summary);
-    }
     put_candidate(word, "", "help", "print the help of a command");
     put_option(word, &command_help_option);
     put_option(word, &command_version_option);
@@ -42,9 +39,8 @@ static void put_commands(const struct command_program *program, const char *word
 static void put_options(const char *word, const struct command_option *row)
 {
     putchar('\n');
-    for (; command_is_row(row); row++) {
+    for (; command_is_row(row); row++)
         put_option(word, row);
-    }
     put_option(word, &command_help_option);
     put_option(word, &command_version_option);
 }
@@ -64,9 +60,8 @@ static void put_values(const char *word, const struct command_option *rows,
     for (size_t i = 0; i < count; i++) {
         for (size_t number = 0; rows[i].choice; number++) {
             number = command_next_choice(rows[i].choice, number, &name);
-            if (!name) {
+            if (!name)
                 break;
-            }
             put_candidate(word, "", name, rows[i].value);
         }
     }
@@ -86,9 +81,8 @@ static const struct command_option *option_with_value(const struct command *comm
     for (; command_is_row(row); row++) {
         bool named = is_long && strlen(row->name) == length - 2
                      && strncmp(row->name, word + 2, length - 2) == 0;
-        if (row->kind != COMMAND_FLAG && (named || (letter && letter == row->letter))) {
+        if (row->kind != COMMAND_FLAG && (named || (letter && letter == row->letter)))
             return row;
-        }
     }
     return NULL;
 }
@@ -103,9 +97,8 @@ int command_complete(const struct command_program *program, int count, char **wo
         return CMD_DONE;
     }
     command = command->name ? command_named(program, words[0]) : command;
-    if (!command) {
+    if (!command)
         return CMD_DONE;
-    }
     /* bash splits "--name=value" into three words. */
     if (strcmp(word, "=") == 0) {
         word = "";
@@ -116,13 +109,12 @@ int command_complete(const struct command_program *program, int count, char **wo
         word = strchr(word, '=') + 1;
     }
     const struct command_option *option = option_with_value(command, before);
-    if (option) {
+    if (option)
         put_values(word, option, 1);
-    } else if (word[0] == '-') {
+    else if (word[0] == '-')
         put_options(word, command->options);
-    } else {
+    else
         put_values(word, command->operands, command_count_rows(command->operands));
-    }
     return CMD_DONE;
 }
 

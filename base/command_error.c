@@ -14,7 +14,6 @@ static void put_line(FILE *file, const char *format, va_list list)
 {
     struct sink sink = stream_sink(file);
     char text[LONGEST];
-
     vsnprintf(text, sizeof text, format, list);
     visible_put(&sink, text, strlen(text));
     putc('\n', file);

@@ -11,19 +11,17 @@ enum { COLUMN = 23, WIDTH = 79, PARAGRAPH = 0, EXAMPLE = 6 };
 
 void command_option_name(const struct command_option *option, const struct sink *sink)
 {
-    if (option->name) {
+    if (option->name)
         sink_print(sink, "--%s", option->name);
-    } else {
+    else
         sink_put(sink, option->value);
-    }
 }
 
 /* Skips indices without a name. Sets *name to NULL at the end of the list. */
 size_t command_next_choice(command_choice *choice, size_t number, const char **name)
 {
-    while ((*name = choice(number)) != NULL && !**name) {
+    while ((*name = choice(number)) != NULL && !**name)
         number++;
-    }
     return number;
 }
 
@@ -37,9 +35,8 @@ static void put_choices(command_choice *choice, const struct sink *sink)
         sink_print(sink, "%s%s", before, name);
         size_t after = number;
         const char *behind = NULL;
-        if (next) {
+        if (next)
             command_next_choice(choice, after + 1, &behind);
-        }
         before = behind ? ", " : " or ";
         name = next;
     }
@@ -73,15 +70,14 @@ void command_option_wants(const struct command_option *option, const struct sink
 
 bool command_option_preset(const struct command_option *option, const struct sink *sink)
 {
-    if (option->preset_text) {
+    if (option->preset_text)
         sink_put(sink, option->preset_text);
-    } else if (option->kind == COMMAND_CHOICE && option->preset >= 0 && option->name) {
+    else if (option->kind == COMMAND_CHOICE && option->preset >= 0 && option->name)
         sink_put(sink, option->choice((size_t)option->preset));
-    } else if (option->preset > 0) {
+    else if (option->preset > 0)
         sink_print(sink, "%g", option->preset);
-    } else {
+    else
         return false;
-    }
     return true;
 }
 
@@ -102,9 +98,8 @@ static void new_line(struct filler *filler)
 
 static void put_word(struct filler *filler, const char *word, size_t length)
 {
-    if (filler->column > filler->indent && filler->column + 1 + length > WIDTH) {
+    if (filler->column > filler->indent && filler->column + 1 + length > WIDTH)
         new_line(filler);
-    }
     if (filler->column > filler->indent) {
         putc(' ', filler->file);
         filler->column++;
@@ -121,14 +116,12 @@ static void put_word(struct filler *filler, const char *word, size_t length)
 static void fill_lines(struct filler *filler, const char *text)
 {
     while (*text) {
-        if (*text == '\n') {
+        if (*text == '\n')
             new_line(filler);
-        }
         text += strspn(text, " \n");
         size_t length = strcspn(text, " \n");
-        if (length > 0) {
+        if (length > 0)
             put_word(filler, text, length);
-        }
         text += length;
     }
 }
@@ -138,9 +131,8 @@ static void put_entry(FILE *file, const char *left, const char *meaning)
 {
     struct filler filler = { file, COLUMN, 2 + strlen(left) };
     fprintf(file, "  %s", left);
-    if (filler.column + 2 > COLUMN) {
+    if (filler.column + 2 > COLUMN)
         new_line(&filler);
-    }
     while (filler.column > 0 && filler.column < COLUMN) {
         putc(' ', file);
         filler.column++;
@@ -162,9 +154,8 @@ void command_option_meaning(const struct command_option *option,
         sink_put(sink, ": ");
         put_choices(option->choice, sink);
     }
-    if (command_option_preset(option, &preset_sink)) {
+    if (command_option_preset(option, &preset_sink))
         sink_print(sink, " (%s)", preset.text);
-    }
 }
 
 static void put_option(FILE *file, const struct command_option *option)
@@ -173,13 +164,11 @@ static void put_option(FILE *file, const struct command_option *option)
     struct text_buffer meaning = { NULL, 0, 0, false };
     struct sink left_sink = text_line_sink(&left);
     struct sink meaning_sink = text_buffer_sink(&meaning);
-    if (option->letter) {
+    if (option->letter)
         sink_print(&left_sink, "-%c, ", option->letter);
-    }
     command_option_name(option, &left_sink);
-    if (option->name && option->value) {
+    if (option->name && option->value)
         sink_print(&left_sink, " %s", option->value);
-    }
     command_option_meaning(option, &meaning_sink);
     put_entry(file, left.text, meaning.text ? meaning.text : "");
     text_buffer_free(&meaning);
@@ -187,9 +176,8 @@ static void put_option(FILE *file, const struct command_option *option)
 
 static void put_options(FILE *file, const struct command_option *option)
 {
-    for (; command_is_row(option); option++) {
+    for (; command_is_row(option); option++)
         put_option(file, option);
-    }
 }
 
 /* Writes "SCENE", "[FILE..]". */
@@ -234,9 +222,8 @@ void command_print_help(const struct command_program *program,
         putc('\n', file);
     }
     put_options(file, command->operands);
-    if (command_is_row(command->operands)) {
+    if (command_is_row(command->operands))
         putc('\n', file);
-    }
     put_options(file, command->options);
     put_option(file, &command_help_option);
     put_option(file, &command_version_option);
@@ -248,8 +235,7 @@ void command_print_summary(const struct command_program *program, FILE *file)
     const struct command *const *command = program->commands;
     fprintf(file, "%s - %s\n\nusage: %s COMMAND [OPTION..] [ARGUMENT..]\n\n",
             program->name, program->summary, program->name);
-    for (; *command; command++) {
+    for (; *command; command++)
         fprintf(file, "  %-8s %s\n", (*command)->name, (*command)->summary);
-    }
     fprintf(file, "\n%s help COMMAND describes a command\n", program->name);
 }

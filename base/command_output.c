@@ -36,16 +36,14 @@ static bool open_json(struct command_output *results)
 {
     c205_error error;
     results->json = NULL;
-    if (results->format == OUTPUT_JSON) {
+    if (results->format == OUTPUT_JSON)
         results->json = json_open_stream(stdout, results->path, &error);
-    } else if (results->path) {
+    else if (results->path)
         results->json = json_open(results->path, &error);
-    } else {
+    else
         return true;
-    }
-    if (!results->json) {
+    if (!results->json)
         cmd_failed(results->command, "%s", error.message);
-    }
     return results->json != NULL;
 }
 
@@ -69,11 +67,10 @@ bool output_open(struct command_output *results, const char *command,
 int output_close(struct command_output *results, int code)
 {
     c205_error error;
-    if (results->json && code != CMD_DONE) {
+    if (results->json && code != CMD_DONE)
         json_discard(results->json);
-    } else if (results->json && !json_close(results->json, &error)) {
+    else if (results->json && !json_close(results->json, &error))
         code = cmd_failed(results->command, "%s", error.message);
-    }
     results->json = NULL;
     return code;
 }
@@ -99,9 +96,8 @@ void output_printf(const struct command_output *results, const char *format, ...
 {
     char text[1024];
     va_list arguments;
-    if (!results->file) {
+    if (!results->file)
         return;
-    }
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
@@ -114,9 +110,8 @@ void output_printf(const struct command_output *results, const char *format, ...
 
 void output_gap(const struct command_output *results)
 {
-    if (results->format == OUTPUT_TEXT) {
+    if (results->format == OUTPUT_TEXT)
         putc('\n', results->file);
-    }
 }
 
 void output_model(const struct command_output *results, const c205_model *model)
@@ -131,15 +126,12 @@ static bool add_table(const struct command_output *results, const struct table *
                       const char *key, const char *heading)
 {
     enum table_format format = output_table_format(results);
-    if (!table) {
+    if (!table)
         return false;
-    }
-    if (results->file && heading) {
+    if (results->file && heading)
         table_heading(heading, format, results->file);
-    }
-    if (results->file && !table_write(table, format, results->file)) {
+    if (results->file && !table_write(table, format, results->file))
         return false;
-    }
     return !results->json || table_json(table, results->json, key);
 }
 

@@ -19,9 +19,8 @@ int command_print_page(const struct command_program *program, int argc, char **a
         { "--completion", "fish", command_print_fish },
     };
     const char *shell = argc > 1 ? argv[1] : "";
-    if (strcmp(argv[0], "--complete") == 0) {
+    if (strcmp(argv[0], "--complete") == 0)
         return command_complete(program, argc - 1, argv + 1);
-    }
     for (size_t i = 0; i < sizeof pages / sizeof *pages; i++) {
         if (strcmp(argv[0], pages[i].option) == 0
             && (!pages[i].shell || strcmp(shell, pages[i].shell) == 0)) {
@@ -58,9 +57,8 @@ static void list_rows(FILE *file, const char *what, const char *command,
                 kinds[row->kind]);
         for (size_t i = 0; row->kind == COMMAND_CHOICE; i++) {
             i = command_next_choice(row->choice, i, &name);
-            if (!name) {
+            if (!name)
                 break;
-            }
             fprintf(file, " %s", name);
         }
         putc('\n', file);
@@ -84,9 +82,8 @@ void command_print_list(const struct command_program *program, FILE *file)
 static void put_roff(FILE *file, const char *text)
 {
     for (const char *c = text; *c; c++) {
-        if ((*c == '.' || *c == '\'') && (c == text || c[-1] == '\n')) {
+        if ((*c == '.' || *c == '\'') && (c == text || c[-1] == '\n'))
             fputs("\\&", file);
-        }
         switch (*c) {
         case '\\': fputs("\\e", file); break;
         case '-': fputs("\\-", file); break;
@@ -97,17 +94,15 @@ static void put_roff(FILE *file, const char *text)
 
 static void put_capitals(FILE *file, const char *text)
 {
-    for (; *text; text++) {
+    for (; *text; text++)
         putc(toupper((unsigned char)*text), file);
-    }
 }
 
 static void put_roff_name(FILE *file, const struct command_option *option)
 {
     fputs(".TP\n", file);
-    if (option->letter) {
+    if (option->letter)
         fprintf(file, "\\fB\\-%c\\fR, ", option->letter);
-    }
     if (option->name) {
         fputs("\\fB\\-\\-", file);
         put_roff(file, option->name);
@@ -134,9 +129,8 @@ static void put_roff_row(FILE *file, const struct command_option *row)
 
 static void put_roff_rows(FILE *file, const struct command_option *row)
 {
-    for (; command_is_row(row); row++) {
+    for (; command_is_row(row); row++)
         put_roff_row(file, row);
-    }
 }
 
 static void put_roff_synopsis(FILE *file, const char *name,
@@ -231,9 +225,8 @@ void command_print_man(const struct command_program *program, FILE *file)
     const struct command *const *command = program->commands;
     put_roff_head(file, program);
     fputs((*command)->name ? ".SH COMMANDS\n" : ".SH OPTIONS\n", file);
-    for (; *command; command++) {
+    for (; *command; command++)
         put_roff_command(file, program, *command);
-    }
     fputs(".SH EXIT STATUS\n"
           ".TP\n0\nThe work is done.\n"
           ".TP\n1\nThe command failed. Standard error gives the reason.\n"

@@ -93,11 +93,10 @@ static void take_text(const char *text, const struct command_option *option,
                       void *place)
 {
     struct command_texts *texts = place;
-    if (option->many) {
+    if (option->many)
         texts->items[texts->count++] = text;
-    } else {
+    else
         memcpy(place, &text, sizeof text);
-    }
 }
 
 /* Converts a text and stores the value. text is NULL for a flag. */
@@ -112,9 +111,8 @@ static bool store_option(char *text, const struct command_option *option, void *
     case COMMAND_CHOICE: return take_choice(text, option, place);
     case COMMAND_CUSTOM: return option->take(text, place);
     case COMMAND_FILE:
-        if (strcmp(text, "-") == 0) {
+        if (strcmp(text, "-") == 0)
             return false;
-        }
         break;
     default: break;
     }
@@ -147,11 +145,9 @@ static bool prepare_row(const struct command_option *option, size_t room, void *
 
 static bool prepare(const struct command_option *row, size_t room, void *arguments)
 {
-    for (; command_is_row(row); row++) {
-        if (!prepare_row(row, room, place_of(row, arguments))) {
+    for (; command_is_row(row); row++)
+        if (!prepare_row(row, room, place_of(row, arguments)))
             return false;
-        }
-    }
     return true;
 }
 
@@ -199,11 +195,9 @@ static const struct command *owner_of(const struct parsing *parsing, const char 
     const struct command *const *command = parsing->program->commands;
     for (; *command; command++) {
         const struct command_option *option = (*command)->options;
-        for (; command_is_row(option); option++) {
-            if (strcmp(option->name, name) == 0) {
+        for (; command_is_row(option); option++)
+            if (strcmp(option->name, name) == 0)
                 return *command;
-            }
-        }
     }
     return NULL;
 }
@@ -228,9 +222,8 @@ static const char *nearest_option(const struct parsing *parsing, const char *nam
 {
     struct spelling nearest = { .word = name };
     const struct command_option *option = parsing->command->options;
-    for (; command_is_row(option); option++) {
+    for (; command_is_row(option); option++)
         spelling_try(&nearest, option->name);
-    }
     spelling_try(&nearest, command_help_option.name);
     spelling_try(&nearest, command_version_option.name);
     return nearest.name;
@@ -244,9 +237,8 @@ static int no_long_option(const struct parsing *parsing, const char *word)
     snprintf(name, sizeof name, "%.*s", (int)strcspn(word + 2, "="), word + 2);
     const struct command *owner = owner_of(parsing, name);
     const char *nearest = nearest_option(parsing, name);
-    if (find_beginnings(parsing, name, &sink)) {
+    if (find_beginnings(parsing, name, &sink))
         return cmd_usage(parsing->name, "--%s is ambiguous: %s", name, several.text);
-    }
     if (owner) {
         return cmd_usage(parsing->name, "unknown option --%s; it is an option of %s",
                          name, owner->name);
@@ -260,16 +252,13 @@ static int no_long_option(const struct parsing *parsing, const char *word)
 static int wrong_option(const struct parsing *parsing, const char *word)
 {
     const struct command_option *option = parsing->command->options;
-    if (word[0] != '-' || word[1] != '-') {
+    if (word[0] != '-' || word[1] != '-')
         return cmd_usage(parsing->name, "unknown option -%c", optopt);
-    }
     size_t length = strcspn(word + 2, "=");
-    for (; word[2 + length] && command_is_row(option); option++) {
+    for (; word[2 + length] && command_is_row(option); option++)
         if (option->kind == COMMAND_FLAG && strlen(option->name) == length
-            && strncmp(option->name, word + 2, length) == 0) {
+            && strncmp(option->name, word + 2, length) == 0)
             return cmd_usage(parsing->name, "--%s takes no argument", option->name);
-        }
-    }
     return no_long_option(parsing, word);
 }
 
@@ -305,14 +294,12 @@ static bool make_tables(const struct command *command, struct getopt_tables *tab
     tables->count = command_count_rows(command->options);
     tables->options = calloc(tables->count + 3, sizeof *tables->options);
     tables->letters = calloc(tables->count + 3, 3);
-    if (!tables->options || !tables->letters) {
+    if (!tables->options || !tables->letters)
         return false;
-    }
     tables->letters[0] = ':'; /* getopt then distinguishes a missing value from a wrong
                                  option */
-    for (size_t i = 0; i < tables->count; i++) {
+    for (size_t i = 0; i < tables->count; i++)
         add_option(tables, i, &command->options[i]);
-    }
     add_option(tables, tables->count, &command_help_option);
     add_option(tables, tables->count + 1, &command_version_option);
     return true;
@@ -324,9 +311,8 @@ row_of(const struct command *command, const struct getopt_tables *tables, int va
 {
     for (size_t i = 0; i < tables->count; i++) {
         const struct command_option *option = &command->options[i];
-        if (value == FIRST_ROW + (int)i || value == option->letter) {
+        if (value == FIRST_ROW + (int)i || value == option->letter)
             return option;
-        }
     }
     return value == FIRST_ROW + (int)tables->count + 1 ? &command_version_option
                                                        : &command_help_option;
@@ -335,12 +321,10 @@ row_of(const struct command *command, const struct getopt_tables *tables, int va
 static int take_option(const struct parsing *parsing,
                        const struct command_option *option)
 {
-    if (option == &command_help_option) {
+    if (option == &command_help_option)
         return COMMAND_ASKS_HELP;
-    }
-    if (option == &command_version_option) {
+    if (option == &command_version_option)
         return COMMAND_ASKS_VERSION;
-    }
     return store_option(optarg, option, place_of(option, parsing->arguments))
                ? CMD_DONE
                : wrong_value(parsing, option, optarg);
@@ -356,13 +340,12 @@ static int parse_options(const struct parsing *parsing,
            && (value = getopt_long(argc, argv, tables->letters, tables->options, NULL))
                   != -1) {
         const char *word = argv[optind - 1];
-        if (value == ':') {
+        if (value == ':')
             code = cmd_usage(parsing->name, "%s requires an argument", word);
-        } else if (value == '?') {
+        else if (value == '?')
             code = wrong_option(parsing, word);
-        } else {
+        else
             code = take_option(parsing, row_of(parsing->command, tables, value));
-        }
     }
     return code;
 }
@@ -379,13 +362,11 @@ static int parse_operands(const struct parsing *parsing, char **words)
                              operand->help);
         }
         while (*words) {
-            if (!store_option(*words, operand, place)) {
+            if (!store_option(*words, operand, place))
                 return wrong_value(parsing, operand, *words);
-            }
             words++;
-            if (!operand->many) {
+            if (!operand->many)
                 break;
-            }
         }
     }
     return !*words ? CMD_DONE
@@ -405,12 +386,10 @@ static const char *path_of(const struct parsing *parsing,
 {
     const struct command_texts *texts = place_of(row, parsing->arguments);
     const char *path = NULL;
-    if (!is_output(row) && row->kind != COMMAND_INPUT) {
+    if (!is_output(row) && row->kind != COMMAND_INPUT)
         return NULL;
-    }
-    if (row->many) {
+    if (row->many)
         return i < texts->count ? texts->items[i] : NULL;
-    }
     memcpy(&path, texts, sizeof path);
     return i == 0 ? path : NULL;
 }
@@ -424,9 +403,8 @@ static bool names(const struct parsing *parsing, const struct command_option *ro
     int number;
     for (size_t i = 0; (other = path_of(parsing, row, i)); i++) {
         bool is_name = row->choice && take_choice(other, row, &number);
-        if (!is_name && file_is_one(path, other)) {
+        if (!is_name && file_is_one(path, other))
             return true;
-        }
     }
     return false;
 }
@@ -439,9 +417,8 @@ static const struct command_option *row_naming(const struct parsing *parsing,
 {
     while (command_is_row(row)
            && !((output ? is_output(row) : row->kind == COMMAND_INPUT)
-                && names(parsing, row, path))) {
+                && names(parsing, row, path)))
         row++;
-    }
     return command_is_row(row) ? row : NULL;
 }
 
@@ -455,9 +432,8 @@ static int check_output(const struct parsing *parsing,
         return cmd_usage(parsing->name, "--%s and --%s cannot write the same file",
                          option->name, other->name);
     }
-    if (!file_is_stream(path) && !outputs_add(path)) {
+    if (!file_is_stream(path) && !outputs_add(path))
         return cmd_failed(parsing->name, "out of memory");
-    }
     if (outputs_has(path)
         && (row_naming(parsing, command->options, false, path)
             || row_naming(parsing, command->operands, false, path))) {
@@ -475,9 +451,8 @@ static int check_outputs(const struct parsing *parsing)
         const char *path;
         for (size_t i = 0; is_output(option) && code == CMD_DONE
                            && (path = path_of(parsing, option, i));
-             i++) {
+             i++)
             code = check_output(parsing, option, path);
-        }
     }
     return code;
 }
@@ -490,9 +465,8 @@ static size_t streams_in(const struct parsing *parsing,
     for (; command_is_row(row); row++) {
         const char *path;
         for (size_t i = 0;
-             row->kind == COMMAND_INPUT && (path = path_of(parsing, row, i)); i++) {
+             row->kind == COMMAND_INPUT && (path = path_of(parsing, row, i)); i++)
             count += file_is_stream(path);
-        }
     }
     return count;
 }
@@ -515,19 +489,16 @@ static int parse(struct parsing *parsing, int argc, char **argv)
     int code = CMD_FAILED;
     if (!prepare(command->options, room, parsing->arguments)
         || !prepare(command->operands, room, parsing->arguments)
-        || !make_tables(command, &tables)) {
+        || !make_tables(command, &tables))
         cmd_failed(parsing->name, "out of memory");
-    } else {
+    else
         code = parse_options(parsing, &tables, argc, argv);
-    }
     free(tables.options);
     free(tables.letters);
-    if (code == CMD_DONE) {
+    if (code == CMD_DONE)
         code = parse_operands(parsing, argv + optind);
-    }
-    if (code == CMD_DONE) {
+    if (code == CMD_DONE)
         code = check_outputs(parsing);
-    }
     return code == CMD_DONE ? check_inputs(parsing) : code;
 }
 

@@ -13,7 +13,6 @@ enum { TAB = 8, LONGEST_LINE = 1000 /* bytes of a source line kept */ };
 static char *copy(const char *text, size_t length)
 {
     char *own = malloc(length + 1);
-
     if (own) {
         memcpy(own, text, length);
         own[length] = '\0';
@@ -33,7 +32,6 @@ static void free_item(struct diagnostic *item)
 static size_t invisible_column(const struct position *position, unsigned long *code)
 {
     size_t i = position->column - 1;
-
     for (; position->line && i < position->source_length; i++) {
         const char *at = position->source + i;
         if (*at && strchr(" \t,;\"'(){}[]<>=", *at))
@@ -52,7 +50,6 @@ static void name_invisible(struct diagnostic *item, const struct position *posit
     size_t column = position->source ? invisible_column(position, &code) : 0;
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
-
     if (!column || !item->message)
         return;
     sink_put(&sink, item->message);
@@ -81,7 +78,6 @@ void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
         .source = copy(position->source ? position->source : "",
                        length < LONGEST_LINE ? length : LONGEST_LINE),
     };
-
     if (severity == SEVERITY_ERROR)
         name_invisible(&item, position);
     diagnostics->errors += severity == SEVERITY_ERROR;
@@ -94,7 +90,6 @@ void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
 static struct diagnostic *next_diagnostic(struct diagnostics *diagnostics)
 {
     const struct diagnostic empty = { .severity = SEVERITY_SAID };
-
     for (size_t i = 0; i < diagnostics->count; i++)
         if (diagnostics->items[i].severity == SEVERITY_SAID)
             return &diagnostics->items[i];
@@ -107,7 +102,6 @@ bool diagnostics_append(struct diagnostics *diagnostics, const char *text)
     size_t before = item && item->message ? strlen(item->message) : 0;
     size_t length = strlen(text);
     char *message;
-
     if (!item || length > MAX_SAID - before)
         return false;
     message = realloc(item->message, before + length + 1);
@@ -123,7 +117,6 @@ static size_t put_character(const struct sink *sink, const char *text, size_t le
                             size_t column)
 {
     unsigned long code;
-
     if (*text == '\t') {
         size_t next = (column / TAB + 1) * TAB;
         sink_print(sink, "%*s", (int)(next - column), "");
@@ -141,7 +134,6 @@ static void put_source(const struct sink *sink, const struct diagnostic *diagnos
 {
     const char *source = diagnostic->source;
     size_t column = 0, caret = 0, i = 0, all = strlen(source);
-
     sink_put(sink, "    ");
     while (i < all) {
         size_t length = utf8_length(source + i, all - i);
@@ -164,7 +156,6 @@ void diagnostic_put(const struct diagnostic *diagnostic, const struct sink *sink
         [SEVERITY_WARNING] = "warning",
         [SEVERITY_REPORT] = "report",
     };
-
     if (diagnostic->severity == SEVERITY_SAID) {
         const char *said = diagnostic->message ? diagnostic->message : "";
         visible_put_lines(sink, said, strlen(said));
@@ -189,7 +180,6 @@ void diagnostics_put(const struct diagnostics *diagnostics, const struct sink *s
 void diagnostics_print(const struct diagnostics *diagnostics, FILE *out)
 {
     struct sink sink = stream_sink(out);
-
     diagnostics_put(diagnostics, &sink);
 }
 

@@ -16,7 +16,6 @@ static char *read_stream(FILE *file, size_t largest, size_t *length)
 {
     size_t room = 1 << 14;
     char *text = malloc(room);
-
     *length = 0;
     while (text) {
         *length += fread(text + *length, 1, room - *length - 1, file);
@@ -48,7 +47,6 @@ bool file_is_stream(const char *path)
 bool file_ends_with(const char *path, const char *ending)
 {
     size_t length = strlen(path), rest = strlen(ending);
-
     return length > rest && path[length - rest - 1] != '/'
            && strcmp(path + length - rest, ending) == 0;
 }
@@ -63,7 +61,6 @@ static bool is_output(FILE *file)
 {
     struct stat status;
     bool refused = fstat(fileno(file), &status) == 0 && outputs_refuse(&status);
-
     if (refused)
         errno = ETXTBSY;
     return refused;
@@ -74,7 +71,6 @@ char *file_read(const char *path, size_t largest, size_t *length, c205_error *er
     FILE *file;
     char *text = NULL;
     int why;
-
     errno = 0;
     file = file_is_stream(path) ? stdin : fopen(path, "rb");
     *length = 0;
@@ -100,7 +96,6 @@ char *file_read(const char *path, size_t largest, size_t *length, c205_error *er
 bool file_is_plain(const char *path, c205_error *error)
 {
     struct stat is;
-
     if (stat(path, &is) == 0)
         return S_ISREG(is.st_mode)
                || error_set(error, "%s",
@@ -117,7 +112,6 @@ static bool find_place(const char *path, struct stat *folder, const char **name)
     const char *slash = strrchr(path, '/');
     char text[4096];
     int length = !slash ? 0 : (int)(slash - path) + 1;
-
     *name = path + length;
     if (length >= (int)sizeof text)
         return false;
@@ -134,7 +128,6 @@ bool file_is_one(const char *a, const char *b)
 {
     struct stat in_a, in_b;
     const char *name_a, *name_b;
-
     if (stat(a, &in_a) == 0 && stat(b, &in_b) == 0)
         return is_same(&in_a, &in_b);
     return find_place(a, &in_a, &name_a) && find_place(b, &in_b, &name_b)

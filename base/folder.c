@@ -13,7 +13,6 @@
 bool folder_is(const char *path)
 {
     struct stat is;
-
     return stat(path, &is) == 0 && S_ISDIR(is.st_mode);
 }
 
@@ -21,7 +20,6 @@ bool folder_add(struct folder *folder, const char *name)
 {
     size_t size = strlen(name) + 1;
     char *copy = malloc(size);
-
     if (!copy || !array_add(&folder->names, &folder->count, &copy, sizeof copy)) {
         free(copy);
         return false;
@@ -41,7 +39,6 @@ bool folder_read(struct folder *folder, const char *path, c205_error *error)
     const struct dirent *entry;
     bool good = true;
     int reason;
-
     *folder = (struct folder){ 0, NULL };
     if (!open)
         return error_set(error, "%s", strerror(errno));

@@ -68,11 +68,9 @@ enum { ENDINGS = sizeof endings / sizeof *endings };
  * handler. */
 static void end_process(int number)
 {
-    for (size_t i = 0; i < FILES && owner == getpid(); i++) {
-        if (files[i]) {
+    for (size_t i = 0; i < FILES && owner == getpid(); i++)
+        if (files[i])
             unlink(files[i]);
-        }
-    }
     signal(number, SIG_DFL);
     raise(number);
 }
@@ -80,22 +78,18 @@ static void end_process(int number)
 static void catch_endings(void)
 {
     struct sigaction action = { .sa_handler = end_process }, now;
-    for (size_t i = 0; i < ENDINGS; i++) {
-        if (sigaction(endings[i], NULL, &now) == 0 && now.sa_handler == SIG_DFL) {
+    for (size_t i = 0; i < ENDINGS; i++)
+        if (sigaction(endings[i], NULL, &now) == 0 && now.sa_handler == SIG_DFL)
             sigaction(endings[i], &action, NULL);
-        }
-    }
 }
 
 static void replace(const char *old, const char *path)
 {
     size_t i = 0;
-    while (i < FILES && files[i] != old) {
+    while (i < FILES && files[i] != old)
         i++;
-    }
-    if (i < FILES) {
+    if (i < FILES)
         files[i] = path;
-    }
 }
 
 /* Signals are blocked between the creation of the file and its entry in the list. */
@@ -116,9 +110,8 @@ int interrupt_create(const char *path)
 
 void interrupt_release(const char *path)
 {
-    if (path) {
+    if (path)
         replace(path, NULL);
-    }
 }
 
 /* ---- The flag ----------------------------------------------------------- */
@@ -128,9 +121,8 @@ static volatile sig_atomic_t came; /* the signal's number */
 /* The second signal ends the program. */
 static void note(int number)
 {
-    if (came) {
+    if (came)
         end_process(number);
-    }
     came = number;
 }
 
@@ -146,9 +138,8 @@ void interrupt_catch(void)
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
     /* nohup ignores SIGHUP, and that is kept. */
-    if (sigaction(SIGHUP, NULL, &now) == 0 && now.sa_handler != SIG_IGN) {
+    if (sigaction(SIGHUP, NULL, &now) == 0 && now.sa_handler != SIG_IGN)
         sigaction(SIGHUP, &action, NULL);
-    }
 }
 
 void interrupt_catch_lines(bool terminal)
@@ -171,9 +162,8 @@ bool interrupt_ends(void)
 
 void interrupt_clear(void)
 {
-    if (came == SIGINT) {
+    if (came == SIGINT)
         came = 0;
-    }
 }
 
 #endif

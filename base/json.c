@@ -40,9 +40,8 @@ static void open_level(struct json *json, char opening, char closing)
 
 static void new_line(struct json *json)
 {
-    if (json->line) {
+    if (json->line)
         return;
-    }
     sink_print(&json->sink, "\n%*s", (int)json->depth * INDENT, "");
 }
 
@@ -61,9 +60,8 @@ static size_t plain_length(const char *text)
     size_t length = 0, step;
     while ((unsigned char)text[length] >= ' ' && text[length] != '"'
            && text[length] != '\\' && (step = utf8_length(text + length, MAX_UTF8)) > 0
-           && !is_hidden(text + length, step)) {
+           && !is_hidden(text + length, step))
         length += step;
-    }
     return length;
 }
 
@@ -77,9 +75,8 @@ static void put_string(const struct sink *sink, const char *text)
         unsigned long code;
         size_t hidden = invisible_length(text, MAX_UTF8, &code);
         unsigned char c = (unsigned char)*text++;
-        if (!c) {
+        if (!c)
             break;
-        }
         if (c == '"' || c == '\\') {
             sink_print(sink, "\\%c", c);
         } else if (hidden) {
@@ -95,9 +92,8 @@ static void put_string(const struct sink *sink, const char *text)
 /* Writes the comma, new line and key before a value. */
 static void introduce(struct json *json, const char *key)
 {
-    if (json->level[json->depth - 1].filled) {
+    if (json->level[json->depth - 1].filled)
         sink_put(&json->sink, json->line ? ", " : ",");
-    }
     json->level[json->depth - 1].filled = true;
     new_line(json);
     if (key) {
@@ -137,9 +133,8 @@ struct json *json_open_stream(FILE *stream, const char *path, c205_error *error)
 struct json *json_open_line(struct text_buffer *line, c205_error *error)
 {
     struct json *json = json_new(NULL, error);
-    if (json) {
+    if (json)
         json->line = line;
-    }
     return json;
 }
 
@@ -152,9 +147,8 @@ bool json_close(struct json *json, c205_error *error)
 {
     assert(json->depth == 1);
     json_end(json);
-    if (!json->line) {
+    if (!json->line)
         sink_put(&json->sink, "\n");
-    }
     if (json->text.failed) {
         json_discard(json);
         return no_memory(error);
@@ -170,18 +164,16 @@ bool json_close(struct json *json, c205_error *error)
         good = atomic_file_commit(json->whole, error);
         json->whole = NULL;
     }
-    if (good && json->stream) {
+    if (good && json->stream)
         fwrite(json->text.text, 1, json->text.length, json->stream);
-    }
     json_discard(json);
     return good;
 }
 
 void json_discard(struct json *json)
 {
-    if (json->whole) {
+    if (json->whole)
         atomic_file_discard(json->whole);
-    }
     text_buffer_free(&json->text);
     free(json);
 }
@@ -201,9 +193,8 @@ void json_array(struct json *json, const char *key)
 void json_end(struct json *json)
 {
     json->depth--;
-    if (json->level[json->depth].filled) {
+    if (json->level[json->depth].filled)
         new_line(json);
-    }
     sink_print(&json->sink, "%c", json->level[json->depth].closing);
 }
 
@@ -216,9 +207,8 @@ void json_text(struct json *json, const char *key, const char *text)
 void json_digits(char text[JSON_NUMBER_SIZE], double value)
 {
     snprintf(text, JSON_NUMBER_SIZE, "%.15g", value);
-    if (strtod(text, NULL) != value) {
+    if (strtod(text, NULL) != value)
         snprintf(text, JSON_NUMBER_SIZE, "%.17g", value);
-    }
 }
 
 void json_number(struct json *json, const char *key, double value)

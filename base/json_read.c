@@ -54,12 +54,10 @@ static bool take_char(struct json_reading *reading, char c)
 static bool read_hex(struct json_reading *reading, unsigned long *code)
 {
     static const char digits[] = "0123456789abcdef0123456789ABCDEF";
-
     *code = 0;
     for (int i = 0; i < 4; i++) {
         char c = next_of(reading);
         const char *digit = c ? strchr(digits, c) : NULL;
-
         if (!digit)
             return json_fail(reading, "expected four hex digits after \\u");
         *code = *code << 4 | (unsigned long)((digit - digits) % 16);
@@ -72,7 +70,6 @@ static bool read_hex(struct json_reading *reading, unsigned long *code)
 static bool read_code(struct json_reading *reading, unsigned long *code)
 {
     unsigned long low;
-
     if (!read_hex(reading, code))
         return false;
     if (*code == 0)
@@ -93,7 +90,6 @@ static bool read_escape(struct json_reading *reading, char **to)
     char c = next_of(reading);
     const char *name = c ? strchr(names, c) : NULL;
     unsigned long code;
-
     if (name) {
         reading->at++;
         *(*to)++ = meant[name - names];
@@ -110,7 +106,6 @@ static bool read_escape(struct json_reading *reading, char **to)
 static bool read_character(struct json_reading *reading, char **to)
 {
     size_t length;
-
     if (take_char(reading, '\\'))
         return read_escape(reading, to);
     length = utf8_length(reading->at, (size_t)(reading->end - reading->at));
@@ -130,7 +125,6 @@ static const char *read_string(struct json_reading *reading)
 {
     const char *close = reading->at + 1;
     char *text, *to;
-
     while (close < reading->end && *close != '"')
         close += *close == '\\' && close + 1 < reading->end ? 2 : 1;
     reading->at++;
@@ -150,7 +144,6 @@ static const char *read_string(struct json_reading *reading)
 static bool skip_digits(struct json_reading *reading)
 {
     const char *from = reading->at;
-
     while (next_of(reading) >= '0' && next_of(reading) <= '9')
         reading->at++;
     return reading->at > from;
@@ -175,7 +168,6 @@ static bool read_number(struct json_reading *reading, struct json_value *value)
     const char *from = reading->at;
     char digits[MAX_DIGITS];
     size_t length;
-
     if (!skip_number(reading))
         return json_fail(reading, "expected a value");
     length = (size_t)(reading->at - from);
@@ -192,7 +184,6 @@ static bool read_number(struct json_reading *reading, struct json_value *value)
 static bool take_name(struct json_reading *reading, const char *name)
 {
     size_t length = strlen(name);
-
     if ((size_t)(reading->end - reading->at) < length
         || strncmp(reading->at, name, length) != 0)
         return false;
@@ -229,7 +220,6 @@ static bool read_key(struct json_reading *reading, struct json_value *value)
 static struct json_value *read_item(struct json_reading *reading, bool has_key)
 {
     struct json_value *item = arena_take(reading->arena, sizeof *item);
-
     if (!item) {
         no_memory(reading);
         return NULL;
@@ -245,13 +235,11 @@ static bool read_items(struct json_reading *reading, struct json_value *value,
                        char closing)
 {
     const struct json_value **last = &value->first;
-
     skip_space(reading);
     if (take_char(reading, closing))
         return true;
     do {
         struct json_value *item = read_item(reading, closing == '}');
-
         if (!item)
             return false;
         *last = item;
@@ -265,7 +253,6 @@ static bool read_within(struct json_reading *reading, struct json_value *value)
 {
     char closing = value->kind == JSON_ARRAY ? ']' : '}';
     bool good;
-
     if (reading->depth == JSON_DEEPEST)
         return json_fail(reading,
                          "more than " LIMIT_TEXT(JSON_DEEPEST) " nested brackets");
@@ -299,7 +286,6 @@ const struct json_value *json_read(struct arena *arena, const char *text, size_t
 {
     struct json_reading reading = { arena, text, text, text + length, 0, error };
     struct json_value *value = read_item(&reading, false);
-
     if (value && reading.at < reading.end) {
         json_fail(&reading, "expected the end of the text");
         return NULL;
@@ -314,7 +300,6 @@ const struct json_value *json_member(const struct json_value *object, const char
     const struct json_value *member = object && object->kind == JSON_OBJECT
                                           ? object->first
                                           : NULL;
-
     while (member && strcmp(member->key, key) != 0)
         member = member->next;
     return member && member->kind != JSON_NULL ? member : NULL;
@@ -323,7 +308,6 @@ const struct json_value *json_member(const struct json_value *object, const char
 const char *json_member_text(const struct json_value *object, const char *key)
 {
     const struct json_value *member = json_member(object, key);
-
     return member ? member->text : NULL;
 }
 
@@ -331,14 +315,12 @@ const struct json_value *json_member_first(const struct json_value *object,
                                            const char *key)
 {
     const struct json_value *member = json_member(object, key);
-
     return member ? member->first : NULL;
 }
 
 size_t json_length(const struct json_value *value)
 {
     size_t count = 0;
-
     for (const struct json_value *item = value ? value->first : NULL; item;
          item = item->next)
         count++;
@@ -348,14 +330,12 @@ size_t json_length(const struct json_value *value)
 bool json_member_truth(const struct json_value *object, const char *key, bool otherwise)
 {
     const struct json_value *member = json_member(object, key);
-
     return member && member->kind == JSON_TRUTH ? member->truth : otherwise;
 }
 
 bool json_member_whole(const struct json_value *object, const char *key, int64_t *value)
 {
     const struct json_value *member = json_member(object, key);
-
     if (!member)
         return true;
     if (member->kind != JSON_NUMBER || floor(member->number) != member->number

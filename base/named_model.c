@@ -19,7 +19,6 @@ static struct position position_of(const char *name, const char *text,
     struct position position = { .file = name,
                                  .line = place->line,
                                  .column = place->column };
-
     for (unsigned line = 1; line < place->line; line++)
         text += strcspn(text, "\n") + 1;
     position.source = text;
@@ -32,11 +31,9 @@ static c205_model *read_model(const char *command, const char *name, const char 
     c205_error error;
     c205_place place;
     c205_model *model = c205_model_read(name, text, &place, &error);
-
     if (!model && place.line) {
         struct position position = position_of(name, text, &place);
         struct diagnostics found = { 0 };
-
         diagnostics_add(&found, SEVERITY_ERROR, &position, error.message);
         diagnostics_print(&found, stderr);
         diagnostics_free(&found);
@@ -52,7 +49,6 @@ static c205_model *open_file(const char *command, const char *name)
     size_t length;
     char *text = text_file_read(name, FILE_LARGEST, &length, &error);
     c205_model *model = NULL;
-
     if (!text)
         cmd_failed(command, "cannot read %s: %s", name, error.message);
     else if (memchr(text, '\0', length))
@@ -66,7 +62,6 @@ static c205_model *open_file(const char *command, const char *name)
 c205_model *model_find(const char *name, c205_error *error)
 {
     struct stat status;
-
     if (c205_model_is_file(name) && stat(name, &status) == 0
         && outputs_refuse(&status)) {
         error_set(error, "cannot read %.180s: %s", name, file_reason(ETXTBSY));
@@ -79,7 +74,6 @@ c205_model *model_open(const char *command, const char *name)
 {
     c205_error error;
     c205_model *model;
-
     if (!name)
         name = C205_DEFAULT_MODEL;
     if (c205_model_is_file(name))

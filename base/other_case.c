@@ -30,7 +30,6 @@ static bool enter(struct folder *found, const char *folder, const char *name,
     struct text_buffer path = { 0 };
     struct sink sink = text_buffer_sink(&path);
     bool good;
-
     sink_put(&sink, folder);
     sink.put(sink.context, name, length);
     if (*rest)
@@ -53,7 +52,6 @@ static bool search(struct folder *found, const char *folder, const char *rest)
     struct folder entries;
     c205_error error;
     bool good = true;
-
     if (strspn(rest, ".") >= length)
         return enter(found, folder, rest, length, next);
     if (folder_read(&entries, *folder ? folder : ".", &error))
@@ -70,7 +68,6 @@ bool other_case_find(struct folder *found, const char *path, size_t fixed)
     struct text_buffer folder = { 0 };
     struct sink sink = text_buffer_sink(&folder);
     bool good;
-
     *found = (struct folder){ 0, NULL };
     sink.put(sink.context, path, fixed);
     good = !folder.failed && search(found, folder.text, path + fixed);

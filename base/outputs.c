@@ -19,12 +19,10 @@ static struct {
 /* Finds regular files only; devices and pipes have no content to lose. */
 static struct output *find_output(const struct stat *status)
 {
-    for (size_t i = 0; S_ISREG(status->st_mode) && i < outputs.count; i++) {
+    for (size_t i = 0; S_ISREG(status->st_mode) && i < outputs.count; i++)
         if (outputs.items[i].device == status->st_dev
-            && outputs.items[i].inode == status->st_ino) {
+            && outputs.items[i].inode == status->st_ino)
             return &outputs.items[i];
-        }
-    }
     return NULL;
 }
 
@@ -42,9 +40,8 @@ bool outputs_has(const char *path)
 bool outputs_add(const char *path)
 {
     struct stat status;
-    if (stat(path, &status) != 0) {
+    if (stat(path, &status) != 0)
         return true;
-    }
     struct output output = { status.st_dev, status.st_ino, false };
     return array_add(&outputs.items, &outputs.count, &output, sizeof output);
 }
@@ -52,9 +49,8 @@ bool outputs_add(const char *path)
 bool outputs_refuse(const struct stat *input)
 {
     struct output *output = find_output(input);
-    if (output) {
+    if (output)
         output->is_input = true;
-    }
     return output != NULL;
 }
 

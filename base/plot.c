@@ -75,7 +75,6 @@ static double y_of(const struct plot_picture *picture, size_t row, size_t curve)
 static double sum_of(const struct plot_picture *picture, size_t row, size_t curves)
 {
     double sum = 0;
-
     for (size_t i = 0; i < curves; i++)
         sum += y_of(picture, row, i);
     return sum;
@@ -96,7 +95,6 @@ static bool reach_row(struct plot_picture *picture, size_t row, c205_error *erro
 {
     const struct plot *plot = picture->plot;
     bool areas = plot->form == PLOT_AREAS;
-
     for (size_t i = 0; i < plot->curve_count; i++) {
         const char *key = table_key(picture->table, plot->curves[i].column);
         double value = y_of(picture, row, i);
@@ -130,7 +128,6 @@ static bool find_axes(struct plot_picture *picture, c205_error *error)
     const struct plot *plot = picture->plot;
     struct axis *x = &picture->x, *y = &picture->y;
     double highest;
-
     *x = axis_new(plot->x.scale);
     *y = axis_new(plot->form == PLOT_AREAS ? PLOT_LINEAR : plot->y.scale);
     for (size_t row = 0; row < table_rows(picture->table); row++)
@@ -159,7 +156,6 @@ static bool find_axes(struct plot_picture *picture, c205_error *error)
 static double text_width(const char *text)
 {
     size_t letters = 0;
-
     for (; *text != '\0'; text++)
         letters += ((unsigned char)*text & 0xC0) != 0x80;
     return LETTER * (double)letters;
@@ -170,7 +166,6 @@ static double widest_label(const struct axis *axis)
     struct axis_tic tics[AXIS_TICS];
     size_t count = axis_tics(axis, tics);
     double widest = 0;
-
     for (size_t i = 0; i < count; i++)
         widest = fmax(widest, text_width(tics[i].label));
     return widest;
@@ -179,7 +174,6 @@ static double widest_label(const struct axis *axis)
 static double key_width(const struct plot *plot)
 {
     double widest = 0;
-
     for (size_t i = 0; i < plot->curve_count; i++)
         widest = fmax(widest, text_width(plot->curves[i].title));
     for (size_t i = 0; i < plot->level_count; i++)
@@ -203,7 +197,6 @@ static int from_right(const void *left, const void *right)
 {
     double a = ((const struct flag *)left)->line;
     double b = ((const struct flag *)right)->line;
-
     return (a < b) - (a > b);
 }
 
@@ -212,7 +205,6 @@ static int from_right(const void *left, const void *right)
 static int row_of(const struct flag *flags, size_t i)
 {
     int row = 0;
-
     for (size_t j = 0; j < i; j++)
         if (flags[j].begin < flags[i].end + LETTER && flags[j].row >= row)
             row = flags[j].row + 1;
@@ -226,7 +218,6 @@ static int place_flags(struct plot_picture *picture)
     struct flag *flags = picture->flags;
     size_t count = 0;
     int rows = 0;
-
     for (size_t i = 0; i < plot->mark_count; i++) {
         const struct plot_mark *mark = &plot->marks[i];
         double line = across(picture, mark->at);
@@ -248,7 +239,6 @@ static void lay_out_plot(struct plot_picture *picture)
 {
     const struct plot *plot = picture->plot;
     size_t small_print = plot->subtitle_count + (isfinite(picture->cut_off) ? 1 : 0);
-
     picture->left = BESIDE + widest_label(&picture->y);
     picture->right = WIDTH - key_width(plot);
     picture->bottom = HEIGHT - BELOW;
@@ -270,7 +260,6 @@ static void put_small_print(const struct plot_picture *picture)
     const struct plot *plot = picture->plot;
     char end[AXIS_LABEL_SIZE], highest[AXIS_LABEL_SIZE], text[128];
     double line = ABOVE;
-
     for (size_t i = 0; i < plot->subtitle_count; i++, line += LINE)
         put_svg_text(picture, picture->left, line, "small", plot->subtitles[i]);
     if (!isfinite(picture->cut_off))
@@ -288,7 +277,6 @@ static void put_x_tic(const struct plot_picture *picture, const struct axis_tic 
 {
     double at = across(picture, tic->at);
     bool labelled = tic->label[0] != '\0';
-
     if (labelled)
         sink_print(picture->sink, "<path d=\"M%.1f %.1fV%.1f\" class=\"grid\"/>", at,
                    picture->bottom, picture->top);
@@ -302,7 +290,6 @@ static void put_y_tic(const struct plot_picture *picture, const struct axis_tic 
 {
     double at = up(picture, tic->at);
     bool labelled = tic->label[0] != '\0';
-
     if (labelled)
         sink_print(picture->sink, "<path d=\"M%.1f %.1fH%.1f\" class=\"grid\"/>",
                    picture->left, at, picture->right);
@@ -316,7 +303,6 @@ static void put_axes(const struct plot_picture *picture)
 {
     struct axis_tic tics[AXIS_TICS];
     size_t count = axis_tics(&picture->x, tics);
-
     for (size_t i = 0; i < count; i++)
         put_x_tic(picture, &tics[i]);
     count = axis_tics(&picture->y, tics);
@@ -340,7 +326,6 @@ static void put_vertex(const struct plot_picture *picture, double x, double y,
                        bool *joined)
 {
     bool finite = isfinite(x) && axis_shows(&picture->y, y);
-
     if (finite)
         sink_print(picture->sink, "%c%.1f %.1f", *joined ? 'L' : 'M',
                    across(picture, x), up(picture, y));
@@ -356,7 +341,6 @@ static void put_fitted(const struct plot_picture *picture, const struct plot_lin
     double last = axis_place(&picture->x,
                              x_of(picture, table_rows(picture->table) - 1));
     bool joined = false;
-
     for (int i = 0; i <= PARTS; i++) {
         double x = axis_value(&picture->x, first + (last - first) * i / PARTS);
         put_vertex(picture, x, line->start + line->slope * x, &joined);
@@ -385,7 +369,6 @@ static void put_line(const struct plot_picture *picture, size_t curve)
 {
     const struct plot_line *fitted = picture->plot->curves[curve].fitted;
     bool joined = false;
-
     sink_print(picture->sink,
                "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.8\" d=\"",
                colors[curve % COLORS]);
@@ -408,7 +391,6 @@ static bool has_area(const struct plot_picture *picture, size_t row)
 static void put_area(const struct plot_picture *picture, size_t curve)
 {
     size_t rows = table_rows(picture->table);
-
     sink_print(picture->sink, "<path fill=\"%s\" d=\"", colors[curve % COLORS]);
     for (size_t first = 0, end; first < rows; first = end + 1) {
         bool joined = false;
@@ -428,7 +410,6 @@ static void put_curves(const struct plot_picture *picture)
 {
     double width = picture->right - picture->left;
     double height = picture->bottom - picture->top;
-
     sink_print(picture->sink,
                "<svg x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" "
                "viewBox=\"%.1f %.1f %.1f %.1f\" overflow=\"%s\">\n",
@@ -445,7 +426,6 @@ static void put_flag(const struct plot_picture *picture, const struct flag *flag
 {
     double base = picture->top - 5 - LINE * flag->row;
     bool moved = flag->begin < flag->line;
-
     sink_print(picture->sink, "<path d=\"M%.1f %.1fV%.1f\" class=\"mark\"/>",
                flag->line, picture->bottom, base + (moved ? 4 : -10));
     put_svg_text(picture, moved ? WIDTH - EDGE : flag->line + 4, base,
@@ -466,7 +446,6 @@ static void put_sample(const struct plot_picture *picture, size_t curve, double 
 {
     double x = picture->right + 10;
     const char *color = colors[curve % COLORS];
-
     if (picture->plot->form == PLOT_AREAS)
         sink_print(picture->sink, "<path d=\"M%.1f %.1fh26v10h-26z\" fill=\"%s\"/>\n",
                    x, y - 9, color);
@@ -482,7 +461,6 @@ static void put_key(const struct plot_picture *picture)
 {
     const struct plot *plot = picture->plot;
     double y = picture->top + LINE, x = picture->right + 10;
-
     for (size_t i = 0; i < plot->curve_count; i++, y += KEY_ROW) {
         size_t curve = plot->form == PLOT_AREAS ? plot->curve_count - 1 - i : i;
         put_sample(picture, curve, y);
@@ -515,7 +493,6 @@ static void put_picture(const struct plot_picture *picture)
         .style = areas ? ".grid{stroke:#fff;stroke-opacity:.35}" PLOT_STYLE
                        : ".grid{stroke:#e0e0e0}" PLOT_STYLE
     };
-
     svg_begin(picture->sink, &sheet, picture->plot->title);
     put_small_print(picture);
     if (areas)
@@ -533,7 +510,6 @@ bool plot_draw(const struct plot *plot, const struct table *table,
                const struct sink *sink, c205_error *error)
 {
     struct plot_picture picture = { .plot = plot, .table = table, .sink = sink };
-
     if (!table || !table_is_whole(table))
         return error_set(error, "%.180s: out of memory", plot->title);
     if (!find_axes(&picture, error))

@@ -45,7 +45,6 @@ double axis_place(const struct axis *axis, double value)
 {
     double low = to_ruler(axis, axis->low);
     double high = to_ruler(axis, axis->high);
-
     return (to_ruler(axis, value) - low) / (high - low);
 }
 
@@ -53,7 +52,6 @@ double axis_value(const struct axis *axis, double place)
 {
     double low = to_ruler(axis, axis->low);
     double high = to_ruler(axis, axis->high);
-
     return from_ruler(axis, low + place * (high - low));
 }
 
@@ -76,7 +74,6 @@ void axis_pad(struct axis *axis)
     double low = to_ruler(axis, axis->low);
     double high = to_ruler(axis, axis->high);
     double room = 0.02 * (high - low);
-
     axis->low = from_ruler(axis, low - room);
     axis->high = from_ruler(axis, high + room);
 }
@@ -88,7 +85,6 @@ static double round_above(double least)
     static const double digits[] = { 1, 2, 5, 10 };
     double power = pow(10, floor(log10(least)));
     size_t i = 0;
-
     while (i < 3 && digits[i] * power < least)
         i++;
     return digits[i] * power;
@@ -127,7 +123,6 @@ struct tics {
 static void separate_thousands(char *label, const char *digits)
 {
     size_t whole = strspn(digits + (*digits == '-'), "0123456789") + (*digits == '-');
-
     for (size_t i = 0; digits[i] != '\0'; i++) {
         bool group = i > 0 && i < whole && (whole - i) % 3 == 0;
         if (group && digits[i - 1] != '-')
@@ -142,7 +137,6 @@ void axis_label(char label[AXIS_LABEL_SIZE], double value)
 {
     char digits[20];
     bool plain = value == floor(value) && fabs(value) < 1e12;
-
     snprintf(digits, sizeof digits, plain ? "%.0f" : "%.6g", value);
     separate_thousands(label, digits);
 }
@@ -150,7 +144,6 @@ void axis_label(char label[AXIS_LABEL_SIZE], double value)
 static void add_tic(struct tics *tics, double at, bool labelled)
 {
     struct axis_tic *tic = &tics->tics[tics->count];
-
     if (tics->count == AXIS_TICS)
         return;
     tics->count++;
@@ -165,7 +158,6 @@ static void add_steps(struct tics *tics, const struct axis *axis)
     double step = step_of(axis->high - axis->low);
     double first = ceil(axis->low / step - 1e-6);
     double last = floor(axis->high / step + 1e-6);
-
     for (double n = first; n <= last; n++)
         add_tic(tics, n == 0 ? 0 : n * step, true);
 }
@@ -174,7 +166,6 @@ static void add_steps(struct tics *tics, const struct axis *axis)
 static void add_decades(struct tics *tics, const struct axis *axis)
 {
     static const double digits[] = { 1, 2, 5 };
-
     for (double n = floor(log10(axis->low)); n <= log10(axis->high); n++)
         for (size_t i = 0; i < sizeof digits / sizeof *digits; i++) {
             double at = digits[i] * pow(10, n);
@@ -189,7 +180,6 @@ static void add_powers(struct tics *tics, const struct axis *axis)
     double first = ceil(to_ruler(axis, axis->low) - 1e-9);
     double last = floor(to_ruler(axis, axis->high) + 1e-9);
     double stride = 1 + floor((last - first) / LABELS);
-
     for (double n = first; n <= last; n++) {
         bool labelled = fmod(n, stride) == 0;
         if (labelled || last - first <= MAX_SMALL_TICS)
@@ -202,7 +192,6 @@ size_t axis_tics(const struct axis *axis, struct axis_tic tics[AXIS_TICS])
 {
     struct tics all = { tics, 0 };
     double length = to_ruler(axis, axis->high) - to_ruler(axis, axis->low);
-
     if (is_linear(axis) || length < 1)
         add_steps(&all, axis);
     else if (axis->scale == PLOT_LOG10 && length <= 3)

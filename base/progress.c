@@ -48,9 +48,8 @@ static void show_progress(struct progress *progress, size_t done, size_t all)
     char left[PROGRESS_TIME_SIZE];
     double passed = seconds_since(&progress->begin);
     size_t fresh = done > progress->first ? done - progress->first : 0;
-    if (passed < PATIENCE || fresh == 0 || seconds_since(&progress->shown) < PAUSE) {
+    if (passed < PATIENCE || fresh == 0 || seconds_since(&progress->shown) < PAUSE)
         return;
-    }
     clock_gettime(CLOCK_MONOTONIC, &progress->shown);
     progress_time(passed * (double)(all - done) / (double)fresh, left);
     fprintf(progress->file, "\r%3.0f %% done, %s left   ",
@@ -69,12 +68,10 @@ void progress_hide(struct progress *progress)
 
 void progress_update(struct progress *progress, size_t done, size_t all)
 {
-    if (!progress->file) {
+    if (!progress->file)
         return;
-    }
-    if (!progress->counting) {
+    if (!progress->counting)
         begin_counting(progress, done);
-    }
     if (done < all) {
         show_progress(progress, done, all);
     } else {
@@ -85,10 +82,9 @@ void progress_update(struct progress *progress, size_t done, size_t all)
 
 bool progress_watch(void *progress, size_t done, size_t all)
 {
-    if (interrupt_pending()) {
+    if (interrupt_pending())
         progress_hide(progress);
-    } else {
+    else
         progress_update(progress, done, all);
-    }
     return !interrupt_pending();
 }

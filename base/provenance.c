@@ -17,9 +17,8 @@ static const struct {
 static size_t constants_from(const c205_model *model, char source)
 {
     size_t count = 0;
-    for (size_t i = 0; i < c205_model_size(model); i++) {
+    for (size_t i = 0; i < c205_model_size(model); i++)
         count += c205_model_constant(model, i)->source == source;
-    }
     return count;
 }
 
@@ -56,9 +55,8 @@ static bool format_belief(const char *how, c205_belief belief,
 void provenance_line(const c205_model *model, char line[PROVENANCE_LINE])
 {
     if (!format_belief("fitted to", c205_model_fitted(model), line)
-        && !format_belief("compared with", c205_model_compared(model), line)) {
+        && !format_belief("compared with", c205_model_compared(model), line))
         snprintf(line, PROVENANCE_LINE, "%s", unknown);
-    }
 }
 
 static bool print_belief_line(const char *how, c205_belief belief, const char *before,
@@ -66,9 +64,8 @@ static bool print_belief_line(const char *how, c205_belief belief, const char *b
 {
     char line[PROVENANCE_LINE];
     bool known = format_belief(how, belief, line);
-    if (known) {
+    if (known)
         fprintf(file, ",\n%s%s", before, line);
-    }
     return known;
 }
 
@@ -79,9 +76,8 @@ static const c205_model *fitted_origin(const c205_model *model)
     bool known = c205_model_fitted(model).figures > 0
                  || c205_model_compared(model).figures > 0;
     const c205_model *like = known ? NULL : c205_model_like(model);
-    while (like && c205_model_fitted(like).figures == 0) {
+    while (like && c205_model_fitted(like).figures == 0)
         like = c205_model_like(like);
-    }
     return like;
 }
 
@@ -109,9 +105,8 @@ static void print_belief(const c205_model *model, const char *before, FILE *file
     bool said = print_belief_line("fitted to", c205_model_fitted(model), before, file);
     said |= print_belief_line("compared with", c205_model_compared(model), before,
                               file);
-    if (!said) {
+    if (!said)
         print_origin(model, before, file);
-    }
     fprintf(file, ".\n%sNot modelled: %s.\n", before, provenance_left_out(model));
 }
 

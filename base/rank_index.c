@@ -6,7 +6,6 @@
 static int compare_numbers(const void *a, const void *b)
 {
     const size_t *x = a, *y = b;
-
     return (*x > *y) - (*x < *y);
 }
 
@@ -25,7 +24,6 @@ void rank_index_add(struct rank_index *ranks, size_t number)
 void rank_index_sort(struct rank_index *ranks)
 {
     size_t *numbers = ranks->numbers, kept = 0;
-
     qsort(numbers, ranks->count, sizeof *numbers, compare_numbers);
     for (size_t i = 0; i < ranks->count; i++)
         if (kept == 0 || numbers[kept - 1] != numbers[i])
@@ -37,7 +35,6 @@ size_t rank_index_place(const struct rank_index *ranks, size_t number)
 {
     const size_t *place = bsearch(&number, ranks->numbers, ranks->count, sizeof number,
                                   compare_numbers);
-
     return place ? (size_t)(place - ranks->numbers) + 1 : 0;
 }
 

@@ -15,7 +15,6 @@ void sink_print(const struct sink *sink, const char *format, ...)
 {
     char text[1024];
     va_list arguments;
-
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
@@ -26,7 +25,6 @@ static bool grow_buffer(struct text_buffer *buffer, size_t length)
 {
     size_t need = buffer->length + length + 1, capacity = 256;
     char *text;
-
     if (need <= buffer->capacity)
         return true;
     while (capacity < need)
@@ -44,7 +42,6 @@ static bool grow_buffer(struct text_buffer *buffer, size_t length)
 static void put_into_buffer(void *context, const char *text, size_t length)
 {
     struct text_buffer *buffer = context;
-
     if (buffer->failed || !grow_buffer(buffer, length))
         return;
     memcpy(buffer->text + buffer->length, text, length);
@@ -55,7 +52,6 @@ static void put_into_buffer(void *context, const char *text, size_t length)
 struct sink text_buffer_sink(struct text_buffer *buffer)
 {
     struct sink sink = { put_into_buffer, NULL };
-
     sink.context = buffer;
     return sink;
 }
@@ -63,7 +59,6 @@ struct sink text_buffer_sink(struct text_buffer *buffer)
 void text_buffer_free(struct text_buffer *buffer)
 {
     static const struct text_buffer empty;
-
     free(buffer->text);
     *buffer = empty;
 }
@@ -72,7 +67,6 @@ static void put_into_line(void *context, const char *text, size_t length)
 {
     struct text_line *line = context;
     size_t room = sizeof line->text - 1 - line->length;
-
     if (length > room)
         length = room;
     memcpy(line->text + line->length, text, length);
@@ -83,7 +77,6 @@ static void put_into_line(void *context, const char *text, size_t length)
 struct sink text_line_sink(struct text_line *line)
 {
     struct sink sink = { put_into_line, NULL };
-
     sink.context = line;
     return sink;
 }
@@ -91,7 +84,6 @@ struct sink text_line_sink(struct text_line *line)
 static void put_tracked(void *context, const char *text, size_t length)
 {
     struct line_tracker *tracker = context;
-
     if (length > 0)
         tracker->open = text[length - 1] != '\n';
     tracker->to.put(tracker->to.context, text, length);
@@ -100,7 +92,6 @@ static void put_tracked(void *context, const char *text, size_t length)
 struct sink line_tracker_sink(struct line_tracker *tracker)
 {
     struct sink sink = { put_tracked, NULL };
-
     sink.context = tracker;
     return sink;
 }
@@ -120,7 +111,6 @@ static void put_into_stream(void *context, const char *text, size_t length)
 struct sink stream_sink(void *stream)
 {
     struct sink sink = { put_into_stream, NULL };
-
     sink.context = stream;
     return sink;
 }

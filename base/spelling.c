@@ -28,9 +28,8 @@ static size_t distance(const char *a, size_t a_length, const char *b, size_t b_l
             rows[i][k] = min_size(rows[i - 1][k - 1] + !equal(a[i - 1], b[k - 1]),
                                   1 + min_size(rows[i - 1][k], rows[i][k - 1]));
             if (i > 1 && k > 1 && equal(a[i - 1], b[k - 2])
-                && equal(a[i - 2], b[k - 1])) {
+                && equal(a[i - 2], b[k - 1]))
                 rows[i][k] = min_size(rows[i][k], 1 + rows[i - 2][k - 2]);
-            }
         }
     }
     return rows[a_length][b_length];
@@ -46,9 +45,8 @@ size_t spelling_distance(const char *a, size_t a_length, const char *b, size_t b
 void spelling_try(struct spelling *spelling, const char *name)
 {
     size_t length = strlen(spelling->word), name_length = strlen(name);
-    if (length > MAX_LETTERS || name_length > MAX_LETTERS) {
+    if (length > MAX_LETTERS || name_length > MAX_LETTERS)
         return;
-    }
     size_t wrong = distance(spelling->word, length, name, name_length);
     bool better = !spelling->name || wrong < spelling->distance
                   || (wrong == spelling->distance && name_length == length

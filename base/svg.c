@@ -41,10 +41,8 @@ uint64_t svg_round_step(uint64_t span, uint64_t most)
     static const unsigned parts[] = { 1, 2, 5 };
     uint64_t power = 1;
     for (;; power *= 10) {
-        for (int i = 0; i < 3; i++) {
-            if (span / (power * parts[i]) <= most) {
+        for (int i = 0; i < 3; i++)
+            if (span / (power * parts[i]) <= most)
                 return power * parts[i];
-            }
-        }
     }
 }

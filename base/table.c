@@ -38,9 +38,8 @@ struct table {
 struct table *table_new(const struct table_column *columns, size_t count)
 {
     struct table *table = calloc(1, sizeof *table);
-    if (!table) {
+    if (!table)
         return NULL;
-    }
     table->columns = malloc(count * sizeof *columns);
     if (!table->columns) {
         free(table);
@@ -53,9 +52,8 @@ struct table *table_new(const struct table_column *columns, size_t count)
 
 void table_free(struct table *table)
 {
-    if (!table) {
+    if (!table)
         return;
-    }
     for (size_t i = 0; i < table->cell_count; i++) {
         free(table->cells[i].text);
         free(table->cells[i].raw);
@@ -111,7 +109,6 @@ void table_count(struct table *table, uint64_t value)
     add_cell(table, text, (struct cell){ .value.count = value });
 }
 
-
 static void add_number(struct table *table, const char *format, double value,
                        int decimals)
 {
@@ -133,7 +130,6 @@ void table_rounded(struct table *table, double value, int decimals)
 {
     enum { MAX_DECIMALS = 15 };
     double size = value != 0 ? floor(log10(fabs(value))) : 0;
-
     if (value == 0 || (decimals <= MAX_DECIMALS && size < MAX_DECIMALS))
         add_number(table, "%.*f", value,
                    decimals < 0 || decimals > MAX_DECIMALS ? 0 : decimals);
@@ -162,9 +158,8 @@ double table_value(const struct table *table, size_t row, size_t column)
 {
     const struct cell *cell = &table->cells[row * table->column_count + column];
     enum table_kind kind = table->columns[column].kind;
-    if (cell->empty || kind == TABLE_TEXT) {
+    if (cell->empty || kind == TABLE_TEXT)
         return NAN;
-    }
     return kind == TABLE_COUNT ? (double)cell->value.count : cell->value.number;
 }
 
@@ -192,9 +187,8 @@ static size_t column_width(const struct table *table, size_t column,
 static size_t *widths_of(const struct table *table, measure_text *length_of)
 {
     size_t *widths = malloc(table->column_count * sizeof *widths);
-    for (size_t i = 0; widths && i < table->column_count; i++) {
+    for (size_t i = 0; widths && i < table->column_count; i++)
         widths[i] = column_width(table, i, length_of);
-    }
     return widths;
 }
 
@@ -202,9 +196,8 @@ size_t table_width(const struct table *table)
 {
     size_t *widths = widths_of(table, strlen);
     size_t width = 0;
-    for (size_t i = 0; widths && i < table->column_count; i++) {
+    for (size_t i = 0; widths && i < table->column_count; i++)
         width += widths[i] + (i > 0 ? strlen(between) : 0);
-    }
     free(widths);
     return widths ? width : SIZE_MAX;
 }
@@ -219,9 +212,8 @@ static void plain_cell(const struct table *table, size_t column, const size_t *w
     } else if (!last) {
         fprintf(file, "%-*s%s", (int)widths[column], text, between);
     } else {
-        for (size_t i = 0; i < column; i++) {
+        for (size_t i = 0; i < column; i++)
             begins += widths[i] + strlen(between);
-        }
         word_wrap_print(text, begins, file);
     }
 }
@@ -230,15 +222,12 @@ static bool write_plain(const struct table *table, FILE *file)
 {
     size_t count = table->column_count;
     size_t *widths = widths_of(table, strlen);
-    if (!widths) {
+    if (!widths)
         return false;
-    }
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         plain_cell(table, i, widths, table->columns[i].heading, file);
-    }
-    for (size_t i = 0; i < table->cell_count; i++) {
+    for (size_t i = 0; i < table->cell_count; i++)
         plain_cell(table, i % count, widths, table->cells[i].text, file);
-    }
     free(widths);
     return true;
 }
@@ -254,9 +243,8 @@ static bool is_markup(char c)
 static size_t markdown_length(const char *text)
 {
     size_t length = 0;
-    for (; *text; text++) {
+    for (; *text; text++)
         length += is_markup(*text) ? 2 : 1;
-    }
     return length;
 }
 
@@ -272,9 +260,8 @@ static void markdown_cell(const struct table_column *column, size_t width,
     bool right = column->kind != TABLE_TEXT;
     put_blanks(right ? rest + 1 : 1, file);
     for (; *text; text++) {
-        if (is_markup(*text)) {
+        if (is_markup(*text))
             putc('\\', file);
-        }
         putc(*text == '\n' ? ' ' : *text, file);
     }
     put_blanks(right ? 1 : rest + 1, file);
@@ -288,9 +275,8 @@ static void markdown_rule(const struct table *table, const size_t *widths, FILE 
     for (size_t i = 0; i < table->column_count; i++) {
         bool right = table->columns[i].kind != TABLE_TEXT;
         putc(right ? '-' : ':', file);
-        for (size_t k = 0; k < widths[i]; k++) {
+        for (size_t k = 0; k < widths[i]; k++)
             putc('-', file);
-        }
         fputs(right ? ":|" : "-|", file);
     }
     putc('\n', file);
@@ -300,13 +286,11 @@ static bool write_markdown(const struct table *table, FILE *file)
 {
     size_t count = table->column_count;
     size_t *widths = widths_of(table, markdown_length);
-    if (!widths) {
+    if (!widths)
         return false;
-    }
     putc('|', file);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         markdown_cell(&table->columns[i], widths[i], table->columns[i].heading, file);
-    }
     putc('\n', file);
     markdown_rule(table, widths, file);
     for (size_t i = 0; i < table->cell_count; i++) {
@@ -326,9 +310,8 @@ static bool write_markdown(const struct table *table, FILE *file)
 static bool is_formula(const char *text)
 {
     char *end;
-    if (!*text || !strchr("=+-@\t\r\n", *text)) {
+    if (!*text || !strchr("=+-@\t\r\n", *text))
         return false;
-    }
     strtod(text, &end);
     return *end || text[strspn(text, "+-.0123456789eE")];
 }
@@ -350,9 +333,8 @@ static void csv_cell(const struct cell *cell, const struct table_column *column,
                      FILE *file)
 {
     char digits[JSON_NUMBER_SIZE];
-    if (cell->empty) {
+    if (cell->empty)
         return;
-    }
     if (column->kind == TABLE_TEXT) {
         put_quoted(cell->text, file);
     } else if (column->kind == TABLE_COUNT) {
@@ -380,9 +362,8 @@ static void write_csv(const struct table *table, FILE *file)
 
 bool table_write(const struct table *table, enum table_format format, FILE *file)
 {
-    if (table->failed) {
+    if (table->failed)
         return false;
-    }
     switch (format) {
     case TABLE_CSV: write_csv(table, file); return true;
     case TABLE_MARKDOWN: return write_markdown(table, file);
@@ -405,9 +386,8 @@ void table_heading(const char *heading, enum table_format format, FILE *file)
         [TABLE_MARKDOWN] = { "## ", "\n\n" },
     };
     fprintf(file, "\n%s", marks[format].before);
-    for (; *heading; heading++) {
+    for (; *heading; heading++)
         putc(*heading == '\n' && format != TABLE_PLAIN ? ' ' : *heading, file);
-    }
     fputs(marks[format].after, file);
 }
 
@@ -421,32 +401,28 @@ const char *table_remark(enum table_format format)
 static void cell_json(const struct cell *cell, const struct table_column *column,
                       struct json *json)
 {
-    if (cell->empty) {
+    if (cell->empty)
         json_null(json, column->key);
-    } else if (column->kind == TABLE_TEXT) {
+    else if (column->kind == TABLE_TEXT)
         json_text(json, column->key, cell->raw);
-    } else if (column->kind == TABLE_COUNT) {
+    else if (column->kind == TABLE_COUNT)
         json_count(json, column->key, cell->value.count);
-    } else {
+    else
         json_number(json, column->key, cell->value.number);
-    }
 }
 
 bool table_json(const struct table *table, struct json *json, const char *key)
 {
     size_t count = table->column_count;
-    if (!table_is_whole(table)) {
+    if (!table_is_whole(table))
         return false;
-    }
     json_array(json, key);
     for (size_t i = 0; i < table->cell_count; i++) {
-        if (i % count == 0) {
+        if (i % count == 0)
             json_object(json, NULL);
-        }
         cell_json(&table->cells[i], &table->columns[i % count], json);
-        if (i % count == count - 1) {
+        if (i % count == count - 1)
             json_end(json);
-        }
     }
     json_end(json);
     return true;

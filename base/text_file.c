@@ -10,7 +10,6 @@
 bool text_clean(char *text, size_t *length, c205_error *error)
 {
     const char *fault = c205_plain_text(text, length);
-
     return !fault || error_set(error, "%s", fault);
 }
 
@@ -18,7 +17,6 @@ char *text_file_read(const char *path, size_t largest, size_t *length,
                      c205_error *error)
 {
     char *text = file_read(path, largest, length, error);
-
     if (!text || text_clean(text, length, error))
         return text;
     free(text);
@@ -40,7 +38,6 @@ static int next_byte(struct text_stream *stream)
 {
     enum { END_OF_DOS_FILE = 0x1A };
     int byte = getc(stream->file);
-
     if (byte == '\n' && stream->after_return)
         byte = getc(stream->file);
     stream->after_return = byte == '\r';
@@ -71,7 +68,6 @@ static bool check_line(struct text_stream *stream, size_t length)
     bool nul = memchr(stream->line, '\0', length);
     const char *fault = stream->begun && !nul ? NULL
                                               : c205_plain_text(stream->line, &length);
-
     stream->begun = true;
     if (fault || nul)
         return read_fail(stream, fault ? fault : "not a text file");
@@ -82,7 +78,6 @@ bool text_stream_next(struct text_stream *stream)
 {
     size_t length = 0;
     int byte;
-
     while ((byte = next_byte(stream)) != EOF && byte != '\n')
         if (!add_byte(stream, length++, byte))
             return false;

@@ -29,7 +29,6 @@ size_t utf8_length(const char *text, size_t most)
                     : first >= 0xE0 && first < 0xF0 ? 3
                     : first >= 0xF0 && first < 0xF5 ? 4
                                                     : 0;
-
     if (length > most)
         return 0;
     for (size_t i = 1; i < length; i++)
@@ -43,7 +42,6 @@ size_t utf8_put(char text[MAX_UTF8], unsigned long code)
 {
     static const unsigned char lead[] = { 0, 0, 0xC0, 0xE0, 0xF0 };
     size_t length = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
-
     for (size_t i = length; i-- > 1; code >>= 6)
         text[i] = (char)(0x80 | (code & 0x3F));
     text[0] = (char)(lead[length] | code);

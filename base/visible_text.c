@@ -54,7 +54,6 @@ static unsigned long code_of(const char *text, size_t length)
 {
     static const unsigned char lead[] = { 0, 0x7F, 0x1F, 0x0F, 0x07 };
     unsigned long code = (unsigned char)text[0] & lead[length];
-
     for (size_t i = 1; i < length; i++)
         code = code << 6 | ((unsigned char)text[i] & 0x3F);
     return code;
@@ -63,7 +62,6 @@ static unsigned long code_of(const char *text, size_t length)
 size_t invisible_length(const char *text, size_t most, unsigned long *code)
 {
     size_t length = utf8_length(text, most);
-
     if (length == 0)
         return 0;
     *code = code_of(text, length);
@@ -73,7 +71,6 @@ size_t invisible_length(const char *text, size_t most, unsigned long *code)
 const char *invisible_find(const char *text, unsigned long *code)
 {
     size_t all = strlen(text);
-
     for (size_t i = 0; i < all; i++)
         if (text[i] != '\t' && invisible_length(text + i, all - i, code))
             return text + i;
@@ -89,7 +86,6 @@ void visible_put(const struct sink *sink, const char *text, size_t length)
 {
     const char *end = text + length;
     unsigned long code;
-
     while (text < end) {
         size_t most = (size_t)(end - text), bytes = utf8_length(text, most);
         if (*text == '\t')
@@ -107,7 +103,6 @@ void visible_put(const struct sink *sink, const char *text, size_t length)
 void visible_put_lines(const struct sink *sink, const char *text, size_t length)
 {
     const char *end = text + length;
-
     while (text < end) {
         const char *newline = memchr(text, '\n', (size_t)(end - text));
         visible_put(sink, text, (size_t)((newline ? newline : end) - text));
@@ -120,14 +115,12 @@ void visible_put_lines(const struct sink *sink, const char *text, size_t length)
 static void put_into_stream(void *context, const char *text, size_t length)
 {
     struct sink stream = stream_sink(context);
-
     visible_put_lines(&stream, text, length);
 }
 
 struct sink visible_stream(void *stream)
 {
     struct sink sink = { put_into_stream, NULL };
-
     sink.context = stream;
     return sink;
 }

@@ -10,12 +10,10 @@ enum { NARROWEST = 20 };
 static size_t wrapped_length(const char *text, size_t width)
 {
     size_t length = 0;
-    if (strlen(text) <= width) {
+    if (strlen(text) <= width)
         return strlen(text);
-    }
-    for (size_t i = 0; text[i] && (i <= width || length == 0); i++) {
+    for (size_t i = 0; text[i] && (i <= width || length == 0); i++)
         length = text[i] == ' ' ? i : length;
-    }
     return length > 0 ? length : strlen(text);
 }
 
@@ -28,9 +26,8 @@ void word_wrap_put(const char *text, size_t column, const struct sink *sink)
         sink->put(sink->context, text, length);
         sink_put(sink, "\n");
         text += length + strspn(text + length, " ");
-        if (!*text) {
+        if (!*text)
             return;
-        }
         sink_print(sink, "%*s", (int)column, "");
     }
 }

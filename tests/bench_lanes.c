@@ -22,7 +22,6 @@ static int trials = 5;
 static double now(void)
 {
     struct timespec t;
-
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
 }
@@ -32,7 +31,6 @@ static double now(void)
 static void share_values(void)
 {
     uint64_t flags = 0;
-
     lanes_contract(half_a, a, LENGTH, &flags);
     lanes_contract(half_b, b, LENGTH, &flags);
     for (size_t i = 0; i < LENGTH; i++) {
@@ -45,7 +43,6 @@ static void share_values(void)
 static void fill(size_t each)
 {
     uint64_t state = RANDOM_SEED;
-
     for (size_t i = 0; i < LENGTH; i++) {
         a[i] = xorshift_normalised(&state, -60, -40);
         b[i] = xorshift_normalised(&state, -60, -40);
@@ -59,7 +56,6 @@ static void fill(size_t each)
 static void make_divisible(void)
 {
     uint64_t flags = 0;
-
     for (size_t i = 0; i < LENGTH; i++) {
         if (word_is_machine_zero(b[i]))
             b[i] = C205_ONE;
@@ -73,7 +69,6 @@ typedef void task(void);
 static double nanoseconds(task *run)
 {
     double best = HUGE_VAL;
-
     for (int trial = 0; trial < trials; trial++) {
         double start = now();
         for (int i = 0; i < REPEATS; i++)

@@ -85,16 +85,14 @@ static int trials = 5;
 
 static void add_doubles(void)
 {
-    for (int i = 0; i < LENGTH; i++) {
+    for (int i = 0; i < LENGTH; i++)
         z[i] = x[i] + y[i];
-    }
 }
 
 static void multiply_doubles(void)
 {
-    for (int i = 0; i < LENGTH; i++) {
+    for (int i = 0; i < LENGTH; i++)
         z[i] = x[i] * y[i];
-    }
 }
 
 typedef void loop(void);
@@ -160,12 +158,10 @@ int main(int count, char **words)
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
     SCOPED(c205) *machine = model ? c205_new(model, &error) : NULL;
     SCOPED(table) *table = table_new(columns, sizeof columns / sizeof *columns);
-    if (!machine || !table) {
+    if (!machine || !table)
         stop_bench(machine ? "out of memory" : error.message);
-    }
-    for (int i = 0; i < LENGTH; i++) {
+    for (int i = 0; i < LENGTH; i++)
         x[i] = y[i] = 1.0 + 0.001 * i;
-    }
     for (size_t i = 0; i < sizeof benches / sizeof *benches; i++) {
         SCOPED(object) *object = program_to_time(benches[i].program);
         add_row(table, &benches[i], machine,

@@ -16,7 +16,6 @@
 static double now(clockid_t clock)
 {
     struct timespec time;
-
     clock_gettime(clock, &time);
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
@@ -43,7 +42,6 @@ static bool run_unit(void *context, size_t job, size_t unit,
 {
     struct load *load = context;
     struct ranks_pause pause = { 0 };
-
     (void)job, (void)error;
     while (load->ranks->rank == 0 && count_taken(load, 0) + 1 < load->units)
         ranks_wait(&pause);
@@ -56,7 +54,6 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
                       c205_error *error)
 {
     struct load *load = context;
-
     (void)unit, (void)error;
     count_taken(load, 1);
     return words->count == load->words;
@@ -74,7 +71,6 @@ int main(int argc, char **argv)
                                  .context = &load };
     c205_error error = { "usage: mpirun -n RANKS bench_ranks UNITS WORDS" };
     double began, worked;
-
     if (argc != 3 || !ranks_are_many() || !ranks_join(&ranks, &error)) {
         fprintf(stderr, "bench_ranks: %s\n", error.message);
         return 1;

@@ -28,10 +28,8 @@ static void put_lines(const struct camera *camera, struct scene_ray list[LINES])
     for (size_t i = 0; i < LINES; i++) {
         double u = ((double)(i % ACROSS) + .5) / ACROSS - .5;
         double v = .5 - ((double)(i / ACROSS) + .5) / DOWN;
-
         for (int k = 0; k < 3; k++) {
             double aside = u * camera->right[k] + v * camera->up[k];
-
             list[i].origin[k] = camera->location[k]
                                 + (camera->orthographic ? aside : 0);
             list[i].direction[k] = camera->direction[k]
@@ -52,7 +50,6 @@ static double follow(const struct scene *scene, const c205_model *model,
                                                .model = model };
     c205_error error = { "out of memory" };
     SCOPED(ray_query) *lines = ray_query_new(scene, &options, &error);
-
     if (!lines || !ray_query_find(lines, list, LINES, found, &error))
         stop_bench(error.message);
     return (double)found->accounts.clocks / LINES;
@@ -61,7 +58,6 @@ static double follow(const struct scene *scene, const c205_model *model,
 static bool are_same(const struct ray_hits *a, const struct ray_hits *b)
 {
     bool same = a->first[LINES] == b->first[LINES];
-
     for (size_t i = 0; same && i < a->first[LINES]; i++)
         same = a->list[i].distance == b->list[i].distance
                && a->list[i].primitive == b->list[i].primitive;
@@ -74,7 +70,6 @@ static void print_row(const char *path, const struct scene *scene,
     static struct scene_ray list[LINES];
     struct ray_hits scalar, vector;
     double slow, fast;
-
     put_lines(&scene->camera, list);
     slow = follow(scene, model, TRACE_SCALAR, what, list, &scalar);
     fast = follow(scene, model, TRACE_VECTOR, what, list, &vector);
@@ -90,7 +85,6 @@ int main(int count, char **paths)
 {
     c205_error error;
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
-
     if (!model)
         stop_bench(error.message);
     printf("%-38s %15s %9s %9s %8s\n", "", "crossings", "scalar,", "vector,", "");
@@ -98,7 +92,6 @@ int main(int count, char **paths)
            "clocks", "speedup");
     for (int i = 1; i < count; i++) {
         SCOPED(scene) *scene = scene_to_time(paths[i], ACROSS, DOWN);
-
         for (size_t k = 0; k < sizeof asked / sizeof *asked; k++)
             print_row(paths[i], scene, model, &asked[k]);
     }

@@ -17,14 +17,12 @@
 static long kilobytes(void)
 {
     struct rusage usage;
-
     return getrusage(RUSAGE_SELF, &usage) ? 0 : usage.ru_maxrss;
 }
 
 static bool time_trace(struct trace *trace, c205_error *error)
 {
     double processor = processor_seconds(), begin = wall_seconds();
-
     if (!trace_run(trace, error))
         return false;
     printf("%.4f %.4f %llu %ld\n", processor_seconds() - processor,
@@ -38,7 +36,6 @@ static bool trace_scene(const struct scene *scene, const struct trace_options *o
     c205_error error = { "out of memory" };
     SCOPED(trace) *trace = trace_new(scene, options, &error);
     bool good = trace && time_trace(trace, &error);
-
     if (!good)
         fprintf(stderr, "bench_trace: %s\n", error.message);
     return good;
@@ -51,7 +48,6 @@ int main(int count, char **words)
                                      .jobs = 1 };
     c205_error error;
     c205_model *model;
-
     if (count < 4 || count > 5) {
         fputs("usage: bench_trace SCENE.pov WIDTH HEIGHT [JOBS]\n", stderr);
         return 2;

@@ -104,7 +104,6 @@ static const struct table_column columns[] = {
 static struct object *assemble(const char *instruction, size_t n, size_t turns)
 {
     char text[2 * sizeof program_text];
-
     snprintf(text, sizeof text, program_text, n, turns, instruction);
     return program_to_time(text);
 }
@@ -116,7 +115,6 @@ static double nanoseconds(c205 *machine, const char *instruction, size_t n)
     size_t turns = FEWEST_TURNS + ELEMENTS / UNROLLED / (n + 100);
     SCOPED(object) *object = assemble(instruction, n, turns);
     double seconds = time_program(machine, &object->program, trials);
-
     return seconds / (double)(turns * UNROLLED) * 1e9;
 }
 
@@ -125,7 +123,6 @@ static void name_row(struct table *table, const char *instruction)
 {
     char name[100];
     size_t length = 0;
-
     for (const char *c = instruction; *c; c++)
         if ((*c != ' ' && *c != '\n') || (length && name[length - 1] != ' '))
             name[length++] = *c == '\n' ? ' ' : *c;

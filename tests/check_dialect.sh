@@ -4,12 +4,19 @@
 # - A local variable is not const, whether it is a value or a pointer. The target of a
 #   pointer may be const, and so may a table, which is initialised in braces.
 # - A pointer is tested by if (!p), not by a comparison with NULL.
+# - No blank line is between the declarations at the beginning of a block and its
+#   statements (blank_lines.awk).
 # - Values of scenes are computed with elementary.h, not with functions of the host.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 
-find vm base asm web/engine web/tracer/platform rt tests -name '*.[ch]' ! -path '*/kernels/*' | sort |
-    xargs awk '
+sources() {
+    find vm base asm web/engine web/tracer/platform rt tests -name '*.[ch]' ! -path '*/kernels/*' | sort
+}
+blank=$(sources | xargs awk -f tests/blank_lines.awk)
+[ -z "$blank" ] || echo "$blank" | sed 's/$/: a blank line after declarations/'
+
+sources | xargs awk -v blank="$blank" '
     function complain(text) {
         print FILENAME ":" FNR ": " text
         failed++
@@ -29,6 +36,7 @@ find vm base asm web/engine web/tracer/platform rt tests -name '*.[ch]' ! -path 
     }
     /(if|while) \([^=]* [=!]= NULL\)/ { complain("a pointer compared") }
     END {
+        failed += split(blank, lines, "\n")
         printf "%d passed, %d failed\n", files - failed, failed
         exit failed > 0
     }'

@@ -33,7 +33,6 @@ static inline c205_word xorshift_normalised_of(word_format f, uint64_t *state,
     int32_t exponent = (int32_t)xorshift_between(state, low, high);
     uint64_t random = xorshift(state);
     int64_t c = (int64_t)(random >> (65 - f.digits) | UINT64_C(1) << (f.digits - 1));
-
     return format_make(f, exponent, random & 1 ? c : ~c);
 }
 
@@ -43,7 +42,6 @@ static inline c205_word xorshift_unnormalised_of(word_format f, uint64_t *state,
 {
     int32_t exponent = (int32_t)xorshift_between(state, low, high);
     int places = (int)xorshift_between(state, 64 - f.digits, 63);
-
     return format_make(f, exponent, (int64_t)xorshift(state) >> places);
 }
 

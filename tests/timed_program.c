@@ -18,7 +18,6 @@ void stop_bench(const char *message)
 static double seconds_of(clockid_t clock)
 {
     struct timespec t;
-
     clock_gettime(clock, &t);
     return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
@@ -38,7 +37,6 @@ struct object *program_to_time(const char *text)
     SCOPED_VALUE(diagnostics) errors = { 0 };
     struct sink messages = stream_sink(stderr);
     struct object *object = assemble_text("bench", text, NULL, &errors);
-
     if (!object) {
         diagnostics_put(&errors, &messages);
         stop_bench("the program has errors");
@@ -53,7 +51,6 @@ struct scene *scene_to_time(const char *path, int width, int height)
                                            .read_raster = picture_read_raster };
     SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = scene_read(path, &options, &reports);
-
     if (!scene) {
         diagnostics_print(&reports, stderr);
         stop_bench("the scene has errors");
@@ -65,7 +62,6 @@ double time_program(c205 *machine, const c205_program *program, int trials)
 {
     c205_error error;
     double best = HUGE_VAL;
-
     for (int trial = 0; trial < trials; trial++) {
         if (!c205_load(machine, program, &error))
             stop_bench(error.message);

@@ -12,7 +12,6 @@ bool error_set_list(c205_error *error, const char *format, va_list arguments)
 bool error_set(c205_error *error, const char *format, ...)
 {
     va_list arguments;
-
     va_start(arguments, format);
     error_set_list(error, format, arguments);
     va_end(arguments);

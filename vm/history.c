@@ -293,7 +293,6 @@ bool c205_history_forward(c205_history *history, c205_stop *stop)
 {
     bool goes_on = forward(history, stop);
     c205_error error;
-    /* Without memory for a snapshot, the next instruction would try in vain again. */
     if (goes_on && is_time(history) && !store_snapshot(history, &error))
         double_distances(history);
     return goes_on;

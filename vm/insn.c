@@ -138,7 +138,6 @@ static bool same_name(const char *name, const char *text, size_t length)
 const c205_insn *c205_insn_named(const char *mnemonic, size_t length)
 {
     char first = length ? upper_case(*mnemonic) : 0;
-
     for (size_t i = 0; i < c205_insn_count; i++)
         if (*c205_insns[i].mnemonic == first
             && same_name(c205_insns[i].mnemonic, mnemonic, length))

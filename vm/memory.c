@@ -136,10 +136,9 @@ bool memory_map(struct memory *memory, uint64_t address, size_t words,
                          words == 1 ? "lies" : "lie");
     forget_near(memory);
     for (uint64_t page = address >> PAGE_SHIFT; words > 0 && page <= last >> PAGE_SHIFT;
-         page++) {
+         page++)
         if (!map_page(memory, page << PAGE_SHIFT, access))
             return error_set(error, MEMORY_NO_PAGE);
-    }
     return true;
 }
 

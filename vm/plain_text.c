@@ -15,7 +15,6 @@ static bool has_pairs_with_nul(const char *text, size_t length)
 {
     enum { EXAMINED = 4096 };
     size_t nuls[2] = { 0, 0 }, pairs;
-
     if (length > EXAMINED)
         length = EXAMINED;
     pairs = length / 2;
@@ -39,7 +38,6 @@ const char *c205_plain_text(char *text, size_t *length)
     enum { END_OF_DOS_FILE = 0x1A };
     const char *from = text, *end = text + *length;
     char *to = text;
-
     if (is_utf16(text, *length))
         return "this text is UTF-16: save it as UTF-8";
     if (starts_with(text, *length, mark))

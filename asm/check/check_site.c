@@ -16,7 +16,6 @@ enum { CHUNK = 256, FULL_LOOKS = 16 };
 static bool should_sample(struct site *site)
 {
     uint64_t n = ++site->executions;
-
     return n <= FULL_LOOKS || (n & (n - 1)) == 0;
 }
 
@@ -34,7 +33,6 @@ static void check_length(struct runtime_checker *watch, const struct site *site,
                          const struct operand_view *operand)
 {
     unsigned r = operand->number;
-
     if (c205_descriptor_length(operand->word) > 0)
         return;
     if (!watch->is_written[r])
@@ -57,7 +55,6 @@ static void check_storage(struct runtime_checker *watch, const struct site *site
 {
     uint64_t base = c205_descriptor_address(result->word), end, past;
     const char *name = storage_at(watch->storage, base, &end);
-
     past = result->address + (uint64_t)result->length * result->width;
     if (name && result->length > 0 && past > end)
         runtime_report(watch, site, WARNING_PAST_STORAGE,
@@ -72,7 +69,6 @@ static void check_store(struct runtime_checker *watch, const struct site *site,
 {
     uint64_t end;
     const char *name = storage_at(watch->storage, base, &end);
-
     if (name && index > 0 && (uint64_t)index * width >= end - base)
         runtime_report(watch, site, WARNING_PAST_STORAGE,
                        "index %" PRId64
@@ -87,7 +83,6 @@ static void check_store(struct runtime_checker *watch, const struct site *site,
 static bool is_float(c205_word word)
 {
     unsigned field = (unsigned)(word >> 48);
-
     return field != 0 && (field & 0xF000) != 0x7000 && (field & 0xF000) != 0x8000
            && ((word >> 47 ^ word >> 46) & 1);
 }
@@ -96,7 +91,6 @@ static void print_float_index(struct runtime_checker *watch, const struct site *
                               const char *which, c205_word word)
 {
     char text[C205_TEXT_SIZE];
-
     c205_to_text(word, text);
     runtime_report(
         watch, site, WARNING_FLOAT_INDEX,
@@ -109,7 +103,6 @@ static void check_index(struct runtime_checker *watch, const struct site *site,
 {
     struct text_line which = { "", 0 };
     struct sink sink = text_line_sink(&which);
-
     if (!is_float(index->word))
         return;
     sink_print(&sink, "the %s in r%u", what, index->number);
@@ -125,7 +118,6 @@ static void check_indices(struct runtime_checker *watch, const c205 *machine,
                     && tolower((unsigned char)site->view.insn->operands[2]) == 'x';
     c205_word words[CHUNK];
     size_t first, n, i;
-
     for (first = 0; first < list->length; first += n) {
         n = min_size(CHUNK, list->length - first);
         if (!view_read(machine, list->address, list->width, first, n, words))
@@ -133,7 +125,6 @@ static void check_indices(struct runtime_checker *watch, const c205 *machine,
         for (i = 0; i < n; i++) {
             struct text_line which = { "", 0 };
             struct sink sink = text_line_sink(&which);
-
             if (is_float(words[i])) {
                 sink_print(&sink, "element %zu of the index list [r%u]", first + i,
                            list->number);
@@ -155,7 +146,6 @@ static void check_period(struct runtime_checker *watch, const struct site *site,
     const struct operand_view *source = view_find(&site->view, "uU");
     const struct operand_view *table = view_find(&site->view, "xX");
     int64_t distance = c205_to_integer(period->word);
-
     if (is_float(period->word))
         check_index(watch, site, period, "period");
     else if (source && source->length > 0)
@@ -174,7 +164,6 @@ static void print_integer(struct runtime_checker *watch, const struct site *site
     struct sink sink = text_line_sink(&where);
     char number[C205_TEXT_SIZE];
     bool half = operand->width == 32;
-
     if (operand->is_vector)
         sink_print(&sink, "element %" PRId64 " of [r%u]", element, operand->number);
     else
@@ -195,7 +184,6 @@ static bool check_pair(struct runtime_checker *watch, const struct site *site,
     struct precision precision;
     bool half = a->width == 32;
     bool first = precision_is_integer(word_a, half);
-
     if ((!first && !(b && precision_is_integer(word_b, half)))
         || !precision_is_lost(site->rule, half, word_a, word_b, &precision))
         return false;
@@ -209,7 +197,6 @@ static bool fetch(const c205 *machine, const struct operand_view *source, size_t
                   size_t n, c205_word *words)
 {
     size_t i;
-
     if (source && source->is_vector)
         return view_read(machine, source->address, source->width, first, n, words);
     for (i = 0; i < n; i++)
@@ -224,7 +211,6 @@ static size_t count_elements(const struct site *site, const struct operand_view 
     const struct operand_view *result = view_find(&site->view, "dDcC");
     size_t n = result && strchr("dD", result->letter) ? result->length
                                                       : C205_MAX_LENGTH;
-
     if (a->is_vector)
         n = min_size(n, a->length);
     if (b && b->is_vector)
@@ -245,7 +231,6 @@ static void check_integers(struct runtime_checker *watch, const c205 *machine,
     const struct operand_view *control = view_find(&site->view, "z");
     c205_word words_a[CHUNK], words_b[CHUNK], bits[CHUNK];
     size_t first, n, i, count = count_elements(site, a, b);
-
     if (control && control->number == 0)
         control = NULL;
     for (first = 0; first < count; first += n) {
@@ -269,7 +254,6 @@ static size_t find_numbers(const struct instruction_view *view,
                            const struct operand_view *sources[2])
 {
     size_t i, count = 0;
-
     for (i = 0; i < view->count && count < 2; i++)
         if (strchr("fFvV", view->operands[i].letter))
             sources[count++] = &view->operands[i];
@@ -281,7 +265,6 @@ static void check_numbers(struct runtime_checker *watch, const c205 *machine,
 {
     const struct operand_view *sources[2] = { NULL, NULL };
     size_t i, count = find_numbers(&site->view, sources);
-
     for (i = 0; i < count; i++)
         if (sources[i]->is_bad
             || (site->is_handed && sources[i]->is_vector
@@ -296,7 +279,6 @@ static inline bool may_be_integer(const c205 *machine,
                                   const struct operand_view *operand)
 {
     unsigned n = operand->number;
-
     if (!operand->is_half)
         return c205_register(machine, n) >> 48 == 0;
     return (c205_register(machine, n / 2) << n % 2 * 32) >> 56 == 0;
@@ -306,7 +288,6 @@ static void before_scalar(struct runtime_checker *watch, const c205 *machine,
                           struct site *site)
 {
     const struct operand_view *operands = site->view.operands;
-
     if (!may_be_integer(machine, &operands[0])
         && !may_be_integer(machine, &operands[1]))
         return;
@@ -319,12 +300,10 @@ static void before_vector(struct runtime_checker *watch, const c205 *machine,
 {
     bool due = should_sample(site);
     size_t i;
-
     view_fill(&site->view, machine);
     for (i = 0; i < site->view.count; i++) {
         const struct operand_view *operand = &site->view.operands[i];
         bool result = operand->field != 'Z' && strchr("dDeq", operand->letter);
-
         if (!operand->is_vector || operand->is_bad
             || (site->is_handed && operand->number == site->is_handed && !result))
             continue;
@@ -347,7 +326,6 @@ static void after_vector(struct runtime_checker *watch, const c205 *machine,
                          struct site *site)
 {
     size_t i;
-
     view_fill(&site->view, machine);
     for (i = 0; i < site->view.count; i++)
         if (strchr("cCo", site->view.operands[i].letter)
@@ -369,7 +347,6 @@ void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
 {
     const struct instruction_view *view = &site->view;
     const struct operand_view *read = NULL, *written;
-
     view_fill(&site->view, machine);
     written = view_find(view, "dDe");
     for (size_t i = 0; written && i < view->count; i++)
@@ -398,7 +375,6 @@ static void before_link(struct runtime_checker *watch, const c205 *machine,
 {
     uint64_t pc = site->view.pc + 32 * (uint64_t)site->view.halves;
     struct site *first = runtime_site(watch, machine, pc), *second;
-
     pc += 32 * (uint64_t)first->view.halves;
     second = runtime_site(watch, machine, pc);
     if (!first->view.insn || !second->view.insn
@@ -416,7 +392,6 @@ static void before_memory(struct runtime_checker *watch, const c205 *machine,
 {
     const struct operand_view *operands = site->view.operands;
     unsigned width = isupper((unsigned char)operands[2].letter) ? 32 : 64;
-
     if (operands[1].number == 0)
         return;
     view_fill(&site->view, machine);
@@ -430,7 +405,6 @@ static void before_enter(struct runtime_checker *watch, const c205 *machine,
                          struct site *site)
 {
     unsigned r = site->view.operands[0].number;
-
     (void)machine;
     watch->is_entered[r] = true;
     watch->entered[r] = c205_descriptor_address((c205_word)site->view.fields.immediate);
@@ -440,7 +414,6 @@ static void before_length(struct runtime_checker *watch, const c205 *machine,
                           struct site *site)
 {
     unsigned r = site->view.operands[0].number;
-
     watch->is_emptied[r] = (site->view.fields.immediate & 0xFFFF) == 0;
     watch->emptied[r] = c205_descriptor_address(c205_register(machine, r));
     watch->is_entered[r] = false;
@@ -450,7 +423,6 @@ static bool is_named(const c205_insn *insn, const char *names)
 {
     const char *found = strstr(names, insn->mnemonic);
     size_t length = strlen(insn->mnemonic);
-
     return found && (found == names || found[-1] == ' ')
            && (found[length] == ' ' || found[length] == '\0');
 }
@@ -461,7 +433,6 @@ static bool is_named(const c205_insn *insn, const char *names)
 void site_choose(struct site *site)
 {
     const c205_insn *insn = site->view.insn;
-
     site->rule = insn->format == C205_FORMAT_SPARSE ? PRECISION_FULL
                                                     : precision_rule(insn);
     if (insn->timing == C205_TIMING_vlink)

@@ -30,7 +30,6 @@ static void print_tolerance(const struct outcome *outcome,
                             const struct asm_expectation *expectation)
 {
     char text[C205_TEXT_SIZE];
-
     c205_to_text(expectation->tolerance, text);
     sink_print(outcome->report, " ~ %s", text);
 }
@@ -46,7 +45,6 @@ static bool is_near(const struct asm_expectation *expectation, bool half,
                     c205_word wanted, c205_word found)
 {
     double distance = value_number(half, found) - value_number(half, wanted);
-
     return fabs(distance) <= c205_to_double(expectation->tolerance);
 }
 
@@ -68,7 +66,6 @@ static bool compare(const struct outcome *outcome,
 {
     bool half = expectation->kind == EXPECT_HALF_REGISTER
                 || expectation->kind == EXPECT_HALVES;
-
     if (wanted == found
         || (expectation->has_tolerance && is_near(expectation, half, wanted, found)))
         return true;
@@ -90,7 +87,6 @@ static bool compare_register(struct outcome *outcome,
 {
     struct text_line place = { "", 0 };
     struct sink sink = text_line_sink(&place);
-
     sink_print(&sink, "%c%u", letter, expectation->number);
     return compare(outcome, expectation, place.text, expectation->words[0], found);
 }
@@ -112,7 +108,6 @@ static bool check_half_register(struct outcome *outcome,
                                 const struct asm_expectation *expectation)
 {
     c205_word pair = c205_register(outcome->machine, expectation->number / 2);
-
     return compare_register(outcome, expectation, 'h',
                             half_of(pair, HALF_BITS * expectation->number));
 }
@@ -141,7 +136,6 @@ static bool compare_element(const struct outcome *outcome,
 {
     struct text_line place = { "", 0 };
     struct sink sink = text_line_sink(&place);
-
     sink_print(&sink, "%s %zu, at %" PRIX64 ",", what, i, address);
     return compare(outcome, expectation, place.text, expectation->words[i], found);
 }
@@ -151,11 +145,9 @@ static bool check_words(struct outcome *outcome,
 {
     bool good = true;
     size_t i;
-
     for (i = 0; i < expectation->count; i++) {
         uint64_t address = expectation->address + WORD_BITS * (uint64_t)i;
         c205_word found;
-
         if (!c205_read(outcome->machine, address, &found, 1))
             return unmapped(outcome, expectation, address);
         good = compare_element(outcome, expectation, "word", i, address, found) && good;
@@ -168,11 +160,9 @@ static bool check_halves(struct outcome *outcome,
 {
     bool good = true;
     size_t i;
-
     for (i = 0; i < expectation->count; i++) {
         uint64_t address = expectation->address + HALF_BITS * (uint64_t)i;
         c205_word found;
-
         if (!c205_read(outcome->machine, address / WORD_BITS * WORD_BITS, &found, 1))
             return unmapped(outcome, expectation, address);
         good = compare_element(outcome, expectation, "half", i, address,
@@ -186,12 +176,10 @@ static bool check_bits(struct outcome *outcome,
                        const struct asm_expectation *expectation)
 {
     size_t i;
-
     for (i = 0; i < expectation->count; i++) {
         uint64_t address = expectation->address + i;
         c205_word word;
         unsigned wanted, found;
-
         if (!c205_read(outcome->machine, address / 64 * 64, &word, 1))
             return unmapped(outcome, expectation, address);
         wanted = expectation->words[i / 64] >> (63 - i % 64) & 1;
@@ -213,7 +201,6 @@ static bool check_clocks(struct outcome *outcome,
 {
     int64_t wanted = c205_to_integer(expectation->words[0]);
     uint64_t found = c205_clock(outcome->machine);
-
     if (found == (uint64_t)wanted || outcome->other_model)
         return true;
     print_where(outcome, expectation);
@@ -226,7 +213,6 @@ static bool check_trap(struct outcome *outcome,
                        const struct asm_expectation *expectation)
 {
     c205_error found;
-
     if (strcmp(c205_trap_name(outcome->stop->trap), expectation->text) == 0)
         return true;
     print_where(outcome, expectation);
@@ -242,7 +228,6 @@ static bool check_print(struct outcome *outcome,
 {
     const char *line = outcome->printed;
     size_t length = strcspn(line, "\n");
-
     outcome->printed += length + (line[length] == '\n');
     if (strlen(expectation->text) == length
         && memcmp(expectation->text, line, length) == 0)
@@ -257,7 +242,6 @@ static bool check_warning(struct outcome *outcome,
                           const struct asm_expectation *expectation)
 {
     enum warning warning = warning_named(expectation->text);
-
     if (warning < WARNINGS && outcome->warned & WARNING_BIT(warning))
         return true;
     print_where(outcome, expectation);
@@ -278,7 +262,6 @@ static const struct asm_expectation *find_expectation(const struct object *objec
                                                       enum expectation_kind kind)
 {
     size_t i;
-
     for (i = 0; i < object->expectation_count; i++)
         if (object->expectations[i].kind == kind)
             return &object->expectations[i];
@@ -289,10 +272,8 @@ warning_set expect_warnings(const struct object *object)
 {
     warning_set set = 0;
     size_t i;
-
     for (i = 0; i < object->expectation_count; i++) {
         const struct asm_expectation *expectation = &object->expectations[i];
-
         if (expectation->kind == EXPECT_WARNING
             && warning_named(expectation->text) < WARNINGS)
             set |= WARNING_BIT(warning_named(expectation->text));
@@ -308,14 +289,12 @@ bool expect_anything(const struct object *object)
 const char *expect_model(const struct object *object)
 {
     const struct asm_expectation *found = find_expectation(object, EXPECT_MODEL);
-
     return found ? found->text : NULL;
 }
 
 bool expect_other_model(const struct object *object, const c205 *machine)
 {
     const char *named = expect_model(object);
-
     return named && find_expectation(object, EXPECT_CLOCKS)
            && strcmp(named, c205_model_name(c205_machine_model(machine))) != 0;
 }
@@ -323,7 +302,6 @@ bool expect_other_model(const struct object *object, const c205 *machine)
 static bool check_end(const struct outcome *outcome, const struct object *object)
 {
     c205_error found;
-
     if (outcome->stop->trap == C205_TRAP_NONE || find_expectation(object, EXPECT_TRAP))
         return true;
     c205_describe_stop(outcome->machine, outcome->stop, &found);
@@ -336,7 +314,6 @@ static bool check_end(const struct outcome *outcome, const struct object *object
 static bool check_rest(const struct outcome *outcome, const struct object *object)
 {
     size_t length = strcspn(outcome->printed, "\n");
-
     if (!*outcome->printed || !find_expectation(object, EXPECT_PRINT))
         return true;
     sink_print(outcome->report,
@@ -367,7 +344,6 @@ bool expect_check(const struct object *object, const c205 *machine,
     struct outcome outcome;
     bool good;
     size_t i;
-
     outcome.machine = machine;
     outcome.stop = stop;
     outcome.printed = printed;
@@ -377,7 +353,6 @@ bool expect_check(const struct object *object, const c205 *machine,
     good = check_end(&outcome, object);
     for (i = 0; i < object->expectation_count; i++) {
         const struct asm_expectation *expectation = &object->expectations[i];
-
         good = checks[expectation->kind](&outcome, expectation) && good;
     }
     return check_rest(&outcome, object) && good;

@@ -21,11 +21,9 @@ static const struct {
 enum precision_rule precision_rule(const c205_insn *insn)
 {
     size_t i;
-
     for (i = 0; i < sizeof rules / sizeof *rules; i++) {
         size_t length = strlen(rules[i].stem);
         const char *rest = insn->mnemonic + length;
-
         if (strncmp(insn->mnemonic, rules[i].stem, length) == 0
             && (!*rest || (strchr("HVS", *rest) && !rest[1])))
             return rules[i].rule;
@@ -50,7 +48,6 @@ static int coefficient_bits(bool half)
 static int64_t coefficient_of(c205_word word, bool half)
 {
     int64_t c = (int64_t)(word >> HALF_BITS & 0xFFFFFF);
-
     if (!half)
         return c205_to_integer(word);
     return c < 1 << 23 ? c : c - (1 << 24);
@@ -61,7 +58,6 @@ static int significant_bits(c205_word word, bool half)
 {
     int64_t c = coefficient_of(word, half);
     int n = 0;
-
     for (c = c < 0 ? ~c : c; c > 0; c /= 2)
         n++;
     return n;
@@ -101,7 +97,6 @@ static int last_bit(enum precision_rule rule, bool half, c205_word a, c205_word 
 {
     int ea = exponent_of(a, half), eb = exponent_of(b, half);
     int bits = coefficient_bits(half), s = significant_bits(a, half);
-
     switch (rule) {
     case PRECISION_UPPER_SUM:
     case PRECISION_UPPER_DIFFERENCE: return max_int(ea, eb);
@@ -132,7 +127,6 @@ bool precision_is_lost(enum precision_rule rule, bool half, c205_word a, c205_wo
 {
     double exact = exact_result(rule, value_of(a, half), value_of(b, half));
     int last;
-
     if (rule == PRECISION_FULL || exact == 0 || !isfinite(exact)
         || !isfinite(value_of(a, half)) || !isfinite(value_of(b, half)))
         return false;

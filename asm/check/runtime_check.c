@@ -18,7 +18,6 @@ struct runtime_checker *runtime_new(const struct object *object, const char *nam
                                     const struct sink *report)
 {
     struct runtime_checker *watch = calloc(1, sizeof *watch);
-
     if (!watch)
         return NULL;
     watch->object = object;
@@ -56,7 +55,6 @@ size_t runtime_errors(const struct runtime_checker *watch)
 static bool is_new(struct runtime_checker *watch, struct reported reported)
 {
     size_t i;
-
     for (i = 0; i < watch->reported_count; i++)
         if (watch->reported[i].number == reported.number
             && watch->reported[i].warning == reported.warning
@@ -72,7 +70,6 @@ static void put(struct runtime_checker *watch, enum warning warning,
                 const struct position *position, const char *message)
 {
     struct diagnostics diagnostics = { 0 };
-
     warning_add(&diagnostics, watch->choice, warning, position, message);
     diagnostics_put(&diagnostics, &watch->report);
     watch->errors += diagnostics.errors;
@@ -85,7 +82,6 @@ static void put_at_address(struct runtime_checker *watch, const struct site *sit
 {
     const struct position position = { .file = watch->name };
     char text[700];
-
     snprintf(text, sizeof text, "%s at %" PRIX64 ": %.500s", site->view.insn->mnemonic,
              site->view.pc, message);
     put(watch, warning, &position, text);
@@ -99,7 +95,6 @@ void runtime_report(struct runtime_checker *watch, const struct site *site,
     struct position position = { .file = NULL };
     char message[500];
     va_list arguments;
-
     watch->warned |= WARNING_BIT(warning);
     if ((watch->meant | watch->choice->off) & WARNING_BIT(warning))
         return;
@@ -129,7 +124,6 @@ struct site *runtime_site(struct runtime_checker *watch, const c205 *machine,
 {
     static const struct site empty;
     struct site *site = &watch->sites[pc / 32 % CHECK_SITES];
-
     if (site->view.pc == pc && site->view.halves)
         return site;
     *site = empty;
@@ -143,7 +137,6 @@ static void look_ahead(struct runtime_checker *watch, const c205 *machine)
 {
     uint64_t pc = c205_pc(machine);
     size_t i = pc / 32 % CHECK_SITES;
-
     if (watch->direct[i].pc != pc) {
         watch->direct[i].before = runtime_site(watch, machine, pc)->before;
         watch->direct[i].pc = pc;
@@ -175,12 +168,10 @@ static bool ends_run(const c205_event *event)
 void runtime_listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct runtime_checker *watch = context;
-
     if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
     if (c205_unit_is_vector(event->insn->unit)) {
         struct site *site = runtime_site(watch, machine, event->pc);
-
         take_lengths(watch, event);
         if (site->after)
             site->after(watch, machine, site);
@@ -199,11 +190,9 @@ static void note_writes(struct runtime_checker *watch,
                         const struct instruction_view *view)
 {
     size_t i;
-
     for (i = 0; i < view->count; i++) {
         const struct operand_view *operand = &view->operands[i];
         unsigned r = operand->number;
-
         if (!strchr("wpmkco", tolower((unsigned char)operand->letter)))
             continue;
         watch->is_written[operand->is_half ? r / 2 : r] = true;
@@ -222,12 +211,10 @@ void runtime_begin(struct runtime_checker *watch, const c205 *machine)
     bool blind = object->line_count == 0;
     struct instruction_view view;
     size_t i;
-
     memset(watch->is_written, blind, sizeof watch->is_written);
     for (i = 0; i < object->line_count; i++) {
         const struct asm_line *line = &object->lines[i];
         uint64_t at = line->address, end = at + 32 * line->halves;
-
         for (; at < end && end - at <= 32 * (uint64_t)4096;
              at += 32 * (uint64_t)view.halves) {
             view_decode(&view, machine, at);

@@ -18,7 +18,6 @@ struct storage_map {
 static int compare(const void *a, const void *b)
 {
     const struct storage_span *first = a, *second = b;
-
     if (first->begin != second->begin)
         return first->begin < second->begin ? -1 : 1;
     return strcmp(first->name, second->name);
@@ -36,10 +35,8 @@ static uint64_t end_of_data(const c205_program *program, uint64_t address)
 {
     uint64_t end = 0;
     size_t i;
-
     for (i = 0; i < program->segment_count; i++) {
         const c205_segment *segment = &program->segments[i];
-
         if (!segment_contains(segment, end ? end : address))
             continue;
         if (segment_contains(segment, program->entry))
@@ -54,14 +51,12 @@ struct storage_map *storage_map_new(const struct object *object)
     struct storage_map *map = malloc(sizeof *map
                                      + (object->symbol_count + 1) * sizeof *map->spans);
     size_t i;
-
     if (!map)
         return NULL;
     map->count = 0;
     for (i = 0; i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
         struct storage_span *span = &map->spans[map->count];
-
         span->begin = (uint64_t)symbol->value;
         span->name = symbol->name;
         map->count += symbol->is_label;
@@ -70,7 +65,6 @@ struct storage_map *storage_map_new(const struct object *object)
     for (i = 0; i < map->count; i++) {
         struct storage_span *span = &map->spans[i];
         uint64_t end = end_of_data(&object->program, span->begin);
-
         span->end = i + 1 < map->count && span[1].begin < end ? span[1].begin : end;
     }
     return map;
@@ -84,10 +78,8 @@ void storage_map_free(struct storage_map *map)
 const char *storage_at(const struct storage_map *map, uint64_t address, uint64_t *end)
 {
     size_t low = 0, high = map->count;
-
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-
         if (map->spans[middle].begin <= address)
             low = middle + 1;
         else

@@ -14,23 +14,19 @@ static int cmd_asm(void *given)
 {
     const struct asm_arguments *args = given;
     struct session session = { .command = args->command };
-    if (args->source.warnings.list) {
+    if (args->source.warnings.list)
         return cmd_list_warnings();
-    }
-    if (!args->file) {
+    if (!args->file)
         return cmd_usage(args->command, "FILE is missing");
-    }
     struct sink sink = visible_stream(stdout);
     c205_error error;
     int code = session_program(&session, &args->source, args->file) ? CMD_DONE
                                                                     : CMD_FAILED;
-    if (code == CMD_DONE && args->listing) {
+    if (code == CMD_DONE && args->listing)
         listing(session.object, &sink);
-    }
     if (code == CMD_DONE && args->output
-        && !object_save(session.object, args->output, &error)) {
+        && !object_save(session.object, args->output, &error))
         code = cmd_failed(args->command, "%s", error.message);
-    }
     return session_close(&session, code);
 }
 

@@ -69,9 +69,8 @@ static int show_verdict(const struct check_command *check,
         good = table && table_write(table, output_table_format(results), results->file);
         table_free(table);
     }
-    if (results->json) {
+    if (results->json)
         lesson_verdict_json(verdict, results->json);
-    }
     return good ? CMD_DONE : cmd_failed(check->args->shared.command, "out of memory");
 }
 
@@ -96,9 +95,8 @@ static bool find_lesson(struct check_command *check, c205_error *error)
 {
     const char *name = check->args->lesson;
     check->lesson = name ? lessons_find(&check->lessons, name, error) : NULL;
-    if (!name || check->lesson || !folder_is(name)) {
+    if (!name || check->lesson || !folder_is(name))
         return !name || check->lesson;
-    }
     check->lesson = &check->own;
     return check_read_lesson(&check->own, name, error);
 }
@@ -139,18 +137,16 @@ static int cmd_check(void *given)
     c205_error error;
     bool good = true;
     int code = check_usage(args);
-    if (code != CMD_DONE) {
+    if (code != CMD_DONE)
         return code;
-    }
-    if (!lessons_open(&check.lessons, &error) || !find_lesson(&check, &error)) {
+    if (!lessons_open(&check.lessons, &error) || !find_lesson(&check, &error))
         code = cmd_failed(args->shared.command, "%s", error.message);
-    } else if (args->start) {
+    else if (args->start)
         code = check_start(&check);
-    } else if (!output_open(&check.results, args->shared.command, NULL)) {
+    else if (!output_open(&check.results, args->shared.command, NULL))
         code = CMD_FAILED;
-    } else {
+    else
         code = output_close(&check.results, work(&check, &good));
-    }
     lesson_free(&check.own);
     lessons_free(&check.lessons);
     return good ? code : CMD_FAILED;

@@ -44,12 +44,10 @@ static bool begin_lesson(struct lesson *lesson, const char *path, c205_error *er
     struct text_line name = { 0 };
     struct sink sink = text_line_sink(&name);
     size_t end = strlen(path), begin;
-    while (end > 1 && path[end - 1] == '/') {
+    while (end > 1 && path[end - 1] == '/')
         end--;
-    }
-    for (begin = end; begin > 0 && path[begin - 1] != '/';) {
+    for (begin = end; begin > 0 && path[begin - 1] != '/';)
         begin--;
-    }
     sink_print(&sink, "%.*s", (int)(end - begin), path + begin);
     return lesson_begin(lesson, name.text, error);
 }
@@ -76,9 +74,8 @@ bool check_read_lesson(struct lesson *lesson, const char *path, c205_error *erro
                     : error_set(error, "%.160s: %.80s", path, reason.message);
     for (size_t i = 0; good && i < folder.count; i++) {
         const char *name = folder.names[i];
-        if (file_ends_with(name, ".s") || file_ends_with(name, ".md")) {
+        if (file_ends_with(name, ".s") || file_ends_with(name, ".md"))
             good = read_file(lesson, path, name, error);
-        }
     }
     folder_free(&folder);
     return good && lesson_end(lesson, error) && check_tests(lesson, error);
@@ -104,9 +101,8 @@ static void join_first(struct text_buffer *report, const struct lesson_verdict *
     for (size_t i = 0; i < verdict->count; i++) {
         const struct lesson_trial *trial = &verdict->trials[i];
         if (trial->report.count > 0
-            && (!reported || (reported->passed && !trial->passed))) {
+            && (!reported || (reported->passed && !trial->passed)))
             reported = trial;
-        }
     }
     if (reported) {
         sink_print(&sink, "%s:", reported->test->name);
@@ -121,18 +117,16 @@ static void add_row(struct handed_in *all, const char *student,
     struct text_buffer report = { 0 };
     join_first(&report, verdict);
     table_text(all->table, student);
-    if (verdict->lesson) {
+    if (verdict->lesson)
         table_text(all->table, verdict->lesson->name);
-    } else {
+    else
         table_gap(all->table);
-    }
     table_text(all->table, verdict->passed ? "yes" : "no");
     table_text(all->table, medal_name(verdict->medal));
-    if (verdict->clocks > 0) {
+    if (verdict->clocks > 0)
         table_count(all->table, verdict->clocks);
-    } else {
+    else
         table_gap(all->table);
-    }
     table_text(all->table, report.text ? report.text : "");
     all->failed = all->failed || report.failed;
     text_buffer_free(&report);
@@ -199,19 +193,16 @@ static void take_folder(struct handed_in *all, const char *student, const char *
 {
     struct folder folder;
     c205_error error;
-    if (!folder_read(&folder, path, &error)) {
+    if (!folder_read(&folder, path, &error))
         refuse(all, student, all->check->lesson, path, error.message);
-    }
     for (size_t i = 0; i < folder.count && !interrupt_pending(); i++) {
         struct text_buffer inner = { 0 };
-        if (join_path(&inner, path, folder.names[i])) {
+        if (join_path(&inner, path, folder.names[i]))
             take(all, student, folder.names[i], inner.text);
-        }
         all->failed = all->failed || inner.failed;
         text_buffer_free(&inner);
-        if (!*student) {
+        if (!*student)
             progress_update(&all->progress, i + 1, folder.count);
-        }
     }
     folder_free(&folder);
 }
@@ -222,9 +213,8 @@ static struct text_buffer stem_of(const char *name)
 {
     struct text_buffer stem = { 0 };
     struct sink sink = text_buffer_sink(&stem);
-    if (file_ends_with(name, ".s")) {
+    if (file_ends_with(name, ".s"))
         sink.put(sink.context, name, strlen(name) - 2);
-    }
     return stem;
 }
 
@@ -250,9 +240,8 @@ static void take_answer(struct handed_in *all, const char *student, const char *
                                             : NULL;
     all->failed = all->failed || stem.failed;
     text_buffer_free(&stem);
-    if (!lesson || !asked || lesson == asked) {
+    if (!lesson || !asked || lesson == asked)
         grade(all, student, lesson, path);
-    }
 }
 
 /* Grades the folder STUDENT. A folder without an answer gives a row too. */
@@ -260,9 +249,8 @@ static void take_student(struct handed_in *all, const char *name, const char *pa
 {
     size_t rows = table_rows(all->table);
     take_folder(all, name, path, take_answer);
-    if (table_rows(all->table) == rows && !interrupt_pending()) {
+    if (table_rows(all->table) == rows && !interrupt_pending())
         refuse(all, name, all->check->lesson, path, "no answer was found");
-    }
 }
 
 /* Returns the student of a file that is not in a folder of a student, or empty if
@@ -273,9 +261,8 @@ static struct text_buffer student_of(const char *name, const struct lesson *aske
     struct text_buffer student = { 0 };
     struct sink sink = text_buffer_sink(&student);
     size_t length = file_ends_with(name, ".s") ? strlen(name) - 2 : strcspn(name, ".");
-    if (asked || !name[length]) {
+    if (asked || !name[length])
         sink.put(sink.context, name, length);
-    }
     return student;
 }
 
@@ -287,13 +274,12 @@ static void take_entry(struct handed_in *all, const char *nobody, const char *na
     struct text_buffer student = student_of(name, asked);
     const char *of = student.text ? student.text : nobody;
     all->failed = all->failed || student.failed;
-    if (folder_is(path)) {
+    if (folder_is(path))
         take_student(all, name, path);
-    } else if (!asked) {
+    else if (!asked)
         take_answer(all, of, name, path);
-    } else {
+    else
         grade(all, of, file_ends_with(name, ".s") ? asked : NULL, path);
-    }
     text_buffer_free(&student);
 }
 
@@ -311,19 +297,16 @@ static int take_class(struct handed_in *all)
 {
     const struct check_arguments *args = all->check->args;
     const struct command_output *results = &all->check->results;
-    if (results->json) {
+    if (results->json)
         json_array(results->json, "hand_ins");
-    }
     interrupt_catch();
     progress_begin(&all->progress);
     take_folder(all, "", args->folder, take_entry);
     progress_hide(&all->progress);
-    if (results->json) {
+    if (results->json)
         json_end(results->json);
-    }
-    if (interrupt_pending()) {
+    if (interrupt_pending())
         return cmd_failed(args->shared.command, "interrupted");
-    }
     return !all->failed
                    && (!results->file
                        || table_write(all->table, output_table_format(results),

@@ -45,11 +45,10 @@ static void print_symbols(struct table *table, const struct object *test)
     for (size_t i = 0; i < test->symbol_count; i++) {
         const struct asm_symbol *symbol = &test->symbols[i];
         const char *wanted = lesson_wanted(symbol->name);
-        if (lesson_is_constant(symbol)) {
+        if (lesson_is_constant(symbol))
             put_constant(&constants, symbol);
-        } else if (symbol->is_label) {
+        else if (symbol->is_label)
             put_name(wanted ? &results : &data, wanted ? wanted : symbol->name);
-        }
     }
     table_text(table, constants.text);
     table_text(table, data.text);
@@ -60,17 +59,14 @@ static bool add_test(struct table *table, const struct lesson_test *test,
                      c205_error *error)
 {
     struct object *object = lesson_assemble_test(test, error);
-    if (!object) {
+    if (!object)
         return false;
-    }
     table_text(table, test->name);
-    for (int medal = MEDAL_GOLD; medal > MEDAL_NONE; medal--) {
-        if (test->has_goals) {
+    for (int medal = MEDAL_GOLD; medal > MEDAL_NONE; medal--)
+        if (test->has_goals)
             table_count(table, test->goals[medal]);
-        } else {
+        else
             table_gap(table);
-        }
-    }
     print_symbols(table, object);
     table_text(table, test->tries);
     object_free(object);
@@ -118,13 +114,11 @@ static bool begins(const char *line, const char *text)
 static void put_line(struct lesson_reading *reading, const char *line, size_t length)
 {
     static const char before[] = "<details><summary>", behind[] = "</summary>";
-    if (begins(line, "## ")) {
+    if (begins(line, "## "))
         reading->hidden = begins(line, "## Hints") && !reading->hints;
-    }
     if (reading->hidden || begins(line, "<!--") || begins(line, "</details>")
-        || (length == 0 && reading->blank)) {
+        || (length == 0 && reading->blank))
         return;
-    }
     reading->blank = length == 0;
     if (begins(line, before)) {
         line += sizeof before - 1;
@@ -155,9 +149,8 @@ int check_show(const struct check_command *check)
         json_text(results->json, "text", lesson->text);
         json_text(results->json, "start", lesson->start);
     }
-    if (results->file && results->format == OUTPUT_TEXT) {
+    if (results->file && results->format == OUTPUT_TEXT)
         put_text(check);
-    }
     output_gap(results);
     return show_tests(check);
 }
@@ -168,9 +161,8 @@ int check_start(const struct check_command *check)
     const char *path = check->args->output;
     c205_error error;
     struct atomic_file *whole = atomic_file_open(path ? path : "-", &error);
-    if (!whole) {
+    if (!whole)
         return cmd_failed(command, "%s", error.message);
-    }
     fputs(check->lesson->start, whole->file);
     return atomic_file_commit(whole, &error) ? CMD_DONE
                                              : cmd_failed(command, "%s", error.message);

@@ -34,9 +34,8 @@ static bool read_side(struct two_runs *runs, int which)
     bool second = which == COMPARED_SECOND;
     runs->path[which] = args->files.items[args->files.count == 1 ? 0 : which];
     session->command = args->shared.command;
-    if (second && args->other_defines.count > 0) {
+    if (second && args->other_defines.count > 0)
         source.defines = args->other_defines;
-    }
     session->object = cmd_read_any(&source, runs->path[which], &report);
     return session->object
            && session_model(session, second && args->other_model ? args->other_model
@@ -82,9 +81,8 @@ static bool run_side(struct two_runs *runs, int which)
     c205_error error;
     bool good = session_load(session, runs->args->warm, &error)
                 && run_to_end(&runs->run[which], session->machine, &error);
-    if (!good) {
+    if (!good)
         cmd_failed(session->command, "%s: %s", runs->path[which], error.message);
-    }
     return good;
 }
 
@@ -115,14 +113,12 @@ static int show(const struct two_runs *runs, const struct command_output *result
     output_gap(results);
     compared_sentence(runs->run, sentence);
     output_printf(results, "%s\n", sentence);
-    for (int i = 0; i < COMPARED_RUNS; i++) {
+    for (int i = 0; i < COMPARED_RUNS; i++)
         if (i == COMPARED_FIRST
             || strcmp(c205_model_name(runs->session[i].model),
                       c205_model_name(runs->session[COMPARED_FIRST].model))
-                   != 0) {
+                   != 0)
             output_model(results, runs->session[i].model);
-        }
-    }
     return code;
 }
 
@@ -131,9 +127,8 @@ static int cmd_compare(void *given)
     const struct compare_arguments *args = given;
     struct two_runs runs = { .args = args };
     struct session *first = &runs.session[COMPARED_FIRST];
-    if (args->files.count == 0 || args->files.count > COMPARED_RUNS) {
+    if (args->files.count == 0 || args->files.count > COMPARED_RUNS)
         return cmd_usage(args->shared.command, "expected one or two programs");
-    }
     if (args->files.count == 1 && !args->other_model
         && args->other_defines.count == 0) {
         return cmd_usage(args->shared.command,
@@ -145,9 +140,8 @@ static int cmd_compare(void *given)
                 && session_output(first, &args->shared.results, NULL);
     int code = session_close(first, good ? show(&runs, &first->results) : CMD_FAILED);
     session_close(&runs.session[COMPARED_SECOND], code);
-    for (int i = 0; i < COMPARED_RUNS; i++) {
+    for (int i = 0; i < COMPARED_RUNS; i++)
         compared_free(&runs.run[i]);
-    }
     return code;
 }
 

@@ -46,9 +46,8 @@ static c205_model *find_model(const char *name, const struct sink *report)
 {
     c205_error error = { "a model cannot be read from stdin with --dap" };
     c205_model *model = file_is_stream(name) ? NULL : c205_model_find(name, &error);
-    if (!model) {
+    if (!model)
         sink_print(report, "%s\n", error.message);
-    }
     return model;
 }
 
@@ -56,12 +55,10 @@ static c205_model *find_model(const char *name, const struct sink *report)
 static bool add_define(struct cmd_defines *defines, const struct asm_define *define)
 {
     size_t i = 0;
-    while (i < defines->count && strcmp(defines->items[i].name, define->name) != 0) {
+    while (i < defines->count && strcmp(defines->items[i].name, define->name) != 0)
         i++;
-    }
-    if (i == CMD_DEFINES) {
+    if (i == CMD_DEFINES)
         return false;
-    }
     defines->count += i == defines->count;
     defines->items[i] = *define;
     return true;
@@ -80,13 +77,11 @@ static bool open_program(void *context, const struct dap_program *program,
             return false;
         }
     }
-    if (*program->search) {
+    if (*program->search)
         args.source.folders.items = (const char **)program->search;
-    }
     *object = cmd_read_program(&args.source, program->path, report);
-    if (!*object) {
+    if (!*object)
         return false;
-    }
     *model = find_model(program->model ? program->model : args.shared.model, report);
     return *model;
 }
@@ -129,9 +124,8 @@ static int debug(const struct session *session, const struct debug_arguments *ar
     c205_error error;
     struct debugger *debugger = debugger_new(&setup, &error);
     int code;
-    if (!debugger) {
+    if (!debugger)
         return cmd_failed(args->shared.command, "%s", error.message);
-    }
     code = repl_hold(&repl, debugger);
     debugger_free(debugger);
     return code;
@@ -145,9 +139,8 @@ static int cmd_debug(void *given)
         return cmd_usage(args->shared.command,
                          "--dap cannot be combined with --script");
     }
-    if (args->dap) {
+    if (args->dap)
         return serve_editor(args);
-    }
     if (!args->file) {
         return cmd_usage(args->shared.command,
                          "FILE is missing; it is optional only with --dap");

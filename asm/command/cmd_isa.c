@@ -63,9 +63,8 @@ static void describe_example(const c205_insn *insn)
 {
     const char *const *line = isa_example(insn);
     puts("  example");
-    for (; line && *line; line++) {
+    for (; line && *line; line++)
         printf("    %s", *line);
-    }
 }
 
 static void describe(const c205_insn *insn)
@@ -121,19 +120,16 @@ static const c205_insn *row_named(const char *name)
     const c205_insn *insn = c205_insn_named(name, length);
     const char *qualifier = name + length;
     bool half = !strcmp(qualifier, ",H") || !strcmp(qualifier, ",h");
-    if (!*qualifier || (insn && half && insn->flags & C205_INSN_HALF)) {
+    if (!*qualifier || (insn && half && insn->flags & C205_INSN_HALF))
         return insn;
-    }
     return NULL;
 }
 
 static bool chosen(const struct isa_arguments *args, const c205_insn *insn)
 {
-    for (size_t i = 0; i < args->names.count; i++) {
-        if (row_named(args->names.items[i]) == insn) {
+    for (size_t i = 0; i < args->names.count; i++)
+        if (row_named(args->names.items[i]) == insn)
             return true;
-        }
-    }
     return args->names.count == 0;
 }
 
@@ -141,11 +137,9 @@ static struct table *chosen_rows(const struct isa_arguments *args, bool is_brief
 {
     struct table *table = is_brief ? table_new(TABLE_COLUMNS(brief))
                                    : table_new(TABLE_COLUMNS(columns));
-    for (size_t i = 0; table && i < c205_insn_count; i++) {
-        if (chosen(args, &c205_insns[i])) {
+    for (size_t i = 0; table && i < c205_insn_count; i++)
+        if (chosen(args, &c205_insns[i]))
             add_row(table, &c205_insns[i], is_brief);
-        }
-    }
     return table;
 }
 
@@ -161,14 +155,12 @@ static bool print_text(const struct isa_arguments *args)
     }
     for (size_t i = 0; i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
-        if (!chosen(args, insn)) {
+        if (!chosen(args, insn))
             continue;
-        }
-        if (args->only_names) {
+        if (args->only_names)
             puts(insn->mnemonic);
-        } else {
+        else
             describe(insn);
-        }
     }
     return true;
 }
@@ -179,9 +171,8 @@ static int show(const struct isa_arguments *args, const struct command_output *r
     struct command_output rest = *results;
     if (results->format == OUTPUT_TEXT) {
         rest.file = NULL;
-        if (!print_text(args)) {
+        if (!print_text(args))
             return cmd_failed(args->shared.command, "out of memory");
-        }
     }
     return output_show(&rest, chosen_rows(args, false), "instructions", NULL);
 }
@@ -191,9 +182,8 @@ static int with_model(const struct isa_arguments *args)
 {
     int code = CMD_DONE;
     c205_model *model = model_open(args->shared.command, args->shared.model);
-    if (!model) {
+    if (!model)
         return CMD_FAILED;
-    }
     if (args->card && c205_model_is_projection(model)) {
         code = cmd_failed(args->shared.command,
                           "%s has no clocks of single instructions",
@@ -237,9 +227,8 @@ static int cmd_isa(void *given)
     }
     for (size_t i = 0; i < args->names.count; i++) {
         const char *name = args->names.items[i];
-        if (!row_named(name)) {
+        if (!row_named(name))
             return cmd_usage(args->shared.command, "unknown instruction '%s'", name);
-        }
     }
     bool good = session_output(&session, &args->shared.results, NULL);
     return session_close(&session, good ? show(args, &session.results) : CMD_FAILED);

@@ -24,12 +24,10 @@ enum { SIGNS = sizeof signs / sizeof *signs };
 static void put_text(const char *name)
 {
     const struct text *text = card_texts;
-    while (strcmp(text->name, name)) {
+    while (strcmp(text->name, name))
         text++;
-    }
-    for (const char *const *line = text->lines; *line; line++) {
+    for (const char *const *line = text->lines; *line; line++)
         fputs(*line, stdout);
-    }
 }
 
 /* Returns the sign for the start of a text and the length of the text that it replaces.
@@ -38,9 +36,8 @@ static const char *sign_at(const char *text, size_t *length)
 {
     for (size_t i = 0; i < SIGNS; i++) {
         *length = strlen(signs[i].written);
-        if (!strncmp(text, signs[i].written, *length)) {
+        if (!strncmp(text, signs[i].written, *length))
             return signs[i].set;
-        }
     }
     *length = 1;
     return NULL;
@@ -53,11 +50,10 @@ static void put_argument(const char *text)
     fputs(" \"", stdout);
     for (; *text; text += length) {
         const char *set = sign_at(text, &length);
-        if (set) {
+        if (set)
             fputs(set, stdout);
-        } else {
+        else
             putchar(*text);
-        }
     }
     putchar('"');
 }
@@ -82,9 +78,8 @@ static const char *usual_operands(const c205_insn *insn)
     while (++insn < end && !isa_family(insn)) {
         const char *operands = c205_format_syntax(insn->format);
         size_t length = strlen(operands);
-        if (length > strlen(usual) && length <= MAX_OPERANDS) {
+        if (length > strlen(usual) && length <= MAX_OPERANDS)
             usual = operands;
-        }
     }
     return usual;
 }
@@ -113,9 +108,8 @@ static void put_class(const c205_insn *insn)
 {
     const char *part = strchr(c205_unit_name(insn->unit), ' ');
     printf(" \"%s", c205_timing_name(insn->timing));
-    if (c205_unit_links(insn->unit) && part) {
+    if (c205_unit_links(insn->unit) && part)
         printf("\\ %c", toupper((unsigned char)part[1]));
-    }
     putchar('"');
 }
 
@@ -148,9 +142,8 @@ static void put_insns(void)
 static c205_unit unit_of(c205_timing timing)
 {
     size_t i = 0;
-    while (c205_insns[i].timing != timing) {
+    while (c205_insns[i].timing != timing)
         i++;
-    }
     return c205_insns[i].unit;
 }
 

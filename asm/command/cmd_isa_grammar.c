@@ -52,9 +52,8 @@ static bool put_names(struct json *json, const char *name, bool vector)
     }
     sink_put(&sink, ")" ENDS);
     bool good = !match.failed;
-    if (good) {
+    if (good)
         put_pattern(json, name, match.text);
-    }
     text_buffer_free(&match);
     return good;
 }
@@ -63,15 +62,13 @@ int isa_grammar(const char *command)
 {
     c205_error error;
     struct json *json = json_open_stream(stdout, NULL, &error);
-    if (!json) {
+    if (!json)
         return cmd_failed(command, "%s", error.message);
-    }
     json_text(json, "name", "CYBER 205 assembly");
     json_text(json, "scopeName", "source.c205");
     json_array(json, "patterns");
-    for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++) {
+    for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++)
         put_pattern(json, patterns[i].name, patterns[i].match);
-    }
     bool good = put_names(json, "keyword.mnemonic.vector.c205", true)
                 && put_names(json, "keyword.mnemonic.scalar.c205", false);
     json_end(json);

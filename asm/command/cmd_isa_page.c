@@ -67,9 +67,8 @@ enum { LEFT_OUT = sizeof left_out / sizeof *left_out };
 static void put_cell(const char *text)
 {
     for (; *text; text++) {
-        if (*text == '|') {
+        if (*text == '|')
             putchar('\\');
-        }
         putchar(*text);
     }
 }
@@ -86,9 +85,8 @@ static bool put_row(const char *name, int length, const char *text)
 
 static void put_lower(const char *text)
 {
-    for (; *text; text++) {
+    for (; *text; text++)
         putchar(tolower((unsigned char)*text));
-    }
 }
 
 /* Prints "[ADDNV](#addnv)". */
@@ -104,9 +102,8 @@ static void put_link(const char *text)
 static const c205_insn *first_of(c205_format format)
 {
     size_t i = 0;
-    while (i < c205_insn_count && c205_insns[i].format != format) {
+    while (i < c205_insn_count && c205_insns[i].format != format)
         i++;
-    }
     return i < c205_insn_count ? &c205_insns[i] : NULL;
 }
 
@@ -141,9 +138,8 @@ static void put_formats(void)
 static void put_g_bits(void)
 {
     puts("\n## The bits of G\n\n| G | meaning | allowed in |\n|---|---|---|");
-    for (size_t i = 0; i < G_BITS; i++) {
+    for (size_t i = 0; i < G_BITS; i++)
         printf("| %02X | %s | %s |\n", g_bits[i].bit, g_bits[i].text, g_bits[i].where);
-    }
     printf("\nWhere the code is written `9D.02`, the bits after the point "
            "are bits of G that belong to\n"
            "the operation. In the branches B0-B5, %02X makes the target a "
@@ -200,9 +196,8 @@ static void put_time(const c205_insn *insn, const c205_model *model)
     first = isa_constant(model, vector ? "startup" : "latency", timing);
     second = isa_constant(model, vector ? "stream" : "busy", timing);
     printf("| time | unit `%s`, class `%s`", c205_unit_name(insn->unit), timing);
-    if (first && second) {
+    if (first && second)
         (vector ? put_stream : put_latency)(insn, model, first, second);
-    }
     puts(" |");
 }
 
@@ -211,9 +206,8 @@ static bool put_operands(const c205_insn *insn)
     struct isa_operand operand = { 0 };
     const char *letter = NULL;
     bool good = true;
-    while (isa_next_operand(insn, &letter, &operand)) {
+    while (isa_next_operand(insn, &letter, &operand))
         good = put_row(operand.written, operand.length, operand.meaning) && good;
-    }
     return good;
 }
 
@@ -222,9 +216,8 @@ static bool put_rules(const c205_insn *insn)
     struct isa_rules rules;
     bool good = true;
     isa_list_rules(insn, &rules);
-    for (size_t i = 0; i < rules.count; i++) {
+    for (size_t i = 0; i < rules.count; i++)
         good = put_row(rules.rule[i].page_name, -1, rules.rule[i].text) && good;
-    }
     return good;
 }
 
@@ -239,13 +232,11 @@ static void put_written(const c205_insn *insn)
 static bool put_example(const c205_insn *insn)
 {
     const char *const *line = isa_example(insn);
-    if (!line) {
+    if (!line)
         return false;
-    }
     puts("\n```c205");
-    for (; *line; line++) {
+    for (; *line; line++)
         fputs(*line, stdout);
-    }
     puts("```");
     return true;
 }
@@ -276,9 +267,8 @@ static void put_contents(void)
 {
     for (size_t i = 0; i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
-        if (isa_family(insn)) {
+        if (isa_family(insn))
             printf("\n- %s:", isa_family(insn));
-        }
         putchar(' ');
         put_link(insn->mnemonic);
     }
@@ -290,9 +280,8 @@ static bool put_families(const char *command, const c205_model *model)
     bool good = true;
     for (size_t i = 0; i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
-        if (isa_family(insn)) {
+        if (isa_family(insn))
             printf("\n## %s\n", isa_family(insn));
-        }
         if (!put_insn(insn, model)) {
             cmd_failed(command,
                        "%s has no example in asm/isa_examples, or "
@@ -307,9 +296,8 @@ static bool put_families(const char *command, const c205_model *model)
 static bool is_defined(unsigned opcode)
 {
     bool found = false;
-    for (size_t i = 0; i < c205_insn_count; i++) {
+    for (size_t i = 0; i < c205_insn_count; i++)
         found = found || c205_insns[i].opcode == opcode;
-    }
     return found;
 }
 
@@ -319,16 +307,14 @@ static void put_free_codes(void)
     const char *between = "";
     for (unsigned code = 0; code <= UINT8_MAX; code++) {
         unsigned first = code;
-        while (code <= UINT8_MAX && !is_defined(code)) {
+        while (code <= UINT8_MAX && !is_defined(code))
             code++;
-        }
         if (code > first) {
             printf("%s%02X", between, first);
             between = ", ";
         }
-        if (code > first + 1) {
+        if (code > first + 1)
             printf("-%02X", code - 1);
-        }
     }
 }
 

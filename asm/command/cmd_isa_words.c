@@ -62,9 +62,8 @@ static const struct meaning provenances[] = {
 
 static const char *meaning_of(const struct meaning *meanings, char letter)
 {
-    while (meanings->letter && meanings->letter != letter) {
+    while (meanings->letter && meanings->letter != letter)
         meanings++;
-    }
     return meanings->text;
 }
 
@@ -76,12 +75,10 @@ const char *isa_provenance(char letter)
 /* Returns NULL if the flag has no explanation. */
 static const char *flag_note(const c205_insn *insn, unsigned flag)
 {
-    if (flag != C205_INSN_SIGN) {
+    if (flag != C205_INSN_SIGN)
         return NULL;
-    }
-    if (insn->format == C205_FORMAT_EXTREME) {
+    if (insn->format == C205_FORMAT_EXTREME)
         return "sign control: -A, |A|, -|A|; bit 01 of G is accepted and has no effect";
-    }
     return strpbrk(c205_format_syntax(insn->format), "bB")
                ? "sign control: -A, |A|, -|A|, |B|"
                : "sign control: -A, |A|, -|A|";
@@ -98,9 +95,8 @@ static const char *link_note(const c205_insn *insn)
 void isa_code(const c205_insn *insn, char text[ISA_CODE])
 {
     int length = snprintf(text, ISA_CODE, "%02X", insn->opcode);
-    if (insn->subop_mask) {
+    if (insn->subop_mask)
         snprintf(text + length, ISA_CODE - (size_t)length, ".%02X", insn->subop);
-    }
 }
 
 /* ---- The drawing of a format ------------------------------------------ */
@@ -122,11 +118,9 @@ enum { BYTE_FIELDS = sizeof byte_fields / sizeof *byte_fields };
 /* Writes the letter at each bit of the mask. */
 static void mark(char letter, c205_word mask, char owners[WORD_BITS])
 {
-    for (unsigned i = 0; i < WORD_BITS; i++) {
-        if (mask << i >> (WORD_BITS - 1)) {
+    for (unsigned i = 0; i < WORD_BITS; i++)
+        if (mask << i >> (WORD_BITS - 1))
             owners[i] = letter;
-        }
-    }
 }
 
 /* Determines the field that owns each bit: sets one field after the other, encodes, and
@@ -159,9 +153,8 @@ void isa_drawing(const c205_insn *insn, char text[ISA_DRAWING])
     probe_format(insn, owners);
     for (int i = 0; i < bits;) {
         int run = 1;
-        while (i + run < bits && owners[i] == owners[i + run]) {
+        while (i + run < bits && owners[i] == owners[i + run])
             run++;
-        }
         length += (size_t)snprintf(text + length, ISA_DRAWING - length, "| %c %d ",
                                    owners[i], run);
         i += run;
@@ -181,12 +174,10 @@ static bool is_in_brackets(const c205_insn *insn, char field)
 static const char *operand_meaning(char letter, bool in_brackets)
 {
     size_t i = 0;
-    while (i < MEANINGS && operand_meanings[i].letter != letter) {
+    while (i < MEANINGS && operand_meanings[i].letter != letter)
         i++;
-    }
-    if (i == MEANINGS) {
+    if (i == MEANINGS)
         return NULL;
-    }
     return in_brackets && operand_meanings[i].in_brackets
                ? operand_meanings[i].in_brackets
                : operand_meanings[i].text;
@@ -243,25 +234,20 @@ enum { LENGTHS = sizeof lengths / sizeof *lengths };
 
 const char *isa_clocked(const c205_insn *insn)
 {
-    for (size_t i = 0; i < LENGTHS; i++) {
-        if (lengths[i].format == insn->format) {
+    for (size_t i = 0; i < LENGTHS; i++)
+        if (lengths[i].format == insn->format)
             return lengths[i].clocked;
-        }
-    }
     return "";
 }
 
 /* Describes the number of elements. */
 static const char *length_rule(const c205_insn *insn)
 {
-    if (!is_vector(insn)) {
+    if (!is_vector(insn))
         return "";
-    }
-    for (size_t i = 0; i < LENGTHS; i++) {
-        if (lengths[i].format == insn->format) {
+    for (size_t i = 0; i < LENGTHS; i++)
+        if (lengths[i].format == insn->format)
             return lengths[i].length;
-        }
-    }
     if (has_operand(insn, "co")) {
         return must_have_control(insn)
                    ? "that of Z; C's is set"
@@ -290,12 +276,10 @@ static const char *padding_rule(const c205_insn *insn)
         return sparse ? "continues with machine zeros, as for absent ones"
                       : "continues with machine zeros";
     }
-    if (insn->flags & C205_INSN_PADO) {
+    if (insn->flags & C205_INSN_PADO)
         return "continues with normalised ones";
-    }
-    if (!has_operand(insn, "vub") || has_operand(insn, "xwp")) {
+    if (!has_operand(insn, "vub") || has_operand(insn, "xwp"))
         return "";
-    }
     return has_operand(insn, "b") ? "continues with zero bits"
                                   : "continues with zero words";
 }
@@ -303,9 +287,8 @@ static const char *padding_rule(const c205_insn *insn)
 /* Describes the effect of the control vector on the elements it does not select. */
 static const char *control_rule(const c205_insn *insn)
 {
-    if (!has_operand(insn, "z")) {
+    if (!has_operand(insn, "z"))
         return "";
-    }
     if (must_have_control(insn)) {
         return "required: Z selects, `? [z]` with its ones, `?! [z]` "
                "with its zeros";
@@ -362,9 +345,8 @@ static void write_half_rule(const c205_insn *insn, char text[ISA_HALF])
 {
     size_t length;
     text[0] = '\0';
-    if (!(insn->flags & C205_INSN_HALF)) {
+    if (!(insn->flags & C205_INSN_HALF))
         return;
-    }
     length = put_group(insn, "vudcx", "elements of %s of 32 bits",
                        "elements of %s of 32 bits", text, ISA_HALF);
     length += put_group(insn, "fwp", "; %s is a half register",
@@ -396,9 +378,8 @@ static const char *specials_rule(const c205_insn *insn)
 static void add_rule(struct isa_rules *rules, const char *name, const char *page_name,
                      const char *text)
 {
-    if (!text || *text) {
+    if (!text || *text)
         rules->rule[rules->count++] = (struct isa_rule){ name, page_name, text };
-    }
 }
 
 void isa_list_rules(const c205_insn *insn, struct isa_rules *rules)
@@ -411,11 +392,9 @@ void isa_list_rules(const c205_insn *insn, struct isa_rules *rules)
     add_rule(rules, "control", "control vector", control_rule(insn));
     add_rule(rules, "specials", "special values", specials_rule(insn));
     add_rule(rules, "with ,H", "with `,H`", rules->half);
-    for (unsigned flag = 1; flag <= insn->flags; flag <<= 1) {
-        if (insn->flags & flag & ~described) {
+    for (unsigned flag = 1; flag <= insn->flags; flag <<= 1)
+        if (insn->flags & flag & ~described)
             add_rule(rules, "note", "note", flag_note(insn, flag));
-        }
-    }
     add_rule(rules, "note", "note", link_note(insn));
 }
 
@@ -436,13 +415,11 @@ const char *isa_family(const c205_insn *insn)
 {
     ptrdiff_t row = insn - c205_insns;
     const struct entry *entry = entries;
-    for (; row > 0 || entry->family; entry++) {
-        if (!entry->family) {
+    for (; row > 0 || entry->family; entry++)
+        if (!entry->family)
             row--;
-        } else if (row == 0) {
+        else if (row == 0)
             return entry->family;
-        }
-    }
     return NULL;
 }
 
@@ -462,9 +439,8 @@ double isa_per_element(const c205_model *model, const c205_constant *stream, boo
     const c205_constant *rate = c205_model_lookup(model, "vector.half_rate");
     bool shared = strstr(stream->unit, "*pipe") != NULL;
     double clocks = stream->value;
-    if (shared && pipes) {
+    if (shared && pipes)
         clocks /= pipes->value;
-    }
     return shared && half && rate ? clocks / rate->value : clocks;
 }
 
@@ -482,8 +458,7 @@ static bool names(const char *file, const char *mnemonic)
 const char *const *isa_example(const c205_insn *insn)
 {
     const struct text *text = isa_example_texts;
-    while (text->name && !names(text->name, insn->mnemonic)) {
+    while (text->name && !names(text->name, insn->mnemonic))
         text++;
-    }
     return text->lines;
 }

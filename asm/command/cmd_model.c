@@ -54,9 +54,8 @@ static int show_constants(const struct session *session)
     output_printf(results, "%s\n", c205_model_title(model));
     head.provenance = true;
     output_model(&head, model);
-    if (results->json) {
+    if (results->json)
         provenance_json(model, results->json);
-    }
     return output_show(results, table, "constants", "Constants");
 }
 

@@ -17,9 +17,8 @@
 static void trace(void *context, const c205 *machine, const c205_event *event)
 {
     char text[DISASSEMBLE_TEXT_SIZE];
-    if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST) {
+    if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
-    }
     disassemble_one(view_word_at(machine, event->pc), event->pc, text);
     sink_print(context, "%10" PRIu64 " %+6" PRId64 " %10" PRIX64 "  %s\n",
                event->issued, (int64_t)event->clocks, event->pc, text);
@@ -89,12 +88,10 @@ static int judge(const struct session *session, const struct run_arguments *args
                  const c205_stop *stop)
 {
     enum { STATUS = 0xFF };
-    if (stop->trap != C205_TRAP_NONE) {
+    if (stop->trap != C205_TRAP_NONE)
         return judge_trap(session, args, stop);
-    }
-    if (args->exit_status) {
+    if (args->exit_status)
         return (int)(stop->status & STATUS);
-    }
     if (stop->status != 0) {
         return cmd_failed(session->command, "the program ended with status %" PRId64,
                           stop->status);
@@ -116,9 +113,8 @@ static int save(const struct session *session, const struct run_arguments *args,
                 "c205 run: the program did not reach the limit; nothing is saved\n");
         return judge(session, args, stop);
     }
-    if (!state_save(session->machine, args->save, &error)) {
+    if (!state_save(session->machine, args->save, &error))
         return cmd_failed(session->command, "%s", error.message);
-    }
     output_printf(&session->results, "stopped by %s, and saved as %s\n",
                   interrupt_pending() ? "Ctrl-C" : "the limit", args->save);
     return CMD_DONE;
@@ -138,9 +134,8 @@ static void put_message(void *context, const char *text, size_t length)
 {
     struct sink report = visible_stream(stderr);
     struct line_tracker *printed = context;
-    if (printed->to.context == stderr) {
+    if (printed->to.context == stderr)
         line_tracker_close(printed);
-    }
     report.put(report.context, text, length);
 }
 
@@ -150,13 +145,11 @@ static bool start_watch(const struct session *session, const struct run_argument
 {
     const struct warning_choice *choice = &args->source.warnings.choice;
     *watch = NULL;
-    if (!session->object || !warning_any(choice)) {
+    if (!session->object || !warning_any(choice))
         return true;
-    }
     *watch = runtime_new(session->object, program_name(args), choice, report);
-    if (!*watch || !c205_listen(session->machine, runtime_listen, *watch)) {
+    if (!*watch || !c205_listen(session->machine, runtime_listen, *watch))
         return false;
-    }
     runtime_begin(*watch, session->machine);
     return true;
 }
@@ -169,9 +162,8 @@ static int conclude(const struct session *session, const struct run_arguments *a
     int code = args->save            ? save(session, args, stop)
                : interrupt_pending() ? CMD_DONE
                                      : judge(session, args, stop);
-    if (!may_go_on(stop) || !interrupt_pending()) {
+    if (!may_go_on(stop) || !interrupt_pending())
         return code;
-    }
     return cmd_failed(session->command,
                       "interrupted; these are the accounts of the first %" PRIu64
                       " clock%s",
@@ -212,13 +204,11 @@ static int run(struct session *session, const struct run_arguments *args)
     struct printer printer = { line_tracker_sink(&printed) };
     struct sink messages = { put_message, &printed };
     struct line_profile *profile = NULL;
-    if (args->profile) {
+    if (args->profile)
         profile = line_profile_new(session->object);
-    }
     c205_listen(machine, printer_listen, &printer);
-    if (args->trace) {
+    if (args->trace)
         c205_listen(machine, trace, &messages);
-    }
     if ((args->profile
          && (!profile || !c205_listen(machine, line_profile_listen, profile)))
         || !start_watch(session, args, &messages, &watch)) {
@@ -231,9 +221,8 @@ static int run(struct session *session, const struct run_arguments *args)
     runtime_free(watch);
     line_tracker_close(&printed);
     int code = show_accounts(session, args, &stop);
-    if (profile && code == CMD_DONE) {
+    if (profile && code == CMD_DONE)
         code = line_profile_show(profile, view, results);
-    }
     line_profile_free(profile);
     code = output_close(results, code);
     int verdict = conclude(session, args, &stop);
@@ -249,9 +238,8 @@ static bool restore(struct session *session, const char *path, c205_error *error
     session->machine = state_load(path, session->model, error);
     if (session->machine && session->object
         && c205_loaded_program(session->machine)
-               != c205_program_hash(&session->object->program)) {
+               != c205_program_hash(&session->object->program))
         return error_set(error, "%.180s: the saved machine runs another program", path);
-    }
     return session->machine;
 }
 
@@ -280,9 +268,8 @@ static int check_usage(const struct run_arguments *args)
 {
     const char *command = args->shared.command;
     bool state = args->save || args->restore;
-    if (args->files.count == 0 && !args->restore) {
+    if (args->files.count == 0 && !args->restore)
         return cmd_usage(command, "FILE is missing");
-    }
     if (args->check) {
         return state ? cmd_usage(command,
                                  "--check cannot be combined with --save or --restore")
@@ -296,18 +283,14 @@ static int check_usage(const struct run_arguments *args)
                          "expected one program, found also %s; --check runs several",
                          args->files.items[1]);
     }
-    if (args->profile && args->restore) {
+    if (args->profile && args->restore)
         return cmd_usage(command, "--profile cannot be combined with --restore");
-    }
-    if (args->in_order && !args->profile) {
+    if (args->in_order && !args->profile)
         return cmd_usage(command, "--in-order requires --profile");
-    }
-    if (args->warm && args->restore) {
+    if (args->warm && args->restore)
         return cmd_usage(command, "--warm cannot be combined with --restore");
-    }
-    if (args->save && args->limit == C205_NO_LIMIT) {
+    if (args->save && args->limit == C205_NO_LIMIT)
         return cmd_usage(command, "--save requires --limit");
-    }
     return CMD_DONE;
 }
 
@@ -315,13 +298,11 @@ static int cmd_run(void *given)
 {
     const struct run_arguments *args = given;
     struct session session = { .command = args->shared.command };
-    if (args->source.warnings.list) {
+    if (args->source.warnings.list)
         return cmd_list_warnings();
-    }
     int code = check_usage(args);
-    if (code != CMD_DONE || args->check) {
+    if (code != CMD_DONE || args->check)
         return code == CMD_DONE ? cmd_run_check(args) : code;
-    }
     bool good = session_model(&session, args->shared.model)
                 && (args->files.count == 0
                     || session_program(&session, &args->source, args->files.items[0]))

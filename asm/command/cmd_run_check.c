@@ -42,9 +42,8 @@ static bool meets(struct checker *checker, const struct object *object,
     struct sink sink = text_buffer_sink(&checker->report);
     const char *printed = checker->printed.text;
     warning_set warned = object->warned | runtime_warned(checker->watch);
-    if (!expect_anything(object)) {
+    if (!expect_anything(object))
         return fail(checker, "the program has no expectations");
-    }
     return expect_check(object, checker->machine, stop, printed ? printed : "", warned,
                         &sink)
            && runtime_errors(checker->watch) == 0;
@@ -109,13 +108,11 @@ static bool run(struct checker *checker, const struct object *object, const char
 {
     struct sink report = text_buffer_sink(&checker->report);
     c205_error error;
-    if (!have_machine(checker, object)) {
+    if (!have_machine(checker, object))
         return false;
-    }
     if (!object_check(object, &error)
-        || !c205_load(checker->machine, &object->program, &error)) {
+        || !c205_load(checker->machine, &object->program, &error))
         return fail(checker, error.message);
-    }
     checker->watch = runtime_new(object, path, &checker->args->source.warnings.choice,
                                  &report);
     bool good = checker->watch ? run_watched(checker, object)
@@ -175,9 +172,8 @@ static void print_json(struct json *json, const c205_model *model,
     json_bool(json, "passed", verdict->good);
     json_bool(json, "clocks_compared", !verdict->other_model);
     json_text(json, "report", verdict->report);
-    if (model) {
+    if (model)
         provenance_json(model, json);
-    }
     json_end(json);
 }
 
@@ -186,25 +182,21 @@ static void check_one(struct checker *checker, const char *path)
     struct sink sink = text_buffer_sink(&checker->report);
     struct object *object = cmd_read_program(&checker->args->source, path, &sink);
     struct verdict verdict = { path, object && run(checker, object, path), NULL, "" };
-    if (object && checker->machine && expect_other_model(object, checker->machine)) {
+    if (object && checker->machine && expect_other_model(object, checker->machine))
         verdict.other_model = c205_model_name(checker->model);
-    }
     object_free(object);
-    if (checker->report.text) {
+    if (checker->report.text)
         verdict.report = checker->report.text;
-    }
     if (checker->printed.failed || checker->report.failed) {
         verdict.good = false;
         verdict.report = "out of memory";
     }
-    if (checker->table) {
+    if (checker->table)
         print_row(checker->table, &verdict);
-    } else {
+    else
         print_text(checker->results, &verdict);
-    }
-    if (checker->results->json) {
+    if (checker->results->json)
         print_json(checker->results->json, checker->model, &verdict);
-    }
     checker->failures += !verdict.good;
     text_buffer_free(&checker->printed);
     text_buffer_free(&checker->report);
@@ -215,18 +207,14 @@ static int check_all(struct checker *checker)
     const struct run_arguments *args = checker->args;
     const struct command_output *results = checker->results;
     bool tabular = results->file && results->format != OUTPUT_TEXT;
-    if (tabular && !(checker->table = table_new(TABLE_COLUMNS(columns)))) {
+    if (tabular && !(checker->table = table_new(TABLE_COLUMNS(columns))))
         return cmd_failed(args->shared.command, "out of memory");
-    }
-    if (results->json) {
+    if (results->json)
         json_array(results->json, "programs");
-    }
-    for (size_t i = 0; i < args->files.count; i++) {
+    for (size_t i = 0; i < args->files.count; i++)
         check_one(checker, args->files.items[i]);
-    }
-    if (results->json) {
+    if (results->json)
         json_end(results->json);
-    }
     bool good = !tabular
                 || table_write(checker->table, output_table_format(results),
                                results->file);
@@ -252,9 +240,8 @@ int cmd_run_check(const struct run_arguments *args)
     struct command_output results = args->shared.results;
     struct checker checker = { .args = args, .results = &results };
     checker.printer.sink = text_buffer_sink(&checker.printed);
-    if (!check_model(args) || !output_open(&results, args->shared.command, NULL)) {
+    if (!check_model(args) || !output_open(&results, args->shared.command, NULL))
         return CMD_FAILED;
-    }
     int code = check_all(&checker);
     drop_machine(&checker);
     int kept = output_close(&results, CMD_DONE);

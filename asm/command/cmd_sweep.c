@@ -90,13 +90,11 @@ static int show_rest(const struct program_sweep *sweep,
 {
     struct command_output rest = *results;
     int code;
-    if (results->format != OUTPUT_CSV) {
+    if (results->format != OUTPUT_CSV)
         rest.file = NULL;
-    }
     code = output_show(&rest, swept_causes(sweep), "causes", "Causes");
-    if (code == CMD_DONE && sweep->program_count == SWEPT_PROGRAMS) {
+    if (code == CMD_DONE && sweep->program_count == SWEPT_PROGRAMS)
         code = output_show(&rest, swept_crossings(sweep), "crossings", "Crossings");
-    }
     return code;
 }
 
@@ -106,9 +104,8 @@ static void show_head(const struct program_sweep *sweep,
     if (results->json) {
         json_text(results->json, "constant", sweep->constant);
         json_array(results->json, "programs");
-        for (size_t i = 0; i < sweep->program_count; i++) {
+        for (size_t i = 0; i < sweep->program_count; i++)
             json_text(results->json, NULL, sweep->programs[i].path);
-        }
         json_end(results->json);
         provenance_json(sweep->model, results->json);
     }
@@ -128,16 +125,13 @@ static int show(const struct program_sweep *sweep, const struct command_output *
         output_gap(results);
         code = output_show(results, swept_lines(sweep), "lines", "Lines");
     }
-    if (code == CMD_DONE) {
+    if (code == CMD_DONE)
         code = show_rest(sweep, results);
-    }
     output_gap(results);
-    for (size_t i = 0; i < sweep->program_count; i++) {
+    for (size_t i = 0; i < sweep->program_count; i++)
         print_line(sweep, (int)i, results);
-    }
-    if (sweep->program_count == SWEPT_PROGRAMS) {
+    if (sweep->program_count == SWEPT_PROGRAMS)
         print_crossings(sweep, results);
-    }
     output_model(results, sweep->model);
     return code;
 }
@@ -147,9 +141,8 @@ static bool draw(const struct program_sweep *sweep, const char *path, c205_error
     struct atomic_file *whole = atomic_file_open(path, error);
     char title[SWEPT_TITLE];
     struct sink sink;
-    if (!whole) {
+    if (!whole)
         return false;
-    }
     swept_title(sweep, title);
     sink = stream_sink(whole->file);
     if (!swept_svg(sweep, title, &sink, error)) {
@@ -166,12 +159,10 @@ static bool take_swept(char *text, void *value)
 {
     struct swept_constants *swept = value;
     char *equals = strchr(text, '=');
-    if (!equals || !strchr(equals, ':')) {
+    if (!equals || !strchr(equals, ':'))
         return cmd_take_define(text, &swept->fixed);
-    }
-    if (equals == text || !swept_take_range(equals + 1, &swept->range)) {
+    if (equals == text || !swept_take_range(equals + 1, &swept->range))
         return false;
-    }
     *equals = '\0';
     swept->name = text;
     swept->ranges++;
@@ -190,9 +181,8 @@ static bool read_text(const struct program_sweep_arguments *args,
         program->text = NULL;
         free(text);
     }
-    if (!program->text) {
+    if (!program->text)
         cmd_failed(args->shared.command, "%s: %s", path, error.message);
-    }
     return program->text;
 }
 
@@ -218,9 +208,8 @@ static int run_and_show(struct session *session,
                         struct program_sweep *sweep)
 {
     c205_error error;
-    if (!session_output(session, &args->shared.results, args->output)) {
+    if (!session_output(session, &args->shared.results, args->output))
         return CMD_FAILED;
-    }
     return run_and_draw(args, sweep, &error)
                ? show(sweep, &session->results)
                : cmd_failed(session->command, "%s", error.message);
@@ -243,13 +232,11 @@ static int sweep_programs(struct session *session,
                                    .report = visible_stream(stderr) };
     bool good = true;
     int code;
-    for (size_t i = 0; good && i < sweep.program_count; i++) {
+    for (size_t i = 0; good && i < sweep.program_count; i++)
         good = read_text(args, &sweep.programs[i], args->files.items[i]);
-    }
     code = good ? run_and_show(session, args, &sweep) : CMD_FAILED;
-    for (size_t i = 0; i < sweep.program_count; i++) {
+    for (size_t i = 0; i < sweep.program_count; i++)
         free((char *)sweep.programs[i].text);
-    }
     swept_free(&sweep);
     return code;
 }
@@ -289,13 +276,11 @@ static int cmd_sweep(void *given)
     struct session session = { .command = args->shared.command };
     const char *output = args->output;
     int code;
-    if (args->files.count == 0 || args->files.count > SWEPT_PROGRAMS) {
+    if (args->files.count == 0 || args->files.count > SWEPT_PROGRAMS)
         return cmd_usage(args->shared.command, "expected one or two programs");
-    }
     code = check_values(args);
-    if (code != CMD_DONE) {
+    if (code != CMD_DONE)
         return code;
-    }
     if (output && !file_is_stream(output) && !file_ends_with(output, ".svg")) {
         return cmd_usage(args->shared.command,
                          "%s: the name of a picture must end in .svg", output);

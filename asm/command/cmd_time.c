@@ -98,9 +98,8 @@ static bool alike(const struct measurement *a, const struct measurement *b)
 {
     bool same = strcmp(a->timing, b->timing) == 0 && a->flops == b->flops
                 && strcmp(qualifier_of(a), qualifier_of(b)) == 0;
-    for (size_t i = 0; same && i < MEASURE_POINTS; i++) {
+    for (size_t i = 0; same && i < MEASURE_POINTS; i++)
         same = a->points[i].clocks == b->points[i].clocks;
-    }
     return same;
 }
 
@@ -108,9 +107,8 @@ static bool is_first(const struct measurements *measured, size_t number)
 {
     const struct measurement *items = measured->items;
     size_t i = 0;
-    while (!alike(&items[i], &items[number])) {
+    while (!alike(&items[i], &items[number]))
         i++;
-    }
     return i == number;
 }
 
@@ -139,9 +137,8 @@ static struct table *class_table(const struct measurements *measured,
     for (size_t i = 0; table && i < measured->count; i++) {
         const struct measurement *item = &measured->items[i];
         char timing[C205_TEXT_SIZE];
-        if (!is_first(measured, i)) {
+        if (!is_first(measured, i))
             continue;
-        }
         snprintf(timing, sizeof timing, "%s%s", item->timing, qualifier_of(item));
         table_text(table, timing);
         add_speed(table, item, model);
@@ -158,9 +155,8 @@ static bool add_name(const struct time_arguments *args, const c205_model *model,
     struct measurement taken;
     c205_error error = { "out of memory" };
     if (measure(model, name, &taken, &error)
-        && array_add(&measured->items, &measured->count, &taken, sizeof taken)) {
+        && array_add(&measured->items, &measured->count, &taken, sizeof taken))
         return true;
-    }
     cmd_failed(args->shared.command, "%s", error.message);
     return false;
 }
@@ -173,9 +169,8 @@ static bool measure_size(const struct time_arguments *args, const c205_model *mo
     bool good = true;
     for (size_t i = 0; good && i < c205_insn_count; i++) {
         snprintf(name, sizeof name, "%s%s", c205_insns[i].mnemonic, suffix);
-        if (measure_knows(name)) {
+        if (measure_knows(name))
             good = add_name(args, model, name, measured);
-        }
     }
     snprintf(name, sizeof name, "%s%s", measure_triad, suffix);
     return good && add_name(args, model, name, measured);
@@ -186,12 +181,10 @@ static bool measure_all(const struct time_arguments *args, const c205_model *mod
                         struct measurements *measured)
 {
     bool good = true;
-    for (size_t i = 0; good && i < args->names.count; i++) {
+    for (size_t i = 0; good && i < args->names.count; i++)
         good = add_name(args, model, args->names.items[i], measured);
-    }
-    if (args->names.count > 0) {
+    if (args->names.count > 0)
         return good;
-    }
     return measure_size(args, model, "", measured)
            && measure_size(args, model, SYNTAX_HALF, measured);
 }
@@ -204,13 +197,11 @@ static int show_points(const struct time_arguments *args,
                        const struct command_output *results)
 {
     struct command_output shown = *results;
-    if (!args->points) {
+    if (!args->points)
         shown.file = NULL;
-    }
     int code = output_show(&shown, point_table(measured), "points", "Points");
-    if (code == CMD_DONE && args->points) {
+    if (code == CMD_DONE && args->points)
         output_gap(results);
-    }
     return code;
 }
 
@@ -221,9 +212,8 @@ static int show_speeds(const struct time_arguments *args, const c205_model *mode
                        const struct command_output *results)
 {
     struct command_output classes = *results, each = *results;
-    if (args->names.count > 0 || results->format == OUTPUT_CSV || !results->file) {
+    if (args->names.count > 0 || results->format == OUTPUT_CSV || !results->file)
         return output_show(results, speed_table(measured, model), "speeds", "Speeds");
-    }
     classes.json = NULL;
     each.file = NULL;
     int code = output_show(&classes, class_table(measured, model), NULL,
@@ -237,16 +227,13 @@ static int show(const struct time_arguments *args, const c205_model *model,
                 const struct measurements *measured,
                 const struct command_output *results)
 {
-    if (results->json) {
+    if (results->json)
         provenance_json(model, results->json);
-    }
     int code = show_points(args, measured, results);
-    if (code == CMD_DONE) {
+    if (code == CMD_DONE)
         code = show_speeds(args, model, measured, results);
-    }
-    if (code == CMD_DONE) {
+    if (code == CMD_DONE)
         output_model(results, model);
-    }
     return code;
 }
 
@@ -283,9 +270,8 @@ static int cmd_time(void *given)
  * measured, NULL after the last. */
 static const char *measured_choice(size_t number)
 {
-    if (number > c205_insn_count) {
+    if (number > c205_insn_count)
         return NULL;
-    }
     const char *name = number < c205_insn_count ? c205_insns[number].mnemonic
                                                 : measure_triad;
     return measure_knows(name) ? name : "";

@@ -22,9 +22,8 @@ static int write_file(const struct program_timeline_arguments *args,
     char title[TIMELINE_TITLE];
     timeline_title(timeline, args->file,
                    args->shared.model ? args->shared.model : C205_DEFAULT_MODEL, title);
-    if (!timeline_save(timeline, args->output, title, &error)) {
+    if (!timeline_save(timeline, args->output, title, &error))
         return cmd_failed(args->shared.command, "%s", error.message);
-    }
     cmd_print_line(stdout, "%s: %zu instruction%s, clocks %" PRIu64 " to %" PRIu64,
                    args->output, timeline_instructions(timeline),
                    plural(timeline_instructions(timeline)), timeline->from,
@@ -43,9 +42,8 @@ static int print_trap(const struct program_timeline_arguments *args,
                       const c205 *machine, const struct ending *ending)
 {
     c205_error error;
-    if (!ending->ended || ending->stop.trap == C205_TRAP_NONE) {
+    if (!ending->ended || ending->stop.trap == C205_TRAP_NONE)
         return CMD_DONE;
-    }
     c205_describe_stop(machine, &ending->stop, &error);
     cmd_print_line(stderr, "%s: %s", args->file, error.message);
     return CMD_FAILED;
@@ -55,9 +53,8 @@ static int judge(const struct program_timeline_arguments *args, c205 *machine,
                  struct ending ending, struct timeline *timeline)
 {
     int code;
-    if (!timeline_is_good(timeline)) {
+    if (!timeline_is_good(timeline))
         return cmd_failed(args->shared.command, "out of memory");
-    }
     if (timeline->full) {
         return cmd_failed(
             args->shared.command,
@@ -86,9 +83,8 @@ static struct ending run_to(c205 *machine, uint64_t clock)
     uint64_t end = clock < CMD_LIMIT ? clock : CMD_LIMIT;
     struct ending ending = { .ended = false };
     bool goes_on = true;
-    while (goes_on && c205_clock(machine) < end) {
+    while (goes_on && c205_clock(machine) < end)
         goes_on = c205_step(machine, &ending.stop);
-    }
     ending.ended = !goes_on;
     return ending;
 }
@@ -100,9 +96,8 @@ static int run_program(struct session *session,
     struct timeline timeline = { .from = args->from, .to = args->to };
     c205_error error;
     int code;
-    if (!session_load(session, args->warm, &error)) {
+    if (!session_load(session, args->warm, &error))
         return cmd_failed(session->command, "%s", error.message);
-    }
     c205_listen(session->machine, timeline_listen, &timeline);
     code = judge(args, session->machine, run_to(session->machine, args->to), &timeline);
     timeline_free(&timeline);
@@ -112,17 +107,15 @@ static int run_program(struct session *session,
 static int check_usage(const struct program_timeline_arguments *args)
 {
     const char *path = args->output;
-    if (!path) {
+    if (!path)
         return cmd_usage(args->shared.command, "-o FILE is missing");
-    }
     if (!timeline_is_named(path)) {
         return cmd_usage(
             args->shared.command,
             "%s: the name of a timeline must end in .svg, .kanata or .json", path);
     }
-    if (args->from >= args->to) {
+    if (args->from >= args->to)
         return cmd_usage(args->shared.command, "--from must be before --to");
-    }
     return CMD_DONE;
 }
 
@@ -131,9 +124,8 @@ static int cmd_timeline(void *given)
     const struct program_timeline_arguments *args = given;
     struct session session = { .command = args->shared.command };
     int code = check_usage(args);
-    if (code != CMD_DONE) {
+    if (code != CMD_DONE)
         return code;
-    }
     bool good = session_program(&session, &args->source, args->file)
                 && session_model(&session, args->shared.model);
     return session_close(&session, good ? run_program(&session, args) : CMD_FAILED);

@@ -37,7 +37,6 @@ static bool wait_for_input(void)
     sigset_t all, before;
     fd_set input;
     bool ready = false;
-
     sigfillset(&all);
     while (!ready && !interrupt_pending()) {
         FD_ZERO(&input);
@@ -59,7 +58,6 @@ typedef int getter(FILE *file);
 static int read_byte(FILE *file)
 {
     unsigned char byte;
-
     (void)file;
     return wait_for_input() && read(STDIN_FILENO, &byte, 1) == 1 ? byte : EOF;
 }
@@ -71,7 +69,6 @@ static const char *(*names)(size_t i); /* global, since libedit's
 static char *complete(const char *text, int state)
 {
     size_t length = strlen(text);
-
     for (size_t i = 0; names(i); i++)
         if (strncmp(names(i), text, length) == 0 && state-- == 0)
             return strdup(names(i));
@@ -83,7 +80,6 @@ static void open_library(struct typed_lines *lines, const char *(*name)(size_t i
     void *library = dlopen("libedit.so.2", RTLD_NOW);
     generator **entry;
     getter **get;
-
     if (!library)
         return;
     names = name;
@@ -105,7 +101,6 @@ static void open_library(struct typed_lines *lines, const char *(*name)(size_t i
 struct typed_lines typed_lines_of(FILE *file, const char *(*name)(size_t i))
 {
     struct typed_lines lines = { .stream.file = file };
-
     lines.terminal = file == stdin && isatty(STDIN_FILENO) == 1
                      && isatty(STDOUT_FILENO) == 1;
     if (lines.terminal)
@@ -143,7 +138,6 @@ const char *typed_lines_next(struct typed_lines *lines, const char *prompt)
 {
     for (;;) {
         const char *line;
-
         fflush(stdout);
         line = lines->read ? read_edited(lines, prompt) : read_plain(lines, prompt);
         if (line || !is_dropped(lines))

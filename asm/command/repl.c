@@ -32,17 +32,15 @@ static const char *obey_all(struct repl *repl, FILE *file)
     interrupt_catch_lines(lines.terminal);
     while (!repl->quit && !interrupt_ends()
            && (line = typed_lines_next(&lines, prompt)) != NULL) {
-        if (!lines.terminal) {
+        if (!lines.terminal)
             cmd_print_line(stdout, "%s%s", prompt, line);
-        }
         note_interrupt(repl);
         repl->quit = !debugger_obey(repl->debugger, line);
         note_interrupt(repl);
     }
     repl->terminal |= lines.terminal;
-    if (lines.terminal && !repl->quit) {
+    if (lines.terminal && !repl->quit)
         putchar('\n');
-    }
     fault = lines.stream.fault;
     typed_lines_free(&lines);
     return fault;
@@ -52,9 +50,8 @@ static const char *obey_script(struct repl *repl, const char *path)
 {
     FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
     const char *fault = file ? obey_all(repl, file) : strerror(errno);
-    if (file && file != stdin) {
+    if (file && file != stdin)
         fclose(file);
-    }
     return fault;
 }
 
@@ -71,19 +68,16 @@ int repl_hold(const struct repl_setup *setup, struct debugger *debugger)
     const char *fault = NULL, *unread = "stdin";
     interrupt_catch();
     debugger_greet(debugger);
-    if (scripts->count == 0) {
+    if (scripts->count == 0)
         fault = obey_all(&repl, stdin);
-    }
     for (size_t i = 0; i < scripts->count && !repl.quit && !fault; i++) {
         unread = scripts->items[i];
         fault = obey_script(&repl, unread);
     }
-    if (interrupt_ends()) {
+    if (interrupt_ends())
         return cmd_failed(setup->command, "interrupted");
-    }
-    if (fault) {
+    if (fault)
         return cmd_failed(setup->command, "cannot read %s: %s", unread, fault);
-    }
     return is_good(&repl) ? CMD_DONE : CMD_FAILED;
 }
 

@@ -32,9 +32,8 @@ static struct object *read_object(const char *path, const char *text, size_t len
 {
     c205_error error;
     struct object *object = object_read(text, length, &error);
-    if (!object) {
+    if (!object)
         sink_print(report, "%s: %s\n", path, error.message);
-    }
     return object;
 }
 
@@ -48,9 +47,8 @@ static struct object *assemble(const struct source_arguments *source, const char
     struct diagnostics errors = { 0 };
     struct object *object = assemble_bytes(path, text, length, &options, &errors);
     diagnostics_put(&errors, report);
-    if (!object && errors.count == 0) {
+    if (!object && errors.count == 0)
         sink_print(report, "%s: error: out of memory\n", path);
-    }
     diagnostics_free(&errors);
     return object;
 }
@@ -78,9 +76,8 @@ struct object *cmd_read_program(const struct source_arguments *source, const cha
     struct object *object = cmd_read_any(source, path, report);
     const char *unused = object ? asm_unused_define(source->defines.items, &object, 1)
                                 : NULL;
-    if (!unused) {
+    if (!unused)
         return object;
-    }
     sink_print(report, "%s: error: '%s' is defined, but the program does not use it\n",
                path, unused);
     object_free(object);
@@ -89,11 +86,9 @@ struct object *cmd_read_program(const struct source_arguments *source, const cha
 
 bool cmd_is_defined(const struct cmd_defines *defines, const char *name)
 {
-    for (size_t i = 0; i < defines->count; i++) {
-        if (strcmp(defines->items[i].name, name) == 0) {
+    for (size_t i = 0; i < defines->count; i++)
+        if (strcmp(defines->items[i].name, name) == 0)
             return true;
-        }
-    }
     return false;
 }
 
@@ -103,14 +98,12 @@ bool cmd_take_define(char *text, void *value)
     struct cmd_defines *defines = value;
     struct asm_define *define = &defines->items[defines->count];
     char *equals = strchr(text, '='), *end;
-    if (!equals || equals == text || defines->count == CMD_DEFINES) {
+    if (!equals || equals == text || defines->count == CMD_DEFINES)
         return false;
-    }
     errno = 0;
     define->value = strtoll(equals + 1, &end, 0);
-    if (errno != 0 || end == equals + 1 || *end != '\0') {
+    if (errno != 0 || end == equals + 1 || *end != '\0')
         return false;
-    }
     *equals = '\0';
     if (cmd_is_defined(defines, text)) {
         *equals = '=';
@@ -141,12 +134,10 @@ bool session_load(struct session *session, bool warm, c205_error *error)
 {
     session->machine = c205_new(session->model, error);
     if (!session->machine || !object_check(session->object, error)
-        || !c205_load(session->machine, &session->object->program, error)) {
+        || !c205_load(session->machine, &session->object->program, error))
         return false;
-    }
-    if (warm) {
+    if (warm)
         c205_warm(session->machine);
-    }
     return true;
 }
 

@@ -180,7 +180,6 @@ void compared_sentence(const struct compared_run runs[COMPARED_RUNS],
     double whole = second - first;
     int most = largest(runs, whole, -1), next;
     char cause[CAUSE_TEXT], beside[CAUSE_TEXT] = "";
-
     if (most < 0) {
         snprintf(text, COMPARED_SENTENCE, "Both take %.0f clock%s.", first,
                  plural((uint64_t)first));

@@ -121,7 +121,6 @@ static const struct {
 static bool is_whole(const struct json_value *object, const char *key)
 {
     int64_t whole;
-
     return json_member_whole(object, key, &whole);
 }
 
@@ -139,7 +138,6 @@ static bool check_member(struct dap *dap, const struct json_value *object,
                          const char *key, enum kind kind)
 {
     const struct json_value *value = json_member(object, key);
-
     if (!value)
         return true;
     if (value->kind != kinds[kind].kind || !has_elements(value, kind)

@@ -17,7 +17,6 @@ static bool make_stop(struct dap *dap, const struct json_value *wanted,
                       const char *file, stop_reader *read, struct breakpoint *stop)
 {
     struct debugger *debugger = dap->debugger;
-
     if (!dap_check(dap, "Breakpoint", wanted))
         return false;
     if (json_member(wanted, "logMessage"))
@@ -48,7 +47,6 @@ static void put_stop(struct dap *dap, struct json *body,
 {
     struct breakpoint stop = { .group = group };
     bool good = make_stop(dap, wanted, file, read, &stop);
-
     json_object(body, NULL);
     json_bool(body, "verified", good);
     if (good)
@@ -63,7 +61,6 @@ static bool replace(struct dap *dap, const struct json_value *arguments,
                     stop_reader *read)
 {
     const struct json_value *wanted = json_member_first(arguments, "breakpoints");
-
     breakpoints_forget(dap->debugger, group);
     json_array(body, "breakpoints");
     for (; wanted; wanted = wanted->next)
@@ -78,7 +75,6 @@ static bool read_line_stop(struct dap *dap, const struct json_value *wanted,
                            const char *file, struct breakpoint *stop)
 {
     int64_t line = 0;
-
     if (!file)
         return dap_fault(dap, "expected the path of a source file in 'source'");
     return dap_whole(dap, wanted, "line", &line)
@@ -90,7 +86,6 @@ static bool read_line_stop(struct dap *dap, const struct json_value *wanted,
 static size_t group_of(const struct dap *dap, const char *file)
 {
     size_t i = 0;
-
     while (i < dap->file_count && dap->files[i] != file)
         i++;
     return GROUP_FILES + i;
@@ -100,7 +95,6 @@ bool request_breakpoints(struct dap *dap, const struct json_value *arguments,
                          struct json *body)
 {
     const char *file = source_file(dap, json_member(arguments, "source"));
-
     return replace(dap, arguments, body, file, group_of(dap, file), read_line_stop);
 }
 
@@ -108,7 +102,6 @@ static bool has_code(const struct dap *dap, const char *file, size_t number)
 {
     for (size_t i = 0; i < dap->object->line_count; i++) {
         const struct asm_line *line = &dap->object->lines[i];
-
         if (line->is_code
             && ((line->number == number && strcmp(line->file, file) == 0)
                 || (line->call_number == number && strcmp(line->call_file, file) == 0)))
@@ -123,7 +116,6 @@ bool request_breakpoint_locations(struct dap *dap, const struct json_value *argu
     enum { MAX_LINES = 1000 };
     const char *file = source_file(dap, json_member(arguments, "source"));
     int64_t line = 0, end;
-
     if (!dap_whole(dap, arguments, "line", &line))
         return false;
     end = line;
@@ -161,7 +153,6 @@ static bool read_named_stop(struct dap *dap, const struct json_value *wanted,
     const char *name = json_member_text(wanted, "name");
     char text[MAX_TEXT];
     struct text_cursor cursor = { text };
-
     (void)file;
     if (!name || strlen(name) + sizeof "region " > sizeof text)
         return dap_fault(dap,
@@ -187,7 +178,6 @@ static bool read_instruction_stop(struct dap *dap, const struct json_value *want
     char text[DAP_ADDRESS_SIZE];
     struct text_cursor cursor = { text };
     uint64_t address;
-
     (void)file;
     if (!dap_address(dap, wanted, "instructionReference", &address))
         return false;
@@ -212,7 +202,6 @@ static bool read_data_stop(struct dap *dap, const struct json_value *wanted,
     const char *id = json_member_text(wanted, "dataId");
     const char *access = json_member_text(wanted, "accessType");
     struct text_cursor cursor = { id ? id : "" };
-
     (void)file;
     if (access && strcmp(access, "write") != 0)
         return dap_fault(dap, "only write access can be watched");
@@ -235,7 +224,6 @@ static bool find_address(struct dap *dap, const struct json_value *arguments,
     struct vector_view vector;
     int64_t reference = 0;
     size_t number;
-
     if (!dap_whole(dap, arguments, "variablesReference", &reference))
         return false;
     if (reference == 0)
@@ -251,7 +239,6 @@ static void put_data(struct json *body, uint64_t address, int64_t bytes)
 {
     uint64_t words = ((uint64_t)bytes + address % 64 / 8 + 7) / 8;
     char text[2 * DAP_ADDRESS_SIZE];
-
     snprintf(text, sizeof text, "0x%llX, %llu",
              (unsigned long long)(address - address % 64), (unsigned long long)words);
     json_text(body, "dataId", text);
@@ -271,7 +258,6 @@ bool request_data_breakpoint_info(struct dap *dap, const struct json_value *argu
     int64_t bytes = 8;
     uint64_t address;
     const char *why;
-
     if (!dap_whole(dap, arguments, "bytes", &bytes))
         return false;
     if (name && bytes > 0 && bytes <= 8 * WATCHED_WORDS
@@ -293,7 +279,6 @@ bool request_exception_breakpoints(struct dap *dap, const struct json_value *arg
                                    struct json *body)
 {
     const struct json_value *filter = json_member_first(arguments, "filters");
-
     (void)body;
     dap->stop_at_traps = false;
     for (; filter; filter = filter->next) {

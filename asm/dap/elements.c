@@ -8,7 +8,6 @@
 void put_bits(c205_word word, unsigned width, const struct sink *sink)
 {
     struct word_text text = word_text(word, width == 32);
-
     if (width == 1)
         sink_print(sink, "%u", (unsigned)word & 1);
     else
@@ -21,7 +20,6 @@ static void put_control(const struct dap *dap, const struct vector_view *vector,
                         size_t i, const struct sink *sink)
 {
     bool bit;
-
     if (vector_control(machine_of(dap->debugger), vector, i, &bit))
         sink_print(sink, "  ? %d", bit);
 }
@@ -34,7 +32,6 @@ static void put_element(struct dap *dap, struct json *json,
     struct sink sink = text_line_sink(&text);
     char name[DAP_ADDRESS_SIZE];
     c205_word word;
-
     json_object(json, NULL);
     snprintf(name, sizeof name, "[%zu]", i);
     json_text(json, "name", name);
@@ -66,7 +63,6 @@ bool element_number(const struct vector_view *vector, const char *name, size_t *
 {
     char *end;
     unsigned long value;
-
     if (name[0] != '[' || name[1] < '0' || name[1] > '9')
         return false;
     value = strtoul(name + 1, &end, 10);

@@ -11,7 +11,6 @@ static bool put_value(struct dap *dap, struct json *body, const char *text,
 {
     struct text_cursor cursor = { text }, again = { text };
     struct register_of named;
-
     if (!verb_print(dap->debugger, &cursor))
         return false;
     dap_put_said(dap, body, key);
@@ -53,7 +52,6 @@ static void send_changed(struct dap *dap)
 {
     struct text_buffer body;
     struct json *json = event_begin(dap, &body);
-
     if (!json)
         return;
     json_array(json, "areas");
@@ -68,7 +66,6 @@ static void obey_line(struct dap *dap, const char *text)
 {
     struct debug_location before = debug_location_of(dap);
     bool goes_on;
-
     dap->state = DAP_RUNNING;
     dap->pending = PENDING_NONE;
     goes_on = debugger_obey(dap->debugger, text);
@@ -88,7 +85,6 @@ bool request_evaluate(struct dap *dap, const struct json_value *arguments,
 {
     const char *text = json_member_text(arguments, "expression");
     const char *context = json_member_text(arguments, "context");
-
     if (!text)
         return dap_fault(dap, "'expression' is missing");
     if (!context || strcmp(context, "repl") != 0)
@@ -112,7 +108,6 @@ bool request_set_expression(struct dap *dap, const struct json_value *arguments,
     struct sink sink = text_buffer_sink(&line);
     struct text_cursor cursor;
     bool good;
-
     if (!name || !value)
         return dap_fault(dap, "'expression' or 'value' is missing");
     sink_put(&sink, name);

@@ -23,7 +23,6 @@ static const char *stop_reason(const struct breakpoint *stop)
 static const char *met_reason(const struct dap *dap)
 {
     const struct debugger *debugger = dap->debugger;
-
     for (size_t i = 0; i < debugger->breakpoint_count; i++)
         if (debugger->breakpoints[i].met)
             return stop_reason(&debugger->breakpoints[i]);
@@ -33,7 +32,6 @@ static const char *met_reason(const struct dap *dap)
 static void put_met(const struct dap *dap, struct json *body)
 {
     const struct debugger *debugger = dap->debugger;
-
     json_array(body, "hitBreakpointIds");
     for (size_t i = 0; i < debugger->breakpoint_count; i++)
         if (debugger->breakpoints[i].met)
@@ -47,7 +45,6 @@ static void send_stopped(struct dap *dap, const char *reason, bool met)
     struct text_buffer text;
     struct json *body;
     const char *said;
-
     dap->state = DAP_STANDING;
     send_printed(dap);
     body = event_begin(dap, &text);
@@ -88,7 +85,6 @@ static void send_exit(struct dap *dap, int64_t status)
 {
     struct text_buffer text;
     struct json *body;
-
     send_printed(dap);
     body = event_begin(dap, &text);
     if (!body)
@@ -114,7 +110,6 @@ static void send_trap(struct dap *dap)
 static void send_halt(struct dap *dap)
 {
     const c205_stop *stop = &dap->debugger->halt;
-
     if (stop->trap != C205_TRAP_NONE) {
         send_trap(dap);
     } else if (dap->stop_on_end && !dap->exit_reported) {
@@ -131,7 +126,6 @@ static void send_halt(struct dap *dap)
 static void arrive(struct dap *dap, enum execution_end ended)
 {
     struct sink output = dap_output_sink(dap);
-
     if (ended != EXECUTION_HALTED)
         dap->exit_reported = false;
     switch (ended) {
@@ -161,7 +155,6 @@ static enum execution_end to_the_beginning(struct debugger *debugger)
 static void prepare_beginning(struct dap *dap)
 {
     struct debugger *debugger = dap->debugger;
-
     for (size_t i = 0; i < debugger->breakpoint_count; i++)
         debugger->breakpoints[i].hits = 0;
     debugger->reported = 0;
@@ -172,7 +165,6 @@ static void prepare_beginning(struct dap *dap)
 static void go(struct dap *dap)
 {
     enum execution_end ended;
-
     do {
         if (dap->pending == PENDING_RESTART)
             prepare_beginning(dap);
@@ -231,7 +223,6 @@ bool request_continue(struct dap *dap, const struct json_value *arguments,
 static bool by_instruction(const struct json_value *arguments)
 {
     const char *unit = json_member_text(arguments, "granularity");
-
     return unit && strcmp(unit, "instruction") == 0;
 }
 
@@ -292,7 +283,6 @@ bool request_goto_targets(struct dap *dap, const struct json_value *arguments,
     const char *file = source_file(dap, json_member(arguments, "source"));
     struct breakpoint stop = { .number = 0 };
     int64_t line = 0;
-
     if (!file)
         return dap_fault(dap, "expected the path of a source file in 'source'");
     if (!dap_whole(dap, arguments, "line", &line)
@@ -319,7 +309,6 @@ bool request_goto(struct dap *dap, const struct json_value *arguments,
                   struct json *body)
 {
     int64_t target = -1;
-
     (void)body;
     dap->then = send_goto;
     return dap_whole(dap, arguments, "targetId", &target)
@@ -330,7 +319,6 @@ bool request_exception_info(struct dap *dap, const struct json_value *arguments,
                             struct json *body)
 {
     const struct debugger *debugger = dap->debugger;
-
     (void)arguments;
     if (!debugger->halted || debugger->halt.trap == C205_TRAP_NONE)
         return dap_fault(dap, "no trap has stopped the program");

@@ -30,7 +30,6 @@ static bool add_file(struct dap *dap, const char *file, size_t *capacity)
 bool sources_find(struct dap *dap)
 {
     size_t capacity = 0;
-
     dap->file_count = 0;
     for (size_t i = 0; i < dap->object->line_count; i++)
         if (!add_file(dap, dap->object->lines[i].file, &capacity)
@@ -44,7 +43,6 @@ bool sources_find(struct dap *dap)
 static const struct text *carried(const char *file)
 {
     const struct text *text = library_texts;
-
     while (text->name && strcmp(text->name, file) != 0)
         text++;
     return text->name ? text : NULL;
@@ -60,7 +58,6 @@ static char *path_of(const struct dap *dap, const char *file)
 {
     struct text_buffer path = { 0 };
     struct sink sink = text_buffer_sink(&path);
-
     if (has_folder(dap, file)) {
         sink_put(&sink, dap->setup.folder);
         sink_put(&sink, "/");
@@ -73,7 +70,6 @@ static bool is_path(const struct dap *dap, const char *file, const char *path)
 {
     char *whole = carried(file) ? NULL : path_of(dap, file);
     bool same = whole && (strcmp(whole, path) == 0 || file_is_one(whole, path));
-
     free(whole);
     return same;
 }
@@ -83,7 +79,6 @@ const char *source_file(const struct dap *dap, const struct json_value *source)
     const char *path = json_member_text(source, "path");
     const char *name = json_member_text(source, "name");
     int64_t number = 0;
-
     json_member_whole(source, "sourceReference", &number);
     if (number > 0)
         return (uint64_t)number <= dap->file_count ? dap->files[number - 1] : NULL;
@@ -97,7 +92,6 @@ const char *source_file(const struct dap *dap, const struct json_value *source)
 static size_t member_number(const struct dap *dap, const char *file)
 {
     size_t i = 0;
-
     while (i < dap->file_count && strcmp(dap->files[i], file) != 0)
         i++;
     return i + 1;
@@ -107,7 +101,6 @@ void put_source_members(struct dap *dap, struct json *json, const char *file)
 {
     const char *slash = strrchr(file, '/');
     char *path = carried(file) ? NULL : path_of(dap, file);
-
     json_text(json, "name", slash ? slash + 1 : file);
     if (path) {
         json_text(json, "path", path);
@@ -148,11 +141,9 @@ static char *text_of(struct dap *dap, const char *file)
     struct sink sink = text_buffer_sink(&whole);
     c205_error error;
     size_t length;
-
     if (!text) {
         char *path = path_of(dap, file);
         char *read = path ? text_file_read(path, FILE_LARGEST, &length, &error) : NULL;
-
         if (!read)
             dap_fault(dap, "%s: %s", file, path ? error.message : "out of memory");
         free(path);
@@ -169,7 +160,6 @@ bool request_source(struct dap *dap, const struct json_value *arguments,
     const struct json_value *source = json_member(arguments, "source");
     const char *file = source_file(dap, source ? source : arguments);
     char *text;
-
     if (!file)
         return dap_fault(dap, "expected the path of a source file in 'source'");
     text = text_of(dap, file);
@@ -228,7 +218,6 @@ static struct frames find_frames(const struct dap *dap)
     struct frames frames = { .pc = pc,
                              .line = object_line(dap->object, pc),
                              .region = object_region(dap->object, pc) };
-
     frames.kinds[frames.count++] = FRAME_PLACE;
     if (frames.line && place_is_called(frames.line))
         frames.kinds[frames.count++] = FRAME_CALL;
@@ -241,10 +230,8 @@ static struct frames find_frames(const struct dap *dap)
 static const struct asm_symbol *label_before(const struct dap *dap, uint64_t address)
 {
     const struct asm_symbol *found = NULL;
-
     for (size_t i = 0; i < dap->object->symbol_count; i++) {
         const struct asm_symbol *symbol = &dap->object->symbols[i];
-
         if (symbol->is_label && (uint64_t)symbol->value <= address
             && (!found || symbol->value > found->value))
             found = symbol;
@@ -258,7 +245,6 @@ static void put_name(const struct dap *dap, struct json *body, uint64_t address)
     const struct asm_symbol *label = label_before(dap, address);
     struct text_line text = { .length = 0 };
     struct sink sink = text_line_sink(&text);
-
     if (!label)
         sink_print(&sink, "%llX", (unsigned long long)address);
     else if ((uint64_t)label->value == address)
@@ -289,7 +275,6 @@ static void put_call(struct dap *dap, struct json *body, const struct asm_line *
     const char *from = line->call_source;
     struct text_line text = { .length = 0 };
     struct sink sink = text_line_sink(&text);
-
     while (isspace((unsigned char)*from))
         from++;
     sink_print(&sink, "%.*s", (int)strcspn(from, "\n;"), from);
@@ -325,7 +310,6 @@ bool request_stack_trace(struct dap *dap, const struct json_value *arguments,
 {
     struct frames frames = find_frames(dap);
     int64_t from = 0, levels = 0;
-
     if (!dap_whole(dap, arguments, "startFrame", &from)
         || !dap_whole(dap, arguments, "levels", &levels))
         return false;

@@ -48,7 +48,6 @@ bool request_initialize(struct dap *dap, const struct json_value *arguments,
                         struct json *body)
 {
     const char *paths = json_member_text(arguments, "pathFormat");
-
     if (paths && strcmp(paths, "path") != 0)
         return dap_fault(dap,
                          "the path format '%.40s' is not supported; expected 'path'",
@@ -80,7 +79,6 @@ static const struct asm_define *read_defines(struct dap *dap,
     const struct json_value *item = object ? object->first : NULL;
     struct asm_define *defines = arena_take(&dap->launched, (json_length(object) + 1)
                                                                 * sizeof *defines);
-
     for (size_t i = 0; defines && item; i++, item = item->next) {
         defines[i].name = copy_text(dap, item->key);
         json_member_whole(object, item->key, &defines[i].value);
@@ -95,7 +93,6 @@ static const char *const *read_search(struct dap *dap, const struct json_value *
     const struct json_value *item = list ? list->first : NULL;
     const char **search = arena_take(&dap->launched,
                                      (json_length(list) + 1) * sizeof *search);
-
     for (size_t i = 0; search && item; i++, item = item->next)
         search[i] = copy_text(dap, item->text);
     return search;
@@ -105,7 +102,6 @@ static bool read_program(struct dap *dap, const struct json_value *launch,
                          struct dap_program *program)
 {
     const char *path = json_member_text(launch, "program");
-
     path = path ? path : dap->setup.program;
     if (!path)
         return dap_fault(dap, "'program' is missing");
@@ -123,7 +119,6 @@ static void print(void *context, const char *text, size_t length)
 {
     struct dap *dap = context;
     struct sink sink = text_buffer_sink(&dap->printed);
-
     sink.put(sink.context, text, length);
 }
 
@@ -140,7 +135,6 @@ static bool make_debugger(struct dap *dap, bool warm)
                                     .interrupted = dap_listen,
                                     .asked = dap };
     c205_error error;
-
     dap->debugger = debugger_new(&setup, &error);
     return dap->debugger || dap_fault(dap, "%s", error.message);
 }
@@ -149,7 +143,6 @@ static bool open_program(struct dap *dap, const struct json_value *launch)
 {
     struct dap_program program;
     struct sink report = dap_output_sink(dap);
-
     return read_program(dap, launch, &program)
            && dap->setup.open(dap->setup.context, &program, &report, &dap->object,
                               &dap->model)
@@ -181,7 +174,6 @@ static void ask_configuration(struct dap *dap)
 static void read_stops(struct dap *dap, const struct json_value *launch)
 {
     bool stops = !json_member_truth(launch, "noDebug", false);
-
     dap->stop_at_traps = stops;
     dap->stop_on_entry = stops && json_member_truth(launch, "stopOnEntry", false);
     dap->stop_on_end = stops && json_member_truth(launch, "stopOnEnd", false);

@@ -23,7 +23,6 @@ static void put_base64(const struct sink *sink, const unsigned char *bytes,
     for (size_t i = 0; i < count; i += 3) {
         unsigned long three = (unsigned long)bytes[i] << 16;
         char text[5];
-
         if (i + 1 < count)
             three |= (unsigned long)bytes[i + 1] << 8;
         if (i + 2 < count)
@@ -40,7 +39,6 @@ static bool read_base64(const char *text, unsigned char *bytes, size_t *count)
 {
     unsigned long bits = 0;
     size_t length = strlen(text), n = 0;
-
     *count = 0;
     while (length > 0 && text[length - 1] == '=' && n < 2) {
         length--;
@@ -50,7 +48,6 @@ static bool read_base64(const char *text, unsigned char *bytes, size_t *count)
         return false;
     for (size_t i = 0; i < length; i++) {
         const char *digit = strchr(digits, text[i]);
-
         if (!digit)
             return false;
         bits = (bits << 6 | (unsigned long)(digit - digits)) & 0xFFFFFF;
@@ -75,7 +72,6 @@ static bool read_place(struct dap *dap, const struct json_value *arguments,
 static bool read_byte(const struct dap *dap, uint64_t address, unsigned char *byte)
 {
     c205_word word;
-
     if (address >> 48
         || !c205_read(machine_of(dap->debugger), address - address % 64, &word, 1))
         return false;
@@ -92,7 +88,6 @@ bool request_read_memory(struct dap *dap, const struct json_value *arguments,
     uint64_t address;
     int64_t count = -1;
     size_t there = 0;
-
     if (!read_place(dap, arguments, &address)
         || !dap_whole(dap, arguments, "count", &count))
         return false;
@@ -118,7 +113,6 @@ static size_t mapped_bytes(const struct dap *dap, uint64_t address, size_t count
 {
     unsigned char byte;
     size_t there = 0;
-
     while (there < count && read_byte(dap, address + 8 * (uint64_t)there, &byte))
         there++;
     return there;
@@ -131,7 +125,6 @@ static bool write_bytes(struct dap *dap, const struct json_value *arguments,
 {
     uint64_t address;
     size_t there;
-
     if (!read_place(dap, arguments, &address))
         return false;
     there = mapped_bytes(dap, address, count);
@@ -151,7 +144,6 @@ bool request_write_memory(struct dap *dap, const struct json_value *arguments,
     unsigned char *bytes;
     size_t count;
     bool good;
-
     if (!text)
         return dap_fault(dap, "'data' is missing");
     bytes = malloc(strlen(text) + 1);
@@ -171,7 +163,6 @@ static uint64_t move_address(const struct dap *dap, uint64_t address,
                              int64_t instructions)
 {
     struct instruction_view view;
-
     for (; instructions < 0 && address > 0; instructions++)
         address = place_before(dap->debugger, address);
     for (; instructions > 0 && address >> 48 == 0; instructions--) {
@@ -185,7 +176,6 @@ static void put_origin(struct dap *dap, struct json *body, uint64_t address)
 {
     const struct asm_line *line = object_line(dap->object, address);
     const char *label = object_label(dap->object, address);
-
     if (*label)
         json_text(body, "symbol", label);
     if (!line)
@@ -204,7 +194,6 @@ static uint64_t put_instruction(struct dap *dap, struct json *body, uint64_t add
     char text[DISASSEMBLE_TEXT_SIZE];
     struct instruction_view view;
     struct word_text code;
-
     view_decode(&view, machine, address);
     code = word_text(word, view.halves == 1);
     json_object(body, NULL);
@@ -230,7 +219,6 @@ bool request_disassemble(struct dap *dap, const struct json_value *arguments,
     enum { MAX_INSTRUCTIONS = 10000 };
     int64_t from = 0, count = -1;
     uint64_t address;
-
     if (!dap_address(dap, arguments, "memoryReference", &address)
         || !dap_whole(dap, arguments, "instructionOffset", &from)
         || !dap_whole(dap, arguments, "instructionCount", &count))

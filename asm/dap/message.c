@@ -36,7 +36,6 @@ static bool read_field(const char *line, const char *end, bool *found, size_t *l
 {
     static const char name[] = "Content-Length";
     const char *colon = memchr(line, ':', (size_t)(end - line));
-
     if (!colon)
         return false;
     if ((size_t)(colon - line) != sizeof name - 1
@@ -51,13 +50,11 @@ enum message_state message_find(const struct text_buffer *bytes,
 {
     const char *line = bytes->text, *end;
     bool found = false;
-
     if (bytes->length == 0)
         return MESSAGE_PART;
     end = line + bytes->length;
     for (;;) {
         const char *newline = memchr(line, '\n', (size_t)(end - line));
-
         if ((size_t)((newline ? newline : end) - bytes->text) > MAX_MESSAGE_HEADER)
             return broken(error, "it has no end");
         if (!newline)
@@ -90,7 +87,6 @@ void message_put(const struct text_buffer *content, const struct sink *out)
 {
     struct text_buffer whole = { 0 };
     struct sink sink = text_buffer_sink(&whole);
-
     sink_print(&sink, "Content-Length: %zu\r\n\r\n", content->length);
     sink.put(sink.context, content->text, content->length);
     if (!whole.failed)

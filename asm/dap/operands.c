@@ -14,7 +14,6 @@ static void put_operand(struct dap *dap, struct json *json,
     struct sink sink = text_line_sink(&text), naming = text_line_sink(&name);
     bool listed = vector_has_elements(operand);
     char register_name[REGISTER_NAME];
-
     if (operand->is_half)
         snprintf(register_name, sizeof register_name, "h%u", operand->number);
     sink_print(&naming, operand->is_vector ? "%s [%s]" : "%s %s", view->insn->mnemonic,
@@ -38,12 +37,10 @@ void put_operands(struct dap *dap, struct json *json)
 {
     struct instruction_view views[VIEW_LINKED];
     size_t count;
-
     count = view_at(views, machine_of(dap->debugger),
                     c205_pc(machine_of(dap->debugger)));
     for (size_t i = 0; i < count; i++) {
         const struct instruction_view *view = &views[i];
-
         for (size_t k = 0; view->insn && k < view->count; k++)
             if (view_is_read(&view->operands[k]))
                 put_operand(dap, json, view, &view->operands[k], i * VIEW_OPERANDS + k);
@@ -56,7 +53,6 @@ bool operand_vector(const struct dap *dap, size_t number, struct vector_view *ve
     size_t count;
     const struct instruction_view *view;
     const struct operand_view *operand;
-
     count = view_at(views, machine_of(dap->debugger),
                     c205_pc(machine_of(dap->debugger)));
     if (number >= count * VIEW_OPERANDS)

@@ -21,7 +21,6 @@ bool dap_fault(struct dap *dap, const char *format, ...)
     struct sink sink = dap_output_sink(dap);
     char text[512];
     va_list arguments;
-
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
@@ -46,7 +45,6 @@ static void give_up(struct dap *dap, const char *why)
 static struct json *line_begin(struct dap *dap, struct text_buffer *line)
 {
     struct json *json;
-
     *line = (struct text_buffer){ .text = NULL };
     json = json_open_line(line, dap->error);
     if (!json)
@@ -58,7 +56,6 @@ static struct json *message_begin(struct dap *dap, struct text_buffer *line,
                                   const char *type)
 {
     struct json *json = line_begin(dap, line);
-
     if (!json)
         return NULL;
     json_count(json, "seq", ++dap->sent);
@@ -86,7 +83,6 @@ void event_end(struct dap *dap, const char *name, struct json *json,
                struct text_buffer *body)
 {
     struct text_buffer line;
-
     if (!json_close(json, dap->error)) {
         dap->over = dap->failed = true;
     } else {
@@ -104,7 +100,6 @@ void event_bare(struct dap *dap, const char *name)
 {
     struct text_buffer line;
     struct json *json = message_begin(dap, &line, "event");
-
     if (!json)
         return;
     json_text(json, "event", name);
@@ -115,7 +110,6 @@ void send_output(struct dap *dap, const char *category, const char *text)
 {
     struct text_buffer body;
     struct json *json;
-
     if (!text || !*text)
         return;
     json = event_begin(dap, &body);
@@ -141,7 +135,6 @@ static struct json *response_begin(struct dap *dap, struct text_buffer *line,
 {
     struct json *json = message_begin(dap, line, "response");
     int64_t number = 0;
-
     if (!json)
         return NULL;
     json_member_whole(request, "seq", &number);
@@ -155,7 +148,6 @@ void send_response(struct dap *dap, const struct json_value *request, const char
 {
     struct text_buffer line;
     struct json *json = response_begin(dap, &line, request, true);
-
     if (!json)
         return;
     json_raw(json, "body", body);
@@ -166,7 +158,6 @@ void send_refusal(struct dap *dap, const struct json_value *request, const char 
 {
     struct text_buffer line;
     struct json *json = response_begin(dap, &line, request, false);
-
     if (!json)
         return;
     json_text(json, "message", why);
@@ -178,7 +169,6 @@ void send_refusal(struct dap *dap, const struct json_value *request, const char 
 void dap_put_address(struct json *json, const char *key, uint64_t address)
 {
     char text[DAP_ADDRESS_SIZE];
-
     snprintf(text, sizeof text, "0x%" PRIX64, address);
     json_text(json, key, text);
 }
@@ -197,7 +187,6 @@ bool dap_address(struct dap *dap, const struct json_value *arguments,
     const char *text = json_member_text(arguments, reference);
     int64_t offset = 0;
     char *end;
-
     if (!text)
         return dap_fault(dap, "'%s' is missing", reference);
     *address = strtoull(text, &end, 0);

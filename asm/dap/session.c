@@ -80,7 +80,6 @@ static bool answer(struct dap *dap, const struct json_value *request, struct jso
     const struct json_value *arguments = json_member(request, "arguments");
     const char *command = json_member_text(request, "command");
     size_t i = 0;
-
     while (i < REQUESTS && strcmp(requests[i].name, command) != 0)
         i++;
     if (i == REQUESTS)
@@ -92,7 +91,6 @@ static bool answer(struct dap *dap, const struct json_value *request, struct jso
 static void refuse(struct dap *dap, const struct json_value *request)
 {
     const char *why = debugger_report(&dap->said);
-
     send_refusal(dap, request, *why ? why : "out of memory");
 }
 
@@ -112,7 +110,6 @@ static void handle_request(struct dap *dap, const struct json_value *request)
     struct json *json;
     void (*then)(struct dap * dap);
     bool good;
-
     dap->said = (struct text_buffer){ .text = NULL };
     dap->then = NULL;
     json = event_begin(dap, &body);
@@ -146,7 +143,6 @@ static void handle_message(struct dap *dap, const char *text, size_t length)
     const struct json_value *message = json_read(&arena, text, length, &error);
     const char *type = json_member_text(message, "type");
     char line[400];
-
     if (!message || !type) {
         snprintf(line, sizeof line, "invalid message: %s\n",
                  message ? "it has no type" : error.message);
@@ -163,7 +159,6 @@ static bool handle_next(struct dap *dap)
 {
     struct message_content content;
     char *text;
-
     switch (message_find(&dap->input, &content, dap->error)) {
     case MESSAGE_PART: return false;
     case MESSAGE_BROKEN: dap->over = dap->failed = true; return false;
@@ -188,7 +183,6 @@ static void read_more(struct dap *dap)
     struct sink sink = text_buffer_sink(&dap->input);
     char bytes[AT_ONCE];
     size_t length = dap->setup.read(dap->setup.context, bytes, sizeof bytes);
-
     sink.put(sink.context, bytes, length);
     if (length > 0 && !dap->input.failed)
         return;
@@ -201,7 +195,6 @@ static void read_more(struct dap *dap)
 bool dap_listen(void *given)
 {
     struct dap *dap = given;
-
     send_printed(dap);
     if (dap->setup.ready(dap->setup.context))
         read_more(dap);
@@ -226,7 +219,6 @@ static void end_session(struct dap *dap)
 bool dap_serve(const struct dap_setup *setup, c205_error *error)
 {
     struct dap dap = { .setup = *setup, .state = DAP_NEW, .error = error };
-
     while (!dap.over)
         if (!handle_next(&dap) && !dap.over)
             read_more(&dap);

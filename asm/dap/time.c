@@ -16,7 +16,6 @@ static void put_plain(struct json *json, const char *name, const char *format, .
 {
     char text[200];
     va_list arguments;
-
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
@@ -27,12 +26,10 @@ static void put_plain(struct json *json, const char *name, const char *format, .
 void put_time(struct dap *dap, struct json *json)
 {
     c205 *machine = machine_of(dap->debugger);
-
     put_plain(json, "step", "%" PRIu64, step_of(dap->debugger));
     put_plain(json, "clock", "%" PRIu64, c205_clock(machine));
     if (dap->debugger->has_last) {
         char text[40];
-
         snprintf(text, sizeof text, "%" PRIu64 " clock%s", dap->debugger->last.clocks,
                  plural(dap->debugger->last.clocks));
         put_variable(json, "last instruction", text, reference_of(OF_LAST, 0));
@@ -41,7 +38,6 @@ void put_time(struct dap *dap, struct json *json)
     for (size_t i = 0; i < c205_account_count(machine); i++) {
         const c205_account *account = c205_account_at(machine, i);
         char text[60];
-
         snprintf(text, sizeof text, "%" PRIu64 " instruction%s", account->instructions,
                  plural(account->instructions));
         put_variable(json, *account->name ? account->name : "outside regions", text,
@@ -54,7 +50,6 @@ void put_region(struct dap *dap, struct json *json, size_t number)
 {
     c205 *machine = machine_of(dap->debugger);
     const c205_account *account;
-
     if (number >= c205_account_count(machine))
         return;
     account = c205_account_at(machine, number);
@@ -71,7 +66,6 @@ static void put_piece(struct dap *dap, struct json *json, const c205_piece *piec
 {
     struct text_line text = { .length = 0 };
     struct sink sink = text_line_sink(&text);
-
     sink_print(&sink, "%" PRIu64 " clock%s", piece->clocks, plural(piece->clocks));
     if (piece->wait != C205_WAIT_NONE)
         sink_put(&sink, ", ");
@@ -84,7 +78,6 @@ static void put_piece(struct dap *dap, struct json *json, const c205_piece *piec
 void put_last(struct dap *dap, struct json *json)
 {
     const c205_times *record = &dap->debugger->record;
-
     if (!dap->debugger->has_last)
         return;
     put_plain(json, "arrived", "%" PRIu64, record->arrived);

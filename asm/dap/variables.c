@@ -41,7 +41,6 @@ static bool is_vector(const struct dap *dap, unsigned number,
                       struct vector_view *vector)
 {
     c205 *machine = machine_of(dap->debugger);
-
     return vector_recognise(machine, c205_register(machine, number), vector);
 }
 
@@ -49,7 +48,6 @@ void put_word_members(struct dap *dap, struct json *json, struct register_of nam
 {
     struct vector_view vector;
     bool is = !named.half && is_vector(dap, named.number, &vector);
-
     json_text(json, "type", named.half ? "half word" : "word");
     json_number(json, "variablesReference",
                 is ? (double)reference_of(vector.width == 64 ? OF_WORDS : OF_BITS,
@@ -69,7 +67,6 @@ static void put_register(struct dap *dap, struct json *json, const char *name,
     struct text_line text = { .length = 0 };
     struct sink sink = text_line_sink(&text);
     struct vector_view vector;
-
     put_bits(debug_register_word(dap->debugger, named), named.half ? 32 : 64, &sink);
     if (!named.half && is_vector(dap, named.number, &vector)) {
         sink_put(&sink, "  ");
@@ -95,7 +92,6 @@ static bool is_last(const struct object *object, size_t i)
 static void put_named(struct dap *dap, struct json *json)
 {
     const struct object *object = dap->object;
-
     for (size_t i = 0; i < object->register_count; i++)
         if (is_last(object, i))
             put_register(dap, json, object->registers[i].name,
@@ -107,7 +103,6 @@ static void put_registers(struct dap *dap, struct json *json)
 {
     for (unsigned i = 0; i < C205_REGISTERS; i++) {
         char number[REGISTER_NAME];
-
         snprintf(number, sizeof number, "r%u", i);
         put_register(dap, json, number, (struct register_of){ (uint8_t)i, false });
     }
@@ -118,7 +113,6 @@ const char *name_of(const struct dap *dap, unsigned number, char text[REGISTER_N
     const char *name = object_register_name(dap->object, number, false);
     struct text_cursor cursor = { name };
     struct register_of named;
-
     snprintf(text, REGISTER_NAME, "r%u", number);
     return *name && debug_register(dap->debugger, &cursor, &named)
                    && named.number == number && !named.half
@@ -134,7 +128,6 @@ static void put_vectors(struct dap *dap, struct json *json)
         struct text_line text = { .length = 0 };
         struct sink sink = text_line_sink(&text);
         struct vector_view vector;
-
         if (!is_vector(dap, i, &vector))
             continue;
         vector_extent(&vector, &sink);
@@ -162,7 +155,6 @@ static void put_other_ways(struct json *json, const struct vector_view *vector,
 bool vector_of(struct dap *dap, int64_t reference, struct vector_view *vector)
 {
     size_t number = number_of(reference);
-
     switch (kind_of(reference)) {
     case OF_WORDS: *vector = described(dap, number, 64); break;
     case OF_HALVES: *vector = described(dap, number, 32); break;
@@ -205,7 +197,6 @@ bool request_scopes(struct dap *dap, const struct json_value *arguments,
 static bool wants(const struct json_value *arguments, const char *kind)
 {
     const char *filter = json_member_text(arguments, "filter");
-
     return !filter || strcmp(filter, kind) == 0;
 }
 
@@ -213,7 +204,6 @@ static bool read_range(struct dap *dap, const struct json_value *arguments,
                        size_t *first, size_t *count)
 {
     int64_t start = 0, most = 0;
-
     if (!dap_whole(dap, arguments, "start", &start)
         || !dap_whole(dap, arguments, "count", &most))
         return false;
@@ -229,7 +219,6 @@ static bool put_vector(struct dap *dap, const struct json_value *arguments,
 {
     struct vector_view vector;
     size_t first = 0, count = 0;
-
     if (!vector_of(dap, reference, &vector))
         return dap_fault(dap, "unknown variables reference %lld", (long long)reference);
     if (!read_range(dap, arguments, &first, &count))
@@ -246,7 +235,6 @@ bool request_variables(struct dap *dap, const struct json_value *arguments,
 {
     int64_t reference = 0;
     bool good = true;
-
     if (!dap_whole(dap, arguments, "variablesReference", &reference))
         return false;
     json_array(body, "variables");
@@ -271,7 +259,6 @@ static bool set_element(struct dap *dap, const struct vector_view *vector,
 {
     c205_word word;
     size_t number;
-
     if (!element_number(vector, name, &number)
         || !vector_get(machine_of(dap->debugger), vector, number, 1, &word))
         return dap_fault(dap, "unknown element %.40s", name);
@@ -290,7 +277,6 @@ static bool set(struct dap *dap, int64_t reference, const char *name,
     struct text_cursor cursor = { name };
     struct register_of named;
     struct vector_view vector;
-
     if (vector_of(dap, reference, &vector))
         return set_element(dap, &vector, name, value);
     if ((kind_of(reference) == OF_NAMED || kind_of(reference) == OF_REGISTERS
@@ -311,7 +297,6 @@ static void put_new(struct dap *dap, struct json *body, int64_t reference,
     struct register_of named;
     size_t number;
     c205_word word;
-
     if (vector_of(dap, reference, &vector)) {
         if (element_number(&vector, name, &number)
             && vector_get(machine_of(dap->debugger), &vector, number, 1, &word))
@@ -332,7 +317,6 @@ bool request_set_variable(struct dap *dap, const struct json_value *arguments,
     struct text_cursor cursor = { text };
     struct value_of value;
     int64_t reference = 0;
-
     if (!name || !text)
         return dap_fault(dap, "'name' or 'value' is missing");
     if (!dap_whole(dap, arguments, "variablesReference", &reference)

@@ -28,7 +28,6 @@ static bool add_stop(struct debugger *debugger, struct text_cursor *cursor,
 static bool make_break(struct debugger *debugger, struct text_cursor *cursor, bool once)
 {
     struct breakpoint stop = { .once = once };
-
     return place_read(debugger, cursor, &stop) && add_stop(debugger, cursor, &stop);
 }
 
@@ -46,7 +45,6 @@ bool verb_tbreak(struct debugger *debugger, struct text_cursor *cursor)
 bool verb_watch(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct breakpoint stop = { .number = 0 };
-
     return breakpoints_watch(debugger, cursor, &stop)
            && add_stop(debugger, cursor, &stop);
 }
@@ -55,7 +53,6 @@ bool verb_watch(struct debugger *debugger, struct text_cursor *cursor)
 bool verb_delete(struct debugger *debugger, struct text_cursor *cursor)
 {
     uint64_t number;
-
     if (text_cursor_end(cursor)) {
         debugger->breakpoint_count = 0;
         return true;

@@ -14,7 +14,6 @@
 static bool is_insn(const struct debugger *debugger, const struct breakpoint *stop)
 {
     struct instruction_view view;
-
     view_decode(&view, machine_of(debugger), c205_pc(machine_of(debugger)));
     return view.insn == stop->insn;
 }
@@ -22,7 +21,6 @@ static bool is_insn(const struct debugger *debugger, const struct breakpoint *st
 static bool is_changed(const struct debugger *debugger, const struct breakpoint *stop)
 {
     c205_word now[WATCHED_WORDS];
-
     return c205_read(machine_of(debugger), stop->address, now, stop->count)
            && memcmp(now, stop->held, stop->count * sizeof *now) != 0;
 }
@@ -32,7 +30,6 @@ static bool is_entered(const struct debugger *debugger, const struct breakpoint 
 {
     const struct object *object = debugger->setup.object;
     uint64_t pc = c205_pc(machine_of(debugger));
-
     return strcmp(object_region(object, pc), stop->region) == 0
            && strcmp(object_region(object, before), stop->region) != 0;
 }
@@ -58,7 +55,6 @@ static bool stop_condition_holds(struct debugger *debugger,
 {
     struct text_cursor cursor = { stop->condition };
     struct value_of value;
-
     return !*stop->condition || !debug_value(debugger, &cursor, &value)
            || debug_is_true(&value);
 }
@@ -78,7 +74,6 @@ static bool has_hits(struct debugger *debugger, const struct breakpoint *stop)
     char text[WANTED_TEXT];
     struct text_cursor cursor = { text };
     struct value_of value;
-
     if (!*stop->wanted || debugger->searching)
         return true;
     wanted_text(text, stop->wanted, stop->hits);
@@ -100,11 +95,9 @@ void breakpoints_sample(struct debugger *debugger)
 bool breakpoints_meet(struct debugger *debugger, uint64_t before)
 {
     bool any = false;
-
     for (size_t i = 0; i < debugger->breakpoint_count; i++) {
         struct breakpoint *stop = &debugger->breakpoints[i];
         bool there = is_there(debugger, stop, before);
-
         stop->met = there && stop_condition_holds(debugger, stop);
         if (stop->met && !debugger->searching)
             stop->hits++;
@@ -123,7 +116,6 @@ static void print_change(struct debugger *debugger, const struct breakpoint *sto
     c205_word now[WATCHED_WORDS];
     char old_text[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
     size_t i = 0;
-
     if (!c205_read(machine_of(debugger), stop->address, now, stop->count))
         return;
     while (i + 1 < stop->count && now[i] == stop->held[i])
@@ -152,10 +144,8 @@ static void print_stop(struct debugger *debugger, const struct breakpoint *stop)
 void breakpoints_pass(struct debugger *debugger, bool reported)
 {
     size_t i = 0;
-
     while (i < debugger->breakpoint_count) {
         struct breakpoint *stop = &debugger->breakpoints[i];
-
         if (stop->met && reported)
             print_stop(debugger, stop);
         if (stop->met)
@@ -173,7 +163,6 @@ static bool read_condition(struct debugger *debugger, char kept[MAX_TEXT],
                            const char *text)
 {
     struct text_cursor cursor = { text };
-
     text_cursor_skip(&cursor);
     if (strlen(cursor.at) >= MAX_TEXT)
         return debug_fault(debugger, "a condition has at most %d characters",
@@ -187,7 +176,6 @@ static bool read_condition(struct debugger *debugger, char kept[MAX_TEXT],
 static bool is_condition(struct debugger *debugger, const char *text)
 {
     struct text_cursor cursor = { text };
-
     return debug_grammar(debugger, &cursor) && text_cursor_finish(debugger, &cursor);
 }
 
@@ -202,7 +190,6 @@ bool breakpoints_wanted(struct debugger *debugger, struct breakpoint *stop,
                         const char *text)
 {
     char whole[WANTED_TEXT];
-
     if (!read_condition(debugger, stop->wanted, text ? text : ""))
         return false;
     wanted_text(whole, stop->wanted, 1);
@@ -214,7 +201,6 @@ bool breakpoints_watch(struct debugger *debugger, struct text_cursor *cursor,
 {
     uint64_t count = 1;
     const char *from;
-
     stop->kind = BREAK_WATCH;
     text_cursor_skip(cursor);
     from = cursor->at;
@@ -249,7 +235,6 @@ bool breakpoints_add(struct debugger *debugger, struct breakpoint *stop)
 bool breakpoints_delete(struct debugger *debugger, uint64_t number)
 {
     size_t i = 0;
-
     while (i < debugger->breakpoint_count && debugger->breakpoints[i].number != number)
         i++;
     if (i == debugger->breakpoint_count)
@@ -273,7 +258,6 @@ bool debugger_break_line(struct debugger *debugger, const char *file, size_t num
                          size_t *line)
 {
     struct breakpoint stop = { .group = GROUP_LINES };
-
     if (!place_line(debugger, file, number, &stop) || !breakpoints_add(debugger, &stop))
         return false;
     *line = stop.line;

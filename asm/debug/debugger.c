@@ -88,7 +88,6 @@ static void print_verb(const struct debugger *debugger, const char *name,
 static bool verb_help(struct debugger *debugger, struct text_cursor *cursor)
 {
     const struct debugger_verb *more = debugger->setup.verbs;
-
     if (!text_cursor_finish(debugger, cursor))
         return false;
     for (; more && more->name; more++)
@@ -116,7 +115,6 @@ static void copy_record(c205_times *to, const c205_times *from)
 static void hear(void *context, const c205 *machine, const c205_event *event)
 {
     struct debugger *debugger = context;
-
     if (event->kind == C205_EVENT_STOP && event->record) {
         debugger->has_end = true;
         copy_record(&debugger->end, event->record);
@@ -139,7 +137,6 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
 static c205 *make_machine(const struct debugger_setup *setup, c205_error *error)
 {
     c205 *machine;
-
     if (setup->machine)
         return setup->machine(setup->context, error);
     machine = c205_new(setup->model, error);
@@ -153,7 +150,6 @@ static c205 *make_machine(const struct debugger_setup *setup, c205_error *error)
 static c205 *load_machine(struct debugger *debugger, c205_error *error)
 {
     c205 *machine = make_machine(&debugger->setup, error);
-
     if (machine && c205_listen(machine, hear, debugger)) {
         if (debugger->setup.warm)
             c205_warm(machine);
@@ -167,7 +163,6 @@ struct debugger *debugger_new(const struct debugger_setup *setup, c205_error *er
 {
     struct debugger *debugger = calloc(1, sizeof *debugger);
     c205 *machine;
-
     if (!debugger) {
         error_set(error, "out of memory");
         return NULL;
@@ -238,7 +233,6 @@ const c205_times *debugger_end(const struct debugger *debugger)
 const char *debugger_report(struct text_buffer *said)
 {
     static const char error[] = "error: ";
-
     if (said->length == 0)
         return "";
     if (said->text[said->length - 1] == '\n')
@@ -270,7 +264,6 @@ static bool is_verb(const struct verb *verb, const char *name, size_t length)
 static size_t verb_length(const char *text)
 {
     size_t length = 0;
-
     while (isalpha((unsigned char)text[length]) || text[length] == '-')
         length++;
     return length;
@@ -281,7 +274,6 @@ static void print_unknown(struct debugger *debugger, const char *name, size_t le
     const struct debugger_verb *more = debugger->setup.verbs;
     char word[40];
     struct spelling nearest = { .word = word };
-
     snprintf(word, sizeof word, "%.*s", (int)length, name);
     for (size_t i = 0; i < VERBS; i++)
         spelling_try(&nearest, verbs[i].name);
@@ -304,7 +296,6 @@ static bool obey_more(struct debugger *debugger, const char *line, size_t length
 {
     const struct debugger_verb *verb = debugger->setup.verbs;
     c205_error error = { "out of memory" };
-
     while (verb && verb->name
            && !(strlen(verb->name) == length && strncmp(verb->name, line, length) == 0))
         verb++;
@@ -320,7 +311,6 @@ bool debugger_obey(struct debugger *debugger, const char *line)
 {
     struct text_cursor cursor = { line };
     size_t length, i = 0;
-
     if (text_cursor_end(&cursor))
         cursor.at = line = debugger->again;
     if (text_cursor_end(&cursor) || *cursor.at == '#')

@@ -20,7 +20,6 @@ static uint64_t pc_of(const struct debugger *debugger)
 static enum execution_end forward(struct debugger *debugger)
 {
     uint64_t before = pc_of(debugger);
-
     debugger->halted = !c205_history_forward(debugger->history, &debugger->halt);
     if (debugger->halted)
         return EXECUTION_HALTED;
@@ -33,7 +32,6 @@ static bool is_interrupted(struct debugger *debugger)
 {
     enum { STEPS = 4096, CLOCKS = 1 << 18 };
     uint64_t clock = clock_of(debugger);
-
     if (step_of(debugger) % STEPS != 0 && clock - debugger->asked < CLOCKS)
         return false;
     debugger->asked = clock;
@@ -69,7 +67,6 @@ static enum execution_end advance(struct debugger *debugger, struct aim aim)
 {
     uint64_t begun = clock_of(debugger);
     enum execution_end ended = EXECUTION_COMPLETE;
-
     breakpoints_sample(debugger);
     for (uint64_t i = 1; i <= aim.count && ended == EXECUTION_COMPLETE; i++) {
         ended = forward(debugger);
@@ -105,7 +102,6 @@ enum execution_end execution_until(struct debugger *debugger,
 bool execution_is_call(const struct debugger *debugger, uint64_t *behind)
 {
     struct instruction_view view;
-
     view_decode(&view, machine_of(debugger), pc_of(debugger));
     *behind = view.pc + 32 * (uint64_t)view.halves;
     return view.insn && view.insn == c205_insn_named("BSAVE", 5);
@@ -114,7 +110,6 @@ bool execution_is_call(const struct debugger *debugger, uint64_t *behind)
 enum execution_end execution_next(struct debugger *debugger)
 {
     uint64_t behind;
-
     return execution_is_call(debugger, &behind) ? execution_to(debugger, behind)
                                                 : execution_steps(debugger, 1);
 }
@@ -125,14 +120,12 @@ enum execution_end execution_next(struct debugger *debugger)
 static const struct asm_line *call_of(const struct debugger *debugger)
 {
     const struct asm_line *line = object_line(debugger->setup.object, pc_of(debugger));
-
     return line && place_is_called(line) ? line : NULL;
 }
 
 static bool is_in(const struct debugger *debugger, const struct asm_line *call)
 {
     const struct asm_line *line = call_of(debugger);
-
     return line && line->call_number == call->call_number
            && strcmp(line->call_file, call->call_file) == 0;
 }
@@ -149,7 +142,6 @@ enum execution_end execution_line(struct debugger *debugger)
 {
     const struct asm_line *call = call_of(debugger);
     enum execution_end ended = execution_next(debugger);
-
     while (ended == EXECUTION_COMPLETE && call && is_behind_beginning(debugger, call))
         ended = execution_next(debugger);
     return ended;
@@ -173,7 +165,6 @@ enum execution_end execution_out(struct debugger *debugger)
     const struct asm_line *call = call_of(debugger);
     const char *region = region_here(debugger);
     enum execution_end ended;
-
     do
         ended = execution_steps(debugger, 1);
     while (
@@ -187,7 +178,6 @@ enum execution_end execution_out(struct debugger *debugger)
 static bool go_back(struct debugger *debugger, uint64_t step)
 {
     c205_error error = { "out of memory" };
-
     if (step < step_of(debugger)) {
         debugger->halted = debugger->has_end = false;
         debugger->has_last = step > 0;
@@ -201,7 +191,6 @@ static bool go_back(struct debugger *debugger, uint64_t step)
 enum execution_end execution_back(struct debugger *debugger, uint64_t count)
 {
     uint64_t step = step_of(debugger);
-
     if (!go_back(debugger, count < step ? step - count : 0))
         return EXECUTION_FAILED;
     return step == 0 ? EXECUTION_AT_START : EXECUTION_COMPLETE;
@@ -211,7 +200,6 @@ enum execution_end execution_back_line(struct debugger *debugger)
 {
     enum execution_end ended = execution_back(debugger, 1);
     const struct asm_line *call = call_of(debugger);
-
     while (ended == EXECUTION_COMPLETE && call && is_behind_beginning(debugger, call)
            && step_of(debugger) > 0)
         ended = execution_back(debugger, 1);
@@ -224,7 +212,6 @@ static enum execution_end find_last(struct debugger *debugger,
                                     struct back_search *search)
 {
     enum execution_end ended = EXECUTION_COMPLETE;
-
     if (!search->inside && !go_back(debugger, search->begin))
         return EXECUTION_FAILED;
     search->inside = true;
@@ -268,7 +255,6 @@ static enum execution_end search_back(struct debugger *debugger,
                                         .stretch = 64 };
     while (search->end > 0) {
         enum execution_end ended;
-
         if (!search->inside)
             begin_stretch(search);
         ended = find_last(debugger, search);
@@ -286,7 +272,6 @@ enum execution_end execution_search_back(struct debugger *debugger,
                                          struct back_search *search)
 {
     enum execution_end ended;
-
     debugger->searching = true;
     ended = search_back(debugger, search);
     debugger->searching = false;
@@ -296,7 +281,6 @@ enum execution_end execution_search_back(struct debugger *debugger,
 enum execution_end execution_back_to_stop(struct debugger *debugger)
 {
     struct back_search search = { .begun = false };
-
     return execution_search_back(debugger, &search);
 }
 
@@ -313,7 +297,6 @@ static enum execution_end go_on_to(struct debugger *debugger, uint64_t step,
 {
     uint64_t begun = clock_of(debugger);
     enum execution_end ended = EXECUTION_COMPLETE;
-
     while (ended == EXECUTION_COMPLETE && is_short_of(debugger, step, clock)) {
         debugger->halted = !c205_history_forward(debugger->history, &debugger->halt);
         if (debugger->halted)

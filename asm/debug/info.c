@@ -13,7 +13,6 @@ static void put_register(const struct debugger *debugger, unsigned number,
     struct word_text text = word_text(word, false);
     char length[12] = "";
     unsigned elements = (unsigned)c205_descriptor_length(word);
-
     if (elements > 0)
         snprintf(length, sizeof length, "%u", elements);
     sink_print(&debugger->out, "r%-3u %-12s X'%s' %-22s %6s %12" PRIX64 "\n", number,
@@ -25,10 +24,8 @@ static void put_register(const struct debugger *debugger, unsigned number,
 static bool info_registers(struct debugger *debugger)
 {
     bool headed = false;
-
     for (unsigned i = 1; i < C205_REGISTERS; i++) {
         c205_word word = c205_register(machine_of(debugger), i);
-
         if (word == 0)
             continue;
         if (!headed)
@@ -46,7 +43,6 @@ static bool info_breaks(struct debugger *debugger)
         sink_put(&debugger->out, "no breakpoints or watchpoints\n");
     for (size_t i = 0; i < debugger->breakpoint_count; i++) {
         const struct breakpoint *stop = &debugger->breakpoints[i];
-
         sink_print(&debugger->out, "%zu %s %s%s%s%s, hit %" PRIu64 " time%s\n",
                    stop->number, stop->kind == BREAK_WATCH ? "watch" : "break",
                    stop->text, *stop->condition ? " if " : "", stop->condition,
@@ -58,7 +54,6 @@ static bool info_breaks(struct debugger *debugger)
 static bool info_regions(struct debugger *debugger)
 {
     const c205_program *program = &debugger->setup.object->program;
-
     for (size_t i = 0; i < program->region_count; i++)
         sink_print(&debugger->out, "%6" PRIX64 " .. %6" PRIX64 "  %s\n",
                    program->regions[i].begin, program->regions[i].end,
@@ -69,7 +64,6 @@ static bool info_regions(struct debugger *debugger)
 static bool info_pages(struct debugger *debugger)
 {
     c205_page page = { 0 };
-
     for (uint64_t from = 0; c205_next_page(machine_of(debugger), from, &page);
          from = page.address + UINT64_C(64) * C205_PAGE_WORDS)
         sink_print(&debugger->out, "%12" PRIX64 "  %s%s\n", page.address,
@@ -81,10 +75,8 @@ static bool info_pages(struct debugger *debugger)
 static bool info_symbols(struct debugger *debugger)
 {
     const struct object *object = debugger->setup.object;
-
     for (size_t i = 0; i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
-
         if (!symbol->is_label)
             continue;
         sink_print(&debugger->out, "%6" PRIX64 "  %s", (uint64_t)symbol->value,
@@ -116,7 +108,6 @@ bool verb_info(struct debugger *debugger, struct text_cursor *cursor)
         { "regions", info_regions },     { "pages", info_pages },
         { "symbols", info_symbols },     { "operands", info_operands },
     };
-
     for (size_t i = 0; i < sizeof topics / sizeof *topics; i++)
         if (text_cursor_begin(cursor, topics[i].name))
             return text_cursor_finish(debugger, cursor) && topics[i].show(debugger);

@@ -14,7 +14,6 @@
 static bool ends_with(const char *file, const char *name)
 {
     size_t length = strlen(file), ending = strlen(name);
-
     return ending < length && file[length - ending - 1] == '/'
            && strcmp(file + length - ending, name) == 0;
 }
@@ -29,7 +28,6 @@ static const char *find_file(const struct object *object, const char *name,
 {
     for (size_t i = 0; i < object->line_count; i++) {
         const struct asm_line *line = &object->lines[i];
-
         if (is_file(line->file, name))
             return line->file;
         if (is_file(line->call_file, name))
@@ -63,7 +61,6 @@ static bool find_line(struct debugger *debugger, const char *name, size_t number
 {
     const struct object *object = debugger->setup.object;
     const char *file = find_file(object, name, is_whole);
-
     *found = (struct line_place){ .wanted = number };
     if (number == 0)
         return debug_fault(debugger, "lines are counted from 1");
@@ -71,7 +68,6 @@ static bool find_line(struct debugger *debugger, const char *name, size_t number
         file = find_file(object, name, ends_with);
     for (size_t i = 0; file && i < object->line_count; i++) {
         const struct asm_line *line = &object->lines[i];
-
         if (!line->is_code)
             continue;
         consider(found, line->file, line->number, number, file, line->address);
@@ -103,7 +99,6 @@ bool place_begins(const struct debugger *debugger, const char *file, size_t numb
 {
     const struct object *object = debugger->setup.object;
     const struct asm_line *line = object_line(object, address);
-
     if (!line || line->address != address || !line->is_code)
         return false;
     if (line->number == number && strcmp(line->file, file) == 0)
@@ -121,7 +116,6 @@ static bool read_line(struct debugger *debugger, struct text_cursor *cursor,
     const char *at = cursor->at, *colon = at;
     char name[MAX_TEXT];
     size_t length;
-
     if (*at == '-') {
         *good = debug_fault(debugger,
                             "a place cannot begin with '-': lines are counted from 1");
@@ -153,7 +147,6 @@ bool place_address(struct debugger *debugger, struct text_cursor *cursor,
 {
     struct line_place found = { .file = NULL };
     bool good;
-
     text_cursor_skip(cursor);
     if (*cursor->at == '*') {
         cursor->at++;
@@ -168,7 +161,6 @@ bool place_address(struct debugger *debugger, struct text_cursor *cursor,
 static size_t take_name(struct text_cursor *cursor, char name[MAX_TEXT])
 {
     size_t length = 0;
-
     text_cursor_skip(cursor);
     while (cursor->at[length] && !isspace((unsigned char)cursor->at[length])
            && length + 1 < MAX_TEXT) {
@@ -184,7 +176,6 @@ static size_t take_name(struct text_cursor *cursor, char name[MAX_TEXT])
 static bool begins_line(const struct debugger *debugger, uint64_t address)
 {
     const struct asm_line *line = object_line(debugger->setup.object, address);
-
     return line && line->is_code && line->address == address;
 }
 
@@ -195,7 +186,6 @@ static bool begins_decoded(const struct debugger *debugger, uint64_t address)
     const c205_segment *segment = object_segment(object, address);
     struct instruction_view view = { .insn = NULL };
     uint64_t at;
-
     if (!segment || !object_is_code(object, segment))
         return false;
     for (at = segment->address; at <= address; at += 32 * (uint64_t)view.halves) {
@@ -219,10 +209,8 @@ static bool begins_code(const struct debugger *debugger, uint64_t address)
 uint64_t place_of(const struct debugger *debugger, uint64_t address)
 {
     struct instruction_view view;
-
     for (uint64_t back = 32; back <= 96; back += 32) {
         uint64_t end = address - back;
-
         if (back > address)
             break;
         view_decode(&view, machine_of(debugger), end);
@@ -244,7 +232,6 @@ static void be_at(const struct debugger *debugger, uint64_t address,
                   struct breakpoint *stop)
 {
     const struct asm_line *line;
-
     stop->kind = BREAK_ADDRESS;
     stop->address = place_of(debugger, address);
     line = object_line(debugger->setup.object, stop->address);
@@ -267,7 +254,6 @@ bool place_line(struct debugger *debugger, const char *file, size_t number,
                 struct breakpoint *stop)
 {
     struct line_place found;
-
     if (!find_line(debugger, file, number, &found))
         return false;
     snprintf(stop->text, sizeof stop->text, "%s:%zu", found.file, found.number);
@@ -290,7 +276,6 @@ static bool read_address(struct debugger *debugger, struct text_cursor *cursor,
     struct line_place found = { .file = NULL };
     uint64_t address;
     bool good;
-
     text_cursor_skip(cursor);
     if (*cursor->at != '*' && read_line(debugger, cursor, &found, &good)) {
         if (good)
@@ -309,17 +294,14 @@ static bool read_place(struct debugger *debugger, struct text_cursor *cursor,
                        struct breakpoint *stop, bool *ended)
 {
     char name[MAX_TEXT];
-
     if (text_cursor_take(cursor, "insn")) {
         size_t length = take_name(cursor, name);
-
         stop->kind = BREAK_INSN;
         stop->insn = c205_insn_named(name, length);
         return stop->insn || debug_fault(debugger, "unknown instruction '%.60s'", name);
     }
     if (text_cursor_take(cursor, "region")) {
         const c205_region *region;
-
         take_name(cursor, name);
         region = object_region_named(debugger->setup.object, name);
         stop->kind = BREAK_ENTRY;
@@ -332,7 +314,6 @@ static bool read_place(struct debugger *debugger, struct text_cursor *cursor,
 static void add_position(struct breakpoint *stop)
 {
     size_t length = strlen(stop->text);
-
     if (stop->file)
         snprintf(stop->text + length, sizeof stop->text - length, " (at %s:%zu)",
                  stop->file, stop->line);
@@ -346,7 +327,6 @@ bool place_read(struct debugger *debugger, struct text_cursor *cursor,
 {
     const char *from;
     bool ended = false;
-
     if (text_cursor_end(cursor))
         return debug_fault(
             debugger,
@@ -371,7 +351,6 @@ static uint64_t read_from(const struct debugger *debugger, uint64_t address)
     const struct object *object = debugger->setup.object;
     const struct asm_line *line = object_line(object, address);
     const c205_segment *segment = NULL;
-
     if (line)
         return line->is_code ? line->address : address;
     if (object->line_count == 0)
@@ -385,10 +364,8 @@ static uint64_t read_from(const struct debugger *debugger, uint64_t address)
 uint64_t place_before(const struct debugger *debugger, uint64_t address)
 {
     uint64_t at, next = address < 32 ? 0 : read_from(debugger, address - 32);
-
     do {
         struct instruction_view view;
-
         at = next;
         view_decode(&view, machine_of(debugger), at);
         next = at + 32 * (uint64_t)view.halves;

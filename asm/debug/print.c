@@ -11,7 +11,6 @@
 void show_word(c205_word word, bool half, const struct sink *sink)
 {
     struct word_text text = word_text(word, half);
-
     sink_print(sink, "X'%s'  number %s", text.hex, text.number);
     if (!half && c205_descriptor_length(word) == 0)
         sink_print(sink, "  address %" PRIX64, word);
@@ -27,7 +26,6 @@ bool verb_print(struct debugger *debugger, struct text_cursor *cursor)
     struct text_cursor again = *cursor;
     struct register_of named;
     struct value_of value;
-
     if (debug_register(debugger, &again, &named) && text_cursor_end(&again)) {
         show_word(debug_register_word(debugger, named), named.half, &debugger->out);
         return true;
@@ -48,7 +46,6 @@ bool verb_assert(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct value_of value;
     const char *text;
-
     text_cursor_skip(cursor);
     text = cursor->at;
     if (!debug_value(debugger, cursor, &value) || !text_cursor_finish(debugger, cursor))
@@ -72,7 +69,6 @@ static void put_element(const struct debugger *debugger,
 {
     bool half = look->of.width == 32;
     struct word_text text = word_text(word, half);
-
     if (look->of.width == 1)
         sink_print(&debugger->out, "%u", (unsigned)word);
     else if (look->format == 'i')
@@ -95,7 +91,6 @@ static bool put_element_at(const struct debugger *debugger,
     const struct vector_view *of = &look->of;
     c205_word word;
     bool bit = false;
-
     if (!view_read(machine_of(debugger), of->address, of->width, i, 1, &word)
         || (of->controlled && !vector_control(machine_of(debugger), of, i, &bit)))
         return false;
@@ -113,7 +108,6 @@ static bool put_elements(struct debugger *debugger, const struct element_look *l
     unsigned row = in_row(look);
     bool good = true;
     size_t i;
-
     for (i = 0; i < count && good; i += good) {
         good = put_element_at(debugger, look, i);
         if (good && (i % row == row - 1 || i + 1 == count))
@@ -135,7 +129,6 @@ static bool read_format(struct debugger *debugger, struct text_cursor *cursor,
     cursor->at++;
     for (; *cursor->at && !isspace((unsigned char)*cursor->at); cursor->at++) {
         char c = *cursor->at;
-
         if (isdigit((unsigned char)c) && *count != UINT64_MAX
             && *count > C205_MAX_LENGTH)
             return debug_fault(debugger, "the count must be at most %u",
@@ -160,7 +153,6 @@ static bool read_control(struct debugger *debugger, struct text_cursor *cursor,
                          struct element_look *look)
 {
     struct register_of named;
-
     text_cursor_skip(cursor);
     if (*cursor->at != '?')
         return text_cursor_finish(debugger, cursor);
@@ -179,11 +171,9 @@ static void look_at_label(const struct debugger *debugger, uint64_t address,
                           bool width_asked, struct element_look *look)
 {
     const struct object *object = debugger->setup.object;
-
     for (size_t i = 0; i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
         unsigned width = vector_width(symbol->contents);
-
         if (!symbol->is_label || (uint64_t)symbol->value != address || width == 0
             || (width_asked && width != look->of.width))
             continue;
@@ -202,7 +192,6 @@ bool verb_x(struct debugger *debugger, struct text_cursor *cursor)
     uint64_t count = UINT64_MAX, address;
     struct register_of named;
     unsigned width;
-
     if (!read_format(debugger, cursor, &look, &count))
         return false;
     width = look.of.width;

@@ -14,7 +14,6 @@ static bool can_change(struct debugger *debugger)
 static bool keep_change(struct debugger *debugger)
 {
     c205_error error;
-
     debugger->halted = false;
     if (debugger->reported > step_of(debugger))
         debugger->reported = step_of(debugger);
@@ -28,7 +27,6 @@ static bool keep_change(struct debugger *debugger)
 static c205_word with_bits(c205_word word, unsigned at, unsigned width, c205_word bits)
 {
     c205_word mask = (~(c205_word)0 << (64 - width)) >> at;
-
     return (word & ~mask) | (bits >> at & mask);
 }
 
@@ -39,7 +37,6 @@ bool debug_set_register(struct debugger *debugger, struct register_of named,
     unsigned number = named.half ? named.number / 2u : named.number;
     unsigned at = named.half ? named.number % 2 * 32 : 0;
     c205_word word;
-
     if (number == 0)
         return debug_fault(debugger, "register 0 cannot be changed");
     if (!can_change(debugger) || !debug_word(debugger, value, named.half, &word))
@@ -57,7 +54,6 @@ static bool write_bits(struct debugger *debugger, uint64_t address, unsigned wid
     c205 *machine = machine_of(debugger);
     unsigned at = (unsigned)(address % 64);
     c205_word word;
-
     if (!c205_read(machine, address - at, &word, 1))
         return debug_fault(debugger, "no memory word at %" PRIX64, address);
     word = with_bits(word, at, width, bits);
@@ -75,7 +71,6 @@ bool debug_set_bytes(struct debugger *debugger, uint64_t address,
                      const unsigned char *bytes, size_t count)
 {
     bool good = can_change(debugger);
-
     for (size_t i = 0; good && i < count; i++)
         good = write_bits(debugger, address + 8 * (uint64_t)i, 8,
                           (c205_word)bytes[i] << 56);
@@ -85,7 +80,6 @@ bool debug_set_bytes(struct debugger *debugger, uint64_t address,
 bool debug_jump(struct debugger *debugger, uint64_t address)
 {
     const struct asm_line *line = object_line(debugger->setup.object, address);
-
     if (!can_change(debugger))
         return false;
     if (!line || !line->is_code || line->address != address)
@@ -111,7 +105,6 @@ static bool set_memory(struct debugger *debugger, struct text_cursor *cursor)
     struct value_of value;
     uint64_t address;
     c205_word word;
-
     if (!debug_address(debugger, cursor, &address))
         return false;
     text_cursor_skip(cursor);
@@ -130,7 +123,6 @@ bool verb_set(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct register_of named;
     struct value_of value;
-
     text_cursor_skip(cursor);
     if (*cursor->at == '[') {
         cursor->at++;

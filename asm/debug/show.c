@@ -14,7 +14,6 @@ static void put_source_line(const struct debugger *debugger, const char *file,
                             size_t number, const char *source)
 {
     const char *slash = strrchr(file, '/');
-
     while (isspace((unsigned char)*source))
         source++;
     sink_print(&debugger->out, "%s:%zu: %s", slash ? slash + 1 : file, number, source);
@@ -35,7 +34,6 @@ void show_instruction(struct debugger *debugger, uint64_t address, const char *b
 {
     const struct asm_line *line = object_line(debugger->setup.object, address);
     char text[DISASSEMBLE_TEXT_SIZE];
-
     disassemble_one(view_word_at(machine_of(debugger), address), address, text);
     sink_print(&debugger->out, line ? "%s%6" PRIX64 "  %-28s" : "%s%6" PRIX64 "  %s",
                before, address, text);
@@ -47,7 +45,6 @@ void show_instruction(struct debugger *debugger, uint64_t address, const char *b
 void show_halt(struct debugger *debugger)
 {
     const c205_stop *stop = &debugger->halt;
-
     if (stop->trap == C205_TRAP_NONE)
         sink_print(&debugger->out, "the program has ended with status %" PRId64 "\n",
                    stop->status);
@@ -60,7 +57,6 @@ void show_place(struct debugger *debugger)
 {
     c205 *machine = machine_of(debugger);
     const char *region = object_region(debugger->setup.object, c205_pc(machine));
-
     line_tracker_close(&debugger->printed);
     sink_print(&debugger->out, "step %" PRIu64 ", clock %" PRIu64 "%s%s\n",
                step_of(debugger), c205_clock(machine), *region ? ", region " : "",
@@ -106,7 +102,6 @@ bool verb_disassemble(struct debugger *debugger, struct text_cursor *cursor)
 {
     enum { MAX = 100000 };
     uint64_t address, count = 10;
-
     if (!read_start(debugger, cursor, &address)
         || !read_count(debugger, cursor, &count))
         return false;
@@ -115,7 +110,6 @@ bool verb_disassemble(struct debugger *debugger, struct text_cursor *cursor)
     for (; count > 0 && address >> 48 == 0; count--) {
         struct instruction_view view;
         bool at = address == c205_pc(machine_of(debugger));
-
         view_decode(&view, machine_of(debugger), address);
         show_instruction(debugger, address, at ? "=> " : "   ");
         address += 32 * (uint64_t)view.halves;
@@ -137,7 +131,6 @@ bool verb_list(struct debugger *debugger, struct text_cursor *cursor)
     const struct object *object = debugger->setup.object;
     const struct asm_line *shown = NULL, *now;
     uint64_t address, count = 10;
-
     if (!read_start(debugger, cursor, &address)
         || !read_count(debugger, cursor, &count))
         return false;
@@ -147,7 +140,6 @@ bool verb_list(struct debugger *debugger, struct text_cursor *cursor)
     now = object_line(object, c205_pc(machine_of(debugger)));
     for (size_t i = 0; i < object->line_count && count > 0; i++) {
         const struct asm_line *line = &object->lines[i];
-
         if (line->address + 32 * line->halves <= address || is_same_line(line, shown))
             continue;
         sink_print(&debugger->out, "%s%s:%zu\t%.*s\n",

@@ -36,7 +36,6 @@ static bool read_times(struct debugger *debugger, struct text_cursor *cursor,
 bool verb_step(struct debugger *debugger, struct text_cursor *cursor)
 {
     uint64_t count;
-
     return read_times(debugger, cursor, &count)
            && arrive(debugger, execution_steps(debugger, count));
 }
@@ -45,7 +44,6 @@ bool verb_continue(struct debugger *debugger, struct text_cursor *cursor)
 {
     enum execution_end ended = EXECUTION_COMPLETE;
     uint64_t count;
-
     if (!read_times(debugger, cursor, &count))
         return false;
     for (; count > 0; count--) {
@@ -62,7 +60,6 @@ bool verb_next(struct debugger *debugger, struct text_cursor *cursor)
 {
     enum execution_end ended = EXECUTION_COMPLETE;
     uint64_t count;
-
     if (!read_times(debugger, cursor, &count))
         return false;
     for (; count > 0 && ended == EXECUTION_COMPLETE; count--)
@@ -73,7 +70,6 @@ bool verb_next(struct debugger *debugger, struct text_cursor *cursor)
 bool verb_until(struct debugger *debugger, struct text_cursor *cursor)
 {
     uint64_t address;
-
     return place_code(debugger, cursor, &address)
            && text_cursor_finish(debugger, cursor)
            && arrive(debugger, execution_to(debugger, place_of(debugger, address)));
@@ -88,7 +84,6 @@ void debugger_seek(struct debugger *debugger,
 bool verb_reverse_step(struct debugger *debugger, struct text_cursor *cursor)
 {
     uint64_t count;
-
     return read_times(debugger, cursor, &count)
            && arrive(debugger, execution_back(debugger, count));
 }
@@ -104,7 +99,6 @@ bool verb_goto(struct debugger *debugger, struct text_cursor *cursor)
 {
     bool by_clock = text_cursor_take(cursor, "clock");
     uint64_t number;
-
     return debug_count(debugger, cursor, &number)
            && text_cursor_finish(debugger, cursor)
            && arrive(debugger, by_clock ? execution_to_clock(debugger, number)

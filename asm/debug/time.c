@@ -12,7 +12,6 @@ void show_wait(const struct debugger *debugger, const c205_piece *piece,
                const struct sink *sink)
 {
     const char *name;
-
     switch (piece->wait) {
     case C205_WAIT_REGISTER:
         name = object_register_name(debugger->setup.object, piece->number, false);
@@ -32,11 +31,9 @@ void show_wait(const struct debugger *debugger, const c205_piece *piece,
 static void put_pieces(const struct debugger *debugger, const c205_times *record)
 {
     c205 *machine = machine_of(debugger);
-
     for (size_t i = 0; i < record->piece_count; i++) {
         const c205_piece *piece = &record->piece[i];
         const char *region = c205_account_at(machine, piece->region)->name;
-
         sink_print(&debugger->out, "%10" PRIu64 "  %-16s", piece->clocks,
                    c205_cause_name(piece->cause));
         if (piece->wait != C205_WAIT_NONE)
@@ -56,7 +53,6 @@ const c205_constant *debugger_constant(const struct debugger *debugger,
                        : phase == C205_VECTOR_STREAM ? "stream"
                                                      : NULL;
     char name[80];
-
     if (!kind || !debugger->has_last)
         return NULL;
     snprintf(name, sizeof name, "%s.%s", kind,
@@ -67,7 +63,6 @@ const c205_constant *debugger_constant(const struct debugger *debugger,
 static void put_constant(const struct debugger *debugger, c205_cause phase)
 {
     const c205_constant *constant = debugger_constant(debugger, phase);
-
     if (constant)
         sink_print(&debugger->out, "  %s = %s %s (%c)", constant->name, constant->text,
                    constant->unit, constant->source);
@@ -76,11 +71,9 @@ static void put_constant(const struct debugger *debugger, c205_cause phase)
 static void put_phases(const struct debugger *debugger)
 {
     const c205_times *record = &debugger->record;
-
     for (size_t i = 0; i < record->phase_count; i++) {
         uint64_t begin = record->phase[i].begin, end = record->phase[i].end;
         c205_cause cause = record->phase[i].cause;
-
         sink_print(&debugger->out, "%10" PRIu64 "  %-16s  %" PRIu64 " .. %" PRIu64,
                    end - begin, c205_cause_name(cause), begin, end);
         if (cause == C205_VECTOR_STREAM)
@@ -94,7 +87,6 @@ static void put_phases(const struct debugger *debugger)
 bool verb_why(struct debugger *debugger, struct text_cursor *cursor)
 {
     const c205_times *record = &debugger->record;
-
     if (!text_cursor_finish(debugger, cursor))
         return false;
     if (!debugger->has_last)
@@ -123,7 +115,6 @@ bool verb_why(struct debugger *debugger, struct text_cursor *cursor)
 static void put_account(const struct debugger *debugger, const c205_account *account)
 {
     uint64_t sum = 0;
-
     for (int i = 0; i < C205_CAUSES; i++)
         sum += account->clocks[i];
     if (sum == 0 && account->instructions == 0)
@@ -144,7 +135,6 @@ static void put_account(const struct debugger *debugger, const c205_account *acc
 bool verb_account(struct debugger *debugger, struct text_cursor *cursor)
 {
     c205 *machine = machine_of(debugger);
-
     if (!text_cursor_finish(debugger, cursor))
         return false;
     for (size_t i = 0; i < c205_account_count(machine); i++)

@@ -28,7 +28,6 @@ bool debug_fault(struct debugger *debugger, const char *format, ...)
     char text[512];
     unsigned long code;
     va_list arguments;
-
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
@@ -66,7 +65,6 @@ static bool is_name(char c)
 static size_t name_length(const char *text)
 {
     size_t length = 0;
-
     while (is_name(text[length]))
         length++;
     return length;
@@ -75,7 +73,6 @@ static size_t name_length(const char *text)
 bool text_cursor_begin(struct text_cursor *cursor, const char *word)
 {
     size_t length;
-
     text_cursor_skip(cursor);
     length = name_length(cursor->at);
     if (length == 0 || strncmp(cursor->at, word, length) != 0)
@@ -95,7 +92,6 @@ void text_cursor_text(const char *from, const struct text_cursor *cursor,
                       char text[MAX_TEXT])
 {
     size_t length = (size_t)(cursor->at - from);
-
     while (length > 0 && isspace((unsigned char)from[length - 1]))
         length--;
     snprintf(text, MAX_TEXT, "%.*s", (int)length, from);
@@ -184,7 +180,6 @@ bool debug_is_true(const struct value_of *value)
 static bool take_sign(struct reading *reading, const char *sign)
 {
     size_t length = strlen(sign);
-
     text_cursor_skip(reading->cursor);
     if (strncmp(reading->cursor->at, sign, length) != 0)
         return false;
@@ -201,7 +196,6 @@ static const struct asm_register *find_register(const struct debugger *debugger,
                                                 const char *name, size_t length)
 {
     const struct object *object = debugger->setup.object;
-
     for (size_t i = object->register_count; i-- > 0;)
         if (strlen(object->registers[i].name) == length
             && strncmp(object->registers[i].name, name, length) == 0)
@@ -213,7 +207,6 @@ static bool is_numbered(const char *name, size_t length, struct register_of *nam
 {
     char *end;
     unsigned long number;
-
     if (length < 2 || length > 4 || (*name != 'r' && *name != 'h')
         || !isdigit((unsigned char)name[1]))
         return false;
@@ -228,7 +221,6 @@ static bool find_named(const struct debugger *debugger, const char *name, size_t
                        struct register_of *named)
 {
     const struct asm_register *known = find_register(debugger, name, length);
-
     if (known)
         *named = (struct register_of){ known->number, known->half };
     return known || is_numbered(name, length, named);
@@ -238,7 +230,6 @@ static bool find_named(const struct debugger *debugger, const char *name, size_t
 static size_t base_length(const char *text)
 {
     size_t length = name_length(text);
-
     if (length > 2 && strncmp(text + length - 2, ".i", 2) == 0)
         return length - 2;
     if (length > 7 && strncmp(text + length - 7, ".length", 7) == 0)
@@ -250,7 +241,6 @@ bool debug_register(const struct debugger *debugger, struct text_cursor *cursor,
                     struct register_of *named)
 {
     size_t length;
-
     text_cursor_skip(cursor);
     length = name_length(cursor->at);
     if (!find_named(debugger, cursor->at, length, named))
@@ -277,7 +267,6 @@ static struct value_of of_register(const struct debugger *debugger,
                                    struct register_of named)
 {
     c205_word word = debug_register_word(debugger, named);
-
     return named.half ? of_half(word) : of_word(word);
 }
 
@@ -285,7 +274,6 @@ static bool read_special(const struct debugger *debugger, const char *name,
                          size_t length, struct value_of *value)
 {
     c205 *machine = machine_of(debugger);
-
     if (*name == '$') {
         name++;
         length--;
@@ -308,7 +296,6 @@ static bool read_symbol(const struct debugger *debugger, const char *name,
 {
     char text[MAX_TEXT];
     const struct asm_symbol *symbol;
-
     if (length >= sizeof text)
         return false;
     memcpy(text, name, length);
@@ -329,7 +316,6 @@ static bool read_value_name(struct reading *reading, struct value_of *value)
     size_t length = base_length(name);
     struct register_of named = { 0, false };
     const struct asm_register *known = find_register(debugger, name, length);
-
     reading->cursor->at += length;
     if (known) {
         named = (struct register_of){ known->number, known->half };
@@ -354,14 +340,12 @@ static bool read_number(struct reading *reading, struct value_of *value)
     bool is_hex = at[0] == '0' && (at[1] == 'x' || at[1] == 'X');
     char *end;
     long long integer;
-
     errno = 0;
     integer = strtoll(at, &end, is_hex ? 16 : 10);
-    if (*end == '.' || *end == 'e' || *end == 'E') {
+    if (*end == '.' || *end == 'e' || *end == 'E')
         *value = of_real(strtod(at, &end));
-    } else {
+    else
         *value = of_integer(integer);
-    }
     reading->cursor->at = end;
     return (!is_name(*end) && errno != ERANGE)
            || debug_fault(reading->debugger,
@@ -376,7 +360,6 @@ static bool read_hex(struct reading *reading, struct value_of *value)
     const char *at = reading->cursor->at + 2;
     c205_word word = 0;
     unsigned digits = 0;
-
     for (; *at && *at != '\''; at++) {
         if (*at == ' ')
             continue;
@@ -412,7 +395,6 @@ static bool read_memory(struct reading *reading, struct value_of *value)
 {
     c205_word word = 0;
     uint64_t address;
-
     if (!read_address(reading->debugger, reading, value, &address))
         return false;
     if (!take_sign(reading, "]"))
@@ -429,7 +411,6 @@ static bool read_memory(struct reading *reading, struct value_of *value)
 static bool read_first(struct reading *reading, struct value_of *value)
 {
     const char *at;
-
     text_cursor_skip(reading->cursor);
     at = reading->cursor->at;
     if (take_sign(reading, "("))
@@ -476,7 +457,6 @@ static bool read_signed(struct reading *reading, struct value_of *value)
 {
     const char *at;
     bool good;
-
     text_cursor_skip(reading->cursor);
     at = reading->cursor->at;
     if (reading->depth++ > MAX_DEPTH)
@@ -523,7 +503,6 @@ static bool combine(struct reading *reading, int code, struct value_of *value,
 {
     uint64_t integer = 0;
     const char *problem = NULL;
-
     if (code == OPERATOR('|', '|'))
         integer = debug_is_true(value) || debug_is_true(other);
     else if (code == OPERATOR('&', '&'))
@@ -556,7 +535,6 @@ static bool read_chain(struct reading *reading, int precedence, struct value_of 
     struct value_of other;
     size_t length;
     int code, found;
-
     if (!read_signed(reading, value))
         return false;
     for (;;) {
@@ -589,7 +567,6 @@ bool debug_value(struct debugger *debugger, struct text_cursor *cursor,
                  struct value_of *value)
 {
     struct reading reading = { debugger, cursor, false, 0 };
-
     return read_any(&reading, value);
 }
 
@@ -597,7 +574,6 @@ bool debug_grammar(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct reading reading = { debugger, cursor, true, 0 };
     struct value_of value;
-
     return read_any(&reading, &value);
 }
 
@@ -606,14 +582,12 @@ bool debug_address(struct debugger *debugger, struct text_cursor *cursor,
 {
     struct reading reading = { debugger, cursor, false, 0 };
     struct value_of value;
-
     return read_address(debugger, &reading, &value, address);
 }
 
 bool debug_count(struct debugger *debugger, struct text_cursor *cursor, uint64_t *count)
 {
     struct value_of value;
-
     if (!debug_value(debugger, cursor, &value))
         return false;
     *count = (uint64_t)value.integer;

@@ -50,7 +50,6 @@ static void print_diagnostics(struct lesson_report *report, const char *sentence
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
-
     sink_put(&sink, sentence);
     sink_put(&sink, "\n");
     for (size_t i = 0; i < said->count; i++)
@@ -67,7 +66,6 @@ static struct asm_define *make_defines(struct sitting *sitting)
     struct asm_define *defines = arena_take(sitting->kept,
                                             (test->symbol_count + 1) * sizeof *defines);
     size_t count = 0;
-
     for (size_t i = 0; defines && i < test->symbol_count; i++)
         if (lesson_is_constant(&test->symbols[i]))
             defines[count++] = (struct asm_define){ test->symbols[i].name,
@@ -98,7 +96,6 @@ static bool find_redefined(struct sitting *sitting, const struct diagnostics *sa
 {
     struct lesson_report *report = sitting->general;
     size_t reported = report->count;
-
     for (; defines->name; defines++)
         for (size_t i = 0; i < said->count; i++)
             if (asm_is_redefined(&said->items[i], defines->name))
@@ -113,7 +110,6 @@ static void print_errors(struct sitting *sitting, const struct diagnostics *said
 {
     struct text_line line = { 0 };
     struct sink sink = text_line_sink(&line);
-
     for (size_t i = 0; defines[i].name; i++)
         sink_print(&sink, "%s%s = %" PRId64, i > 0 ? ", " : "With ", defines[i].name,
                    defines[i].value);
@@ -127,7 +123,6 @@ static bool assemble_answer(struct sitting *sitting)
     struct asm_define *defines = make_defines(sitting);
     struct asm_options options = { .defines = defines, .sealed = true };
     struct diagnostics said = { 0 };
-
     if (!defines)
         return no_memory(sitting->error);
     sitting->answer = assemble_bytes(sitting->name, sitting->text, sitting->length,
@@ -143,7 +138,6 @@ static bool assemble_answer(struct sitting *sitting)
 static bool load_test(struct sitting *sitting)
 {
     const char *model = expect_model(sitting->test);
-
     sitting->model = model_find(model ? model : C205_DEFAULT_MODEL, sitting->error);
     if (!sitting->model)
         return false;
@@ -155,7 +149,6 @@ static bool load_test(struct sitting *sitting)
 static void listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct sitting *sitting = context;
-
     printer_listen(&sitting->printer, machine, event);
     if (sitting->printed.length > MAX_PRINTED)
         c205_pause(sitting->machine);
@@ -165,7 +158,6 @@ static void listen(void *context, const c205 *machine, const c205_event *event)
 static bool load_answer(struct sitting *sitting)
 {
     c205_program program = sitting->answer->program;
-
     program.warm = sitting->test->program.warm;
     sitting->machine = c205_new(sitting->model, sitting->error);
     sitting->profile = line_profile_new(sitting->answer);
@@ -192,7 +184,6 @@ static void print_endless(struct sitting *sitting, const c205_stop *stop)
     const struct asm_line *line = object_line(sitting->answer, stop->pc);
     struct text_line where = { 0 };
     struct sink sink = text_line_sink(&where);
-
     if (line)
         sink_print(&sink, "  It was at line %zu: %s", line->call_number,
                    lesson_source(line->call_source));
@@ -206,7 +197,6 @@ static void print_trap(struct sitting *sitting, const c205_stop *stop)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
-
     sink_put(&sink, "It was stopped by a trap:\n");
     trap_report(sitting->answer, sitting->name, sitting->machine, stop, &sink);
     report_buffer(&sitting->trial->report, &text);
@@ -237,14 +227,12 @@ static bool check_stop(struct sitting *sitting, const c205_stop *stop)
 static void print_expectations(struct lesson_report *report, const char *text)
 {
     static const char before[] = "expected ";
-
     while (*text) {
         size_t length = strcspn(text, "\n");
         const char *what = strstr(text, before);
         size_t skipped = what && what < text + length
                              ? (size_t)(what - text) + sizeof before - 1
                              : 0;
-
         report_printf(report, "Expected %.*s.", (int)(length - skipped),
                       text + skipped);
         text += length + (text[length] != '\0');
@@ -258,7 +246,6 @@ static bool check_expected(struct sitting *sitting, const c205_stop *stop)
     const char *printed = sitting->printed.text;
     bool good = expect_check(sitting->test, sitting->machine, stop,
                              printed ? printed : "", 0, &sink);
-
     if (text.text)
         print_expectations(&sitting->trial->report, text.text);
     text_buffer_free(&text);
@@ -268,7 +255,6 @@ static bool check_expected(struct sitting *sitting, const c205_stop *stop)
 static enum medal medal_for(const struct lesson_test *test, uint64_t clocks)
 {
     enum medal medal = MEDAL_NONE;
-
     while (medal < MEDAL_GOLD && clocks <= test->goals[medal + 1])
         medal++;
     return medal;
@@ -277,7 +263,6 @@ static enum medal medal_for(const struct lesson_test *test, uint64_t clocks)
 static void judge(struct sitting *sitting, const c205_stop *stop)
 {
     struct lesson_trial *trial = sitting->trial;
-
     trial->clocks = c205_clock(sitting->machine);
     if (!check_stop(sitting, stop))
         return;
@@ -299,7 +284,6 @@ static bool run_test(struct sitting *sitting)
     uint64_t limit = patience_least
                      + TIME_LIMIT_FACTOR * trial->test->goals[MEDAL_BRONZE];
     c205_stop stop = c205_run(sitting->machine, limit);
-
     if (stop.trap == C205_TRAP_NO_MEMORY || sitting->printed.failed)
         return no_memory(sitting->error);
     judge(sitting, &stop);
@@ -312,7 +296,6 @@ static bool sit(struct sitting *sitting)
 {
     struct lesson_test_data *test_data = &sitting->test_data;
     c205_error why;
-
     sitting->printer.sink = text_buffer_sink(&sitting->printed);
     if (!(sitting->test = lesson_assemble_test(sitting->trial->test, sitting->error))
         || !load_test(sitting) || !assemble_answer(sitting))
@@ -350,12 +333,10 @@ static void leave(struct sitting *sitting)
 static void conclude(struct lesson_verdict *verdict)
 {
     bool medals = false;
-
     verdict->passed = true;
     verdict->medal = MEDAL_GOLD;
     for (size_t i = 0; i < verdict->count; i++) {
         const struct lesson_trial *trial = &verdict->trials[i];
-
         verdict->passed = verdict->passed && trial->passed;
         if (!trial->test->has_goals)
             continue;
@@ -392,7 +373,6 @@ void lesson_refuse(struct lesson_verdict *verdict, const struct lesson *lesson,
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
-
     verdict->lesson = lesson;
     verdict->answer = name;
     verdict->report.kept = &verdict->kept;
@@ -416,7 +396,6 @@ static bool try_tests(struct lesson_verdict *verdict, const char *text, size_t l
                                    .kept = &verdict->kept,
                                    .error = error };
         bool good = sit(&sitting);
-
         leave(&sitting);
         if (!good)
             return false;
@@ -436,7 +415,6 @@ bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
     struct diagnostics said = { 0 };
     struct object *object;
     bool good = true;
-
     if (!grade_begin(verdict, lesson, name, error))
         return false;
     object = assemble_bytes(name, text, length, &options, &said);

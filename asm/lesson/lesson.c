@@ -14,7 +14,6 @@
 const char *medal_name(enum medal medal)
 {
     static const char *const names[MEDALS] = { "", "bronze", "silver", "gold" };
-
     return names[medal];
 }
 
@@ -26,7 +25,6 @@ bool lesson_begin(struct lesson *lesson, const char *folder, c205_error *error)
     char *end;
     unsigned long number = strtoul(folder, &end, 10);
     bool numbered = isdigit((unsigned char)*folder) && *end == '-';
-
     lesson->folder = arena_text(&lesson->kept, folder, strlen(folder));
     if (!lesson->folder)
         return error_set(error, "out of memory");
@@ -39,7 +37,6 @@ bool lesson_begin(struct lesson *lesson, const char *folder, c205_error *error)
 static bool take_title(struct lesson *lesson, c205_error *error)
 {
     size_t length = strcspn(lesson->text, "\n");
-
     if (strncmp(lesson->text, "# ", 2) != 0 || length == 2)
         return error_set(error, "%.80s/lesson.md:1: expected '# Title'",
                          lesson->folder);
@@ -53,7 +50,6 @@ static bool take_test(struct lesson *lesson, const char *name, size_t name_lengt
     struct lesson_test *test = arena_add(&lesson->kept, &lesson->tests,
                                          &lesson->test_count, &lesson->test_capacity,
                                          NULL, sizeof *test);
-
     if (test)
         test->name = arena_text(&lesson->kept, name, name_length);
     if (!test || !test->name)
@@ -73,7 +69,6 @@ bool lesson_take(struct lesson *lesson, const char *file, const char *text,
     bool is_text = strcmp(file, "lesson.md") == 0;
     bool is_start = strcmp(file, "start.s") == 0;
     const char *kept;
-
     if (!is_test && !is_text && !is_start)
         return true;
     kept = arena_text(&lesson->kept, text, length);
@@ -93,7 +88,6 @@ bool lesson_take(struct lesson *lesson, const char *file, const char *text,
 static int compare_tests(const void *a, const void *b)
 {
     const struct lesson_test *one = a, *other = b;
-
     return one->has_goals != other->has_goals ? one->has_goals - other->has_goals
                                               : strcmp(one->name, other->name);
 }
@@ -104,7 +98,6 @@ bool lesson_end(struct lesson *lesson, c205_error *error)
                           : !lesson->start          ? "start.s"
                           : lesson->test_count == 0 ? "test-NAME.s"
                                                     : NULL;
-
     if (missing)
         return error_set(error, "%.160s is not a lesson: it has no %s", lesson->folder,
                          missing);
@@ -122,7 +115,6 @@ bool lesson_is_named(const struct lesson *lesson, const char *name)
     char *end;
     unsigned long number = strtoul(name, &end, 10);
     bool is_number = isdigit((unsigned char)*name) && !*end;
-
     return strcmp(lesson->name, name) == 0 || strcmp(lesson->folder, name) == 0
            || (is_number && lesson->number > 0 && lesson->number == number);
 }
@@ -132,7 +124,6 @@ bool lesson_is_named(const struct lesson *lesson, const char *name)
 static bool join_lines(const char *const *lines, struct text_buffer *buffer)
 {
     struct sink sink = text_buffer_sink(buffer);
-
     for (; *lines; lines++)
         sink_put(&sink, *lines);
     return !buffer->failed;
@@ -146,7 +137,6 @@ static bool take_text(struct lesson *lesson, const struct text *text, c205_error
                     ? lesson_take(lesson, strchr(text->name, '/') + 1,
                                   joined.text ? joined.text : "", joined.length, error)
                     : error_set(error, "out of memory");
-
     text_buffer_free(&joined);
     return good;
 }
@@ -165,7 +155,6 @@ static const struct text *open_next(struct lesson *lesson, const struct text *te
     size_t length = (size_t)(strchr(name, '/') + 1 - name);
     struct text_line folder = { 0 };
     struct sink sink = text_line_sink(&folder);
-
     sink_print(&sink, "%.*s", (int)length - 1, name);
     if (!lesson_begin(lesson, folder.text, error))
         return NULL;
@@ -179,7 +168,6 @@ bool lessons_open(struct lessons *lessons, c205_error *error)
 {
     const struct text *text = lesson_texts;
     size_t most = 0;
-
     while (lesson_texts[most].name)
         most++;
     lessons->count = 0;
@@ -202,10 +190,8 @@ const struct lesson *lessons_find(const struct lessons *lessons, const char *nam
                                   c205_error *error)
 {
     struct spelling nearest = { .word = name };
-
     for (size_t i = 0; i < lessons->count; i++) {
         const struct lesson *lesson = &lessons->items[i];
-
         if (lesson_is_named(lesson, name))
             return lesson;
         spelling_try(&nearest, lesson->name);

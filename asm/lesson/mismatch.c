@@ -42,7 +42,6 @@ typedef bool of_result(const struct test_item *item);
 static bool all(const struct test_item *item, of_element *is)
 {
     size_t i = 0;
-
     while (i < item->count && is(item, i))
         i++;
     return i == item->count;
@@ -116,7 +115,6 @@ static bool backwards(const struct test_item *item)
 static int compare_words(const void *a, const void *b)
 {
     const c205_word *one = a, *other = b;
-
     return (*one > *other) - (*one < *other);
 }
 
@@ -127,7 +125,6 @@ static bool other_order(const struct test_item *item)
     size_t size = item->count * sizeof(c205_word);
     c205_word *expected = malloc(size), *actual = malloc(size);
     bool same = expected && actual && item->contents != ASM_BITS;
-
     if (same) {
         memcpy(expected, item->expected, size);
         memcpy(actual, item->actual, size);
@@ -169,7 +166,6 @@ static bool is_little_off(const struct test_item *item, size_t i)
     double little = item->contents == ASM_HALF_WORDS ? 1e-5 : 1e-9;
     double expected = plain_number(item, item->expected[i]);
     double actual = plain_number(item, item->actual[i]);
-
     return is_right(item, i) || fabs(actual - expected) <= little * fabs(expected);
 }
 
@@ -203,7 +199,6 @@ static bool lost_bits(const struct test_item *item)
 static bool only_begun(const struct test_item *item)
 {
     size_t i = 0;
-
     if (!is_right(item, 0))
         return false;
     while (is_right(item, i))
@@ -263,7 +258,6 @@ static void print_value(const struct test_item *item, c205_word element, bool wi
 {
     bool half = item->contents == ASM_HALF_WORDS;
     struct word_text text = word_text(element, half);
-
     if (item->contents == ASM_BITS || item->contents == ASM_BYTES) {
         sink_print(sink, "%.0f", plain_number(item, element));
         return;
@@ -279,7 +273,6 @@ static void print_element(const struct test_item *item, size_t i,
 {
     c205_word expected = item->expected[i], actual = item->actual[i];
     bool with_bits = is_equal(item, i);
-
     sink_put(sink, " is ");
     print_value(item, actual, with_bits, sink);
     sink_put(sink, " and should be ");
@@ -290,7 +283,6 @@ static void print_elements(const struct test_item *item, size_t wrong,
                            const struct sink *sink)
 {
     size_t reported = 0;
-
     for (size_t i = 0; i < item->count && reported < MAX_LISTED; i++)
         if (!is_right(item, i)) {
             sink_print(sink, "%s %zu", reported == 0 ? "element" : ",", i);
@@ -307,7 +299,6 @@ static void print_wrong(const struct test_item *item, size_t wrong,
 {
     const char *label = item->label;
     size_t count = item->count;
-
     if (count == 1) {
         sink_put(sink, label);
         print_element(item, 0, sink);
@@ -328,7 +319,6 @@ static void print_wrong(const struct test_item *item, size_t wrong,
 static void print_likeness(const struct test_item *item, const struct sink *sink)
 {
     size_t i = 0, count = sizeof likenesses / sizeof *likenesses;
-
     while (i < count && !fits(&likenesses[i], item))
         i++;
     if (i < count)
@@ -340,7 +330,6 @@ bool mismatch_report(const struct test_item *item, struct lesson_report *report)
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
     size_t wrong = 0;
-
     for (size_t i = 0; i < item->count; i++)
         wrong += !is_right(item, i);
     if (wrong == 0)

@@ -42,7 +42,6 @@ static bool take_letter(struct test_note *note, char letter)
 static size_t word_length(const struct test_note *note)
 {
     const char *at = note->at;
-
     while (at < note->end && !isspace((unsigned char)*at) && *at != ',' && *at != ':')
         at++;
     return (size_t)(at - note->at);
@@ -74,7 +73,6 @@ static bool take_test_note(struct test_note *note)
 static bool take_clocks(struct test_note *note, uint64_t *clocks)
 {
     static const uint64_t most = 1000000000;
-
     skip_blanks(note);
     for (*clocks = 0;
          note->at < note->end && isdigit((unsigned char)*note->at) && *clocks <= most;
@@ -87,7 +85,6 @@ static bool take_goal(struct test_note *note)
 {
     for (int medal = MEDAL_BRONZE; medal < MEDALS; medal++) {
         uint64_t *goal = &note->test->goals[medal];
-
         if (take_word(note, medal_name((enum medal)medal)))
             return *goal == 0 && take_clocks(note, goal);
     }
@@ -98,7 +95,6 @@ static bool take_goals_note(struct test_note *note)
 {
     const uint64_t *goals = note->test->goals;
     bool good = !note->test->has_goals;
-
     note->test->has_goals = true;
     do
         good = good && take_goal(note);
@@ -118,7 +114,6 @@ static bool take_tolerance_note(struct test_note *note)
                                                     sizeof *tolerance);
     size_t length;
     const char *end;
-
     skip_blanks(note);
     length = word_length(note);
     if (!tolerance
@@ -155,10 +150,8 @@ static bool check_name(const struct test_note *note, size_t length)
 {
     enum { NEAR = 2, LONG = 4 };
     bool bad = false;
-
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
         size_t own = strlen(kinds[i].name);
-
         bad = bad
               || (own > LONG && length >= LONG
                   && spelling_distance(note->at, length, kinds[i].name, own) <= NEAR);
@@ -171,7 +164,6 @@ static bool check_name(const struct test_note *note, size_t length)
 static bool take_line(struct test_note *note)
 {
     size_t length;
-
     if (!take_letter(note, ';')) {
         note->test->warm = take_word(note, ".warm") || note->test->warm;
         return true;
@@ -193,10 +185,8 @@ bool lesson_read_notes(struct lesson *lesson, struct lesson_test *test,
 {
     struct test_note note = { .lesson = lesson, .test = test, .error = error };
     const char *at = test->text, *end = at + test->length;
-
     while (at < end) {
         const char *newline = memchr(at, '\n', (size_t)(end - at));
-
         note.line++;
         note.at = at;
         note.end = newline ? newline : end;

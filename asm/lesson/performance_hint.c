@@ -51,7 +51,6 @@ static void print_goal(const struct lesson_trial *trial, struct lesson_report *r
 {
     enum medal next = trial->medal + 1;
     uint64_t goal = trial->test->goals[next];
-
     report_printf(report,
                   "It took %" PRIu64 " clock%s, %" PRIu64 " more than the %" PRIu64
                   " of %s.",
@@ -73,7 +72,6 @@ static bool is_scalar(const c205_account *all)
 static int find_most(const c205_account *all, int first)
 {
     int most = first;
-
     for (int cause = first + 1; cause < C205_CAUSES; cause++)
         if (all->clocks[cause] > all->clocks[most])
             most = cause;
@@ -90,7 +88,6 @@ static void print_cause(const struct lesson_trial *trial, const c205_account *al
     bool waits = most == C205_ISSUE && all->clocks[wait] > 0 && is_scalar(all)
                  && all->instructions < many;
     int cause = waits ? wait : most;
-
     report_printf(report, "%s is %s: %" PRIu64 " clock%s, %d %%.  %s",
                   waits ? "The longest wait" : "The largest part",
                   c205_cause_name((c205_cause)cause), all->clocks[cause],
@@ -114,7 +111,6 @@ static void print_scalar(const c205_account *all, struct lesson_report *report)
 static uint64_t cause_clocks(const struct profile_row *row)
 {
     uint64_t sum = 0;
-
     for (int cause = 0; cause < C205_CAUSES; cause++)
         sum += row->clocks[cause];
     return sum;
@@ -126,11 +122,9 @@ static const struct profile_row *next_line(const struct line_profile *profile,
                                            const struct profile_row *before)
 {
     const struct profile_row *found = NULL;
-
     for (size_t i = 0; i < line_profile_count(profile); i++) {
         const struct profile_row *row = line_profile_row(profile, i);
         uint64_t clocks = cause_clocks(row);
-
         if (row->file && clocks > (found ? cause_clocks(found) : 0)
             && (!before || clocks < cause_clocks(before)
                 || (clocks == cause_clocks(before) && row > before)))
@@ -154,7 +148,6 @@ static void print_line(const struct lesson_trial *trial, const struct profile_ro
     struct sink sink = text_buffer_sink(&text);
     uint64_t clocks = cause_clocks(row);
     bool link = is_link(row);
-
     sink_print(&sink, "Line %zu took %" PRIu64 " clock%s, %d %%, in %" PRIu64 " %s%s:",
                row->number, clocks, plural(clocks), percent_of(clocks, trial->clocks),
                row->executions, link ? "linked pair" : "instruction",
@@ -173,7 +166,6 @@ static void print_lines(const struct lesson_trial *trial,
                         struct lesson_report *report)
 {
     const struct profile_row *row = NULL;
-
     for (int i = 0; i < LINES_TOLD && (row = next_line(profile, row)); i++) {
         if (i > 0 && 10 * cause_clocks(row) < trial->clocks)
             return;
@@ -187,7 +179,6 @@ void performance_hint_report(const struct lesson_trial *trial, const c205 *machi
 {
     struct accounts accounts = { .model = c205_machine_model(machine) };
     c205_account all;
-
     if (!accounts_add(&accounts, machine))
         report->kept->failed = true;
     all = accounts_together(&accounts);

@@ -29,7 +29,6 @@ static c205_word mask_of(unsigned width)
 static c205_word get_element(const c205 *machine, uint64_t at, unsigned width)
 {
     c205_word word = 0;
-
     c205_read(machine, at / 64 * 64, &word, 1);
     return word << at % 64 & mask_of(width);
 }
@@ -37,7 +36,6 @@ static c205_word get_element(const c205 *machine, uint64_t at, unsigned width)
 static void set_element(c205 *machine, uint64_t at, unsigned width, c205_word element)
 {
     c205_word word = 0;
-
     c205_read(machine, at / 64 * 64, &word, 1);
     word = (word & ~(mask_of(width) >> at % 64)) | element >> at % 64;
     c205_write(machine, at / 64 * 64, &word, 1);
@@ -47,7 +45,6 @@ static void get_elements(const c205 *machine, uint64_t at, const struct test_ite
                          c205_word *words)
 {
     unsigned width = contents_width(item->contents);
-
     for (size_t i = 0; i < item->count; i++)
         words[i] = get_element(machine, at + i * width, width);
 }
@@ -56,7 +53,6 @@ static void put_elements(const struct lesson_test_data *test_data,
                          const struct test_item *item)
 {
     unsigned width = contents_width(item->contents);
-
     for (size_t i = 0; i < item->count; i++)
         set_element(test_data->machine, item->actual_at + i * width, width,
                     get_element(test_data->data, item->expected_at + i * width, width));
@@ -76,7 +72,6 @@ static bool check_room(struct lesson_test_data *test_data,
                        const struct asm_symbol *ours, const struct asm_symbol *theirs)
 {
     const char *kind = kind_name(ours->contents);
-
     if (ours->contents != theirs->contents) {
         report_printf(test_data->general,
                       "Expected %s at the answer's label %s, but there %s %s.", kind,
@@ -98,7 +93,6 @@ static const struct lesson_tolerance *find_tolerance(const struct lesson_test *t
                                                      const char *label)
 {
     const struct lesson_tolerance *found = test->tolerances;
-
     while (found && strcmp(found->label, label) != 0)
         found = found->next;
     return found;
@@ -107,7 +101,6 @@ static const struct lesson_tolerance *find_tolerance(const struct lesson_test *t
 static void begin_wanted(struct lesson_test_data *test_data, struct test_item *item)
 {
     size_t size = (item->count + 1) * sizeof *item->expected;
-
     item->tolerance = find_tolerance(test_data->notes, item->label);
     item->expected = arena_take(test_data->kept, size);
     item->initial = arena_take(test_data->kept, size);
@@ -124,7 +117,6 @@ static bool begin_label(struct lesson_test_data *test_data,
     const char *label = expected ? expected : ours->name;
     const struct asm_symbol *theirs = object_symbol(test_data->answer, label);
     struct test_item *item = &test_data->items[test_data->count];
-
     if (!theirs || !theirs->is_label) {
         if (expected)
             report_printf(test_data->general,
@@ -151,7 +143,6 @@ bool test_data_begin(struct lesson_test_data *test_data)
 {
     const struct object *test = test_data->test;
     bool good = true;
-
     test_data->items = arena_take(test_data->kept,
                                   (test->symbol_count + 1) * sizeof *test_data->items);
     if (!test_data->items)
@@ -173,7 +164,6 @@ static void print_missing(struct lesson_test_data *test_data)
 {
     for (size_t i = 0; i < test_data->test->symbol_count; i++) {
         const struct asm_symbol *symbol = &test_data->test->symbols[i];
-
         if (holds_data(symbol) && !lesson_wanted(symbol->name)
             && !object_symbol(test_data->answer, symbol->name))
             report_printf(
@@ -186,10 +176,8 @@ static void print_missing(struct lesson_test_data *test_data)
 bool test_data_end(struct lesson_test_data *test_data)
 {
     bool good = true;
-
     for (size_t i = 0; i < test_data->count; i++) {
         struct test_item *item = &test_data->items[i];
-
         if (!item->expected)
             continue;
         get_elements(test_data->machine, item->actual_at, item, item->actual);

@@ -12,7 +12,6 @@ const char *lesson_wanted(const char *label)
 {
     static const char prefix[] = "want_";
     size_t length = sizeof prefix - 1;
-
     return strncmp(label, prefix, length) == 0 ? label + length : NULL;
 }
 
@@ -27,7 +26,6 @@ static bool check_expectations(const struct object *object, c205_error *error)
 {
     for (size_t i = 0; i < object->expectation_count; i++) {
         const struct asm_expectation *expectation = &object->expectations[i];
-
         if (expectation->kind == EXPECT_WORDS || expectation->kind == EXPECT_HALVES
             || expectation->kind == EXPECT_BITS || expectation->kind == EXPECT_WARNING)
             return error_set(
@@ -43,11 +41,9 @@ static bool check_expectations(const struct object *object, c205_error *error)
 static bool is_wanted(const struct object *object, const char *label)
 {
     size_t i = 0;
-
     while (i < object->symbol_count) {
         const struct asm_symbol *symbol = &object->symbols[i++];
         const char *wanted = lesson_wanted(symbol->name);
-
         if (symbol->is_label && wanted
             && (label ? strcmp(wanted, label) == 0 : symbol->contents != ASM_NOTHING))
             return true;
@@ -62,7 +58,6 @@ static bool check_wanted(const struct lesson_test *test, const struct object *ob
     for (size_t i = 0; i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
         const char *wanted = lesson_wanted(symbol->name);
-
         if (symbol->is_label && wanted && (!*wanted || symbol->contents == ASM_CODE))
             return error_set(error,
                              "test-%.40s.s: expected data at want_LABEL, not %.60s",
@@ -75,7 +70,6 @@ static bool check_labels(const struct lesson_test *test, const struct object *ob
                          c205_error *error)
 {
     const struct lesson_tolerance *tolerance = test->tolerances;
-
     if (!check_wanted(test, object, error))
         return false;
     if (!is_wanted(object, NULL) && !expect_anything(object))
@@ -95,7 +89,6 @@ static bool check_model(const struct lesson_test *test, const struct object *obj
     c205_error why = { "programs cannot run on its model, which only gives times" };
     c205_model *model = name ? model_find(name, &why) : NULL;
     bool good = !name || (model && !c205_model_is_projection(model));
-
     c205_model_free(model);
     return good || error_set(error, "test-%.40s.s: %.160s", test->name, why.message);
 }
@@ -103,7 +96,6 @@ static bool check_model(const struct lesson_test *test, const struct object *obj
 static void print_first(const struct diagnostics *said, c205_error *error)
 {
     const struct diagnostic *first = said->items;
-
     while (first < said->items + said->count && first->severity != SEVERITY_ERROR)
         first++;
     if (said->errors == 0 || first == said->items + said->count)
@@ -120,7 +112,6 @@ struct object *lesson_assemble_test(const struct lesson_test *test, c205_error *
     struct text_line name = { 0 };
     struct sink sink = text_line_sink(&name);
     struct object *object;
-
     sink_print(&sink, "test-%s.s", test->name);
     object = assemble_bytes(name.text, test->text, test->length, &options, &said);
     if (!object)

@@ -15,7 +15,6 @@ static void report_text(struct lesson_report *report, const char *text)
 {
     size_t length = strlen(text);
     const char *copy;
-
     while (length > 0 && text[length - 1] == '\n')
         length--;
     copy = arena_text(report->kept, text, length);
@@ -38,7 +37,6 @@ void report_printf(struct lesson_report *report, const char *format, ...)
     enum { SIZE = 1024 };
     char text[SIZE];
     va_list arguments;
-
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
@@ -63,10 +61,8 @@ void lesson_verdict_free(struct lesson_verdict *verdict)
 static void put_report(const struct lesson_report *report, const struct sink *sink)
 {
     enum { COLUMN = 4 };
-
     for (size_t i = 0; i < report->count; i++) {
         const char *text = report->sentences[i];
-
         if (!strchr(text, '\n')) {
             sink_print(sink, "%*s", COLUMN, "");
             word_wrap_put(text, COLUMN, sink);
@@ -74,7 +70,6 @@ static void put_report(const struct lesson_report *report, const struct sink *si
         }
         while (*text) {
             size_t length = strcspn(text, "\n");
-
             sink_print(sink, "%*s%.*s\n", COLUMN, "", (int)length, text);
             text += length + (text[length] != '\0');
         }
@@ -84,7 +79,6 @@ static void put_report(const struct lesson_report *report, const struct sink *si
 static void put_trial(const struct lesson_trial *trial, const struct sink *sink)
 {
     const struct lesson_test *test = trial->test;
-
     sink_print(sink, "%s: %s", test->name, trial->right ? "right" : "not right");
     if (trial->right && test->has_goals)
         sink_print(sink, ", %" PRIu64 " clock%s: %s", trial->clocks,
@@ -97,7 +91,6 @@ static void put_trial(const struct lesson_trial *trial, const struct sink *sink)
 void lesson_verdict_put(const struct lesson_verdict *verdict, const struct sink *sink)
 {
     bool medal = verdict->medal != MEDAL_NONE;
-
     if (verdict->graded)
         for (size_t i = 0; i < verdict->count; i++)
             put_trial(&verdict->trials[i], sink);

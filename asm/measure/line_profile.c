@@ -34,7 +34,6 @@ static int compare_places(const void *a, const void *b)
 {
     const struct called_line *one = a, *other = b;
     int order = strcmp(one->line->call_file, other->line->call_file);
-
     if (order == 0)
         order = (one->line->call_number > other->line->call_number)
                 - (one->line->call_number < other->line->call_number);
@@ -55,7 +54,6 @@ static bool is_same_call(const struct called_line *a, const struct called_line *
 static void find_firsts(const struct called_line *places, size_t count, size_t *first)
 {
     size_t i, begin = 0;
-
     for (i = 0; i < count; i++) {
         if (!is_same_call(&places[i], &places[begin]))
             begin = i;
@@ -70,7 +68,6 @@ static bool sort_places(const struct object *object, size_t *first)
 {
     size_t i, count = object->line_count;
     struct called_line *places = malloc((count + 1) * sizeof *places);
-
     if (!places)
         return false;
     for (i = 0; i < count; i++) {
@@ -89,11 +86,9 @@ static bool sort_places(const struct object *object, size_t *first)
 static void make_rows(struct line_profile *profile)
 {
     size_t i;
-
     for (i = 0; i < profile->object->line_count; i++) {
         const struct asm_line *line = &profile->object->lines[i];
         struct profile_row *row = &profile->rows[profile->row_count];
-
         if (profile->row_of[i] < i) {
             profile->row_of[i] = profile->row_of[profile->row_of[i]];
             continue;
@@ -110,7 +105,6 @@ struct line_profile *line_profile_new(const struct object *object)
 {
     struct line_profile *profile = calloc(1, sizeof *profile);
     size_t count = object->line_count;
-
     if (!profile)
         return NULL;
     profile->object = object;
@@ -139,7 +133,6 @@ void line_profile_add(struct line_profile *profile, const struct line_profile *m
 {
     for (size_t i = 0; i < line_profile_count(profile); i++) {
         struct profile_row *row = &profile->rows[i];
-
         row->executions += more->rows[i].executions;
         row->elements += more->rows[i].elements;
         for (int cause = 0; cause < C205_CAUSES; cause++)
@@ -177,10 +170,8 @@ static struct profile_row *row_at(struct line_profile *profile, uint64_t address
 static void add_pieces(struct line_profile *profile, const c205_times *times)
 {
     size_t i;
-
     for (i = 0; i < times->piece_count; i++) {
         const c205_piece *piece = &times->piece[i];
-
         row_at(profile, piece->pc)->clocks[piece->cause] += piece->clocks;
     }
 }
@@ -193,10 +184,8 @@ static void add_end(struct line_profile *profile, const c205 *machine)
     struct profile_row *end = &profile->rows[profile->row_count + ROW_END];
     size_t i;
     int cause;
-
     for (cause = 0; cause < C205_CAUSES; cause++) {
         uint64_t clocks = 0;
-
         for (i = 0; i < c205_account_count(machine); i++)
             clocks += c205_account_at(machine, i)->clocks[cause];
         for (i = 0; i <= profile->row_count; i++)
@@ -208,7 +197,6 @@ static void add_end(struct line_profile *profile, const c205 *machine)
 static void forget_end(struct line_profile *profile)
 {
     struct profile_row *end = &profile->rows[profile->row_count + ROW_END];
-
     memset(end->clocks, 0, sizeof end->clocks);
     profile->cut = false;
 }
@@ -217,7 +205,6 @@ void line_profile_listen(void *context, const c205 *machine, const c205_event *e
 {
     struct line_profile *profile = context;
     struct profile_row *row;
-
     if (!event->record) {
         add_end(profile, machine);
         profile->cut = true;
@@ -263,7 +250,6 @@ static uint64_t row_clocks(const struct profile_row *row)
 {
     uint64_t sum = 0;
     int cause;
-
     for (cause = 0; cause < C205_CAUSES; cause++)
         sum += row->clocks[cause];
     return sum;
@@ -274,7 +260,6 @@ static void put_name(struct table *table, const struct line_profile *profile,
 {
     char name[300];
     const char *slash = row->file ? strrchr(row->file, '/') : NULL;
-
     if (row->file)
         snprintf(name, sizeof name, "%.280s:%zu", slash ? slash + 1 : row->file,
                  row->number);
@@ -289,7 +274,6 @@ static void put_name(struct table *table, const struct line_profile *profile,
 static void put_source(struct table *table, const struct profile_row *row)
 {
     const char *source = row->source ? row->source : "";
-
     table_text(table, source + strspn(source, " \t"));
 }
 
@@ -301,10 +285,8 @@ static void put_causes(struct table *table, const struct profile_row *row)
     bool reported[C205_CAUSES] = { false };
     size_t used = 0;
     int i, cause;
-
     for (i = 0; i < 3; i++) {
         int found = -1;
-
         for (cause = 0; cause < C205_CAUSES; cause++)
             if (!reported[cause] && row->clocks[cause] > 0
                 && row->clocks[cause] * 10 >= all
@@ -325,7 +307,6 @@ static void put_causes(struct table *table, const struct profile_row *row)
 static struct table *new_columns(size_t first)
 {
     struct table_column columns[BEFORE + C205_CAUSES + 1];
-
     memcpy(columns, before, sizeof before);
     memcpy(columns + BEFORE, accounts_cause_columns, sizeof accounts_cause_columns);
     columns[BEFORE + C205_CAUSES] = (struct table_column){ "source", "source",
@@ -337,7 +318,6 @@ static void put_profile_row(struct table *table, const struct line_profile *prof
                             const struct profile_row *row, uint64_t all, bool words)
 {
     int cause;
-
     put_name(table, profile, row);
     table_count(table, row_clocks(row));
     table_number(table, all > 0 ? 100 * (double)row_clocks(row) / (double)all : 0);
@@ -368,12 +348,10 @@ struct shown_rows {
 static bool choose_rows(const struct line_profile *profile, struct shown_rows *shown)
 {
     size_t count = line_profile_count(profile);
-
     *shown = (struct shown_rows){ .rows = malloc(count * sizeof *shown->rows) };
     for (size_t i = 0; shown->rows && i < count; i++) {
         const struct profile_row *row = &profile->rows[i];
         uint64_t clocks = row_clocks(row);
-
         if (row->executions == 0 && clocks == 0)
             continue;
         shown->rows[shown->count++] = (struct shown_row){ row, clocks, 0 };
@@ -385,18 +363,15 @@ static bool choose_rows(const struct line_profile *profile, struct shown_rows *s
 static int compare_regions(const void *a, const void *b)
 {
     const struct shown_row *one = a, *other = b;
-
     return strcmp(one->row->region, other->row->region);
 }
 
 static void add_up_regions(struct shown_rows *shown)
 {
     size_t end;
-
     qsort(shown->rows, shown->count, sizeof *shown->rows, compare_regions);
     for (size_t i = 0; i < shown->count; i = end) {
         uint64_t sum = 0;
-
         for (end = i; end < shown->count
                       && compare_regions(&shown->rows[i], &shown->rows[end]) == 0;
              end++)
@@ -411,7 +386,6 @@ static int compare_hottest(const void *a, const void *b)
     const struct shown_row *one = a, *other = b;
     int order = (one->of_region < other->of_region)
                 - (one->of_region > other->of_region);
-
     if (order == 0 && one->of_region > 0)
         order = compare_regions(one, other);
     if (order == 0)
@@ -435,7 +409,6 @@ struct table *line_profile_table(const struct line_profile *profile,
     size_t first = view.regions ? 0 : 1;
     struct shown_rows shown;
     struct table *table;
-
     if (!choose_rows(profile, &shown))
         return NULL;
     if (view.order == PROFILE_HOTTEST && view.regions)
@@ -459,7 +432,6 @@ int line_profile_show(const struct line_profile *profile, struct profile_view vi
                  && (results->format == OUTPUT_TEXT
                      || results->format == OUTPUT_MARKDOWN);
     int code;
-
     if (!words)
         return output_show(results, line_profile_table(profile, view, false), "lines",
                            "Lines");

@@ -49,18 +49,16 @@ struct subject {
 static bool same(const char *name, size_t length, const char *text)
 {
     bool good = length == strlen(text);
-    for (size_t i = 0; good && i < length; i++) {
+    for (size_t i = 0; good && i < length; i++)
         good = toupper((unsigned char)name[i]) == text[i];
-    }
     return good;
 }
 
 static bool take_suffix(const char *name, size_t *length)
 {
     size_t suffix = strlen(SYNTAX_HALF);
-    if (*length < suffix || !same(name + *length - suffix, suffix, SYNTAX_HALF)) {
+    if (*length < suffix || !same(name + *length - suffix, suffix, SYNTAX_HALF))
         return false;
-    }
     *length -= suffix;
     return true;
 }
@@ -71,9 +69,8 @@ static bool find_subject(const char *name, struct subject *subject)
     const c205_insn *insn;
     subject->half = take_suffix(name, &length);
     subject->insn = insn = c205_insn_named(name, length);
-    if (!insn) {
+    if (!insn)
         return same(name, length, measure_triad);
-    }
     return c205_timing_is_vector(insn->timing) && insn->timing != C205_TIMING_vlink
            && (!subject->half || (insn->flags & C205_INSN_HALF));
 }
@@ -102,9 +99,8 @@ static bool is_half(const struct subject *subject, char field)
     struct operand operands[MAX_OPERANDS];
     size_t count = syntax_operands(subject->insn, subject->half, operands);
     bool half = false;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         half = half || (operands[i].field == field && operands[i].half);
-    }
     return half;
 }
 
@@ -115,12 +111,10 @@ static int write_letter(const struct subject *subject, char letter, bool in_brac
                         char *text, size_t size)
 {
     unsigned number = register_of(operand_of(letter));
-    if (islower((unsigned char)letter)) {
+    if (islower((unsigned char)letter))
         return snprintf(text, size, "[r%u]", number);
-    }
-    if (!in_brackets && (letter == 'A' || letter == 'B')) {
+    if (!in_brackets && (letter == 'A' || letter == 'B'))
         number = SCALAR;
-    }
     return !in_brackets && is_half(subject, letter)
                ? snprintf(text, size, "h%u", 2 * number)
                : snprintf(text, size, "r%u", number);
@@ -212,9 +206,8 @@ static c205_word next_word(const struct subject *subject, enum operand_place ope
     bool indexed = insn
                    && (insn->format == C205_FORMAT_TABLE
                        || insn->format == C205_FORMAT_SPREAD);
-    if (operand == Z) {
+    if (operand == Z)
         return next_bits(state);
-    }
     return indexed && operand == A ? next_index(state)
                                    : next_numbers(state, subject->half);
 }
@@ -227,13 +220,11 @@ static bool fill_operands(c205 *machine, const struct subject *subject,
     c205_word words[PIECE];
     for (int operand = A; operand < OPERANDS; operand++) {
         uint64_t address = address_of((enum operand_place)operand);
-        if (!c205_map(machine, address, C205_PAGE_WORDS, C205_READ_WRITE, error)) {
+        if (!c205_map(machine, address, C205_PAGE_WORDS, C205_READ_WRITE, error))
             return false;
-        }
         for (size_t at = 0; at < C205_PAGE_WORDS; at += PIECE) {
-            for (size_t i = 0; i < PIECE; i++) {
+            for (size_t i = 0; i < PIECE; i++)
                 words[i] = next_word(subject, (enum operand_place)operand, &state);
-            }
             c205_write(machine, address + at * 64, words, PIECE);
         }
     }
@@ -287,9 +278,8 @@ static bool measure_clocks(const struct rig *rig, uint64_t entry, size_t length,
 static uint64_t operations_of(const c205 *machine)
 {
     uint64_t operations = 0;
-    for (size_t i = 0; i < c205_account_count(machine); i++) {
+    for (size_t i = 0; i < c205_account_count(machine); i++)
         operations += c205_account_at(machine, i)->operations;
-    }
     return operations;
 }
 
@@ -299,13 +289,11 @@ static bool measure_points(const struct rig *rig, uint64_t entry, uint64_t last,
 {
     for (size_t i = 0; i < MEASURE_POINTS; i++) {
         uint64_t whole, empty, operations;
-        if (!measure_clocks(rig, entry, lengths[i], &whole, error)) {
+        if (!measure_clocks(rig, entry, lengths[i], &whole, error))
             return false;
-        }
         operations = operations_of(rig->machine);
-        if (!measure_clocks(rig, last, lengths[i], &empty, error)) {
+        if (!measure_clocks(rig, last, lengths[i], &empty, error))
             return false;
-        }
         result->flops = (double)operations / (double)lengths[i];
         result->points[i].length = lengths[i];
         result->points[i].clocks = whole - empty;

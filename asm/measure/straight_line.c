@@ -8,7 +8,6 @@ struct straight_line straight_line_through(const struct weighted_point *points,
 {
     double weight = 0, x = 0, y = 0, xx = 0, xy = 0;
     struct straight_line line;
-
     for (size_t i = 0; i < count; i++) {
         weight += points[i].weight;
         x += points[i].weight * points[i].x;
@@ -18,7 +17,6 @@ struct straight_line straight_line_through(const struct weighted_point *points,
     y /= weight;
     for (size_t i = 0; i < count; i++) {
         double off = points[i].x - x;
-
         xx += points[i].weight * off * off;
         xy += points[i].weight * off * (points[i].y - y);
     }

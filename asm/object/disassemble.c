@@ -21,7 +21,6 @@ unsigned disassemble_one(c205_word word, uint64_t address,
     struct text_line line = { "", 0 };
     struct sink sink = text_line_sink(&line);
     unsigned halves = instruction_write(word, address, 2, &none, &sink);
-
     memcpy(text, line.text, line.length + 1);
     return halves;
 }
@@ -56,7 +55,6 @@ static void add_address(struct disassembler *disassembler, struct addresses *add
 static int compare_addresses(const void *a, const void *b)
 {
     uint64_t first = *(const uint64_t *)a, second = *(const uint64_t *)b;
-
     return (first > second) - (first < second);
 }
 
@@ -92,12 +90,10 @@ static uint64_t next_stop(const c205_program *program, const c205_segment *segme
 {
     uint64_t stop = end_of(segment);
     size_t i;
-
     if (program->entry > address && program->entry < stop)
         stop = program->entry;
     for (i = 0; i < program->region_count; i++) {
         const c205_region *region = &program->regions[i];
-
         if (region->begin > address && region->begin < stop)
             stop = region->begin;
         if (region->end > address && region->end < stop)
@@ -111,7 +107,6 @@ static c205_word word_at(const c205_segment *segment, uint64_t address)
     uint64_t offset = address - segment->address;
     size_t index = (size_t)(offset / WORD_BITS);
     c205_word word = segment->words[index];
-
     if (offset % WORD_BITS == 0)
         return word;
     word <<= HALF_BITS;
@@ -128,7 +123,6 @@ static void walk(struct disassembler *disassembler, const c205_segment *segment,
                  visit *visitor)
 {
     uint64_t address = segment->address;
-
     while (address < end_of(segment) && !disassembler->failed) {
         struct text_line line = { "", 0 };
         struct sink sink = text_line_sink(&line);
@@ -136,7 +130,6 @@ static void walk(struct disassembler *disassembler, const c205_segment *segment,
         unsigned halves = instruction_write(word_at(segment, address), address,
                                             stop - address < WORD_BITS ? 1 : 2,
                                             &disassembler->labels, &sink);
-
         visitor(disassembler, segment, address, halves, line.text);
         address += halves * HALF_BITS;
     }
@@ -146,7 +139,6 @@ static void note(struct disassembler *disassembler, const c205_segment *segment,
                  uint64_t address, unsigned halves, const char *text)
 {
     uint64_t target;
-
     (void)halves;
     (void)text;
     add_address(disassembler, &disassembler->boundaries, address);
@@ -167,7 +159,6 @@ static void open_region(struct disassembler *disassembler, const c205_region *re
 {
     const struct sink *sink = disassembler->sink;
     const char *at = region->name;
-
     if (is_name(at)) {
         sink_print(sink, "%s.kernel %s\n", indent, at);
     } else {
@@ -186,14 +177,12 @@ static void turn_region(struct disassembler *disassembler, const c205_segment *s
 {
     const c205_program *program = disassembler->program;
     size_t i;
-
     if (disassembler->region && disassembler->region->end == address) {
         sink_print(disassembler->sink, "%s.endkernel\n", indent);
         disassembler->region = NULL;
     }
     for (i = 0; i < program->region_count && !disassembler->region; i++) {
         const c205_region *region = &program->regions[i];
-
         if (region->begin == address && address < end_of(segment)
             && region->end > address && region->end <= end_of(segment) && *region->name)
             open_region(disassembler, region);
@@ -222,7 +211,6 @@ static void show_line(struct disassembler *disassembler, const c205_segment *seg
 static size_t count_zeros(const c205_word *words, size_t count)
 {
     size_t i = 0;
-
     while (i < count && words[i] == 0)
         i++;
     return i;
@@ -233,7 +221,6 @@ static size_t put_data_line(const struct sink *sink, const c205_word *words,
 {
     char text[C205_TEXT_SIZE];
     size_t i;
-
     for (i = 0; i < count && i < WORDS_A_LINE; i++) {
         if (i > 0 && count_zeros(words + i, count - i) >= WORDS_A_LINE)
             break;
@@ -251,10 +238,8 @@ static size_t words_together(const struct disassembler *disassembler, uint64_t a
 {
     const struct labels *labels = &disassembler->labels;
     size_t low = 0, high = labels->count;
-
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-
         if (labels->items[middle].address <= address)
             low = middle + 1;
         else
@@ -272,10 +257,8 @@ static void show_data(const struct disassembler *disassembler,
     const struct sink *sink = disassembler->sink;
     const c205_word *words = segment->words;
     size_t i = 0, zeros, count;
-
     while (i < segment->length) {
         uint64_t address = segment->address + WORD_BITS * (uint64_t)i;
-
         put_label(disassembler, address);
         count = words_together(disassembler, address, segment->length - i);
         zeros = words ? count_zeros(words + i, count) : count;
@@ -294,7 +277,6 @@ static void add_label(struct disassembler *disassembler, uint64_t address,
                       const char *name)
 {
     struct label label = { .address = address, .name = name };
-
     if (!array_add(&disassembler->labels.items, &disassembler->labels.count, &label,
                    sizeof label))
         disassembler->failed = true;
@@ -304,7 +286,6 @@ static void add_label(struct disassembler *disassembler, uint64_t address,
 static int compare_labels(const void *a, const void *b)
 {
     const struct label *first = a, *second = b;
-
     if (first->address != second->address)
         return first->address < second->address ? -1 : 1;
     if (!first->name || !second->name)
@@ -316,7 +297,6 @@ static int compare_labels(const void *a, const void *b)
 static void sort_labels(struct labels *labels)
 {
     size_t i, count = 0;
-
     if (labels->count > 0)
         qsort(labels->items, labels->count, sizeof *labels->items, compare_labels);
     for (i = 0; i < labels->count; i++)
@@ -330,7 +310,6 @@ static bool can_be_labelled(const struct disassembler *disassembler, uint64_t ad
 {
     const c205_program *program = disassembler->program;
     size_t i;
-
     for (i = 0; i < program->segment_count; i++)
         if (lies_in(address, &program->segments[i]))
             return object_is_code(disassembler->object, &program->segments[i])
@@ -347,7 +326,6 @@ static bool has_own_name(const struct disassembler *disassembler, size_t i)
     enum { LONGEST = 40 };
     const struct asm_symbol *symbol = &disassembler->object->symbols[i];
     size_t length = strlen(symbol->name);
-
     return symbol->is_label && is_name(symbol->name) && length <= LONGEST
            && !(*symbol->name == 'L'
                 && strspn(symbol->name + 1, "0123456789ABCDEF") == length - 1)
@@ -360,7 +338,6 @@ static void collect(struct disassembler *disassembler)
 {
     const c205_program *program = disassembler->program;
     size_t i;
-
     for (i = 0; i < program->segment_count; i++)
         if (object_is_code(disassembler->object, &program->segments[i]))
             walk(disassembler, &program->segments[i], note);
@@ -379,7 +356,6 @@ static void collect(struct disassembler *disassembler)
 static void show_segment(struct disassembler *disassembler, const c205_segment *segment)
 {
     bool code = object_is_code(disassembler->object, segment);
-
     sink_print(disassembler->sink, "%s%s\n%s.org 0x%" PRIX64 "\n", indent,
                code ? ".code" : ".data", indent, segment->address);
     if (code)
@@ -394,7 +370,6 @@ bool disassemble(const struct object *object, const struct sink *sink)
     static const struct disassembler empty;
     struct disassembler disassembler = empty;
     size_t i;
-
     disassembler.object = object;
     disassembler.program = &object->program;
     disassembler.sink = sink;

@@ -27,7 +27,6 @@ static int compare_addresses(const void *a, const void *b)
 {
     uint64_t first = *(const uint64_t *)a;
     uint64_t second = ((const struct label *)b)->address;
-
     return (first > second) - (first < second);
 }
 
@@ -41,7 +40,6 @@ const struct label *label_at(const struct labels *labels, uint64_t address)
 void label_write(const struct labels *labels, uint64_t address, const struct sink *sink)
 {
     const struct label *label = label_at(labels, address);
-
     if (label && label->name)
         sink_put(sink, label->name);
     else
@@ -56,7 +54,6 @@ static void write_address(const struct writer *writer, uint64_t address)
 static uint8_t print_field(struct writer *writer, char letter)
 {
     uint8_t value = *syntax_field(&writer->fields, letter);
-
     *syntax_field(&writer->written, letter) = value;
     return value;
 }
@@ -72,15 +69,13 @@ static void write_second(struct writer *writer, const struct operand *operand,
                          uint8_t first)
 {
     uint8_t second = 0;
-
-    if (operand->second == SECOND_IS_NEXT) {
+    if (operand->second == SECOND_IS_NEXT)
         if (print_bit(writer, C205_G_OFFSET))
             second = (uint8_t)(first + 1);
         else
             return;
-    } else if (operand->second) {
+    else if (operand->second)
         second = print_field(writer, operand->second);
-    }
     if (second || operand->second == SECOND_IS_NEXT)
         sink_print(&writer->sink, ", r%u", second);
 }
@@ -92,7 +87,6 @@ static void write_source(struct writer *writer, const struct operand *operand)
     bool bare = operand->kind == OPERAND_REGISTER
                 || print_bit(writer, operand->broadcast);
     uint8_t number = print_field(writer, operand->field);
-
     sink_print(&writer->sink, "%s%s%s%c%u", negate ? "-" : "", magnitude ? "|" : "",
                bare ? "" : "[", bare && operand->half ? 'h' : 'r', number);
     if (!bare)
@@ -106,7 +100,6 @@ static void write_target(struct writer *writer)
 {
     uint64_t target = writer->address + (uint64_t)writer->fields.immediate * HALF_BITS;
     uint8_t y, b;
-
     if (print_bit(writer, C205_G_RELATIVE)) {
         if (target >> ADDRESS_BITS == 0)
             writer->written.immediate = writer->fields.immediate;
@@ -129,7 +122,6 @@ static bool holds_address(const struct operand *operand)
 static void write_immediate(struct writer *writer, const struct operand *operand)
 {
     int64_t value = writer->fields.immediate;
-
     if (value >= operand->low && value <= operand->high)
         writer->written.immediate = value;
     if (holds_address(operand) && value >= 0)
@@ -168,7 +160,6 @@ static bool write_instruction(struct writer *writer, const c205_insn *insn,
     struct operand operands[MAX_OPERANDS];
     size_t i, blamed, count;
     bool half;
-
     writer->fields = c205_decode(insn, word);
     writer->written.f = insn->opcode;
     writer->written.g = insn->subop;
@@ -196,7 +187,6 @@ unsigned instruction_write(c205_word word, uint64_t address, unsigned available,
     struct text_line line = { "", 0 };
     const c205_insn *insn;
     unsigned halves;
-
     insn = c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48));
     halves = insn ? c205_format_halves(insn->format) : 1;
     if (halves == 1)
@@ -219,7 +209,6 @@ bool instruction_address(c205_word word, uint64_t address, uint64_t *target)
     const c205_insn *insn;
     c205_fields fields;
     size_t i, count;
-
     insn = c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48));
     if (!insn)
         return false;

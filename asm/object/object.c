@@ -14,7 +14,6 @@ const char *asm_contents_name(enum asm_contents contents)
         [ASM_WORDS] = "words", [ASM_HALF_WORDS] = "half words",
         [ASM_BITS] = "bits",   [ASM_BYTES] = "bytes",
     };
-
     return names[contents];
 }
 
@@ -22,10 +21,8 @@ const struct asm_line *object_line(const struct object *object, uint64_t address
 {
     const struct asm_line *lines = object->lines;
     size_t low = 0, high = object->line_count;
-
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-
         if (lines[middle].address <= address)
             low = middle + 1;
         else
@@ -47,7 +44,6 @@ static bool segment_contains(const c205_segment *segment, uint64_t address)
 const c205_segment *object_segment(const struct object *object, uint64_t address)
 {
     const c205_segment *segments = object->program.segments;
-
     for (size_t i = 0; i < object->program.segment_count; i++)
         if (segment_contains(&segments[i], address))
             return &segments[i];
@@ -58,7 +54,6 @@ bool object_is_code(const struct object *object, const c205_segment *segment)
 {
     const c205_program *program = &object->program;
     bool code = segment_contains(segment, program->entry);
-
     for (size_t i = 0; !code && i < program->region_count; i++)
         code = segment_contains(segment, program->regions[i].begin);
     return code;
@@ -67,7 +62,6 @@ bool object_is_code(const struct object *object, const c205_segment *segment)
 const char *object_region(const struct object *object, uint64_t address)
 {
     const c205_region *regions = object->program.regions;
-
     for (size_t i = 0; i < object->program.region_count; i++)
         if (address >= regions[i].begin && address < regions[i].end)
             return regions[i].name;
@@ -77,7 +71,6 @@ const char *object_region(const struct object *object, uint64_t address)
 const c205_region *object_region_named(const struct object *object, const char *name)
 {
     const c205_region *regions = object->program.regions;
-
     for (size_t i = 0; i < object->program.region_count; i++)
         if (strcmp(regions[i].name, name) == 0)
             return &regions[i];
@@ -89,7 +82,6 @@ struct position asm_line_position(const struct asm_line *line)
     const struct position position = { line->file, line->number,
                                        strspn(line->source, " \t") + 1, line->source,
                                        strlen(line->source) };
-
     return position;
 }
 

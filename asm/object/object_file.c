@@ -22,7 +22,6 @@ const char *expectation_name(enum expectation_kind kind)
         [EXPECT_PRINT] = "print",       [EXPECT_MODEL] = "model",
         [EXPECT_WARNING] = "warning"
     };
-
     return names[kind];
 }
 
@@ -37,7 +36,6 @@ static void put_name(const struct sink *sink, const char *name)
 static void write_words(const struct sink *sink, const c205_word *words, size_t count)
 {
     size_t i;
-
     for (i = 0; i < count; i++)
         sink_print(sink, "%016" PRIX64 "\n", words[i]);
 }
@@ -53,7 +51,6 @@ static void write_segment(const struct sink *sink, const c205_segment *segment)
 static void write_symbol(const struct sink *sink, const struct asm_symbol *symbol)
 {
     const char *kind = symbol->is_word ? "word" : "integer";
-
     sink_print(sink, "%s %" PRIX64 " ", symbol->is_label ? "label" : kind,
                (uint64_t)symbol->value);
     put_name(sink, symbol->name);
@@ -63,7 +60,6 @@ static void write_expectation(const struct sink *sink,
                               const struct asm_expectation *expectation)
 {
     size_t count = expectation->count;
-
     sink_print(sink, "expect %s %u %" PRIX64 " %zu %zu ",
                expectation_name(expectation->kind), expectation->number,
                expectation->address, count, expectation->line);
@@ -83,7 +79,6 @@ void object_write(const struct object *object, const struct sink *sink)
 {
     const c205_program *program = &object->program;
     size_t i;
-
     sink_print(sink, "c205-object 1\nentry %" PRIX64 "\n", program->entry);
     if (program->warm)
         sink_put(sink, "warm\n");
@@ -91,7 +86,6 @@ void object_write(const struct object *object, const struct sink *sink)
         write_segment(sink, &program->segments[i]);
     for (i = 0; i < program->region_count; i++) {
         const c205_region *region = &program->regions[i];
-
         sink_print(sink, "region %" PRIX64 " %" PRIX64 " ", region->begin, region->end);
         put_name(sink, region->name);
     }
@@ -106,7 +100,6 @@ bool object_save(const struct object *object, const char *path, c205_error *erro
 {
     struct atomic_file *whole = atomic_file_open(path, error);
     struct sink sink;
-
     if (!whole)
         return false;
     sink = stream_sink(whole->file);
@@ -120,7 +113,6 @@ struct object *object_load(const char *path, c205_error *error)
     c205_error reason;
     char *text = text_file_read(path, FILE_LARGEST, &length, &reason);
     struct object *object;
-
     object = text ? object_read(text, length, &reason) : NULL;
     if (!object)
         error_set(error, "%.180s: %.70s", path, reason.message);
@@ -132,7 +124,6 @@ struct object *object_load(const char *path, c205_error *error)
 bool object_check(const struct object *object, c205_error *error)
 {
     const c205_program *program = &object->program;
-
     if (program->entry != CODE_ORIGIN)
         return true;
     for (size_t i = 0; i < program->segment_count; i++)
@@ -146,6 +137,5 @@ bool object_check(const struct object *object, c205_error *error)
 bool object_recognise(const char *text, size_t length)
 {
     static const char magic[] = "c205-object ";
-
     return length >= sizeof magic - 1 && memcmp(text, magic, sizeof magic - 1) == 0;
 }

@@ -36,7 +36,6 @@ static bool wrong_limit(struct object_reader *reader, const char *what, uint64_t
 static bool next_line(struct object_reader *reader)
 {
     const char *newline;
-
     if (reader->at >= reader->end)
         return wrong(reader, "the end line is missing");
     newline = memchr(reader->at, '\n', (size_t)(reader->end - reader->at));
@@ -63,7 +62,6 @@ static bool take_hex(struct object_reader *reader, uint64_t *number)
 {
     static const char digits[] = "0123456789ABCDEF";
     const char *at = reader->field, *found;
-
     *number = 0;
     while (at < reader->line_end && *at && (found = strchr(digits, *at)) != NULL) {
         *number = *number << 4 | (uint64_t)(found - digits);
@@ -78,7 +76,6 @@ static bool take_count(struct object_reader *reader, uint64_t most, size_t *coun
 {
     const char *at = reader->field;
     uint64_t number = 0;
-
     while (at < reader->line_end && isdigit((unsigned char)*at)) {
         number = 10 * number + (uint64_t)(*at++ - '0');
         if (number > most)
@@ -100,7 +97,6 @@ static bool take_address(struct object_reader *reader, uint64_t *address)
 static const char *take_rest(struct object_reader *reader)
 {
     const char *field = reader->field;
-
     reader->field = reader->line_end;
     return arena_text(&reader->storage->arena, field,
                       (size_t)(reader->line_end - field));
@@ -110,7 +106,6 @@ static bool take_keyword(struct object_reader *reader, const char *keyword)
 {
     size_t length = strlen(keyword);
     const char *end = reader->field + length;
-
     if ((size_t)(reader->line_end - reader->field) < length
         || memcmp(reader->field, keyword, length) != 0
         || (end < reader->line_end && *end != ' '))
@@ -125,7 +120,6 @@ static const c205_word *take_words(struct object_reader *reader, size_t count)
     enum { LINE = 17 };
     c205_word *words;
     size_t i;
-
     if (count > (size_t)(reader->end - reader->at) / LINE) {
         wrong(reader, "the file ends before its last word");
         return NULL;
@@ -168,7 +162,6 @@ static bool read_extent(struct object_reader *reader, c205_segment *segment)
 static bool read_segment(struct object_reader *reader)
 {
     c205_segment *segment = storage_add_segment(reader->storage);
-
     if (!read_extent(reader, segment))
         return false;
     segment->words = take_words(reader, segment->length);
@@ -183,7 +176,6 @@ static bool read_zeros(struct object_reader *reader)
 static bool read_region(struct object_reader *reader)
 {
     c205_region *region = storage_add_region(reader->storage);
-
     if (!region || !take_address(reader, &region->begin)
         || !take_address(reader, &region->end))
         return false;
@@ -197,7 +189,6 @@ static bool read_symbol(struct object_reader *reader, bool is_label, bool is_wor
 {
     struct asm_symbol *symbol = storage_add_symbol(reader->storage);
     uint64_t value;
-
     if (!symbol || !take_hex(reader, &value))
         return false;
     symbol->value = (int64_t)value;
@@ -225,7 +216,6 @@ static bool read_expected_word(struct object_reader *reader)
 static bool take_kind(struct object_reader *reader, enum expectation_kind *kind)
 {
     unsigned i;
-
     for (i = 0; i < EXPECT_KINDS; i++) {
         *kind = (enum expectation_kind)i;
         if (take_keyword(reader, expectation_name(*kind)))
@@ -249,7 +239,6 @@ static bool read_tolerance(struct object_reader *reader, struct asm_expectation 
 {
     static const char keyword[] = "within ";
     size_t length = sizeof keyword - 1;
-
     if ((size_t)(reader->end - reader->at) < length
         || memcmp(reader->at, keyword, length) != 0)
         return true;
@@ -273,7 +262,6 @@ static bool check_count(struct object_reader *reader,
                                                  [EXPECT_HALF_REGISTER] = 1,
                                                  [EXPECT_FLAGS] = 1,
                                                  [EXPECT_CLOCKS] = 1 };
-
     return expectation->kind == EXPECT_WORDS || expectation->kind == EXPECT_HALVES
            || expectation->kind == EXPECT_BITS
            || expectation->count == counts[expectation->kind]
@@ -289,7 +277,6 @@ static bool read_expectation(struct object_reader *reader)
 {
     struct asm_expectation *made = storage_add_expectation(reader->storage);
     size_t number;
-
     if (!made || !take_kind(reader, &made->kind)
         || !take_count(reader, C205_REGISTERS - 1, &number)
         || !take_address(reader, &made->address)
@@ -317,7 +304,6 @@ static bool read_line(struct object_reader *reader)
                   { "integer", read_integer },   { "word", read_expected_word },
                   { "expect", read_expectation } };
     size_t i;
-
     for (i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (take_keyword(reader, kinds[i].keyword))
             return kinds[i].read(reader);
@@ -343,7 +329,6 @@ static bool read_all(struct object_reader *reader)
 struct object *object_read(const char *text, size_t length, c205_error *error)
 {
     struct object_reader reader = { .line = 0 };
-
     reader.storage = storage_new();
     reader.at = text;
     reader.end = text + length;

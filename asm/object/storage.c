@@ -12,7 +12,6 @@ struct storage *storage_new(void)
 void object_free(struct object *object)
 {
     struct storage *storage = (struct storage *)object;
-
     if (storage)
         arena_free(&storage->arena);
     free(storage);
@@ -21,7 +20,6 @@ void object_free(struct object *object)
 c205_segment *storage_add_segment(struct storage *storage)
 {
     c205_program *program = &storage->object.program;
-
     return arena_add(&storage->arena, &program->segments, &program->segment_count,
                      &storage->segment_capacity, NULL, sizeof *program->segments);
 }
@@ -29,7 +27,6 @@ c205_segment *storage_add_segment(struct storage *storage)
 c205_region *storage_add_region(struct storage *storage)
 {
     c205_program *program = &storage->object.program;
-
     return arena_add(&storage->arena, &program->regions, &program->region_count,
                      &storage->region_capacity, NULL, sizeof *program->regions);
 }
@@ -37,7 +34,6 @@ c205_region *storage_add_region(struct storage *storage)
 struct asm_symbol *storage_add_symbol(struct storage *storage)
 {
     struct object *object = &storage->object;
-
     return arena_add(&storage->arena, &object->symbols, &object->symbol_count,
                      &storage->symbol_capacity, NULL, sizeof *object->symbols);
 }
@@ -45,7 +41,6 @@ struct asm_symbol *storage_add_symbol(struct storage *storage)
 struct asm_line *storage_add_line(struct storage *storage)
 {
     struct object *object = &storage->object;
-
     return arena_add(&storage->arena, &object->lines, &object->line_count,
                      &storage->line_capacity, NULL, sizeof *object->lines);
 }
@@ -53,7 +48,6 @@ struct asm_line *storage_add_line(struct storage *storage)
 struct asm_register *storage_add_register(struct storage *storage)
 {
     struct object *object = &storage->object;
-
     return arena_add(&storage->arena, &object->registers, &object->register_count,
                      &storage->register_capacity, NULL, sizeof *object->registers);
 }
@@ -61,7 +55,6 @@ struct asm_register *storage_add_register(struct storage *storage)
 struct asm_mention *storage_add_mention(struct storage *storage)
 {
     struct object *object = &storage->object;
-
     return arena_add(&storage->arena, &object->mentions, &object->mention_count,
                      &storage->mention_capacity, NULL, sizeof *object->mentions);
 }
@@ -69,7 +62,6 @@ struct asm_mention *storage_add_mention(struct storage *storage)
 struct asm_expectation *storage_add_expectation(struct storage *storage)
 {
     struct object *object = &storage->object;
-
     return arena_add(&storage->arena, &object->expectations, &object->expectation_count,
                      &storage->expectation_capacity, NULL,
                      sizeof *object->expectations);
@@ -84,7 +76,6 @@ static int compare_symbols(const void *a, const void *b)
 void storage_sort_symbols(struct storage *storage)
 {
     const struct object *object = &storage->object;
-
     if (object->symbol_count > 0)
         qsort((void *)(uintptr_t)object->symbols, object->symbol_count,
               sizeof *object->symbols, compare_symbols);

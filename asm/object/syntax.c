@@ -21,7 +21,6 @@ bool is_name_part(char c)
 bool is_register_name(const char *name, size_t length)
 {
     int number = 0;
-
     if (length < 2 || length > 4 || !strchr("rRhH", *name)
         || (name[1] == '0' && length > 2))
         return false;
@@ -76,7 +75,6 @@ static const struct format_rule {
 static const struct format_rule *find_rule(c205_format format)
 {
     size_t i;
-
     for (i = 0; i < sizeof format_rules / sizeof *format_rules; i++)
         if (format_rules[i].format == format)
             return &format_rules[i];
@@ -144,7 +142,6 @@ static const char *read_operand(struct operand *operand, const char *at,
                                 const c205_insn *insn, const char **letter)
 {
     const struct format_rule *rule = find_rule(insn->format);
-
     if (*at == '[')
         return read_bracket(operand, at, insn, letter);
     if (*at == 'I' && isdigit((unsigned char)at[1])) {
@@ -176,10 +173,8 @@ size_t syntax_operands(const c205_insn *insn, bool half,
     const char *letter = insn->operands;
     const struct format_rule *rule = find_rule(insn->format);
     size_t count = 0, i;
-
     while (*at && count < MAX_OPERANDS) {
         char first = *letter;
-
         if (*at == ' ' || *at == ',') {
             at++;
             continue;
@@ -202,7 +197,6 @@ size_t syntax_operands(const c205_insn *insn, bool half,
 static const char *refuse_one(const struct operand *operand, c205_fields *fields)
 {
     uint8_t number = *syntax_field(fields, operand->field);
-
     if (operand->second == SECOND_IS_NEXT && number == LAST_REGISTER
         && (fields->g & C205_G_OFFSET))
         return "the offset of a result is in the register after it, but r255 is the "
@@ -223,7 +217,6 @@ const char *syntax_refusal(const c205_insn *insn, const struct operand *operands
     bool vector = !rule || !rule->needs_vector;
     const char *problem = NULL;
     size_t i;
-
     for (i = 0; i < count && !problem; i++) {
         *blamed = i;
         problem = refuse_one(&operands[i], fields);
@@ -241,7 +234,6 @@ const char *syntax_refusal(const c205_insn *insn, const struct operand *operands
 static void write_operand(const struct operand *operand, const struct sink *sink)
 {
     const char *letter = operand->half ? "h" : "r";
-
     switch (operand->kind) {
     case OPERAND_REGISTER: sink_put(sink, letter); break;
     case OPERAND_BRACKET:
@@ -260,11 +252,9 @@ void syntax_write(const c205_insn *insn, bool half, const struct sink *sink)
 {
     struct operand operands[MAX_OPERANDS];
     size_t i, open = 0, count = syntax_operands(insn, half, operands);
-
     sink_print(sink, "%s%s", insn->mnemonic, half ? SYNTAX_HALF : "");
     for (i = 0; i < count; i++) {
         bool control = operands[i].kind == OPERAND_CONTROL;
-
         if (i > 0 && !control)
             sink_put(sink, ",");
         sink_put(sink, operands[i].may_be_left_out ? " (" : " ");

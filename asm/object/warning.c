@@ -25,7 +25,6 @@ const char *warning_text(enum warning warning)
 enum warning warning_named(const char *name)
 {
     unsigned i = 0;
-
     while (i < WARNINGS && strcmp(warnings[i].name, name) != 0)
         i++;
     return (enum warning)i;
@@ -34,7 +33,6 @@ enum warning warning_named(const char *name)
 static bool names_all(const char *name, warning_set *set)
 {
     enum warning warning = warning_named(name);
-
     *set = ~(warning_set)0;
     if (strcmp(name, "all") == 0)
         return true;
@@ -49,7 +47,6 @@ bool warning_choose(struct warning_choice *choice, const char *text)
     bool off = strncmp(text, "no-", 3) == 0;
     const char *name = text + (off ? 3 : 0);
     warning_set set;
-
     if (strcmp(name, "error") == 0) {
         choice->errors = !off;
         return true;
@@ -70,7 +67,6 @@ void warning_add(struct diagnostics *diagnostics, const struct warning_choice *c
                  const char *message)
 {
     char text[640];
-
     snprintf(text, sizeof text, "%.560s [-W%s]", message, warning_name(warning));
     diagnostics_add(diagnostics, choice->errors ? SEVERITY_ERROR : SEVERITY_WARNING,
                     position, text);

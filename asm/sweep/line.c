@@ -16,10 +16,8 @@ static struct straight_line fit(const struct program_sweep *sweep, int which,
                                 figure_of *figure)
 {
     struct weighted_point points[MAX_SWEPT_POINTS];
-
     for (size_t i = 0; i < sweep->count; i++) {
         double y = (double)figure(&sweep->points[i].runs[which]);
-
         points[i].x = (double)sweep->points[i].value;
         points[i].y = y;
         points[i].weight = y > 0 ? 1 / (y * y) : 0;
@@ -44,7 +42,6 @@ static void find_farthest(const struct program_sweep *sweep, int which,
     for (size_t i = 0; i < sweep->count; i++) {
         double at = straight_line_at(&line->clocks, (double)sweep->points[i].value);
         double off = at / (double)clocks_at(sweep, which, i) - 1;
-
         if (i == 0 || fabs(off) > fabs(line->off)) {
             line->off = off;
             line->off_at = sweep->points[i].value;
@@ -55,7 +52,6 @@ static void find_farthest(const struct program_sweep *sweep, int which,
 struct swept_line swept_line_of(const struct program_sweep *sweep, int which)
 {
     struct swept_line line = { .clocks = fit(sweep, which, accounts_clocks) };
-
     if (grows(sweep, which, operations_of))
         line.flops = fit(sweep, which, operations_of).slope;
     find_farthest(sweep, which, &line);
@@ -73,7 +69,6 @@ double swept_power(const struct program_sweep *sweep, int which)
 {
     size_t last = sweep->count - 1, before = last - 1;
     double value = (double)sweep->points[last].value, clocks;
-
     while (before > 0 && 2 * (double)sweep->points[before].value > value)
         before--;
     value /= (double)sweep->points[before].value;

@@ -26,7 +26,6 @@ struct swept_plot {
 static char *new_mark(struct swept_plot *plot, double at)
 {
     char *label = plot->labels[plot->mark_count];
-
     plot->marks[plot->mark_count++] = (struct plot_mark){ at, label };
     return label;
 }
@@ -37,7 +36,6 @@ static void write_formula(struct swept_plot *plot, int which,
 {
     const struct program_sweep *sweep = plot->sweep;
     char formula[LABEL];
-
     if (line->good)
         snprintf(formula, sizeof formula, "%.1f + %.4g", line->clocks.at_zero,
                  line->clocks.slope);
@@ -55,7 +53,6 @@ static void add_program(struct swept_plot *plot, int which)
     const struct swept_range *range = &plot->sweep->range;
     struct swept_line line = swept_line_of(plot->sweep, which);
     double half = swept_half_length(&line);
-
     plot->lines[which] = (struct plot_line){ line.clocks.at_zero, line.clocks.slope };
     plot->curves[which] = (struct plot_curve){ swept_clocks_column(which),
                                                swept_names[which],
@@ -70,7 +67,6 @@ static void add_program(struct swept_plot *plot, int which)
 static void mark_crossings(struct swept_plot *plot)
 {
     const struct program_sweep *sweep = plot->sweep;
-
     for (size_t i = 0; i < sweep->crossing_count && plot->mark_count < MAX_PLOT_MARKS;
          i++) {
         double at = (double)sweep->crossings[i].at.value;
@@ -102,7 +98,6 @@ bool swept_svg(const struct program_sweep *sweep, const char *title,
                          .marks = swept.marks };
     struct table *points = swept_points(sweep);
     bool good;
-
     for (size_t i = 0; i < sweep->program_count; i++)
         add_program(&swept, (int)i);
     mark_crossings(&swept);

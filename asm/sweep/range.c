@@ -10,7 +10,6 @@
 static bool take_count(const char **at, uint64_t *count)
 {
     char *end;
-
     if (**at < '0' || **at > '9')
         return false;
     errno = 0;
@@ -40,7 +39,6 @@ static size_t given_values(const struct swept_range *range,
 {
     uint64_t value = range->from;
     size_t count = 0;
-
     while (value <= range->to) {
         if (count == MAX_SWEPT_POINTS)
             return 0;
@@ -55,7 +53,6 @@ static size_t given_values(const struct swept_range *range,
 static size_t usual_points(const struct swept_range *range)
 {
     double octaves = log2((double)range->to / (double)range->from);
-
     return (size_t)fmin(25, 1 + ceil(8 * octaves));
 }
 
@@ -64,11 +61,9 @@ static size_t spread_values(const struct swept_range *range, size_t points,
 {
     double ratio = (double)range->to / (double)range->from;
     size_t count = 0;
-
     for (size_t i = 0; i < points; i++) {
         double part = (double)i / (double)(points - 1);
         uint64_t value = (uint64_t)llround((double)range->from * pow(ratio, part));
-
         if (count == 0 || value > values[count - 1])
             values[count++] = value;
     }

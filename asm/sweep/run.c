@@ -22,7 +22,6 @@ static void note_used(struct program_sweep *sweep, const struct asm_define *defi
 {
     for (size_t i = 0; defines[i].name; i++) {
         const struct asm_define one[] = { defines[i], { NULL, 0 } };
-
         sweep->used[i] |= !asm_unused_define(one, &object, 1);
     }
 }
@@ -31,7 +30,6 @@ static bool uses_all(const struct program_sweep *sweep, c205_error *error)
 {
     const struct asm_define *defines = sweep->options->defines;
     const char *name = sweep->used[0] ? NULL : sweep->constant;
-
     for (size_t i = 0; !name && i < MAX_SWEPT_DEFINES && defines && defines[i].name;
          i++)
         if (!sweep->used[i + 1])
@@ -51,7 +49,6 @@ static struct object *assemble_at(struct program_sweep *sweep,
     struct asm_options options = *sweep->options;
     struct diagnostics said = { 0 };
     struct object *object;
-
     for (size_t i = 0;
          i < MAX_SWEPT_DEFINES && options.defines && options.defines[i].name; i++)
         defines[i + 1] = options.defines[i];
@@ -72,7 +69,6 @@ static c205_stop run_slices(const struct program_sweep *sweep, c205 *machine)
     static const uint64_t slice = 5000000; /* clocks */
     uint64_t limit = 0;
     c205_stop stop;
-
     do {
         limit = sweep->clocks_most - limit > slice ? limit + slice : sweep->clocks_most;
         stop = c205_run(machine, limit);
@@ -87,7 +83,6 @@ static bool take_account(const struct program_sweep *sweep, const c205 *machine,
 {
     struct accounts accounts = { .model = sweep->model };
     bool good = accounts_add(&accounts, machine);
-
     *account = accounts_together(&accounts);
     accounts_free(&accounts);
     error_set(error, "out of memory");
@@ -101,7 +96,6 @@ static bool run_object(const struct program_sweep *sweep, const struct object *o
     c205_program program = object->program;
     c205_stop stop = { 0 };
     bool good;
-
     program.warm = sweep->warm || (program.warm && !sweep->cold);
     good = machine && object_check(object, error)
            && c205_load(machine, &program, error);
@@ -126,7 +120,6 @@ static bool run_at(struct program_sweep *sweep, int which, uint64_t value,
     c205_error reason = { "the program cannot be assembled" };
     struct object *object = assemble_at(sweep, program, value);
     bool good = object && run_object(sweep, object, account, &reason);
-
     object_free(object);
     sweep->done += value;
     if (!goes_on(sweep)) {
@@ -143,7 +136,6 @@ static bool run_point(struct program_sweep *sweep, uint64_t value,
                       struct swept_point *point, c205_error *error)
 {
     bool good = true;
-
     *point = (struct swept_point){ .value = value };
     for (size_t i = 0; good && i < sweep->program_count; i++)
         good = run_at(sweep, (int)i, value, &point->runs[i], error);
@@ -166,7 +158,6 @@ static bool find_crossing(struct program_sweep *sweep, c205_error *error)
     while (++sweep->searched < sweep->count) {
         const struct swept_point *points = sweep->points + sweep->searched - 1;
         struct swept_crossing crossing = { points[1], second_is_faster(&points[1]) };
-
         if (second_is_faster(&points[0]) == second_is_faster(&points[1]))
             continue;
         if (!array_add(&sweep->crossings, &sweep->crossing_count, &crossing,
@@ -187,7 +178,6 @@ static bool halve(struct program_sweep *sweep, c205_error *error)
     struct swept_crossing *crossing = sweep->crossings + sweep->crossing_count - 1;
     uint64_t value = sweep->low + (crossing->at.value - sweep->low) / 2;
     struct swept_point middle;
-
     if (!all || value == sweep->low) {
         sweep->inside = false;
         return true;
@@ -217,7 +207,6 @@ static bool search(struct program_sweep *sweep, bool *over, c205_error *error)
 static bool sweep_begin(struct program_sweep *sweep, c205_error *error)
 {
     uint64_t values[MAX_SWEPT_POINTS];
-
     sweep->point_count = swept_values(&sweep->range, sweep->asked, values);
     sweep->points = calloc(sweep->point_count, sizeof *sweep->points);
     if (!sweep->points)
@@ -233,7 +222,6 @@ static bool sweep_begin(struct program_sweep *sweep, c205_error *error)
 bool swept_step(struct program_sweep *sweep, bool *over, c205_error *error)
 {
     struct swept_point *point;
-
     *over = false;
     if (!sweep->points && !sweep_begin(sweep, error))
         return false;
@@ -252,7 +240,6 @@ bool swept_step(struct program_sweep *sweep, bool *over, c205_error *error)
 bool swept_run(struct program_sweep *sweep, c205_error *error)
 {
     bool over = false, good = true;
-
     while (good && !over)
         good = swept_step(sweep, &over, error);
     return good;

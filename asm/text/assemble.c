@@ -15,7 +15,6 @@ static const char *name_fault(const char *name)
 {
     size_t length = strlen(name);
     const char *at = name;
-
     while (is_name_part(*at))
         at++;
     return !is_name_start(*name) || *at     ? "is not a name"
@@ -28,7 +27,6 @@ static bool check_name(struct assembler *assembler, const char *file, const char
 {
     const char *fault = name_fault(name);
     char message[160];
-
     snprintf(message, sizeof message, "'%.100s' cannot be defined: it %s", name,
              fault ? fault : "");
     return !fault || report_file(assembler->diagnostics, file, message);
@@ -38,13 +36,11 @@ static bool define(struct assembler *assembler, const char *file)
 {
     const struct asm_define *define = NULL;
     struct value value = { VALUE_INTEGER, 0 };
-
     if (assembler->options)
         define = assembler->options->defines;
     for (; define && define->name; define++) {
         struct symbol *symbol = symbol_intern(assembler, define->name,
                                               strlen(define->name));
-
         if (!symbol || !check_name(assembler, file, define->name))
             return false;
         symbol->kind = SYMBOL_CONSTANT;
@@ -58,7 +54,6 @@ static void start(struct assembler *assembler)
 {
     static const struct section sections[] = { { .name = ".code", .at = CODE_ORIGIN },
                                                { .name = ".data", .at = DATA_ORIGIN } };
-
     memcpy(assembler->sections, sections, sizeof sections);
     assembler->section = &assembler->sections[0];
 }
@@ -69,7 +64,6 @@ static bool take_text(struct assembler *assembler, struct asm_source *source)
     size_t length = (size_t)(source->end - source->text);
     char *text = arena_text(assembler->arena, source->text, length);
     c205_error error;
-
     if (!text)
         return false;
     if (!text_clean(text, &length, &error))
@@ -83,7 +77,6 @@ static struct object *run_passes(struct assembler *assembler, struct asm_source 
 {
     const struct line *line;
     bool halted;
-
     start(assembler);
     assembler->expander = expander_new(assembler, source);
     if (!assembler->expander || !define(assembler, source->name))
@@ -105,7 +98,6 @@ static struct object *assemble(struct asm_source *source,
     struct arena arena = { NULL, false };
     struct assembler *assembler = arena_take(&arena, sizeof *assembler);
     struct object *object = NULL;
-
     if (assembler) {
         assembler->arena = &arena;
         assembler->options = options;
@@ -129,7 +121,6 @@ struct object *assemble_bytes(const char *name, const char *text, size_t length,
                               struct diagnostics *diagnostics)
 {
     struct asm_source source;
-
     source.name = name;
     source.text = text;
     source.end = text + length;
@@ -150,7 +141,6 @@ struct object *assemble_file(const char *path, const struct asm_options *options
     c205_error error;
     size_t length;
     char *text = text_file_read(path, FILE_LARGEST, &length, &error);
-
     if (!text) {
         report_file(diagnostics, path, error.message);
         return NULL;
@@ -163,7 +153,6 @@ struct object *assemble_file(const char *path, const struct asm_options *options
 static bool is_used(const struct object *object, const char *name)
 {
     const struct asm_symbol *symbol = object_symbol(object, name);
-
     return symbol && symbol->is_used;
 }
 
@@ -172,7 +161,6 @@ const char *asm_unused_define(const struct asm_define *defines,
 {
     for (; defines && defines->name; defines++) {
         size_t i = 0;
-
         while (i < count && !is_used(objects[i], defines->name))
             i++;
         if (i == count)

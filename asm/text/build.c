@@ -16,10 +16,8 @@ static char *store_text(struct storage *storage, const char *text)
 static bool add_regions(struct assembler *assembler, struct storage *storage)
 {
     size_t i;
-
     for (i = 0; i < assembler->region_count; i++) {
         c205_region *region = storage_add_region(storage);
-
         if (!region)
             return false;
         region->name = store_text(storage, assembler->regions[i].name);
@@ -32,7 +30,6 @@ static bool add_regions(struct assembler *assembler, struct storage *storage)
 static bool add_symbol(struct storage *storage, const struct symbol *symbol)
 {
     struct asm_symbol *kept;
-
     if (symbol->kind != SYMBOL_LABEL && symbol->kind != SYMBOL_CONSTANT)
         return true;
     kept = storage_add_symbol(storage);
@@ -54,7 +51,6 @@ static bool add_symbols(struct assembler *assembler, struct storage *storage)
     const struct symbol *symbol;
     struct asm_symbol *symbols;
     size_t i;
-
     for (i = 0; i < SYMBOL_BUCKETS; i++)
         for (symbol = assembler->symbols.buckets[i]; symbol; symbol = symbol->next)
             if (!add_symbol(storage, symbol))
@@ -70,7 +66,6 @@ static bool add_symbols(struct assembler *assembler, struct storage *storage)
 static bool is_repetition(const struct line *line)
 {
     const char *at = line->begin;
-
     while (at < line->end && isspace((unsigned char)*at))
         at++;
     return at < line->end && *at == '.';
@@ -80,7 +75,6 @@ static bool is_repetition(const struct line *line)
 static const struct line *call_of(const struct line *line)
 {
     const struct line *call = line, *caller;
-
     for (caller = line->caller; caller; caller = caller->caller)
         if (!is_repetition(caller))
             call = caller;
@@ -97,7 +91,6 @@ static bool add_line(struct storage *storage, const struct layout_item *item)
 {
     struct asm_line *line = storage_add_line(storage);
     const struct line *from = item->line, *call = call_of(from);
-
     if (!line)
         return false;
     line->address = item->address;
@@ -118,10 +111,8 @@ static bool add_lines(struct assembler *assembler, struct storage *storage)
 {
     const struct layout_item *items = assembler->items;
     size_t i, next;
-
     for (i = 0; i < assembler->item_count; i = next) {
         struct layout_item whole = items[i];
-
         for (next = i + 1;
              next < assembler->item_count && items[next].line == whole.line
              && items[next].address == layout_end(&whole);
@@ -136,11 +127,9 @@ static bool add_lines(struct assembler *assembler, struct storage *storage)
 static bool add_registers(struct assembler *assembler, struct storage *storage)
 {
     size_t i;
-
     for (i = 0; i < assembler->registers.count; i++) {
         const struct naming *naming = &assembler->registers.namings[i];
         struct asm_register *kept = storage_add_register(storage);
-
         if (!kept)
             return false;
         kept->name = store_text(storage, naming->symbol->name);
@@ -157,13 +146,11 @@ static bool add_mentions(struct assembler *assembler, struct storage *storage)
 {
     const struct layout_item *item = assembler->items;
     size_t i, j;
-
     for (i = 0; i < assembler->item_count; i++, item++) {
         if (item->kind != ITEM_INSTRUCTION)
             continue;
         for (j = 0; j < item->of.instruction->mentions; j++) {
             struct asm_mention *kept = storage_add_mention(storage);
-
             if (!kept)
                 return false;
             kept->address = item->address;
@@ -199,7 +186,6 @@ static bool grant(struct assembler *assembler, struct storage *storage,
                 || expectation->kind == EXPECT_HALVES;
     evaluator *value = half ? evaluate_half : evaluate_word;
     c205_word *words = arena_take(&storage->arena, size * sizeof *words);
-
     if (!made || !words)
         return false;
     made->kind = expectation->kind;
@@ -214,19 +200,17 @@ static bool grant(struct assembler *assembler, struct storage *storage,
     if (expectation->address)
         evaluate_address(assembler, expectation->line, expectation->address,
                          &made->address);
-    for (i = 0; i < size; i++) {
+    for (i = 0; i < size; i++)
         if (expectation->bits)
             words[i] = expectation->bits[i];
         else
             value(assembler, expectation->line, expectation->values[i], &words[i]);
-    }
     return true;
 }
 
 static bool add_expectations(struct assembler *assembler, struct storage *storage)
 {
     size_t i;
-
     for (i = 0; i < assembler->expectation_count; i++)
         if (!grant(assembler, storage, &assembler->expectations[i]))
             return false;
@@ -237,7 +221,6 @@ static void set_entry(struct assembler *assembler, struct storage *storage)
 {
     uint64_t entry = CODE_ORIGIN;
     size_t i, first = assembler->item_count;
-
     if (assembler->entry) {
         evaluate_address(assembler, assembler->entry_line, assembler->entry, &entry);
         storage->object.program.entry = entry;
@@ -267,7 +250,6 @@ struct object *build_object(struct assembler *assembler)
     struct storage *storage = storage_new();
     const struct asm_region *open = &assembler->open_region;
     bool good;
-
     if (!storage) {
         assembler->arena->failed = true;
         return NULL;

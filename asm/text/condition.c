@@ -6,7 +6,6 @@
 bool condition_skips(const struct expander *expander)
 {
     unsigned depth = expander->condition_depth;
-
     return depth > 0 && !expander->conditions[depth - 1].active;
 }
 
@@ -15,7 +14,6 @@ void condition_close(struct expander *expander, unsigned depth)
 {
     while (expander->condition_depth > depth) {
         const struct line *line;
-
         line = expander->conditions[--expander->condition_depth].line;
         report(expander->assembler, line, line->begin, "this .if has no .endif");
     }
@@ -25,7 +23,6 @@ static bool holds(struct cursor *cursor)
 {
     const struct expression *expression = parse_expression(cursor);
     int64_t integer = 0;
-
     return expression && expect_end(cursor)
            && evaluate_integer(cursor->assembler, cursor->line, expression, &integer)
            && integer != 0;
@@ -36,7 +33,6 @@ static bool is_defined(struct cursor *cursor)
     const char *name;
     size_t length;
     struct symbol *symbol;
-
     if (!expect_name(cursor, "a name", &name, &length) || !expect_end(cursor))
         return false;
     symbol = symbol_find(cursor->assembler, name, length);
@@ -55,7 +51,6 @@ static void open(struct expander *expander, struct cursor *cursor,
 {
     bool outside = !condition_skips(expander);
     struct asm_condition *condition;
-
     if (expander->condition_depth == MAX_CONDITIONS) {
         report(expander->assembler, cursor->line, cursor->line->begin,
                "more than %u nested conditions", MAX_CONDITIONS);
@@ -74,7 +69,6 @@ static void open(struct expander *expander, struct cursor *cursor,
 static struct asm_condition *innermost(struct expander *expander, struct cursor *cursor)
 {
     const struct expansion *frame = &expander->frames[expander->depth - 1];
-
     if (expander->condition_depth > frame->conditions)
         return &expander->conditions[expander->condition_depth - 1];
     report(expander->assembler, cursor->line, cursor->line->begin,
@@ -86,7 +80,6 @@ static void obey_else(struct expander *expander, struct cursor *cursor,
                       bool (*test)(struct cursor *))
 {
     struct asm_condition *condition = innermost(expander, cursor);
-
     if (!condition)
         return;
     if (condition->last)
@@ -126,7 +119,6 @@ const char *condition_name(size_t i)
 static size_t directive_index(const struct token *token)
 {
     size_t i = token->kind == TOKEN_DIRECTIVE ? 0 : DIRECTIVES;
-
     while (i < DIRECTIVES && !token_is(token, directives[i].name))
         i++;
     return i;
@@ -140,7 +132,6 @@ bool condition_names(const struct token *token)
 bool condition_directive(struct expander *expander, struct cursor *cursor)
 {
     size_t found = directive_index(&cursor->token);
-
     if (found == DIRECTIVES)
         return false;
     cursor_next(cursor);

@@ -83,7 +83,6 @@ struct constant_folder *constant_folder_new(void)
     struct constant_folder *constant_folder = calloc(1, sizeof *constant_folder);
     struct diagnostics errors = { 0 };
     c205_error error;
-
     if (!constant_folder)
         return NULL;
     constant_folder->object = assemble_text("constant_folder", program, NULL, &errors);
@@ -114,7 +113,6 @@ c205_word constant_folder_compute(struct constant_folder *constant_folder,
                                   c205_word x, c205_word y)
 {
     c205 *machine = constant_folder->machine;
-
     c205_set_register(machine, X, x);
     c205_set_register(machine, Y, y);
     c205_set_pc(machine,

@@ -17,7 +17,6 @@ static uint64_t count_of(enum asm_contents contents, uint64_t halves)
 static int compare_addresses(const void *a, const void *b)
 {
     const uint64_t *one = a, *other = b;
-
     return *one < *other ? -1 : *one > *other;
 }
 
@@ -26,10 +25,8 @@ static int compare_addresses(const void *a, const void *b)
 static size_t find_address(const uint64_t *addresses, size_t count, uint64_t address)
 {
     size_t low = 0, high = count;
-
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-
         if (addresses[middle] < address)
             low = middle + 1;
         else
@@ -44,10 +41,8 @@ static void set_type(const struct assembler *assembler, struct asm_symbol *symbo
                      size_t first, uint64_t end)
 {
     uint64_t at = (uint64_t)symbol->value, halves = 0;
-
     for (size_t i = first; i < assembler->item_count; i++) {
         const struct layout_item *item = &assembler->items[i];
-
         if (item->address != at || item->address >= end
             || (halves > 0 && item->contents != symbol->contents))
             break;
@@ -65,7 +60,6 @@ static void set_types(const struct assembler *assembler, struct asm_symbol *symb
                       size_t count, uint64_t *labels, uint64_t *items)
 {
     size_t label_count = 0;
-
     for (size_t i = 0; i < count; i++)
         if (symbols[i].is_label)
             labels[label_count++] = (uint64_t)symbols[i].value;
@@ -75,7 +69,6 @@ static void set_types(const struct assembler *assembler, struct asm_symbol *symb
     for (size_t i = 0; i < count; i++) {
         uint64_t address = (uint64_t)symbols[i].value;
         size_t next = find_address(labels, label_count, address + 1);
-
         if (symbols[i].is_label && !symbols[i].counted)
             set_type(assembler, &symbols[i],
                      find_address(items, assembler->item_count, address),
@@ -89,7 +82,6 @@ bool data_map_fill(const struct assembler *assembler, struct asm_symbol *symbols
     uint64_t *labels = malloc((count + 1) * sizeof *labels);
     uint64_t *items = malloc((assembler->item_count + 1) * sizeof *items);
     bool good = labels && items;
-
     if (good)
         set_types(assembler, symbols, count, labels, items);
     free(labels);

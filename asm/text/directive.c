@@ -18,7 +18,6 @@ static bool parse_equ(struct cursor *cursor)
     const char *name;
     size_t length;
     struct value value;
-
     return expect_name(cursor, "a name", &name, &length) && comma(cursor)
            && parse_value(cursor, &value)
            && symbol_define(cursor->assembler, cursor->line, name,
@@ -45,7 +44,6 @@ static bool parse_org(struct cursor *cursor)
     struct assembler *assembler = cursor->assembler;
     const char *at = cursor->token.begin;
     int64_t address;
-
     if (!parse_integer(cursor, 0, ((int64_t)1 << ADDRESS_BITS) - 1, "a bit address",
                        &address))
         return false;
@@ -65,7 +63,6 @@ static bool parse_align(struct cursor *cursor)
 {
     const char *at = cursor->token.begin;
     int64_t bits;
-
     if (!parse_integer(cursor, HALF_BITS, (int64_t)1 << ADDRESS_BITS,
                        "a number of bits", &bits))
         return false;
@@ -79,7 +76,6 @@ static bool parse_align(struct cursor *cursor)
 static bool parse_entry(struct cursor *cursor)
 {
     struct assembler *assembler = cursor->assembler;
-
     if (assembler->entry)
         return report(assembler, cursor->line, cursor->line->begin,
                       ".entry is already defined, in %s:%zu",
@@ -101,10 +97,8 @@ static const char *parse_region_name(struct cursor *cursor)
 {
     const char *name;
     size_t length;
-
     if (cursor->token.kind == TOKEN_STRING) {
         const char *at = cursor->token.begin;
-
         name = expect_string(cursor, &length);
         if (name && !*name)
             report(cursor->assembler, cursor->line, at, "a kernel must have a name");
@@ -119,7 +113,6 @@ static bool parse_kernel(struct cursor *cursor)
 {
     struct assembler *assembler = cursor->assembler;
     struct asm_region *open = &assembler->open_region;
-
     if (open->line)
         return report(assembler, cursor->line, cursor->line->begin,
                       "expected .endkernel first, for the .kernel in %s:%zu",
@@ -137,7 +130,6 @@ static bool parse_endkernel(struct cursor *cursor)
 {
     struct assembler *assembler = cursor->assembler;
     struct asm_region *open = &assembler->open_region, region = *open;
-
     if (!open->line)
         return report(assembler, cursor->line, cursor->line->begin,
                       ".endkernel without a .kernel");
@@ -154,12 +146,10 @@ static bool add_values(struct cursor *cursor, enum item_kind kind, uint64_t halv
                        uint64_t *count)
 {
     bool good = true;
-
     do {
         struct cursor start = *cursor;
         const struct expression *value = parse_expression(cursor);
         struct layout_item *item = layout_add(cursor, kind, halves);
-
         if (!value)
             cursor_skip(cursor, &start);
         if (!item)
@@ -174,7 +164,6 @@ static bool add_values(struct cursor *cursor, enum item_kind kind, uint64_t halv
 static bool parse_word(struct cursor *cursor)
 {
     uint64_t count = 0;
-
     layout_align(cursor->assembler, WORD_BITS);
     return add_values(cursor, ITEM_VALUE, WORD_HALVES, &count);
 }
@@ -182,14 +171,12 @@ static bool parse_word(struct cursor *cursor)
 static bool parse_half(struct cursor *cursor)
 {
     uint64_t count = 0;
-
     return add_values(cursor, ITEM_HALF, 1, &count);
 }
 
 static bool parse_halfword(struct cursor *cursor)
 {
     uint64_t count = 0;
-
     return add_values(cursor, ITEM_HALF_WORD, 1, &count);
 }
 
@@ -197,7 +184,6 @@ static bool parse_descriptor(struct cursor *cursor)
 {
     const struct expression *length, *address;
     struct layout_item *item;
-
     layout_align(cursor->assembler, WORD_BITS);
     if (!(length = parse_expression(cursor)) || !comma(cursor)
         || !(address = parse_expression(cursor))
@@ -219,7 +205,6 @@ static bool add_half_space(struct cursor *cursor, uint64_t halves)
     uint64_t odd = cursor->assembler->section->at % WORD_BITS != 0;
     uint64_t first = odd < halves ? odd : halves;
     uint64_t last = (halves - first) % WORD_HALVES;
-
     return add_space(cursor, first) && add_space(cursor, halves - first - last)
            && add_space(cursor, last);
 }
@@ -227,7 +212,6 @@ static bool add_half_space(struct cursor *cursor, uint64_t halves)
 static bool parse_space(struct cursor *cursor)
 {
     int64_t words;
-
     layout_align(cursor->assembler, WORD_BITS);
     return parse_integer(cursor, 0, MAX_WORDS, "a number of words", &words)
            && add_space(cursor, WORD_HALVES * (uint64_t)words);
@@ -239,7 +223,6 @@ static bool parse_head(struct cursor *cursor, uint64_t most, int64_t *count)
     struct symbol *symbol;
     const char *name;
     size_t length;
-
     if (!expect_name(cursor, "a name", &name, &length) || !comma(cursor)
         || !parse_integer(cursor, 0, (int64_t)most, "a length", count)
         || !layout_label(cursor, name, length, name))
@@ -258,7 +241,6 @@ static bool parse_elements(struct cursor *cursor, enum item_kind kind, uint64_t 
     const char *at;
     int64_t length;
     uint64_t given = 0;
-
     if (!parse_head(cursor, WORD_HALVES * MAX_WORDS / halves, &length))
         return false;
     at = cursor->token.begin;
@@ -274,7 +256,6 @@ static bool parse_elements(struct cursor *cursor, enum item_kind kind, uint64_t 
 static bool parse_vector(struct cursor *cursor)
 {
     uint64_t rest;
-
     layout_align(cursor->assembler, WORD_BITS);
     return parse_elements(cursor, ITEM_VALUE, WORD_HALVES, &rest)
            && add_space(cursor, WORD_HALVES * rest);
@@ -283,7 +264,6 @@ static bool parse_vector(struct cursor *cursor)
 static bool parse_halfvector(struct cursor *cursor)
 {
     uint64_t rest;
-
     return parse_elements(cursor, ITEM_HALF_WORD, 1, &rest)
            && add_half_space(cursor, rest);
 }
@@ -294,7 +274,6 @@ static bool set_bits(struct cursor *cursor, c205_word *words, uint64_t size,
 {
     const char *begin = cursor->token.begin, *text;
     size_t length, i;
-
     text = expect_string(cursor, &length);
     if (!text)
         return false;
@@ -319,7 +298,6 @@ static bool parse_bitvector(struct cursor *cursor)
     int64_t size;
     uint64_t count = 0, length, given;
     c205_word *words;
-
     layout_align(cursor->assembler, WORD_BITS);
     if (!parse_head(cursor, MAX_WORDS, &size))
         return false;
@@ -342,7 +320,6 @@ static bool parse_text(struct cursor *cursor)
     size_t length, i;
     c205_word *words;
     const char *text;
-
     layout_align(cursor->assembler, WORD_BITS);
     text = expect_string(cursor, &length);
     if (!text)
@@ -361,7 +338,6 @@ static bool parse_error(struct cursor *cursor)
 {
     size_t length;
     const char *text = expect_string(cursor, &length);
-
     return text
            && report(cursor->assembler, cursor->line, cursor->line->begin, "%s", text);
 }
@@ -405,7 +381,6 @@ const char *directive_name(size_t i)
 const struct directive *find_directive(const struct token *token)
 {
     size_t i;
-
     for (i = 0; i < sizeof directives / sizeof *directives; i++)
         if (token_is(token, directives[i].name))
             return &directives[i];

@@ -19,7 +19,6 @@ static bool encode_target(struct assembler *assembler, const struct layout_item 
                           const struct instruction *instruction, c205_fields *fields)
 {
     uint64_t target;
-
     if (!evaluate_address(assembler, item->line, instruction->value, &target))
         return false;
     fields->immediate = ((int64_t)target - (int64_t)item->address) / HALF_BITS;
@@ -44,7 +43,6 @@ static bool encode_immediate(struct assembler *assembler,
 {
     struct operand operands[MAX_OPERANDS];
     size_t i, count = syntax_operands(instruction->insn, false, operands);
-
     for (i = 0; i < count; i++)
         if (operands[i].kind == OPERAND_IMMEDIATE)
             return evaluate_range(assembler, item->line, instruction->value,
@@ -61,7 +59,6 @@ static c205_word encode_instruction(struct assembler *assembler,
 {
     const struct instruction *instruction = item->of.instruction;
     c205_fields fields = instruction->fields;
-
     if (instruction->value && instruction->relative)
         encode_target(assembler, item, instruction, &fields);
     else if (instruction->value)
@@ -76,7 +73,6 @@ static c205_word encode_descriptor(struct assembler *assembler,
 {
     int64_t length = 0;
     uint64_t address = 0;
-
     if (evaluate_range(assembler, item->line, item->of.values[0], 0, C205_MAX_LENGTH,
                        "a length, of at most 65535 elements,", &length))
         evaluate_address(assembler, item->line, item->of.values[1], &address);
@@ -88,7 +84,6 @@ static c205_word encode_half(struct assembler *assembler,
                              const struct layout_item *item)
 {
     int64_t integer = 0;
-
     evaluate_range(assembler, item->line, item->of.values[0], INT32_MIN, UINT32_MAX,
                    "an integer of 32 bits", &integer);
     return (c205_word)integer << HALF_BITS;
@@ -98,7 +93,6 @@ static c205_word encode_half(struct assembler *assembler,
 static c205_word encode_one(struct assembler *assembler, const struct layout_item *item)
 {
     c205_word word = 0;
-
     if (item->kind != ITEM_INSTRUCTION && !item->of.values[0])
         return 0; /* the error has been reported */
     switch (item->kind) {
@@ -124,7 +118,6 @@ static void encode_item(struct assembler *assembler, const struct layout_item *i
 {
     uint64_t bits = item->address - origin;
     c205_word word;
-
     if (item->kind == ITEM_SPACE)
         return;
     if (item->kind == ITEM_WORDS) {
@@ -177,12 +170,10 @@ static size_t count_together(const struct layout_item *item, size_t count)
 {
     uint64_t end = layout_end(item);
     size_t i;
-
     if (is_zero_run(item))
         return 1;
     for (i = 1; i < count && !is_zero_run(&item[i]); i++) {
         uint64_t boundary = (end + WORD_BITS - 1) / WORD_BITS * WORD_BITS;
-
         if (item[i].address > boundary)
             break;
         end = layout_end(&item[i]);
@@ -198,7 +189,6 @@ static bool add_segment(struct assembler *assembler, struct storage *storage,
     c205_segment *segment = storage_add_segment(storage);
     c205_word *words = NULL;
     size_t i;
-
     if (!segment)
         return false;
     segment->address = begin;
@@ -217,7 +207,6 @@ static bool add_segment(struct assembler *assembler, struct storage *storage,
 bool encode_segments(struct assembler *assembler, struct storage *storage)
 {
     size_t i, count;
-
     if (!check_overlap(assembler))
         return false;
     for (i = 0; i < assembler->item_count; i += count) {

@@ -10,7 +10,6 @@
 bool report_file(struct diagnostics *diagnostics, const char *file, const char *message)
 {
     const struct position position = { .file = file };
-
     diagnostics_add(diagnostics, SEVERITY_ERROR, &position, message);
     return false;
 }
@@ -18,7 +17,6 @@ bool report_file(struct diagnostics *diagnostics, const char *file, const char *
 static void print_caller(char *message, size_t size, const struct line *line)
 {
     size_t used = strlen(message);
-
     if (line->caller)
         snprintf(message + used, size - used, " (expanded from %s:%zu)",
                  line->caller->file, line->caller->number);
@@ -38,7 +36,6 @@ static struct position position_of(const struct line *line, const char *at)
     const struct position position = { line->file, line->number, column_of(line, at),
                                        line->text,
                                        (size_t)(line->text_end - line->text) };
-
     return position;
 }
 
@@ -49,7 +46,6 @@ static void print_form(char *message, size_t size, struct assembler *assembler)
     struct text_line form = { "", 0 };
     struct sink sink = text_line_sink(&form);
     size_t used = strlen(message);
-
     assembler->writing = NULL;
     if (!writing)
         return;
@@ -63,7 +59,6 @@ bool report(struct assembler *assembler, const struct line *line, const char *at
     char message[512];
     struct position position = position_of(line, at);
     va_list arguments;
-
     if (too_many_errors(assembler))
         return false;
     va_start(arguments, format);
@@ -86,7 +81,6 @@ void warn(struct assembler *assembler, enum warning warning, const struct line *
     char message[512];
     struct pending_warning pending = { warning, position_of(line, at), NULL };
     va_list arguments;
-
     if (assembler->pending_count >= MAX_ERRORS)
         return;
     va_start(arguments, format);
@@ -105,7 +99,6 @@ static warning_set meant(const struct assembler *assembler)
 {
     warning_set set = 0;
     size_t i;
-
     for (i = 0; i < assembler->expectation_count; i++)
         if (assembler->expectations[i].kind == EXPECT_WARNING)
             set |= WARNING_BIT(warning_named(assembler->expectations[i].text));
@@ -119,11 +112,9 @@ warning_set report_pending_warnings(struct assembler *assembler)
     const struct warning_choice *choice = options ? &options->warnings : &all;
     warning_set silent = choice->off | meant(assembler), found = 0;
     size_t i;
-
     for (i = 0; i < assembler->pending_count; i++) {
         const struct pending_warning *pending = &assembler->pending_warnings[i];
         warning_set bit = WARNING_BIT(pending->warning);
-
         found |= bit;
         if (!(silent & bit))
             warning_add(assembler->diagnostics, choice, pending->warning,

@@ -20,7 +20,6 @@ static bool report_undefined(struct assembler *assembler, const struct line *lin
 {
     const struct symbol *symbol = expression->symbol;
     const char *meant = suggest(assembler, SUGGEST_VALUE, symbol->name, symbol->length);
-
     return report(assembler, line, expression->at, "'%s' is not defined%s%s%s%s",
                   symbol->name, assembler->expander ? " before this line" : "",
                   meant ? "; did you mean " : "", meant ? meant : "", meant ? "?" : "");
@@ -30,7 +29,6 @@ static bool value_of_symbol(struct assembler *assembler, const struct line *line
                             const struct expression *expression, struct value *value)
 {
     const struct symbol *symbol = expression->symbol;
-
     switch (symbol->kind) {
     case SYMBOL_LABEL:
     case SYMBOL_CONSTANT: *value = symbol->value; return true;
@@ -48,7 +46,6 @@ static bool word_of(struct assembler *assembler, const struct line *line,
                     c205_word *word)
 {
     int64_t integer = (int64_t)value->bits;
-
     *word = value->bits;
     if (value->kind != VALUE_INTEGER)
         return true;
@@ -64,7 +61,6 @@ static bool operand(struct assembler *assembler, const struct line *line,
                     const struct expression *expression, int64_t *integer)
 {
     struct value value;
-
     if (!evaluate(assembler, line, expression, &value))
         return false;
     if (value.kind == VALUE_FLOATING)
@@ -119,10 +115,8 @@ static bool evaluate_function(struct assembler *assembler, const struct line *li
     const struct expression *argument[] = { expression->left, expression->right };
     c205_word word[] = { 0, 0 };
     bool good = true;
-
     for (size_t i = 0; i < 2 && argument[i]; i++) {
         struct value value;
-
         good = evaluate(assembler, line, argument[i], &value)
                && machine_number(assembler, line, argument[i], &value, &word[i])
                && good;
@@ -153,7 +147,6 @@ static const struct number_operator {
 static const struct number_operator *number_operator(int code)
 {
     size_t i;
-
     for (i = 0; i < sizeof number_operators / sizeof *number_operators; i++)
         if (number_operators[i].code == code)
             return &number_operators[i];
@@ -167,7 +160,6 @@ static bool calculate_numbers(struct assembler *assembler, const struct line *li
 {
     const struct number_operator *rule = number_operator(expression->code);
     c205_word x, y;
-
     if (!rule)
         return report(assembler, line, expression->at,
                       "this operator requires integers, not floating-point numbers");
@@ -186,7 +178,6 @@ static bool evaluate_logical(struct assembler *assembler, const struct line *lin
 {
     bool is_and = expression->code == OPERATOR('&', '&');
     int64_t left = 0, right = 0;
-
     if (!operand(assembler, line, expression->left, &left))
         return false;
     if (is_and == (left != 0) && !operand(assembler, line, expression->right, &right))
@@ -201,7 +192,6 @@ static bool evaluate_binary(struct assembler *assembler, const struct line *line
     struct value left, right;
     const char *problem;
     bool good = evaluate(assembler, line, expression->left, &left);
-
     if (!evaluate(assembler, line, expression->right, &right) || !good)
         return false;
     if (left.kind == VALUE_FLOATING || right.kind == VALUE_FLOATING)
@@ -215,7 +205,6 @@ static bool evaluate_unary(struct assembler *assembler, const struct line *line,
                            const struct expression *expression, struct value *result)
 {
     struct value value;
-
     if (!evaluate(assembler, line, expression->left, &value))
         return false;
     if (value.kind == VALUE_FLOATING && expression->code == '-')
@@ -232,7 +221,6 @@ bool evaluate(struct assembler *assembler, const struct line *line,
               const struct expression *expression, struct value *value)
 {
     int64_t integer = 0;
-
     value->kind = VALUE_INTEGER;
     switch (expression->operation) {
     case VALUE: *value = expression->value; return true;
@@ -276,7 +264,6 @@ bool evaluate_word(struct assembler *assembler, const struct line *line,
                    const struct expression *expression, c205_word *word)
 {
     struct value value;
-
     return evaluate(assembler, line, expression, &value)
            && word_of(assembler, line, expression, &value, word);
 }
@@ -287,7 +274,6 @@ bool evaluate_half(struct assembler *assembler, const struct line *line,
     struct value value;
     int64_t integer = 0;
     bool good = evaluate(assembler, line, expression, &value);
-
     if (!good)
         return false;
     switch (value.kind) {
@@ -311,7 +297,6 @@ bool evaluate_address(struct assembler *assembler, const struct line *line,
                       const struct expression *expression, uint64_t *address)
 {
     int64_t integer = 0;
-
     if (!evaluate_range(assembler, line, expression, 0,
                         ((int64_t)1 << ADDRESS_BITS) - 1, "a bit address", &integer))
         return false;

@@ -21,7 +21,6 @@ static struct expansion *push(struct expander *expander, const struct line *line
 {
     static const struct expansion empty;
     struct expansion *frame;
-
     if (expander->depth == MAX_FRAMES) {
         halt(expander, line,
              "more than %zu nested includes and macros; does one contain itself?",
@@ -40,7 +39,6 @@ static void push_source(struct expander *expander, const struct line *line,
                         const struct asm_source *source)
 {
     struct expansion *frame = push(expander, line, FRAME_FILE);
-
     if (frame) {
         frame->name = source->name;
         frame->at = source->text;
@@ -52,7 +50,6 @@ static void push_source(struct expander *expander, const struct line *line,
 static bool repeat_or_pop(struct expander *expander)
 {
     struct expansion *frame = &expander->frames[expander->depth - 1];
-
     condition_close(expander, frame->conditions);
     if (frame->kind == FRAME_REPEAT && ++frame->count < frame->repeats) {
         frame->next = 0;
@@ -80,7 +77,6 @@ static struct line *file_line(struct expander *expander, struct expansion *frame
 {
     struct line *line = NULL;
     const char *newline;
-
     if (frame->at < frame->end)
         line = arena_take(expander->assembler->arena, sizeof *line);
     if (!line)
@@ -107,7 +103,6 @@ static struct line *file_line(struct expander *expander, struct expansion *frame
 static struct substitution rules(const struct expansion *frame, enum purpose purpose)
 {
     struct substitution rules = { NULL, NULL, NULL, NULL };
-
     if (frame->kind == FRAME_MACRO) {
         rules.macro = frame->body;
         rules.arguments = frame->arguments;
@@ -125,7 +120,6 @@ static struct line *body_line(struct expander *expander, struct expansion *frame
     const struct line *model;
     struct line *line;
     size_t length;
-
     if (frame->next == frame->body->line_count)
         return NULL;
     model = &frame->body->lines[frame->next++];
@@ -151,7 +145,6 @@ static struct line *body_line(struct expander *expander, struct expansion *frame
 static struct line *read_line(struct expander *expander, enum purpose purpose)
 {
     struct expansion *frame = &expander->frames[expander->depth - 1];
-
     return frame->kind == FRAME_FILE ? file_line(expander, frame)
                                      : body_line(expander, frame, purpose);
 }
@@ -162,7 +155,6 @@ static bool skip_labels(struct cursor *cursor, const char **end)
 {
     struct cursor label = *cursor;
     bool found = false;
-
     while (label.token.kind == TOKEN_NAME) {
         cursor_next(&label);
         if (!cursor_at(&label, ':'))
@@ -180,7 +172,6 @@ static int nesting(struct expander *expander, const struct line *line,
 {
     struct cursor cursor = cursor_start(expander->assembler, line);
     const char *end;
-
     skip_labels(&cursor, &end);
     if (cursor.token.kind != TOKEN_DIRECTIVE)
         return 0;
@@ -195,7 +186,6 @@ static bool capture(struct expander *expander, const struct line *start,
     const char *closing = purpose == FOR_MACRO ? ".endm" : ".endr";
     const struct line *line;
     int depth = 1;
-
     while ((line = read_line(expander, purpose)) != NULL && !expander->halted) {
         depth += nesting(expander, line, opening, closing);
         if (depth == 0)
@@ -214,7 +204,6 @@ static void define_macro(struct expander *expander, struct cursor *cursor)
     const char *at = cursor->token.begin;
     struct macro *macro = macro_parse(cursor), unnamed, *body;
     struct symbol *symbol;
-
     memset(&unnamed, 0, sizeof unnamed);
     body = macro ? macro : &unnamed; /* the body is skipped even if the head is wrong */
     if (!capture(expander, cursor->line, body, FOR_MACRO) || !macro)
@@ -233,7 +222,6 @@ static void repeat(struct expander *expander, struct cursor *cursor)
     struct expansion *frame;
     int64_t count = 0;
     bool good;
-
     if (!body)
         return;
     good = parse_integer(cursor, 0, MAX_WORDS, "a count", &count) && expect_end(cursor);
@@ -255,7 +243,6 @@ static void include(struct expander *expander, struct cursor *cursor)
     size_t length;
     char *name = expect_string(cursor, &length);
     unsigned i;
-
     if (!name || !expect_end(cursor))
         return;
     for (i = 0; i < expander->depth; i++)
@@ -279,7 +266,6 @@ static void call(struct expander *expander, struct cursor *cursor,
 {
     const struct span *arguments;
     struct expansion *frame;
-
     cursor_next(cursor);
     arguments = macro_arguments(cursor, macro);
     frame = arguments ? push(expander, cursor->line, FRAME_MACRO) : NULL;
@@ -309,7 +295,6 @@ const char *expand_name(size_t i)
 static directive *find_directive(const struct token *token)
 {
     size_t i;
-
     for (i = 0; i < sizeof directives / sizeof *directives; i++)
         if (token->kind == TOKEN_DIRECTIVE && token_is(token, directives[i].name))
             return directives[i].obey;
@@ -320,7 +305,6 @@ static const struct macro *find_macro(const struct expander *expander,
                                       const struct token *token)
 {
     const struct symbol *symbol;
-
     if (token->kind != TOKEN_NAME)
         return NULL;
     symbol = symbol_find(expander->assembler, token->begin,
@@ -336,7 +320,6 @@ static const struct line *split(struct expander *expander, const struct line *li
                                 const char *at)
 {
     struct line *halves;
-
     halves = arena_take(expander->assembler->arena, 2 * sizeof *halves);
     if (!halves)
         return NULL;
@@ -355,7 +338,6 @@ static const struct line *obey(struct expander *expander, const struct line *lin
     bool labels = skip_labels(&cursor, &end);
     directive *found = find_directive(&cursor.token);
     const struct macro *macro = find_macro(expander, &cursor.token);
-
     if (condition_skips(expander)) {
         condition_directive(expander, &cursor);
         return NULL;
@@ -378,7 +360,6 @@ static const struct line *obey(struct expander *expander, const struct line *lin
 static const struct line *next_line(struct expander *expander)
 {
     const struct line *line = expander->pending;
-
     expander->pending = NULL;
     while (!line && !expander->halted && expander->depth > 0) {
         line = read_line(expander, TO_PARSE);
@@ -393,7 +374,6 @@ static const struct line *next_line(struct expander *expander)
 const struct line *expander_next(struct expander *expander)
 {
     const struct line *line, *handed;
-
     while ((line = next_line(expander)) != NULL && !expander->halted) {
         if (too_many_errors(expander->assembler))
             return NULL;
@@ -408,7 +388,6 @@ struct expander *expander_new(struct assembler *assembler,
                               const struct asm_source *source)
 {
     struct expander *expander = arena_take(assembler->arena, sizeof *expander);
-
     if (expander) {
         expander->assembler = assembler;
         push_source(expander, NULL, source);

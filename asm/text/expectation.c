@@ -8,10 +8,8 @@
 static bool parse_values(struct cursor *cursor, struct expectation *expectation)
 {
     size_t capacity = 0;
-
     do {
         const struct expression *value = parse_expression(cursor);
-
         if (!value
             || !arena_add(cursor->assembler->arena, &expectation->values,
                           &expectation->count, &capacity, &value, sizeof value))
@@ -41,7 +39,6 @@ static bool parse_memory(struct cursor *cursor, struct expectation *expectation)
 static bool parse_expect(struct cursor *cursor, struct expectation *expectation)
 {
     struct register_name named;
-
     if (cursor_at(cursor, '[')) {
         expectation->kind = EXPECT_WORDS;
         return parse_memory(cursor, expectation);
@@ -61,7 +58,6 @@ static bool parse_bits(struct cursor *cursor, struct expectation *expectation)
 {
     const char *at, *end = cursor->line->end;
     c205_word *bits;
-
     if (!parse_place(cursor, expectation))
         return false;
     if (!cursor_at(cursor, '='))
@@ -98,7 +94,6 @@ static bool parse_one(struct cursor *cursor, struct expectation *expectation)
 static bool parse_rest(struct cursor *cursor, struct expectation *expectation)
 {
     const char *begin = cursor->line->begin, *end = cursor->line->end;
-
     begin += begin < end && *begin == ' ';
     while (begin < end && isspace((unsigned char)end[-1]))
         end--;
@@ -110,7 +105,6 @@ static bool parse_rest(struct cursor *cursor, struct expectation *expectation)
 static bool parse_trap(struct cursor *cursor, struct expectation *expectation)
 {
     unsigned trap;
-
     if (!parse_rest(cursor, expectation))
         return false;
     for (trap = C205_TRAP_NONE + 1; trap < C205_TRAP_PAUSED; trap++)
@@ -135,7 +129,6 @@ static bool parse_model(struct cursor *cursor, struct expectation *expectation)
 {
     const struct assembler *assembler = cursor->assembler;
     size_t i;
-
     for (i = 0; i < assembler->expectation_count; i++)
         if (assembler->expectations[i].kind == EXPECT_MODEL)
             return report(cursor->assembler, cursor->line, cursor->token.begin,
@@ -167,7 +160,6 @@ static bool parse_named(struct cursor *cursor, const char *name, size_t length,
     struct assembler *assembler = cursor->assembler;
     struct line *line = arena_take(assembler->arena, sizeof *line);
     size_t i;
-
     if (!line)
         return false;
     *line = *cursor->line;
@@ -175,7 +167,6 @@ static bool parse_named(struct cursor *cursor, const char *name, size_t length,
     for (i = 0; i < sizeof expectations / sizeof *expectations; i++) {
         struct cursor inside = cursor_start(assembler, line);
         struct expectation expectation = empty;
-
         if (strlen(expectations[i].name) != length
             || memcmp(expectations[i].name, name, length) != 0)
             continue;
@@ -200,7 +191,6 @@ static bool resembles(const char *name, const char *end)
 {
     enum { NEAR = 2 };
     const char *dash = memchr(name, '-', (size_t)(end - name));
-
     return spelling_distance(name, (size_t)((dash ? dash : end) - name), "expect", 6)
            <= NEAR;
 }
@@ -242,7 +232,6 @@ bool parse_expectation(struct cursor *cursor)
 {
     const char *at = cursor->token.begin, *end = cursor->line->end, *name;
     size_t length;
-
     while (at < end && (*at == ';' || *at == ' '))
         at++;
     name = at;

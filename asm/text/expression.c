@@ -6,7 +6,6 @@
 static int precedence(const struct cursor *cursor)
 {
     const struct token *token = &cursor->token;
-
     return token->kind == TOKEN_OPERATOR ? operator_precedence(token->code) : 0;
 }
 
@@ -14,7 +13,6 @@ static struct expression *new_node(struct cursor *cursor, const char *at,
                                    enum operation operation)
 {
     struct expression *node = arena_take(cursor->assembler->arena, sizeof *node);
-
     if (node) {
         node->operation = operation;
         node->at = at;
@@ -28,16 +26,14 @@ static void fold(struct expression *node)
 {
     const struct expression *left = node->left, *right = node->right;
     uint64_t bits;
-
     if (left->operation != VALUE || left->value.kind == VALUE_FLOATING)
         return;
-    if (node->operation == UNARY) {
+    if (node->operation == UNARY)
         bits = integer_negation(node->code, left->value.bits);
-    } else if (right->operation != VALUE || right->value.kind == VALUE_FLOATING
-               || integer_operation(node->code, (int64_t)left->value.bits,
-                                    (int64_t)right->value.bits, &bits)) {
+    else if (right->operation != VALUE || right->value.kind == VALUE_FLOATING
+             || integer_operation(node->code, (int64_t)left->value.bits,
+                                  (int64_t)right->value.bits, &bits))
         return;
-    }
     node->operation = VALUE;
     node->value.kind = VALUE_INTEGER;
     node->value.bits = bits;
@@ -73,7 +69,6 @@ static const struct expression *parse_symbol(struct cursor *cursor)
     struct symbol *symbol;
     const char *name;
     size_t length;
-
     if (!node || !expect_name(cursor, "a name", &name, &length))
         return NULL;
     node->symbol = symbol = symbol_intern(cursor->assembler, name, length);
@@ -86,7 +81,6 @@ static const struct expression *parse_symbol(struct cursor *cursor)
 static const struct expression *parse_brackets(struct cursor *cursor)
 {
     const struct expression *inside;
-
     if (!expect_operator(cursor, '(', "'('"))
         return NULL;
     inside = parse_binary(cursor, 1);
@@ -101,7 +95,6 @@ static const struct expression *parse_function(struct cursor *cursor,
                                                enum operation operation)
 {
     struct expression *node = new_node(cursor, cursor->token.begin, operation);
-
     cursor_next(cursor);
     if (!node || !(node->left = parse_brackets(cursor)))
         return NULL;
@@ -114,7 +107,6 @@ static const struct expression *
 parse_computed(struct cursor *cursor, const struct constant_folder_function *function)
 {
     struct expression *node = new_node(cursor, cursor->token.begin, FUNCTION);
-
     cursor_next(cursor);
     if (!node || !expect_operator(cursor, '(', "'('")
         || !(node->left = parse_binary(cursor, 1)))
@@ -136,7 +128,6 @@ static const struct expression *parse_length(struct cursor *cursor)
 {
     struct expression *node = new_node(cursor, cursor->token.begin, VALUE);
     size_t length;
-
     cursor_next(cursor);
     if (!node || !expect_operator(cursor, '(', "'('") || !expect_string(cursor, &length)
         || !expect_operator(cursor, ')', "')'"))
@@ -148,7 +139,6 @@ static const struct expression *parse_length(struct cursor *cursor)
 static const struct expression *parse_number(struct cursor *cursor)
 {
     struct expression *node = new_node(cursor, cursor->token.begin, VALUE);
-
     if (!node)
         return NULL;
     node->value = cursor->token.value;
@@ -159,7 +149,6 @@ static const struct expression *parse_number(struct cursor *cursor)
 static const struct expression *parse_here(struct cursor *cursor)
 {
     struct expression *node = new_node(cursor, cursor->token.begin, VALUE);
-
     if (!node)
         return NULL;
     node->value.bits = cursor->assembler->section->at;
@@ -171,7 +160,6 @@ static const struct expression *parse_here(struct cursor *cursor)
 static bool is_call(const struct token *token)
 {
     const char *at = token->end;
-
     while (*at == ' ' || *at == '\t')
         at++;
     return token->kind == TOKEN_NAME && *at == '(';
@@ -192,7 +180,6 @@ static const struct constant_folder_function *computed(const struct token *token
 static const struct expression *parse_primary(struct cursor *cursor)
 {
     const struct token *token = &cursor->token;
-
     if (token->kind == TOKEN_NUMBER)
         return parse_number(cursor);
     if (is_function(token, "bits"))
@@ -222,7 +209,6 @@ static const struct expression *parse_negative_number(struct cursor *cursor,
     char text[80] = "-";
     size_t length = (size_t)(cursor->token.end - cursor->token.begin);
     const char *end;
-
     if (!node)
         return NULL;
     if (length > sizeof text - 2) {
@@ -243,7 +229,6 @@ static const struct expression *parse_unary(struct cursor *cursor)
     const struct expression *left;
     struct expression *node;
     int code = cursor->token.code;
-
     if (!cursor_at(cursor, '-') && !cursor_at(cursor, '~') && !cursor_at(cursor, '!'))
         return parse_primary(cursor);
     cursor_next(cursor);
@@ -262,11 +247,9 @@ static const struct expression *parse_chain(struct cursor *cursor, int level)
 {
     const struct expression *left = parse_unary(cursor), *right;
     int found;
-
     while (left && (found = precedence(cursor)) >= level && found) {
         int code = cursor->token.code;
         struct expression *node = new_node(cursor, cursor->token.begin, BINARY);
-
         cursor_next(cursor);
         right = parse_binary(cursor, found + 1);
         left = right ? join_nodes(cursor, node, code, left, right) : NULL;
@@ -279,7 +262,6 @@ static const struct expression *parse_chain(struct cursor *cursor, int level)
 static const struct expression *parse_binary(struct cursor *cursor, int level)
 {
     const struct expression *result;
-
     if (cursor->depth >= MAX_EXPRESSION_DEPTH) {
         report(cursor->assembler, cursor->line, cursor->token.begin,
                "the expression has more than %u nested levels", MAX_EXPRESSION_DEPTH);
@@ -299,7 +281,6 @@ const struct expression *parse_expression(struct cursor *cursor)
 bool parse_value(struct cursor *cursor, struct value *value)
 {
     const struct expression *expression = parse_expression(cursor);
-
     return expression && evaluate(cursor->assembler, cursor->line, expression, value);
 }
 
@@ -307,7 +288,6 @@ bool parse_integer(struct cursor *cursor, int64_t low, int64_t high, const char 
                    int64_t *integer)
 {
     const struct expression *expression = parse_expression(cursor);
-
     return expression
            && evaluate_range(cursor->assembler, cursor->line, expression, low, high,
                              what, integer);

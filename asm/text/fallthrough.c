@@ -6,7 +6,6 @@ static bool ends_program(struct assembler *assembler, const struct layout_item *
 {
     const struct instruction *instruction = item->of.instruction;
     struct value value = { VALUE_INTEGER, 0 };
-
     if (instruction->insn->format != C205_FORMAT_REQUEST)
         return false;
     return !instruction->value
@@ -32,7 +31,6 @@ static bool goes_on_with(const struct layout_item *next, const struct layout_ite
 static bool expects_trap(const struct assembler *assembler)
 {
     size_t i;
-
     for (i = 0; i < assembler->expectation_count; i++)
         if (assembler->expectations[i].kind == EXPECT_TRAP)
             return true;
@@ -44,7 +42,6 @@ void check_ends(struct assembler *assembler)
 {
     const struct layout_item *items = assembler->items;
     size_t i, count = assembler->item_count;
-
     for (i = 0; i < count && !expects_trap(assembler); i++)
         if (items[i].kind == ITEM_INSTRUCTION
             && !always_branches(items[i].of.instruction->insn)

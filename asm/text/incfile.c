@@ -41,7 +41,6 @@ static const char *field_end(const struct number_file *file, const char *at)
     const char *quote = *at == '"' && at + 1 < end
                             ? memchr(at + 1, '"', (size_t)(end - at - 1))
                             : NULL;
-
     if (quote)
         return quote + 1;
     while (at < end && !strchr(file->commas ? ",#" : " \t#", *at))
@@ -67,7 +66,6 @@ static bool next_field(const struct number_file *file, const char **at,
                        struct csv_field *field)
 {
     const char *end = file->line.end, *p = skip_blanks(*at, end);
-
     if (p == end || *p == '#')
         return false;
     field->begin = p;
@@ -81,7 +79,6 @@ static bool next_field(const struct number_file *file, const char **at,
 static bool is_number(const struct csv_field *field, c205_word *word)
 {
     const char *end;
-
     *word = c205_from_text(field->begin, &end);
     return end == field->end && end != field->begin;
 }
@@ -89,14 +86,12 @@ static bool is_number(const struct csv_field *field, c205_word *word)
 static bool is_named(const struct csv_field *field, const char *name)
 {
     size_t length = (size_t)(field->end - field->begin);
-
     return strlen(name) == length && memcmp(field->begin, name, length) == 0;
 }
 
 static bool fault(const struct number_file *file, const char *at, const char *what)
 {
     const struct line *by = file->cursor->line;
-
     return report(file->cursor->assembler, &file->line, at, "%s (.incfile of %s:%zu)",
                   what, by->file, by->number);
 }
@@ -108,7 +103,6 @@ static bool is_heading(const struct number_file *file)
     const char *at = file->line.begin;
     struct csv_field field;
     c205_word word;
-
     while (next_field(file, &at, &field))
         if (is_number(&field, &word))
             return false;
@@ -119,7 +113,6 @@ static bool find_column(struct number_file *file)
 {
     const char *at = file->line.begin;
     struct csv_field field;
-
     if (!file->wanted)
         return true;
     for (size_t i = 1; next_field(file, &at, &field); i++)
@@ -134,7 +127,6 @@ static bool add_number(struct number_file *file, const struct csv_field *field)
 {
     c205_word word;
     double value;
-
     if (field->begin == field->end)
         return fault(file, field->begin, "expected a number before this");
     if (!is_number(field, &word))
@@ -156,7 +148,6 @@ static bool read_numbers(struct number_file *file)
     const char *at = file->line.begin;
     struct csv_field field;
     size_t i = 0;
-
     while (next_field(file, &at, &field))
         if ((++i == file->column || file->column == 0) && !add_number(file, &field))
             return false;
@@ -169,7 +160,6 @@ static bool read_line(struct number_file *file)
     const char *at = file->line.begin;
     struct csv_field field;
     const char *comment = memchr(at, '#', (size_t)(file->line.end - at));
-
     file->commas = memchr(at, ',', (size_t)((comment ? comment : file->line.end) - at));
     if (!next_field(file, &at, &field))
         return true;
@@ -187,11 +177,9 @@ static bool read_line(struct number_file *file)
 static bool read_lines(struct number_file *file, const struct asm_source *source)
 {
     const char *at = source->text;
-
     file->line.file = source->name;
     while (at < source->end) {
         const char *end = memchr(at, '\n', (size_t)(source->end - at));
-
         end = end ? end : source->end;
         file->line.number++;
         file->line.begin = file->line.text = at;
@@ -222,7 +210,6 @@ static bool read_column(struct number_file *file)
     struct cursor *cursor = file->cursor;
     size_t length;
     int64_t column;
-
     if (file->wanted || file->column > 0)
         return report(cursor->assembler, cursor->line, cursor->token.begin,
                       "at most one column is allowed");
@@ -240,7 +227,6 @@ static bool read_column(struct number_file *file)
 static bool read_expectations(struct number_file *file)
 {
     struct cursor *cursor = file->cursor;
-
     while (cursor_take(cursor, ',')) {
         if (cursor->token.kind == TOKEN_NAME && token_is(&cursor->token, "integers")) {
             cursor_next(cursor);
@@ -260,7 +246,6 @@ bool parse_incfile(struct cursor *cursor)
     const char *at = cursor->token.begin;
     size_t length;
     const char *name = expect_string(cursor, &length);
-
     layout_align(cursor->assembler, 64);
     if (!name || !read_expectations(&file))
         return false;

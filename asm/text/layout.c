@@ -11,7 +11,6 @@ enum { WORD_HALVES = 2, HALF_BITS = 32 };
 static bool report_full(struct cursor *cursor, const char *message)
 {
     struct section *section = cursor->assembler->section;
-
     if (!section->full)
         report(cursor->assembler, cursor->line, cursor->line->begin, "%s", message);
     section->full = true;
@@ -22,7 +21,6 @@ static bool check_words(struct cursor *cursor, uint64_t halves)
 {
     struct assembler *assembler = cursor->assembler;
     char message[80];
-
     assembler->words += (halves + 1) / WORD_HALVES;
     if (assembler->words <= MAX_WORDS)
         return true;
@@ -37,7 +35,6 @@ static bool check_room(struct cursor *cursor, uint64_t halves)
     const struct assembler *assembler = cursor->assembler;
     const struct section *section = assembler->section;
     uint64_t end = section->at + halves * HALF_BITS;
-
     if (section->full || !check_words(cursor, halves))
         return false;
     if (end > (uint64_t)1 << ADDRESS_BITS)
@@ -56,7 +53,6 @@ struct layout_item *layout_add(struct cursor *cursor, enum item_kind kind,
 {
     struct assembler *assembler = cursor->assembler;
     struct layout_item *item;
-
     if (!check_room(cursor, halves))
         return NULL;
     item = arena_add(assembler->arena, &assembler->items, &assembler->item_count,
@@ -78,7 +74,6 @@ void layout_align(struct assembler *assembler, uint64_t bits)
 {
     uint64_t at = assembler->section->at;
     size_t i;
-
     at = (at + bits - 1) / bits * bits;
     assembler->section->at = at;
     for (i = 0; i < assembler->waiting_count; i++)
@@ -91,7 +86,6 @@ bool layout_label(struct cursor *cursor, const char *name, size_t length,
     struct assembler *assembler = cursor->assembler;
     struct symbol *symbol = symbol_intern(assembler, name, length);
     struct value value = { VALUE_INTEGER, 0 };
-
     value.bits = assembler->section->at;
     return symbol_define(assembler, cursor->line, at, symbol, SYMBOL_LABEL, value)
            && arena_add(assembler->arena, &assembler->waiting,
@@ -107,7 +101,6 @@ void layout_resolve(struct assembler *assembler)
 bool layout_known(struct cursor *cursor, const c205_word *words, uint64_t count)
 {
     struct layout_item *item;
-
     if (count == 0)
         return true;
     item = layout_add(cursor, ITEM_WORDS, 2 * count);
@@ -125,7 +118,6 @@ uint64_t layout_end(const struct layout_item *item)
 static int compare_items(const void *a, const void *b)
 {
     const struct layout_item *first = a, *second = b;
-
     if (first->address != second->address)
         return first->address < second->address ? -1 : 1;
     return (first->order > second->order) - (first->order < second->order);

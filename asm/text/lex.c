@@ -15,7 +15,6 @@ static int hex_digit(char c)
 {
     static const char digits[] = "0123456789abcdef";
     const char *found;
-
     found = c ? strchr(digits, tolower((unsigned char)c)) : NULL;
     return found ? (int)(found - digits) : -1;
 }
@@ -31,7 +30,6 @@ static void lex_hex(struct token *token, const char *end)
 {
     const char *at = token->begin + 2;
     uint64_t bits = 0;
-
     while (at < end && hex_digit(*at) >= 0) {
         if (bits >> 60) {
             bad(token, at, "the number does not fit in 64 bits");
@@ -49,7 +47,6 @@ static void lex_decimal(struct token *token)
 {
     const char *at;
     uint64_t bits = 0;
-
     for (at = token->begin; at < token->end; at++) {
         if (bits > ((uint64_t)INT64_MAX - (uint64_t)(*at - '0')) / 10) {
             bad(token, token->end, "the number does not fit in 63 bits");
@@ -70,7 +67,6 @@ static const char *skip_digits(const char *at, const char *end)
 static const char *skip_exponent(const char *at, const char *end)
 {
     const char *digits = at + 1;
-
     if (at == end || (*at != 'e' && *at != 'E'))
         return at;
     if (digits < end && (*digits == '+' || *digits == '-'))
@@ -82,7 +78,6 @@ static void lex_number(struct token *token, const char *end)
 {
     const char *at = skip_digits(token->begin, end), *whole = at;
     const char *used;
-
     if (at < end && *at == '.')
         at = skip_digits(at + 1, end);
     at = skip_exponent(at, end);
@@ -100,7 +95,6 @@ static void lex_number(struct token *token, const char *end)
 static void lex_any_number(struct token *token, const char *end)
 {
     const char *at = token->begin;
-
     token->kind = TOKEN_NUMBER;
     if (end - at > 1 && at[0] == '0' && (at[1] == 'x' || at[1] == 'X'))
         lex_hex(token, end);
@@ -120,7 +114,6 @@ static void lex_word(struct token *token, const char *end)
 {
     const char *at = token->begin + 2;
     unsigned digits = 0;
-
     token->kind = TOKEN_NUMBER;
     token->value.kind = VALUE_WORD;
     for (; at < end && (hex_digit(*at) >= 0 || *at == ' '); at++)
@@ -136,7 +129,6 @@ static void lex_word(struct token *token, const char *end)
 static void lex_string(struct token *token, const char *end)
 {
     const char *at = token->begin + 1;
-
     token->kind = TOKEN_STRING;
     for (; at < end && *at != '"'; at++)
         if (*at == '\\' && end - at > 1)
@@ -152,7 +144,6 @@ static void lex_operator(struct token *token)
     const char *at = token->begin;
     size_t length;
     int code = operator_at(at, &length);
-
     token->kind = TOKEN_OPERATOR;
     token->code = code ? code : *at;
     token->end = at + (code ? length : 1);
@@ -166,7 +157,6 @@ static void lex_operator(struct token *token)
 static void lex_name(struct token *token, const char *end, enum token_kind kind)
 {
     const char *at = token->begin + 1;
-
     while (at < end && is_name_part(*at))
         at++;
     token->kind = kind;
@@ -180,7 +170,6 @@ static struct token lex(const char *at, const char *end)
     static const struct token empty;
     struct token token = empty;
     char second;
-
     while (at < end && isspace((unsigned char)*at))
         at++;
     token.begin = token.end = at;
@@ -205,7 +194,6 @@ static struct token lex(const char *at, const char *end)
 struct cursor cursor_start(struct assembler *assembler, const struct line *line)
 {
     struct cursor cursor;
-
     cursor.assembler = assembler;
     cursor.line = line;
     cursor.token = lex(line->begin, line->end);
@@ -239,7 +227,6 @@ bool cursor_at_end(const struct cursor *cursor)
 void cursor_skip(struct cursor *cursor, const struct cursor *start)
 {
     int depth = 0;
-
     *cursor = *start;
     while (!cursor_at_end(cursor)) {
         if (depth == 0 && (cursor_at(cursor, ',') || cursor_at(cursor, '?')))
@@ -255,7 +242,6 @@ bool expected(struct cursor *cursor, const char *what)
 {
     const struct token *token = &cursor->token;
     int length = (int)(token->end - token->begin);
-
     if (token->kind == TOKEN_BAD)
         return report(cursor->assembler, cursor->line, token->begin, "%s",
                       token->problem);
@@ -294,7 +280,6 @@ static int unescape(const char **at)
 {
     static const char letters[] = "nt\\\"0", meanings[] = "\n\t\\\"";
     const char *found = strchr(letters, **at);
-
     if (**at && found) {
         ++*at;
         return meanings[found - letters];
@@ -311,7 +296,6 @@ char *expect_string(struct cursor *cursor, size_t *length)
     const char *at = cursor->token.begin + 1;
     const char *end = cursor->token.end - 1;
     char *bytes;
-
     *length = 0;
     if (cursor->token.kind != TOKEN_STRING) {
         expected(cursor, "a string");
@@ -320,7 +304,6 @@ char *expect_string(struct cursor *cursor, size_t *length)
     bytes = arena_take(cursor->assembler->arena, (size_t)(end - at) + 1);
     while (bytes && at < end) {
         int byte = (unsigned char)*at++;
-
         if (byte == '\\' && (byte = unescape(&at)) < 0) {
             report(cursor->assembler, cursor->line, at - 1,
                    "expected one of \\n \\t \\\\ \\\" \\0 \\xHH");
@@ -335,7 +318,6 @@ char *expect_string(struct cursor *cursor, size_t *length)
 bool token_is(const struct token *token, const char *text)
 {
     size_t i, length = (size_t)(token->end - token->begin);
-
     for (i = 0; i < length; i++)
         if (!text[i]
             || tolower((unsigned char)token->begin[i])

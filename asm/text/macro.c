@@ -23,7 +23,6 @@ static const char *skip_string(const char *at, const char *end)
 static const char *end_of_argument(const char *at, const char *end)
 {
     int depth = 0;
-
     while (at < end && *at != ';' && (*at != ',' || depth > 0)) {
         depth += *at == '[' || *at == '(';
         depth -= *at == ']' || *at == ')';
@@ -35,7 +34,6 @@ static const char *end_of_argument(const char *at, const char *end)
 static struct span trim(const char *begin, const char *end)
 {
     struct span span;
-
     while (begin < end && isspace((unsigned char)*begin))
         begin++;
     while (begin < end && isspace((unsigned char)end[-1]))
@@ -56,7 +54,6 @@ static struct span take_argument(struct cursor *cursor)
 {
     const char *begin = cursor->token.begin;
     const char *end = end_of_argument(begin, cursor->line->end);
-
     move_to(cursor, end);
     return trim(begin, end);
 }
@@ -70,7 +67,6 @@ static bool parse_parameter(struct cursor *cursor, struct macro *macro)
                                             &macro->parameter_capacity, NULL,
                                             sizeof *parameter);
     size_t length;
-
     if (!parameter)
         return false;
     if (!expect_name(cursor, "a parameter's name", &parameter->name.begin, &length))
@@ -86,7 +82,6 @@ struct macro *macro_parse(struct cursor *cursor)
     struct macro *macro = arena_take(cursor->assembler->arena, sizeof *macro);
     const char *name;
     size_t length;
-
     if (!macro || !expect_name(cursor, "the macro's name", &name, &length))
         return NULL;
     if (c205_insn_named(name, length)) {
@@ -119,10 +114,8 @@ static bool fill_defaults(struct cursor *cursor, const struct macro *macro,
                           struct span *arguments)
 {
     size_t i;
-
     for (i = 0; i < macro->parameter_count; i++) {
         const struct parameter *parameter = &macro->parameters[i];
-
         if (arguments[i].begin < arguments[i].end)
             continue;
         arguments[i] = parameter->otherwise;
@@ -139,7 +132,6 @@ const struct span *macro_arguments(struct cursor *cursor, const struct macro *ma
 {
     struct span *arguments;
     size_t i = 0;
-
     arguments = arena_take(cursor->assembler->arena,
                            (macro->parameter_count + 1) * sizeof *arguments);
     if (!arguments)
@@ -177,7 +169,6 @@ static void append(struct macro_text *output, const char *text, size_t length)
 static void append_number(struct macro_text *output, uint64_t number)
 {
     char text[24];
-
     snprintf(text, sizeof text, "%" PRIu64, number);
     append(output, text, strlen(text));
 }
@@ -187,10 +178,8 @@ static const struct span *find_argument(const struct substitution *substitution,
 {
     const struct macro *macro = substitution->macro;
     size_t i;
-
     for (i = 0; macro && i < macro->parameter_count; i++) {
         const struct span *known = &macro->parameters[i].name;
-
         if ((size_t)(known->end - known->begin) == length
             && memcmp(known->begin, name, length) == 0)
             return &substitution->arguments[i];
@@ -201,7 +190,6 @@ static const struct span *find_argument(const struct substitution *substitution,
 static size_t name_length(const char *at, const char *end)
 {
     const char *begin = at;
-
     if (at < end && is_name_start(*at))
         while (at < end && is_name_part(*at) && *at != '.')
             at++;
@@ -217,7 +205,6 @@ static const char *substitute_one(const struct substitution *substitution,
     char next = end - at > 1 ? at[1] : '\0';
     size_t length = name_length(at + 1, end);
     const struct span *argument = find_argument(substitution, at + 1, length);
-
     if (length && argument) {
         append(output, argument->begin, (size_t)(argument->end - argument->begin));
         return at + 1 + length;
@@ -238,7 +225,6 @@ size_t substitute(const struct substitution *substitution, const struct line *li
 {
     struct macro_text output = { NULL, 0, false };
     const char *at = line->text, *next;
-
     output.text = text;
     while (at < line->text_end) {
         next = memchr(at, '\\', (size_t)(line->text_end - at));

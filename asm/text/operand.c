@@ -12,7 +12,6 @@
 static bool is_numbered(const struct token *token)
 {
     const char *at = token->begin;
-
     if (!strchr("rRhH", *at) || ++at == token->end)
         return false;
     while (at < token->end && isdigit((unsigned char)*at))
@@ -25,7 +24,6 @@ bool parse_any_register(struct cursor *cursor, struct register_name *found)
     const struct token *token = &cursor->token;
     const struct symbol *symbol;
     size_t length;
-
     if (token->kind != TOKEN_NAME)
         return expected_name(cursor, "a register", SUGGEST_REGISTER);
     length = (size_t)(token->end - token->begin);
@@ -55,7 +53,6 @@ static bool parse_sized(struct cursor *cursor, bool half, uint8_t *number)
 {
     struct register_name found = { false, 0, 0 };
     const char *at = cursor->token.begin;
-
     if (!parse_any_register(cursor, &found))
         return false;
     *number = found.number;
@@ -81,7 +78,6 @@ static bool parse_second(struct cursor *cursor, const struct operand *operand,
 {
     const char *at;
     uint8_t first = *syntax_field(fields, operand->field), second;
-
     if (!operand->second)
         return expected(cursor, "']': this operand has no offset");
     cursor_next(cursor);
@@ -129,7 +125,6 @@ static bool parse_signed(struct cursor *cursor, const struct operand *operand,
                          c205_fields *fields)
 {
     bool magnitude;
-
     if (cursor_at(cursor, '-') && !operand->negate)
         return report(cursor->assembler, cursor->line, cursor->token.begin,
                       operand->magnitude ? "only the first source can be negated"
@@ -151,7 +146,6 @@ static bool parse_signed(struct cursor *cursor, const struct operand *operand,
 static bool parse_target(struct cursor *cursor, struct instruction *instruction)
 {
     c205_fields *fields = &instruction->fields;
-
     if (!cursor_take(cursor, '[')) {
         fields->g |= C205_G_RELATIVE;
         instruction->relative = true;
@@ -167,7 +161,6 @@ static bool parse_control(struct cursor *cursor, const struct operand *operand,
                           c205_fields *fields)
 {
     const char *at;
-
     if (!cursor_take(cursor, '?'))
         return expected(cursor, "a control vector ? [..] or ?! [..]");
     if (cursor_take(cursor, '!'))
@@ -200,7 +193,6 @@ static bool check_operands(struct cursor *cursor, struct instruction *instructio
     size_t blamed;
     const char *problem = syntax_refusal(instruction->insn, operands, count,
                                          &instruction->fields, &blamed);
-
     return !problem
            || report(cursor->assembler, cursor->line, at[blamed], "%s", problem);
 }
@@ -227,11 +219,9 @@ static bool parse_operands(struct cursor *cursor, struct instruction *instructio
     bool half = instruction->fields.g & C205_G_HALF;
     size_t i, count = syntax_operands(instruction->insn, half, operands);
     bool good = true;
-
     cursor->assembler->writing = instruction;
     for (i = 0; i < count; i++) {
         struct cursor start;
-
         if ((operands[i].may_be_left_out || !good) && cursor_at_end(cursor))
             break;
         if (i > 0 && !parse_between(cursor, &operands[i], &instruction->fields)) {
@@ -258,7 +248,6 @@ static bool parse_operands(struct cursor *cursor, struct instruction *instructio
 static bool parse_size(struct cursor *cursor, struct instruction *instruction)
 {
     const char *at = cursor->token.begin;
-
     if (!cursor_at(cursor, ',') || !is_name_part(at[-1]))
         return true;
     cursor_next(cursor);
@@ -278,7 +267,6 @@ bool parse_instruction(struct cursor *cursor, const c205_insn *insn)
     struct instruction *instruction;
     struct layout_item *item;
     bool good;
-
     instruction = arena_take(cursor->assembler->arena, sizeof *instruction);
     if (!instruction)
         return false;

@@ -66,7 +66,6 @@ static const char *shift(int code, int64_t a, int64_t b, uint64_t *result)
 const char *integer_operation(int code, int64_t a, int64_t b, uint64_t *result)
 {
     uint64_t ua = (uint64_t)a, ub = (uint64_t)b;
-
     switch (code) {
     case '+': *result = ua + ub; break;
     case '-': *result = ua - ub; break;

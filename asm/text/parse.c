@@ -8,7 +8,6 @@ static bool parse_labels(struct cursor *cursor)
     const char *name, *at;
     size_t length;
     bool good = true;
-
     while (label.token.kind == TOKEN_NAME) {
         at = label.token.begin;
         expect_name(&label, "a label", &name, &length);
@@ -23,7 +22,6 @@ static bool parse_labels(struct cursor *cursor)
 static bool parse_directive(struct cursor *cursor)
 {
     const struct directive *directive = find_directive(&cursor->token);
-
     if (!directive)
         return expected_name(cursor, "a directive", SUGGEST_DIRECTIVE);
     if (directive->contents == ASM_NOTHING)
@@ -38,7 +36,6 @@ static bool parse_mnemonic(struct cursor *cursor)
     const char *name = cursor->token.begin;
     size_t length = (size_t)(cursor->token.end - name);
     const c205_insn *insn = c205_insn_named(name, length);
-
     if (!insn)
         return expected_name(cursor, "an instruction or a macro", SUGGEST_MNEMONIC);
     cursor_next(cursor);
@@ -59,7 +56,6 @@ static bool parse_body(struct cursor *cursor)
 static bool parse_statement(struct cursor *cursor)
 {
     bool good = parse_labels(cursor);
-
     if (cursor_at_end(cursor))
         return good;
     good = parse_body(cursor) && good;
@@ -72,6 +68,5 @@ bool parse_line(struct assembler *assembler, const struct line *line)
 {
     struct cursor cursor = cursor_start(assembler, line);
     bool good = parse_statement(&cursor);
-
     return parse_expectation(&cursor) && good;
 }

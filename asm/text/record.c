@@ -18,7 +18,6 @@ static bool define_place(struct cursor *cursor, const char *at, const char *name
                          size_t length, int64_t place)
 {
     struct value value = { VALUE_INTEGER, (uint64_t)place };
-
     return symbol_define(cursor->assembler, cursor->line, at,
                          symbol_intern(cursor->assembler, name, length),
                          SYMBOL_CONSTANT, value);
@@ -37,7 +36,6 @@ bool parse_record(struct cursor *cursor)
     struct open_record *open = &assembler->record;
     const char *name;
     size_t length;
-
     if (open->line)
         return report(assembler, cursor->line, cursor->line->begin,
                       "expected .endrecord first, for the .record in %s:%zu",
@@ -57,7 +55,6 @@ bool parse_field(struct cursor *cursor)
     const char *name;
     size_t length;
     int64_t count = 1;
-
     if (!is_in_record(cursor)
         || !expect_name(cursor, "the field's name", &name, &length)
         || (cursor_take(cursor, ',')
@@ -74,7 +71,6 @@ bool parse_field(struct cursor *cursor)
 bool parse_at(struct cursor *cursor)
 {
     int64_t place;
-
     if (!is_in_record(cursor)
         || !parse_integer(cursor, 0, MAX_WORDS, "a position in the record", &place))
         return false;
@@ -88,7 +84,6 @@ bool parse_endrecord(struct cursor *cursor)
     struct open_record *open = &cursor->assembler->record;
     size_t length;
     char *name;
-
     if (!is_in_record(cursor))
         return false;
     open->line = NULL;

@@ -51,7 +51,6 @@ static bool allows_sharing(const struct register_share *share,
                            const struct register_share *other)
 {
     const struct register_share *block;
-
     for (block = share; block; block = block->outer)
         if (!encloses(block, other)
             && (!block->word || has_word(other, share, block->word)))
@@ -72,10 +71,8 @@ static const struct naming *other_owner(struct registers *registers,
                                         const struct naming *naming)
 {
     size_t *link = &registers->newest[whole_number(naming->named)], seen = 0;
-
     while (*link > 0 && seen < MAX_SHARERS) {
         struct naming *other = naming_at(registers, *link);
-
         if (other->ended) {
             *link = other->below;
             continue;
@@ -91,7 +88,6 @@ static const struct naming *other_owner(struct registers *registers,
 static void check_owner(struct cursor *cursor, const struct naming *naming)
 {
     const struct naming *other;
-
     if (naming->named.naming > 0 || whole_number(naming->named) == 0)
         return;
     other = other_owner(&cursor->assembler->registers, naming);
@@ -114,7 +110,6 @@ static size_t owner_of(struct registers *registers, const struct symbol *symbol,
 {
     struct naming *before = naming_at(registers, symbol->naming);
     const struct naming *other = naming_at(registers, named.naming);
-
     if (before)
         before->ended = true;
     if (other)
@@ -134,7 +129,6 @@ static bool add_naming(struct cursor *cursor, const char *at, struct symbol *sym
                              .named = named,
                              .share = registers->share,
                              .below = *newest };
-
     naming.owner = owner_of(registers, symbol, named);
     if (named.naming > 0)
         naming.share = naming_at(registers, named.naming)->share;
@@ -152,7 +146,6 @@ static bool name_register(struct cursor *cursor, const char *name, size_t length
 {
     struct value value = { VALUE_INTEGER, named.number };
     struct symbol *symbol = symbol_intern(cursor->assembler, name, length);
-
     return symbol_define(cursor->assembler, cursor->line, name, symbol,
                          named.half ? SYMBOL_HALF_REGISTER : SYMBOL_REGISTER, value)
            && add_naming(cursor, name, symbol, named);
@@ -163,7 +156,6 @@ bool parse_reg(struct cursor *cursor)
     const char *name;
     size_t length;
     struct register_name named;
-
     return expect_name(cursor, "a name", &name, &length)
            && expect_operator(cursor, ',', "','") && parse_any_register(cursor, &named)
            && name_register(cursor, name, length, named);
@@ -177,7 +169,6 @@ static size_t naming_behind(const struct registers *registers, size_t index)
     const struct naming *next = naming && index < registers->count
                                     ? naming_at(registers, index + 1)
                                     : NULL;
-
     return next && next->named.half == naming->named.half
                    && next->named.number == naming->named.number + 1
                ? index + 1
@@ -193,7 +184,6 @@ bool parse_regs(struct cursor *cursor)
     size_t length;
     struct register_name named;
     unsigned number;
-
     if (!parse_any_register(cursor, &named))
         return false;
     for (number = named.number; cursor_take(cursor, ','); number++) {
@@ -218,7 +208,6 @@ bool parse_share(struct cursor *cursor)
     const struct symbol *symbol;
     const char *name;
     size_t length;
-
     if (!share)
         return false;
     share->line = cursor->line;
@@ -240,7 +229,6 @@ bool parse_share(struct cursor *cursor)
 bool parse_endshare(struct cursor *cursor)
 {
     struct registers *registers = &cursor->assembler->registers;
-
     if (!registers->share)
         return report(cursor->assembler, cursor->line, cursor->line->begin,
                       ".endshare without .share");
@@ -253,7 +241,6 @@ bool mention_register(struct assembler *assembler, struct register_name named)
 {
     struct registers *registers = &assembler->registers;
     size_t mention = named.naming - 1;
-
     return named.naming == 0
            || arena_add(assembler->arena, &registers->mentions,
                         &registers->mention_count, &registers->mention_capacity,

@@ -16,7 +16,6 @@ static bool join_lines(struct assembler *assembler, const struct text *text,
     struct text_buffer buffer = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&buffer);
     const char *const *line;
-
     for (line = text->lines; *line; line++)
         sink_put(&sink, *line);
     source->name = text->name;
@@ -42,7 +41,6 @@ static const struct text *find_carried(const struct asm_options *options,
 {
     const struct text *const *table = options ? options->texts : NULL;
     const struct text *found = NULL;
-
     for (; table && *table && !found; table++)
         found = find_text(*table, name);
     return found ? found : find_text(library_texts, name);
@@ -61,7 +59,6 @@ static bool read_source(struct assembler *assembler, const char *path,
     c205_error why;
     size_t length;
     char *text = text_file_read(path, FILE_LARGEST, &length, &why);
-
     if (!text && !is_missing(errno))
         *error = why;
     if (!text)
@@ -82,7 +79,6 @@ static bool read_from(struct assembler *assembler, const char *folder, size_t le
     char path[4096];
     const char *slash = length && folder[length - 1] != '/' ? "/" : "";
     int used;
-
     used = snprintf(path, sizeof path, "%.*s%s%s", (int)length, folder, slash, name);
     return used > 0 && (size_t)used < sizeof path
            && read_source(assembler, path, source, error);
@@ -95,7 +91,6 @@ bool source_find(struct assembler *assembler, const char *name, const char *from
     const struct text *carried = find_carried(options, name);
     const char *const *folder = options ? options->search : NULL;
     const char *slash = strrchr(from, '/');
-
     errno = 0;
     if (carried)
         return join_lines(assembler, carried, source);

@@ -20,7 +20,6 @@ static void try_symbols(const struct assembler *assembler, enum suggestion kind,
 {
     const struct symbol *symbol;
     size_t i;
-
     for (i = 0; i < SYMBOL_BUCKETS; i++)
         for (symbol = assembler->symbols.buckets[i]; symbol; symbol = symbol->next)
             if (is_kind(symbol, kind))
@@ -33,10 +32,8 @@ typedef const char *name_list(size_t i);
 const char *asm_directive(size_t i)
 {
     static name_list *const lists[] = { directive_name, expand_name, condition_name };
-
     for (size_t list = 0; list < sizeof lists / sizeof *lists; list++) {
         size_t count = 0;
-
         while (count < i && lists[list](count))
             count++;
         if (lists[list](count))
@@ -51,7 +48,6 @@ const char *suggest(struct assembler *assembler, enum suggestion kind, const cha
 {
     struct spelling nearest = { .word = arena_text(assembler->arena, name, length) };
     size_t i;
-
     if (!nearest.word)
         return NULL;
     if (kind == SUGGEST_MNEMONIC)
@@ -68,7 +64,6 @@ bool expected_name(struct cursor *cursor, const char *what, enum suggestion kind
     const struct token *token = &cursor->token;
     size_t length = (size_t)(token->end - token->begin);
     const char *meant = NULL;
-
     if (token->kind == TOKEN_NAME || token->kind == TOKEN_DIRECTIVE)
         meant = suggest(cursor->assembler, kind, token->begin, length);
     if (!meant)

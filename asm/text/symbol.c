@@ -17,7 +17,6 @@ struct symbol *symbol_find(const struct assembler *assembler, const char *name,
                            size_t length)
 {
     struct symbol *symbol;
-
     symbol = assembler->symbols.buckets[bucket_of(name, length)];
     while (symbol
            && (symbol->length != length || memcmp(symbol->name, name, length) != 0))
@@ -33,7 +32,6 @@ struct symbol *symbol_intern(struct assembler *assembler, const char *name,
 {
     struct symbol **bucket = &assembler->symbols.buckets[bucket_of(name, length)];
     struct symbol *symbol = symbol_find(assembler, name, length);
-
     if (symbol)
         return symbol;
     symbol = arena_take(assembler->arena, sizeof *symbol);
@@ -90,7 +88,6 @@ bool symbol_define(struct assembler *assembler, const struct line *line, const c
 bool asm_is_redefined(const struct diagnostic *diagnostic, const char *name)
 {
     char text[160];
-
     snprintf(text, sizeof text, defined_by_command, name);
     return strcmp(diagnostic->message, text) == 0;
 }

@@ -50,7 +50,6 @@ static bool add_event(struct log *log, uint64_t clock, size_t insn, int kind,
                       const char *stage)
 {
     struct happening happening = { clock, insn, kind, log->count, stage };
-
     return arena_add(log->arena, &log->items, &log->count, &log->capacity, &happening,
                      sizeof happening);
 }
@@ -70,10 +69,8 @@ static bool add_insn(struct log *log, const struct timeline *timeline, size_t i)
     bool good = add_event(log, insn->arrived, i, APPEARS, NULL)
                 && add_stage(log, i, insn->arrived, insn->issued, "W");
     size_t k;
-
     for (k = 0; good && k < insn->phase_count; k++) {
         const struct timed_piece *phase = &timeline->phases[insn->first_phase + k];
-
         good = add_stage(log, i, phase->begin, phase->end, stage_of(phase->cause));
     }
     if (good && insn->phase_count == 0)
@@ -84,7 +81,6 @@ static bool add_insn(struct log *log, const struct timeline *timeline, size_t i)
 static int compare(const void *a, const void *b)
 {
     const struct happening *one = a, *other = b;
-
     if (one->clock != other->clock)
         return one->clock < other->clock ? -1 : 1;
     return (one->order > other->order) - (one->order < other->order);
@@ -95,7 +91,6 @@ static void put(const struct timeline *timeline, const struct happening *item,
 {
     const struct timed_insn *insn = &timeline->insns[item->insn];
     size_t id = item->insn;
-
     switch (item->kind) {
     case APPEARS:
         sink_print(sink, "I\t%zu\t%zu\t0\n", id, id);
@@ -118,7 +113,6 @@ bool timeline_kanata(const struct timeline *timeline, const struct sink *sink)
     bool good = true;
     uint64_t clock;
     size_t i, retired = 0;
-
     for (i = 0; good && i < timeline->insn_count; i++)
         good = !timeline->insns[i].insn || add_insn(&log, timeline, i);
     if (good && log.count > 0)

@@ -55,7 +55,6 @@ static void place_lanes(struct timeline_picture *picture)
 {
     unsigned at = TOP;
     int lane;
-
     for (lane = 0; lane < LANES; lane++) {
         picture->top[lane] = at;
         if (picture->lanes.rows[lane] > 0)
@@ -71,7 +70,6 @@ static void put_axis(const struct timeline_picture *picture)
     const struct timeline *timeline = picture->timeline;
     uint64_t step = svg_round_step(timeline->to - timeline->from, 12);
     uint64_t clock = (timeline->from + step - 1) / step * step;
-
     for (; clock <= timeline->to; clock += step)
         sink_print(picture->sink,
                    "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%d\" y2=\"%u\" "
@@ -84,7 +82,6 @@ static void put_axis(const struct timeline_picture *picture)
 static void put_names(const struct timeline_picture *picture)
 {
     int lane;
-
     for (lane = 0; lane < LANES; lane++)
         if (picture->lanes.rows[lane] > 0)
             sink_print(picture->sink,
@@ -96,11 +93,9 @@ static void put_key(const struct timeline_picture *picture)
 {
     unsigned y = picture->bottom + 6;
     int x = LEFT, i;
-
     for (i = 0; i < C205_CAUSES; i++) {
         const char *name = c205_cause_name((c205_cause)i);
         int wide = 24 + LETTER * (int)strlen(name) + 12;
-
         if (x + wide > LEFT + WIDTH) {
             x = LEFT;
             y += KEY;
@@ -125,7 +120,6 @@ static void put_title(const struct timeline_picture *picture,
                       const struct timed_span *span)
 {
     const struct timed_insn *insn = span->insn;
-
     sink_put(picture->sink, "<title>");
     if (span->piece)
         sink_print(picture->sink, "%s, ", c205_cause_name(span->piece->cause));
@@ -150,7 +144,6 @@ static void put_span(const struct timeline_picture *picture,
     double wide = x_of(picture, span->end) - x;
     unsigned y = picture->top[span->lane] + span->row * ROW;
     const char *label = label_of(span);
-
     sink_print(picture->sink,
                "<g><rect x=\"%.2f\" y=\"%u\" width=\"%.2f\" height=\"%d\" "
                "fill=\"%s\"/>",
@@ -175,7 +168,6 @@ static void put_head(const struct timeline_picture *picture, const char *title)
                  ".in{text-anchor:middle;fill:#222}"
                  "g:hover rect{stroke:#000}"
     };
-
     svg_begin(picture->sink, &sheet, title);
 }
 
@@ -186,7 +178,6 @@ bool timeline_svg(const struct timeline *timeline, const char *title,
     struct timeline_picture picture = { .timeline = timeline, .sink = sink };
     bool good = lanes_make(timeline, &arena, &picture.lanes);
     size_t i;
-
     picture.scale = WIDTH / (double)(timeline->to - timeline->from);
     place_lanes(&picture);
     put_head(&picture, title);

@@ -14,12 +14,10 @@
 static bool add_pieces(struct timeline *timeline, const c205_times *times)
 {
     uint64_t at = times->arrived;
-
     for (size_t i = 0; i < times->piece_count; i++) {
         const c205_piece *piece = &times->piece[i];
         struct timed_piece timed = { at, at + piece->clocks, piece->cause, piece->wait,
                                      piece->number };
-
         if (!ADD(timeline, piece, timed))
             return false;
         at = timed.end;
@@ -32,7 +30,6 @@ static bool add_phases(struct timeline *timeline, const c205_times *times)
     for (size_t i = 0; i < times->phase_count; i++) {
         struct timed_piece timed = { times->phase[i].begin, times->phase[i].end,
                                      times->phase[i].cause, C205_WAIT_NONE, 0 };
-
         if (!ADD(timeline, phase, timed))
             return false;
     }
@@ -43,7 +40,6 @@ static const char *keep_text(struct timeline *timeline, const c205 *machine,
                              uint64_t pc)
 {
     char text[DISASSEMBLE_TEXT_SIZE];
-
     disassemble_one(view_word_at(machine, pc), pc, text);
     return arena_text(&timeline->kept, text, strlen(text));
 }
@@ -51,7 +47,6 @@ static const char *keep_text(struct timeline *timeline, const c205 *machine,
 static uint64_t done_of(const c205_event *event)
 {
     uint64_t after = event->record->arrived + event->clocks;
-
     return event->record->ready > after ? event->record->ready : after;
 }
 
@@ -73,7 +68,6 @@ static void add_insn(struct timeline *timeline, const c205 *machine,
                                .elements = event->elements,
                                .first_piece = timeline->piece_count,
                                .first_phase = timeline->phase_count };
-
     if (is_end(event)) {
         made.insn = NULL;
         made.issued = made.ready = made.arrived;
@@ -90,7 +84,6 @@ static void add_insn(struct timeline *timeline, const c205 *machine,
 void timeline_listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct timeline *timeline = context;
-
     if (!event->record || event->record->arrived >= timeline->to
         || done_of(event) <= timeline->from)
         return;

@@ -60,7 +60,6 @@ bool timeline_save(const struct timeline *timeline, const char *path, const char
 {
     struct atomic_file *whole = atomic_file_open(path, error);
     struct sink sink;
-
     if (!whole)
         return false;
     sink = stream_sink(whole->file);
@@ -81,7 +80,6 @@ void timeline_title(const struct timeline *timeline, const char *program,
 void timeline_finish(struct timeline *timeline)
 {
     uint64_t end = timeline->from + 1;
-
     for (size_t i = 0; i < timeline->insn_count; i++)
         if (timeline->insns[i].done > end)
             end = timeline->insns[i].done;
@@ -92,7 +90,6 @@ void timeline_finish(struct timeline *timeline)
 size_t timeline_instructions(const struct timeline *timeline)
 {
     size_t count = 0;
-
     for (size_t i = 0; i < timeline->insn_count; i++)
         count += timeline->insns[i].insn != NULL;
     return count;

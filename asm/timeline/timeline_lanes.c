@@ -1,7 +1,6 @@
 /* timeline_lanes.c - places the spans of a timeline into lanes and rows. */
 #include "asm/timeline/timeline_lanes.h"
 
-
 static const char *const names[LANES] = {
     [LANE_CHARGED] = "charged to",      [LANE_SCALAR] = "scalar units",
     [LANE_MEMORY] = "loads and stores", [LANE_BRANCH] = "branches",
@@ -20,7 +19,6 @@ enum { MAX_ROWS = 64 };
 static unsigned find_row(const struct timed_span *span, uint64_t ends[MAX_ROWS])
 {
     unsigned row = 0;
-
     while (row + 1 < MAX_ROWS && ends[row] > span->begin)
         row++;
     ends[row] = span->end;
@@ -44,7 +42,6 @@ struct making {
 static bool add_span(struct making *making, struct timed_span span)
 {
     struct lanes *lanes = making->lanes;
-
     span.begin = cut(making->timeline, span.begin);
     span.end = cut(making->timeline, span.end);
     if (span.begin == span.end)
@@ -59,11 +56,9 @@ static bool add_span(struct making *making, struct timed_span span)
 static bool add_pieces(struct making *making, const struct timed_insn *insn)
 {
     size_t i;
-
     for (i = 0; i < insn->piece_count; i++) {
         const struct timed_piece *piece = &making->timeline
                                                ->pieces[insn->first_piece + i];
-
         if (!add_span(making, (struct timed_span){ piece->begin, piece->end,
                                                    LANE_CHARGED, 0, insn, piece }))
             return false;
@@ -74,13 +69,11 @@ static bool add_pieces(struct making *making, const struct timed_insn *insn)
 static bool add_phases(struct making *making, const struct timed_insn *insn)
 {
     size_t i;
-
     for (i = 0; i < insn->phase_count; i++) {
         const struct timed_piece *phase = &making->timeline
                                                ->phases[insn->first_phase + i];
         enum lane lane = phase->cause == C205_VECTOR_STREAM ? LANE_STREAM
                                                             : LANE_STARTUP;
-
         if (!add_span(making, (struct timed_span){ phase->begin, phase->end, lane, 0,
                                                    insn, phase }))
             return false;
@@ -110,7 +103,6 @@ bool lanes_make(const struct timeline *timeline, struct arena *arena,
     struct making *making = arena_take(arena, sizeof *making);
     bool good = making != NULL;
     size_t i;
-
     if (!good)
         return false;
     making->timeline = timeline;

@@ -9,7 +9,6 @@
 static void put_escaped(const struct sink *sink, const char *text)
 {
     char letter[8];
-
     for (; *text; text++) {
         if (*text == '"' || *text == '\\')
             sink_print(sink, "\\%c", *text);
@@ -28,7 +27,6 @@ static unsigned thread_of(const struct lanes *lanes, enum lane lane, unsigned ro
 {
     unsigned number = 1 + row;
     int i;
-
     for (i = 0; i < (int)lane; i++)
         number += lanes->rows[i];
     return number;
@@ -38,11 +36,9 @@ static void put_threads(const struct lanes *lanes, const struct sink *sink)
 {
     unsigned row;
     int lane;
-
     for (lane = 0; lane < LANES; lane++)
         for (row = 0; row < lanes->rows[lane]; row++) {
             unsigned thread = thread_of(lanes, (enum lane)lane, row);
-
             sink_print(sink,
                        "{\"name\":\"thread_name\",\"ph\":\"M\",\"pid\":1,"
                        "\"tid\":%u,\"args\":{\"name\":\"%s\"}},\n",
@@ -58,7 +54,6 @@ static void put_span(const struct lanes *lanes, const struct timed_span *span,
                      const struct sink *sink)
 {
     const char *cause = span->piece ? c205_cause_name(span->piece->cause) : "work";
-
     sink_put(sink, "{\"name\":\"");
     put_escaped(sink, span->lane == LANE_CHARGED ? cause : span->insn->insn->mnemonic);
     sink_print(sink,
@@ -77,7 +72,6 @@ bool timeline_trace_events(const struct timeline *timeline, const struct sink *s
     struct lanes lanes = { 0 };
     bool good = lanes_make(timeline, &arena, &lanes);
     size_t i;
-
     sink_put(sink, "{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n");
     if (good)
         put_threads(&lanes, sink);

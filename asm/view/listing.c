@@ -10,7 +10,6 @@ static bool put_half(const struct object *object, uint64_t address,
     const c205_segment *segment = object_segment(object, address);
     uint64_t offset;
     c205_word word;
-
     if (!segment)
         return false;
     offset = address - segment->address;
@@ -24,11 +23,9 @@ static void put_line(const struct object *object, const struct asm_line *line,
                      const struct sink *sink)
 {
     uint64_t at = 0;
-
     do {
         uint64_t address = line->address + 32 * at;
         bool shown;
-
         sink_print(sink, "%12" PRIX64 "  ", address);
         shown = put_half(object, address, sink);
         if (!shown)
@@ -46,11 +43,9 @@ void listing(const struct object *object, const struct sink *sink)
 {
     const char *file = "";
     size_t i;
-
     for (i = 0; i < object->line_count; i++) {
         const struct asm_line *line = &object->lines[i];
         const char *a = file, *b = line->file;
-
         while (*a && *a == *b)
             a++, b++;
         if (*a != *b)

@@ -10,7 +10,6 @@ c205_word view_word_at(const c205 *machine, uint64_t address)
 {
     c205_word pair[2] = { 0, 0 };
     uint64_t first = address / WORD_BITS * WORD_BITS;
-
     if (!c205_read(machine, first, pair, 2))
         c205_read(machine, first, pair, 1);
     return first == address ? pair[0] : pair[0] << HALF_BITS | pair[1] >> HALF_BITS;
@@ -62,7 +61,6 @@ static void add_offset(struct operand_view *operand,
     const c205_fields *fields = &view->fields;
     bool after = strchr("cdeqoz", tolower((unsigned char)operand->letter))
                  && fields->g & C205_G_OFFSET && !strchr(view->insn->operands, 'g');
-
     if (syntax[1] == '+')
         operand->offset = field_of(fields, syntax[2]);
     else if (islower((unsigned char)*syntax))
@@ -77,7 +75,6 @@ static void decode_one(struct operand_view *operand,
 {
     bool half = view->insn->flags & C205_INSN_HALF && view->fields.g & C205_G_HALF
                 && strchr("fwpvudcx", letter);
-
     memset(operand, 0, sizeof *operand);
     if (letter == 'g')
         letter = view->fields.g & C205_G_GIVEN ? 'b' : 'o';
@@ -102,19 +99,16 @@ static void decode_operands(struct instruction_view *view)
 {
     const char *syntax = c205_format_syntax(view->insn->format);
     const char *letter = view->insn->operands;
-
-    for (; *syntax && *letter && view->count < VIEW_OPERANDS; syntax++) {
+    for (; *syntax && *letter && view->count < VIEW_OPERANDS; syntax++)
         if (*syntax == '+')
             syntax++;
         else if (isalpha((unsigned char)*syntax) || *syntax == '@')
             decode_one(&view->operands[view->count++], view, syntax, *letter++);
-    }
 }
 
 void view_decode(struct instruction_view *view, const c205 *machine, uint64_t pc)
 {
     c205_word word = view_word_at(machine, pc);
-
     memset(view, 0, sizeof *view);
     view->pc = pc;
     view->insn = c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48));
@@ -131,7 +125,6 @@ void view_decode(struct instruction_view *view, const c205 *machine, uint64_t pc
 static void describe(struct operand_view *operand, const c205 *machine)
 {
     int64_t skip = 0;
-
     operand->address = c205_descriptor_address(operand->word);
     operand->length = c205_descriptor_length(operand->word);
     if (operand->offset)
@@ -155,10 +148,8 @@ static bool reads_zero(const struct operand_view *operand)
 void view_fill(struct instruction_view *view, const c205 *machine)
 {
     size_t i;
-
     for (i = 0; i < view->count; i++) {
         struct operand_view *operand = &view->operands[i];
-
         if (!operand->field)
             continue;
         operand->word = view_register(machine, operand->number, operand->is_half);
@@ -173,7 +164,6 @@ size_t view_at(struct instruction_view views[VIEW_LINKED], const c205 *machine,
                uint64_t pc)
 {
     size_t count = 1, i;
-
     view_decode(&views[0], machine, pc);
     if (views[0].insn && views[0].insn->timing == C205_TIMING_vlink) {
         count = VIEW_LINKED;
@@ -192,7 +182,6 @@ const struct operand_view *view_find(const struct instruction_view *view,
                                      const char *letters)
 {
     size_t i;
-
     for (i = 0; i < view->count; i++)
         if (strchr(letters, view->operands[i].letter))
             return &view->operands[i];
@@ -221,7 +210,6 @@ bool view_read(const c205 *machine, uint64_t address, unsigned width, size_t fir
                size_t n, c205_word *words)
 {
     uint64_t at = c205_descriptor_address(address + (uint64_t)first * width);
-
     if (width == WORD_BITS)
         return c205_read(machine, at, words, n);
     for (size_t i = 0; i < n; i++, at += width) {

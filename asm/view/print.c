@@ -10,7 +10,6 @@ static bool fetch(const struct printer *printer, const c205 *machine,
 {
     uint64_t address = c205_descriptor_address(descriptor) / bits * bits;
     c205_word word;
-
     address = c205_descriptor_address(address + (uint64_t)i * bits);
     if (!c205_read(machine, address / 64 * 64, &word, 1)) {
         sink_print(&printer->sink, "(unmapped address %" PRIX64 ")", address);
@@ -40,7 +39,6 @@ static void put_number(const struct printer *printer, c205_word word,
                        const struct number_columns *columns)
 {
     char text[C205_TEXT_SIZE];
-
     if (columns->notation == 0)
         c205_to_text(word, text);
     else
@@ -55,7 +53,6 @@ static void print_number(const struct printer *printer, const c205 *machine,
                          const c205_event *event)
 {
     struct number_columns columns = columns_of(event->s);
-
     (void)machine;
     put_number(printer, event->r, &columns);
 }
@@ -72,7 +69,6 @@ static void print_hex(const struct printer *printer, const c205 *machine,
                       const c205_event *event)
 {
     char text[C205_TEXT_SIZE];
-
     (void)machine;
     c205_to_hex(event->r, text);
     sink_put(&printer->sink, text);
@@ -84,7 +80,6 @@ static void print_text(const struct printer *printer, const c205 *machine,
     unsigned i;
     c205_word byte;
     char c;
-
     for (i = 0; i < c205_descriptor_length(event->r); i++) {
         if (!fetch(printer, machine, event->r, i, 8, &byte))
             return;
@@ -107,7 +102,6 @@ static void print_vector(const struct printer *printer, const c205 *machine,
     struct number_columns columns = columns_of(event->s);
     unsigned i;
     c205_word word;
-
     for (i = 0; i < c205_descriptor_length(event->r); i++) {
         if (i > 0)
             sink_put(&printer->sink,
@@ -123,7 +117,6 @@ static void print_bits(const struct printer *printer, const c205 *machine,
 {
     unsigned i;
     c205_word bit;
-
     for (i = 0; i < c205_descriptor_length(event->r); i++) {
         if (!fetch(printer, machine, event->r, i, 1, &bit))
             return;
@@ -139,7 +132,6 @@ void printer_listen(void *context, const c205 *machine, const c205_event *event)
         print_text, print_newline, print_vector,  print_bits
     };
     const struct printer *printer = context;
-
     if (event->kind != C205_EVENT_REQUEST || event->request == 0
         || event->request >= sizeof requests / sizeof *requests)
         return;

@@ -23,9 +23,8 @@ struct state_file {
 static bool put(void *context, const void *bytes, size_t count)
 {
     struct state_file *output = context;
-    if (output->left < count) {
+    if (output->left < count)
         return false;
-    }
     output->left -= count;
     return fwrite(bytes, 1, count, output->file) == count;
 }
@@ -34,16 +33,13 @@ bool state_save(const c205 *machine, const char *path, c205_error *error)
 {
     c205_error reason = { "" };
     struct atomic_file *whole = atomic_file_open(path, error);
-    if (!whole) {
+    if (!whole)
         return false;
-    }
     struct state_file output = { whole->file, FILE_LARGEST };
-    if (c205_save(machine, put, &output, &reason)) {
+    if (c205_save(machine, put, &output, &reason))
         return atomic_file_commit(whole, error);
-    }
-    if (output.left < sizeof(c205_word)) {
+    if (output.left < sizeof(c205_word))
         error_set(&reason, "the saved machine has more than %d bytes", FILE_LARGEST);
-    }
     set_path_error(error, "write", path, reason.message);
     atomic_file_discard(whole);
     return false;
@@ -55,9 +51,8 @@ c205 *state_load(const char *path, const c205_model *model, c205_error *error)
     c205_error reason = { "" };
     char *bytes = file_read(path, FILE_LARGEST, &length, &reason);
     c205 *machine = bytes ? c205_restore(bytes, length, model, &reason) : NULL;
-    if (!machine) {
+    if (!machine)
         set_path_error(error, "read", path, reason.message);
-    }
     free(bytes);
     return machine;
 }

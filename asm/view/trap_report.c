@@ -13,7 +13,6 @@
 static void put_integer(const struct sink *sink, const struct operand_view *operand)
 {
     struct word_text text = word_text(operand->word, false);
-
     sink_print(sink, "X'%s' (%" PRId64 ")", text.hex, c205_to_integer(operand->word));
 }
 
@@ -22,7 +21,6 @@ static void put_vector(const struct sink *sink, const struct instruction_view *v
 {
     struct vector_view vector = vector_of_operand(view, operand);
     char letter = (char)tolower((unsigned char)operand->letter);
-
     if (operand->is_bad)
         sink_put(sink, "its offset is negative");
     else if (letter == 'x' || letter == 'z')
@@ -36,7 +34,6 @@ static void put_operand(const struct sink *sink, const struct instruction_view *
                         const struct operand_view *operand)
 {
     char name = operand->is_half ? 'h' : 'r';
-
     if (!view_is_read(operand))
         return;
     sink_print(sink, operand->is_vector ? "    [%c%u" : "    %c%u = ", name,
@@ -58,7 +55,6 @@ void trap_report_operands(const c205 *machine, uint64_t pc, const struct sink *s
 {
     struct instruction_view views[VIEW_LINKED];
     size_t count = view_at(views, machine, pc);
-
     for (size_t i = 0; i < count && views[i].insn; i++) {
         if (count > 1)
             sink_print(sink, "    %s:\n", views[i].insn->mnemonic);
@@ -74,7 +70,6 @@ void trap_report(const struct object *object, const char *name, const c205 *mach
     struct position position = { .file = name };
     struct diagnostics diagnostics = { 0 };
     c205_error text;
-
     if (line)
         position = asm_line_position(line);
     c205_describe_stop(machine, stop, &text);

@@ -55,7 +55,6 @@ struct vector_view vector_of_operand(const struct instruction_view *view,
     struct vector_view vector = { .address = operand->address,
                                   .length = operand->length,
                                   .width = operand->width };
-
     vector.controlled = control && control->number != 0;
     if (vector.controlled)
         vector.control = control->address;
@@ -76,7 +75,6 @@ bool vector_get(const c205 *machine, const struct vector_view *vector, size_t fi
 bool vector_is_mapped(const c205 *machine, const struct vector_view *vector)
 {
     c205_word word;
-
     return vector->length > 0 && vector_get(machine, vector, 0, 1, &word)
            && vector_get(machine, vector, vector->length - 1, 1, &word);
 }
@@ -85,7 +83,6 @@ bool vector_control(const c205 *machine, const struct vector_view *vector, size_
                     bool *bit)
 {
     c205_word word;
-
     if (!vector->controlled || !view_read(machine, vector->control, 1, i, 1, &word))
         return false;
     *bit = word & 1;

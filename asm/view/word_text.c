@@ -6,7 +6,6 @@ enum { HALF_DIGITS = 9 }; /* 8, and the blank between them */
 struct word_text word_text(c205_word word, bool half)
 {
     struct word_text text;
-
     (half ? c205_half_to_text : c205_to_text)(word, text.number);
     c205_to_hex(word, text.hex);
     if (half)
@@ -17,6 +16,5 @@ struct word_text word_text(c205_word word, bool half)
 void word_print(c205_word word, bool half, const struct sink *sink)
 {
     struct word_text text = word_text(word, half);
-
     sink_print(sink, "X'%s' (%s)", text.hex, text.number);
 }

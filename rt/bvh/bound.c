@@ -31,7 +31,6 @@ static double distance_to(const double *from, const struct bound *part)
 {
     const double way[3] = { part->center[0] - from[0], part->center[1] - from[1],
                             part->center[2] - from[2] };
-
     return length3(way);
 }
 
@@ -45,11 +44,9 @@ static const struct bound *farthest(const struct bound *parts, size_t count,
                                     const double *from, double *reach)
 {
     const struct bound *found = parts;
-
     *reach = 0;
     for (size_t i = 0; i < count; i++) {
         double far = bound_reach(&parts[i], from);
-
         if (far > *reach) {
             *reach = far;
             found = &parts[i];
@@ -63,7 +60,6 @@ static void middle(const struct bound *parts, size_t count, double *center)
 {
     for (int axis = 0; axis < 3; axis++) {
         double low = INFINITY, high = -INFINITY;
-
         for (size_t i = 0; i < count; i++) {
             low = fmin(low, parts[i].center[axis] - parts[i].radius);
             high = fmax(high, parts[i].center[axis] + parts[i].radius);
@@ -91,7 +87,6 @@ void bound_enclose(const struct bound *parts, size_t count, struct bound *whole)
 {
     enum { STEPS = 24 };
     double center[3], reach;
-
     *whole = bound_none;
     for (size_t i = 0; i < count; i++)
         if (!is_sound(&parts[i]))
@@ -100,7 +95,6 @@ void bound_enclose(const struct bound *parts, size_t count, struct bound *whole)
     for (int step = 1; step <= STEPS && count > 0; step++) {
         const struct bound *far = farthest(parts, count, center, &reach);
         double distance = distance_to(center, far);
-
         if (reach < whole->radius) {
             copy3(center, whole->center);
             whole->radius = reach;
@@ -131,7 +125,6 @@ void bound_common(const struct bound *parts, size_t count, struct bound *whole)
 void bound_add_margin(struct bound *bound)
 {
     double margin = .001 * bound->radius + 1e-9 * length3(bound->center) + 2e-7;
-
     bound->radius += margin;
     for (int i = 0; i < 3; i++) {
         bound->low[i] -= margin;

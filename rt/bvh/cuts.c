@@ -24,7 +24,6 @@ void box_join(struct box *box, const struct box *other)
 struct box box_about(const struct boxed *things, const size_t *row, size_t count)
 {
     struct box box = box_empty;
-
     for (size_t i = 0; i < count; i++)
         box_join(&box, &things[row[i]].box);
     return box;
@@ -35,7 +34,6 @@ struct box box_about(const struct boxed *things, const size_t *row, size_t count
 static size_t bin_of(const struct cut *cut, const struct boxed *thing)
 {
     double place = (thing->place[cut->axis] - cut->low) / cut->width;
-
     return place >= BINS ? BINS - 1 : place > 0 ? (size_t)place : 0;
 }
 
@@ -53,7 +51,6 @@ static void fill_bins(const struct cutting *cutting, const size_t *row, size_t c
     for (size_t i = 0; i < count; i++) {
         const struct boxed *thing = &cutting->things[row[i]];
         struct cut_part one = { 1, thing->box };
-
         join_parts(&bins[bin_of(cut, thing)], &one);
     }
 }
@@ -64,7 +61,6 @@ static void try_axis(const struct cutting *cutting, const size_t *row, size_t co
                      const struct box *whole, struct cut cut, struct cut *best)
 {
     struct cut_part bins[BINS], below = { 0, box_empty }, above[BINS + 1];
-
     fill_bins(cutting, row, count, &cut, bins);
     above[BINS] = below;
     for (size_t i = BINS; i-- > 0;) {
@@ -89,10 +85,8 @@ static struct cut cut_along(const struct cutting *cutting, const size_t *row,
 {
     struct cut cut = { .axis = axis, .low = INFINITY };
     double high = -INFINITY;
-
     for (size_t i = 0; i < count; i++) {
         double place = cutting->things[row[i]].place[axis];
-
         cut.low = fmin(cut.low, place);
         high = fmax(high, place);
     }
@@ -104,10 +98,8 @@ struct cut cut_find(const struct cutting *cutting, const size_t *row, size_t cou
                     const struct box *whole, double cost)
 {
     struct cut best = { .axis = -1, .cost = cost };
-
     for (int axis = 0; axis < 3; axis++) {
         struct cut cut = cut_along(cutting, row, count, axis);
-
         if (cut.width > 0)
             try_axis(cutting, row, count, whole, cut, &best);
     }
@@ -118,7 +110,6 @@ size_t cut_row(const struct cutting *cutting, size_t *row, size_t count,
                const struct cut *cut)
 {
     size_t lower = 0, upper = 0;
-
     for (size_t i = 0; i < count; i++)
         if (bin_of(cut, &cutting->things[row[i]]) < cut->bin)
             row[lower++] = row[i];

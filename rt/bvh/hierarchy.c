@@ -23,10 +23,8 @@ struct build {
 static double surface_of(const struct box *box)
 {
     double sum = 0;
-
     for (int i = 0; i < 3; i++) {
         double side = box->high[i] - box->low[i];
-
         sum += side * side;
     }
     return sum;
@@ -38,7 +36,6 @@ static double cost_of(const struct cut_part *part, const struct box *whole)
 {
     double surface = surface_of(whole);
     double chance = surface > 0 ? surface_of(&part->box) / surface : 1;
-
     return part->count == 1 ? 1 : 1 + chance * (double)part->count;
 }
 
@@ -57,7 +54,6 @@ static void bound_many(const struct build *build, const size_t *row, size_t coun
                        const struct box *box, struct bound *whole)
 {
     double reach = 0;
-
     for (int i = 0; i < 3; i++)
         whole->center[i] = (box->low[i] + box->high[i]) / 2;
     for (size_t i = 0; i < count; i++)
@@ -83,7 +79,6 @@ static void find_way(struct hierarchy_node *nodes, size_t node)
 {
     const struct bound *first = &nodes[node + 1].bound;
     const struct bound *second = &nodes[nodes[node + 1].next].bound;
-
     for (int i = 0; i < 3; i++)
         nodes[node].way[i] = second->center[i] - first->center[i];
 }
@@ -100,14 +95,12 @@ static void build_node(const struct build *build, size_t first, size_t count,
     struct hierarchy_node *node = &hierarchy->nodes[number];
     struct box box = box_about(build->cutting.things, row, count);
     struct cut cut = cut_find(&build->cutting, row, count, &box, (double)count);
-
     *node = (struct hierarchy_node){ .first = first, .count = count };
     bound_row(build, row, count, &box, &node->bound);
     if (cut.axis >= 0) {
         size_t lower = depth >= HALVED_FROM
                            ? count / 2
                            : cut_row(&build->cutting, row, count, &cut);
-
         node->count = 0;
         build_node(build, first, lower, depth + 1);
         build_node(build, first + lower, count - lower, depth + 1);
@@ -122,7 +115,6 @@ static void build_node(const struct build *build, size_t first, size_t count,
 static void put_loose(struct hierarchy *hierarchy, const struct bound *bounds)
 {
     size_t bound = 0, loose = 0;
-
     for (size_t i = 0; i < hierarchy->count; i++)
         loose += bound_is_none(&bounds[i]);
     hierarchy->loose = loose;
@@ -151,7 +143,6 @@ static void build_all(const struct build *build)
 {
     struct hierarchy *hierarchy = build->hierarchy;
     size_t left;
-
     put_loose(hierarchy, build->bounds);
     left = hierarchy->count - hierarchy->loose;
     if (left > 0)
@@ -172,7 +163,6 @@ bool hierarchy_build(const struct bound *bounds, size_t count,
                            hierarchy,
                            malloc(EXACT * sizeof *build.parts) };
     bool good = hierarchy_none(count, hierarchy);
-
     hierarchy->nodes = malloc((2 * count + 1) * sizeof *hierarchy->nodes);
     good = good && things && other && build.parts && hierarchy->nodes;
     for (size_t i = 0; good && i < count; i++)

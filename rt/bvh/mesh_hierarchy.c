@@ -18,7 +18,6 @@ static double surface_of(const struct box *box)
 {
     double x = box->high[0] - box->low[0], y = box->high[1] - box->low[1],
            z = box->high[2] - box->low[2];
-
     return x * y + y * z + z * x;
 }
 
@@ -36,7 +35,6 @@ static void lift(const struct boxed *things, size_t *row, size_t count, size_t l
                  int axis)
 {
     size_t least = lower, kept;
-
     for (size_t i = lower; i < count; i++)
         if (things[row[i]].place[axis] < things[row[least]].place[axis])
             least = i;
@@ -50,7 +48,6 @@ static size_t cut_leaves(const struct cutting *cutting, size_t *row, size_t coun
                          const struct cut *cut)
 {
     size_t lower = cut_row(cutting, row, count, cut);
-
     while (lower % TRIANGLES_IN_LEAF != 0 && lower + 1 < count)
         lift(cutting->things, row, count, lower++, cut->axis);
     return lower - lower % TRIANGLES_IN_LEAF;
@@ -59,7 +56,6 @@ static size_t cut_leaves(const struct cutting *cutting, size_t *row, size_t coun
 static size_t half_of(size_t count)
 {
     size_t leaves = (count + TRIANGLES_IN_LEAF - 1) / TRIANGLES_IN_LEAF;
-
     return leaves / 2 * TRIANGLES_IN_LEAF;
 }
 
@@ -71,7 +67,6 @@ static size_t split(const struct mesh_build *build, size_t *row, size_t count,
 {
     struct cut cut = cut_find(&build->cutting, row, count, &node->box, INFINITY);
     size_t lower = 0;
-
     if (cut.axis >= 0 && depth < HALVED_FROM)
         lower = cut_leaves(&build->cutting, row, count, &cut);
     node->axis = lower > 0 ? cut.axis : 0;
@@ -85,7 +80,6 @@ static void build_node(const struct mesh_build *build, size_t first, size_t coun
     struct mesh_hierarchy *hierarchy = build->hierarchy;
     size_t *row = hierarchy->order + first, lower;
     struct mesh_node *node = &hierarchy->nodes[hierarchy->node_count++];
-
     node->box = box_about(build->cutting.things, row, count);
     node->first = first;
     node->count = count;
@@ -109,7 +103,6 @@ static void plan_tests(struct mesh_node *nodes, size_t number, double above)
     struct mesh_node *node = &nodes[number];
     bool is_leaf = node->count > 0;
     double surface = surface_of(&node->box);
-
     node->is_passed = !is_leaf && number > 0 && surface > above / 2;
     if (is_leaf)
         return;
@@ -152,7 +145,6 @@ static void put_links(const struct threading *threading, size_t node, double mis
     double *links = threading->rows->links + threading->rows->size * node;
     size_t near = node + 1, far = nodes[node + 1].next;
     double to_far;
-
     links[1] = miss;
     if (nodes[node].count > 0) {
         links[0] = miss + MESH_LEAF_HIT;
@@ -172,7 +164,6 @@ void mesh_hierarchy_thread(const struct mesh_hierarchy *hierarchy,
                            const unsigned char *orders, const struct mesh_rows *rows)
 {
     struct threading threading = { hierarchy->nodes, orders, rows };
-
     put_links(&threading, 0, 0);
 }
 
@@ -190,7 +181,6 @@ bool mesh_hierarchy_build(const struct boxed *triangles, size_t count,
     struct mesh_build build = { { triangles, part_cost, other }, hierarchy };
     size_t nodes = mesh_hierarchy_nodes(count) + 1;
     bool good;
-
     hierarchy->node_count = 0;
     hierarchy->nodes = malloc(nodes * sizeof *hierarchy->nodes);
     hierarchy->order = malloc((count + 1) * sizeof *hierarchy->order);

@@ -52,7 +52,6 @@ struct viewpoint {
 static double greatest_side(const struct box *box, const double place[3])
 {
     double most = 0;
-
     for (int k = 0; k < 3; k++)
         most = fmax(most, fmax(box->high[k] - place[k], place[k] - box->low[k]));
     return most;
@@ -65,7 +64,6 @@ static bool viewpoint_find(const double place[3], const struct box *whole,
     *viewpoint = (struct viewpoint){ .place = place };
     for (int k = 0; k < 3; k++) {
         double below = whole->low[k] - place[k], above = place[k] - whole->high[k];
-
         if (fmax(below, above) <= viewpoint->near)
             continue;
         viewpoint->axis = k;
@@ -84,7 +82,6 @@ size_t screen_bounds_size(const struct viewpoints *viewpoints, const struct box 
 {
     size_t words = (nodes + 1) * SCREEN_ROW;
     struct viewpoint viewpoint;
-
     *seeing = 0;
     if (words > MAX_BOUNDS_WORDS)
         return 0;
@@ -117,7 +114,6 @@ static struct node_bounds bounds_of_point(const struct viewpoint *viewpoint,
 {
     struct node_bounds window;
     double away[3];
-
     subtract3(corner, viewpoint->place, away);
     window.near = viewpoint->sign * away[viewpoint->axis];
     for (int i = 0; i < 2; i++)
@@ -132,14 +128,12 @@ static void find_node_bounds(const struct screen_bounds *of,
                              struct node_bounds *bounds)
 {
     const struct mesh_node *nodes = of->hierarchy->nodes;
-
     for (size_t i = of->hierarchy->node_count; i-- > 0;) {
         bounds[i] = no_bounds;
         for (size_t k = 0; k < 3 * nodes[i].count; k++) {
             const double *triangle = of->triangles + of->row * (nodes[i].first + k / 3);
             struct node_bounds corner = bounds_of_point(viewpoint,
                                                         triangle + k % 3 * 3);
-
             join_bounds(&bounds[i], &corner);
         }
         if (nodes[i].count == 0) {
@@ -170,7 +164,6 @@ static double cost_below(const struct mesh_node *node, double area, int clocks)
 static double silhouette(const struct box *box, const struct viewpoint *viewpoint)
 {
     double away[3], size[3], z, area = 0;
-
     for (int k = 0; k < 3; k++) {
         away[k] = box->low[k] / 2 + box->high[k] / 2 - viewpoint->place[k];
         size[k] = box->high[k] - box->low[k];
@@ -192,10 +185,8 @@ static bool bounds_pay(const struct screen_bounds *of,
                        const struct node_bounds *bounds)
 {
     double by_boxes = 0, by_bounds = 0;
-
     for (size_t i = 0; i < of->hierarchy->node_count; i++) {
         const struct mesh_node *node = &of->hierarchy->nodes[i];
-
         by_boxes += cost_below(node, silhouette(&node->box, viewpoint), BOX_CLOCKS);
         by_bounds += cost_below(node, area_of(&bounds[i]), BOUNDS_CLOCKS);
     }
@@ -212,7 +203,6 @@ static bool upper_is_first(const struct mesh_node *nodes, size_t node,
     const struct box *lower = &nodes[node + 1].box;
     const struct box *upper = &nodes[nodes[node + 1].next].box;
     int axis = nodes[node].axis;
-
     return viewpoint->place[axis] > lower->high[axis] / 2 + upper->low[axis] / 2;
 }
 
@@ -226,7 +216,6 @@ static void plan_orders(const struct mesh_node *nodes, size_t node,
                         unsigned char *orders)
 {
     double area = area_of(&bounds[node]);
-
     orders[node] = 0;
     if (nodes[node].count > 0)
         return;
@@ -249,11 +238,9 @@ static void put_node_bounds(const struct screen_bounds *of,
 {
     const struct mesh_node *from = &of->hierarchy->nodes[node];
     double margin = MARGIN * viewpoint->size;
-
     for (size_t i = 0; i < 2; i++) {
         double most = fmax(fabs(window->low[i]), fabs(window->high[i]));
         double wider = margin / viewpoint->near * (1 + most);
-
         row[SCREEN_LOW_U + 2 * i] = window->low[i] - wider;
         row[SCREEN_HIGH_U + 2 * i] = window->high[i] + wider;
     }
@@ -284,7 +271,6 @@ static bool put_view(const struct screen_bounds *of, const struct viewpoint *vie
 {
     const struct mesh_hierarchy *hierarchy = of->hierarchy;
     double *first = rows + SCREEN_ROW;
-
     find_node_bounds(of, viewpoint, view->bounds);
     if (!bounds_pay(of, viewpoint, view->bounds))
         return false;
@@ -304,13 +290,11 @@ bool screen_bounds_put(const struct screen_bounds *of,
     const struct box *whole = &of->hierarchy->nodes[0].box;
     struct view view = { malloc(nodes * sizeof *view.bounds), malloc(nodes) };
     bool good = view.bounds && view.orders;
-
     screen_bounds_size(viewpoints, whole, nodes, &seeing);
     at = seeing * VIEWPOINT_ROW;
     *planned = 0;
     for (size_t i = 0; good && seeing > 0 && i < viewpoints->count; i++) {
         struct viewpoint viewpoint;
-
         if (!viewpoint_find(viewpoints->places[i], whole, &viewpoint)
             || !put_view(of, &viewpoint, &view, words + at))
             continue;
@@ -326,7 +310,6 @@ bool screen_bounds_put(const struct screen_bounds *of,
 void screen_bounds_mark(size_t seeing, size_t nodes, bool *marks)
 {
     size_t rows = seeing * (nodes + 1);
-
     for (size_t i = 0; i < seeing * VIEWPOINT_ROW; i++)
         marks[i] = i % VIEWPOINT_ROW == VIEWPOINT_AXIS
                    || i % VIEWPOINT_ROW == VIEWPOINT_BOUNDS;

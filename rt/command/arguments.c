@@ -12,7 +12,6 @@
 static const char *read_digits(const char *text, size_t *number)
 {
     char *end;
-
     *number = strtoul(text, &end, 10);
     return isdigit((unsigned char)*text) ? end : NULL;
 }
@@ -49,7 +48,6 @@ int cmd_print_share(const char *command, const struct job_set *job_set, size_t u
 int cmd_check_picture(const struct trace_arguments *shared)
 {
     c205_error why;
-
     if (!shared->output || picture_check_path(shared->output, &why))
         return CMD_DONE;
     return picture_is_named(shared->output)
@@ -61,7 +59,6 @@ bool cmd_take_pixel(char *text, void *value)
 {
     struct pixel_arguments *pixel = value;
     const char *end = read_digits(text, &pixel->x);
-
     if (!end || *end != ',')
         return false;
     end = read_digits(end + 1, &pixel->y);
@@ -73,7 +70,6 @@ int cmd_check_pixel(const struct trace_arguments *shared,
                     const struct pixel_arguments *pixel)
 {
     const struct trace_options *trace = &shared->trace;
-
     if (!pixel->given || (pixel->x < trace->width && pixel->y < trace->height))
         return CMD_DONE;
     return cmd_usage(shared->command,

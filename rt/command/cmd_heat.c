@@ -19,7 +19,6 @@
 static size_t lines_of_repeat(const struct heat_arguments *args)
 {
     size_t lines = 1;
-
     while (args->repeats * lines < args->lines)
         lines *= 2;
     return lines;
@@ -30,7 +29,6 @@ static struct heat_request request_of(const struct heat_arguments *args)
     const struct trace_options *trace = &args->shared.trace;
     bool by_lines = args->lines > 0;
     size_t most = by_lines ? (size_t)1 << MAX_GLOBAL_LINES_LOG : MAX_FACTORS_POINTS;
-
     return (struct heat_request){
         .mode = trace->mode,
         .queue = trace->queue,
@@ -61,7 +59,6 @@ static void warn_of_receivers(const struct heat_arguments *args,
                               const struct heat *heat)
 {
     const struct scene *scene = heat->scene;
-
     for (size_t i = 0; i < scene->primitive_count; i++)
         if (heat->refusals[i])
             cmd_print_line(stderr,
@@ -81,7 +78,6 @@ static bool find_stage(const void *found, enum trace_mode mode,
     struct heat_request request = *heat->request;
     struct heat other;
     bool good;
-
     request.mode = mode;
     request.drawn = heat->drawn;
     request.tolerance = 0;
@@ -113,7 +109,6 @@ static bool print_areas(const struct heat *heat, bool details,
 {
     struct command_output printed = *results, kept = *results;
     size_t invisible = details ? 0 : heat_invisible(heat);
-
     printed.json = NULL;
     kept.file = NULL;
     if (!output_part(&printed, heat_table_of_areas(heat, details), "areas",
@@ -149,7 +144,6 @@ static bool print_result(const struct heat_arguments *args, const struct heat *h
 {
     const struct heat_request *request = heat->request;
     struct json *json = results->json;
-
     output_printf(results, "%s: %zu repeats of %zu %s%s %s, %s\n", args->scene.path,
                   request->repeats, heat->drawn, request->by_lines ? "line" : "point",
                   plural(heat->drawn),
@@ -172,11 +166,9 @@ static const double strict_sigmas = 4.5;
 static bool check_strictly(const struct heat *heat, c205_error *error)
 {
     const struct surfaces *surfaces = &heat->surfaces;
-
     for (size_t i = 0; i < surfaces->count; i++)
         for (size_t j = i + 1; j < surfaces->count; j++) {
             double sigmas = fabs(surfaces_reciprocity(surfaces, i, j));
-
             if (sigmas > strict_sigmas)
                 return error_set(error,
                                  "A F from %s to %s differs from the reverse "
@@ -210,7 +202,6 @@ static bool draw(const struct heat_arguments *args, const struct heat *heat,
                               .trace = args->shared.trace,
                               .path = args->shared.output };
     struct heat_drawn drawn;
-
     if (!args->shared.output)
         return true;
     look.trace.job_set = NULL;
@@ -230,7 +221,6 @@ static bool print_all(const struct heat_arguments *args, const struct heat *heat
                       const struct command_output *results, c205_error *error)
 {
     struct stages stages;
-
     if (!job_set_collects(&args->jobs.job_set)) {
         cmd_print_share(args->shared.command, &args->jobs.job_set, heat->units);
         return true;
@@ -255,7 +245,6 @@ static int find_and_print(struct trace_session *session,
     c205_error error = { "" };
     struct heat heat;
     bool good;
-
     if (!scene)
         return CMD_FAILED;
     good = heat_begin(scene, &request, &heat, &error);
@@ -272,7 +261,6 @@ static const char *contradiction(const struct heat_arguments *args)
 {
     const struct job_arguments *jobs = &args->jobs;
     bool apart = jobs->ranks > 0 || jobs->job_set.parts > 0;
-
     if (args->hits && (apart || jobs->resume.count > 0))
         return "--hits cannot be combined with --ranks, --part or --resume";
     if (args->stages && apart)
@@ -298,7 +286,6 @@ static int cmd_heat(void *given)
     const char *why = contradiction(args);
     struct trace_session session;
     int code;
-
     if (why)
         return cmd_usage(args->shared.command, "%s", why);
     code = cmd_check_picture(&args->shared);
@@ -314,7 +301,6 @@ static int cmd_heat(void *given)
 static const char *points_choice(size_t number)
 {
     static const char *const names[] = { "lattice", "random" };
-
     return number < 2 ? names[number] : NULL;
 }
 
@@ -325,7 +311,6 @@ static const char *by_choice(size_t number)
         [BY_PART] = "part",
         [BY_MATERIAL] = "material",
     };
-
     return number < SURFACES_BY ? names[number] : NULL;
 }
 

@@ -44,7 +44,6 @@ static bool find_way(struct hits_ways *ways, enum way way)
         .model = args->shared.trace.model,
         .projection = way == WAY_SCALAR ? ways->other : NULL,
     };
-
     return hits_find(ways->scene, &ways->parts, &options, &ways->found[way],
                      &ways->error);
 }
@@ -88,7 +87,6 @@ static double seconds_of(const struct hits_ways *ways, enum way way)
 static void add_causes(struct table *table, const struct hits *found)
 {
     c205_account all = accounts_together(&found->accounts);
-
     table_count(table, all.clocks[C205_TRANSLATION_MISS]);
     table_count(table, all.clocks[C205_PAGE_FAULT]);
 }
@@ -101,7 +99,6 @@ static void add_way(struct table *table, const struct hits_ways *ways, enum way 
                                            : found->accounts.clocks;
     double tests = (double)ways->found[WAY_SCALAR].rays
                    * (double)ways->found[WAY_SCALAR].cylinders;
-
     table_text(table, name);
     table_count(table, queue_of(ways, way));
     table_count(table, clocks);
@@ -114,7 +111,6 @@ static void add_way(struct table *table, const struct hits_ways *ways, enum way 
 static struct table *table_of_ways(const struct hits_ways *ways)
 {
     struct table *table = table_new(TABLE_COLUMNS(columns));
-
     if (table) {
         add_way(table, ways, WAY_PROJECTED, "CDC 6600, projected");
         add_way(table, ways, WAY_SCALAR, "scalar");
@@ -130,7 +126,6 @@ static bool print_result(const struct hits_ways *ways,
     const struct heat_arguments *args = ways->args;
     const struct hits *found = &ways->found[WAY_LONGEST];
     bool good;
-
     output_printf(results,
                   "%s: %llu of %llu ray%s from %s strike one of %zu cylinder%s: "
                   "the factor is %.6f +- %.6f\n",
@@ -159,7 +154,6 @@ static bool begin(struct hits_ways *ways)
 {
     const char *other = speedup_projection_model(ways->args->shared.trace.model,
                                                  SPEEDUP_6600);
-
     if (!ways->args->from)
         return error_set(&ways->error, "--hits requires --from NAME, the emitting "
                                        "part");
@@ -174,7 +168,6 @@ int cmd_heat_hits(struct trace_session *session, const struct heat_arguments *ar
     const struct scene *scene = session_scene(session, &args->scene);
     struct hits_ways ways = { .args = args, .scene = scene };
     bool good;
-
     if (!scene)
         return CMD_FAILED;
     good = begin(&ways) && find_ways(&ways)

@@ -30,7 +30,6 @@ struct mass_arguments {
 static struct mass_request request_of(const struct mass_arguments *args)
 {
     const struct trace_options *trace = &args->shared.trace;
-
     return (struct mass_request){
         .mode = trace->mode,
         .queue = trace->queue,
@@ -73,7 +72,6 @@ static bool find_stage(const void *found, enum trace_mode mode,
     struct diagnostics reports = { 0 };
     struct mass other;
     bool good;
-
     request.mode = mode;
     request.rays = request.repeats << mass->rays_log;
     request.tolerance = 0;
@@ -108,7 +106,6 @@ static void print_run(const struct mass_arguments *args, const struct mass *mass
     const char *mode = trace_mode_name(mass->request->mode);
     size_t rays = (size_t)1 << mass->sums.rays_log;
     char sum[24];
-
     snprintf(sum, sizeof sum, "%016llX",
              (unsigned long long)columns_checksum(&mass->sums));
     output_printf(results,
@@ -136,7 +133,6 @@ static bool print_table(const struct command_output *results, struct table *tabl
                         const char *key, const char *heading)
 {
     bool good = output_show(results, table, key, heading) == CMD_DONE;
-
     output_gap(results);
     return good;
 }
@@ -154,7 +150,6 @@ static bool print_tables(const struct mass *mass, const struct stages *stages,
                 && (!stages
                     || print_table(results, stages_table(stages), "stages",
                                    "Three stages"));
-
     output_model(results, mass->request->model);
     return good;
 }
@@ -176,7 +171,6 @@ static bool print_all(const struct mass_arguments *args, const struct mass *mass
                       const struct command_output *results, c205_error *error)
 {
     struct stages stages;
-
     if (!job_set_collects(&args->jobs.job_set)) {
         cmd_print_share(args->shared.command, &args->jobs.job_set, mass->sums.units);
         return true;
@@ -196,7 +190,6 @@ static void warn_of_endless(const struct mass_arguments *args, const struct mass
 {
     for (size_t i = 0; i < mass->parts.count; i++) {
         const struct named_part *part = &mass->parts.list[i];
-
         if (part->endless && part->left_out && mass->request->part_count == 0)
             cmd_print_line(stderr, "%s: warning: %s is unbounded and is ignored",
                            args->scene.path, part->name);
@@ -212,7 +205,6 @@ static int find_and_print(struct trace_session *session,
     c205_error error = { "" };
     struct mass mass;
     bool good;
-
     if (!scene)
         return CMD_FAILED;
     good = mass_begin(scene, &request, &mass, &reports, &error);
@@ -232,7 +224,6 @@ static void take_share(struct mass_arguments *args)
     struct command_texts *parts = &args->parts;
     struct job_set share = { .parts = 0 };
     size_t kept = 0;
-
     for (size_t i = 0; i < parts->count; i++)
         if (cmd_is_part(parts->items[i], &share))
             args->jobs.job_set = share;
@@ -247,7 +238,6 @@ static int cmd_mass(void *given)
     struct mass_arguments *args = given;
     struct trace_session session;
     int code;
-
     take_share(args);
     if (args->stages && (args->jobs.ranks > 0 || args->jobs.job_set.parts > 0))
         return cmd_usage(args->shared.command,
@@ -268,7 +258,6 @@ static const char *points_choice(size_t number)
     static const char *const names[] = {
         [POINTS_RANDOM] = "random", [POINTS_LATTICE] = "lattice", [POINTS_GRID] = "grid"
     };
-
     return number < POINTS_KINDS ? names[number] : NULL;
 }
 
@@ -282,10 +271,8 @@ static const char *by_choice(size_t number)
 static bool take_about(char *text, void *value)
 {
     double *about = value;
-
     for (int i = 0; i < 3; i++) {
         char *end;
-
         about[i] = strtod(text, &end);
         if (end == text || !isfinite(about[i]) || *end != (i < 2 ? ',' : '\0'))
             return false;

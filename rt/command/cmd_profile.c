@@ -16,7 +16,6 @@ static void print_head(const struct profile_arguments *args, const struct trace 
     const struct trace_options *options = &args->shared.trace;
     struct json *json = results->json;
     char text[17];
-
     snprintf(text, sizeof text, "%016llX", (unsigned long long)trace_checksum(trace));
     output_printf(results,
                   "%s: %zu x %zu, a queue of %zu; frame checksum %s in all stages\n",
@@ -41,7 +40,6 @@ static struct command_output results_of(enum profile_table kind,
 {
     struct command_output chosen = *results;
     bool exact = results->format == OUTPUT_CSV;
-
     if (kind == PROFILE_GROUPS)
         chosen.json = NULL;
     if (kind == (exact ? PROFILE_GROUPS : PROFILE_CLOCKS))
@@ -53,7 +51,6 @@ static bool print_table(enum profile_table kind, const struct profile *profile,
                         const struct command_output *results)
 {
     struct command_output chosen = results_of(kind, results);
-
     return output_part(&chosen, profile_table(kind, profile), profile_table_key(kind),
                        profile_table_heading(kind));
 }
@@ -63,7 +60,6 @@ static bool print_result(const struct profile_arguments *args,
                          const struct command_output *results)
 {
     bool good = true;
-
     print_head(args, profile->traces[0], results);
     for (int kind = 0; kind < PROFILE_TABLES && good; kind++)
         good = print_table((enum profile_table)kind, profile, results);
@@ -77,7 +73,6 @@ static int profile_scene(struct trace_session *session,
     struct profile profile = { .traces = { NULL } };
     c205_error error = { "out of memory" };
     bool good;
-
     if (!scene)
         return CMD_FAILED;
     good = profile_run(&profile, scene, &args->shared.trace, &error)
@@ -91,7 +86,6 @@ static int cmd_profile(void *given)
     struct profile_arguments *args = given;
     struct trace_session session;
     int code = session_open(&session, &args->shared, NULL);
-
     if (code == CMD_DONE)
         code = profile_scene(&session, args);
     return session_close(&session, code);

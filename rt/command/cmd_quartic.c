@@ -48,7 +48,6 @@ static void print_roots(const struct command_output *results, size_t index,
                         const struct polynomial_roots *roots)
 {
     char text[C205_TEXT_SIZE];
-
     fprintf(results->file, "%zu:", index);
     for (int i = 0; i < roots->count; i++) {
         c205_to_text(roots->root[i], text);
@@ -62,7 +61,6 @@ static void add_roots(struct table *table, size_t index,
                       const struct polynomial_roots *roots)
 {
     char text[C205_TEXT_SIZE];
-
     for (int i = 0; i < roots->count; i++) {
         c205_to_text(roots->root[i], text);
         table_count(table, index);
@@ -75,7 +73,6 @@ static void write_roots(size_t index, const struct polynomial_roots *roots,
                         struct json *json)
 {
     char text[C205_TEXT_SIZE];
-
     json_object(json, NULL);
     json_count(json, "index", index);
     json_array(json, "roots");
@@ -100,7 +97,6 @@ static size_t print_all_roots(const struct quartic_arguments *args,
 {
     struct json *json = results->json;
     size_t refused = 0;
-
     if (json)
         json_array(json, "polynomials");
     for (size_t i = 0; i < polynomials->count; i++) {
@@ -128,7 +124,6 @@ static size_t print_all_roots(const struct quartic_arguments *args,
 static bool print_table(const struct table *table, const struct command_output *results)
 {
     struct command_output printed = *results;
-
     printed.json = NULL;
     return results->format == OUTPUT_TEXT
            || output_table(&printed, table, NULL, "Roots");
@@ -137,7 +132,6 @@ static bool print_table(const struct table *table, const struct command_output *
 static size_t count_roots(const struct polynomial_roots *roots, size_t count)
 {
     size_t sum = 0;
-
     for (size_t i = 0; i < count; i++)
         if (roots[i].count > 0)
             sum += (size_t)roots[i].count;
@@ -167,7 +161,6 @@ static struct root_search *search(const struct polynomials *polynomials,
 {
     struct root_search *found = roots_new(polynomials->items, polynomials->count,
                                           options, error);
-
     if (!found)
         return NULL;
     if (!roots_watch(found, iterations))
@@ -191,7 +184,6 @@ static int solve(const struct quartic_arguments *args,
     bool good = found && roots && roots_read(found, roots, &error);
     struct table *table = table_new(TABLE_COLUMNS(root_columns));
     size_t refused = 0;
-
     good = good && table;
     if (good) {
         const struct quartic_costs costs = {
@@ -202,7 +194,6 @@ static int solve(const struct quartic_arguments *args,
             .polynomials = polynomials->count,
             .roots = count_roots(roots, polynomials->count),
         };
-
         refused = print_all_roots(args, polynomials, roots, table, results);
         good = print_table(table, results) && quartic_costs_print(&costs, results);
     }
@@ -238,7 +229,6 @@ static bool run_rule(void *context, const struct task *task, c205_error *error)
                                                   (enum trace_mode)mode,
                                                   (enum falsi)rule);
     struct root_search *found;
-
     options.progress = task->progress;
     options.context = task->context;
     found = search(comparison->polynomials, &options, &run->iterations, error);
@@ -260,11 +250,9 @@ static void add_rule(struct table *table, const struct comparison *comparison,
 {
     size_t polynomials = comparison->polynomials->count;
     uint64_t scalar = comparison->runs[rule][TRACE_SCALAR].clocks;
-
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
         const struct rule_run *run = &comparison->runs[rule][mode];
         const struct stage_count *count = run->iterations.stage;
-
         table_text(table, falsi_name((enum falsi)rule));
         table_text(table, trace_mode_name((enum trace_mode)mode));
         table_count(table, run->clocks);
@@ -287,7 +275,6 @@ static bool run_rules(struct comparison *comparison, c205_error *error)
                                       .context = comparison,
                                       .progress = trace->progress,
                                       .progress_context = trace->context };
-
     return thread_pool_run(&pool, error);
 }
 
@@ -299,7 +286,6 @@ static int compare_rules(const struct quartic_arguments *args,
     struct comparison comparison = { args, polynomials, { { { 0 } } } };
     struct table *table = table_new(TABLE_COLUMNS(rules));
     bool good = table != NULL && run_rules(&comparison, &error);
-
     for (size_t rule = 0; good && rule < FALSI_RULES; rule++)
         add_rule(table, &comparison, rule);
     if (good) {
@@ -324,7 +310,6 @@ static int read_and_solve(const struct quartic_arguments *args,
     struct polynomials polynomials = { 0, NULL, NULL };
     struct diagnostics reports = { 0 };
     int code = CMD_FAILED;
-
     if (polynomials_read(&polynomials, args->file, &reports))
         code = args->falsi == FALSI_RULES ? compare_rules(args, &polynomials, results)
                                           : solve(args, &polynomials, results);
@@ -339,7 +324,6 @@ static int cmd_quartic(void *given)
     struct quartic_arguments *args = given;
     struct trace_session session;
     int code;
-
     if (args->all && args->first)
         return cmd_usage(args->shared.command, "--all cannot be combined with --first");
     code = session_open(&session, &args->shared, NULL);

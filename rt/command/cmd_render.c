@@ -31,7 +31,6 @@ static bool write_rows(const struct trace_options *options, const struct trace *
     struct frame part;
     size_t rows = options->height < PICTURE_PART ? options->height : PICTURE_PART;
     bool good = frame_allocate(&part, options->width, rows);
-
     error_set(error, "out of memory for the picture");
     for (size_t row = 0; good && row < options->height; row += PICTURE_PART) {
         if (options->height - row < PICTURE_PART)
@@ -61,7 +60,6 @@ static bool write_picture(const struct render_arguments *args,
         { NULL, NULL },
     };
     bool good;
-
     snprintf(clocks, sizeof clocks, "%llu", (unsigned long long)accounts->clocks);
     snprintf(rows, sizeof rows, "%zu of %zu", trace_rows_done(trace),
              args->shared.trace.height);
@@ -93,7 +91,6 @@ static struct result result_of(const struct render_arguments *args,
                              .samples = trace_samples(trace),
                              .rays = (size_t)trace_rays(trace, RAY_PRIMARY),
                              .hits = trace_hits(trace) };
-
     snprintf(result.checksum, sizeof result.checksum, "%016llX",
              (unsigned long long)trace_checksum(trace));
     return result;
@@ -106,7 +103,6 @@ static void print_rays(const struct result *result,
     const struct trace_options *trace = &result->args->shared.trace;
     double all = (double)trace->width * (double)trace->height
                  * (double)(result->samples * result->samples);
-
     output_printf(results,
                   "threshold %g: %zu ray%s of the camera, %.1f %% of those of "
                   "all samples\n",
@@ -122,7 +118,6 @@ static void print_result(const struct result *result,
     bool sampled = result->samples > 1;
     size_t tried = sampled ? trace->width * trace->height : result->rays;
     char queue[48] = "", samples[64] = "", time[ACCOUNTS_TIME];
-
     if (sampled)
         snprintf(samples, sizeof samples, " of %zu x %zu rays", result->samples,
                  result->samples);
@@ -163,7 +158,6 @@ static struct table *table_of(const struct result *result)
     const struct render_arguments *args = result->args;
     const struct trace_options *trace = &args->shared.trace;
     struct table *table = table_new(TABLE_COLUMNS(columns));
-
     if (!table)
         return NULL;
     table_text(table, args->scene.path);
@@ -183,7 +177,6 @@ static struct table *table_of(const struct result *result)
 static void write_result(const struct result *result, struct json *json)
 {
     const struct trace_options *trace = &result->args->shared.trace;
-
     json_text(json, "scene", result->args->scene.path);
     json_text(json, "mode", trace_mode_name(trace->mode));
     json_count(json, "width", trace->width);
@@ -208,7 +201,6 @@ static int print_and_check(const struct result *result,
 {
     struct command_output printed = *results;
     int code = CMD_DONE;
-
     printed.json = NULL;
     if (results->format == OUTPUT_TEXT)
         print_result(result, results);
@@ -226,7 +218,6 @@ static int print_accounts(const struct render_arguments *args,
                           const struct command_output *results)
 {
     struct command_output accounts = *results;
-
     if (!args->accounts)
         accounts.file = NULL;
     else if (results->file)
@@ -243,7 +234,6 @@ static int print_trace(const struct render_arguments *args, const struct trace *
                                  true };
     struct result result = result_of(args, trace);
     int code = print_and_check(&result, results);
-
     if (code == CMD_DONE)
         code = print_accounts(args, trace, results);
     return code == CMD_DONE && profile ? line_profile_show(profile, view, results)
@@ -256,7 +246,6 @@ static int print_trace(const struct render_arguments *args, const struct trace *
 static void print_kept(const struct render_arguments *args, const struct trace *trace)
 {
     const char *path = args->jobs.resume.items[0];
-
     if (args->jobs.job_set.kept > 0)
         cmd_print_line(stderr, "%s: the frame continues from %s: %zu of %zu band%s",
                        args->shared.command, path, args->jobs.job_set.kept,
@@ -273,7 +262,6 @@ static void save_rows(const struct render_arguments *args, const struct trace *t
 {
     size_t rows = trace_rows_done(trace);
     c205_error why;
-
     if (rows == 0)
         snprintf(reported, size, "; no row is done, so no picture is written");
     else if (!write_picture(args, trace, &why))
@@ -289,7 +277,6 @@ static void print_resume(const struct render_arguments *args, const struct trace
                          char *reported, size_t size)
 {
     size_t kept = trace_bands_done(trace);
-
     if (args->jobs.resume.count > 0 && kept > 0)
         snprintf(reported, size, "; --resume continues from %.100s: %zu of %zu band%s",
                  args->jobs.resume.items[0], kept, trace_bands(trace),
@@ -302,7 +289,6 @@ static int end_early(const struct render_arguments *args, const struct trace *tr
                      const c205_error *why)
 {
     char rows[300] = "", bands[200] = "";
-
     if (interrupt_pending() && args->shared.output)
         save_rows(args, trace, rows, sizeof rows);
     print_resume(args, trace, bands, sizeof bands);
@@ -330,7 +316,6 @@ static int finish(const struct render_arguments *args, struct trace *trace,
                   const struct command_output *results)
 {
     c205_error error;
-
     if (!job_set_collects(&args->jobs.job_set))
         return cmd_print_share(args->shared.command, &args->jobs.job_set,
                                trace_bands(trace));
@@ -351,7 +336,6 @@ static int render(struct trace_session *session, const struct render_arguments *
     c205_error error = { "out of memory" };
     struct trace *trace;
     int code;
-
     if (!scene)
         return CMD_FAILED;
     if (args->profile)
@@ -391,7 +375,6 @@ static int hold_debugger(const struct render_arguments *args, struct frame_pixel
     c205_error error;
     struct debugger *debugger = debugger_new(&setup, &error);
     int code;
-
     if (!debugger)
         return cmd_failed(args->shared.command, "%s", error.message);
     code = repl_hold(&repl, debugger);
@@ -407,7 +390,6 @@ static int debug(struct trace_session *session, const struct render_arguments *a
     struct frame_pixel pixel;
     struct trace *trace;
     int code;
-
     if (!scene)
         return CMD_FAILED;
     trace = trace_new(scene, &args->shared.trace, &error);
@@ -425,7 +407,6 @@ static int debug(struct trace_session *session, const struct render_arguments *a
 static int check_debug(const struct render_arguments *args)
 {
     const struct job_arguments *jobs = &args->jobs;
-
     if (args->shared.output || args->accounts || args->profile
         || args->shared.results.path || jobs->resume.count > 0 || jobs->ranks > 1)
         return cmd_usage(args->shared.command,
@@ -438,7 +419,6 @@ static int check_picture(const struct render_arguments *args)
 {
     const struct trace_arguments *shared = &args->shared;
     int code;
-
     if (shared->output && args->no_picture)
         return cmd_usage(shared->command, "-o cannot be combined with --no-picture");
     if (args->half && args->no_picture)
@@ -460,7 +440,6 @@ static int check_frame(const struct render_arguments *args)
 {
     const struct job_arguments *jobs = &args->jobs;
     int code;
-
     if (args->scripts.count > 0)
         return cmd_usage(args->shared.command, "-x requires --debug");
     code = check_picture(args);
@@ -482,7 +461,6 @@ static int cmd_render(void *given)
     struct trace_session session;
     bool debugs = args->pixel.given;
     int code = debugs ? check_debug(args) : check_frame(args);
-
     if (code != CMD_DONE)
         return code;
     code = session_open(&session, &args->shared, debugs ? NULL : &args->jobs);

@@ -18,7 +18,6 @@ static void print_head(const struct speedup_arguments *args,
                        const struct command_output *results)
 {
     const struct trace_options *trace = &args->shared.trace;
-
     output_printf(results,
                   "%zu x %zu rays, %g degrees across from a distance of %g, "
                   "in a queue of %zu\n",
@@ -47,7 +46,6 @@ static bool print_projections(const struct speedup_arguments *args, int count,
 {
     for (int i = 0; i < count; i++) {
         c205_model *model = find_projection(args, i, error);
-
         if (!model)
             return false;
         if (results->provenance)
@@ -64,7 +62,6 @@ static bool write_projections(const struct speedup_arguments *args, int count,
     json_array(json, "projections");
     for (int i = 0; i < count; i++) {
         c205_model *model = find_projection(args, i, error);
-
         if (!model)
             return false;
         json_object(json, NULL);
@@ -82,7 +79,6 @@ static bool print(const struct speedup_arguments *args,
 {
     enum table_format format = output_table_format(results);
     int projections = args->details ? SPEEDUP_PROJECTIONS : SPEEDUP_720 + 1;
-
     print_head(args, results);
     if (!speedup_report_table1(report, format, results->file))
         return false;
@@ -124,10 +120,8 @@ static size_t choose(const struct speedup_arguments *args,
 {
     const struct command_texts *rows = &args->rows;
     size_t count = 0;
-
     for (size_t i = 0; i < speedup_subject_count; i++) {
         bool wanted = rows->count == 0;
-
         for (size_t j = 0; j < rows->count && !wanted; j++)
             wanted = speedup_is_named(&speedup_subjects[i], rows->items[j]);
         if (wanted)
@@ -146,7 +140,6 @@ static bool measure_all(const struct speedup_arguments *args,
     bool good = chosen && measures
                 && speedup_measure_all(chosen, count, &args->view, &args->shared.trace,
                                        measures, error);
-
     for (size_t i = 0; good && i < count; i++)
         speedup_report_add(report, &chosen[i], &args->view, measures[i]);
     free(measures);
@@ -160,7 +153,6 @@ static int speedup(const struct speedup_arguments *args,
     struct speedup_report *report = speedup_report_new(args->shared.trace.model);
     c205_error error = { "out of memory" };
     bool good;
-
     good = report && measure_all(args, report, &error)
            && (!results->file || print(args, report, results, &error))
            && (!results->json || write_json(args, report, results->json, &error));
@@ -176,7 +168,6 @@ static bool print_formulations(const struct speedup_arguments *args,
 {
     if (results->file) {
         enum table_format format = output_table_format(results);
-
         print_head(args, results);
         table_heading("Table 1's cylinder in other formulations, CPU seconds "
                       "for 100,000 rays",
@@ -201,7 +192,6 @@ static int formulations(const struct speedup_arguments *args,
     struct table *table = NULL;
     c205_error error = { "out of memory" };
     bool good;
-
     if (measures
         && speedup_measure_all(speedup_formulations, speedup_formulation_count,
                                &args->view, &args->shared.trace, measures, &error))
@@ -222,7 +212,6 @@ static int cmd_speedup(void *given)
     const struct command_texts *rows = &args->rows;
     struct trace_session session;
     int code;
-
     for (size_t i = 0; i < rows->count; i++)
         if (!speedup_subject_named(rows->items[i]))
             return cmd_usage(args->shared.command,

@@ -30,7 +30,6 @@ struct sweep_arguments {
 static bool names_scene(const char *name)
 {
     size_t length = strlen(name);
-
     return strcmp(name, "-") == 0 || strchr(name, '/') != NULL
            || (length > 4 && strcmp(name + length - 4, ".pov") == 0);
 }
@@ -41,7 +40,6 @@ static int check_lengths(const struct sweep_arguments *args,
     size_t rays = args->shared.trace.width * args->shared.trace.height;
     size_t longest = args->points.count > 0 ? args->points.items[args->points.count - 1]
                                             : 0;
-
     if (longest > 0 && !kind->takes_lengths)
         return cmd_usage(args->shared.command,
                          "--points requires a sweep of queue or length");
@@ -59,7 +57,6 @@ static int check_subject(const struct sweep_arguments *args,
                          const struct sweep_kind *kind)
 {
     const char *name = args->scene.path;
-
     if (kind->primitive_only && names_scene(name))
         return cmd_usage(args->shared.command, "%s requires a primitive, not a scene",
                          kind->name);
@@ -77,7 +74,6 @@ static int check_files(const struct sweep_arguments *args)
     char svg[PLOT_PATH];
     const char *const paths[] = { args->shared.output, svg };
     c205_error error;
-
     if (!args->shared.output)
         return CMD_DONE;
     if (!plot_check_path(args->shared.output, &error))
@@ -99,7 +95,6 @@ static int check(const struct sweep_arguments *args)
 {
     const struct sweep_kind *kind = sweep_kinds[args->sweep];
     int code;
-
     code = check_subject(args, kind);
     if (code == CMD_DONE)
         code = check_lengths(args, kind);
@@ -121,7 +116,6 @@ static void print_head(const struct sweep_arguments *args, const struct sweep *s
 {
     const struct trace_options *trace = &args->shared.trace;
     char queue[48] = "", rays[64] = "", view[96] = "";
-
     if (!kind->takes_lengths)
         snprintf(queue, sizeof queue, ", a queue of %zu", trace->queue);
     if (has_frame(kind))
@@ -144,7 +138,6 @@ static void write_head(const struct sweep_arguments *args, const struct sweep *s
                        const struct sweep_kind *kind, struct json *json)
 {
     const struct trace_options *trace = &args->shared.trace;
-
     json_text(json, "sweep", kind->name);
     json_text(json, sweep->subject ? "primitive" : "scene",
               sweep->subject ? sweep->subject->name : args->scene.path);
@@ -170,7 +163,6 @@ static bool draw(const struct sweep_arguments *args, const struct sweep *sweep,
     char title[160], on[160], belief[PROVENANCE_LINE];
     const char *const subtitles[] = { on, belief };
     struct plot plot = report->plot;
-
     snprintf(title, sizeof title, "%s: %.100s", kind->title,
              sweep->subject ? sweep->subject->name : args->scene.path);
     snprintf(on, sizeof on,
@@ -191,7 +183,6 @@ static bool report_progress(const struct sweep_arguments *args,
                             const struct command_output *results, c205_error *error)
 {
     bool good = true;
-
     error_set(error, "out of memory");
     print_head(args, sweep, kind, results);
     if (results->file)
@@ -213,7 +204,6 @@ static struct sweep sweep_of(const struct sweep_arguments *args,
         .lengths = args->points.items,
         .length_count = args->points.count,
     };
-
     if (sweep.base.view.angle == 0)
         sweep.base.view.angle = kind->angle;
     return sweep;
@@ -231,7 +221,6 @@ static int measure_and_draw(struct trace_session *session,
     struct sweep_report report = { .part_count = 0 };
     c205_error error;
     bool good;
-
     if (of_scene && !scene)
         return CMD_FAILED;
     good = kind->measure(&sweep, &error) && kind->report(&sweep, &report, &error)
@@ -251,7 +240,6 @@ static int cmd_sweep(void *given)
     struct trace_session session;
     bool drawn = true;
     int code = check(args);
-
     if (code != CMD_DONE)
         return code;
     code = session_open(&session, &args->shared, NULL);
@@ -279,12 +267,10 @@ static bool take_points(char *text, void *value)
 {
     struct points *points = value;
     size_t last = 0;
-
     points->count = 0;
     do {
         char *end;
         unsigned long length = strtoul(text, &end, 10);
-
         if (*text < '0' || *text > '9' || length <= last || length > MAX_TRACE_QUEUE
             || points->count == MAX_SWEEP_LENGTHS || (*end != ',' && *end != '\0'))
             return false;

@@ -43,7 +43,6 @@ static bool listen(const struct frame_pixel *pixel, struct timeline *timeline,
     c205 *machine = trace_machine(pixel->trace, pixel->band, error);
     c205_stop stop;
     bool goes_on;
-
     if (!machine || !c205_listen(machine, timeline_listen, timeline)) {
         c205_free(machine);
         return false;
@@ -70,7 +69,6 @@ static bool save(const struct timeline_arguments *args, const struct frame_pixel
 {
     const struct trace_options *how = trace_how(pixel->trace);
     char title[400];
-
     timeline_finish(timeline);
     snprintf(title, sizeof title,
              "%.150s, %s, the queue of pixel %zu,%zu of %zu x %zu, clocks "
@@ -87,7 +85,6 @@ static bool draw(const struct timeline_arguments *args, const struct frame_pixel
     struct clock_stretch stretch;
     struct timeline timeline = { .from = 0 };
     bool good;
-
     if (!find_stretch(args, pixel, &stretch, error))
         return false;
     timeline.from = stretch.from;
@@ -117,7 +114,6 @@ static int trace_and_draw(struct trace_session *session,
     struct frame_pixel pixel;
     c205_error error = { "out of memory" };
     bool good;
-
     if (!scene)
         return CMD_FAILED;
     trace = trace_new(scene, how, &error);
@@ -132,7 +128,6 @@ static int cmd_timeline(void *given)
     struct timeline_arguments *args = given;
     struct trace_session session;
     int code;
-
     if (!args->shared.output)
         return cmd_usage(args->shared.command, "expected -o FILE");
     if (!timeline_is_named(args->shared.output))

@@ -49,7 +49,6 @@ static bool read_sources(const struct fit_arguments *args, struct sources *sourc
     char path[PATH_SIZE], programs[PATH_SIZE];
     struct run_options how = { .folder = programs };
     struct diagnostics found = { 0 };
-
     how.model = sources->model = c205_model_find("cyber205-2pipe-prior", error);
     /* The vector form has few instructions to emulate, and its queue must be full, so
      * it has all 100,000 rays. */
@@ -77,7 +76,6 @@ static bool hold_out(const struct fit_arguments *args, const struct observations
 {
     for (size_t i = 0; i < args->held.count; i++) {
         bool found = false;
-
         for (size_t k = 0; k < all->count; k++)
             if (strcmp(all->items[k].name, args->held.items[i]) == 0)
                 study->held.held[k] = found = true;
@@ -96,7 +94,6 @@ static bool write_models(const struct fit_arguments *args, const struct study *s
                          double *written, c205_error *error)
 {
     bool good = written_predict(study, written, error);
-
     for (size_t i = 0; good && i < args->written.count; i++)
         good = written_model(study, written, args->written.items[i], error);
     return good;
@@ -116,7 +113,6 @@ static bool report_progress(const struct fit_arguments *args, const struct study
                             const struct command_output *results, c205_error *error)
 {
     double written[MAX_FIT_OBSERVATIONS];
-
     if (!write_models(args, study, written, error))
         return false;
     error_set(error, "out of memory");
@@ -150,7 +146,6 @@ static int cmd_fit(void *given)
     struct study *study = calloc(1, sizeof *study);
     c205_error error = { "out of memory" };
     int code = CMD_DONE;
-
     if (!output_open(&results, args->command, NULL))
         code = CMD_FAILED;
     else if (!sources || !study || !fit(args, sources, study, &results, &error))
@@ -223,6 +218,5 @@ int main(int argc, char **argv)
         .version = C205_VERSION,
         .commands = commands,
     };
-
     return command_main(&program, argc, argv);
 }

@@ -38,7 +38,6 @@ int main(int argc, char **argv)
         .commands = commands,
         .files = files,
     };
-
     keep_memory();
     return command_main(&program, argc, argv);
 }

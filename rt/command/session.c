@@ -50,7 +50,6 @@ static int join_ranks(struct trace_session *session)
 {
     struct trace_arguments *shared = session->shared;
     c205_error error;
-
     if (shared->trace.jobs > 1)
         return cmd_usage(shared->command,
                          "--jobs cannot be combined with ranks: each rank runs one "
@@ -68,7 +67,6 @@ static int open_jobs(struct trace_session *session)
 {
     struct trace_arguments *shared = session->shared;
     struct job_set *job_set = &session->jobs->job_set;
-
     job_set->paths = session->jobs->resume.items;
     job_set->path_count = session->jobs->resume.count;
     shared->trace.job_set = job_set;
@@ -85,7 +83,6 @@ static int open_jobs(struct trace_session *session)
 static int close_jobs(struct trace_session *session, int code)
 {
     struct job_set *job_set = &session->jobs->job_set;
-
     if (job_set->ranks) {
         ranks_leave(job_set->ranks, code == CMD_DONE ? NULL : "its run failed");
         code = session->ranks.rank > 0 ? CMD_DONE : code;
@@ -99,7 +96,6 @@ static int close_jobs(struct trace_session *session, int code)
 static int check_frame(const struct trace_arguments *shared)
 {
     const struct trace_options *trace = &shared->trace;
-
     if (trace->height > 0 && trace->width > MAX_TRACE_PIXELS / trace->height)
         return cmd_usage(shared->command, "at most %zu pixels are allowed",
                          MAX_TRACE_PIXELS);
@@ -112,7 +108,6 @@ int session_open(struct trace_session *session, struct trace_arguments *shared,
                  struct job_arguments *jobs)
 {
     int code;
-
     *session = (struct trace_session){ .shared = shared, .jobs = jobs };
     code = jobs ? open_jobs(session) : CMD_DONE;
     if (code == CMD_DONE)
@@ -162,7 +157,6 @@ const struct scene *session_scene(struct trace_session *session,
         .read_raster = picture_read_raster,
     };
     struct diagnostics reports = { 0 };
-
     session->scene = scene_read(args->path, &options, &reports);
     diagnostics_print(&reports, stderr);
     diagnostics_free(&reports);

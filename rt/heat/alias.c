@@ -25,7 +25,6 @@ static void fill_columns(struct columns *columns, double *share, size_t *alias)
     while (columns->scarce > 0 && columns->ample > 0) {
         size_t poor = columns->list[--columns->scarce];
         size_t rich = columns->list[columns->count - columns->ample--];
-
         alias[poor] = rich;
         share[rich] -= 1 - share[poor];
         put_column(columns, share, rich);
@@ -37,7 +36,6 @@ bool alias_build(const double *weights, size_t count, double *share, size_t *ali
     struct columns columns = { malloc((count + 1) * sizeof *columns.list), 0, 0,
                                count };
     double sum = 0;
-
     if (!columns.list)
         return false;
     for (size_t i = 0; i < count; i++)

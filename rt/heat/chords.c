@@ -10,7 +10,6 @@ bool chords_begin(struct chords *chords, const struct emission_options *emits,
                   c205_error *error)
 {
     struct primitive sphere = { .kind = PRIMITIVE_SPHERE };
-
     for (int i = 0; i < 3; i++) {
         sphere.shape.sphere.center[i] = chords->center[i];
         sphere.to_world.rows[i][i] = sphere.to_local.rows[i][i] = 1;
@@ -37,7 +36,6 @@ bool chords_run(const struct chords *chords, const struct emission_choice *choic
                 c205_error *error)
 {
     size_t count = chords->count;
-
     if (!emission_run(chords->sphere, choice, planes, accounts, error))
         return false;
     for (size_t i = 0; i < count; i++)

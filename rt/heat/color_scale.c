@@ -80,7 +80,6 @@ static size_t text_width(const char *text)
 static struct scale_layout layout_of(const struct color_scale *scale, size_t width)
 {
     struct scale_layout layout = { .scale = scale };
-
     layout.dot = width < 2 * COLUMNS ? 1 : width / COLUMNS;
     layout.width = width / layout.dot;
     layout.begin = scale->least < 0 ? -1 : 0;
@@ -96,7 +95,6 @@ size_t color_scale_rows(const struct color_scale *scale, size_t width)
 {
     struct scale_layout layout = layout_of(scale, width);
     size_t lines = layout.apart ? 3 : 2;
-
     return layout.dot * (BAR_END + lines * LINE + MARGIN);
 }
 
@@ -107,11 +105,9 @@ static void put_dot(const struct scale_layout *layout, size_t x, size_t y,
                     const double color[3])
 {
     const struct frame *frame = layout->frame;
-
     for (size_t i = 0; i < layout->dot * layout->dot; i++) {
         size_t column = x * layout->dot + i % layout->dot;
         size_t row = layout->first + y * layout->dot + i / layout->dot;
-
         for (int k = 0; column < frame->width && row < frame->height && k < 3; k++)
             frame->channel[k][row * frame->width + column] = color[k];
     }
@@ -121,7 +117,6 @@ static void draw_text(const struct scale_layout *layout, size_t x, size_t y,
                       const char *text)
 {
     static const double white[3] = { .9, .9, .9 };
-
     for (; *text; text++, x += ADVANCE)
         for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
             for (size_t dot = 0;
@@ -144,11 +139,9 @@ static void put_bar(const struct scale_layout *layout)
 {
     const struct color_scale *scale = layout->scale;
     double reach = layout->end - layout->begin;
-
     for (size_t x = MARGIN; x + MARGIN < layout->width; x++) {
         double at = ((double)(x - MARGIN) + .5) / (double)(layout->width - 2 * MARGIN);
         double color[3];
-
         scale->color(scale->context, layout->begin + at * reach, color);
         for (size_t y = 0; y < BAR; y++)
             put_dot(layout, x, MARGIN + y, color);
@@ -160,7 +153,6 @@ static void put_numbers(const struct scale_layout *layout)
     size_t end = before(layout->width, MARGIN), zero = layout->width / 2;
     size_t least = MARGIN + text_width(layout->least) + ADVANCE;
     size_t most = before(end + 1, text_width(layout->most));
-
     draw_text(layout, MARGIN, BAR_END, layout->least);
     draw_text(layout, most, BAR_END + (layout->apart ? LINE : 0), layout->most);
     if (layout->begin < 0 && layout->end > 0 && zero > least && zero + ADVANCE < most)
@@ -172,7 +164,6 @@ void color_scale_draw(const struct color_scale *scale, struct frame *frame,
 {
     struct scale_layout layout = layout_of(scale, frame->width);
     size_t line = BAR_END + (layout.apart ? 2 : 1) * LINE;
-
     layout.frame = frame;
     layout.first = first;
     put_bar(&layout);

@@ -26,7 +26,6 @@ static double determinant(const struct transform *map)
 {
     const double(*rows)[4] = map->rows;
     double product[3];
-
     cross3(rows[1], rows[2], product);
     return dot3(rows[0], product);
 }
@@ -36,7 +35,6 @@ static void put_to_face(struct record *record, const struct transform *inverse,
                         bool inverted)
 {
     double words[9], side = inverted ? -1 : 1;
-
     for (size_t i = 0; i < 3; i++)
         for (size_t j = 0; j < 3; j++)
             words[3 * i + j] = side * inverse->rows[j][i];
@@ -49,7 +47,6 @@ static void put_place(struct record *record, const struct primitive *primitive,
     struct transform map = transform_then(&emitter->to_own, &primitive->to_world);
     struct transform inverse;
     double area = emitter->area * fabs(determinant(&map));
-
     if (!transform_invert(&map, &inverse))
         layout_fail(record->layout,
                     "the transformation of the object of line %zu cannot be inverted",
@@ -65,11 +62,9 @@ static void fill_columns(const struct emitter *emitter, const double *share,
                          const size_t *alias, c205_word *columns)
 {
     size_t count = emitter->piece_count;
-
     put_numbers(columns, share, count);
     for (size_t i = 0; i < count; i++) {
         const double *piece = emitter->pieces + emitter->piece_words * i;
-
         columns[count + i] = c205_from_integer((int64_t)alias[i]);
         for (size_t k = 0; k < emitter->piece_words; k++)
             columns[(2 + k) * count + i] = c205_from_double(piece[k]);
@@ -88,7 +83,6 @@ static void put_pieces(struct record *record, const struct emitter *emitter)
     double *share = malloc((count + 1) * sizeof *share);
     size_t *alias = malloc((count + 1) * sizeof *alias);
     c205_word *columns = malloc((size + 1) * sizeof *columns);
-
     if (!share || !alias || !columns
         || !alias_build(emitter->areas, count, share, alias)) {
         layout_fail(record->layout, "out of memory");
@@ -112,7 +106,6 @@ static bool lay_out_emitter(struct emission *emission,
                                     .error = error,
                                     .free = program_end(emission->program) };
     struct record record;
-
     record_begin(&record, &layout, "EMISSION_SIZE", 1, table_size(emitter));
     record.line = primitive->line;
     layout_word(&layout, "emission_arguments", record.address);
@@ -159,7 +152,6 @@ static bool assemble_emission(struct emission *emission, c205_error *error)
         { options->mode == TRACE_VECTOR ? "QUEUE" : NULL, (int64_t)options->queue },
         { NULL, 0 },
     };
-
     emission->program = program_assemble(programs[options->mode], defines, error);
     return emission->program != NULL;
 }
@@ -168,7 +160,6 @@ static const char *find_emitter(const struct primitive *primitive,
                                 struct emitter *emitter)
 {
     const struct shape *shape = shape_of(primitive);
-
     *emitter = (struct emitter){ .to_own = placement_none.to_world };
     return shape->emit ? shape->emit(primitive, emitter)
                        : "only lines can sample its surface";
@@ -178,7 +169,6 @@ const char *emission_refusal(const struct primitive *primitive)
 {
     struct emitter emitter;
     const char *fault = find_emitter(primitive, &emitter);
-
     emitter_free(&emitter);
     return fault;
 }
@@ -191,7 +181,6 @@ static bool prepare(struct emission *emission, const struct primitive *primitive
     bool good = !fault && check_options(&emission->options, error)
                 && assemble_emission(emission, error)
                 && lay_out_emitter(emission, primitive, &emitter, error);
-
     if (fault)
         error_set(error, "the %s of line %zu: %s", primitive_kind_name(primitive->kind),
                   primitive->line, fault);
@@ -203,7 +192,6 @@ struct emission *emission_new(const struct primitive *primitive,
                               const struct emission_options *options, c205_error *error)
 {
     struct emission *emission = calloc(1, sizeof *emission);
-
     if (!emission) {
         error_set(error, "out of memory");
         return NULL;
@@ -231,7 +219,6 @@ static bool load_choice(const struct emission *emission, c205 *machine,
 {
     /* An integer of the machine is a word with the exponent 0. */
     const c205_word words[] = { choice->seed, choice->first, choice->m, choice->shift };
-
     return c205_load(machine, &emission->program->program, error)
            && image_load(&emission->image, machine, error)
            && (c205_write(machine, emission->choice, words,
@@ -243,7 +230,6 @@ c205 *emission_load(const struct emission *emission,
                     const struct emission_choice *choice, c205_error *error)
 {
     c205 *machine = c205_new(emission->options.model, error);
-
     if (machine && load_choice(emission, machine, choice, error))
         return machine;
     c205_free(machine);
@@ -259,7 +245,6 @@ bool emission_run(const struct emission *emission, const struct emission_choice 
                 && ((c205_read(machine, emission->made, planes, words)
                      && (!accounts || accounts_add(accounts, machine)))
                     || error_set(error, "out of memory"));
-
     c205_free(machine);
     return good;
 }
@@ -273,7 +258,6 @@ struct emission_choice emission_choose(bool lattice, uint64_t seed, size_t point
                                        size_t place)
 {
     struct emission_choice choice = { .seed = seed, .shift = place };
-
     while (choice.m < 20 && (UINT64_C(1) << choice.m) < points)
         choice.m++;
     if (!lattice)

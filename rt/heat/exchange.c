@@ -46,7 +46,6 @@ static c205_word *lay_words(const struct exchange_given *given)
 {
     size_t n = given->count;
     c205_word *words = calloc((n + 4) * n, sizeof *words), *planes;
-
     if (!words)
         return NULL;
     for (size_t i = 0; i < n; i++)
@@ -55,7 +54,6 @@ static c205_word *lay_words(const struct exchange_given *given)
     planes = words + (n + 1) * n;
     for (size_t i = 0; i < n; i++) {
         double kelvins = given->emissivity[i] > 0 ? given->temperature[i] : 0;
-
         planes[i] = c205_from_double(given->area[i]);
         planes[n + i] = c205_from_double(given->emissivity[i]);
         planes[2 * n + i] = c205_from_double(kelvins);
@@ -73,7 +71,6 @@ static bool run_exchange(const struct exchange_given *given, struct object *prog
     size_t n = given->count, count = MADE_PLANES * n + MADE_WORDS;
     struct single_run run;
     uint64_t at, planes, clocks = 0;
-
     single_run_begin(&run, program, given->model, error);
     run.accounts = accounts;
     single_run_word(&run, "exchange_count", n);
@@ -94,7 +91,6 @@ static bool take_exchange(const struct exchange_given *given, const c205_word *m
     size_t n = given->count;
     const c205_word *behind = made + MADE_PLANES * n;
     int64_t singular = c205_to_integer(behind[MADE_SINGULAR]);
-
     if (singular > 0)
         return error_set(error,
                          "the exchange has no solution: surface %s belongs to a "
@@ -114,7 +110,6 @@ static bool exchange_begin(const struct exchange_given *given,
                            struct exchange *exchange)
 {
     size_t n = given->count;
-
     *exchange = (struct exchange){ .count = n, .accounts = { .model = given->model } };
     exchange->radiosity = calloc(n, sizeof *exchange->radiosity);
     exchange->irradiation = calloc(n, sizeof *exchange->irradiation);
@@ -138,7 +133,6 @@ bool exchange_find(const struct exchange_given *given, struct exchange *exchange
     struct object *program;
     c205_word *words, *made;
     bool good;
-
     *exchange = (struct exchange){ 0 };
     if (!check_exchange(given, error))
         return false;

@@ -17,7 +17,6 @@ struct factors *factors_new(const struct scene *scene,
                             const struct sampling_options *options, c205_error *error)
 {
     struct factors *factors;
-
     if (options->points < 1 || options->points > MAX_FACTORS_POINTS) {
         error_set(error, "%zu points: the number must be between 1 and %d",
                   options->points, MAX_FACTORS_POINTS);
@@ -55,7 +54,6 @@ void factors_free(struct factors *factors)
 static bool row_begin(struct factor_row *row, const struct packet_programs *programs)
 {
     size_t receivers = packet_receivers(programs);
-
     *row = (struct factor_row){ .receivers = receivers };
     row->accounts.model = programs->options.model;
     row->count = calloc(receivers, sizeof *row->count);
@@ -110,7 +108,6 @@ static double share_of(const struct repeats *repeats, size_t k, size_t receiver)
 {
     const struct packet *packet = &repeats->packets[k * repeats->pieces];
     double sum = 0;
-
     for (size_t i = 0; i < repeats->pieces; i++)
         sum += c205_to_double(packet[i].sums[receiver]);
     return sum / (double)repeats->points;
@@ -134,10 +131,8 @@ static struct estimate factor_of(const struct repeats *repeats, size_t receiver)
 static bool count_rays(const struct repeats *repeats, struct factor_row *row)
 {
     bool good = true;
-
     for (size_t k = 0; good && k < repeats->count * repeats->pieces; k++) {
         const struct packet *packet = &repeats->packets[k];
-
         row->tried += packet->made;
         row->sent += packet->stay
                      - (uint64_t)c205_to_integer(packet->counts[row->receivers]);
@@ -161,7 +156,6 @@ static bool conclude(const struct packet_programs *programs,
                                .receivers = packet_receivers(programs),
                                .packets = packets };
     bool good;
-
     repeats.areas = calloc(repeats.count, sizeof *repeats.areas);
     repeats.shares = calloc(repeats.count, sizeof *repeats.shares);
     good = repeats.areas && repeats.shares && row_begin(row, programs)
@@ -209,7 +203,6 @@ static bool begin_source(const struct rows_work *work, struct emitting *emitting
                                             .points = points,
                                             .lattice = options->lattice,
                                             .model = options->model };
-
     if (emitting->source && emitting->primitive == primitive
         && emitting->points == points)
         return true;
@@ -234,7 +227,6 @@ static bool run_unit(void *context, size_t job, size_t unit,
     struct emitting *emitting = &work->emitting[job];
     struct packet packet = { .width = 0 };
     bool good;
-
     if (!begin_source(work, emitting, choice.primitive, points, error))
         return false;
     good = packet_begin(&packet, work->programs)
@@ -258,7 +250,6 @@ static bool begin_coming(const struct rows_work *work, struct coming *coming)
 {
     size_t count = packet_count(&work->programs->options);
     bool good;
-
     coming->packets = calloc(count, sizeof *coming->packets);
     good = coming->packets != NULL;
     for (size_t k = 0; good && k < count; k++)
@@ -274,7 +265,6 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
     size_t count = packet_count(&work->programs->options);
     size_t i = unit / count;
     struct coming *coming = &work->coming[i];
-
     if (!coming->packets && !begin_coming(work, coming))
         return error_set(error, "out of memory");
     if (!packet_take(&coming->packets[unit % count], words))
@@ -313,7 +303,6 @@ static bool open_files(const struct rows_work *work, struct job_set *job_set,
                    options->surface_of ? programs->scene->primitive_count : 0),
         hash_sizes(HASH_START, work->emitters, work->emitter_count),
     };
-
     return ray_query_keep(programs->rays, job_set, "heat by rays", choices,
                           sizeof choices / sizeof *choices, error);
 }
@@ -332,14 +321,12 @@ static bool run_job_set(struct rows_work *work, c205_error *error)
         .progress = options->progress,
         .progress_context = options->context,
     };
-
     return open_files(work, packets.job_set, error) && job_set_run(&packets, error);
 }
 
 static bool rows_begin(struct rows_work *work)
 {
     size_t jobs = work->programs->options.jobs;
-
     work->job_count = jobs > 0 ? jobs : 1;
     work->emitting = calloc(work->job_count, sizeof *work->emitting);
     work->coming = calloc(work->emitter_count + 1, sizeof *work->coming);
@@ -369,7 +356,6 @@ bool factors_find(const struct factors *factors, const size_t *emitters, size_t 
                               .emitter_count = count,
                               .rows = rows };
     bool good;
-
     for (size_t i = 0; i < count; i++)
         rows[i] = (struct factor_row){ .receivers = 0 };
     good = rows_begin(&work) ? run_job_set(&work, error)

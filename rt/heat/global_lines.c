@@ -72,7 +72,6 @@ static bool find_sphere(struct global_work *work, c205_error *error)
     double high[3] = { -INFINITY, -INFINITY, -INFINITY }, square = 0;
     bool good = (bounds && bound_nodes(scene, bounds))
                 || error_set(error, "out of memory");
-
     for (size_t i = 0; good && i < scene->region_count; i++)
         good = join_box(&bounds[scene->regions[i].first_node], &scene->regions[i], low,
                         high, error);
@@ -120,7 +119,6 @@ static bool begin_chords(struct global_work *work, c205_error *error)
                                             .points = work->lines_of_packet,
                                             .lattice = options->lattice,
                                             .model = options->model };
-
     return chords_begin(&work->chords, &emits, error);
 }
 
@@ -135,7 +133,6 @@ static bool begin_lines(struct global_work *work, c205_error *error)
         .bodies = true,
         .model = options->model,
     };
-
     work->lines = ray_query_new(work->scene, &lines, error);
     return work->lines;
 }
@@ -156,7 +153,6 @@ static bool begin_room(struct global_work *work)
 static bool lines_begin(struct global_work *work, c205_error *error)
 {
     size_t lines = (size_t)1 << work->options->lines_log;
-
     work->lines_of_packet = lines < GLOBAL_LINES_PACKET ? lines : GLOBAL_LINES_PACKET;
     work->packets = lines / work->lines_of_packet;
     if (!begin_room(work))
@@ -195,7 +191,6 @@ static bool make_lines(struct global_packet *packet)
     struct emission_choice choice = {
         .seed = options->seed, .m = options->lines_log, .shift = repeat, .first = first
     };
-
     if (!options->lattice)
         choice.first += repeat << options->lines_log;
     if (!chords_run(&work->chords, &choice, packet->planes, packet->lines,
@@ -216,7 +211,6 @@ struct ends {
 static void add_end(struct ends *ends, c205_word distance, size_t surface, int within)
 {
     size_t i = ends->count++;
-
     ends->planes[GAP_DISTANCE][i] = distance;
     ends->planes[GAP_SURFACE][i] = c205_from_integer((int64_t)surface);
     ends->planes[GAP_SCENE_DEPTH][i] = c205_from_integer(within);
@@ -225,7 +219,6 @@ static void add_end(struct ends *ends, c205_word distance, size_t surface, int w
 static size_t surface_of(const struct global_packet *packet, size_t primitive)
 {
     const size_t *surfaces = packet->work->options->surface_of;
-
     return surfaces ? surfaces[primitive] : primitive;
 }
 
@@ -239,7 +232,6 @@ static bool lay_ends(const struct global_packet *packet, struct ends *ends)
     size_t count = seen->first[seen->line_count] + seen->line_count + 1;
     c205_word away = c205_from_double(packet->work->found->radius);
     c205_word *words = calloc(GAP_PLANES * count, sizeof *words);
-
     for (size_t k = 0; k < GAP_PLANES; k++)
         ends->planes[k] = words ? words + k * count : NULL;
     for (size_t line = 0; words && line < seen->line_count; line++) {
@@ -265,7 +257,6 @@ static bool count_gaps(struct global_packet *packet, const struct ends *ends,
     struct single_run run;
     uint64_t counts, clocks = 0;
     bool good = false;
-
     for (size_t k = 0; part && k < GAP_PLANES; k++)
         for (i = 0; i <= count; i++)
             part[k * (count + 1) + i] = ends->planes[k][first + i];
@@ -295,7 +286,6 @@ static bool count_all(struct global_packet *packet)
     struct ends ends = { .count = 0 };
     size_t most = MAX_ENDS - 1, gaps;
     bool good = lay_ends(packet, &ends) || error_set(packet->error, "out of memory");
-
     gaps = good ? ends.count - 1 : 0;
     for (size_t i = 0; good && i < gaps; i += most)
         good = count_gaps(packet, &ends, i, gaps - i < most ? gaps - i : most);
@@ -309,7 +299,6 @@ static bool run_packet(struct global_packet *packet)
     bool good = make_lines(packet)
                 && ray_query_find(work->lines, packet->lines, work->lines_of_packet,
                                   &packet->seen, packet->error);
-
     if (good)
         good = accounts_add_all(&packet->accounts, &packet->seen.accounts)
                || error_set(packet->error, "out of memory");
@@ -324,7 +313,6 @@ static bool begin_packet(struct global_packet *packet)
 {
     const struct global_work *work = packet->work;
     size_t count = work->lines_of_packet;
-
     packet->planes = malloc(EMITTED_PLANES * count * sizeof *packet->planes);
     packet->lines = malloc(count * sizeof *packet->lines);
     packet->counts = calloc(cells_of(work), sizeof *packet->counts);
@@ -348,13 +336,11 @@ static void put_counts(const struct global_packet *packet,
                        struct serialized_result *words)
 {
     size_t cells = cells_of(packet->work), some = 0;
-
     for (size_t i = 0; i < cells; i++)
         some += c205_to_integer(packet->counts[i]) != 0;
     result_put(words, some);
     for (size_t i = 0; i < cells; i++) {
         int64_t count = c205_to_integer(packet->counts[i]);
-
         if (count != 0) {
             result_put(words, i);
             result_put(words, (uint64_t)count);
@@ -368,7 +354,6 @@ static bool run_unit(void *context, size_t job, size_t unit,
     struct global_packet packet = { .work = context, .unit = unit, .error = error };
     bool good = begin_packet(&packet) ? run_packet(&packet)
                                       : error_set(error, "out of memory");
-
     (void)job;
     if (good) {
         result_put_accounts(words, &packet.accounts);
@@ -386,7 +371,6 @@ static void add_gaps(const struct global_work *work, size_t unit, uint64_t cell,
     size_t width = receiver_count(work), i = (size_t)cell / width,
            j = (size_t)cell % width;
     uint64_t *ends = work->found->ends + unit / work->packets * cells_of(work);
-
     ends[i * width + j] += count;
     ends[j * width + i] += count;
 }
@@ -398,10 +382,8 @@ static bool are_counts(const struct global_work *work,
     struct serialized_result look = *words;
     uint64_t some = result_take(&look), last = 0;
     bool good = some <= cells_of(work);
-
     for (uint64_t i = 0; good && i < some; i++) {
         uint64_t cell = result_take(&look);
-
         good = cell < cells_of(work) && (i == 0 || cell > last);
         last = cell;
         result_take(&look);
@@ -417,7 +399,6 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
     struct accounts accounts = { .model = work->options->model };
     uint64_t clocks[HEAT_STEPS] = { 0 };
     bool good = result_take_accounts(words, &accounts);
-
     result_take_all(words, clocks, HEAT_STEPS);
     good = good && are_counts(work, words)
            && accounts_add_all(&work->found->accounts, &accounts);
@@ -425,7 +406,6 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
         work->found->clocks[i] += clocks[i];
     for (uint64_t i = good ? result_take(words) : 0; i > 0; i--) {
         uint64_t cell = result_take(words);
-
         add_gaps(work, unit, cell, result_take(words));
     }
     accounts_free(&accounts);
@@ -449,7 +429,6 @@ static bool open_files(const struct global_work *work, struct job_set *job_set,
         hash_sizes(HASH_START, options->surface_of,
                    options->surface_of ? work->scene->primitive_count : 0),
     };
-
     return ray_query_keep(work->lines, job_set, "heat by lines", choices,
                           sizeof choices / sizeof *choices, error);
 }
@@ -468,7 +447,6 @@ static bool run_packets(struct global_work *work, c205_error *error)
         .progress = options->progress,
         .progress_context = options->context,
     };
-
     work->found->units = packets.count;
     return open_files(work, packets.job_set, error) && job_set_run(&packets, error);
 }
@@ -479,7 +457,6 @@ bool global_lines_find(const struct scene *scene,
 {
     struct global_work work = { .scene = scene, .options = options, .found = found };
     bool good;
-
     *found = (struct global_lines){ .surfaces = surface_count(scene, options),
                                     .repeats = options->repeats,
                                     .lines_log = options->lines_log,
@@ -506,7 +483,6 @@ static uint64_t count_in(const struct global_lines *found, size_t repeat, size_t
                          size_t j)
 {
     size_t width = found->surfaces + 1;
-
     return found->ends[(repeat * width + i) * width + j];
 }
 
@@ -514,7 +490,6 @@ static uint64_t count_in(const struct global_lines *found, size_t repeat, size_t
 static uint64_t row_in(const struct global_lines *found, size_t repeat, size_t i)
 {
     uint64_t sum = 0;
-
     for (size_t j = 0; j <= found->surfaces; j++)
         sum += count_in(found, repeat, i, j);
     return sum;
@@ -523,7 +498,6 @@ static uint64_t row_in(const struct global_lines *found, size_t repeat, size_t i
 static uint64_t row_of(const struct global_lines *found, size_t i)
 {
     uint64_t sum = 0;
-
     for (size_t k = 0; k < found->repeats; k++)
         sum += row_in(found, k, i);
     return sum;
@@ -532,7 +506,6 @@ static uint64_t row_of(const struct global_lines *found, size_t i)
 uint64_t global_lines_count(const struct global_lines *found, size_t i, size_t j)
 {
     uint64_t sum = 0;
-
     for (size_t k = 0; k < found->repeats; k++)
         sum += count_in(found, k, i, j);
     return sum;
@@ -544,7 +517,6 @@ uint64_t global_lines_count(const struct global_lines *found, size_t i, size_t j
 static double error_of(const struct global_lines *found, double squares)
 {
     double n = (double)found->repeats;
-
     return sqrt(fmax(squares, 4) * n / (n - 1));
 }
 
@@ -554,7 +526,6 @@ struct estimate global_lines_area(const struct global_lines *found, size_t i)
     double unit = 2 * elementary_acos(-1) * found->radius * found->radius
                   / (n * ldexp(1, (int)found->lines_log));
     double squares = 0;
-
     for (size_t k = 0; k < found->repeats; k++) {
         double beside = (double)row_in(found, k, i) - sum / n;
         squares += beside * beside;
@@ -569,7 +540,6 @@ struct estimate global_lines_factor(const struct global_lines *found, size_t i,
     double row = (double)row_of(found, i);
     double factor = (double)global_lines_count(found, i, j) / row;
     double squares = 0;
-
     for (size_t k = 0; k < found->repeats; k++) {
         double beside = (double)count_in(found, k, i, j)
                         - factor * (double)row_in(found, k, i);

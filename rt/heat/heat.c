@@ -36,7 +36,6 @@ static bool add_accounts(const struct heat_work *work, const struct accounts *ac
 static size_t log_of(size_t count)
 {
     size_t log = 0;
-
     while ((size_t)1 << log < count)
         log++;
     return log;
@@ -46,7 +45,6 @@ static size_t log_of(size_t count)
 static struct sampling_options sampling_of(const struct heat *heat)
 {
     const struct heat_request *request = heat->request;
-
     return (struct sampling_options){
         .mode = request->mode,
         .queue = request->queue,
@@ -70,7 +68,6 @@ static struct sampling_options sampling_of(const struct heat *heat)
 static void list_emitters(struct heat_work *work)
 {
     const struct heat *heat = work->heat;
-
     for (size_t i = 0; i < heat->scene->primitive_count; i++)
         if (!heat->refusals[i])
             work->emitters[work->emitter_count++] = i;
@@ -84,7 +81,6 @@ static bool find_rows(struct heat_work *work)
     bool good = factors
                 && factors_find(factors, work->emitters, work->emitter_count,
                                 work->rows, work->error);
-
     if (good)
         heat->units = factors_units(factors, work->emitter_count);
     factors_free(factors);
@@ -97,7 +93,6 @@ static void place_rows(const struct heat_work *work)
 {
     for (size_t i = work->emitter_count; i-- > 0;) {
         struct factor_row row = work->rows[i];
-
         work->rows[i] = (struct factor_row){ .receivers = 0 };
         work->rows[work->emitters[i]] = row;
     }
@@ -116,7 +111,6 @@ static bool find_by_rays(struct heat_work *work)
 {
     size_t primitives = work->heat->scene->primitive_count;
     bool good;
-
     work->emitter_count = 0;
     work->emitters = calloc(primitives + 1, sizeof *work->emitters);
     work->rows = calloc(primitives + 1, sizeof *work->rows);
@@ -143,7 +137,6 @@ static bool find_by_lines(struct heat_work *work)
     struct sampling_options options = sampling_of(heat);
     struct global_lines found;
     bool good;
-
     if (!global_lines_find(heat->scene, &options, &found, work->error))
         return false;
     heat->units = found.units;
@@ -159,7 +152,6 @@ static bool find_by_lines(struct heat_work *work)
 bool heat_is_precise(const struct heat *heat)
 {
     double tolerance = heat->request->tolerance;
-
     return tolerance == 0 || heat->worst <= tolerance;
 }
 
@@ -173,12 +165,10 @@ static double error_of(const struct surface *surface, size_t to)
 static void find_worst(struct heat *heat)
 {
     const struct surfaces *surfaces = &heat->surfaces;
-
     heat->worst = -1;
     for (size_t i = 0; i < surfaces->count; i++)
         for (size_t j = 0; j <= surfaces->count; j++) {
             const struct surface *surface = &surfaces->list[i];
-
             if (surface->sent == 0 || error_of(surface, j) <= heat->worst)
                 continue;
             heat->worst = error_of(surface, j);
@@ -191,7 +181,6 @@ static void find_worst(struct heat *heat)
 static size_t limit_of(const struct heat_request *request)
 {
     size_t limit = request->limit;
-
     return request->by_lines && limit > 0 ? (size_t)1 << (log_of(limit + 1) - 1)
                                           : limit;
 }
@@ -201,7 +190,6 @@ static size_t limit_of(const struct heat_request *request)
 static uint64_t find_next(struct heat *heat)
 {
     size_t limit = limit_of(heat->request);
-
     if (!collects(heat))
         return 0;
     find_worst(heat);
@@ -213,7 +201,6 @@ static uint64_t find_next(struct heat *heat)
 static bool begin_round(const struct heat_work *work)
 {
     struct heat *heat = work->heat;
-
     accounts_free(&heat->accounts);
     heat->accounts = (struct accounts){ .model = heat->request->model };
     memset(heat->clocks, 0, sizeof heat->clocks);
@@ -226,7 +213,6 @@ static bool find_factors(struct heat_work *work)
 {
     const struct heat_request *request = work->heat->request;
     uint64_t next = request->drawn;
-
     do {
         work->heat->drawn = (size_t)next;
         if (!begin_round(work)
@@ -247,7 +233,6 @@ static bool take_given(const struct heat *heat, struct named_values *given,
                        c205_error *error)
 {
     bool good = true;
-
     for (size_t i = 0; good && i < count; i++)
         good = named_add(given, texts[i], error);
     return good && named_check(given, &heat->parts, besides, error)
@@ -277,7 +262,6 @@ static bool smooth(const struct heat_work *work)
 {
     struct heat *heat = work->heat;
     const struct heat_request *request = heat->request;
-
     if (!request->smooth || !collects(heat))
         return true;
     if (!smooth_surfaces(&heat->surfaces, request->mode, request->model,
@@ -291,7 +275,6 @@ static bool find_exchange(const struct heat_work *work)
 {
     struct heat *heat = work->heat;
     const struct heat_request *request = heat->request;
-
     if (!request->exchange || !collects(heat))
         return true;
     if (!thermal_find(&heat->surfaces, &heat->parts, &heat->emissivities,
@@ -307,7 +290,6 @@ static bool find_exchange(const struct heat_work *work)
 static void enlarge(struct heat *heat)
 {
     double unit = ldexp(1, 2 * heat->scene->unit_log);
-
     for (size_t i = 0; i < heat->surfaces.count; i++) {
         heat->surfaces.list[i].area.value *= unit;
         heat->surfaces.list[i].area.error *= unit;
@@ -321,7 +303,6 @@ static void enlarge(struct heat *heat)
 bool heat_find(struct heat *heat, c205_error *error)
 {
     struct heat_work work = { .heat = heat, .error = error };
-
     if (!find_factors(&work) || !smooth(&work) || !find_exchange(&work))
         return false;
     enlarge(heat);
@@ -364,7 +345,6 @@ static bool is_same_surface(const struct surface *one, const struct surface *oth
 static bool is_same_exchange(const struct exchange *one, const struct exchange *other)
 {
     size_t size = one->count * sizeof *one->flow;
-
     return one->count == other->count
            && (size == 0
                || (memcmp(one->radiosity, other->radiosity, size) == 0
@@ -376,7 +356,6 @@ bool heat_is_same(const struct heat *one, const struct heat *other)
 {
     size_t count = one->surfaces.count;
     bool same = one->drawn == other->drawn && count == other->surfaces.count;
-
     for (size_t i = 0; same && i < count; i++)
         same = is_same_surface(&one->surfaces.list[i], &other->surfaces.list[i],
                                count + 1);

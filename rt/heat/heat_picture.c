@@ -43,7 +43,6 @@ static bool find_from(struct heat_drawing *drawing)
 {
     const struct surfaces *surfaces = &drawing->heat->surfaces;
     const char *name = drawing->look->from ? drawing->look->from : "";
-
     while (drawing->from < surfaces->count
            && strcmp(surfaces->list[drawing->from].name, name) != 0)
         drawing->from++;
@@ -62,7 +61,6 @@ static void put_factors(const struct heat_drawing *drawing)
 {
     const struct surfaces *surfaces = &drawing->heat->surfaces;
     const struct surface *from = &surfaces->list[drawing->from];
-
     for (size_t i = 0; i < surfaces->count; i++)
         drawing->values[i] = surface_factor(from, i);
 }
@@ -70,10 +68,8 @@ static void put_factors(const struct heat_drawing *drawing)
 static void put_flows(const struct heat_drawing *drawing)
 {
     const struct thermal *thermal = &drawing->heat->thermal;
-
     for (size_t i = 0; i < thermal->count; i++) {
         size_t surface = thermal->surface[i];
-
         drawing->values[surface] = thermal->exchange.flow[i]
                                    / drawing->heat->surfaces.list[surface].area.value;
     }
@@ -82,7 +78,6 @@ static void put_flows(const struct heat_drawing *drawing)
 static bool find_range(const struct heat_drawing *drawing)
 {
     struct heat_drawn *drawn = drawing->drawn;
-
     drawn->least = INFINITY;
     drawn->most = -INFINITY;
     for (size_t i = 0; i < drawing->heat->surfaces.count; i++) {
@@ -96,7 +91,6 @@ static bool find_range(const struct heat_drawing *drawing)
 static bool find_values(struct heat_drawing *drawing)
 {
     size_t count = drawing->heat->surfaces.count;
-
     drawing->values = calloc(count + 1, sizeof *drawing->values);
     if (!drawing->values)
         return error_set(drawing->error, "out of memory");
@@ -121,7 +115,6 @@ static void mix(const double (*way)[3], size_t count, double share, double color
 {
     double at = fmin(fmax(share, 0), 1) * (double)(count - 1);
     size_t i = at < (double)(count - 2) ? (size_t)at : count - 2;
-
     for (int k = 0; k < 3; k++)
         color[k] = way[i][k] + (at - (double)i) * (way[i + 1][k] - way[i][k]);
 }
@@ -139,7 +132,6 @@ static void color_at(const void *given, double share, double color[3])
     static const double factor[][3] = {
         { .01, .02, .12 }, { .2, .02, .35 }, { .75, .12, .1 }, { .95, .75, .1 }
     };
-
     if (drawing->look->shown == SHOWN_FLOW)
         mix(flow, 5, (1 + share) / 2, color);
     else
@@ -184,14 +176,12 @@ static bool paint_scene(struct heat_drawing *drawing)
     const struct scene *from = drawing->heat->scene;
     struct scene *scene = &drawing->scene;
     size_t size = (from->primitive_count + 1) * sizeof *from->primitives;
-
     *scene = *from;
     scene->primitives = malloc(size);
     if (!scene->primitives)
         return error_set(drawing->error, "out of memory");
     for (size_t i = 0; i < from->primitive_count; i++) {
         double color[3];
-
         scene->primitives[i] = from->primitives[i];
         color_of(drawing, drawing->heat->surfaces.surface_of[i], color);
         paint(&scene->primitives[i], color);
@@ -218,7 +208,6 @@ static void put_values(const struct heat_drawing *drawing, const struct frame *f
         double value = id > 0
                            ? drawing->values[drawing->heat->surfaces.surface_of[id - 1]]
                            : 0;
-
         frame->value[i] = value;
     }
 }
@@ -234,7 +223,6 @@ static bool write_frame(const struct heat_drawing *drawing, struct frame *frame)
         { "rt205:clocks", clocks },
         { NULL, NULL },
     };
-
     snprintf(range, sizeof range, "%s from %g to %g%s", heat_shown_name(look->shown),
              drawing->drawn->least, drawing->drawn->most, heat_shown_unit(look->shown));
     snprintf(clocks, sizeof clocks, "%llu", (unsigned long long)drawing->drawn->clocks);
@@ -256,7 +244,6 @@ static bool read_and_write(const struct heat_drawing *drawing,
     struct frame frame;
     double *value = calloc(options->width * height, sizeof *value);
     bool good = frame_allocate(&frame, options->width, height) && value;
-
     if (good) {
         frame.layer = heat_shown_name(drawing->look->shown);
         frame.value = value;
@@ -279,7 +266,6 @@ static bool trace_and_write(const struct heat_drawing *drawing)
     struct trace *trace = trace_new(&drawing->scene, &drawing->look->trace,
                                     drawing->error);
     bool good = trace && trace_run(trace, drawing->error);
-
     if (good)
         drawing->drawn->clocks = trace_accounts(trace)->clocks;
     good = good && read_and_write(drawing, trace);
@@ -295,7 +281,6 @@ bool heat_draw(const struct heat *heat, const struct heat_look *look,
     };
     bool good = find_values(&drawing) && paint_scene(&drawing)
                 && trace_and_write(&drawing);
-
     free(drawing.scene.primitives);
     free(drawing.values);
     return good;

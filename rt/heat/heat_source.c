@@ -34,12 +34,10 @@ static void bound_in(const struct scene *scene, const struct region *region,
                      const struct bound *nodes, struct bound *bounds)
 {
     size_t first = region->first_node, end = first + region->node_count;
-
     for (size_t i = 0; i < region->primitive_count; i++)
         bounds[region->first_primitive + i] = nodes[first];
     for (size_t i = first; i < end; i++) {
         struct bound *bound = &bounds[scene->nodes[i].primitive];
-
         if (scene->nodes[i].operation == TREE_LEAF && !bound_is_none(&nodes[i])
             && (bound_is_none(bound) || nodes[i].radius < bound->radius))
             *bound = nodes[i];
@@ -52,7 +50,6 @@ static struct bound *bound_primitives(const struct scene *scene)
     struct bound *nodes = calloc(scene->node_count + 1, sizeof *nodes);
     struct bound *bounds = calloc(scene->primitive_count + 1, sizeof *bounds);
     bool good = nodes && bounds && bound_nodes(scene, nodes);
-
     for (size_t i = 0; good && i < scene->region_count; i++)
         bound_in(scene, &scene->regions[i], nodes, bounds);
     free(nodes);
@@ -66,7 +63,6 @@ static const char *refusal_of(const struct scene *scene, const struct bound *bou
                               size_t primitive)
 {
     const char *refusal = emission_refusal(&scene->primitives[primitive]);
-
     if (refusal && bound_is_none(&bounds[primitive]))
         return scene->primitives[primitive].kind == PRIMITIVE_PLANE
                    ? refusal
@@ -78,7 +74,6 @@ const char **source_refusals(const struct scene *scene)
 {
     const char **refusals = calloc(scene->primitive_count + 1, sizeof *refusals);
     struct bound *bounds = bound_primitives(scene);
-
     for (size_t i = 0; refusals && bounds && i < scene->primitive_count; i++)
         refusals[i] = refusal_of(scene, bounds, i);
     if (!bounds) {
@@ -96,7 +91,6 @@ static bool find_sphere(struct heat_source *source, const struct scene *scene,
 {
     struct bound *bounds = bound_primitives(scene), bound;
     const char *refusal;
-
     if (!bounds)
         return error_set(error, "out of memory");
     bound = bounds[primitive];
@@ -138,7 +132,6 @@ static bool begin_lines(struct heat_source *source, c205_error *error)
         .model = source->options.model,
     };
     struct emission_options emits = source->options;
-
     emits.mode = trace_mode_besides(emits.mode);
     source->lines = ray_query_new(&source->alone, &options, error);
     if (!source->lines)
@@ -152,7 +145,6 @@ static bool source_begin(struct heat_source *source, const struct scene *scene,
 {
     const struct primitive *emitter = &scene->primitives[primitive];
     struct emission_options emits = source->options;
-
     emits.mode = trace_mode_besides(emits.mode);
     if (!emission_refusal(emitter)) {
         source->emission = emission_new(emitter, &emits, error);
@@ -169,7 +161,6 @@ struct heat_source *source_new(const struct scene *scene, size_t primitive,
                                c205_error *error)
 {
     struct heat_source *source = calloc(1, sizeof *source);
-
     if (!source) {
         error_set(error, "out of memory");
         return NULL;
@@ -206,11 +197,9 @@ static c205_word *lay_crossings(const struct ray_hits *found)
 {
     size_t count = found->first[found->line_count];
     c205_word *planes = calloc(CROSSED_PLANES * count + 1, sizeof *planes);
-
     for (size_t line = 0; planes && line < found->line_count; line++)
         for (size_t i = found->first[line]; i < found->first[line + 1]; i++) {
             const struct ray_hit *seen = &found->list[i];
-
             planes[CROSSED_DISTANCE * count + i] = seen->distance;
             planes[CROSSED_LINE * count + i] = c205_from_integer((int64_t)line);
             for (size_t k = 0; k < 3; k++)
@@ -226,7 +215,6 @@ static bool run_spots(const struct heat_source *source, const c205_word *lines,
     size_t words = EMITTED_PLANES * made->count;
     struct single_run run;
     uint64_t at, clocks = 0;
-
     single_run_begin(&run, source->spots, source->options.model, error);
     run.accounts = accounts;
     single_run_word(&run, "spots_lines", source->chords.count);
@@ -244,7 +232,6 @@ static bool make_spots(const struct heat_source *source, const c205_word *lines,
 {
     c205_word *crossings;
     bool good;
-
     made->count = found->first[found->line_count];
     if (made->count > MAX_EMISSION)
         return error_set(error,
@@ -270,7 +257,6 @@ static bool run_lines(const struct heat_source *source,
     bool good = chords_run(&source->chords, choice, planes, lines, accounts, error)
                 && ray_query_find(source->lines, lines, source->chords.count, &found,
                                   error);
-
     if (good && !accounts_add_all(accounts, &found.accounts))
         good = error_set(error, "out of memory");
     good = good && make_spots(source, planes, &found, made, accounts, error);
@@ -288,7 +274,6 @@ static bool run_by_lines(const struct heat_source *source,
     bool good = lines && planes
                     ? run_lines(source, choice, lines, planes, made, accounts, error)
                     : error_set(error, "out of memory");
-
     free(lines);
     free(planes);
     return good;
@@ -311,7 +296,6 @@ bool source_run(const struct heat_source *source, const struct emission_choice *
                 struct sourced *made, struct accounts *accounts, c205_error *error)
 {
     bool good;
-
     *made = (struct sourced){ .count = 0 };
     good = source->emission ? run_emission(source, choice, made, accounts, error)
                             : run_by_lines(source, choice, made, accounts, error);

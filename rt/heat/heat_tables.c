@@ -42,7 +42,6 @@ static bool is_invisible(const struct surface *surface)
 size_t heat_invisible(const struct heat *heat)
 {
     size_t count = 0;
-
     for (size_t i = 0; i < heat->surfaces.count; i++)
         count += is_invisible(&heat->surfaces.list[i]);
     return count;
@@ -59,10 +58,8 @@ struct table *heat_table_of_areas(const struct heat *heat, bool all)
 {
     struct table *table = table_new(TABLE_COLUMNS(area_columns));
     int decimals = decimals_of(heat, &area_columns[3]);
-
     for (size_t i = 0; table && i < heat->surfaces.count; i++) {
         const struct surface *surface = &heat->surfaces.list[i];
-
         if (surface->tried == 0 || (!all && is_invisible(surface)))
             continue;
         table_text(table, surface->name);
@@ -80,11 +77,9 @@ struct table *heat_table_of_factors(const struct heat *heat)
 {
     const struct surfaces *surfaces = &heat->surfaces;
     struct table *table = table_new(TABLE_COLUMNS(factor_columns));
-
     for (size_t i = 0; table && i < surfaces->count; i++)
         for (size_t j = 0; j <= surfaces->count; j++) {
             const struct surface *surface = &surfaces->list[i];
-
             if (surface->count[j] == 0)
                 continue;
             table_text(table, surface->name);
@@ -101,13 +96,11 @@ struct table *heat_table_of_smoothed(const struct heat *heat)
 {
     const struct surfaces *surfaces = &heat->surfaces;
     struct table *table = table_new(TABLE_COLUMNS(smoothed_columns));
-
     for (size_t i = 0; table && i < surfaces->count; i++)
         for (size_t j = 0; j <= surfaces->count; j++) {
             const struct surface *surface = &surfaces->list[i];
             struct estimate factor = surface->factor[j];
             double smooth = surface_factor(surface, j);
-
             if (surface->count[j] == 0 && smooth == 0)
                 continue;
             table_text(table, surface->name);
@@ -139,7 +132,6 @@ struct table *heat_table_of_flows(const struct heat *heat)
     const struct exchange *exchange = &thermal->exchange;
     struct table *table = table_new(TABLE_COLUMNS(flow_columns));
     int decimals = decimals_of(heat, &flow_columns[5]);
-
     for (size_t i = 0; table && i < thermal->count; i++) {
         table_text(table, heat->surfaces.list[thermal->surface[i]].name);
         table_number(table, thermal->emissivity[i]);

@@ -27,7 +27,6 @@ static void transform_point(const struct transform *map, const double point[3],
 static double scale_of(const struct transform *map)
 {
     double columns[3][3], scale;
-
     for (size_t i = 0; i < 3; i++)
         for (size_t k = 0; k < 3; k++)
             columns[i][k] = map->rows[k][i];
@@ -35,7 +34,6 @@ static double scale_of(const struct transform *map)
     for (size_t i = 0; i < 3; i++) {
         double length = sqrt(dot3(columns[i], columns[i]));
         double slant = dot3(columns[i], columns[(i + 1) % 3]);
-
         if (fabs(length - scale) > 1e-9 * scale || fabs(slant) > 1e-9 * scale * scale)
             return 0;
     }
@@ -46,7 +44,6 @@ static bool put_cylinder(const struct primitive *primitive, double *words)
 {
     double base[3], cap[3], length, scale = scale_of(&primitive->to_world);
     double radius = primitive->shape.cylinder.radius * scale;
-
     transform_point(&primitive->to_world, primitive->shape.cylinder.base, base);
     transform_point(&primitive->to_world, primitive->shape.cylinder.cap, cap);
     for (size_t i = 0; i < 3; i++) {
@@ -79,7 +76,6 @@ static bool is_emitter(const struct hits_work *work, const struct primitive *pri
     const struct named_part
         *part = &work->parts->list[work->parts->part_of[primitive->object]];
     const char *from = work->options->from;
-
     return strcmp(part->name, from) == 0
            || (part->material && strcmp(part->material, from) == 0);
 }
@@ -87,11 +83,9 @@ static bool is_emitter(const struct hits_work *work, const struct primitive *pri
 static bool list_cylinders(const struct hits_work *work)
 {
     const struct scene *scene = work->scene;
-
     for (size_t i = 0; i < scene->region_count; i++) {
         const struct region *region = &scene->regions[i];
         const struct primitive *primitive = &scene->primitives[region->first_primitive];
-
         if (is_emitter(work, primitive))
             continue;
         if (region->primitive_count != 1 || primitive->inverted
@@ -119,7 +113,6 @@ static bool run_hits(struct hits_work *work)
     c205_word *words = calloc(numbers, sizeof *words);
     struct single_run run;
     uint64_t at, made, clocks = 0;
-
     if (!words)
         return error_set(work->error, "out of memory");
     put_numbers(words, work->cylinders, numbers);
@@ -146,7 +139,6 @@ static bool run_received(struct hits_work *work, size_t repeat)
     struct single_run run;
     c205_word made[SUMS];
     uint64_t sums, clocks = 0;
-
     single_run_begin(&run, work->received, work->options->model, work->error);
     single_run_word(&run, "received_rays", points);
     single_run_word(&run, "received_receivers", RECEIVERS);
@@ -174,7 +166,6 @@ static bool run_repeat(struct hits_work *work, const struct emission *emission,
                                                     options->points,
                                                     primitive * options->repeats
                                                         + repeat);
-
     return emission_run(emission, &choice, work->planes, NULL, work->error)
            && run_hits(work) && run_received(work, repeat);
 }
@@ -192,7 +183,6 @@ static bool run_emitter(struct hits_work *work, size_t primitive)
     struct emission *emission = emission_new(&work->scene->primitives[primitive],
                                              &emits, work->error);
     bool good = emission;
-
     for (size_t k = 0; good && k < options->repeats; k++)
         good = run_repeat(work, emission, primitive, k);
     emission_free(emission);
@@ -217,7 +207,6 @@ static struct object *assemble_hits(const struct hits_work *work, const char *na
         { options->mode == TRACE_VECTOR ? "QUEUE" : NULL, (int64_t)options->queue },
         { NULL, 0 },
     };
-
     return form_assemble_beside(name, options->mode, defines, work->error);
 }
 
@@ -225,7 +214,6 @@ static bool hits_begin(struct hits_work *work)
 {
     const struct hits_options *options = work->options;
     size_t points = options->points, repeats = options->repeats;
-
     if (!named_parts_check(work->parts, options->from, work->error))
         return false;
     work->cylinders = calloc(CYLINDER_WORDS * work->scene->region_count + 1,
@@ -267,7 +255,6 @@ bool hits_find(const struct scene *scene, const struct named_parts *parts,
         .scene = scene, .parts = parts, .options = options, .hits = hits, .error = error
     };
     bool good;
-
     *hits = (struct hits){ .accounts = { .model = options->model } };
     good = hits_begin(&work) && run_emitters(&work);
     if (good)

@@ -20,14 +20,12 @@ static struct ray_query *begin_lines(const struct packet_programs *programs,
                                                .behind = behind,
                                                .bodies = bodies,
                                                .model = programs->options.model };
-
     return ray_query_new(programs->scene, &options, error);
 }
 
 bool packet_programs_begin(struct packet_programs *programs, c205_error *error)
 {
     enum trace_mode mode = programs->options.mode;
-
     programs->normals = begin_lines(programs, below, false, error);
     if (!programs->normals)
         return false;
@@ -54,7 +52,6 @@ void packet_programs_end(struct packet_programs *programs)
 size_t packet_receivers(const struct packet_programs *programs)
 {
     const struct sampling_options *options = &programs->options;
-
     return 1
            + (options->surface_of ? options->surfaces
                                   : programs->scene->primitive_count);
@@ -63,7 +60,6 @@ size_t packet_receivers(const struct packet_programs *programs)
 bool packet_begin(struct packet *packet, const struct packet_programs *programs)
 {
     size_t receivers = packet_receivers(programs);
-
     *packet = (struct packet){ .width = 2 * receivers + 3,
                                .accounts.model = programs->options.model };
     packet->sums = calloc(packet->width, sizeof *packet->sums);
@@ -126,7 +122,6 @@ static bool emit_points(struct packet_work *work)
     size_t place = work->choice.primitive * options->repeats + work->choice.repeat;
     struct emission_choice choice = emission_choose(options->lattice, options->seed,
                                                     options->points, place);
-
     choice.first += work->choice.first;
     if (!source_run(work->source, &choice, &work->made, &work->packet->accounts,
                     work->error))
@@ -142,7 +137,6 @@ static bool follow(const struct packet_work *work, const struct ray_query *lines
                    struct ray_hits *found)
 {
     size_t points = work->made.count;
-
     for (size_t i = 0; i < count; i++)
         for (size_t k = 0; k < 3; k++) {
             work->lines[i].origin[k] = c205_to_double(
@@ -172,11 +166,9 @@ static c205_word *lay_crossings(const struct ray_hits *found)
 {
     size_t count = found->first[found->line_count];
     c205_word *planes = calloc(FACE_PLANES * count + 1, sizeof *planes);
-
     for (size_t line = 0; planes && line < found->line_count; line++)
         for (size_t i = found->first[line]; i < found->first[line + 1]; i++) {
             const struct ray_hit *seen = &found->list[i];
-
             planes[FACE_DISTANCE * count + i] = seen->distance;
             planes[FACE_PRIMITIVE * count + i] = c205_from_integer(
                 (int64_t)seen->primitive);
@@ -193,7 +185,6 @@ static bool run_faces(const struct packet_work *work, const c205_word *list,
     size_t words = EMITTED_PLANES * points;
     struct single_run run;
     uint64_t made, clocks = 0;
-
     begin_run(work, work->programs->faces, &run);
     single_run_word(&run, "faces_points", points);
     single_run_word(&run, "faces_planes", EMITTED_PLANES);
@@ -218,7 +209,6 @@ static bool keep_faces(const struct packet_work *work)
     struct ray_hits found = { 0 };
     c205_word *list;
     bool good;
-
     if (!follow(work, programs->normals, work->made.planes, EMITTED_FACE,
                 work->made.count, &found))
         return false;
@@ -244,7 +234,6 @@ static bool begins_within(const struct ray_hits *found, size_t line)
 static size_t receiver_of(const struct packet_programs *programs, size_t primitive)
 {
     const size_t *receivers = programs->options.surface_of;
-
     return receivers ? receivers[primitive] : primitive;
 }
 
@@ -254,10 +243,8 @@ static void list_receivers(const struct packet_work *work, const struct ray_hits
                            c205_word *list)
 {
     size_t environment = packet_receivers(work->programs) - 1;
-
     for (size_t i = 0; i < found->line_count; i++) {
         size_t first = found->first[i], receiver = environment;
-
         if (begins_within(found, i))
             receiver = environment + 1;
         else if (first < found->first[i + 1])
@@ -273,7 +260,6 @@ static bool run_received(const struct packet_work *work, const c205_word *list)
     size_t receivers = packet_receivers(work->programs) + 1;
     struct single_run run;
     uint64_t sums, clocks = 0;
-
     begin_run(work, work->programs->received, &run);
     single_run_word(&run, "received_rays", rays);
     single_run_word(&run, "received_receivers", receivers);
@@ -294,7 +280,6 @@ static bool receive(const struct packet_work *work)
     struct ray_hits found = { 0 };
     c205_word *list;
     bool good;
-
     if (rays == 0)
         return true;
     if (!follow(work, work->programs->rays, work->stays, EMITTED_RAY, rays, &found))
@@ -314,7 +299,6 @@ static bool run_packet(struct packet_work *work)
 {
     size_t points, words;
     bool good;
-
     if (!emit_points(work))
         return false;
     points = work->made.count;
@@ -331,7 +315,6 @@ static bool run_packet(struct packet_work *work)
     return good;
 }
 
-
 bool packet_run(const struct packet_programs *programs,
                 const struct heat_source *source, const struct packet_choice *choice,
                 struct packet *packet, c205_error *error)
@@ -341,6 +324,5 @@ bool packet_run(const struct packet_programs *programs,
                                 .choice = *choice,
                                 .packet = packet,
                                 .error = error };
-
     return run_packet(&work);
 }

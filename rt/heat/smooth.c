@@ -18,7 +18,6 @@ static bool is_positive(double value)
 static bool check_factors(const struct smooth_given *given, c205_error *error)
 {
     size_t n = given->count;
-
     if (n == 0 || n > MAX_SMOOTH)
         return error_set(error, "%zu surfaces: the number must be between 1 and %d", n,
                          MAX_SMOOTH);
@@ -48,7 +47,6 @@ static c205_word *lay_words(const struct smooth_given *given)
 {
     size_t n = given->count, size = n * (n + 1);
     c205_word *words = calloc(2 * size + n, sizeof *words);
-
     if (!words)
         return NULL;
     lay_columns(given->flows, n, words);
@@ -71,7 +69,6 @@ static bool run_smoothing(const struct smooth_given *given, struct object *progr
     size_t n = given->count, size = n * (n + 1);
     struct single_run run;
     uint64_t at, clocks = 0;
-
     single_run_begin(&run, program, given->model, error);
     run.accounts = accounts;
     single_run_word(&run, "smooth_count", n);
@@ -88,7 +85,6 @@ static bool take_flows(const struct smooth_given *given, const c205_word *made,
 {
     size_t n = given->count;
     int64_t singular = c205_to_integer(made[made_size(n) - 1]);
-
     if (singular > 0)
         return error_set(error,
                          "factors cannot be smoothed: surface %s belongs to a group "
@@ -106,7 +102,6 @@ bool smooth_flows(const struct smooth_given *given, double *flows,
     struct object *program;
     c205_word *words, *made;
     bool good;
-
     if (!check_factors(given, error))
         return false;
     program = form_assemble_beside("heat/smooth", given->mode, NULL, error);
@@ -138,7 +133,6 @@ static struct estimate flow_of(const struct surface *from, size_t to)
 {
     double error = from->count[to] > 0 ? from->factor[to].error
                                        : 1 / (double)from->sent;
-
     return (struct estimate){ from->area.value * from->factor[to].value,
                               from->area.value * error };
 }
@@ -152,7 +146,6 @@ static struct estimate flow_between(const struct smoothing *smoothing, size_t i,
     const struct surface *other = &smoothing->surfaces->list[back];
     struct estimate a = flow_of(one, back), b = flow_of(other, there);
     double v = a.error * a.error, w = b.error * b.error;
-
     if (one->count[back] + other->count[there] == 0)
         return (struct estimate){ 0, 0 };
     if (i == j)
@@ -167,7 +160,6 @@ static void put_flow(const struct smoothing *smoothing, size_t i, size_t j,
                      struct estimate flow)
 {
     size_t at = i * (smoothing->count + 1) + j;
-
     smoothing->flows[at] = flow.value;
     smoothing->variances[at] = flow.error * flow.error;
 }
@@ -177,7 +169,6 @@ static void put_factor_row(const struct smoothing *smoothing, size_t i)
     const struct surfaces *surfaces = smoothing->surfaces;
     const struct surface *surface = &surfaces->list[smoothing->seen[i]];
     struct estimate none = { 0, 0 };
-
     smoothing->areas[i] = surface->area.value;
     for (size_t j = 0; j < smoothing->count; j++)
         put_flow(smoothing, i, j, flow_between(smoothing, i, j));
@@ -190,7 +181,6 @@ static bool take_row(const struct smoothing *smoothing, size_t i, c205_error *er
 {
     struct surface *surface = &smoothing->surfaces->list[smoothing->seen[i]];
     const double *flows = smoothing->flows + i * (smoothing->count + 1);
-
     surface->smooth = calloc(smoothing->surfaces->count + 1, sizeof *surface->smooth);
     if (!surface->smooth)
         return error_set(error, "out of memory");
@@ -205,10 +195,8 @@ static bool take_row(const struct smoothing *smoothing, size_t i, c205_error *er
 static bool list_seen(struct smoothing *smoothing, c205_error *error)
 {
     const struct surfaces *surfaces = smoothing->surfaces;
-
     for (size_t i = 0; i < surfaces->count; i++) {
         const struct surface *surface = &surfaces->list[i];
-
         if (surface->receives_alone)
             return error_set(error,
                              "factors cannot be smoothed: surface %s, the %s of line "
@@ -234,7 +222,6 @@ static bool smooth(const struct smoothing *smoothing, enum trace_mode mode,
                                         .areas = smoothing->areas,
                                         .names = smoothing->names,
                                         .model = model };
-
     for (size_t i = 0; i < smoothing->count; i++)
         put_factor_row(smoothing, i);
     if (!smooth_flows(&given, smoothing->flows, accounts, error))
@@ -261,7 +248,6 @@ bool smooth_surfaces(struct surfaces *surfaces, enum trace_mode mode,
     bool good = (smoothing.seen && smoothing.names && smoothing.areas && smoothing.flows
                  && smoothing.variances)
                 || error_set(error, "out of memory");
-
     good = good && list_seen(&smoothing, error)
            && smooth(&smoothing, mode, model, accounts, error);
     free(smoothing.seen);

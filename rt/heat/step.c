@@ -16,7 +16,6 @@ void heat_charge(uint64_t clocks[HEAT_STEPS], const struct accounts *accounts,
                  enum heat_step step)
 {
     uint64_t charged = 0;
-
     for (int i = 0; i < HEAT_STEPS; i++)
         charged += clocks[i];
     clocks[step] += accounts->clocks - charged;

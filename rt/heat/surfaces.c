@@ -14,7 +14,6 @@ static const char *name_of(struct surfaces *surfaces, const struct named_part *p
                            enum surfaces_by by, size_t primitive)
 {
     char number[24];
-
     if (by == BY_PART)
         return part->name;
     if (by == BY_MATERIAL)
@@ -26,7 +25,6 @@ static const char *name_of(struct surfaces *surfaces, const struct named_part *p
 static size_t find_named(const struct surfaces *surfaces, const char *name)
 {
     size_t i = 0;
-
     while (i < surfaces->count && strcmp(surfaces->list[i].name, name) != 0)
         i++;
     return i;
@@ -39,7 +37,6 @@ static bool place(const struct scene *scene, const struct named_parts *parts,
     const struct primitive *primitive = &scene->primitives[i];
     size_t part = parts->part_of[primitive->object], found = surfaces->count;
     const char *name = name_of(surfaces, &parts->list[part], by, i);
-
     if (!name)
         return false;
     if (by != BY_PRIMITIVE)
@@ -56,10 +53,8 @@ static bool place(const struct scene *scene, const struct named_parts *parts,
 static bool make_rows(struct surfaces *surfaces)
 {
     bool good = true;
-
     for (size_t i = 0; good && i < surfaces->count; i++) {
         struct surface *surface = &surfaces->list[i];
-
         surface->count = calloc(surfaces->count + 1, sizeof *surface->count);
         surface->factor = calloc(surfaces->count + 1, sizeof *surface->factor);
         good = surface->count && surface->factor;
@@ -72,7 +67,6 @@ bool surfaces_find(const struct scene *scene, const struct named_parts *parts,
 {
     size_t count = scene->primitive_count + 1;
     bool good;
-
     *surfaces = (struct surfaces){ 0 };
     surfaces->list = calloc(count, sizeof *surfaces->list);
     surfaces->surface_of = calloc(count, sizeof *surfaces->surface_of);
@@ -103,7 +97,6 @@ void surfaces_free(struct surfaces *surfaces)
 static void add_row(struct surface *surface, const struct factor_row *row)
 {
     double area = row->area.value;
-
     surface->area.value += area;
     surface->area.error = elementary_hypot(surface->area.error, row->area.error);
     surface->tried += row->tried;
@@ -122,7 +115,6 @@ static void add_errors(struct surface *surface, const struct factor_row *row)
         struct estimate *factor = &surface->factor[j];
         double own = row->area.value * row->factor[j].error;
         double beside = row->area.error * (row->factor[j].value - factor->value);
-
         factor->error = elementary_hypot(factor->error, elementary_hypot(own, beside)
                                                             / surface->area.value);
     }
@@ -131,16 +123,13 @@ static void add_errors(struct surface *surface, const struct factor_row *row)
 void surfaces_combine(struct surfaces *surfaces, const struct factor_row *rows)
 {
     size_t primitive_count = surfaces->primitive_count;
-
     for (size_t i = 0; i < primitive_count; i++) {
         struct surface *surface = &surfaces->list[surfaces->surface_of[i]];
-
         surface->receives_alone |= rows[i].receivers == 0;
         add_row(surface, &rows[i]);
     }
     for (size_t i = 0; i < surfaces->count; i++) {
         struct surface *surface = &surfaces->list[i];
-
         for (size_t j = 0; j <= surfaces->count && surface->sent > 0; j++)
             surface->factor[j].value /= surface->area.value;
     }
@@ -153,7 +142,6 @@ void surfaces_take_lines(struct surfaces *surfaces, const struct global_lines *f
 {
     for (size_t i = 0; i < surfaces->count; i++) {
         struct surface *surface = &surfaces->list[i];
-
         surface->area = global_lines_area(found, i);
         for (size_t j = 0; j <= surfaces->count; j++) {
             surface->count[j] = global_lines_count(found, i, j);
@@ -175,7 +163,6 @@ double surfaces_reciprocity(const struct surfaces *surfaces, size_t from, size_t
     const struct surface *one = &surfaces->list[from];
     const struct surface *other = &surfaces->list[to];
     double there, back, error;
-
     if (from == to || to == surfaces->count || other->receives_alone
         || other->sent == 0)
         return NAN;

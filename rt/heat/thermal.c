@@ -54,7 +54,6 @@ static void take_values(const struct thermal_work *work, size_t i)
     const struct named_part *part = &work->parts->list[surface->part];
     double emissivity = named_of_part(work->emissivities, part);
     double temperature = named_of_part(work->temperatures, part);
-
     thermal->emissivity[i] = isnan(emissivity) ? 1 : emissivity;
     thermal->temperature[i] = temperature;
 }
@@ -63,10 +62,8 @@ static void take_values(const struct thermal_work *work, size_t i)
 static bool list_surfaces(const struct thermal_work *work)
 {
     struct thermal *thermal = work->thermal;
-
     for (size_t i = 0; i < work->surfaces->count; i++) {
         const struct surface *surface = &work->surfaces->list[i];
-
         if (surface->receives_alone)
             return error_set(work->error,
                              "surface %s, the %s of line %zu, receives radiation but "
@@ -84,7 +81,6 @@ static bool find_values(const struct thermal_work *work)
     struct thermal *thermal = work->thermal;
     const char *separator = ": ";
     bool good = true;
-
     error_set(work->error, "no temperature is set for");
     for (size_t i = 0; i < thermal->count; i++) {
         take_values(work, i);
@@ -111,12 +107,10 @@ static bool alike(double one, double other)
 static bool check_parts(const struct thermal_work *work)
 {
     const struct surfaces *surfaces = work->surfaces;
-
     for (size_t i = 0; i < surfaces->primitive_count; i++) {
         const struct surface *surface = &surfaces->list[surfaces->surface_of[i]];
         const struct named_part *first = &work->parts->list[surface->part];
         const struct named_part *part = &work->parts->list[surfaces->part_of[i]];
-
         if (!alike(named_of_part(work->temperatures, part),
                    named_of_part(work->temperatures, first))
             || !alike(named_of_part(work->emissivities, part),
@@ -132,7 +126,6 @@ static bool check_parts(const struct thermal_work *work)
 static void find_outside(const struct thermal_work *work)
 {
     double outside = named_of_name(work->temperatures, thermal_environment);
-
     work->thermal->outside = outside > 0 ? outside : 0;
 }
 
@@ -143,10 +136,8 @@ static void fill_factors(const struct thermal_work *work, double *factors)
 {
     const struct thermal *thermal = work->thermal;
     size_t n = thermal->count;
-
     for (size_t i = 0; i < n; i++) {
         const struct surface *surface = surface_of(work, i);
-
         for (size_t j = 0; j < n; j++)
             factors[i * (n + 1) + j] = surface_factor(surface, thermal->surface[j]);
         factors[i * (n + 1) + n] = surface_factor(surface, work->surfaces->count);
@@ -158,7 +149,6 @@ static void split_values(struct thermal *thermal, double *emissivity)
 {
     for (size_t i = 0; i < thermal->count; i++) {
         bool adiabatic = thermal->temperature[i] < 0;
-
         emissivity[i] = adiabatic ? 0 : thermal->emissivity[i];
         if (adiabatic)
             thermal->temperature[i] = NAN;
@@ -185,13 +175,11 @@ static bool find_exchange(const struct thermal_work *work, enum trace_mode mode,
         .model = model,
     };
     bool good = factors && area && names;
-
     if (good) {
         fill_factors(work, factors);
         split_values(thermal, emissivity);
         for (size_t i = 0; i < n; i++) {
             const struct surface *surface = surface_of(work, i);
-
             names[i] = surface->name;
             area[i] = surface->area.value;
         }
@@ -207,7 +195,6 @@ static bool find_exchange(const struct thermal_work *work, enum trace_mode mode,
 static bool thermal_begin(const struct surfaces *surfaces, struct thermal *thermal)
 {
     size_t count = surfaces->count + 1;
-
     *thermal = (struct thermal){ 0 };
     thermal->surface = calloc(count, sizeof *thermal->surface);
     thermal->emissivity = calloc(count, sizeof *thermal->emissivity);
@@ -236,7 +223,6 @@ bool thermal_find(const struct surfaces *surfaces, const struct named_parts *par
                                        .thermal = thermal,
                                        .error = error };
     bool good = thermal_begin(surfaces, thermal) || error_set(error, "out of memory");
-
     if (good)
         find_outside(&work);
     good = good && list_surfaces(&work) && check_parts(&work) && find_values(&work)

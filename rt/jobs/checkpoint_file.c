@@ -40,7 +40,6 @@ struct checkpoint_file {
 static bool write_word(FILE *stream, uint64_t word)
 {
     unsigned char bytes[WORD];
-
     for (int i = 0; i < WORD; i++)
         bytes[i] = (unsigned char)(word >> (56 - 8 * i));
     return fwrite(bytes, 1, WORD, stream) == WORD;
@@ -49,7 +48,6 @@ static bool write_word(FILE *stream, uint64_t word)
 static bool read_file_word(FILE *stream, uint64_t *word)
 {
     unsigned char bytes[WORD];
-
     if (fread(bytes, 1, WORD, stream) != WORD)
         return false;
     *word = 0;
@@ -64,7 +62,6 @@ static bool read_file_word(FILE *stream, uint64_t *word)
 static bool read_unit(FILE *stream, uint64_t *number, struct serialized_result *words)
 {
     uint64_t head[2], sum, word = 0;
-
     result_clear(words);
     if (!read_file_word(stream, &head[0]) || !read_file_word(stream, &head[1])
         || !read_file_word(stream, &sum) || sum != hash_words(HASH_START, head, 2))
@@ -86,7 +83,6 @@ static bool write_unit(FILE *stream, uint64_t number,
     uint64_t sum = hash_words(HASH_START, head, 2);
     bool good = write_word(stream, head[0]) && write_word(stream, head[1])
                 && write_word(stream, sum);
-
     for (size_t i = 0; good && i < words->count; i++)
         good = write_word(stream, words->items[i]);
     return good && write_word(stream, hash_words(sum, words->items, words->count))
@@ -99,10 +95,8 @@ static bool write_unit(FILE *stream, uint64_t number,
 static size_t place_of(const struct checkpoint_file *file, uint64_t number)
 {
     size_t low = 0, high = file->count;
-
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-
         if (file->places[middle].number < number)
             low = middle + 1;
         else
@@ -114,7 +108,6 @@ static size_t place_of(const struct checkpoint_file *file, uint64_t number)
 bool checkpoint_has(const struct checkpoint_file *file, uint64_t number)
 {
     size_t i = place_of(file, number);
-
     return i < file->count && file->places[i].number == number;
 }
 
@@ -126,7 +119,6 @@ size_t checkpoint_count(const struct checkpoint_file *file)
 static bool note_unit(struct checkpoint_file *file, uint64_t number, long at)
 {
     size_t i = place_of(file, number);
-
     if (checkpoint_has(file, number))
         return true;
     if (!array_add(&file->places, &file->count, NULL, sizeof *file->places))
@@ -143,7 +135,6 @@ static bool find_units(struct checkpoint_file *file)
     struct serialized_result words = { NULL, 0, 0, 0, false };
     uint64_t number;
     bool memory = true;
-
     file->end = ftell(file->stream);
     while (memory && read_unit(file->stream, &number, &words)) {
         memory = note_unit(file, number, file->end);
@@ -163,7 +154,6 @@ bool checkpoint_read(struct checkpoint_file *file, uint64_t number,
                      struct serialized_result *words)
 {
     uint64_t found;
-
     return checkpoint_has(file, number)
            && fseek(file->stream, file->places[place_of(file, number)].at, SEEK_SET)
                   == 0
@@ -188,7 +178,6 @@ bool checkpoint_add(struct checkpoint_file *file, uint64_t number,
 static bool read_head(FILE *stream, uint64_t key, c205_error *error)
 {
     uint64_t magic = 0, of = 0;
-
     if (!read_file_word(stream, &magic) || !read_file_word(stream, &of)
         || magic != MAGIC)
         return error_set(error, "the file does not hold units of work");
@@ -207,7 +196,6 @@ static bool write_file_head(FILE *stream, uint64_t key)
 static bool is_there(const struct checkpoint_file *file)
 {
     struct stat kept, named;
-
     return fstat(fileno(file->stream), &kept) == 0 && stat(file->path, &named) == 0
            && kept.st_dev == named.st_dev && kept.st_ino == named.st_ino;
 }
@@ -220,7 +208,6 @@ static FILE *open_locked(const char *path, c205_error *error)
     bool locked = file >= 0 && process_lock(file, true);
     bool in_use = file >= 0 && !locked && process_lock_is_held();
     FILE *stream = locked ? fdopen(file, "r+b") : NULL;
-
     if (!stream) {
         error_set(
             error, "%s",
@@ -247,14 +234,12 @@ static bool open_stream(struct checkpoint_file *file, c205_error *error)
 static bool is_empty(const struct checkpoint_file *file)
 {
     struct stat status;
-
     return fstat(fileno(file->stream), &status) == 0 && status.st_size == 0;
 }
 
 static bool begin_file(struct checkpoint_file *file, c205_error *error)
 {
     bool fresh;
-
     if (!open_stream(file, error))
         return false;
     fresh = is_empty(file);
@@ -269,7 +254,6 @@ static struct checkpoint_file *new_file(const char *path, uint64_t key)
 {
     struct checkpoint_file *file = calloc(1, sizeof *file);
     char *copy = malloc(strlen(path) + 1);
-
     if (!file || !copy) {
         free(file);
         free(copy);
@@ -294,7 +278,6 @@ struct checkpoint_file *checkpoint_open(const char *path, uint64_t key,
 {
     struct checkpoint_file *file = new_file(path, key);
     c205_error why = { "out of memory" };
-
     if (file && begin_file(file, &why))
         return file;
     error_set(error, "%.100s: %.130s", path, why.message);
@@ -319,7 +302,6 @@ static bool add_units(struct checkpoint_file *file, FILE *stream, c205_error *er
     struct serialized_result words = { NULL, 0, 0, 0, false };
     uint64_t number;
     bool good = true;
-
     while (good && read_unit(stream, &number, &words))
         good = checkpoint_add(file, number, &words, error);
     result_free(&words);
@@ -333,7 +315,6 @@ static FILE *open_other(const struct checkpoint_file *file, const char *path,
 {
     struct stat kept, named;
     FILE *stream;
-
     if (fstat(fileno(file->stream), &kept) == 0 && stat(path, &named) == 0
         && kept.st_dev == named.st_dev && kept.st_ino == named.st_ino) {
         error_set(error, "the file is named twice: name each file once");
@@ -358,7 +339,6 @@ bool checkpoint_merge(struct checkpoint_file *file, const char *path, c205_error
     FILE *stream = open_other(file, path, &why);
     bool good = stream && read_head(stream, file->key, &why)
                 && add_units(file, stream, &why);
-
     if (stream)
         fclose(stream);
     return good || error_set(error, "%.100s: %.130s", path, why.message);

@@ -49,7 +49,6 @@ bool job_set_agree(struct job_set *job_set, uint64_t *word)
 static bool add_to_key(void *context, const void *bytes, size_t count)
 {
     uint64_t *key = context;
-
     *key = hash_bytes(*key, bytes, count);
     return true;
 }
@@ -59,7 +58,6 @@ uint64_t job_set_key(const char *kind, const c205 *machine, const uint64_t *opti
 {
     uint64_t key = HASH_START;
     c205_error error;
-
     add_to_key(&key, kind, strlen(kind) + 1);
     add_to_key(&key, C205_VERSION, sizeof C205_VERSION);
     key = hash_words(key, options, count);
@@ -97,7 +95,6 @@ static bool is_mine(const struct job_set *job_set, size_t unit)
 static bool take_next(struct pool *pool, size_t *unit)
 {
     const struct job_set_work *work = pool->work;
-
     while (pool->next < work->count && pool->begun[pool->next])
         pool->next++;
     if (pool->stopped || pool->next >= pool->failed || pool->next >= work->count)
@@ -132,7 +129,6 @@ static bool may_go_on(const struct job_set_work *work, size_t done, c205_error *
 static void ask(struct pool *pool)
 {
     c205_error why = { "stopped" };
-
     if (!pool->stopped && pool->done < pool->work->count
         && !may_go_on(pool->work, pool->done, &why))
         stop(pool, &why);
@@ -142,7 +138,6 @@ static void take_unit(struct pool *pool, size_t unit, struct serialized_result *
 {
     const struct job_set_work *work = pool->work;
     c205_error why = { "out of memory" };
-
     if (words->failed
         || (job_set_collects(work->job_set)
             && !work->take(work->context, unit, words, &why))
@@ -161,7 +156,6 @@ static bool has_unit(const struct job_set_work *work, size_t unit,
 {
     const struct job_set *job_set = work->job_set;
     c205_error why;
-
     return job_set->file && checkpoint_read(job_set->file, work->first + unit, words)
            && (!job_set_collects(job_set)
                || work->take(work->context, unit, words, &why));
@@ -172,7 +166,6 @@ static void take_kept(struct pool *pool)
 {
     const struct job_set_work *work = pool->work;
     struct serialized_result words = { .items = NULL };
-
     for (size_t unit = 0; unit < work->count && !pool->stopped; unit++) {
         pool->begun[unit] = !is_mine(work->job_set, unit);
         if (has_unit(work, unit, &words)) {
@@ -193,7 +186,6 @@ static void do_unit(struct hand *hand, size_t unit)
     struct serialized_result words = { .items = NULL };
     c205_error why = { "out of memory" };
     bool good = work->run(work->context, hand->number, unit, &words, &why);
-
     lock_take(pool->lock);
     if (good)
         take_unit(pool, unit, &words);
@@ -209,7 +201,6 @@ static void do_units(void *context)
     struct pool *pool = hand->pool;
     size_t unit;
     bool more = true;
-
     while (more) {
         lock_take(pool->lock);
         more = take_next(pool, &unit);
@@ -223,7 +214,6 @@ static void do_units(void *context)
 static size_t begin_hands(struct hand *hands, size_t first, size_t count)
 {
     size_t begun = first;
-
     while (begun < count
            && (hands[begun].thread = thread_begin(do_units, &hands[begun])))
         begun++;
@@ -258,7 +248,6 @@ static void close_asked(struct service *service, size_t rank, size_t count)
 static void give_unit(struct service *service, size_t to)
 {
     size_t unit;
-
     if (take_next(service->pool, &unit)) {
         ranks_send(service->ranks, to, RANK_DOES, unit, NULL);
     } else {
@@ -274,7 +263,6 @@ static void receive_failure(struct service *service, size_t from, uint64_t unit,
     size_t count = letters->count - letters->at, i = 0;
     char text[sizeof((c205_error *)0)->message];
     c205_error why;
-
     for (; i < count && i + 1 < sizeof text; i++)
         text[i] = (char)result_take(letters);
     text[i] = '\0';
@@ -293,7 +281,6 @@ static void receive_unit(struct service *service, uint64_t unit,
                          struct serialized_result *message)
 {
     struct serialized_result words = { .items = NULL };
-
     result_put_all(&words, message->items + message->at, message->count - message->at);
     take_unit(service->pool, (size_t)unit, &words);
     result_free(&words);
@@ -303,7 +290,6 @@ static void answer(struct service *service, size_t from,
                    struct serialized_result *message)
 {
     uint64_t what = result_take(message), unit = result_take(message);
-
     if (what == RANK_FAILS) {
         receive_failure(service, from, unit, message);
         return;
@@ -321,10 +307,8 @@ static void serve(struct service *service)
     struct ranks_pause pause = { 0 };
     bool busy = true;
     size_t from;
-
     while (busy) {
         bool received = ranks_receive(service->ranks, &from, &message);
-
         lock_take(pool->lock);
         if (received)
             answer(service, from, &message);
@@ -346,7 +330,6 @@ static void serve_ranks(struct pool *pool, struct ranks *ranks)
     struct service service = {
         .pool = pool, .ranks = ranks, .open = open, .left = AHEAD * (ranks->count - 1)
     };
-
     if (!open)
         abort(); /* ends all ranks */
     for (size_t rank = 1; rank < ranks->count; rank++)
@@ -360,7 +343,6 @@ static bool do_for_other(const struct job_set_work *work, size_t unit,
 {
     struct serialized_result words = { .items = NULL };
     bool good = work->run(work->context, 0, unit, &words, error) && !words.failed;
-
     if (good)
         ranks_send(work->job_set->ranks, 0, RANK_DONE, unit, &words);
     else
@@ -375,12 +357,10 @@ static bool work_for_first(const struct job_set_work *work, c205_error *error)
     struct ranks *ranks = work->job_set->ranks;
     size_t open = AHEAD;
     uint64_t unit;
-
     for (size_t i = 0; i < AHEAD; i++)
         ranks_send(ranks, 0, RANK_ASKS, 0, NULL);
     while (open > 0) {
         enum rank_message what = ranks_await(ranks, &unit);
-
         if (what == RANK_ENDS)
             open--;
         else if (what != RANK_DOES)
@@ -399,7 +379,6 @@ static void do_all(struct pool *pool, struct hand *hands, size_t count)
 {
     struct ranks *ranks = pool->work->job_set->ranks;
     size_t first = ranks ? 0 : 1, begun;
-
     pool->active = count;
     begun = begin_hands(hands, first, count);
     lock_take(pool->lock);
@@ -419,7 +398,6 @@ static bool run_all(struct pool *pool, c205_error *error)
     size_t most = work->jobs < work->count ? work->jobs : work->count;
     size_t count = most > 1 ? most : 1;
     struct hand *hands = calloc(count, sizeof *hands);
-
     pool->begun = calloc(work->count + 1, sizeof *pool->begun);
     pool->lock = lock_new();
     if (!hands || !pool->begun || !pool->lock) {
@@ -444,7 +422,6 @@ bool job_set_run(const struct job_set_work *work, c205_error *error)
     struct job_set_work mine = *work;
     struct pool pool = { .work = &mine, .failed = work->count };
     bool good;
-
     if (!mine.job_set)
         mine.job_set = &alone;
     if (!is_first(mine.job_set))

@@ -11,7 +11,6 @@
 bool ranks_are_many(void)
 {
     const char *count = getenv("OMPI_COMM_WORLD_SIZE");
-
     return count && strtol(count, NULL, 10) > 1;
 }
 
@@ -22,7 +21,6 @@ static const struct ranks_adapter *find_adapter(c205_error *error)
     char path[ADAPTER_PATH];
     c205_error why;
     const void *table;
-
     if (!dynamic_find(RANKS_FILE, path, &why)) {
         error_set(error,
                   "ranks: %.160s: build it with make mpi, which requires the package "
@@ -51,7 +49,6 @@ void ranks_send(const struct ranks *ranks, size_t to, enum rank_message message,
 {
     size_t count = more ? more->count : 0;
     uint64_t *words = malloc((count + 2) * sizeof *words);
-
     if (!words)
         abort(); /* ends all ranks */
     words[0] = message;
@@ -66,7 +63,6 @@ bool ranks_receive(const struct ranks *ranks, size_t *from,
                    struct serialized_result *message)
 {
     size_t count;
-
     if (!ranks->adapter->ready(from, &count))
         return false;
     if (!result_resize(message, count))
@@ -79,7 +75,6 @@ void ranks_wait(struct ranks_pause *pause)
 {
     enum { LEAST = 50000, MAX = 4000000 }; /* nanoseconds */
     struct timespec moment = { 0, LEAST };
-
     if (pause->nanoseconds > 0)
         moment.tv_nsec = pause->nanoseconds;
     nanosleep(&moment, NULL);
@@ -92,7 +87,6 @@ enum rank_message ranks_await(struct ranks *ranks, uint64_t *word)
     struct ranks_pause pause = { 0 };
     enum rank_message what;
     size_t from;
-
     while (!ranks_receive(ranks, &from, &message))
         ranks_wait(&pause);
     what = (enum rank_message)result_take(&message);
@@ -118,7 +112,6 @@ static void release(const struct ranks *ranks)
     struct serialized_result message = { .items = NULL };
     struct ranks_pause pause = { 0 };
     size_t left = ranks->count - 1, from;
-
     for (size_t to = 1; to < ranks->count; to++)
         ranks_send(ranks, to, RANK_FREE, 0, NULL);
     while (left > 0)
@@ -132,7 +125,6 @@ static void release(const struct ranks *ranks)
 void ranks_fail(const struct ranks *ranks, uint64_t unit, const char *failure)
 {
     struct serialized_result letters = { .items = NULL };
-
     for (const char *at = failure; *at; at++)
         result_put(&letters, (unsigned char)*at);
     ranks_send(ranks, 0, RANK_FAILS, unit, &letters);
@@ -142,7 +134,6 @@ void ranks_fail(const struct ranks *ranks, uint64_t unit, const char *failure)
 void ranks_leave(struct ranks *ranks, const char *failure)
 {
     uint64_t word;
-
     if (ranks->rank == 0) {
         release(ranks);
     } else {

@@ -8,7 +8,6 @@ static bool grow_result(struct serialized_result *words, size_t more)
 {
     size_t room = words->room > 0 ? words->room : 64;
     uint64_t *items;
-
     if (more <= words->room - words->count)
         return true;
     if (more > SIZE_MAX / 4 / sizeof *items - words->count)
@@ -42,7 +41,6 @@ void result_put_all(struct serialized_result *words, const uint64_t *items,
 uint64_t result_take(struct serialized_result *words)
 {
     uint64_t word = 0;
-
     result_take_all(words, &word, 1);
     return word;
 }
@@ -83,7 +81,6 @@ void result_free(struct serialized_result *words)
 static void put_name(struct serialized_result *words, const char *name)
 {
     size_t length = strlen(name);
-
     result_put(words, length);
     for (size_t i = 0; i < length; i++)
         result_put(words, (unsigned char)name[i]);
@@ -113,7 +110,6 @@ static bool take_account(struct serialized_result *words, struct accounts *accou
     char name[256];
     c205_account account = { .name = name };
     uint64_t length = result_take(words);
-
     if (length >= sizeof name)
         return false;
     for (uint64_t i = 0; i < length; i++)
@@ -131,7 +127,6 @@ static bool take_account(struct serialized_result *words, struct accounts *accou
 bool result_take_accounts(struct serialized_result *words, struct accounts *accounts)
 {
     uint64_t count = result_take(words);
-
     for (uint64_t i = 0; i < count; i++)
         if (!take_account(words, accounts))
             return false;

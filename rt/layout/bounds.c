@@ -11,7 +11,6 @@ static size_t gather(const struct scene *scene, size_t node, const struct bound 
                      struct bound *children)
 {
     size_t count = 0;
-
     for (size_t child = node + 1; child < scene->nodes[node].next;
          child = scene->nodes[child].next)
         children[count++] = bounds[child];
@@ -40,7 +39,6 @@ static void bound_node(const struct scene *scene, size_t node, struct bound *bou
                        struct bound *children)
 {
     size_t count = gather(scene, node, bounds, children);
-
     switch (scene->nodes[node].operation) {
     case TREE_LEAF:
         bound_leaf(&scene->primitives[scene->nodes[node].primitive], &bounds[node]);
@@ -55,7 +53,6 @@ static void bound_node(const struct scene *scene, size_t node, struct bound *bou
 bool bound_nodes(const struct scene *scene, struct bound *bounds)
 {
     struct bound *children = malloc((scene->node_count + 1) * sizeof *children);
-
     if (!children)
         return false;
     for (size_t node = scene->node_count; node-- > 0;)

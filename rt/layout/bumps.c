@@ -48,7 +48,6 @@ static bool is_quilted(const struct bump *bump)
 static size_t height_rows(const struct bump *bump)
 {
     size_t listed = pigment_list_count(&bump->pattern);
-
     if (listed > 0)
         return listed;
     return bump->stop_count > 0 ? bump->stop_count + 1 : 0;
@@ -57,7 +56,6 @@ static size_t height_rows(const struct bump *bump)
 static size_t height_words(const struct bump *bump)
 {
     size_t rows = height_rows(bump);
-
     return rows > 0 ? (rows + 1) * HEIGHT_SIZE : 0;
 }
 
@@ -72,7 +70,6 @@ static void put_slope(const struct slope_stop *stop, const struct slope_stop *ne
                       double row[HEIGHT_SIZE])
 {
     double far = next->at - stop->at, rise = next->height - stop->height;
-
     put_level(stop->at, stop->height, row);
     if (far <= STEP)
         return;
@@ -95,7 +92,6 @@ static void put_slopes(const struct bump *bump, double rows[][HEIGHT_SIZE])
 {
     const struct slope_stop *stops = bump->stops;
     size_t last = bump->stop_count - 1;
-
     put_level(-1, stops[0].height, rows[0]);
     for (size_t i = 0; i <= last; i++)
         put_slope(&stops[i], &stops[i < last ? i + 1 : i], rows[i + 1]);
@@ -133,7 +129,6 @@ static void put_pattern(struct record *record, const struct bump *bump,
     struct pigment pattern = bump->pattern;
     const char *wave = pattern_wave(&pattern);
     double rows[PATTERN_ROWS], numbers[MAP_NUMBERS];
-
     pattern.to_local = *to_local;
     pattern_rows(&pattern, rows);
     pattern_numbers(&pattern.pattern, numbers);
@@ -152,7 +147,6 @@ static void put_quilt(struct record *record, const struct bump *bump)
     double scale = 1.154700538 * bump->amount;
     double first = 3 * bump->controls[0], second = 3 * bump->controls[1];
     double words[3] = { first, second - 2 * first, 1 + first - second };
-
     scale3(scale, words);
     record_numbers(record, "BUMP_CORNERS", words, 3);
 }
@@ -164,10 +158,8 @@ static void put_corners(struct record *record, const struct bump *bump)
     bool flat = pattern->kind == PIGMENT_COLOR;
     double push = flat ? 0 : -5 * bump->amount * .02 / bump->accuracy;
     double words[CORNERS * CORNER_WORDS] = { 0 };
-
     for (int i = 0; i < CORNERS; i++) {
         double *word = words + CORNER_WORDS * i;
-
         if (slanted)
             word[0] = dot3(corners[i], pattern->axis);
         else
@@ -184,7 +176,6 @@ static void put_back(struct record *record, const struct transform *map,
                      const char *field)
 {
     double words[9];
-
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             words[3 * i + j] = map->rows[j][i];
@@ -196,7 +187,6 @@ static void put_carry(struct record *record, const struct transform *to_local,
                       double length)
 {
     struct transform to_world;
-
     if (transform_invert(to_local, &to_world)) {
         for (int i = 0; i < 3; i++)
             scale3(length, to_world.rows[i]);
@@ -215,7 +205,6 @@ static void put_bump(struct record *record, const struct bump *bump,
                      bool unscaled, double unit)
 {
     struct transform whole = around ? transform_then(around, to_local) : *to_local;
-
     if (is_quilted(bump)) {
         record_numbers(record, "BUMP_TO_LOCAL", &whole.rows[0][0], 12);
         put_quilt(record, bump);
@@ -254,7 +243,6 @@ static void put_share(struct record *record, const struct bump_list *list, size_
     double to = i == 0 ? -BEYOND : i < last ? at : BEYOND;
     double far = entry_of(list, i + 1)->at - at;
     double rise = list->average ? at : far > STEP ? 1 / far : BEYOND;
-
     record_numbers(record, "BUMP_FROM", &from, 1);
     record_numbers(record, "BUMP_TO", &to, 1);
     record_numbers(record, "BUMP_LOW", &at, 1);
@@ -266,7 +254,6 @@ static void put_entries(struct record *record, const struct bumps *bumps,
 {
     for (size_t i = 0; i < entry_rows(list); i++) {
         const struct bump *bump = &entry_of(list, i)->bump;
-
         put_bump(record, bump, &bumps->to_local, &bump->pattern.to_local,
                  bumps->unscaled, unit);
         put_share(record, list, i);
@@ -277,7 +264,6 @@ static void put_entries(struct record *record, const struct bumps *bumps,
 static void put_map(struct record *record, const struct bumps *bumps, double unit)
 {
     const struct bump_list *list = bumps->list;
-
     put_back(record, &bumps->to_local, "BUMP_BACK");
     if (!list->average)
         put_pattern(record, &list->bump, &bumps->to_local);
@@ -291,7 +277,6 @@ static void put_map(struct record *record, const struct bumps *bumps, double uni
 static void put_bumps(struct record *record, const struct bumps *bumps, double unit)
 {
     const struct bump_list *list = bumps->list;
-
     if (list->count > 0) {
         put_map(record, bumps, unit);
         return;
@@ -307,11 +292,9 @@ static void put_bumps(struct record *record, const struct bumps *bumps, double u
 static void count_bumps(const struct scene *scene, size_t *records, size_t *words)
 {
     const struct bumps *before = NULL;
-
     *records = *words = 0;
     for (size_t i = 0; i < scene->primitive_count; i++) {
         const struct bumps *bumps = &scene->primitives[i].bumps;
-
         if (!bumps_show(bumps) || (before && have_one_record(bumps, before)))
             continue;
         before = bumps;
@@ -329,14 +312,12 @@ void layout_bumps(struct record_layout *layout, const struct scene *scene,
     size_t records, words;
     uint64_t address = 0;
     struct record record;
-
     count_bumps(scene, &records, &words);
     if (records == 0)
         return;
     record_begin(&record, layout, "BUMP_SIZE", records, words);
     for (size_t i = 0; i < scene->primitive_count && !layout->failed; i++) {
         const struct bumps *bumps = &scene->primitives[i].bumps;
-
         if (!bumps_show(bumps))
             continue;
         record.line = scene->primitives[i].line;

@@ -16,7 +16,6 @@ static void put_sky_map(struct record_layout *layout, const struct pigment *sky,
 {
     double rows[PATTERN_ROWS];
     c205_word words[PATTERN_ROWS];
-
     pattern_rows(sky, rows);
     put_numbers(words, rows, PATTERN_ROWS);
     layout_words(layout, layout_symbol(layout, "sky_pattern"), words, PATTERN_ROWS);
@@ -33,7 +32,6 @@ static void layout_sky_pattern(struct record_layout *layout, const struct pigmen
                                const c205_word stops[2])
 {
     double numbers[MAP_NUMBERS];
-
     pattern_numbers(&sky->pattern, numbers);
     put_sky_map(layout, sky, pattern_routine(&sky->pattern), pattern_wave(sky), numbers,
                 stops);
@@ -46,7 +44,6 @@ static void layout_sky_image(struct record_layout *layout, const struct pigment 
     const struct image_map *image = &sky->image;
     const c205_word stops[2] = { images[image->table->number], 0 };
     double numbers[MAP_NUMBERS];
-
     image_numbers(image, numbers);
     put_sky_map(layout, sky, image_routine(image), image_sampler(image), numbers,
                 stops);
@@ -60,7 +57,6 @@ void layout_sky(struct record_layout *layout, const struct scene *scene,
     size_t size = stops_size(&scene->sky);
     double numbers[GRADIENT_STOPS];
     c205_word words[GRADIENT_STOPS + 2], *stops;
-
     if (scene->sky.kind == PIGMENT_IMAGE)
         layout_sky_image(layout, &scene->sky, images);
     if (!pigment_has_map(&scene->sky))
@@ -85,7 +81,6 @@ void layout_sky(struct record_layout *layout, const struct scene *scene,
 static void put_fog(struct record *record, const struct fog *fog)
 {
     double scale = -1 / (fog->distance * elementary_log(2)), pass[3];
-
     for (size_t i = 0; i < 3; i++)
         pass[i] = 1 - fog->filter + fog->filter * fog->color[i];
     record_numbers(record, "FOG_SCALE", &scale, 1);
@@ -98,7 +93,6 @@ static void put_fog(struct record *record, const struct fog *fog)
 void layout_fogs(struct record_layout *layout, const struct scene *scene)
 {
     struct record record;
-
     if (scene->fog_count == 0)
         return;
     record_begin(&record, layout, "FOG_SIZE", scene->fog_count, 0);

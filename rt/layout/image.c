@@ -22,7 +22,6 @@ static struct image_block *block_of(struct image *image, uint64_t address, size_
 {
     for (size_t i = image->count; i-- > 0;) {
         struct image_block *block = &image->blocks[i];
-
         if (block->mapped && address >= block->address
             && address + UINT64_C(64) * count
                    <= block->address + UINT64_C(64) * block->count)
@@ -35,7 +34,6 @@ bool image_write(struct image *image, uint64_t address, const c205_word *words,
                  size_t count)
 {
     struct image_block *block = block_of(image, address, count);
-
     if (!block) {
         if (!add_block(image,
                        (struct image_block){ address, count, NULL, NULL, false }))
@@ -55,7 +53,6 @@ void image_share(struct image *image)
 {
     for (size_t i = 0; i < image->count; i++) {
         struct image_block *block = &image->blocks[i];
-
         if (!block->mapped || !block->words)
             continue;
         block->shared = c205_shared_new(block->words, block->count);

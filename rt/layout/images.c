@@ -11,7 +11,6 @@ enum { OUTSIDE_NEVER, OUTSIDE_V, OUTSIDE_U_V };
 bool scene_has_images(const struct scene *scene)
 {
     bool found = scene->sky.kind == PIGMENT_IMAGE;
-
     for (size_t i = 0; i < scene->primitive_count && !found; i++)
         found = scene->primitives[i].pigment.kind == PIGMENT_IMAGE;
     return found;
@@ -25,7 +24,6 @@ const char *image_routine(const struct image_map *map)
         [IMAGE_CYLINDRICAL] = "image_cylindrical",
         [IMAGE_TORUS] = "image_torus",
     };
-
     return routines[map->mapping];
 }
 
@@ -36,7 +34,6 @@ const char *image_sampler(const struct image_map *map)
         [IMAGE_BILINEAR] = "image_bilinear",
         [IMAGE_BY_DISTANCE] = "image_by_distance",
     };
-
     return routines[map->sampling];
 }
 
@@ -61,7 +58,6 @@ static void put_rows(struct record_layout *layout, const struct image_table *tab
 {
     size_t count = PIXEL_SIZE * table->width;
     c205_word *words = calloc(count, sizeof *words);
-
     if (!words)
         layout_fail(layout, "out of memory");
     for (size_t row = 0; words && row < table->height; row++) {
@@ -78,7 +74,6 @@ static uint64_t put_image(struct record_layout *layout, const struct image_table
     uint64_t address = layout_reserve(layout,
                                       PIXEL_SIZE * table->width * table->height);
     c205_word *light = calloc((size_t)table->most + 1, sizeof *light);
-
     if (light) {
         put_numbers(light, table->light, (size_t)table->most + 1);
         put_rows(layout, table, light, address);
@@ -93,7 +88,6 @@ static void lay_out_image(struct record_layout *layout, const struct pigment *pi
                           uint64_t *addresses)
 {
     const struct image_table *table = pigment->image.table;
-
     if (pigment->kind == PIGMENT_IMAGE && addresses[table->number] == 0)
         addresses[table->number] = put_image(layout, table);
 }
@@ -101,7 +95,6 @@ static void lay_out_image(struct record_layout *layout, const struct pigment *pi
 uint64_t *images_layout(struct record_layout *layout, const struct scene *scene)
 {
     uint64_t *addresses = calloc(scene->image_count + 1, sizeof *addresses);
-
     if (!addresses) {
         layout_fail(layout, "out of memory");
         return NULL;

@@ -27,7 +27,6 @@ static bool is_wanted(const struct primitive *primitive)
 bool interiors_find(const struct scene *scene, struct interiors *interiors)
 {
     struct rank_index *bodies = &interiors->bodies;
-
     interiors->index = NULL;
     if (!rank_index_begin(bodies, scene->primitive_count))
         return false;
@@ -41,7 +40,6 @@ bool interiors_find(const struct scene *scene, struct interiors *interiors)
     interiors->index[0] = 1; /* air */
     for (size_t i = 0; i < scene->primitive_count; i++) {
         const struct primitive *primitive = &scene->primitives[i];
-
         if (is_wanted(primitive))
             interiors->index[interiors_number(interiors, primitive)] = primitive->ior;
     }
@@ -68,7 +66,6 @@ static uint64_t layout_table(struct record_layout *layout,
     size_t size = interiors->bodies.count + 1;
     c205_word *words = malloc(size * sizeof *words);
     uint64_t table = layout_reserve(layout, size);
-
     if (!words) {
         layout_fail(layout, "out of memory");
         return table;
@@ -90,7 +87,6 @@ void interiors_layout(struct record_layout *layout, const struct interiors *inte
     int bits = 1, room; /* bits of a body's number; bodies that fit a word */
     double base, full;
     c205_word words[1 + NUMBERS];
-
     if (!scene_has_interiors(scene))
         return;
     while (interiors->bodies.count >> bits > 0)

@@ -31,7 +31,6 @@ static size_t count_levels(const struct scene *scene)
 static void layout_levels(struct record_layout *layout, const struct scene *scene)
 {
     size_t levels = count_levels(scene);
-
     layout_word(layout, "scene_levels",
                 layout_reserve(layout,
                                levels * (size_t)layout_symbol(layout, "LEVEL_SIZE")));
@@ -43,7 +42,6 @@ static void layout_camera(struct record_layout *layout, const struct scene *scen
 {
     const struct camera *camera = &scene->camera;
     c205_word words[12];
-
     put_numbers(words, camera->location, 3);
     put_numbers(words + 3, camera->direction, 3);
     put_numbers(words + 6, camera->right, 3);
@@ -101,7 +99,6 @@ static void layout_adaptive(struct record_layout *layout, double gamma,
     size_t pixels = rays > samples ? rays / samples : 1;
     size_t strings = (size_t)layout_symbol(layout, "FINE_STRINGS")
                      * (frame->width / 64 + 4);
-
     layout_word(layout, "scene_threshold", c205_from_double(frame->threshold));
     if (gamma > 0)
         layout_word(layout, "scene_power", c205_from_double(gamma / COMPARED_GAMMA));
@@ -120,7 +117,6 @@ static void layout_band(struct record_layout *layout, const struct ray_grid *gri
     const double rows[2] = { (double)grid->first_row,
                              (double)(grid->first_row + grid->rows) };
     c205_word words[2];
-
     put_numbers(words, rows, 2);
     layout_words(layout, layout_symbol(layout, "scene_band"), words, 2);
     layout_word(layout, "scene_first_pixel",
@@ -134,7 +130,6 @@ static void layout_frame(struct record_layout *layout, double gamma,
     size_t samples = frame->samples > 0 ? frame->samples : 1;
     bool adaptive = frame->threshold > 0;
     struct ray_grid grid = adaptive ? first_rays(frame) : all_samples(frame, samples);
-
     layout_word(layout, "scene_width",
                 c205_from_double((double)(frame->width * samples)));
     layout_word(layout, "scene_height",
@@ -170,7 +165,6 @@ static void layout_things(struct record_layout *layout, const struct scene *scen
     uint64_t *images = images_layout(layout, scene);
     struct interiors interiors;
     struct viewpoints viewpoints;
-
     if (!images)
         return;
     viewpoints_find(scene, &viewpoints);
@@ -195,7 +189,6 @@ struct scene_layout *layout_new(const struct object *program, const struct scene
                                     .free = program_end(program),
                                     .go_on = go_on,
                                     .context = context };
-
     if (!whole) {
         layout_fail(&layout, "out of memory");
         return NULL;
@@ -233,7 +226,6 @@ bool layout_put(const struct scene_layout *whole, c205 *machine,
         .image = &image, .program = whole->program, .error = error, .free = whole->end
     };
     bool good;
-
     layout_frame(&layout, whole->gamma, &whole->camera, frame);
     good = !layout.failed && image_load(&whole->image, machine, error)
            && image_load(&image, machine, error);

@@ -29,7 +29,6 @@ static void disk_point(double a, double b, double point[2])
     bool by_a = fabs(a) > fabs(b);
     double radius = by_a ? a : b;
     double angle = by_a ? PI / 4 * (b / a) : b != 0 ? PI / 2 - PI / 4 * (a / b) : 0;
-
     point[0] = radius * elementary_cos(angle);
     point[1] = radius * elementary_sin(angle);
 }
@@ -39,7 +38,6 @@ static void disk_point(double a, double b, double point[2])
 static void lens_axes(const struct camera *camera, double x[3], double y[3])
 {
     double ahead[3];
-
     copy3(camera->direction, ahead);
     scale3(1 / length3(ahead), ahead);
     cross3(ahead, camera->right, y);
@@ -60,16 +58,13 @@ void layout_lens(struct record_layout *layout, const struct camera *camera,
     size_t count = samples * samples;
     uint64_t address = layout_reserve(layout, 3 * count);
     double x[3], y[3], point[2];
-
     lens_axes(camera, x, y);
     for (size_t i = 0; i < count; i++) {
         size_t row = i / samples, column = i % samples;
-
         disk_point(middle(row + column, samples), middle(row + 2 * column, samples),
                    point);
         for (size_t axis = 0; axis < 3; axis++) {
             c205_word word = c205_from_double(x[axis] * point[0] + y[axis] * point[1]);
-
             layout_words(layout, address + 64 * (axis * count + i), &word, 1);
         }
     }

@@ -23,7 +23,6 @@ static bool dims(const struct light *light)
 static size_t points_of(const struct light *light)
 {
     size_t count = light->area_size[0] * light->area_size[1];
-
     return count > 1 && !light->shadowless ? count : 0;
 }
 
@@ -40,7 +39,6 @@ static bool has_beam(const struct light *light)
 static size_t count_beams(const struct scene *scene)
 {
     size_t count = 0;
-
     for (size_t i = 0; i < scene->light_count; i++)
         count += has_beam(&scene->lights[i]);
     return count;
@@ -54,7 +52,6 @@ bool scene_has_beams(const struct scene *scene)
 static size_t count_points(const struct scene *scene)
 {
     size_t count = 0;
-
     for (size_t i = 0; i < scene->light_count; i++)
         count += points_of(&scene->lights[i]);
     return count;
@@ -73,7 +70,6 @@ bool scene_has_areas(const struct scene *scene)
 static double weight_of(size_t first, size_t last, size_t at)
 {
     size_t sum = first + last;
-
     if (at < first || at > last)
         return 0;
     if (last - first < 2)
@@ -93,7 +89,6 @@ static double place_on_side(size_t at, size_t size)
 static void draw_together(double place[2])
 {
     double most;
-
     place[0] += .001;
     place[1] += .001;
     most = fmax(fabs(place[0]), fabs(place[1]));
@@ -109,7 +104,6 @@ static void put_point(struct record *record, const struct light *light, size_t i
     double place[2] = { place_on_side(i, size[0]), place_on_side(k, size[1]) };
     double weight = weight_of(0, size[0] - 1, i) * weight_of(0, size[1] - 1, k);
     double position[3];
-
     if (light->circular)
         draw_together(place);
     for (int axis = 0; axis < 3; axis++)
@@ -124,12 +118,10 @@ static void layout_points(struct record_layout *layout, const struct scene *scen
                           size_t count, struct row *row)
 {
     struct record record;
-
     record_begin(&record, layout, "LIGHT_POINT_SIZE", count, 0);
     *row = record_row(&record);
     for (size_t light = 0; light < scene->light_count; light++) {
         const size_t *size = scene->lights[light].area_size;
-
         if (points_of(&scene->lights[light]) == 0)
             continue;
         for (size_t i = 0; i < size[0]; i++)
@@ -147,7 +139,6 @@ static void put_edge(struct record *record, const struct light *light)
     double edge[2] = { -1, 1 }; /* no edge */
     double low = 0, high = 0;
     bool soft = false;
-
     if (light->beam == BEAM_CONE) {
         low = elementary_cos(light->falloff * PI / 180);
         high = elementary_cos(light->radius * PI / 180);
@@ -167,7 +158,6 @@ static void put_beam(struct record *record, const struct light *light, uint64_t 
 {
     double way[3], falloff = 1 / light->falloff;
     double fade[2] = { 1 / fabs(light->fade_distance), light->fade_power };
-
     subtract3(light->position, light->point_at, way);
     scale3(1 / length3(way), way);
     record_integer(record, "BEAM_ATTENUATES", dims(light));
@@ -191,7 +181,6 @@ static void put_beam(struct record *record, const struct light *light, uint64_t 
 static void put_light(struct record *record, const struct light *light)
 {
     double gleams = light->shadowless ? 0 : 1;
-
     record_numbers(record, "LIGHT_POSITION", light->position, 3);
     record_numbers(record, "LIGHT_COLOR", light->color, 3);
     record_numbers(record, "LIGHT_HIGHLIGHTS", &gleams, 1);
@@ -203,14 +192,12 @@ static void layout_beams(struct record_layout *layout, const struct scene *scene
     struct record record;
     struct row points = { 0, 0 };
     size_t point_count = count_points(scene), point = 0;
-
     if (point_count > 0)
         layout_points(layout, scene, point_count, &points);
     record_begin(&record, layout, "BEAM_SIZE", count, 0);
     *row = record_row(&record);
     for (size_t i = 0; i < scene->light_count; i++) {
         const struct light *light = &scene->lights[i];
-
         if (has_beam(light))
             put_beam(&record, light, row_at(&points, point));
         point += points_of(light);
@@ -223,7 +210,6 @@ void layout_lights(struct record_layout *layout, const struct scene *scene)
     size_t beams = count_beams(scene), beam = 0;
     struct record record;
     struct row row = { 0, 0 };
-
     if (beams > 0)
         layout_beams(layout, scene, beams, &row);
     record_begin(&record, layout, "LIGHT_SIZE", scene->light_count, 0);

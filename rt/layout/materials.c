@@ -24,7 +24,6 @@ struct material_table *materials_new(size_t count)
 {
     struct material_table *materials = calloc(1, sizeof *materials);
     size_t room = 4;
-
     if (!materials)
         return NULL;
     while (room < 2 * count)
@@ -51,7 +50,6 @@ uint64_t materials_first(struct material_table *materials,
 {
     size_t place = (size_t)hash_words(HASH_START, words, MATERIAL_WORDS);
     struct material *added;
-
     for (place &= materials->mask; materials->places[place] > 0;
          place = (place + 1) & materials->mask) {
         const struct material *material = &materials

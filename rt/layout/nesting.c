@@ -32,7 +32,6 @@ static size_t open_node(struct nesting *nesting, enum tree_operation operation,
 {
     struct scene *nested = &nesting->nested->scene;
     size_t node = nested->node_count++;
-
     nested->nodes[node] = (struct tree_node){ .operation = operation };
     nesting->nested->bounds[node] = *bound;
     return node;
@@ -41,7 +40,6 @@ static size_t open_node(struct nesting *nesting, enum tree_operation operation,
 static void close_node(struct nesting *nesting, size_t node)
 {
     struct scene *nested = &nesting->nested->scene;
-
     nested->nodes[node].next = nested->node_count;
 }
 
@@ -57,7 +55,6 @@ static size_t part_of(const struct nesting *nesting, size_t parent, size_t child
                           && nodes[child].operation == TREE_NOT
                       ? child + 1
                       : 0;
-
     return part > 0 && !bound_is_none(&nesting->bounds[part]) ? part : 0;
 }
 
@@ -65,7 +62,6 @@ static size_t count_parts(const struct nesting *nesting, size_t node)
 {
     const struct tree_node *nodes = nesting->scene->nodes;
     size_t count = 0;
-
     for (size_t child = node + 1; child < nodes[node].next; child = nodes[child].next)
         count += part_of(nesting, node, child) > 0;
     return count;
@@ -78,7 +74,6 @@ static bool plan_parts(const struct nesting *nesting, size_t node,
     struct bound *bounds = malloc(parts->count * sizeof *bounds);
     size_t count = 0;
     bool good;
-
     parts->nodes = malloc(parts->count * sizeof *parts->nodes);
     good = bounds && parts->nodes;
     for (size_t child = node + 1; good && child < nodes[node].next;
@@ -117,7 +112,6 @@ static void put_group(struct nesting *nesting, const struct part_list *parts,
     } else {
         size_t whole = open_node(nesting, TREE_OR,
                                  &parts->hierarchy.nodes[number].bound);
-
         put_below(nesting, parts, number);
         close_node(nesting, whole);
     }
@@ -127,7 +121,6 @@ static void put_below(struct nesting *nesting, const struct part_list *parts,
                       size_t number)
 {
     const struct hierarchy_node *nodes = parts->hierarchy.nodes;
-
     if (nodes[number].count > 0) {
         put_some(nesting, parts, nodes[number].first, nodes[number].count);
     } else {
@@ -150,7 +143,6 @@ static void nest_parts(struct nesting *nesting, size_t node, size_t count)
 {
     struct part_list parts = { .count = count };
     size_t complement, whole;
-
     if (!plan_parts(nesting, node, &parts)) {
         nesting->failed = true;
     } else if (nesting->scene->nodes[node].operation == TREE_OR) {
@@ -173,7 +165,6 @@ static void nest_node(struct nesting *nesting, size_t node)
     const struct tree_node *nodes = nesting->scene->nodes;
     size_t nested = open_node(nesting, nodes[node].operation, &nesting->bounds[node]);
     size_t count = count_parts(nesting, node);
-
     nesting->nested->scene.nodes[nested].primitive = nodes[node].primitive;
     for (size_t child = node + 1; child < nodes[node].next; child = nodes[child].next)
         if (count < MANY || part_of(nesting, node, child) == 0)
@@ -188,11 +179,9 @@ static void nest_node(struct nesting *nesting, size_t node)
 static void nest_regions(struct nesting *nesting)
 {
     struct scene *nested = &nesting->nested->scene;
-
     nested->node_count = 0;
     for (size_t i = 0; i < nested->region_count; i++) {
         size_t root = nested->regions[i].first_node;
-
         nested->regions[i].first_node = nested->node_count;
         nest_node(nesting, root);
         nested->regions[i].node_count = nested->node_count
@@ -205,7 +194,6 @@ static void nest_regions(struct nesting *nesting)
 static bool take_room(const struct scene *scene, struct nested_scene *nested)
 {
     size_t nodes = 3 * scene->node_count + 1, regions = scene->region_count;
-
     nested->scene = *scene;
     nested->scene.nodes = malloc(nodes * sizeof *nested->scene.nodes);
     nested->scene.regions = malloc((regions + 1) * sizeof *nested->scene.regions);
@@ -220,7 +208,6 @@ bool nesting_make(const struct scene *scene, struct nested_scene *nested)
     struct bound *bounds = malloc((scene->node_count + 1) * sizeof *bounds);
     struct nesting nesting = { .scene = scene, .bounds = bounds, .nested = nested };
     bool good = take_room(scene, nested) && bounds && bound_nodes(scene, bounds);
-
     if (good)
         nest_regions(&nesting);
     free(bounds);

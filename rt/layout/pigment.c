@@ -29,7 +29,6 @@ static bool is_pattern(const struct pigment *pigment)
 bool scene_has_patterns(const struct scene *scene)
 {
     bool found = is_pattern(&scene->sky) || scene_has_bumps(scene);
-
     for (size_t i = 0; i < scene->primitive_count && !found; i++)
         found = is_pattern(&scene->primitives[i].pigment);
     return found;
@@ -49,7 +48,6 @@ const char *pattern_wave(const struct pigment *pigment)
         [WAVE_SINE] = "wave_sine",   [WAVE_SCALLOP] = "wave_scallop",
         [WAVE_CUBIC] = "wave_cubic", [WAVE_POLY] = "wave_poly",
     };
-
     return pigment_list_count(pigment) > 0 ? NULL : routines[pigment->pattern.wave];
 }
 
@@ -81,14 +79,12 @@ const char *pattern_routine(const struct pattern *pattern)
         [PATTERN_HEXAGON] = "pattern_hexagon",
         [PATTERN_CHECKER] = "pattern_checker",
     };
-
     return routines[pattern->function];
 }
 
 size_t stop_count(const struct pigment *pigment)
 {
     size_t listed = pigment_list_count(pigment);
-
     return listed > 0 ? 2 * listed : pigment->map.count;
 }
 
@@ -96,7 +92,6 @@ bool has_stops_of(const struct pigment *pigment, const struct pigment *other)
 {
     const struct pattern *a = &pigment->pattern, *b = &other->pattern;
     size_t listed = pigment_list_count(pigment);
-
     return pigment->map.stops == other->map.stops && listed == pigment_list_count(other)
            && (listed == 0
                || (a->wave == b->wave && a->frequency == b->frequency
@@ -115,7 +110,6 @@ static struct color_stop step(const struct pigment *pigment, size_t i)
 {
     double last = (double)pigment_list_count(pigment) - 1;
     struct color_stop stop = pigment_listed(pigment, i / 2);
-
     stop.at = ((double)(i / 2) + (i % 2 ? .5 : -.5)) / last;
     return stop;
 }
@@ -130,7 +124,6 @@ static void put_stop(const struct color_stop *stop, const struct color_stop *nex
                      double row[STOP_SIZE])
 {
     double far = next->at - stop->at;
-
     row[0] = stop->at;
     row[1] = far > STEP ? 1 / far : 0;
     copy3(stop->color, row + 2);
@@ -144,12 +137,10 @@ c205_word *stops_words(const struct pigment *pigment)
     c205_word *words = calloc(stops_size(pigment) + 1, sizeof *words);
     size_t count = stop_count(pigment);
     struct color_stop stop = stop_of(pigment, 0);
-
     stop.at = -1;
     for (size_t i = 0; words && i <= count; i++) {
         struct color_stop next = i < count ? stop_of(pigment, i) : stop;
         double row[STOP_SIZE];
-
         put_stop(&stop, i > 0 ? &next : &stop, row);
         stop = next;
         put_numbers(words + STOP_SIZE * i, row, STOP_SIZE);

@@ -16,7 +16,6 @@ struct object *program_assemble(const char *kernel, const struct asm_define *def
     struct diagnostics errors = { 0 };
     char start[64];
     struct object *object;
-
     snprintf(start, sizeof start, "        .include \"%s\"\n", kernel);
     object = assemble_text(kernel, start, &how, &errors);
     if (!object && errors.count > 0)
@@ -32,11 +31,9 @@ bool program_run(c205 *machine, bool (*go_on)(void *context, const c205 *machine
                  void *context, bool *stopped, c205_error *error)
 {
     enum { SLICE = 5000000 }; /* clocks between two calls of go_on */
-
     for (;;) {
         uint64_t limit = !go_on ? C205_NO_LIMIT : c205_clock(machine) + SLICE;
         c205_stop stop = c205_run(machine, limit);
-
         if (stop.trap == C205_TRAP_NONE)
             return true;
         if (stop.trap != C205_TRAP_CLOCK_LIMIT) {
@@ -53,18 +50,15 @@ bool program_run(c205 *machine, bool (*go_on)(void *context, const c205 *machine
 uint64_t program_round_up(uint64_t address)
 {
     uint64_t page = UINT64_C(64) * C205_PAGE_WORDS;
-
     return (address + page - 1) / page * page;
 }
 
 uint64_t program_end(const struct object *program)
 {
     uint64_t end = 0;
-
     for (size_t i = 0; i < program->program.segment_count; i++) {
         const c205_segment *segment = &program->program.segments[i];
         uint64_t last = segment->address + UINT64_C(64) * segment->length;
-
         end = last > end ? last : end;
     }
     return program_round_up(end);

@@ -22,7 +22,6 @@ static void layout_bare_solids(struct record_layout *layout, const struct scene 
                                enum bounding bounding)
 {
     struct interiors interiors;
-
     if (interiors_find(scene, &interiors))
         layout_solids(layout, scene, &interiors, NULL, NULL, bounding);
     else
@@ -38,7 +37,6 @@ struct query_layout *query_layout_new(const struct object *program,
     struct record_layout layout = { .program = program,
                                     .error = error,
                                     .free = program_end(program) };
-
     if (!whole) {
         layout_fail(&layout, "out of memory");
         return NULL;
@@ -71,13 +69,11 @@ static void layout_rays(struct record_layout *layout,
     size_t count = packet->count;
     c205_word *words = calloc(6 * count, sizeof *words);
     uint64_t rays = layout_reserve(layout, 6 * count);
-
     if (!words)
         layout_fail(layout, "out of memory");
     for (size_t i = 0; words && i < count; i++)
         for (size_t k = 0; k < 3; k++) {
             const struct scene_ray *line = &packet->lines[i];
-
             words[k * count + i] = c205_from_double(line->origin[k]);
             words[(3 + k) * count + i] = c205_from_double(line->direction[k]);
         }
@@ -93,7 +89,6 @@ static void layout_packet(struct record_layout *layout,
 {
     size_t size = (size_t)layout_symbol(layout, "RAY_HIT_SIZE");
     size_t most = whole->most, objects = whole->objects;
-
     layout_rays(layout, packet);
     packet->counts = layout_reserve(layout, packet->count);
     packet->found = layout_reserve(layout, size * most * packet->count);
@@ -117,7 +112,6 @@ bool query_layout_put(const struct query_layout *whole, c205 *machine,
         .image = &image, .program = whole->program, .error = error, .free = whole->end
     };
     bool good;
-
     layout_packet(&layout, whole, packet);
     good = !layout.failed && image_load(&whole->image, machine, error)
            && image_load(&image, machine, error);

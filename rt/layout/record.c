@@ -12,7 +12,6 @@
 void layout_fail(struct record_layout *layout, const char *format, ...)
 {
     va_list arguments;
-
     if (layout->failed)
         return;
     layout->failed = true;
@@ -24,7 +23,6 @@ void layout_fail(struct record_layout *layout, const char *format, ...)
 uint64_t layout_symbol(struct record_layout *layout, const char *name)
 {
     const struct asm_symbol *found = object_symbol(layout->program, name);
-
     if (found)
         return (uint64_t)found->value;
     layout_fail(layout, "the program has no symbol %s", name);
@@ -46,7 +44,6 @@ void layout_word(struct record_layout *layout, const char *name, c205_word word)
 uint64_t layout_reserve(struct record_layout *layout, size_t words)
 {
     uint64_t address = layout->free;
-
     if (layout->failed || words == 0)
         return address;
     if (!image_reserve(layout->image, address, words))
@@ -60,7 +57,6 @@ void layout_reserve_rows(struct record_layout *layout, const struct row_wanted *
 {
     size_t words = 0;
     uint64_t first;
-
     for (size_t i = 0; i < rows; i++) {
         wanted[i].row->size = (size_t)layout_symbol(layout, wanted[i].size);
         words += wanted[i].count * wanted[i].row->size;
@@ -99,7 +95,6 @@ struct row record_row(const struct record *record)
 static void ask(struct record_layout *layout)
 {
     enum { ASKED_EACH = 4096 };
-
     if (layout->go_on && ++layout->written % ASKED_EACH == 0
         && !layout->go_on(layout->context))
         layout_fail(layout, "stopped while the scene is laid out");
@@ -125,7 +120,6 @@ void record_end(struct record *record)
 static c205_word *find_field(struct record *record, const char *name, size_t count)
 {
     uint64_t offset = layout_symbol(record->layout, name);
-
     if (record->words && offset + count <= record->size)
         return record->words + offset;
     layout_fail(record->layout, "field %s does not fit its record", name);
@@ -136,7 +130,6 @@ void record_read(struct record *record, const char *name, c205_word *words,
                  size_t count)
 {
     const c205_word *field = find_field(record, name, count);
-
     if (field)
         memcpy(words, field, count * sizeof *words);
 }
@@ -144,7 +137,6 @@ void record_read(struct record *record, const char *name, c205_word *words,
 static void put_word(struct record *record, const char *name, c205_word word)
 {
     c205_word *field = find_field(record, name, 1);
-
     if (field)
         *field = word;
 }
@@ -171,7 +163,6 @@ void record_numbers(struct record *record, const char *name, const double *value
                     size_t count)
 {
     c205_word *field;
-
     record_check(record, values, count);
     field = find_field(record, name, count);
     if (field)
@@ -201,7 +192,6 @@ void record_routine(struct record *record, const char *name, const char *routine
 void record_bound(struct record *record, const char *name, const struct bound *bound)
 {
     double words[5];
-
     memcpy(words, bound->center, sizeof bound->center);
     words[3] = bound->radius;
     words[4] = bound->radius * bound->radius;

@@ -54,7 +54,6 @@ static size_t layout_tree(struct record *record, struct places *places, size_t i
     const struct region *region = &places->scene->regions[i];
     struct tree_plan plan = { .steps = steps,
                               .joins = &places->joins[region->first_node] };
-
     if (!plan_tree(places->scene, region, &plan)) {
         layout_fail(record->layout, "out of memory");
         return before;
@@ -74,7 +73,6 @@ static void layout_steps(struct record_layout *layout, struct places *places)
     size_t count = places->scene->primitive_count, written = 0;
     struct tree_step *steps = calloc(count + 1, sizeof *steps);
     struct record record;
-
     if (!steps) {
         layout_fail(layout, "out of memory");
         return;
@@ -97,7 +95,6 @@ static void find_needed(const struct scene *scene, const struct region *region,
     needed[region->first_node] = true;
     for (size_t i = 0; i < region->node_count; i++) {
         size_t node = region->first_node + i;
-
         if (!needed[node] || scene->nodes[node].operation != TREE_AND)
             continue;
         for (size_t child = node + 1; child < scene->nodes[node].next;
@@ -109,10 +106,8 @@ static void find_needed(const struct scene *scene, const struct region *region,
 static void count_nodes(struct places *places)
 {
     const struct scene *scene = places->scene;
-
     for (size_t i = 0; i < scene->node_count; i++) {
         bool kept = scene->nodes[i].operation != TREE_NOT;
-
         places->kept[i + 1] = places->kept[i] + kept;
     }
 }
@@ -130,7 +125,6 @@ static void layout_node(struct record *record, const struct places *places, size
 {
     const struct tree_node *node = &places->scene->nodes[i];
     const struct tree_join *join = &places->joins[i];
-
     record_bound(record, "N_BOUND", &places->bounds[i]);
     if (join->step_count > 0)
         record_address(record, "N_STEPS", row_at(&places->steps, join->first_step));
@@ -150,7 +144,6 @@ static void layout_nodes(struct record_layout *layout, struct places *places)
 {
     const struct scene *scene = places->scene;
     struct record record;
-
     record_begin(&record, layout, "N_SIZE", places->kept[scene->node_count], 0);
     places->nodes = record_row(&record);
     for (size_t i = 0; i < scene->node_count && !layout->failed; i++)
@@ -167,7 +160,6 @@ static size_t shadow_of(const struct scene *scene, const struct region *region)
 {
     const struct primitive *first = &scene->primitives[region->first_primitive];
     bool casts = false, clear = false;
-
     for (size_t i = 0; i < region->primitive_count; i++) {
         casts = casts || !first[i].no_shadow;
         clear = clear || pigment_is_clear(&first[i].pigment);
@@ -179,7 +171,6 @@ static size_t shadow_of(const struct scene *scene, const struct region *region)
 static unsigned hidden_from(const struct scene *scene, const struct region *region)
 {
     unsigned rays = HIDDEN_FROM_IMAGE | HIDDEN_FROM_REFLECTIONS;
-
     for (size_t i = 0; i < region->primitive_count; i++)
         rays &= scene->primitives[region->first_primitive + i].hidden_from;
     return rays;
@@ -199,7 +190,6 @@ static const struct bound *bound_of(const struct places *places,
                                     const struct region *region)
 {
     size_t solid = region->first_node;
-
     while (places->scene->nodes[solid].operation == TREE_NOT)
         solid++;
     return &places->bounds[solid];
@@ -213,7 +203,6 @@ static bool is_boxed(const struct bound *bound)
 {
     static const double worth = 0.8;
     double side[3];
-
     for (int i = 0; i < 3; i++)
         side[i] = fmax(bound->high[i] - bound->low[i], 0);
     return !bound_is_none(bound)
@@ -225,7 +214,6 @@ static bool is_boxed(const struct bound *bound)
 static void layout_box(struct record *record, const struct bound *bound)
 {
     double words[6];
-
     for (int i = 0; i < 3; i++) {
         words[i] = (bound->low[i] + bound->high[i]) / 2;
         words[3 + i] = (bound->high[i] - bound->low[i]) / 2;
@@ -239,7 +227,6 @@ static void layout_region(struct record *record, const struct places *places, si
     const struct region *region = &scene->regions[i];
     const struct bound *bound = bound_of(places, region);
     uint64_t way = 0;
-
     record->line = region->line;
     record_bound(record, "R_BOUND", bound);
     if (region_is_simple(scene, region))
@@ -270,7 +257,6 @@ static void layout_clear(struct record_layout *layout, struct places *places)
     const struct scene *scene = places->scene;
     uint64_t first;
     size_t count = 0;
-
     for (size_t i = 0; i < scene->region_count; i++)
         if (shadow_of(scene, &scene->regions[i]) == 2)
             places->clear[i] = ++count;
@@ -288,7 +274,6 @@ static bool is_sphere(const struct scene *scene, const struct region *region)
 {
     const struct primitive *first = &scene->primitives[region->first_primitive];
     struct shape_words shape;
-
     shape_words(first, &shape);
     return first->kind == PRIMITIVE_SPHERE && !shape.transformed
            && region_is_simple(scene, region) && shadow_of(scene, region) == 1
@@ -303,10 +288,8 @@ static void find_spheres(struct places *places, size_t most)
     const struct scene *scene = places->scene;
     const struct hierarchy_node *nodes = hierarchy->nodes;
     const size_t *order = hierarchy->order;
-
     for (size_t i = hierarchy->node_count; i-- > 0;) {
         bool all = nodes[i].count <= most;
-
         for (size_t k = 0; all && k < nodes[i].count; k++)
             all = is_sphere(scene, &scene->regions[order[nodes[i].first + k]]);
         if (nodes[i].count == 0)
@@ -320,7 +303,6 @@ static void layout_hierarchy_node(struct record *record, const struct places *pl
 {
     const struct hierarchy_node *nodes = places->hierarchy.nodes;
     const struct hierarchy_node *node = &nodes[i];
-
     record_bound(record, "H_BOUND", &node->bound);
     record_integer(record, "H_REGION_COUNT", node->count);
     record_integer(record, "H_SPHERES", places->spheres[i]);
@@ -338,7 +320,6 @@ static void layout_hierarchy(struct record_layout *layout, struct places *places
     const struct hierarchy *hierarchy = &places->hierarchy;
     struct record record;
     struct row row;
-
     find_spheres(places, (size_t)layout_symbol(layout, "MAX_SPHERES"));
     record_begin(&record, layout, "H_SIZE", hierarchy->node_count, 0);
     row = record_row(&record);
@@ -353,7 +334,6 @@ static void layout_ordered(struct record_layout *layout, struct places *places)
 {
     const struct scene *scene = places->scene;
     struct record record;
-
     record_begin(&record, layout, "R_SIZE", scene->region_count, 0);
     places->regions = record_row(&record);
     layout_word(layout, "scene_regions", record.address);
@@ -373,7 +353,6 @@ static bool plan_hierarchy(struct places *places, enum bounding bounding)
     const struct scene *scene = places->scene;
     struct bound *bounds;
     bool good;
-
     if (bounding != BOUNDING_HIERARCHY)
         return hierarchy_none(scene->region_count, &places->hierarchy);
     bounds = malloc((scene->region_count + 1) * sizeof *bounds);
@@ -387,7 +366,6 @@ static bool plan_hierarchy(struct places *places, enum bounding bounding)
 static void plan_nodes(struct places *places)
 {
     const struct scene *scene = places->scene;
-
     count_nodes(places);
     for (size_t i = 0; i < scene->region_count; i++)
         find_needed(scene, &scene->regions[i], places->needed);
@@ -421,7 +399,6 @@ static void layout_scene(struct record_layout *layout, const struct scene *scene
         .spheres = calloc(2 * regions, sizeof *places.spheres),
         .given = given,
     };
-
     if (places.joins && places.needed && places.kept && places.results && places.bodies
         && places.clear && places.spheres && plan_hierarchy(&places, bounding))
         layout_records(layout, &places);
@@ -441,7 +418,6 @@ static void layout_nested(struct record_layout *layout, const struct scene *scen
                           const struct region_places *places)
 {
     struct nested_scene nested = { .bounds = NULL };
-
     if (nesting_make(scene, &nested))
         layout_scene(layout, &nested.scene, BOUNDING_HIERARCHY, nested.bounds, places);
     else
@@ -455,7 +431,6 @@ static void layout_as_written(struct record_layout *layout, const struct scene *
 {
     size_t nodes = scene->node_count;
     struct bound *bounds = malloc((nodes + 1) * sizeof *bounds);
-
     for (size_t i = 0; bounds && i < nodes; i++)
         bounds[i] = bound_none;
     if (bounds && (bounding == BOUNDING_NONE || bound_nodes(scene, bounds)))

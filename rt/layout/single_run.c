@@ -23,7 +23,6 @@ void single_run_number(struct single_run *run, const char *name, size_t i, doubl
 {
     uint64_t address = layout_symbol(&run->layout, name) + 64 * i;
     c205_word word = c205_from_double(value);
-
     layout_words(&run->layout, address, &word, 1);
 }
 
@@ -31,7 +30,6 @@ uint64_t single_run_room(struct single_run *run, const char *name,
                          const c205_word *words, size_t count)
 {
     uint64_t address = layout_reserve(&run->layout, count);
-
     if (words)
         layout_words(&run->layout, address, words, count);
     layout_word(&run->layout, name, address);
@@ -42,7 +40,6 @@ static bool run_on(struct single_run *run, c205 *machine, uint64_t from,
                    c205_word *words, size_t count)
 {
     bool stopped = false;
-
     return c205_load(machine, &run->program->program, run->error)
            && image_load(&run->image, machine, run->error)
            && program_run(machine, NULL, NULL, &stopped, run->error)
@@ -67,7 +64,6 @@ static bool run_projected(struct single_run *run, c205 *machine, uint64_t from,
     bool good = projection && c205_listen(machine, c205_project, projection)
                 && run_on(run, machine, from, words, count)
                 && add_projected(run, machine, projection);
-
     c205_projection_free(projection);
     return good;
 }
@@ -79,7 +75,6 @@ bool single_run_end(struct single_run *run, uint64_t from, c205_word *words,
     bool good = machine
                 && (run->projection ? run_projected(run, machine, from, words, count)
                                     : run_on(run, machine, from, words, count));
-
     if (good)
         *clocks += c205_clock(machine);
     if (good && run->accounts && !accounts_add(run->accounts, machine))

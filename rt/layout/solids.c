@@ -21,7 +21,6 @@ static bool put_integers(const struct primitive *primitive,
 {
     const struct shape *shape = shape_of(primitive);
     bool *marks;
-
     if (!shape->mark_integers)
         return true;
     marks = calloc(count + 1, sizeof *marks);
@@ -41,7 +40,6 @@ static void put_shape_table(struct record *record, const struct primitive *primi
     size_t count = shape_table_count(primitive, viewpoints);
     double *table = shape_table(primitive, viewpoints, count);
     c205_word *words = calloc(count + 1, sizeof *words);
-
     if (!table || !words) {
         layout_fail(record->layout, "out of memory");
     } else if (count > 0) {
@@ -61,7 +59,6 @@ static size_t mesh_sort(const struct primitive *primitive,
                         const struct shape_words *shape)
 {
     enum { NO_OUTSIDE = 2, OUTSIDE, INVISIBLE };
-
     return primitive->invisible ? INVISIBLE : shape->state ? OUTSIDE : NO_OUTSIDE;
 }
 
@@ -71,7 +68,6 @@ static void put_shape(struct record *record, const struct primitive *primitive,
     struct shape_words shape;
     const char *kernel;
     bool carried; /* the ray is transformed into the primitive's space */
-
     if (!plan->simple || !shape_words_historical(primitive, &shape)
         || !object_symbol(record->layout->program, shape.kernel))
         shape_words(primitive, &shape);
@@ -111,7 +107,6 @@ struct map_place {
 static size_t space_of(const struct scene *scene, size_t i, size_t before)
 {
     const struct transform *space = &scene->primitives[i].to_local;
-
     return i > 0
                    && memcmp(space, &scene->primitives[i - 1].to_local, sizeof *space)
                           == 0
@@ -125,7 +120,6 @@ static void put_finish(struct record *record, const struct scene *scene,
                        const struct finish *finish, double opacity)
 {
     double words[8];
-
     for (size_t i = 0; i < 3; i++)
         words[i] = (finish->ambient[i] * scene->ambient_light[i] + finish->emission[i])
                    * opacity;
@@ -142,7 +136,6 @@ static void put_gloss(struct record *record, const struct finish *finish)
 {
     const double gloss[2] = { finish->brilliance, finish->metallic };
     double range[3];
-
     if (!object_symbol(record->layout->program, "P_GLOSS"))
         return;
     for (size_t i = 0; i < 3; i++)
@@ -160,7 +153,6 @@ static void put_stops(struct record *record, const struct pigment *pigment,
                       struct map_place *map)
 {
     c205_word *stops;
-
     if (map->pigment && has_stops_of(pigment, map->pigment))
         return;
     stops = stops_words(pigment);
@@ -177,7 +169,6 @@ static void put_gradient(struct record *record, const struct pigment *pigment,
                          struct map_place *map)
 {
     double words[GRADIENT_STOPS];
-
     put_stops(record, pigment, map);
     gradient_words(pigment, words);
     record_numbers(record, "P_PATTERN", words, GRADIENT_STOPS);
@@ -190,7 +181,6 @@ static void put_pattern(struct record *record, const struct pigment *pigment,
 {
     const char *wave = pattern_wave(pigment);
     double words[PATTERN_ROWS], numbers[MAP_NUMBERS];
-
     put_stops(record, pigment, map);
     pattern_rows(pigment, words);
     pattern_numbers(&pigment->pattern, numbers);
@@ -209,7 +199,6 @@ static void put_image(struct record *record, const struct pigment *pigment,
 {
     const struct image_map *image = &pigment->image;
     double numbers[MAP_NUMBERS];
-
     image_numbers(image, numbers);
     record_numbers(record, "P_PATTERN", &pigment->to_local.rows[0][0], PATTERN_ROWS);
     record_routine(record, "P_MAP_FUNCTION", image_routine(image));
@@ -224,7 +213,6 @@ static void put_surface(struct record *record, const struct scene *scene,
     const struct pigment *pigment = &primitive->pigment;
     bool metal = surface_is_metal(pigment, &primitive->finish);
     double color[2][3], passing[2][4];
-
     for (int i = 0; i < 2; i++) {
         if (metal)
             memcpy(color[i], pigment->color[i], sizeof color[i]);
@@ -254,7 +242,6 @@ static void put_interior(struct record *record, const struct interiors *interior
                          const struct primitive *primitive)
 {
     double number = (double)interiors_number(interiors, primitive);
-
     if (object_symbol(record->layout->program, "P_INTERIOR"))
         record_numbers(record, "P_INTERIOR", &number, 1);
 }
@@ -280,7 +267,6 @@ static bool has_clear_part(const struct scene *scene, const struct region *regio
 static struct clear_ranks ranks_of(const struct scene *scene)
 {
     struct clear_ranks ranks = { .count = 0 };
-
     for (size_t i = 0; i < scene->region_count; i++)
         ranks.count += has_clear_part(scene, &scene->regions[i]);
     return ranks;
@@ -292,12 +278,10 @@ static void put_rank(struct record *record, const struct scene *scene, size_t i,
                      struct clear_ranks *ranks)
 {
     double yield;
-
     if (!object_symbol(record->layout->program, "P_TIE_OFFSET"))
         return;
     if (i == ranks->end) {
         const struct region *region = &scene->regions[ranks->region++];
-
         ranks->end += region->primitive_count;
         ranks->rank = has_clear_part(scene, region) ? ++ranks->used : 0;
         ranks->yield = region->yield;
@@ -314,7 +298,6 @@ static void put_mirror(struct record *record, const struct primitive *primitive)
 {
     const double index[2] = { primitive->ior, 1 / primitive->ior };
     double words[4];
-
     memcpy(words, primitive->finish.reflection, 3 * sizeof *words);
     words[3] = fmax(greatest_of(words), greatest_of(primitive->finish.reflection_most));
     record_integer(record, "P_MIRROR", surface_is_mirror(&primitive->finish));
@@ -327,10 +310,8 @@ static size_t table_words(const struct scene *scene, const struct leaf_plan *pla
 {
     const struct pigment *before = NULL;
     size_t count = 0;
-
     for (size_t i = 0; i < scene->primitive_count; i++) {
         const struct pigment *pigment = &scene->primitives[i].pigment;
-
         count += shape_table_count(&scene->primitives[i],
                                    plans[i].simple ? viewpoints : NULL);
         if (!pigment_has_map(pigment) || (before && has_stops_of(pigment, before)))
@@ -358,7 +339,6 @@ static uint64_t material_of(struct record *record, const struct primitive *primi
     c205_word words[MATERIAL_WORDS] = { 0 }, transformed = 0;
     size_t at = 0;
     uint64_t material;
-
     record_read(record, "P_TRANSFORMED", &transformed, 1);
     if (primitive->kind != PRIMITIVE_SPHERE || transformed != 0)
         return record->address;
@@ -396,7 +376,6 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
     size_t space = 0;
     struct row row;
     uint64_t material;
-
     if (!materials)
         layout_fail(layout, "out of memory");
     record_begin(&record, layout, "P_SIZE", scene->primitive_count,
@@ -442,7 +421,6 @@ static struct row layout_values(struct record_layout *layout, const struct scene
         { &leaves, "LEAF_SIZE", most },
         { &branches, "BRANCH_SIZE", most },
     };
-
     layout_reserve_rows(layout, wanted, sizeof wanted / sizeof *wanted);
     layout_word(layout, "scene_leaves", leaves.first);
     layout_word(layout, "scene_branches", branches.first);
@@ -457,7 +435,6 @@ void layout_solids(struct record_layout *layout, const struct scene *scene,
     uint64_t *bumps = calloc(scene->primitive_count + 1, sizeof *bumps);
     struct region_places places;
     struct row crossings;
-
     if (!plans || !bumps) {
         layout_fail(layout, "out of memory");
         free(plans);

@@ -23,7 +23,6 @@ bool surface_is_mirror(const struct finish *finish)
 enum mirror_kind surface_mirror_kind(const struct finish *finish)
 {
     bool varies = finish->reflection_metallic != 0;
-
     if (!surface_is_mirror(finish))
         return MIRROR_CONSTANT;
     if (finish->fresnel)
@@ -36,7 +35,6 @@ enum mirror_kind surface_mirror_kind(const struct finish *finish)
 static bool is_glossy(const struct finish *finish)
 {
     bool gleams = finish->phong != 0 || finish->specular != 0;
-
     return (finish->brilliance != 1 && finish->diffuse != 0)
            || (finish->metallic != 0 && gleams)
            || surface_mirror_kind(finish) != MIRROR_CONSTANT;
@@ -62,7 +60,6 @@ void surface_passing(const struct pigment *pigment, int which, double passing[3]
 double surface_passing_weight(const double passing[3], double least)
 {
     double brightness = .297 * passing[0] + .589 * passing[1] + .114 * passing[2];
-
     return brightness > least ? greatest_of(passing) : -1;
 }
 
@@ -75,14 +72,12 @@ bool surface_is_metal(const struct pigment *pigment, const struct finish *finish
 {
     bool one = pigment_cells(pigment) == 1
                || surface_opacity(pigment, 0) == surface_opacity(pigment, 1);
-
     return one && (finish->metallic != 0 || finish->reflection_metallic != 0);
 }
 
 void surface_color(const struct pigment *pigment, int which, double color[3])
 {
     double share = surface_opacity(pigment, which);
-
     for (int i = 0; i < 3; i++)
         color[i] = share * pigment->color[which][i];
 }

@@ -20,7 +20,6 @@ bool primitive_is_mesh(const struct primitive *primitive)
 bool region_is_simple(const struct scene *scene, const struct region *region)
 {
     const struct primitive *first = &scene->primitives[region->first_primitive];
-
     return !scene->every_crossing && region->primitive_count == 1 && region->yield == 0
            && !pigment_is_clear(&first->pigment);
 }
@@ -28,7 +27,6 @@ bool region_is_simple(const struct scene *scene, const struct region *region)
 static bool is_closed(const struct primitive *primitive)
 {
     struct shape_words shape;
-
     shape_words(primitive, &shape);
     return shape.segments > 0 && !shape.state;
 }
@@ -61,7 +59,6 @@ static size_t place_leaf(const struct primitive *primitive, size_t next,
                          struct leaf_plan *plan)
 {
     struct shape_words shape;
-
     shape_words(primitive, &shape);
     if (shape.on_mesh)
         return place_mesh(primitive, &shape, next, plan);
@@ -78,15 +75,12 @@ static size_t place_leaf(const struct primitive *primitive, size_t next,
 size_t plan_leaves(const struct scene *scene, struct leaf_plan *plans)
 {
     size_t most = 0;
-
     for (size_t i = 0; i < scene->region_count; i++) {
         const struct region *region = &scene->regions[i];
         bool simple = region_is_simple(scene, region);
         size_t next = 0;
-
         for (size_t k = 0; k < region->primitive_count; k++) {
             size_t leaf = region->first_primitive + k;
-
             plans[leaf].simple = simple;
             plans[leaf].value = k;
             next = place_leaf(&scene->primitives[leaf], next, &plans[leaf]);
@@ -101,7 +95,6 @@ bool scene_has_crossed_meshes(const struct scene *scene)
 {
     for (size_t i = 0; i < scene->region_count; i++) {
         const struct region *region = &scene->regions[i];
-
         if (region_is_simple(scene, region))
             continue;
         for (size_t k = 0; k < region->primitive_count; k++)
@@ -116,7 +109,6 @@ bool scene_has_crossed_meshes(const struct scene *scene)
 static size_t crossings_of(const struct primitive *primitive, bool alone)
 {
     struct shape_words shape;
-
     if (alone && primitive->kind == PRIMITIVE_BLOB)
         return 0;
     shape_words(primitive, &shape);
@@ -126,15 +118,12 @@ static size_t crossings_of(const struct primitive *primitive, bool alone)
 size_t most_crossings(const struct scene *scene)
 {
     size_t most = scene_has_crossed_meshes(scene) ? CROSSINGS_WITH_MESHES : 0;
-
     for (size_t i = 0; i < scene->region_count; i++) {
         const struct region *region = &scene->regions[i];
         const struct primitive *first = scene->primitives + region->first_primitive;
         bool alone = region_is_simple(scene, region);
-
         for (size_t k = 0; k < region->primitive_count; k++) {
             size_t count = crossings_of(&first[k], alone);
-
             if (count > most)
                 most = count;
         }
@@ -145,10 +134,8 @@ size_t most_crossings(const struct scene *scene)
 size_t max_ray_hits(const struct scene *scene)
 {
     size_t most = 0;
-
     for (size_t i = 0; i < scene->primitive_count; i++) {
         struct shape_words shape;
-
         shape_words(&scene->primitives[i], &shape);
         if (!scene->primitives[i].invisible)
             most += shape.events;
@@ -181,7 +168,6 @@ static struct tree_term both(struct evaluation *evaluation, struct tree_term x,
     size_t result = evaluation->leaf_count + plan->step_count;
     struct tree_step *step = &plan->steps[plan->step_count++];
     bool turned = x.complement && !y.complement;
-
     step->operation = x.complement != y.complement ? STEP_AND_NOT
                       : x.complement               ? STEP_OR
                                                    : STEP_AND;
@@ -196,7 +182,6 @@ static struct tree_term either(struct evaluation *evaluation, struct tree_term x
                                struct tree_term y)
 {
     struct tree_term value;
-
     x.complement = !x.complement;
     y.complement = !y.complement;
     value = both(evaluation, x, y);
@@ -210,7 +195,6 @@ static void join_terms(struct evaluation *evaluation, size_t count,
 {
     struct tree_term *children = evaluation->stack + evaluation->depth - count;
     struct tree_term value = children[0];
-
     for (size_t i = 1; i < count; i++)
         value = operation == TREE_AND ? both(evaluation, value, children[i])
                                       : either(evaluation, value, children[i]);
@@ -221,7 +205,6 @@ static void join_terms(struct evaluation *evaluation, size_t count,
 static size_t count_children(const struct scene *scene, size_t node)
 {
     size_t count = 0;
-
     for (size_t child = node + 1; child < scene->nodes[node].next;
          child = scene->nodes[child].next)
         count++;
@@ -234,7 +217,6 @@ static void evaluate(struct evaluation *evaluation, const struct scene *scene,
     struct tree_plan *plan = evaluation->plan;
     struct tree_join *made = &plan->joins[node - region->first_node];
     struct tree_term *top = evaluation->stack + evaluation->depth;
-
     made->first_step = plan->step_count;
     switch (scene->nodes[node].operation) {
     case TREE_LEAF:
@@ -259,7 +241,6 @@ bool plan_tree(const struct scene *scene, const struct region *region,
 {
     struct evaluation evaluation = { .plan = plan,
                                      .leaf_count = region->primitive_count };
-
     plan->step_count = 0;
     evaluation.stack = calloc(region->node_count + 1, sizeof *evaluation.stack);
     if (!evaluation.stack)
@@ -275,7 +256,6 @@ bool plan_tree(const struct scene *scene, const struct region *region,
 size_t most_leaves(const struct scene *scene)
 {
     size_t most = 1;
-
     for (size_t i = 0; i < scene->region_count; i++)
         if (scene->regions[i].primitive_count > most)
             most = scene->regions[i].primitive_count;

@@ -10,7 +10,6 @@ static struct named_part *part_of(const struct named_parts *parts,
                                   const struct region *region)
 {
     size_t object = scene->primitives[region->first_primitive].object;
-
     return &parts->list[parts->part_of[object]];
 }
 
@@ -18,10 +17,8 @@ bool bodies_find_endless(const struct scene *scene, struct named_parts *parts)
 {
     struct bound *bounds = calloc(scene->node_count + 1, sizeof *bounds);
     bool good = bounds && bound_nodes(scene, bounds);
-
     for (size_t i = 0; good && i < scene->region_count; i++) {
         const struct region *region = &scene->regions[i];
-
         if (bound_is_none(&bounds[region->first_node]))
             part_of(parts, scene, region)->endless = true;
     }
@@ -35,7 +32,6 @@ static void copy_region(const struct scene *scene, const struct region *region,
 {
     struct region *copy = &bodies->regions[bodies->region_count++];
     size_t primitive = bodies->primitive_count, node = bodies->node_count;
-
     *copy = *region;
     copy->first_primitive = primitive;
     copy->first_node = node;
@@ -44,7 +40,6 @@ static void copy_region(const struct scene *scene, const struct region *region,
             scene->primitives[region->first_primitive + i];
     for (size_t i = 0; i < region->node_count; i++) {
         struct tree_node *to = &bodies->nodes[node + i];
-
         *to = scene->nodes[region->first_node + i];
         to->next = to->next - region->first_node + node;
         if (to->operation == TREE_LEAF)

@@ -20,7 +20,6 @@ const char *columns_stage_name(enum columns_stage stage)
         [STAGE_SUMS] = "sums",     [STAGE_OVERLAPS] = "overlaps",
         [STAGE_TOTALS] = "totals",
     };
-
     return names[stage];
 }
 
@@ -49,7 +48,6 @@ static bool find_box(const struct scene *scene, struct columns_sums *sums,
     double high[3] = { -INFINITY, -INFINITY, -INFINITY };
     bool good = (bounds && bound_nodes(scene, bounds))
                 || error_set(error, "out of memory");
-
     for (size_t i = 0; good && i < scene->region_count; i++)
         good = join_box(&bounds[scene->regions[i].first_node], &scene->regions[i], low,
                         high, error);
@@ -97,7 +95,6 @@ static struct object *assemble_columns(const struct columns_work *work,
         { "RAYS", (int64_t)work->rays_of_packet },
         { NULL, 0 },
     };
-
     return form_assemble_beside(name, work->options->mode, defines, error);
 }
 
@@ -113,7 +110,6 @@ static bool begin_view(struct columns_work *work, size_t view, c205_error *error
         .bodies = true,
         .model = options->model,
     };
-
     work->lines[view] = ray_query_new(work->scene, &lines, error);
     return work->lines[view];
 }
@@ -122,7 +118,6 @@ static bool begin_work(struct columns_work *work, c205_error *error)
 {
     size_t rays = (size_t)1 << work->options->rays_log, units;
     bool good;
-
     work->rays_of_packet = rays < COLUMNS_PACKET ? rays : COLUMNS_PACKET;
     work->packets = rays / work->rays_of_packet;
     units = unit_count(work);
@@ -184,7 +179,6 @@ static bool make_rays(struct columns_packet *packet)
     size_t shift = packet->view * options->repeats + packet->shift;
     struct single_run run;
     uint64_t made;
-
     single_run_begin(&run, work->rays, options->model, packet->error);
     single_run_word(&run, "rays_seed", options->seed);
     single_run_word(&run, "rays_first", packet->first);
@@ -194,7 +188,6 @@ static bool make_rays(struct columns_packet *packet)
     single_run_word(&run, "rays_count", count);
     for (size_t i = 0; i < 2; i++) {
         size_t axis = axis_of(packet->view, i + 1);
-
         single_run_number(&run, "rays_width", i, sums->width[axis]);
         single_run_number(&run, "rays_middle", i, sums->middle[axis]);
     }
@@ -207,10 +200,8 @@ static void lay_lines(const struct columns_packet *packet)
 {
     const struct columns_sums *sums = packet->work->sums;
     size_t count = packet->work->rays_of_packet, view = packet->view;
-
     for (size_t i = 0; i < count; i++) {
         struct scene_ray *line = &packet->lines[i];
-
         *line = (struct scene_ray){ { 0 }, { 0 } };
         line->direction[view] = 1;
         line->origin[view] = sums->middle[view];
@@ -223,7 +214,6 @@ static void lay_lines(const struct columns_packet *packet)
 static bool find_crossings(struct columns_packet *packet)
 {
     const struct columns_work *work = packet->work;
-
     lay_lines(packet);
     if (!ray_query_find(work->lines[packet->view], packet->lines, work->rays_of_packet,
                         &packet->seen, packet->error))
@@ -239,7 +229,6 @@ static bool check_crossing(const struct columns_packet *packet,
 {
     const struct primitive *primitive = &packet->work->scene
                                              ->primitives[seen->primitive];
-
     if (seen->crossing != 0)
         return true;
     return error_set(packet->error,
@@ -264,7 +253,6 @@ static void lay_crossing(const struct columns_packet *packet, size_t ray, size_t
 {
     const struct ray_hit *seen = &packet->seen.list[i];
     const size_t *part_of = packet->work->options->part_of;
-
     planes[CROSSED_S * count + i] = seen->distance;
     planes[CROSSED_NORMAL * count + i] = seen->normal[packet->view];
     planes[CROSSED_RAY * count + i] = c205_from_integer((int64_t)ray);
@@ -279,7 +267,6 @@ static bool lay_crossings(const struct columns_packet *packet, c205_word *planes
 {
     const struct ray_hits *seen = &packet->seen;
     size_t count = seen->first[seen->line_count];
-
     for (size_t ray = 0; ray < seen->line_count; ray++)
         for (size_t i = seen->first[ray]; i < seen->first[ray + 1]; i++) {
             if (!check_crossing(packet, &seen->list[i]))
@@ -301,7 +288,6 @@ static uint64_t give_crossed(const struct columns_packet *packet,
                              struct single_run *run)
 {
     size_t count = packet->seen.first[packet->seen.line_count];
-
     single_run_word(run, "crossed_count", count);
     single_run_room(run, "crossed_planes", planes, CROSSED_SIZE * count);
     single_run_word(run, "crossed_totals", totals);
@@ -317,7 +303,6 @@ static bool run_columns(const struct columns_packet *packet, const c205_word *pl
     size_t width = work->sums->parts * MOMENTS;
     struct single_run run;
     uint64_t made;
-
     single_run_begin(&run, work->columns, work->options->model, packet->error);
     made = give_crossed(packet, planes, width, &run);
     single_run_word(&run, "column_parts", work->options->part_count);
@@ -333,7 +318,6 @@ static bool run_overlaps(const struct columns_packet *packet, const c205_word *p
     const struct columns_sums *sums = work->sums;
     struct single_run run;
     uint64_t made;
-
     if (sums->pairs == 0)
         return true;
     single_run_begin(&run, work->overlaps, work->options->model, packet->error);
@@ -350,7 +334,6 @@ static bool add_columns(const struct columns_packet *packet)
     bool good = planes ? lay_crossings(packet, planes) && run_columns(packet, planes)
                              && run_overlaps(packet, planes)
                        : error_set(packet->error, "out of memory");
-
     free(planes);
     return good;
 }
@@ -373,7 +356,6 @@ static bool do_packet(const struct columns_work *work, size_t unit, c205_error *
                     ? make_rays(&packet) && find_crossings(&packet)
                           && add_columns(&packet)
                     : error_set(error, "out of memory");
-
     ray_hits_free(&packet.seen);
     free(packet.rays);
     free(packet.lines);
@@ -386,7 +368,6 @@ static bool run_unit(void *context, size_t job, size_t unit,
 {
     const struct columns_work *work = context;
     size_t width = words_of_shift(work->sums);
-
     (void)job;
     if (!do_packet(work, unit, error))
         return false;
@@ -401,7 +382,6 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
 {
     const struct columns_work *work = context;
     size_t width = words_of_shift(work->sums);
-
     result_take_all(words, work->words + unit * width, width);
     result_take_all(words, work->clocks[unit], COLUMNS_STAGES);
     work->crossings[unit] = result_take(words);
@@ -425,7 +405,6 @@ static bool open_files(const struct columns_work *work, struct job_set *job_set,
         work->sums->pairs,
         hash_sizes(HASH_START, options->part_of, work->scene->object_count),
     };
-
     return ray_query_keep(work->lines[0], job_set, "mass", choices,
                           sizeof choices / sizeof *choices, error);
 }
@@ -444,7 +423,6 @@ static bool do_packets(struct columns_work *work, c205_error *error)
         .progress = options->progress,
         .progress_context = options->context,
     };
-
     work->sums->units = packets.count;
     return open_files(work, packets.job_set, error) && job_set_run(&packets, error);
 }
@@ -462,7 +440,6 @@ static bool add_packets(struct columns_work *work, c205_error *error)
     size_t groups = VIEWS * sums->repeats, width = words_of_shift(work->sums);
     struct single_run run;
     uint64_t made;
-
     single_run_begin(&run, work->totals, work->options->model, error);
     single_run_word(&run, "total_groups", groups);
     single_run_word(&run, "total_rows", work->packets);
@@ -476,7 +453,6 @@ static bool add_packets(struct columns_work *work, c205_error *error)
 static void add_accounts(const struct columns_work *work)
 {
     struct columns_sums *sums = work->sums;
-
     for (size_t unit = 0; unit < unit_count(work); unit++) {
         sums->crossings += work->crossings[unit];
         for (int stage = 0; stage < COLUMNS_STAGES; stage++)
@@ -508,7 +484,6 @@ bool columns_sum(const struct scene *scene, const struct columns_options *option
 {
     struct columns_work work = { .scene = scene, .options = options, .sums = sums };
     bool good;
-
     *sums = (struct columns_sums){ .parts = options->part_count + 1,
                                    .pairs = options->overlaps ? options->overlaps->count
                                                               : 0,
@@ -544,7 +519,6 @@ static double integral_of(const struct columns_sums *sums, size_t view, size_t r
     size_t shift = view * sums->repeats + repeat;
     c205_word sum = sums->words[shift * words_of_shift(sums) + place];
     double area = sums->width[axis_of(view, 1)] * sums->width[axis_of(view, 2)];
-
     return ldexp(c205_to_double(sum) * area, -(int)sums->rays_log);
 }
 

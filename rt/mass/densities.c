@@ -19,11 +19,9 @@ bool densities_find(const struct named_values *given, const struct named_parts *
 {
     const char *separator = ": ";
     bool good = true;
-
     error_set(error, "no density is set for");
     for (size_t i = 0; i < parts->count; i++) {
         const struct named_part *part = &parts->list[i];
-
         densities[i] = named_of_part(given, part);
         if (!isnan(densities[i]) || part->left_out)
             continue;

@@ -13,7 +13,6 @@ const char *figure_name(size_t figure)
         "Izz",    "Ixy",  "Ixz",  "Iyz", "Jxx", "Jyy", "Jzz", "Jxy",
         "Jxz",    "Jyz",  "J1",   "J2",  "J3",  "Vx",  "Vy",  "Vz",
     };
-
     return names[figure];
 }
 
@@ -55,14 +54,12 @@ static void add_view(const struct summand *summand, double density,
     };
     size_t view = summand->view;
     double volume = integral(summand, MOMENT_1), share = density / VIEWS;
-
     sum->views[view] += volume;
     sum->volume += volume / VIEWS;
     sum->area += integral(summand, MOMENT_AREA);
     sum->mass += share * volume;
     for (size_t i = 0; i < 3; i++) {
         size_t axis = (view + i) % 3;
-
         sum->first[axis] += share * integral(summand, firsts[i]);
         for (size_t k = i; k < 3; k++)
             sum->second[product_place(axis, (view + k) % 3)] +=
@@ -74,7 +71,6 @@ static void find_integrals(const struct mass_body *body, size_t repeat,
                            struct integrals *sum)
 {
     struct summand summand = { .sums = body->sums, .repeat = repeat };
-
     *sum = (struct integrals){ 0 };
     for (summand.part = 0; summand.part + 1 < body->sums->parts; summand.part++)
         for (summand.view = 0; body->density[summand.part] > 0 && summand.view < VIEWS;
@@ -87,7 +83,6 @@ static void add_integrals(struct integrals *sum, const struct integrals *more,
 {
     double *to = (double *)sum;
     const double *from = (const double *)more;
-
     for (size_t i = 0; i < INTEGRALS; i++)
         to[i] += weight * from[i];
 }
@@ -109,11 +104,9 @@ static void find_inertia(const struct integrals *sum, const double centroid[3],
                          const double offset[3], double inertia[6])
 {
     double central[6] = { 0 }, trace = 0;
-
     for (size_t i = 0; i < 3; i++)
         for (size_t k = i; k < 3; k++) {
             size_t place = product_place(i, k);
-
             central[place] = sum->second[place]
                              + sum->mass
                                    * (offset[i] * offset[k]
@@ -135,7 +128,6 @@ static void find_principal(const double inertia[6], double moments[3],
 {
     struct singular singular = { .rows = 3, .columns = 3 };
     size_t order[3] = { 0, 1, 2 };
-
     for (size_t i = 0; i < 3; i++)
         for (size_t k = 0; k < 3; k++)
             singular
@@ -161,7 +153,6 @@ static void find_values(const struct mass_body *body, const struct integrals *su
 {
     const double *middle = body->sums->middle;
     double centroid[3], offset[3], none[3] = { 0 };
-
     value[FIGURE_VOLUME] = sum->volume;
     value[FIGURE_AREA] = sum->area;
     value[FIGURE_MASS] = sum->mass;
@@ -184,7 +175,6 @@ static double student(double freedom)
 {
     const double terms[] = { 1.959964, 2.372271, 2.822500, 2.555852, 1.589534 };
     double sum = 0;
-
     for (int i = 4; i >= 0; i--)
         sum = sum / freedom + terms[i];
     return sum;
@@ -205,18 +195,15 @@ static void find_errors(const struct mass_body *body, const struct integrals *sh
 {
     size_t count = body->sums->repeats;
     double axes[3][3];
-
     for (size_t r = 0; r < count; r++) {
         struct integrals less = { 0 };
         double others = (double)count - 1;
-
         add_integrals(&less, sum, (double)count / others);
         add_integrals(&less, &shifts[r], -1 / others);
         find_values(body, &less, without[r], axes);
     }
     for (size_t i = 0; i < FIGURES; i++) {
         double mean = 0, squares = 0;
-
         for (size_t r = 0; r < count; r++)
             mean += without[r][i] / (double)count;
         for (size_t r = 0; r < count; r++)
@@ -259,7 +246,6 @@ void mass_figures_enlarge(struct mass_figures *figures, int log)
 {
     for (size_t i = 0; i < FIGURES; i++) {
         double unit = ldexp(1, log * dimension_of(i));
-
         figures->value[i] *= unit;
         figures->error[i] *= unit;
     }
@@ -270,7 +256,6 @@ static double overlap_of_all(const struct columns_sums *sums, size_t repeat,
                              size_t none)
 {
     double volume = 0;
-
     (void)none;
     for (size_t view = 0; view < VIEWS; view++)
         for (size_t part = 0; part < sums->parts; part++)
@@ -283,7 +268,6 @@ static double overlap_of_pair(const struct columns_sums *sums, size_t repeat,
                               size_t pair)
 {
     double volume = 0;
-
     for (size_t view = 0; view < VIEWS; view++)
         volume += columns_overlap(sums, view, repeat, pair);
     return volume / VIEWS;
@@ -296,13 +280,11 @@ static void find_mean(const struct columns_sums *sums,
                       size_t which, double *volume, double *error)
 {
     double count = (double)sums->repeats, squares = 0;
-
     *volume = 0;
     for (size_t r = 0; r < sums->repeats; r++)
         *volume += of(sums, r, which) / count;
     for (size_t r = 0; r < sums->repeats; r++) {
         double beside = of(sums, r, which) - *volume;
-
         squares += beside * beside / ((count - 1) * (count - 1));
     }
     *error = interval(squares, count);
@@ -321,7 +303,6 @@ bool mass_overlap_of(const struct columns_sums *sums, size_t pair, double *volum
                      double *error)
 {
     const double *width = sums->width;
-
     find_mean(sums, overlap_of_pair, pair, volume, error);
     return fabs(*volume) > TOUCHING * width[0] * width[1] * width[2];
 }
@@ -331,7 +312,6 @@ static double scale_of(const struct mass_figures *figures,
                        const struct columns_sums *sums, size_t figure)
 {
     const double *width = sums->width;
-
     if (figure < FIGURE_CENTROID)
         return figures->value[figure];
     if (figure < FIGURE_INERTIA)
@@ -348,12 +328,10 @@ double mass_worst(const struct mass_figures *figures, const struct columns_sums 
                   size_t *figure)
 {
     double worst = -1;
-
     for (size_t i = 0; i < FIGURE_VIEWS; i++) {
         double scale = scale_of(figures, sums, i);
         double share = figures->error[i] > 0 ? figures->error[i] / scale
                                              : figures->error[i];
-
         if (isnan(figures->value[i])) /* the centroid of an empty body */
             continue;
         if (share > worst || isnan(share)) {

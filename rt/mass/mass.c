@@ -17,7 +17,6 @@ static bool take_densities(const struct mass *mass, struct named_values *densiti
 {
     const struct mass_request *request = mass->request;
     bool good = true;
-
     for (size_t i = 0; good && i < request->density_count; i++)
         good = named_add(densities, request->densities[i], error);
     good = good && named_check(densities, &mass->parts, NULL, error);
@@ -34,7 +33,6 @@ static bool weigh_parts(struct mass *mass, struct diagnostics *reports,
 {
     struct named_values densities;
     bool good;
-
     named_begin(&densities, &density_kind);
     mass->weights = calloc(mass->parts.count + 1, sizeof *mass->weights);
     good = mass->weights && take_densities(mass, &densities, reports, error)
@@ -53,7 +51,6 @@ static const char *row_name(const struct mass *mass, const struct named_part *pa
 static struct mass_row *find_row(struct mass *mass, const char *name)
 {
     struct mass_row *row = mass->rows;
-
     while (row < mass->rows + mass->row_count && strcmp(row->name, name) != 0)
         row++;
     if (row == mass->rows + mass->row_count) {
@@ -67,14 +64,12 @@ static struct mass_row *find_row(struct mass *mass, const char *name)
 static bool make_rows(struct mass *mass)
 {
     size_t count = mass->parts.count;
-
     mass->rows = calloc(count + 1, sizeof *mass->rows);
     mass->densities = calloc((count + 1) * count + 1, sizeof *mass->densities);
     if (!mass->rows || !mass->densities)
         return false;
     for (size_t i = 0; i < count; i++) {
         const struct named_part *part = &mass->parts.list[i];
-
         if (part->left_out)
             continue;
         find_row(mass, row_name(mass, part))
@@ -82,7 +77,6 @@ static bool make_rows(struct mass *mass)
     }
     if (mass->row_count > 1) {
         struct mass_row *all = &mass->rows[mass->row_count];
-
         all->name = "all";
         all->density = mass->densities + mass->row_count * count;
         for (size_t i = 0; i < mass->row_count * count; i++)
@@ -113,7 +107,6 @@ static bool sum_columns(struct mass *mass, c205_error *error)
         .context = request->context,
         .job_set = request->job_set,
     };
-
     return columns_sum(&mass->bodies, &options, &mass->sums, error);
 }
 
@@ -121,7 +114,6 @@ static bool find_figures(struct mass *mass, c205_error *error)
 {
     int log = mass->scene->unit_log;
     double about[3];
-
     copy3(mass->request->about, about);
     scale3(ldexp(1, -log), about);
     mass->worst = -1;
@@ -132,7 +124,6 @@ static bool find_figures(struct mass *mass, c205_error *error)
                                         .about = about };
         size_t figure = 0;
         double worst;
-
         if (!mass_figures_find(&body, &row->figures))
             return error_set(error, "out of memory");
         worst = mass_worst(&row->figures, &mass->sums, &figure);
@@ -150,7 +141,6 @@ static bool find_figures(struct mass *mass, c205_error *error)
 static size_t log_of_rays(size_t rays, size_t repeats)
 {
     size_t log = 0;
-
     while (log < MAX_COLUMNS_LOG && (repeats << log) < rays)
         log++;
     return log;
@@ -159,7 +149,6 @@ static size_t log_of_rays(size_t rays, size_t repeats)
 bool mass_is_precise(const struct mass *mass)
 {
     double tolerance = mass->request->tolerance;
-
     return tolerance == 0 || mass->worst <= tolerance;
 }
 
@@ -169,7 +158,6 @@ static bool find_next(struct mass *mass, uint64_t *next, c205_error *error)
 {
     const struct mass_request *request = mass->request;
     size_t last = log_of_rays(request->limit, request->repeats);
-
     *next = 0;
     if (request->job_set && !job_set_collects(request->job_set))
         return true;
@@ -184,7 +172,6 @@ bool mass_find(struct mass *mass, c205_error *error)
 {
     const struct mass_request *request = mass->request;
     uint64_t next = log_of_rays(request->rays, request->repeats);
-
     do {
         columns_sums_free(&mass->sums);
         mass->rays_log = (size_t)next;
@@ -202,7 +189,6 @@ bool mass_find(struct mass *mass, c205_error *error)
 static bool choose_parts(struct mass *mass, c205_error *error)
 {
     const struct mass_request *request = mass->request;
-
     return named_parts_find(mass->scene, &mass->parts)
            && bodies_find_endless(mass->scene, &mass->parts)
            && named_parts_choose(&mass->parts, request->parts, request->part_count,

@@ -31,7 +31,6 @@ static int decimals_of(double value, double error)
     double digits = error > 0    ? 1 - floor(log10(error))
                     : value != 0 ? 8 - floor(log10(fabs(value)))
                                  : 0;
-
     return digits > -300 && digits < 300 ? (int)digits : 0;
 }
 
@@ -59,7 +58,6 @@ static void add_figure(struct table *table, const struct mass_units *units,
                        size_t unit)
 {
     char text[MASS_UNIT];
-
     unit_of(units, unit, text);
     table_text(table, part);
     table_text(table, figure);
@@ -79,7 +77,6 @@ struct table *mass_table_of_figures(const struct mass *mass)
     const struct mass_units *units = &mass->request->units;
     struct table *table = table_new(TABLE_COLUMNS(figure_columns));
     double volume, error;
-
     if (!table)
         return NULL;
     for (size_t i = 0; i < mass->row_count; i++)
@@ -101,11 +98,9 @@ struct table *mass_table_of_overlaps(const struct mass *mass)
 {
     struct table *table = table_new(TABLE_COLUMNS(overlap_columns));
     char unit[MASS_UNIT];
-
     unit_of(&mass->request->units, FIGURE_VOLUME, unit);
     for (size_t i = 0; table && i < mass->overlaps.count; i++) {
         double volume, error;
-
         if (!mass_overlap_of(&mass->sums, i, &volume, &error))
             continue;
         volume *= cube_of(mass);
@@ -122,7 +117,6 @@ struct table *mass_table_of_overlaps(const struct mass *mass)
 struct table *mass_table_of_axes(const struct mass *mass)
 {
     struct table *table = table_new(TABLE_COLUMNS(axis_columns));
-
     for (size_t i = 0; table && i < mass->row_count; i++)
         for (size_t k = 0; k < 3; k++) {
             table_text(table, mass->rows[i].name);
@@ -136,7 +130,6 @@ struct table *mass_table_of_axes(const struct mass *mass)
 struct table *mass_table_of_clocks(const struct mass *mass)
 {
     struct table *table = table_new(TABLE_COLUMNS(clock_columns));
-
     for (int i = 0; table && i < COLUMNS_STAGES; i++) {
         if (i == STAGE_OVERLAPS && mass->overlaps.count == 0)
             continue;

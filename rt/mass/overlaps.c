@@ -31,7 +31,6 @@ static void join_bounds(struct bound *bound, const struct bound *more)
 static bool meet(const struct bound *one, const struct bound *other)
 {
     bool good = true;
-
     for (int i = 0; i < 3; i++)
         good = good && one->low[i] <= other->high[i] && other->low[i] <= one->high[i];
     return good;
@@ -46,12 +45,10 @@ static bool box_objects(const struct scene *scene, struct bound *boxes)
 {
     struct bound *bounds = calloc(scene->node_count + 1, sizeof *bounds);
     bool good = bounds && bound_nodes(scene, bounds);
-
     for (size_t i = 0; i < scene->object_count; i++)
         boxes[i] = empty;
     for (size_t i = 0; good && i < scene->region_count; i++) {
         const struct region *region = &scene->regions[i];
-
         join_bounds(&boxes[scene->primitives[region->first_primitive].object],
                     &bounds[region->first_node]);
     }
@@ -64,7 +61,6 @@ static void list_objects(const struct scene *scene, const size_t *part_of,
                          struct overlaps *overlaps, struct boxes *boxes)
 {
     size_t count = overlaps->part_count;
-
     for (size_t i = 0; i < count; i++)
         boxes->of_parts[i] = empty;
     for (size_t i = 0; i < scene->object_count; i++)
@@ -88,7 +84,6 @@ static bool find_boxes(const struct scene *scene, const size_t *part_of,
                        struct overlaps *overlaps, struct boxes *boxes)
 {
     size_t objects = scene->object_count + 1, parts = overlaps->part_count;
-
     boxes->of_objects = calloc(objects, sizeof *boxes->of_objects);
     boxes->of_parts = calloc(parts + 1, sizeof *boxes->of_parts);
     boxes->first = calloc(parts + 1, sizeof *boxes->first);
@@ -127,7 +122,6 @@ static bool may_overlap(const struct boxes *boxes, size_t one, size_t other)
 static bool add_pair(struct overlaps *overlaps, size_t one, size_t other)
 {
     struct overlap_pair pair = { { one, other } };
-
     return array_add(&overlaps->pairs, &overlaps->count, &pair, sizeof pair);
 }
 
@@ -136,7 +130,6 @@ bool overlaps_find(const struct scene *scene, const size_t *part_of, size_t part
 {
     struct boxes boxes = { NULL, NULL, NULL, NULL };
     bool good;
-
     *overlaps = (struct overlaps){ .part_count = part_count };
     overlaps->objects = calloc(part_count + 1, sizeof *overlaps->objects);
     good = overlaps->objects && find_boxes(scene, part_of, overlaps, &boxes);
@@ -181,7 +174,6 @@ struct tables {
 static size_t bits_for(size_t most)
 {
     size_t bits = 1;
-
     while (most >> bits)
         bits++;
     return bits;
@@ -221,11 +213,9 @@ static void place_fields(struct tables *tables)
 {
     const struct overlaps *overlaps = tables->overlaps;
     size_t end = 0;
-
     for (size_t i = 0; i < overlaps->count; i++)
         for (size_t k = 0; k < 2; k++) {
             const struct overlap_pair *pair = &overlaps->pairs[i];
-
             tables->fields[pair->parts[k]].asked[is_own(pair)] = true;
         }
     for (size_t i = 0; i < overlaps->part_count; i++)
@@ -235,7 +225,6 @@ static void place_fields(struct tables *tables)
 static size_t level_of(const struct tables *tables, size_t part, bool own)
 {
     const struct part_field *field = &tables->fields[part];
-
     return field->first_level + (own && field->asked[0]);
 }
 
@@ -243,17 +232,14 @@ static void give_groups(struct tables *tables)
 {
     size_t parts = tables->overlaps->part_count;
     struct record record;
-
     record_begin(&record, tables->layout, "GROUP_SIZE", tables->group_count,
                  tables->group_count * parts);
     layout_word(tables->layout, "overlap_group", record_row(&record).first);
     for (size_t group = 0; group < tables->group_count; group++) {
         size_t levels = 0;
-
         for (size_t i = 0; i < parts; i++) {
             const struct part_field *field = &tables->fields[i];
             bool there = field->width > 0 && field->group == group;
-
             tables->words[i] = c205_from_integer(there ? (int64_t)1 << field->shift
                                                        : 0);
             levels += there ? field->level_count : 0;
@@ -271,11 +257,9 @@ static size_t list_partners(struct tables *tables, size_t part, bool own)
 {
     const struct overlaps *overlaps = tables->overlaps;
     size_t count = 0;
-
     for (size_t i = 0; i < overlaps->count; i++) {
         const struct overlap_pair *pair = &overlaps->pairs[i];
         size_t other = pair->parts[pair->parts[0] == part];
-
         if (is_own(pair) != own || (pair->parts[0] != part && pair->parts[1] != part))
             continue;
         tables->words[2 * count] = row_at(&tables->levels,
@@ -292,7 +276,6 @@ static void give_level(struct tables *tables, struct record *record, size_t part
     const struct part_field *field = &tables->fields[part];
     size_t least = own ? 2 : 1, mask = ((size_t)1 << field->width) - 1;
     size_t partners = list_partners(tables, part, own);
-
     record_integer(record, "LEVEL_MASK", mask << field->shift);
     record_integer(record, "LEVEL_REACHED", least << field->shift);
     record_integer(record, "LEVEL_LEAST", least);
@@ -306,7 +289,6 @@ static void give_levels(struct tables *tables)
 {
     const struct overlaps *overlaps = tables->overlaps;
     struct record record;
-
     record_begin(&record, tables->layout, "LEVEL_SIZE", tables->level_count,
                  4 * overlaps->count);
     tables->levels = record_row(&record);
@@ -321,11 +303,9 @@ static void give_levels(struct tables *tables)
 static void give_pairs(struct tables *tables)
 {
     const struct overlaps *overlaps = tables->overlaps;
-
     for (size_t i = 0; i < overlaps->count; i++)
         for (size_t k = 0; k < 2; k++) {
             const struct overlap_pair *pair = &overlaps->pairs[i];
-
             tables->words[2 * i + k] = c205_from_integer(
                 (int64_t)level_of(tables, pair->parts[k], is_own(pair)));
         }
@@ -334,12 +314,10 @@ static void give_pairs(struct tables *tables)
 static void give_parts(struct tables *tables)
 {
     struct record record;
-
     record_begin(&record, tables->layout, "PART_SIZE", tables->overlaps->part_count, 0);
     layout_word(tables->layout, "overlap_parts", record_row(&record).first);
     for (size_t i = 0; i < tables->overlaps->part_count; i++) {
         const struct part_field *field = &tables->fields[i];
-
         record_address(&record, "PART_LEVELS",
                        row_at(&tables->levels, field->first_level));
         record_integer(&record, "PART_LEVEL_COUNT", field->level_count);
@@ -352,7 +330,6 @@ static void give_parts(struct tables *tables)
 static void give_tables(struct tables *tables, struct single_run *run)
 {
     size_t bits;
-
     place_fields(tables);
     give_groups(tables);
     give_levels(tables);
@@ -374,7 +351,6 @@ void overlaps_give(const struct overlaps *overlaps, struct single_run *run)
         .fields = calloc(overlaps->part_count + 1, sizeof *tables.fields),
         .words = calloc(words + 1, sizeof *tables.words),
     };
-
     if (tables.fields && tables.words)
         give_tables(&tables, run);
     else

@@ -41,7 +41,6 @@ bool mass_units_take(const char *text, struct mass_units *units)
 {
     const char *comma = strchr(text, ',');
     const struct named_unit *length, *mass;
-
     if (!comma)
         return false;
     length = find_unit(lengths, LENGTHS, text, (size_t)(comma - text));
@@ -55,7 +54,6 @@ bool mass_units_take(const char *text, struct mass_units *units)
 double mass_units_density(const struct mass_units *units, double density)
 {
     double side = units->centimetres;
-
     return units->length ? density * side * side * side / units->grams : density;
 }
 
@@ -63,7 +61,6 @@ void mass_units_text(const struct mass_units *units, int mass, int length,
                      char text[MASS_UNIT])
 {
     char sides[MASS_UNIT / 2] = "";
-
     text[0] = '\0';
     if (!units->length)
         return;

@@ -169,9 +169,9 @@ bool end(void *given, bool whole, c205_error *error)
 {
     std::unique_ptr<writing> picture(static_cast<writing *>(given));
     c205_error none;
-    const bool good = guarded(whole ? error : &none, [&] {
-        require(picture->output->close(), picture->output->geterror());
-    });
+    const bool good = guarded(
+        whole ? error : &none,
+        [&] { require(picture->output->close(), picture->output->geterror()); });
     guarded(&none, [&] { picture.reset(); });
     return good;
 }
@@ -237,11 +237,13 @@ bool read(const char *path, picture_image *image, c205_error *error)
 bool read_note(const char *path, const char *name, char *text, size_t size,
                c205_error *error)
 {
-    return guarded(error, [&] {
-        auto input = opened(path);
-        const std::string found = input->spec().get_string_attribute(name);
-        std::snprintf(text, size, "%s", found.c_str());
-    });
+    return guarded(
+        error,
+        [&] {
+            auto input = opened(path);
+            const std::string found = input->spec().get_string_attribute(name);
+            std::snprintf(text, size, "%s", found.c_str());
+        });
 }
 
 // Describes an image of grey or RGB pixels, with or without opacity.
@@ -282,19 +284,21 @@ void take_samples(OIIO::ImageInput &input, raster &image)
 bool read_raster(const char *format, const char *bytes, size_t length, raster *image,
                  c205_error *error)
 {
-    return guarded(error, [&] {
-        OIIO::Filesystem::IOMemReader file(bytes, length);
-        OIIO::ImageSpec how, spec;
-        auto input = OIIO::ImageInput::create(format);
-        require(input != nullptr, OIIO::geterror());
-        how.attribute("oiio:UnassociatedAlpha", 1);
-        require(input->set_ioproxy(&file),
-                std::string("OpenImageIO cannot read '") + format + "' from memory");
-        require(input->open(format, spec, how), input->geterror());
-        describe(spec, *image);
-        take_samples(*input, *image);
-        input->close();
-    });
+    return guarded(
+        error,
+        [&] {
+            OIIO::Filesystem::IOMemReader file(bytes, length);
+            OIIO::ImageSpec how, spec;
+            auto input = OIIO::ImageInput::create(format);
+            require(input != nullptr, OIIO::geterror());
+            how.attribute("oiio:UnassociatedAlpha", 1);
+            require(input->set_ioproxy(&file), std::string("OpenImageIO cannot read '")
+                                                   + format + "' from memory");
+            require(input->open(format, spec, how), input->geterror());
+            describe(spec, *image);
+            take_samples(*input, *image);
+            input->close();
+        });
 }
 
 } // namespace

@@ -16,7 +16,6 @@ static bool program_folder(char *folder, size_t size)
 {
     ssize_t length = readlink("/proc/self/exe", folder, size - 1);
     char *slash;
-
     if (length <= 0)
         return false;
     folder[length] = '\0';
@@ -36,7 +35,6 @@ bool dynamic_find(const char *file, char path[ADAPTER_PATH], c205_error *error)
 {
     const char *named = getenv("RT205_LIBDIR");
     char beside[4096], installed[sizeof beside + sizeof FROM_BIN];
-
     if (!program_folder(beside, sizeof beside))
         strcpy(beside, ".");
     snprintf(installed, sizeof installed, "%s%s", beside, FROM_BIN);
@@ -71,7 +69,6 @@ void *dynamic_library(const char *name)
 bool dynamic_call(void *library, const char *name, void *call)
 {
     void *found = dlsym(library, name);
-
     memcpy(call, &found, sizeof found);
     return found != NULL;
 }

@@ -15,7 +15,6 @@ static int open_nameless(size_t bytes)
     const char *folder = getenv("TMPDIR");
     char path[4096];
     int file;
-
     snprintf(path, sizeof path, "%s/rt205.XXXXXX", folder && *folder ? folder : "/tmp");
     file = mkstemp(path);
     if (file < 0)
@@ -40,7 +39,6 @@ static void *map_part(const struct frame_planes *planes, void *where, size_t beg
 static bool map_file(struct frame_planes *planes)
 {
     void *words;
-
     planes->file = open_nameless(planes->bytes);
     if (planes->file < 0)
         return false;
@@ -82,7 +80,6 @@ void framebuffer_leave(const struct frame_planes *planes, size_t first, size_t c
     size_t page = (size_t)sysconf(_SC_PAGESIZE);
     size_t begin = first * sizeof *planes->words / page * page;
     size_t end = (first + count) * sizeof *planes->words;
-
     if (planes->file >= 0)
         map_part(planes, (char *)planes->words + begin, begin, end);
 }

@@ -28,7 +28,6 @@ static pid_t start(const char *folder, char *const words[], FILE *messages, int 
 {
     int ends[2];
     pid_t process;
-
     if (pipe(ends) != 0)
         return -1;
     process = fork();
@@ -50,7 +49,6 @@ static size_t copy(int from, FILE *to)
     char bytes[4096];
     ssize_t count;
     size_t copied = 0;
-
     while ((count = read(from, bytes, sizeof bytes)) != 0)
         if (count > 0)
             copied += fwrite(bytes, 1, (size_t)count, to);
@@ -63,7 +61,6 @@ static size_t copy(int from, FILE *to)
 static int wait_for(pid_t process)
 {
     int status = 0;
-
     while (waitpid(process, &status, 0) < 0)
         if (errno != EINTR)
             return PROCESS_CANNOT_RUN;
@@ -76,7 +73,6 @@ int process_run(const char *folder, char *const words[], FILE *output, size_t *w
     FILE *file = tmpfile();
     int end, code;
     pid_t process = file ? start(folder, words, file, &end) : -1;
-
     if (process < 0) {
         code = errno;
         if (file)
@@ -99,7 +95,6 @@ static char **own_words(char *text, size_t size)
     FILE *file = fopen("/proc/self/cmdline", "rb");
     size_t length = file ? fread(text, 1, size - 1, file) : 0, count = 0;
     char **words = calloc(length + 1, sizeof *words);
-
     if (file)
         fclose(file);
     text[length] = '\0';
@@ -115,7 +110,6 @@ void process_become(char *const words[])
     char **own = own_words(text, sizeof text), *all[MAX + 1];
     ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
     size_t count = 0;
-
     program[length > 0 ? length : 0] = '\0';
     while (*words)
         all[count++] = *words++;
@@ -132,7 +126,6 @@ void process_become(char *const words[])
 bool process_lock(int file, bool alone)
 {
     struct flock lock = { .l_type = alone ? F_WRLCK : F_RDLCK, .l_whence = SEEK_SET };
-
     return fcntl(file, F_SETLK, &lock) == 0;
 }
 

@@ -31,7 +31,6 @@ struct crew {
 static size_t steps_done(const struct crew *crew)
 {
     double done = 0;
-
     for (size_t i = 0; i < crew->pool->count; i++)
         done += crew->states[i].weight * crew->states[i].share;
     return (size_t)(STEPS * (done / crew->weight));
@@ -53,7 +52,6 @@ static bool report_progress(void *context, size_t done, size_t all)
     const struct thread_pool *pool = crew->pool;
     bool go_on;
     size_t steps;
-
     lock_take(crew->lock);
     state->share = (double)done / (double)all;
     steps = steps_done(crew);
@@ -69,7 +67,6 @@ static bool report_progress(void *context, size_t done, size_t all)
 static bool take_next(struct crew *crew, size_t *number)
 {
     bool more;
-
     lock_take(crew->lock);
     more = crew->next < crew->pool->count && wanted(crew, crew->next);
     if (more)
@@ -85,7 +82,6 @@ static void run_one(struct crew *crew, size_t number)
     const struct task task = { number, pool->progress ? report_progress : NULL, state };
     c205_error error;
     bool good = pool->run(pool->context, &task, &error);
-
     lock_take(crew->lock);
     state->share = 1;
     if (!good && number < crew->failed) {
@@ -99,7 +95,6 @@ static void work(void *context)
 {
     struct crew *crew = context;
     size_t number;
-
     while (take_next(crew, &number))
         run_one(crew, number);
 }
@@ -110,7 +105,6 @@ static void work_together(struct crew *crew)
     size_t jobs = crew->pool->jobs, count = 0;
     size_t most = jobs < crew->pool->count ? jobs : crew->pool->count;
     struct thread **threads = most > 1 ? calloc(most, sizeof *threads) : NULL;
-
     while (threads && count + 1 < most && (threads[count] = thread_begin(work, crew)))
         count++;
     work(crew);
@@ -122,10 +116,8 @@ static void work_together(struct crew *crew)
 static void weigh(struct crew *crew)
 {
     const struct thread_pool *pool = crew->pool;
-
     for (size_t i = 0; i < pool->count; i++) {
         struct state *state = &crew->states[i];
-
         state->crew = crew;
         state->number = i;
         state->weight = pool->weight ? pool->weight(pool->context, i) : 1;
@@ -137,7 +129,6 @@ bool thread_pool_run(const struct thread_pool *pool, c205_error *error)
 {
     struct crew crew = { .pool = pool, .failed = SIZE_MAX };
     bool good;
-
     crew.states = calloc(pool->count + 1, sizeof *crew.states);
     error_set(error, "out of memory");
     crew.lock = lock_new();

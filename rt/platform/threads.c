@@ -17,7 +17,6 @@ struct thread {
 struct lock *lock_new(void)
 {
     struct lock *lock = malloc(sizeof *lock);
-
     if (lock)
         pthread_mutex_init(&lock->mutex, NULL);
     return lock;
@@ -43,7 +42,6 @@ void lock_give_back(struct lock *lock)
 static void *run_thread(void *context)
 {
     const struct thread *thread = context;
-
     thread->work(thread->context);
     return NULL;
 }
@@ -51,7 +49,6 @@ static void *run_thread(void *context)
 struct thread *thread_begin(void (*work)(void *context), void *context)
 {
     struct thread *thread = malloc(sizeof *thread);
-
     if (!thread)
         return NULL;
     thread->work = work;

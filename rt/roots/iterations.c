@@ -24,7 +24,6 @@ static bool find_label(const struct object *program, const char *routine,
 {
     char name[64];
     const struct asm_symbol *symbol;
-
     snprintf(name, sizeof name, "%s%s", routine, suffix);
     symbol = object_symbol(program, name);
     *address = symbol ? (uint64_t)symbol->value : 0;
@@ -35,13 +34,11 @@ bool iterations_begin(struct iterations *iterations, const struct object *progra
                       bool vector)
 {
     bool good = true;
-
     memset(iterations, 0, sizeof *iterations);
     iterations->vector = vector;
     for (int i = 0; i < STAGES; i++) {
         struct stage_labels *labels = &iterations->labels[i];
         const char *routine = stages[i].routine;
-
         good = find_label(program, routine, "", &labels->begin)
                && find_label(program, routine, "_wide", &labels->wide)
                && find_label(program, routine, "_step", &labels->step)
@@ -72,7 +69,6 @@ static void count_pass(struct iterations *iterations, struct stage_count *count,
                        uint64_t lanes)
 {
     size_t pass = iterations->pass++;
-
     count->passes++;
     count->steps += iterations->active;
     count->lanes += lanes;
@@ -85,13 +81,11 @@ static void count_pass(struct iterations *iterations, struct stage_count *count,
 void iterations_listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct iterations *iterations = context;
-
     if (event->kind != C205_EVENT_INSTRUCTION)
         return;
     for (int i = 0; i < STAGES; i++) {
         const struct stage_labels *labels = &iterations->labels[i];
         struct stage_count *count = &iterations->stage[i];
-
         if (event->pc == labels->begin) {
             iterations->pass = 0;
             iterations->active = result_of(iterations, machine, event, 1);
@@ -112,7 +106,6 @@ static void *begin_band(void *context, const struct object *program, c205_error 
 {
     const struct iterations *sum = context;
     struct iterations *band = malloc(sizeof *band);
-
     if (band && iterations_begin(band, program, sum->vector))
         return band;
     error_set(error, band ? "the root solver cannot be watched" : "out of memory");
@@ -137,7 +130,6 @@ static void merge_band(void *context, const void *band)
 {
     struct iterations *sum = context;
     const struct iterations *of_band = band;
-
     for (int i = 0; i < STAGES; i++)
         add_stage(&sum->stage[i], &of_band->stage[i]);
 }

@@ -30,7 +30,6 @@ static bool bad(struct polynomial_line *line, const char *at, const char *messag
         .source = line->text,
         .source_length = (size_t)(line->end - line->text),
     };
-
     diagnostics_add(line->reports, SEVERITY_ERROR, &position, message);
     return false;
 }
@@ -38,7 +37,6 @@ static bool bad(struct polynomial_line *line, const char *at, const char *messag
 static bool failed(struct diagnostics *reports, const char *path, const char *message)
 {
     const struct position position = { .file = path };
-
     diagnostics_add(reports, SEVERITY_ERROR, &position, message);
     return false;
 }
@@ -61,7 +59,6 @@ static bool has_value(const char *text, const char *end)
                        || memchr(text, 'X', (size_t)(end - text)) != NULL;
     const char *digits = hexadecimal ? "123456789abcdefABCDEF" : "123456789";
     const char *exponent = hexadecimal ? "pP" : "eE";
-
     for (; text < end && !strchr(exponent, *text); text++)
         if (strchr(digits, *text))
             return true;
@@ -71,7 +68,6 @@ static bool has_value(const char *text, const char *end)
 static bool take_number(struct polynomial_line *line, c205_word *word)
 {
     const char *begin, *end;
-
     skip_blanks(line);
     begin = line->at;
     if (at_comma_or_end(line))
@@ -128,7 +124,6 @@ static bool is_heading(struct polynomial_line line)
 {
     for (int i = 0; i < COLUMNS; i++) {
         size_t length = strlen(headings[i]);
-
         skip_blanks(&line);
         if ((size_t)(line.end - line.at) < length
             || memcmp(line.at, headings[i], length) != 0)
@@ -147,7 +142,6 @@ static bool add_polynomial(struct polynomials *polynomials, size_t line,
                            const struct polynomial *polynomial)
 {
     size_t n = polynomials->count;
-
     return array_add(&polynomials->lines, &n, &line, sizeof line)
            && array_add(&polynomials->items, &polynomials->count, polynomial,
                         sizeof *polynomial);
@@ -159,7 +153,6 @@ static const char *cut_line(struct polynomial_line *line, const char *text,
                             const char *end)
 {
     const char *newline = memchr(text, '\n', (size_t)(end - text));
-
     line->number++;
     line->text = line->at = text;
     line->end = newline ? newline : end;
@@ -175,10 +168,8 @@ static bool read_lines(struct polynomials *polynomials, const char *path,
     struct polynomial_line line = { .file = path, .reports = reports };
     const char *end = text + length;
     bool first = true;
-
     while (text < end) {
         struct polynomial polynomial;
-
         text = cut_line(&line, text, end);
         if (line.at == line.end || *line.at == '#')
             continue;
@@ -197,7 +188,6 @@ bool polynomials_read(struct polynomials *polynomials, const char *path,
     size_t length;
     char *text = text_file_read(path, FILE_LARGEST, &length, &error);
     bool good;
-
     if (!text)
         return failed(reports, path, error.message);
     good = read_lines(polynomials, path, text, length, reports);

@@ -37,7 +37,6 @@ static struct object *assemble_roots(const struct roots_options *options,
     struct asm_define defines[] = { { "QUEUE", (int64_t)options->queue },
                                     { NULL, 0 },
                                     { NULL, 0 } };
-
     if (options->falsi != FALSI_DEFAULT) {
         defines[1].name = "FALSI";
         defines[1].value = options->falsi;
@@ -49,7 +48,6 @@ static bool write_symbol(struct root_search *search, const char *name, c205_word
                          c205_error *error)
 {
     const struct asm_symbol *symbol = object_symbol(search->program, name);
-
     if (symbol && c205_write(search->machine, (uint64_t)symbol->value, &word, 1))
         return true;
     return error_set(error, "cannot write the symbol %s of the program", name);
@@ -59,7 +57,6 @@ static bool read_symbol(const struct root_search *search, const char *name,
                         uint64_t *value, c205_error *error)
 {
     const struct asm_symbol *symbol = object_symbol(search->program, name);
-
     if (!symbol)
         return error_set(error, "the program has no symbol %s", name);
     *value = (uint64_t)symbol->value;
@@ -69,7 +66,6 @@ static bool read_symbol(const struct root_search *search, const char *name,
 static bool find_planes(struct root_search *search, c205_error *error)
 {
     struct planes *planes = &search->planes;
-
     return read_symbol(search, "INPUT_COEFFICIENTS", &planes->coefficients, error)
            && read_symbol(search, "INPUT_BOUND", &planes->bound, error)
            && read_symbol(search, "INPUT_SIZE", &planes->inputs, error)
@@ -106,7 +102,6 @@ static bool write_planes(struct root_search *search,
     const struct planes *planes = &search->planes;
     c205_word *words = malloc((search->count + 1) * sizeof *words);
     bool good = words != NULL;
-
     for (uint64_t k = 0; good && k < COEFFICIENTS; k++) {
         for (size_t i = 0; i < search->count; i++)
             words[i] = polynomials[i].c[k];
@@ -126,7 +121,6 @@ static bool lay_out_polynomials(struct root_search *search,
                                 const struct polynomial *polynomials, c205_error *error)
 {
     size_t count = search->count;
-
     search->inputs = program_end(search->program);
     search->results = program_round_up(
         plane_address(search, search->inputs, search->planes.inputs));
@@ -165,7 +159,6 @@ struct root_search *roots_new(const struct polynomial *polynomials, size_t count
                               const struct roots_options *options, c205_error *error)
 {
     struct root_search *search = calloc(1, sizeof *search);
-
     if (!search) {
         error_set(error, "out of memory");
         return NULL;
@@ -199,11 +192,9 @@ static size_t done(const struct root_search *search)
 {
     uint64_t counts = plane_address(search, search->results, search->planes.count);
     size_t low = 0, high = search->count;
-
     while (low < high) {
         size_t middle = low + (high - low) / 2;
         c205_word word = C205_INDEFINITE;
-
         c205_read(search->machine, counts + UINT64_C(64) * middle, &word, 1);
         if (word == C205_INDEFINITE)
             high = middle;
@@ -217,7 +208,6 @@ static bool report_polynomials(void *context, const c205 *machine)
 {
     const struct root_search *search = context;
     const struct roots_options *options = &search->options;
-
     (void)machine;
     return options->progress(options->context, done(search), search->count);
 }
@@ -229,7 +219,6 @@ bool roots_run(struct root_search *search, c205_error *error)
     bool good = program_run(search->machine,
                             options->progress ? report_polynomials : NULL, search,
                             &stopped, error);
-
     if (good && options->progress)
         options->progress(options->context, search->count, search->count);
     if (stopped)
@@ -243,7 +232,6 @@ bool roots_read(const struct root_search *search, struct polynomial_roots *roots
 {
     c205_word *words = malloc((search->count + 1) * sizeof *words);
     bool good = words != NULL;
-
     good = good
            && (search->count == 0 || read_plane(search, search->planes.count, words));
     for (size_t i = 0; good && i < search->count; i++)
@@ -294,6 +282,5 @@ bool falsi_named(const char *name, enum falsi *rule)
 enum falsi falsi_of(const struct object *program)
 {
     const struct asm_symbol *symbol = object_symbol(program, "FALSI");
-
     return symbol ? (enum falsi)symbol->value : FALSI_DEFAULT;
 }

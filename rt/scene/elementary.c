@@ -36,14 +36,12 @@ static const double quarter[] = { 0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
 static struct twofold quick_sum(double a, double b)
 {
     double high = a + b;
-
     return (struct twofold){ high, b - (high - a) };
 }
 
 static struct twofold sum(double a, double b)
 {
     double high = a + b, part = high - a;
-
     return (struct twofold){ high, (a - (high - part)) + (b - part) };
 }
 
@@ -52,7 +50,6 @@ static struct twofold product(double a, double b)
     enum { SPLIT = (1 << 27) + 1 };
     double high = a * b, c = SPLIT * a, d = SPLIT * b;
     double a1 = c - (c - a), a2 = a - a1, b1 = d - (d - b), b2 = b - b1;
-
     return (struct twofold){ high, ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2 };
 }
 
@@ -64,7 +61,6 @@ static struct twofold minus(struct twofold a)
 static struct twofold add_twofold(struct twofold a, struct twofold b)
 {
     struct twofold s = sum(a.high, b.high), t = sum(a.low, b.low);
-
     s = quick_sum(s.high, s.low + t.high);
     return quick_sum(s.high, s.low + t.low);
 }
@@ -72,7 +68,6 @@ static struct twofold add_twofold(struct twofold a, struct twofold b)
 static struct twofold multiply(struct twofold a, struct twofold b)
 {
     struct twofold p = product(a.high, b.high);
-
     return quick_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
 }
 
@@ -85,7 +80,6 @@ static struct twofold divide(struct twofold a, struct twofold b)
 {
     double first = a.high / b.high, second;
     struct twofold rest = add_twofold(a, minus(by(b, first)));
-
     second = rest.high / b.high;
     rest = add_twofold(rest, minus(by(b, second)));
     return add_twofold(quick_sum(first, second),
@@ -96,7 +90,6 @@ static struct twofold square_root(struct twofold a)
 {
     double root = sqrt(a.high);
     struct twofold rest = add_twofold(a, minus(product(root, root)));
-
     return root > 0 ? add_twofold((struct twofold){ root, 0 },
                                   (struct twofold){ rest.high / (2 * root), 0 })
                     : a;
@@ -108,7 +101,6 @@ static struct twofold square_root(struct twofold a)
 static double rounded(struct twofold a)
 {
     double coarse = 1.5 * a.high * 0x1p-41;
-
     return a.high + ((a.low + coarse) - coarse);
 }
 
@@ -118,7 +110,6 @@ static struct twofold reciprocal(double a)
 {
     double first = 1 / a;
     struct twofold back = product(first, a);
-
     return quick_sum(first, (1 - back.high - back.low) * first);
 }
 
@@ -130,7 +121,6 @@ static struct twofold series(struct twofold first, struct twofold f, int n, int 
 {
     struct twofold all = first, term = first;
     double small, rest = 0;
-
     for (; fabs(term.high) > 0x1p-56 * fabs(all.high); n += step) {
         term = multiply(multiply(term, f),
                         reciprocal(step == 1 ? n : (double)n * (n + 1)));
@@ -163,7 +153,6 @@ static struct twofold reduce(double x, int *quadrant)
     struct twofold first = product(k, quarter[0]);
     struct twofold rest = add_twofold(sum(x, -first.high),
                                       (struct twofold){ -first.low, 0 });
-
     *quadrant = (int)(k - 4 * floor(k / 4));
     rest = add_twofold(rest, minus(product(k, quarter[1])));
     return add_twofold(rest, minus(product(k, quarter[2])));
@@ -175,7 +164,6 @@ static struct twofold sine(double x, int quadrants)
     int quadrant;
     struct twofold r = reduce(x, &quadrant);
     struct twofold s;
-
     quadrant = (quadrant + quadrants) % 4;
     s = quadrant % 2 == 0 ? sine_of(r) : cosine_of(r);
     return quadrant < 2 ? s : minus(s);
@@ -193,7 +181,6 @@ static struct twofold power_less_one(struct twofold x)
 {
     struct twofold r = by(x, 1. / (1 << HALVINGS));
     struct twofold less = series(r, r, 2, 1);
-
     for (int i = 0; i < HALVINGS; i++)
         less = add_twofold(by(less, 2), multiply(less, less));
     return less;
@@ -204,14 +191,12 @@ static struct twofold power_of_e(struct twofold x)
     double k = floor(x.high / ln2.high + .5);
     struct twofold power = add_twofold(one, power_less_one(
                                                 add_twofold(x, minus(by(ln2, k)))));
-
     return (struct twofold){ ldexp(power.high, (int)k), ldexp(power.low, (int)k) };
 }
 
 static struct twofold sinh_of(struct twofold x)
 {
     struct twofold e;
-
     if (fabs(x.high) < .5)
         return series(x, multiply(x, x), 2, 2);
     e = power_of_e(x);
@@ -221,7 +206,6 @@ static struct twofold sinh_of(struct twofold x)
 static struct twofold cosh_of(struct twofold x)
 {
     struct twofold e = power_of_e(x);
-
     return by(add_twofold(e, divide(one, e)), .5);
 }
 
@@ -235,7 +219,6 @@ static struct twofold log_of(double x)
     int k;
     double m = frexp(x, &k), y;
     struct twofold off;
-
     if (m < .75) {
         m *= 2;
         k--;
@@ -253,7 +236,6 @@ static struct twofold angle_of(struct twofold y, struct twofold x)
 {
     double angle = atan2(y.high, x.high);
     struct twofold s = sine(angle, 0), c = cosine(angle);
-
     return add_twofold((struct twofold){ angle, 0 },
                        divide(add_twofold(multiply(y, c), minus(multiply(x, s))),
                               add_twofold(multiply(x, c), multiply(y, s))));
@@ -304,7 +286,6 @@ double elementary_log10(double x)
 double elementary_pow(double x, double y)
 {
     struct twofold power;
-
     if (!is_plain(x) || !is_plain(y) || fabs(x) == 1 || (x < 0 && y != floor(y)))
         return pow(x, y);
     power = by(log_of(fabs(x)), y);
@@ -350,7 +331,6 @@ double elementary_atan(double x)
 double elementary_atan2(double y, double x)
 {
     double most = fmax(fabs(x), fabs(y)), least = fmin(fabs(x), fabs(y));
-
     if (!isfinite(x) || !isfinite(y) || least < 0x1p-200 * most || least == 0)
         return atan2(y, x);
     return rounded(angle_of((struct twofold){ y / exp2(ilogb(most)), 0 },
@@ -373,7 +353,6 @@ double elementary_cosh(double x)
 double elementary_tanh(double x)
 {
     struct twofold at = { x, 0 };
-
     return !is_tiny(x) && fabs(x) < 30 ? rounded(divide(sinh_of(at), cosh_of(at)))
                                        : tanh(x);
 }
@@ -381,7 +360,6 @@ double elementary_tanh(double x)
 double elementary_asinh(double x)
 {
     struct twofold y = { asinh(x), 0 }, off;
-
     if (!isfinite(x) || is_tiny(x) || fabs(y.high) >= MAX_EXP)
         return y.high;
     off = add_twofold((struct twofold){ x, 0 }, minus(sinh_of(y)));
@@ -393,7 +371,6 @@ double elementary_asinh(double x)
 double elementary_acosh(double x)
 {
     struct twofold y = { acosh(x), 0 }, half, off;
-
     if (!isfinite(x) || !(x > 1) || y.high >= MAX_EXP)
         return y.high;
     half = sinh_of(by(y, .5));
@@ -404,7 +381,6 @@ double elementary_acosh(double x)
 double elementary_atanh(double x)
 {
     struct twofold y = { atanh(x), 0 }, s, c, off;
-
     if (is_tiny(x) || !(fabs(x) < 1))
         return y.high;
     s = sinh_of(y);
@@ -418,7 +394,6 @@ double elementary_hypot(double x, double y)
     double most = fmax(fabs(x), fabs(y));
     double unit;
     struct twofold a, b;
-
     if (!is_plain(most) || fmin(fabs(x), fabs(y)) < 0x1p-200 * most)
         return hypot(x, y);
     unit = exp2(ilogb(most));

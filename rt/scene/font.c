@@ -55,7 +55,6 @@ struct font {
 static bool open_library(struct freetype *calls)
 {
     void *library = dynamic_library("libfreetype.so.6");
-
     return library && dynamic_call(library, "FT_Init_FreeType", &calls->init)
            && dynamic_call(library, "FT_Done_FreeType", &calls->done)
            && dynamic_call(library, "FT_New_Memory_Face", &calls->new_face)
@@ -81,7 +80,6 @@ static const char *open_face(struct font *font, const char *bytes, size_t length
 struct font *font_open(const char *bytes, size_t length, const char **fault)
 {
     struct font *font = calloc(1, sizeof *font);
-
     *fault = font ? open_face(font, bytes, length) : "there is not enough memory";
     if (!*fault)
         return font;
@@ -114,7 +112,6 @@ static bool add_point(struct drawing *drawing, double x, double y)
 {
     struct glyph *glyph = drawing->glyph;
     double point[2] = { x, y };
-
     return arena_add(drawing->arena, &glyph->points, &glyph->count, &drawing->capacity,
                      point, sizeof point);
 }
@@ -132,7 +129,6 @@ static bool is_repeated(const double (*points)[2], size_t count, size_t apart,
 static void turn_by_one(double (*points)[2], size_t count)
 {
     double first[2] = { points[0][0], points[0][1] };
-
     memmove(points, points + 1, (count - 1) * sizeof *points);
     memcpy(points[count - 1], first, sizeof first);
 }
@@ -141,7 +137,6 @@ void font_turn_loop(double (*points)[2], size_t count, size_t apart)
 {
     const double(*fixed)[2] = (const double(*)[2])points;
     size_t turns = 0;
-
     while (turns < MAX_TURNS * apart && turns < count
            && is_repeated(fixed, count, apart, turns))
         turns += apart;
@@ -162,7 +157,6 @@ static bool add_line(struct drawing *drawing, const double to[2])
 {
     const double *from = last_point(drawing);
     double middle[2] = { (from[0] + to[0]) / 2, (from[1] + to[1]) / 2 };
-
     if (equal2(from, to))
         return true;
     return (drawing->glyph->apart == 1 || add_point(drawing, middle[0], middle[1]))
@@ -175,7 +169,6 @@ static bool close_loop(struct drawing *drawing)
 {
     struct glyph *glyph = drawing->glyph;
     double first[2], (*loop)[2];
-
     if (glyph->count == drawing->first)
         return true;
     memcpy(first, glyph->points[drawing->first], sizeof first);
@@ -192,7 +185,6 @@ static bool close_loop(struct drawing *drawing)
 static int move_to(const FT_Vector *to, void *context)
 {
     struct drawing *drawing = context;
-
     if (!close_loop(drawing))
         return 1;
     drawing->first = drawing->glyph->count;
@@ -212,7 +204,6 @@ static int line_to(const FT_Vector *to, void *context)
 {
     struct drawing *drawing = context;
     double end[2];
-
     point_of(drawing, to, end);
     return !add_line(drawing, end);
 }
@@ -221,7 +212,6 @@ static int conic_to(const FT_Vector *by, const FT_Vector *to, void *context)
 {
     struct drawing *drawing = context;
     double handle[2], end[2];
-
     point_of(drawing, by, handle);
     point_of(drawing, to, end);
     if (equal2(last_point(drawing), handle) || equal2(handle, end))
@@ -234,7 +224,6 @@ static int conic_to(const FT_Vector *by, const FT_Vector *to, void *context)
 static double cubic_at(const double p[4], double t)
 {
     double s = 1 - t;
-
     return s * s * s * p[0] + 3 * s * s * t * p[1] + 3 * s * t * t * p[2]
            + t * t * t * p[3];
 }
@@ -242,7 +231,6 @@ static double cubic_at(const double p[4], double t)
 static double cubic_slope(const double p[4], double t)
 {
     double s = 1 - t;
-
     return 3
            * (s * s * (p[1] - p[0]) + 2 * s * t * (p[2] - p[1])
               + t * t * (p[3] - p[2]));
@@ -261,7 +249,6 @@ static bool is_point(const double points[2][4])
 static int cubic_parts(const double points[2][4])
 {
     double third[2], parts;
-
     for (int k = 0; k < 2; k++)
         third[k] = points[k][3] - 3 * points[k][2] + 3 * points[k][1] - points[k][0];
     parts = ceil(
@@ -277,7 +264,6 @@ static int cubic_to(const FT_Vector *by, const FT_Vector *and_by, const FT_Vecto
     const FT_Vector *const given[] = { by, and_by, to };
     double points[2][4];
     int parts;
-
     for (int k = 0; k < 2; k++)
         points[k][0] = last_point(drawing)[k];
     for (int i = 0; i < 3; i++) {
@@ -321,7 +307,6 @@ bool font_glyph(const struct font *font, uint32_t character, struct arena *arena
     const struct freetype *calls = &font->calls;
     FT_Face face = font->face;
     struct drawing drawing = { arena, glyph, 0, 0, 1. / face->units_per_EM };
-
     *glyph = (struct glyph){ 0 };
     if (calls->load_glyph(face, calls->char_index(face, character),
                           FT_LOAD_NO_SCALE | FT_LOAD_NO_BITMAP)
@@ -342,7 +327,6 @@ double font_kerning(const struct font *font, uint32_t left, uint32_t right)
     const struct freetype *calls = &font->calls;
     FT_Face face = font->face;
     FT_Vector kerning;
-
     if (!FT_HAS_KERNING(face)
         || calls->kerning(face, calls->char_index(face, left),
                           calls->char_index(face, right), FT_KERNING_UNSCALED,

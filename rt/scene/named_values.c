@@ -22,7 +22,6 @@ static bool store_value(struct named_values *given, const char *name, size_t len
                         double value)
 {
     struct named_value kept = { arena_text(&given->kept, name, length), value };
-
     return kept.name && array_add(&given->list, &given->count, &kept, sizeof kept);
 }
 
@@ -30,7 +29,6 @@ static bool store_value(struct named_values *given, const char *name, size_t len
 static bool is_value(const struct value_kind *kind, const char *text, double *value)
 {
     char *end;
-
     *value = strtod(text, &end);
     if (end > text && !*end)
         return kind->allows(*value);
@@ -42,10 +40,8 @@ bool named_add(struct named_values *given, const char *text, c205_error *error)
 {
     const char *sign = strchr(text, '=');
     double value;
-
     if (!sign || sign == text || !is_value(given->kind, sign + 1, &value)) {
         bool vowel = strchr("aeiou", given->kind->name[0]);
-
         return error_set(error,
                          "expected NAME=VALUE with %s %s that is %s, found '%.100s'",
                          vowel ? "an" : "a", given->kind->name, given->kind->range,
@@ -64,11 +60,9 @@ bool named_add_scene(struct named_values *given, const struct scene *scene,
 {
     const char *ending = given->kind->ending;
     size_t behind = strlen(ending);
-
     for (size_t i = 0; i < scene->float_count; i++) {
         const struct declared_float *declared = &scene->floats[i];
         size_t length = strlen(declared->name);
-
         if (length <= behind || strcmp(declared->name + length - behind, ending) != 0)
             continue;
         if (!given->kind->allows(declared->value))
@@ -97,7 +91,6 @@ static bool is_blank(char letter)
 static bool skip_number(char **text, double *value)
 {
     char *end;
-
     *value = strtod(*text, &end);
     if (end == *text || !is_blank(*end))
         return false;
@@ -113,7 +106,6 @@ static bool take_line(struct named_values *given, char *line, c205_error *error)
     char *remark = strchr(line, '#');
     double number, value;
     size_t length;
-
     if (remark)
         *remark = '\0';
     while (is_blank(*line))
@@ -143,7 +135,6 @@ bool named_read(struct named_values *given, const char *path,
     bool good = true;
     const char *hidden;
     unsigned long code;
-
     if (!text) {
         diagnostics_add(reports, SEVERITY_ERROR, &position, error.message);
         return false;
@@ -173,7 +164,6 @@ bool named_check(const struct named_values *given, const struct named_parts *par
 {
     for (size_t i = 0; i < given->count; i++) {
         const char *name = given->list[i].name;
-
         if (besides && strcmp(name, besides) == 0)
             continue;
         if (!named_parts_check(parts, name, error))
@@ -193,7 +183,6 @@ double named_of_name(const struct named_values *given, const char *name)
 double named_of_part(const struct named_values *given, const struct named_part *part)
 {
     double value = named_of_name(given, part->name);
-
     if (isnan(value) && !part->mixed)
         value = named_of_name(given, part->material);
     return isnan(value) ? given->others : value;

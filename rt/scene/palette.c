@@ -54,7 +54,6 @@ static size_t long_at(const char *bytes, size_t i)
 static uint32_t check_sum(const char *bytes, size_t count)
 {
     uint32_t sum = UINT32_MAX;
-
     for (size_t i = 0; i < count; i++) {
         sum ^= byte_at(bytes, i);
         for (int bit = 0; bit < 8; bit++)
@@ -67,7 +66,6 @@ static bool paint_png(char *bytes, size_t length)
 {
     size_t at = PNG_FIRST, size, rest;
     uint32_t sum;
-
     for (;; at += PNG_HEAD + size + PNG_TAIL) {
         rest = length - at;
         if (rest < PNG_HEAD + PNG_TAIL)
@@ -101,7 +99,6 @@ static bool paint_table(char *bytes, size_t length, size_t at, unsigned flags,
                         size_t *end)
 {
     size_t count = flags & GIF_HAS_TABLE ? (size_t)2 << (flags & 7) : 0;
-
     *end = at + 3 * count;
     return paint(bytes, length, at, count, 3);
 }
@@ -110,7 +107,6 @@ static bool paint_table(char *bytes, size_t length, size_t at, unsigned flags,
 static bool paint_gif(char *bytes, size_t length)
 {
     size_t at, ignored;
-
     if (length < GIF_TABLE
         || !paint_table(bytes, length, GIF_TABLE, byte_at(bytes, GIF_FLAGS), &at))
         return false;
@@ -138,7 +134,6 @@ static bool bmp_has_table(const char *bytes, size_t length)
 static bool paint_bmp(char *bytes, size_t length)
 {
     size_t at, end, size;
-
     if (length < BMP_BITS + 2)
         return false;
     at = BMP_HEADER + byte_at(bytes, BMP_HEADER);
@@ -150,7 +145,6 @@ static bool paint_bmp(char *bytes, size_t length)
 static bool paint_tga(char *bytes, size_t length)
 {
     size_t bits = byte_at(bytes, 7);
-
     return (bits == 24 || bits == 32)
            && paint(bytes, length, TGA_TABLE + byte_at(bytes, 0),
                     byte_at(bytes, 5) | byte_at(bytes, 6) << 8, bits / 8);

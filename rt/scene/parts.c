@@ -18,7 +18,6 @@ static const char *object_name(struct named_parts *parts,
                                const struct world_object *object)
 {
     char line[40];
-
     if (object->name)
         return object->name;
     snprintf(line, sizeof line, "line %zu", object->line);
@@ -30,7 +29,6 @@ static size_t find_part(struct named_parts *parts, const struct world_object *ob
                         const char *name)
 {
     size_t i = 0;
-
     while (i < parts->count
            && !(same_text(parts->list[i].name, name)
                 && same_text(parts->list[i].material, object->material)))
@@ -50,7 +48,6 @@ bool named_parts_find(const struct scene *scene, struct named_parts *parts)
     parts->part_of = calloc(scene->object_count + 1, sizeof *parts->part_of);
     for (size_t i = 0; parts->list && parts->part_of && i < scene->object_count; i++) {
         const char *name = object_name(parts, &scene->objects[i]);
-
         if (!name)
             return false;
         parts->part_of[i] = find_part(parts, &scene->objects[i], name);
@@ -70,7 +67,6 @@ void named_parts_free(struct named_parts *parts)
 void named_parts_add_name(c205_error *error, const char *separator, const char *name)
 {
     size_t used = strlen(error->message), room = sizeof error->message;
-
     if (used + strlen(separator) + strlen(name) + 5 < room)
         snprintf(error->message + used, room - used, "%s%s", separator, name);
     else if (used + 4 < room && (used < 3 || strcmp(error->message + used - 3, "...")))
@@ -102,7 +98,6 @@ static void add_names(const struct named_parts *parts, bool material,
     for (size_t i = 0; i < parts->count; i++) {
         const struct named_part *part = &parts->list[i];
         const char *name = material ? part->material : part->name;
-
         if (!name_is_new(parts, i, name, material))
             continue;
         named_parts_add_name(error, separator, name);

@@ -84,7 +84,6 @@ static struct color_stop map_at(const struct color_map *map, double value)
     const struct color_stop *end = map->stops + map->count;
     struct color_stop stop = { .at = value };
     double share;
-
     while (above < end && above->at <= value)
         above++;
     below = above > map->stops ? above - 1 : above;

@@ -56,7 +56,6 @@ static bool is_space(int byte)
 static void pass_spaces(struct netpbm *file)
 {
     bool comment = false;
-
     for (; file->next < file->end; file->next++) {
         if (*file->next == '#')
             comment = true;
@@ -71,7 +70,6 @@ static void pass_spaces(struct netpbm *file)
 static bool take_number(struct netpbm *file, uint32_t *number)
 {
     const unsigned char *first;
-
     pass_spaces(file);
     first = file->next;
     for (*number = 0; file->next < file->end && *file->next >= '0' && *file->next <= '9'
@@ -96,7 +94,6 @@ static bool take_sample(struct netpbm *file, uint32_t *sample)
 static bool take_samples(struct netpbm *file, struct raster *raster, c205_error *error)
 {
     size_t count = raster->width * raster->height * raster->channels;
-
     for (size_t i = 0; i < count; i++) {
         uint32_t sample;
         if (!take_sample(file, &sample))
@@ -116,7 +113,6 @@ static bool take_samples(struct netpbm *file, struct raster *raster, c205_error 
 static bool take_header(struct netpbm *file, struct raster *raster, c205_error *error)
 {
     uint32_t width, height;
-
     if (!take_number(file, &width) || !take_number(file, &height)
         || !take_number(file, &raster->most))
         return error_set(error, "the width, height or maximum in the header is not "
@@ -142,7 +138,6 @@ static bool read_netpbm(const char *bytes, size_t length, struct raster *raster,
     struct netpbm file = { .next = first + 2,
                            .end = first + length,
                            .plain = bytes[1] < '4' };
-
     if (!take_header(&file, raster, error))
         return false;
     raster->samples = malloc(raster->width * raster->height * raster->channels

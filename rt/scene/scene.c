@@ -18,6 +18,5 @@ void scene_free(struct scene *scene)
 bool bumps_show(const struct bumps *bumps)
 {
     const struct bump_list *list = bumps->list;
-
     return list && (list->bump.pattern.kind != PIGMENT_COLOR || list->average);
 }

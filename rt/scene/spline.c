@@ -11,7 +11,6 @@
 size_t spline_find(const struct spline *spline, double t)
 {
     size_t low = 0, high = spline->count;
-
     if (!high || t >= spline->points[high - 1].t)
         return high;
     while (low < high) {
@@ -30,7 +29,6 @@ static bool put(struct spline *spline, double t)
 {
     size_t count = spline->count, place = spline_find(spline, t);
     struct spline_point *points = spline->points;
-
     if (count && place == count && points[count - 1].t == t)
         return true;
     if (place == count || points[place].t != t) {
@@ -56,7 +54,6 @@ bool spline_add(struct spline *spline, double t, const double *value, int terms)
 struct spline *spline_new(const struct spline *from)
 {
     struct spline *spline = calloc(1, sizeof *spline);
-
     if (!spline)
         return NULL;
     spline->holders = 1;
@@ -95,7 +92,6 @@ static void solve_term(struct spline *spline, int term)
 {
     struct spline_point *point = spline->points;
     size_t last = spline->count - 1;
-
     point[0].bend[term] = point[last].bend[term] = 0;
     for (size_t i = 1; i < last; i++) {
         double width = point[i].t - point[i - 1].t;
@@ -124,7 +120,6 @@ typedef double term_value(const struct spline *spline, size_t end, int term, dou
 static double linear(const struct spline *spline, size_t end, int term, double t)
 {
     const struct spline_point *point = &spline->points[end - 1];
-
     return point->value[term] + (t - point->t) * slope(point, term);
 }
 
@@ -134,7 +129,6 @@ static double quadratic(const struct spline *spline, size_t end, int term, doubl
 {
     const struct spline_point *point = &spline->points[end > 1 ? end - 2 : 0];
     double first, change;
-
     if (spline->count == 2)
         return linear(spline, end, term, t);
     first = slope(&point[0], term);
@@ -149,7 +143,6 @@ static double cubic(const struct spline *spline, size_t end, int term, double t)
     double middle = slope(&point[0], term);
     double from = (slope(&point[-1], term) + middle) / 2 * width;
     double to = (slope(&point[1], term) + middle) / 2 * width;
-
     return point[0].value[term]
            + u
                  * (from
@@ -163,7 +156,6 @@ static double natural(const struct spline *spline, size_t end, int term, double 
     const struct spline_point *point = &spline->points[end - 1];
     double width = point[1].t - point[0].t, d = t - point[0].t;
     double bend = point[0].bend[term], next = point[1].bend[term];
-
     return point[0].value[term]
            + d
                  * (slope(point, term) - width * (2 * bend + next) / 6
@@ -176,7 +168,6 @@ static const struct spline_point *at_end(const struct spline *spline, bool inner
                                          size_t end)
 {
     size_t last = spline->count - 1, inset = inner && last > 0;
-
     if (end <= inset)
         return &spline->points[inset];
     return end + inset > last ? &spline->points[last - inset] : NULL;
@@ -191,7 +182,6 @@ void spline_value(const struct spline *spline, enum spline_kind kind, double t,
     bool inner = kind == SPLINE_CUBIC, mean = inner && spline->count == 2;
     size_t end = spline_find(spline, t);
     const struct spline_point *held = at_end(spline, inner, end);
-
     for (int term = 0; term < spline->terms; term++) {
         const struct spline_point *point = spline->points;
         if (mean)

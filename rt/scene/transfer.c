@@ -15,7 +15,6 @@ enum { PNG_FIRST = 8, PNG_HEAD = 8, PNG_TAIL = 4 };
 static uint32_t long_at(const char *bytes, size_t i)
 {
     const unsigned char *b = (const unsigned char *)bytes + i;
-
     return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | b[3];
 }
 
@@ -25,7 +24,6 @@ static struct transfer_function png_transfer(const char *bytes, size_t length,
 {
     double power;
     size_t at = PNG_FIRST, size;
-
     for (; length - at >= PNG_HEAD + PNG_TAIL; at += PNG_HEAD + size + PNG_TAIL) {
         const char *name = bytes + at + 4;
         size = long_at(bytes, at);
@@ -46,7 +44,6 @@ struct transfer_function transfer_of(enum raster_kind kind, const char *bytes,
                                      size_t length, enum transfer_kind otherwise)
 {
     struct transfer_function transfer = { otherwise, 1 };
-
     if (kind == RASTER_TIFF || kind == RASTER_PGM || kind == RASTER_PPM)
         transfer.kind = TRANSFER_NONE;
     return kind == RASTER_PNG ? png_transfer(bytes, length, transfer) : transfer;
@@ -62,7 +59,6 @@ double transfer_light(const struct transfer_function *transfer, double share,
                       double assumed_gamma)
 {
     double light;
-
     if (transfer->kind == TRANSFER_NONE)
         return share;
     light = transfer->kind == TRANSFER_SRGB ? srgb_light(share)
@@ -78,7 +74,6 @@ uint32_t grey_png_steps(float share)
 {
     float red = share * .297f, green = share * .589f, blue = share * .114f;
     float sum = red + green;
-
     sum = sum + blue;
     sum = sum * UINT8_MAX;
     return (uint32_t)sum;

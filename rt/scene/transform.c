@@ -16,7 +16,6 @@ const struct placement placement_none = { IDENTITY, IDENTITY };
 void transform_direction(const struct transform *transform, double vector[3])
 {
     double turned[3];
-
     for (int i = 0; i < 3; i++)
         turned[i] = dot3(transform->rows[i], vector);
     memcpy(vector, turned, sizeof turned);
@@ -32,7 +31,6 @@ void transform_point(const struct transform *transform, double point[3])
 void transform_normal(const struct transform *to_local, double normal[3])
 {
     double carried[3];
-
     for (int i = 0; i < 3; i++)
         carried[i] = to_local->rows[0][i] * normal[0] + to_local->rows[1][i] * normal[1]
                      + to_local->rows[2][i] * normal[2];
@@ -43,7 +41,6 @@ struct transform transform_then(const struct transform *first,
                                 const struct transform *second)
 {
     struct transform both;
-
     for (int j = 0; j < 4; j++) {
         double column[3];
         for (int i = 0; i < 3; i++)
@@ -62,7 +59,6 @@ struct placement placement_then(const struct placement *first,
                                 const struct placement *step)
 {
     struct placement both;
-
     both.to_world = transform_then(&first->to_world, &step->to_world);
     both.to_local = transform_then(&step->to_local, &first->to_local);
     return both;
@@ -71,7 +67,6 @@ struct placement placement_then(const struct placement *first,
 struct placement placement_inverse(const struct placement *placement)
 {
     struct placement inverse;
-
     inverse.to_world = placement->to_local;
     inverse.to_local = placement->to_world;
     return inverse;
@@ -80,7 +75,6 @@ struct placement placement_inverse(const struct placement *placement)
 struct placement placement_translation(const double by[3])
 {
     struct placement placement = placement_none;
-
     for (int i = 0; i < 3; i++) {
         placement.to_world.rows[i][3] = by[i];
         placement.to_local.rows[i][3] = -by[i];
@@ -91,7 +85,6 @@ struct placement placement_translation(const double by[3])
 struct placement placement_scaling(const double by[3])
 {
     struct placement placement = placement_none;
-
     for (int i = 0; i < 3; i++) {
         placement.to_world.rows[i][i] = by[i];
         placement.to_local.rows[i][i] = 1 / by[i];
@@ -105,7 +98,6 @@ static struct placement rotation_about(int axis, double degrees)
     double angle = degrees * (PI / 180), c = elementary_cos(angle),
            s = elementary_sin(angle);
     int a = (axis + 1) % 3, b = (axis + 2) % 3;
-
     placement.to_world.rows[a][a] = placement.to_local.rows[a][a] = c;
     placement.to_world.rows[b][b] = placement.to_local.rows[b][b] = c;
     placement.to_world.rows[a][b] = placement.to_local.rows[b][a] = -s;
@@ -116,7 +108,6 @@ static struct placement rotation_about(int axis, double degrees)
 struct placement placement_rotation(const double degrees[3])
 {
     struct placement all = placement_none;
-
     for (int axis = 0; axis < 3; axis++) {
         struct placement one = rotation_about(axis, degrees[axis]);
         all = placement_then(&all, &one);
@@ -129,7 +120,6 @@ struct placement placement_rotation(const double degrees[3])
 bool transform_invert(const struct transform *map, struct transform *inverse)
 {
     double column[3][3], shift[3];
-
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             column[j][i] = map->rows[i][j];

@@ -11,7 +11,6 @@ static void frame_about(const double *w, double *u, double *v)
 {
     double axis[3] = { 0, 0, 0 };
     double length;
-
     axis[fabs(w[0]) < 0.5 ? 0 : fabs(w[1]) < 0.5 ? 1 : 2] = 1;
     cross3(axis, w, u);
     length = length3(u);
@@ -24,7 +23,6 @@ double axis_words(const double base[3], const double cap[3], double *words)
 {
     double axis[3];
     double length;
-
     for (size_t i = 0; i < 3; i++) {
         words[i] = (base[i] + cap[i]) / 2;
         axis[i] = cap[i] - base[i];
@@ -44,7 +42,6 @@ bool axis_is_point(const double base[3], const double cap[3])
 const char *axis_make_normal(double normal[3])
 {
     double length = length3(normal);
-
     if (length == 0 || !isfinite(length))
         return "the normal has no direction";
     scale3(1 / length, normal);

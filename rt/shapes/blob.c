@@ -19,7 +19,6 @@ static const char *finish(struct primitive *primitive)
     struct blob_parts *parts = &primitive->shape.blob.parts;
     size_t kept = 0;
     double most = 0;
-
     for (size_t i = 0; i < parts->count; i++) {
         if (parts->list[i].strength == 0 || parts->list[i].radius == 0)
             continue;
@@ -43,7 +42,6 @@ static void bound_ball(const double center[3], double radius,
                        const struct transform *placed, struct bound *bound)
 {
     struct primitive ball;
-
     memset(&ball, 0, sizeof ball);
     ball.kind = PRIMITIVE_SPHERE;
     copy3(center, ball.shape.sphere.center);
@@ -57,7 +55,6 @@ static void bound_part(const struct blob_part *part, const struct transform *pla
 {
     struct transform to_there = transform_then(&part->to_blob, placed);
     struct bound ends[2];
-
     bound_ball(part->base, part->radius, &to_there, &ends[0]);
     bound_ball(part->cylinder ? part->cap : part->base, part->radius, &to_there,
                &ends[1]);
@@ -73,7 +70,6 @@ static void bound_parts(const struct primitive *primitive,
     enum { AT_A_TIME = 256 };
     struct bound bounds[AT_A_TIME];
     size_t count = 0;
-
     for (size_t i = 0; i < parts->count; i++) {
         if (parts->list[i].strength <= 0)
             continue;
@@ -110,7 +106,6 @@ static size_t segments(const struct primitive *primitive)
 {
     const struct blob_parts *parts = &primitive->shape.blob.parts;
     size_t events = 0;
-
     for (size_t i = 0; i < parts->count; i++)
         events += parts->list[i].cylinder ? 4 : 2;
     return (events - 1) * (takes_away(parts) ? 2 : 1);
@@ -120,7 +115,6 @@ size_t blob_pieces(const struct primitive *primitive)
 {
     const struct blob_parts *parts = &primitive->shape.blob.parts;
     size_t pieces = 0;
-
     for (size_t i = 0; i < parts->count; i++)
         pieces += parts->list[i].cylinder ? 3 : 1;
     return pieces;
@@ -129,10 +123,8 @@ size_t blob_pieces(const struct primitive *primitive)
 size_t blob_pieces_most(const struct scene *scene)
 {
     size_t most = 0;
-
     for (size_t i = 0; i < scene->primitive_count; i++) {
         const struct primitive *primitive = &scene->primitives[i];
-
         if (primitive->kind == PRIMITIVE_BLOB && blob_pieces(primitive) > most)
             most = blob_pieces(primitive);
     }
@@ -164,7 +156,6 @@ static size_t put_words(const struct primitive *primitive, double *words)
 {
     struct bound bound;
     double radius;
-
     find_center(primitive, &bound);
     radius = 1.001 * bound.radius;
     copy3(bound.center, words);
@@ -189,7 +180,6 @@ static bool keeps_balls(const struct transform *transform)
 static void put_axes(const struct blob_part *part, double axes[3][3])
 {
     int across;
-
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             axes[i][j] = i == j;
@@ -212,7 +202,6 @@ static void put_matrix(const struct blob_part *part, const double center[3],
                        double *matrix)
 {
     double axes[3][3], origin[3];
-
     put_axes(part, axes);
     copy3(center, origin);
     transform_point(&part->to_local, origin);
@@ -230,7 +219,6 @@ static void put_component(const struct blob_part *part, const double center[3],
                           double *row)
 {
     double axis[3];
-
     row[ROW_KIND] = part->cylinder                 ? CYLINDER
                     : keeps_balls(&part->to_local) ? BALL
                                                    : ELLIPSOID;
@@ -250,7 +238,6 @@ static size_t put_table(const struct primitive *primitive,
 {
     const struct blob_parts *parts = &primitive->shape.blob.parts;
     struct bound bound;
-
     (void)viewpoints;
     if (table) {
         find_center(primitive, &bound);

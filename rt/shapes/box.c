@@ -13,10 +13,8 @@ static const char *finish(struct primitive *primitive)
     double *low = primitive->shape.box.corner[0];
     double *high = primitive->shape.box.corner[1];
     int flat = 0;
-
     for (int i = 0; i < 3; i++) {
         double a = low[i], b = high[i];
-
         low[i] = fmin(a, b);
         high[i] = fmax(a, b);
         flat += a == b;
@@ -28,7 +26,6 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     const double(*corner)[3] = primitive->shape.box.corner;
     struct hull hull = { .count = 0 };
-
     for (int i = 0; i < 8; i++) {
         const double point[3] = { corner[i & 1][0], corner[i >> 1 & 1][1],
                                   corner[i >> 2][2] };
@@ -41,7 +38,6 @@ static size_t put_words(const struct primitive *primitive, double *words)
 {
     const double *low = primitive->shape.box.corner[0];
     const double *high = primitive->shape.box.corner[1];
-
     for (size_t i = 0; i < 3; i++) {
         words[i] = low[i];
         words[3 + i] = high[i];
@@ -57,10 +53,8 @@ static void emit_face(const double (*corner)[3], int i, int end,
 {
     static const int around[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
     double corners[4][3];
-
     for (int k = 0; k < 4; k++) {
         double *at = corners[end ? k : 3 - k];
-
         at[i] = corner[end][i];
         at[(i + 1) % 3] = corner[around[k][0]][(i + 1) % 3];
         at[(i + 2) % 3] = corner[around[k][1]][(i + 2) % 3];

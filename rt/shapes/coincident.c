@@ -40,11 +40,9 @@ static bool overlap(const struct face *a, const struct face *b, double low[3],
                     double high[3])
 {
     int wide = 0;
-
     for (int i = 0; i < 3; i++) {
         double least = fmax(a->low[i], b->low[i]);
         double most = fmin(a->high[i], b->high[i]);
-
         if (most - least < -COINCIDENT)
             return false;
         wide += most - least > COINCIDENT;
@@ -58,7 +56,6 @@ static bool same_shape(const struct face *a, const struct face *b)
 {
     struct bound one, other;
     double beside[3];
-
     if (a->primitive->kind != b->primitive->kind)
         return false;
     bound_primitive(a->primitive, &one);
@@ -79,7 +76,6 @@ static bool coincide(const struct face *a, const struct face *b)
 {
     double low[3], high[3], center[3], reach;
     int sense;
-
     if (a->region == b->region || !overlap(a, b, low, high))
         return false;
     reach = face_middle(low, high, center);
@@ -99,7 +95,6 @@ static void add_pair(struct pair_list *list, const struct face *a, const struct 
         (uint32_t)(a->region < b->region ? a->region : b->region),
         (uint32_t)(a->region < b->region ? b->region : a->region),
     };
-
     if (!array_add(&list->pairs, &list->count, &pair, sizeof pair))
         list->failed = true;
 }
@@ -107,7 +102,6 @@ static void add_pair(struct pair_list *list, const struct face *a, const struct 
 static int compare_places(const void *a, const void *b)
 {
     const struct face *one = a, *other = b;
-
     return (one->low[0] > other->low[0]) - (one->low[0] < other->low[0]);
 }
 
@@ -121,7 +115,6 @@ static void pair_group(struct pair_list *pairs, struct face *faces, size_t count
     qsort(faces, count, sizeof *faces, compare_places);
     for (size_t i = 0; i < count; i++) {
         size_t compared = 0;
-
         for (size_t k = i + 1; k < count && !pairs->failed && compared < COMPARED_MAX
                                && faces[k].low[0] <= faces[i].high[0] + COINCIDENT;
              k++) {
@@ -137,7 +130,6 @@ static void pair_group(struct pair_list *pairs, struct face *faces, size_t count
 static void pair_faces(const struct face_list *list, struct pair_list *pairs)
 {
     struct face *faces = list->faces;
-
     qsort(faces, list->count, sizeof *faces, face_compare);
     for (size_t i = 0, end; i < list->count; i = end) {
         for (end = i + 1;
@@ -152,7 +144,6 @@ static void pair_faces(const struct face_list *list, struct pair_list *pairs)
 static int compare_pairs(const void *a, const void *b)
 {
     const struct face_pair *one = a, *other = b;
-
     return (one->earlier < other->earlier) - (one->earlier > other->earlier);
 }
 
@@ -162,13 +153,11 @@ static void put_yields(const struct pair_list *list, struct region *regions,
                        size_t count)
 {
     double most = 0;
-
     for (size_t i = 0; i < count; i++)
         regions[i].yield = 0;
     qsort(list->pairs, list->count, sizeof *list->pairs, compare_pairs);
     for (size_t i = 0; i < list->count; i++) {
         struct region *earlier = &regions[list->pairs[i].earlier];
-
         earlier->yield = fmax(earlier->yield, regions[list->pairs[i].later].yield + 1);
         most = fmax(most, earlier->yield);
     }
@@ -180,7 +169,6 @@ bool coincident_find(struct scene *scene)
 {
     struct face_list faces = { 0 };
     struct pair_list pairs = { 0 };
-
     for (size_t i = 0; scene->region_count > 1 && i < scene->region_count; i++)
         opaque_faces_add(&faces, scene, i);
     if (!faces.failed && faces.count > 0)

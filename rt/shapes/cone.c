@@ -19,7 +19,6 @@ static const struct shape_field fields[] = {
 static void become_cylinder(struct primitive *primitive)
 {
     struct primitive cone = *primitive;
-
     primitive->kind = PRIMITIVE_CYLINDER;
     copy3(cone.shape.cone.base, primitive->shape.cylinder.base);
     copy3(cone.shape.cone.cap, primitive->shape.cylinder.cap);
@@ -31,7 +30,6 @@ static const char *finish(struct primitive *primitive)
 {
     double base = primitive->shape.cone.base_radius;
     double cap = primitive->shape.cone.cap_radius;
-
     if (axis_is_point(primitive->shape.cone.base, primitive->shape.cone.cap))
         return shape_empty(primitive, AXIS_IS_POINT);
     if (base < 0 || cap < 0)
@@ -46,7 +44,6 @@ static const char *finish(struct primitive *primitive)
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     struct hull hull = { .count = 0 };
-
     hull_rings(&hull, primitive, primitive->shape.cone.base,
                primitive->shape.cone.base_radius, primitive->shape.cone.cap,
                primitive->shape.cone.cap_radius);
@@ -60,7 +57,6 @@ static size_t put_words(const struct primitive *primitive, double *words)
     double length = axis_words(primitive->shape.cone.base, primitive->shape.cone.cap,
                                words);
     double slope = (cap - base) / length;
-
     words[12] = (base + cap) / 2;
     words[13] = slope;
     words[14] = length / 2;

@@ -25,7 +25,6 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     double radius = primitive->shape.cylinder.radius;
     struct hull hull = { .count = 0 };
-
     hull_rings(&hull, primitive, primitive->shape.cylinder.base, radius,
                primitive->shape.cylinder.cap, radius);
     bound_hull(&hull, bound);
@@ -36,7 +35,6 @@ static size_t put_words(const struct primitive *primitive, double *words)
     double r = primitive->shape.cylinder.radius;
     double length = axis_words(primitive->shape.cylinder.base,
                                primitive->shape.cylinder.cap, words);
-
     words[12] = r * r;
     words[13] = length / 2;
     words[14] = 1 / (2 * r);
@@ -60,7 +58,6 @@ static size_t put_historical_words(const struct primitive *primitive, double *wo
     const double *cap = primitive->shape.cylinder.cap;
     double frame[12];
     const double *axis = frame + 9; /* its unit vector */
-
     axis_words(base, cap, frame);
     copy3(base, words);
     copy3(axis, words + 3);
@@ -79,7 +76,6 @@ static bool is_open(const struct primitive *primitive)
 static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     double radius = primitive->shape.cylinder.radius;
-
     return emitter_cone(primitive->shape.cylinder.base, radius,
                         primitive->shape.cylinder.cap, radius,
                         primitive->shape.cylinder.open, emitter);

@@ -15,7 +15,6 @@ static const struct shape_field fields[] = {
 static const char *finish(struct primitive *primitive)
 {
     const char *fault = axis_make_normal(primitive->shape.disc.normal);
-
     primitive->shape.disc.hole = fabs(primitive->shape.disc.hole);
     if (!fault && primitive->shape.disc.hole >= primitive->shape.disc.radius)
         fault = "the disc has no area";
@@ -25,7 +24,6 @@ static const char *finish(struct primitive *primitive)
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     struct hull hull = { .count = 0 };
-
     hull_ring(&hull, primitive, primitive->shape.disc.center,
               primitive->shape.disc.normal, primitive->shape.disc.radius);
     bound_hull(&hull, bound);
@@ -35,7 +33,6 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     double radius = primitive->shape.disc.radius, hole = primitive->shape.disc.hole;
-
     copy3(primitive->shape.disc.normal, words);
     words[3] = dot3(primitive->shape.disc.normal, primitive->shape.disc.center);
     copy3(primitive->shape.disc.center, words + 4);
@@ -51,7 +48,6 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
     const double *center = primitive->shape.disc.center;
     const double *normal = primitive->shape.disc.normal;
     double above[3], below[3], half;
-
     for (int i = 0; i < 3; i++) {
         above[i] = center[i] + normal[i];
         below[i] = center[i] - normal[i];

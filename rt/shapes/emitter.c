@@ -41,11 +41,9 @@ void emitter_add_frustum(struct emitter *emitter, double y1, double r1, double y
     double rise = y2 - y1, widens = r2 - r1;
     double length = sqrt(rise * rise + widens * widens);
     double area = PI * (r1 + r2) * length;
-
     if (area > 0) {
         const double words[FRUSTUM_WORDS] = { y1, rise,          r1,
                                               r2, rise / length, -widens / length };
-
         memcpy(next_piece(emitter, area), words, sizeof words);
     }
 }
@@ -54,7 +52,6 @@ void emitter_add_triangle(struct emitter *emitter, const double a[3], const doub
                           const double c[3])
 {
     double first[3], second[3], normal[3], twice, *words;
-
     subtract3(b, a, first);
     subtract3(c, a, second);
     cross3(first, second, normal);
@@ -77,11 +74,9 @@ bool emitter_about_axis(struct emitter *emitter, const double base[3],
                         const double cap[3], double *half_length)
 {
     double words[12];
-
     *half_length = axis_words(base, cap, words) / 2;
     for (size_t i = 0; i < 3; i++) {
         double *row = emitter->to_own.rows[i];
-
         row[0] = words[3 + i];
         row[1] = words[9 + i];
         row[2] = words[6 + i];
@@ -94,7 +89,6 @@ const char *emitter_cone(const double base[3], double base_radius, const double 
                          double cap_radius, bool open, struct emitter *emitter)
 {
     double half;
-
     if (!emitter_about_axis(emitter, base, cap, &half))
         return emitter_no_memory;
     emitter_add_frustum(emitter, -half, base_radius, half, cap_radius);

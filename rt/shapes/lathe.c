@@ -44,7 +44,6 @@ static const char *finish(struct primitive *primitive)
 {
     struct outline *path = &primitive->shape.lathe.path;
     double greatest = 0;
-
     for (size_t i = 0; i < path->count; i++) {
         if (path->points[i][0] < 0)
             return shape_empty(primitive, "a radius of the lathe is below 0");
@@ -76,7 +75,6 @@ struct closed {
 static const double *point_of(const struct closed *closed, size_t i)
 {
     size_t seen = closed->path->count;
-
     return i < seen ? closed->path->points[i] : closed->closing[i - seen];
 }
 
@@ -84,7 +82,6 @@ static void add_closing(struct closed *closed, double radius, double height)
 {
     const double *last = point_of(closed, closed->count - 1);
     double *next = closed->closing[closed->count - closed->path->count];
-
     if (radius == last[0] && height == last[1])
         return;
     next[0] = radius;
@@ -97,7 +94,6 @@ static double closing_radius(const struct outline *path)
 {
     double least = INFINITY;
     bool stands = false;
-
     for (size_t i = 0; i < path->count; i++)
         least = fmin(least, path->points[i][0]);
     for (size_t i = 1; i < path->count; i++)
@@ -120,7 +116,6 @@ static struct closed close_path(const struct primitive *primitive)
     const double *first = points[0], *last = points[path->count - 1];
     struct closed closed = { .path = path, .count = path->count };
     double radius = closing_radius(path);
-
     if ((first[0] == 0 && last[0] == 0) || (first[0] == last[0] && first[1] == last[1]))
         return closed;
     add_closing(&closed, radius, closing_height(last, points[path->count - 2]));
@@ -144,7 +139,6 @@ static struct cylinder_about cylinder_of(const struct primitive *primitive)
 {
     const struct outline *path = &primitive->shape.lathe.path;
     struct cylinder_about about = { INFINITY, -INFINITY, 0 };
-
     for (size_t i = 0; i < path->count; i++) {
         about.low = fmin(about.low, path->points[i][1]);
         about.high = fmax(about.high, path->points[i][1]);
@@ -158,7 +152,6 @@ static void hull_at(struct hull *hull, const struct primitive *primitive, double
 {
     static const double axis[3] = { 0, 1, 0 };
     const double center[3] = { 0, height, 0 };
-
     hull_ring(hull, primitive, center, axis, radius);
 }
 
@@ -167,7 +160,6 @@ static void bound_cylinder(const struct primitive *primitive, struct bound *boun
 {
     struct cylinder_about about = cylinder_of(primitive);
     struct hull hull = { .count = 0 };
-
     hull_at(&hull, primitive, about.radius, about.low);
     hull_at(&hull, primitive, about.radius, about.high);
     bound_hull(&hull, bound);
@@ -178,14 +170,12 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     const struct outline *path = &primitive->shape.lathe.path;
     struct bound *points = malloc(path->count * RING * sizeof *points);
-
     if (!points) {
         bound_cylinder(primitive, bound);
         return;
     }
     for (size_t i = 0; i < path->count; i++) {
         struct hull hull = { .count = 0 };
-
         hull_at(&hull, primitive, path->points[i][0], path->points[i][1]);
         memcpy(&points[i * RING], hull.points, RING * sizeof *points);
     }
@@ -212,7 +202,6 @@ static bool bulges_on(const struct bulge *bulge, const double along[2])
 {
     double turn = bulge->along[0] * along[1] - bulge->along[1] * along[0];
     int sense = bulge->sense ? bulge->sense : sense_of(along);
-
     if (sense_of(along) == -sense && sense != 0)
         return false;
     if (bulge->along[1] == 0 && along[1] == 0)
@@ -228,13 +217,11 @@ static size_t segments(const struct primitive *primitive)
     struct closed closed = close_path(primitive);
     struct bulge bulge = { .begun = false };
     size_t crossings = 0;
-
     for (size_t i = 1; i < closed.count; i++) {
         const double *from = point_of(&closed, i - 1);
         const double *to = point_of(&closed, i);
         const double along[2] = { to[0] - from[0], to[1] - from[1] };
         bool goes_on = bulge.begun && bulges_on(&bulge, along);
-
         if (!goes_on) {
             bulge.sense = 0;
             crossings++;
@@ -258,12 +245,10 @@ static bool is_inside(const struct closed *closed, size_t segment,
 {
     int along = 1 - across;
     bool inside = false;
-
     for (size_t i = 1; i < closed->count; i++) {
         const double *from = point_of(closed, i - 1);
         const double *to = point_of(closed, i);
         double share = (point[across] - from[across]) / (to[across] - from[across]);
-
         if (i != segment
             && (from[across] > point[across]) != (to[across] > point[across])
             && from[along] + (to[along] - from[along]) * share > point[along])
@@ -303,7 +288,6 @@ static void put_corner(const double *point, double middle, double *row)
 static void put_normal(const double along[2], double length, double *normal)
 {
     double sign = along[1] < 0 ? -1 : 1;
-
     normal[0] = sign * along[1] / length;
     normal[1] = along[1] == 0 ? 1 : -sign * along[0] / length;
 }
@@ -318,7 +302,6 @@ static void put_segment(const struct closed *closed, size_t i, double middle,
     double length = elementary_hypot(along[0], along[1]), normal[2];
     int across = along[1] == 0 ? 0 : 1;
     double outward = is_inside(closed, i, amid, across) ? -1 : 1;
-
     put_normal(along, length, normal);
     row[LOW] = fmin(from[1], to[1]) - middle;
     row[HIGH] = fmax(from[1], to[1]) - middle;
@@ -337,7 +320,6 @@ static void put_segment(const struct closed *closed, size_t i, double middle,
 static double middle_of(const struct primitive *primitive)
 {
     struct cylinder_about about = cylinder_of(primitive);
-
     return (about.low + about.high) / 2;
 }
 
@@ -350,7 +332,6 @@ static size_t put_words(const struct primitive *primitive, double *words)
 {
     struct cylinder_about about = cylinder_of(primitive);
     double half = (about.high - about.low) / 2 + ASIDE * about.radius;
-
     words[0] = (about.low + about.high) / 2;
     words[1] = about.radius * about.radius * (1 + 1e-6);
     words[2] = half + 1e-6 * (half + about.radius);
@@ -366,7 +347,6 @@ static size_t put_table(const struct primitive *primitive,
 {
     struct closed closed = close_path(primitive);
     double middle = middle_of(primitive);
-
     (void)viewpoints;
     for (size_t i = 0; table && i < closed.count; i++, table += ROW) {
         put_corner(point_of(&closed, i), middle, table);

@@ -22,7 +22,6 @@ static const struct shape_field fields[] = {
 static bool has_area(const struct triangle *triangle)
 {
     double edges[2][3], normal[3], size;
-
     for (int k = 0; k < 2; k++)
         subtract3(triangle->corners[1 + k], triangle->corners[0], edges[k]);
     size = fmax(greatest3(edges[0]), greatest3(edges[1]));
@@ -45,10 +44,8 @@ static const char *finish(struct primitive *primitive)
 {
     struct triangles *triangles = &primitive->shape.mesh.triangles;
     size_t kept = 0;
-
     for (size_t i = 0; i < triangles->count; i++) {
         struct triangle *triangle = &triangles->list[i];
-
         triangle->smooth = has_normals(triangle);
         if (has_area(triangle))
             triangles->list[kept++] = *triangle;
@@ -69,7 +66,6 @@ static bool has_body(const struct primitive *primitive)
 static void carry_normal(const struct primitive *primitive, double normal[3])
 {
     double length = length3(normal);
-
     transform_normal(&primitive->to_local, normal);
     for (int i = 0; i < 3; i++)
         normal[i] /= length;
@@ -79,7 +75,6 @@ static struct triangle carried(const struct primitive *primitive,
                                const struct triangles *triangles, size_t i)
 {
     struct triangle triangle = triangles->list[i];
-
     for (int k = 0; k < 3; k++) {
         transform_point(&primitive->to_world, triangle.corners[k]);
         if (triangle.smooth)
@@ -91,10 +86,8 @@ static struct triangle carried(const struct primitive *primitive,
 static struct boxed boxed_of(const struct triangle *triangle)
 {
     struct boxed boxed = { box_empty, { 0 } };
-
     for (int k = 0; k < 3; k++) {
         struct box corner;
-
         copy3(triangle->corners[k], corner.low);
         copy3(triangle->corners[k], corner.high);
         box_join(&boxed.box, &corner);
@@ -108,11 +101,9 @@ static struct box box_of(const struct primitive *primitive,
                          const struct triangles *triangles)
 {
     struct box box = box_empty;
-
     for (size_t i = 0; i < triangles->count; i++) {
         struct triangle triangle = carried(primitive, triangles, i);
         struct boxed boxed = boxed_of(&triangle);
-
         box_join(&box, &boxed.box);
     }
     return box;
@@ -121,7 +112,6 @@ static struct box box_of(const struct primitive *primitive,
 static double reach_of(const struct triangle *triangle, const double center[3])
 {
     double reach = 0, away[3];
-
     for (int k = 0; k < 3; k++) {
         subtract3(triangle->corners[k], center, away);
         reach = fmax(reach, length3(away));
@@ -135,7 +125,6 @@ static void bound_many(const struct primitive *primitive,
 {
     size_t count = triangles->count;
     struct box box = box_of(primitive, triangles);
-
     copy3(box.low, bound->low);
     copy3(box.high, bound->high);
     for (int i = 0; i < 3; i++)
@@ -143,7 +132,6 @@ static void bound_many(const struct primitive *primitive,
     bound->radius = 0;
     for (size_t i = 0; i < count; i++) {
         struct triangle triangle = carried(primitive, triangles, i);
-
         bound->radius = fmax(bound->radius, reach_of(&triangle, bound->center));
     }
 }
@@ -156,7 +144,6 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
                                             ? &primitive->shape.mesh.body
                                             : &primitive->shape.mesh.triangles;
     struct hull hull = { .count = 0 };
-
     if (triangles->count > MAX_HULL / 3) {
         bound_many(primitive, triangles, bound);
         return;
@@ -187,7 +174,6 @@ enum {
 static bool is_flat(const struct primitive *primitive)
 {
     const struct triangles *triangles = &primitive->shape.mesh.triangles;
-
     for (size_t i = 0; i < triangles->count; i++)
         if (triangles->list[i].smooth)
             return false;
@@ -215,7 +201,6 @@ static void put_node(const struct mesh_table *table, size_t node)
 {
     const struct mesh_node *from = &table->hierarchy->nodes[node];
     double *row = table->nodes + NODE_ROW * node;
-
     for (int i = 0; i < 3; i++) {
         row[i] = from->box.low[i] / 2 + from->box.high[i] / 2;
         row[3 + i] = from->box.high[i] / 2 - from->box.low[i] / 2 + table->margin;
@@ -229,7 +214,6 @@ static void put_node(const struct mesh_table *table, size_t node)
 static void plane_normal(const struct triangle *triangle, double normal[3])
 {
     double edges[2][3], size;
-
     for (int k = 0; k < 2; k++) {
         subtract3(triangle->corners[1 + k], triangle->corners[0], edges[k]);
         size = greatest3(edges[k]);
@@ -245,7 +229,6 @@ static void share_gradient(const struct triangle *triangle, int k, int a, int b,
                            double gradient[3])
 {
     double base[3], way[3], along;
-
     subtract3(triangle->corners[b], triangle->corners[a], base);
     subtract3(triangle->corners[k], triangle->corners[a], way);
     along = dot3(way, base) / dot3(base, base);
@@ -258,7 +241,6 @@ static void share_gradient(const struct triangle *triangle, int k, int a, int b,
 static void put_smooth(const struct triangle *triangle, double *row)
 {
     double shares[2][3];
-
     share_gradient(triangle, 1, 0, 2, shares[0]);
     share_gradient(triangle, 2, 0, 1, shares[1]);
     copy3(triangle->normals[0], row);
@@ -273,7 +255,6 @@ static void put_smooth(const struct triangle *triangle, double *row)
 static void turn_up(const struct primitive *primitive, double normal[3])
 {
     double up[3] = { 0, 1, 0 };
-
     transform_normal(&primitive->to_local, up);
     if (dot3(up, normal) < 0)
         scale3(-1, normal);
@@ -285,7 +266,6 @@ static void put_triangle(const struct primitive *primitive,
                          const struct triangles *triangles, size_t i, double *row)
 {
     struct triangle triangle = carried(primitive, triangles, i);
-
     memcpy(row, triangle.corners, sizeof triangle.corners);
     if (!has_area(&triangle))
         row[9] = 1;
@@ -302,10 +282,8 @@ static void put_links(const struct mesh_table *table, size_t direction,
                       unsigned char *orders)
 {
     const struct mesh_hierarchy *hierarchy = table->hierarchy;
-
     for (size_t i = 0; i < hierarchy->node_count; i++) {
         const struct mesh_node *node = &hierarchy->nodes[i];
-
         orders[i] = node->is_passed ? MESH_PASSED : 0;
         if (direction >> node->axis & 1)
             orders[i] |= MESH_UPPER_FIRST;
@@ -318,7 +296,6 @@ static void put_links(const struct mesh_table *table, size_t direction,
 static bool put_nodes(const struct mesh_table *table)
 {
     unsigned char *orders = malloc(table->hierarchy->node_count);
-
     for (size_t i = 0; i < table->hierarchy->node_count; i++)
         put_node(table, i);
     for (size_t i = 0; orders && i < DIRECTIONS; i++)
@@ -339,7 +316,6 @@ static bool fill_table(const struct primitive *primitive,
         .nodes = table + NODE_ROW,
     };
     double *row = filled.nodes + NODE_ROW * hierarchy->node_count;
-
     for (size_t i = 0; i < triangles->count; i++)
         put_triangle(primitive, triangles, hierarchy->order[i], row + filled.row * i);
     return put_nodes(&filled);
@@ -350,10 +326,8 @@ static bool plan(const struct primitive *primitive, const struct triangles *tria
 {
     struct boxed *boxes = malloc((triangles->count + 1) * sizeof *boxes);
     bool good;
-
     for (size_t i = 0; boxes && i < triangles->count; i++) {
         struct triangle triangle = carried(primitive, triangles, i);
-
         boxes[i] = boxed_of(&triangle);
     }
     good = boxes && mesh_hierarchy_build(boxes, triangles->count, hierarchy);
@@ -386,7 +360,6 @@ static bool put_screen_bounds(const struct primitive *primitive,
     size_t planned;
     bool good = screen_bounds_put(&bounds, viewpoints, (double)place, table + place,
                                   &planned);
-
     table[VIEWPOINTS_FIRST] = (double)place;
     table[VIEWPOINTS_COUNT] = (double)planned;
     return good;
@@ -402,7 +375,6 @@ static bool put_hierarchy(const struct primitive *primitive,
     bool good = plan(primitive, triangles, &hierarchy)
                 && fill_table(primitive, triangles, &hierarchy, table)
                 && put_screen_bounds(primitive, &hierarchy, viewpoints, place, table);
-
     mesh_hierarchy_free(&hierarchy);
     return good;
 }
@@ -411,7 +383,6 @@ size_t *mesh_order(const struct primitive *mesh)
 {
     struct mesh_hierarchy hierarchy = { 0 };
     size_t *order = NULL;
-
     if (plan(mesh, &mesh->shape.mesh.triangles, &hierarchy)) {
         order = hierarchy.order;
         hierarchy.order = NULL;
@@ -431,7 +402,6 @@ static size_t bounds_size(const struct primitive *primitive,
 {
     const struct triangles *seen = &primitive->shape.mesh.triangles;
     struct box box = box_of(primitive, seen);
-
     return screen_bounds_size(viewpoints, &box, mesh_hierarchy_nodes(seen->count),
                               seeing);
 }
@@ -440,7 +410,6 @@ static size_t bounds_size(const struct primitive *primitive,
 static size_t bounds_place(const struct primitive *primitive)
 {
     const struct triangles *body = &primitive->shape.mesh.body;
-
     return table_size(primitive, &primitive->shape.mesh.triangles)
            + (body->count > 0 ? table_size(primitive, body) : 0);
 }
@@ -453,7 +422,6 @@ static size_t put_table(const struct primitive *primitive,
     const struct triangles *body = &primitive->shape.mesh.body;
     size_t size = table_size(primitive, seen), place = bounds_place(primitive);
     size_t seeing;
-
     if (table && !put_hierarchy(primitive, seen, viewpoints, place, table))
         return 0;
     if (table && body->count > 0
@@ -466,10 +434,8 @@ static size_t put_table(const struct primitive *primitive,
 static bool is_finite(const struct primitive *primitive)
 {
     const struct triangles *triangles = &primitive->shape.mesh.triangles;
-
     for (size_t i = 0; i < triangles->count; i++) {
         double row[SMOOTH_ROW] = { 0 };
-
         put_triangle(primitive, triangles, i, row);
         for (size_t k = 0; k < SMOOTH_ROW; k++)
             if (!isfinite(row[k]))
@@ -482,7 +448,6 @@ static bool is_finite(const struct primitive *primitive)
 static void mark_links(const struct triangles *triangles, bool *marks)
 {
     size_t size = nodes_size(triangles);
-
     for (size_t i = 0; i < size; i++)
         marks[i] = i % NODE_ROW >= NODE_LINKS;
 }
@@ -493,7 +458,6 @@ static void mark_integers(const struct primitive *primitive,
     const struct triangles *seen = &primitive->shape.mesh.triangles;
     const struct triangles *body = &primitive->shape.mesh.body;
     size_t seeing;
-
     mark_links(seen, marks);
     if (body->count > 0)
         mark_links(body, marks + table_size(primitive, seen));
@@ -523,7 +487,6 @@ static size_t segments(const struct primitive *primitive)
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     const struct triangles *body = &primitive->shape.mesh.body;
-
     words[0] = (double)row_size(primitive);
     words[1] = (double)crossings(primitive);
     if (body->count == 0)
@@ -544,7 +507,6 @@ static bool carry(const struct primitive *primitive, double *words)
 static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     const struct triangles *triangles = &primitive->shape.mesh.triangles;
-
     if (!emitter_begin(emitter, "emit_triangle", triangles->count, TRIANGLE_WORDS))
         return emitter_no_memory;
     for (size_t i = 0; i < triangles->count; i++)

@@ -22,7 +22,6 @@ static size_t cubic_monomial(int i, int j, int k)
     };
     int s = (i == 0) + (j == 0) + (k == 0);
     int t = (i == 1) + (j == 1) + (k == 1);
-
     return numbers[s][t];
 }
 
@@ -36,7 +35,6 @@ static void set_up(const double points[6][4], struct singular *equations)
     for (int i = 0; i < 3; i++)
         for (int m = 0; m < 6; m++) {
             size_t row = cubic_monomial(i, factors[m][0], factors[m][1]);
-
             for (int c = 0; c < 4; c++)
                 equations->scaled[row][4 * i + c] += (m < 3 ? 1 : 2) * points[m][c];
         }
@@ -46,7 +44,6 @@ static void set_up(const double points[6][4], struct singular *equations)
 static size_t least_column(const struct singular *singular, size_t taken)
 {
     size_t least = taken == 0 ? 1 : 0;
-
     for (size_t i = 0; i < singular->columns; i++)
         if (i != taken && singular->values[i] < singular->values[least])
             least = i;
@@ -58,7 +55,6 @@ static void find_triple(struct moving_planes *planes)
 {
     struct singular singular = { .rows = 6, .columns = 4 };
     size_t column;
-
     for (size_t i = 0; i < 6; i++)
         memcpy(singular.scaled[i], planes->l[i / 3][i % 3], sizeof planes->triple);
     singular_decompose(&singular);
@@ -74,7 +70,6 @@ static void plane_at(const double points[6][4], const double l[3][4], const doub
     memset(row, 0, 3 * sizeof *row);
     for (int m = 0; m < 6; m++) {
         double share = p[factors[m][0]] * p[factors[m][1]];
-
         for (int i = 0; i < 3; i++)
             for (int c = 0; c < 4; c++)
                 row[i] += (m < 3 ? 1 : 2) * share * l[i][c] * points[m][c];
@@ -85,7 +80,6 @@ static void plane_at(const double points[6][4], const double l[3][4], const doub
 static bool is_flat(const double points[6][4])
 {
     struct singular singular = { .rows = 6, .columns = 4 };
-
     for (size_t i = 0; i < 6; i++)
         memcpy(singular.scaled[i], points[i], sizeof points[i]);
     singular_decompose(&singular);
@@ -100,10 +94,8 @@ static bool is_simple(const double points[6][4], const struct moving_planes *pla
     static const double places[][3] = { { .5, .3, .2 },
                                         { .2, .5, .3 },
                                         { .3, .2, .5 } };
-
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         double normals[2][3], across[3];
-
         for (int which = 0; which < 2; which++)
             plane_at(points, planes->l[which], places[i], normals[which]);
         cross3(normals[0], normals[1], across);
@@ -117,7 +109,6 @@ void moving_planes_find(const double points[6][4], struct moving_planes *planes)
 {
     struct singular singular;
     size_t taken;
-
     memset(planes, 0, sizeof *planes);
     if (is_flat(points))
         return;

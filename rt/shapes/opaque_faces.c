@@ -35,7 +35,6 @@ static struct face *add_face(struct face_search *search, enum face_sort sort,
     struct face_list *list = search->list;
     struct face *face;
     struct bound parts[2] = { *box, search->limit }, part;
-
     bound_common(parts, 2, &part);
     for (int i = 0; i < 3; i++)
         if (part.low[i] > part.high[i] + COINCIDENT)
@@ -70,7 +69,6 @@ static void add_flat(struct face_search *search, const double normal[3],
 {
     double way[3], at[3], length;
     struct face *face;
-
     copy3(normal, way);
     copy3(point, at);
     transform_normal(&search->primitive->to_local, way);
@@ -94,7 +92,6 @@ static void add_hull(struct face_search *search, const double normal[3],
                      const double point[3], bool outward, const struct hull *hull)
 {
     struct bound box;
-
     bound_hull_box(hull, &box);
     add_flat(search, normal, point, outward, &box);
 }
@@ -103,7 +100,6 @@ static void add_ring(struct face_search *search, const double center[3],
                      const double axis[3], double radius, bool outward)
 {
     struct hull hull = { .count = 0 };
-
     if (!(radius > 0))
         return;
     hull_ring(&hull, search->primitive, center, axis, radius);
@@ -114,7 +110,6 @@ static void add_triangle(struct face_search *search, const double (*corners)[3])
 {
     struct hull hull = { .count = 0 };
     double u[3], v[3], normal[3];
-
     for (int i = 0; i < 3; i++)
         hull_point(&hull, search->primitive, corners[i]);
     subtract3(corners[1], corners[0], u);
@@ -127,7 +122,6 @@ static void add_plane(struct face_search *search)
 {
     const double *normal = search->primitive->shape.plane.normal;
     double point[3];
-
     copy3(normal, point);
     scale3(search->primitive->shape.plane.distance, point);
     add_flat(search, normal, point, true, &bound_none);
@@ -136,12 +130,10 @@ static void add_plane(struct face_search *search)
 static void add_box(struct face_search *search)
 {
     const double(*corner)[3] = search->primitive->shape.box.corner;
-
     for (int i = 0; i < 6; i++) {
         int axis = i / 2, end = i % 2;
         double normal[3] = { 0 }, point[3];
         struct hull hull = { .count = 0 };
-
         normal[axis] = end ? 1 : -1;
         for (int k = 0; k < 4; k++) {
             point[axis] = corner[end][axis];
@@ -157,7 +149,6 @@ static void add_disks(struct face_search *search, const double base[3],
                       double base_radius, const double cap[3], double cap_radius)
 {
     double up[3], down[3];
-
     subtract3(cap, base, up);
     subtract3(base, cap, down);
     add_ring(search, base, down, base_radius, true);
@@ -170,7 +161,6 @@ static void add_caps(struct face_search *search, const struct outline *path, dou
     const double up[3] = { 0, 1, 0 }, down[3] = { 0, -1, 0 };
     const double top[3] = { 0, high, 0 }, bottom[3] = { 0, low, 0 };
     struct bound box;
-
     path_bound(search->primitive, path, low, low, &box);
     add_flat(search, down, bottom, true, &box);
     path_bound(search->primitive, path, high, high, &box);
@@ -182,15 +172,12 @@ static void add_sides(struct face_search *search)
     const struct primitive *primitive = search->primitive;
     double ends[2] = { primitive->shape.prism.low, primitive->shape.prism.high };
     struct path_walk walk = { .path = &primitive->shape.prism.path, .apart = 1 };
-
     while (path_next(&walk)) {
         double normal[3] = { walk.from[1] - walk.to[1], 0, walk.to[0] - walk.from[0] };
         struct hull hull = { .count = 0 };
         double point[3];
-
         for (int i = 0; i < 4; i++) {
             const double *at = i & 1 ? walk.from : walk.to;
-
             point[0] = at[0];
             point[1] = ends[i >> 1];
             point[2] = at[1];
@@ -207,10 +194,8 @@ static bool is_solid_above(const struct outline *path, size_t edge)
     double radius = (path->points[edge][0] + path->points[edge + 1][0]) / 2;
     double height = path->points[edge][1];
     bool solid = false;
-
     for (size_t i = 0; i + 1 < path->count; i++) {
         const double *a = path->points[i], *b = path->points[i + 1];
-
         if (i != edge && (a[0] > radius) != (b[0] > radius)
             && a[1] + (radius - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) > height)
             solid = !solid;
@@ -222,12 +207,10 @@ static bool is_solid_above(const struct outline *path, size_t edge)
 static void add_rings(struct face_search *search)
 {
     const struct outline *path = &search->primitive->shape.lathe.path;
-
     for (size_t i = 0; i + 1 < path->count; i++) {
         const double *a = path->points[i], *b = path->points[i + 1];
         const double center[3] = { 0, a[1], 0 };
         const double axis[3] = { 0, is_solid_above(path, i) ? -1 : 1, 0 };
-
         if (a[1] == b[1])
             add_ring(search, center, axis, fmax(a[0], b[0]), true);
     }
@@ -240,7 +223,6 @@ static void add_curved(struct face_search *search)
     bool quadric = quadric_face_is_there(search->primitive);
     struct face *face;
     struct bound box;
-
     bound_primitive(search->primitive, &box);
     face = add_face(search, quadric ? FACE_QUADRIC : FACE_SHAPE, &box);
     if (!face)
@@ -255,7 +237,6 @@ bool face_same_plane(const struct face *a, const struct face *b, const double at
                      double reach)
 {
     double beside[3], between;
-
     subtract3(a->plane, b->plane, beside);
     between = dot3(beside, at) - (a->plane[3] - b->plane[3]);
     return fabs(between) + length3(beside) * reach
@@ -265,7 +246,6 @@ bool face_same_plane(const struct face *a, const struct face *b, const double at
 int face_compare(const void *a, const void *b)
 {
     const struct face *one = a, *other = b;
-
     if (one->sort != other->sort)
         return one->sort < other->sort ? -1 : 1;
     if (one->key != other->key)
@@ -278,7 +258,6 @@ int face_compare(const void *a, const void *b)
 double face_middle(const double low[3], const double high[3], double center[3])
 {
     double half[3];
-
     for (int i = 0; i < 3; i++) {
         center[i] = (low[i] + high[i]) / 2;
         half[i] = (high[i] - low[i]) / 2;
@@ -291,7 +270,6 @@ static void join_triangles(struct face_search *search, size_t first)
 {
     struct face *faces = search->list->faces;
     size_t kept = first;
-
     if (search->list->failed)
         return;
     qsort(faces + first, search->list->count - first, sizeof *faces, face_compare);
@@ -299,7 +277,6 @@ static void join_triangles(struct face_search *search, size_t first)
         struct face *last = &faces[kept > first ? kept - 1 : first];
         double center[3];
         double reach = face_middle(faces[i].low, faces[i].high, center);
-
         if (kept == first || !face_same_plane(last, &faces[i], center, reach)) {
             faces[kept++] = faces[i];
             continue;
@@ -316,7 +293,6 @@ static void add_mesh(struct face_search *search)
 {
     const struct triangles *triangles = &search->primitive->shape.mesh.triangles;
     size_t first = search->list->count;
-
     for (size_t i = 0; i < triangles->count && !search->list->failed; i++)
         add_triangle(search, (const double(*)[3])triangles->list[i].corners);
     join_triangles(search, first);
@@ -325,7 +301,6 @@ static void add_mesh(struct face_search *search)
 static void add_flats(struct face_search *search)
 {
     const struct primitive *primitive = search->primitive;
-
     switch (primitive->kind) {
     case PRIMITIVE_PLANE: add_plane(search); break;
     case PRIMITIVE_BOX: add_box(search); break;
@@ -352,7 +327,6 @@ static void add_flats(struct face_search *search)
 static void add_swept(struct face_search *search)
 {
     const struct primitive *primitive = search->primitive;
-
     switch (primitive->kind) {
     case PRIMITIVE_PRISM:
         if (!primitive->shape.prism.open)
@@ -408,10 +382,8 @@ static bool is_endless(const struct scene *scene, size_t node)
 {
     const struct tree_node *solid = &scene->nodes[node];
     bool any = false, all = true;
-
     for (size_t i = node + 1; i < solid->next; i = scene->nodes[i].next) {
         bool below = is_endless(scene, i);
-
         any = any || below;
         all = all && below;
     }
@@ -430,7 +402,6 @@ static bool starts_outside(const struct camera *camera,
 {
     double reach = camera->lens_radius, normal[3], at[3];
     struct bound box;
-
     if (camera->orthographic)
         reach += length3(camera->right) + length3(camera->up);
     if (primitive->kind == PRIMITIVE_PLANE) {
@@ -454,7 +425,6 @@ static bool is_closed(const struct primitive *primitive)
 {
     const struct shape_kernels *kernels = shape_kernels_of(primitive);
     const struct outline *path = &primitive->shape.lathe.path;
-
     if (primitive->kind == PRIMITIVE_LATHE && path->points[0][0] < COINCIDENT
         && path->points[path->count - 1][0] < COINCIDENT)
         return true;
@@ -467,14 +437,12 @@ static void find_limit(struct face_search *search, const struct region *region)
 {
     const struct primitive *first = &search->scene->primitives[region->first_primitive];
     bool some = false;
-
     search->limit = bound_none;
     search->sealed = !is_endless(search->scene, region->first_node);
     if (!search->sealed)
         return;
     for (size_t i = 0; i < region->primitive_count; i++) {
         struct bound parts[2];
-
         search->sealed = search->sealed && is_opaque(&first[i]) && is_closed(&first[i]);
         if (first[i].inverted)
             continue;
@@ -497,7 +465,6 @@ void opaque_faces_add(struct face_list *list, const struct scene *scene, size_t 
 {
     struct face_search search = { .scene = scene, .list = list, .region = region };
     const struct region *solid = &scene->regions[region];
-
     find_limit(&search, solid);
     for (size_t i = 0; i < solid->primitive_count && !list->failed; i++) {
         search.primitive = &scene->primitives[solid->first_primitive + i];

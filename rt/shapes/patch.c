@@ -13,7 +13,6 @@ static struct homogeneous row_at(const struct primitive *patch, int i,
 {
     static const int index[3][3] = { { 0, 3, 5 }, { 3, 1, 4 }, { 5, 4, 2 } };
     struct homogeneous sum = { { 0, 0, 0 }, 0 };
-
     for (int j = 0; j < 3; j++) {
         int k = index[i][j];
         double share = p[j] * patch->shape.steiner_patch.weights[k];
@@ -33,7 +32,6 @@ static bool is_regular(const struct primitive *patch, const double p[3])
     double least = 1e-12; /* height relative to length */
     struct homogeneous rows[3];
     double edges[2][3], normal[3], size = 0;
-
     for (int i = 0; i < 3; i++)
         rows[i] = row_at(patch, i, p);
     for (int i = 0; i < 2; i++)

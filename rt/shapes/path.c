@@ -11,7 +11,6 @@
 double path_closeness(const double (*points)[2], size_t count)
 {
     double size = 0;
-
     for (size_t i = 1; i < count; i++)
         for (int k = 0; k < 2; k++)
             size = fmax(size, fabs(points[i][k] - points[0][k]));
@@ -26,7 +25,6 @@ bool path_is_near(const double a[2], const double b[2], double closeness)
 bool path_next(struct path_walk *walk)
 {
     const double(*points)[2] = (const double(*)[2])walk->path->points;
-
     walk->begins = walk->at == walk->first;
     if (walk->at + 1 >= walk->path->count)
         return false;
@@ -47,7 +45,6 @@ void path_bound(const struct primitive *primitive, const struct outline *path,
     double low[2] = { INFINITY, INFINITY }, high[2] = { -INFINITY, -INFINITY };
     double base[3], cap[3], radius = 0;
     struct hull hull = { .count = 0 };
-
     for (size_t i = 0; i < path->count; i++)
         for (int k = 0; k < 2; k++) {
             low[k] = fmin(low[k], path->points[i][k]);
@@ -71,7 +68,6 @@ static int side_of(const struct path_walk *edge, const double direction[2])
 {
     double x = edge->to[0] - edge->from[0], z = edge->to[1] - edge->from[1];
     double across = direction[0] * z - direction[1] * x;
-
     return fabs(across) <= 1e-9 * elementary_hypot(x, z)
                                * elementary_hypot(direction[0], direction[1])
                ? 0
@@ -127,7 +123,6 @@ static size_t crossings_along(const struct outline *path, size_t apart,
     struct path_walk walk = { .path = path, .apart = apart };
     struct changes changes = { 0, 0, 0, 0, 0 };
     size_t count = 0;
-
     while (path_next(&walk)) {
         if (walk.begins) {
             count += close_changes(&changes);
@@ -144,14 +139,12 @@ size_t path_crossings(const struct outline *path, size_t apart)
 {
     struct path_walk walk = { .path = path, .apart = apart };
     size_t most = 2;
-
     while (path_next(&walk)) {
         const double direction[2] = { walk.to[0] - walk.from[0],
                                       walk.to[1] - walk.from[1] };
         size_t count = direction[0] == 0 && direction[1] == 0
                            ? 0
                            : crossings_along(path, apart, direction);
-
         most = count > most ? count : most;
     }
     return most;

@@ -23,7 +23,6 @@ static size_t put_words(const struct primitive *primitive, double *words)
     const struct transform *back = &primitive->to_local;
     const double *normal = primitive->shape.plane.normal;
     double length;
-
     copy3(normal, words);
     transform_normal(back, words);
     words[3] = primitive->shape.plane.distance;

@@ -49,7 +49,6 @@ static size_t close_loop(struct outline *path, size_t first, double closeness,
 static const char *become_quadratic(struct primitive *primitive)
 {
     struct primitive prism = *primitive;
-
     primitive->kind = PRIMITIVE_QUADRATIC_PRISM;
     primitive->shape.quadratic_prism.low = prism.shape.prism.low;
     primitive->shape.quadratic_prism.high = prism.shape.prism.high;
@@ -64,7 +63,6 @@ static const char *finish(struct primitive *primitive)
     double a = primitive->shape.prism.low, b = primitive->shape.prism.high;
     double closeness = path_closeness((const double(*)[2])path->points, path->count);
     size_t kept = 0;
-
     if (primitive->shape.prism.quadratic)
         return become_quadratic(primitive);
     primitive->shape.prism.low = fmin(a, b);
@@ -83,7 +81,6 @@ static const char *finish(struct primitive *primitive)
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     const struct outline *path = &primitive->shape.prism.path;
-
     path_bound(primitive, path, primitive->shape.prism.low, primitive->shape.prism.high,
                bound);
 }
@@ -102,7 +99,6 @@ static bool is_inside(const struct outline *path, size_t edge, const double poin
 {
     struct path_walk walk = { .path = path, .apart = 1 };
     bool inside = false;
-
     for (size_t i = 0; path_next(&walk); i++) {
         double x0 = walk.from[0] - point[0], z0 = walk.from[1] - point[1];
         double x1 = walk.to[0] - point[0], z1 = walk.to[1] - point[1];
@@ -110,7 +106,6 @@ static bool is_inside(const struct outline *path, size_t edge, const double poin
         double side1 = direction[0] * z1 - direction[1] * x1;
         double way0 = direction[0] * x0 + direction[1] * z0;
         double way1 = direction[0] * x1 + direction[1] * z1;
-
         if (i != edge && (side0 >= 0) != (side1 >= 0)
             && way0 + (way1 - way0) * (side0 / (side0 - side1)) > 0)
             inside = !inside;
@@ -127,7 +122,6 @@ static void put_edge(const struct path_walk *edge, size_t number, double *row)
     double x = edge->from[0] - edge->to[0], z = edge->from[1] - edge->to[1];
     double length = elementary_hypot(x, z), normal[2] = { z / length, -x / length };
     const double middle[2] = { edge->to[0] + x / 2, edge->to[1] + z / 2 };
-
     if (is_inside(edge->path, number, middle, normal)) {
         normal[0] = -normal[0];
         normal[1] = -normal[1];
@@ -144,7 +138,6 @@ static void put_edge(const struct path_walk *edge, size_t number, double *row)
 static void put_rows(const struct outline *path, double *table)
 {
     struct path_walk walk = { .path = path, .apart = 1 };
-
     for (size_t edge = 0; path_next(&walk); edge++) {
         if (walk.begins) {
             table[0] = walk.from[0];
@@ -169,7 +162,6 @@ static size_t put_table(const struct primitive *primitive,
                         const struct viewpoints *viewpoints, double *table)
 {
     const struct outline *path = &primitive->shape.prism.path;
-
     (void)viewpoints;
     if (table)
         put_rows(path, table);

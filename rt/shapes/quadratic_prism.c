@@ -38,7 +38,6 @@ static void add_parabola(struct outline *path, const double before[2],
 {
     const double handle[2] = { here[0] + (next[0] - before[0]) / 4,
                                here[1] + (next[1] - before[1]) / 4 };
-
     if (equal2(before, here) && equal2(here, next))
         return;
     add_point(path, handle);
@@ -53,12 +52,10 @@ static bool add_loop(struct outline *path, struct spline_points *spline)
     const double *before = points[spline->used];
     const double *here = points[spline->used + 1];
     const double first[2] = { here[0], here[1] };
-
     add_point(path, first);
     for (size_t i = spline->used + 2; i < spline->count; i++) {
         bool closes = path_is_near(points[i], first, spline->closeness);
         const double *next = closes ? first : points[i];
-
         add_parabola(path, before, here, next);
         before = here;
         here = next;
@@ -76,7 +73,6 @@ static const char *make_parabolas(struct outline *path)
 {
     struct spline_points spline = { (const double(*)[2])path->points + path->count,
                                     path->count, 0, 0 };
-
     if (path->count < POINTS_LEAST)
         return "a quadratic spline must have at least five points";
     memcpy(path->points + path->count, path->points,
@@ -93,7 +89,6 @@ static const char *finish(struct primitive *primitive)
 {
     double a = primitive->shape.quadratic_prism.low;
     double b = primitive->shape.quadratic_prism.high;
-
     primitive->shape.quadratic_prism.low = fmin(a, b);
     primitive->shape.quadratic_prism.high = fmax(a, b);
     return a == b && primitive->shape.quadratic_prism.open
@@ -125,7 +120,6 @@ struct parabola {
 static bool next_parabola(struct path_walk *walk, struct parabola *parabola)
 {
     const double *handle;
-
     if (!path_next(walk))
         return false;
     parabola->begins = walk->begins;
@@ -161,7 +155,6 @@ static bool is_ahead(const struct parabola *parabola, double w, const double poi
 {
     const double way[2] = { parabola->from[0] + along(parabola, 0, w) - point[0],
                             parabola->from[1] + along(parabola, 1, w) - point[1] };
-
     return dot(direction, way) > 0;
 }
 
@@ -179,7 +172,6 @@ static size_t crossings_ahead(const struct parabola *parabola, bool own,
     double square = b * b - a * c, root = sqrt(fmax(0, square));
     double q = b < 0 ? root - b : -root - b;
     bool left = cross(direction, to) >= 0;
-
     if (left != (c >= 0))
         return !own
                && is_ahead(parabola, left == (b >= 0) ? c / q : q / a, point,
@@ -198,7 +190,6 @@ static bool is_inside(const struct outline *path, size_t number, const double po
     struct path_walk walk = { .path = path, .apart = 2 };
     struct parabola parabola;
     size_t count = 0;
-
     for (size_t i = 0; next_parabola(&walk, &parabola); i++)
         count += crossings_ahead(&parabola, i == number, point, direction);
     return count % 2 != 0;
@@ -236,7 +227,6 @@ static void put_straight(const struct parabola *parabola, double *row)
     double turn = -dot(unit, lead) / dot(unit, bend);
     double end = dot(unit, bend) + 2 * dot(unit, lead);
     double low = fmin(0, end), high = fmax(0, end);
-
     if (turn > 0 && turn < 1) {
         low = fmin(low, dot(unit, lead) * turn);
         high = fmax(high, dot(unit, lead) * turn);
@@ -252,7 +242,6 @@ static void put_bent(const struct parabola *parabola, double *row)
 {
     const double *bend = parabola->bend;
     double across = 2 * cross(bend, parabola->lead);
-
     for (int k = 0; k < 2; k++) {
         row[FOOT + k] = parabola->from[k];
         row[BOW + k] = bend[k];
@@ -267,7 +256,6 @@ static bool is_straight(const struct parabola *parabola)
     double least = STRAIGHT
                    * fmax(dot(parabola->bend, parabola->bend),
                           dot(parabola->lead, parabola->lead));
-
     return fabs(cross(parabola->bend, parabola->lead)) <= least;
 }
 
@@ -275,7 +263,6 @@ static void put_parabola(const struct outline *path, size_t number,
                          const struct parabola *parabola, double *row)
 {
     double middle[2], normal[2];
-
     memcpy(row + POINT, parabola->to, sizeof middle);
     memcpy(row + BEND, parabola->bend, sizeof middle);
     memcpy(row + LEAD, parabola->lead, sizeof middle);
@@ -294,7 +281,6 @@ static void put_rows(const struct outline *path, double *table)
 {
     struct path_walk walk = { .path = path, .apart = 2 };
     struct parabola parabola;
-
     for (size_t i = 0; next_parabola(&walk, &parabola); i++) {
         if (parabola.begins) {
             memcpy(table + POINT, parabola.from, 2 * sizeof *table);
@@ -312,7 +298,6 @@ static size_t count_rows(const struct outline *path)
     struct path_walk walk = { .path = path, .apart = 2 };
     struct parabola parabola;
     size_t count = 0;
-
     while (next_parabola(&walk, &parabola))
         count += 1 + (size_t)parabola.begins;
     return count;
@@ -330,7 +315,6 @@ static size_t put_table(const struct primitive *primitive,
                         const struct viewpoints *viewpoints, double *table)
 {
     const struct outline *path = &primitive->shape.quadratic_prism.path;
-
     (void)viewpoints;
     if (table)
         put_rows(path, table);

@@ -27,7 +27,6 @@ static size_t put_words(const struct primitive *primitive, double *words)
     const double *terms = primitive->shape.quadric.coefficients;
     struct singular matrix = { .rows = 3, .columns = 3 };
     double *center = words + CENTER, against[3];
-
     for (size_t i = 0; i < 6; i++)
         words[MATRIX + i] = i < 3 ? terms[i] : terms[i] / 2;
     for (size_t i = 0; i < 3; i++)
@@ -40,7 +39,6 @@ static size_t put_words(const struct primitive *primitive, double *words)
     words[CONSTANT] = terms[9];
     for (size_t i = 0; i < 3; i++) {
         double product = 0;
-
         for (size_t j = 0; j < 3; j++)
             product += words[MATRIX + place[i][j]] * center[j];
         words[LINEAR + i] = product - against[i];

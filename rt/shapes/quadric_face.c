@@ -27,10 +27,8 @@ static void round_matrix(const struct primitive *primitive, const double base[3]
 {
     static const row one = { 0, 0, 0, 1 };
     row level = { 0 };
-
     for (int i = 0; i < 3; i++) {
         row part;
-
         for (int j = 0; j < 4; j++)
             part[j] = primitive->to_local.rows[i][j] - (j == 3 ? base[i] : 0);
         add_product(1, part, part, matrix);
@@ -47,7 +45,6 @@ static void cone_matrix(const struct primitive *primitive, const double base[3],
                         row *matrix)
 {
     double axis[3], length, slope;
-
     subtract3(cap, base, axis);
     length = length3(axis);
     scale3(1 / length, axis);
@@ -65,10 +62,8 @@ static void quadric_matrix(const struct primitive *primitive, row *matrix)
                                                    { 0, ONE },  { 1, ONE }, { 2, ONE },
                                                    { ONE, ONE } };
     const double(*rows)[4] = (const double(*)[4])primitive->to_local.rows;
-
     for (int i = 0; i < QUADRIC_TERMS; i++) {
         int a = factors[i][0], b = factors[i][1];
-
         add_product(primitive->shape.quadric.coefficients[i], a == ONE ? one : rows[a],
                     b == ONE ? one : rows[b], matrix);
     }
@@ -78,7 +73,6 @@ static void quadric_matrix(const struct primitive *primitive, row *matrix)
 static bool matrix_of(const struct primitive *primitive, row *matrix)
 {
     static const double up[3] = { 0, 1, 0 };
-
     for (int i = 0; i < 16; i++)
         matrix[i / 4][i % 4] = 0;
     switch (primitive->kind) {
@@ -108,14 +102,12 @@ static void move_matrix(row *matrix, const double at[3], double unit)
 {
     row moved[4] = { { 0 } };
     double size = 0;
-
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
             for (int k = 0; k < 16; k++) {
                 int a = k / 4, b = k % 4;
                 double left = i < 3 ? (a == i) * unit : a < 3 ? at[a] : 1;
                 double right = j < 3 ? (b == j) * unit : b < 3 ? at[b] : 1;
-
                 moved[i][j] += left * matrix[a][b] * right;
             }
     for (int i = 0; i < 16; i++)
@@ -127,7 +119,6 @@ static void move_matrix(row *matrix, const double at[3], double unit)
 bool quadric_face_is_there(const struct primitive *primitive)
 {
     row matrix[4];
-
     return matrix_of(primitive, matrix);
 }
 
@@ -138,7 +129,6 @@ double quadric_face_key(const struct primitive *primitive)
                                     { .3495, .4168, .3557, .13 } };
     double size = 0, key = 0;
     row matrix[4];
-
     matrix_of(primitive, matrix);
     for (int i = 0; i < 3; i++) {
         size += dot3(matrix[i], matrix[i]);
@@ -153,14 +143,12 @@ int quadric_face_compare(const struct primitive *a, const struct primitive *b,
 {
     row one[4], other[4];
     double sum = 0, difference = 0;
-
     matrix_of(a, one);
     matrix_of(b, other);
     move_matrix(one, at, reach);
     move_matrix(other, at, reach);
     for (int i = 0; i < 16; i++) {
         double x = one[i / 4][i % 4], y = other[i / 4][i % 4];
-
         sum = fmax(sum, fabs(x + y));
         difference = fmax(difference, fabs(x - y));
     }

@@ -32,7 +32,6 @@ void quartic_enlarge(struct primitive *quartic, int log)
 {
     double *coefficient = quartic->shape.quartic.coefficients;
     struct transform *to_world = &quartic->to_world;
-
     for (int x = 4; x >= 0; x--)
         for (int y = 4 - x; y >= 0; y--)
             for (int z = 4 - x - y; z >= 0; z--, coefficient++)

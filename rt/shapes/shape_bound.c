@@ -15,7 +15,6 @@ void hull_point(struct hull *hull, const struct primitive *primitive,
                 const double point[3])
 {
     struct bound *added = &hull->points[hull->count++];
-
     copy3(point, added->center);
     transform_point(&primitive->to_world, added->center);
     added->radius = 0;
@@ -28,7 +27,6 @@ void hull_ring(struct hull *hull, const struct primitive *primitive,
                const double center[3], const double axis[3], double radius)
 {
     double across[3] = { 0, 0, 0 }, u[3], v[3];
-
     across[fabs(axis[0]) <= fmax(fabs(axis[1]), fabs(axis[2])) ? 0 : 1] = 1;
     cross3(axis, across, u);
     scale3(1 / length3(u), u);
@@ -39,7 +37,6 @@ void hull_ring(struct hull *hull, const struct primitive *primitive,
         double c = radius * elementary_cos(2 * PI * i / RING);
         double s = radius * elementary_sin(2 * PI * i / RING);
         double point[3];
-
         for (int k = 0; k < 3; k++)
             point[k] = center[k] + c * u[k] + s * v[k];
         hull_point(hull, primitive, point);
@@ -51,7 +48,6 @@ void hull_rings(struct hull *hull, const struct primitive *primitive,
                 double cap_radius)
 {
     const double axis[3] = { cap[0] - base[0], cap[1] - base[1], cap[2] - base[2] };
-
     hull_ring(hull, primitive, base, axis, base_radius);
     hull_ring(hull, primitive, cap, axis, cap_radius);
 }
@@ -72,7 +68,6 @@ double bound_stretch(const struct primitive *primitive, double x, double y, doub
 {
     const double weights[3] = { x, y, z };
     struct singular matrix = { .rows = 3, .columns = 3 };
-
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             matrix.scaled[i][j] = primitive->to_world.rows[i][j] * weights[j];

@@ -8,7 +8,6 @@ void shape_words(const struct primitive *primitive, struct shape_words *words)
 {
     const struct shape *shape = shape_of(primitive);
     const struct shape_kernels *kernels = shape_kernels_of(primitive);
-
     words->count = shape->words(primitive, words->words);
     words->transformed = primitive->transformed
                          && !(shape->carry && shape->carry(primitive, words->words));
@@ -38,7 +37,6 @@ bool shape_words_historical(const struct primitive *primitive,
 {
     const struct shape *shape = shape_of(primitive);
     const struct shape_kernels *kernels = shape_kernels_of(primitive);
-
     shape_words(primitive, words);
     if (!kernels->historical
         || (shape->is_historical && !shape->is_historical(primitive)))
@@ -57,7 +55,6 @@ size_t shape_table_count(const struct primitive *primitive,
                          const struct viewpoints *viewpoints)
 {
     const struct shape *shape = shape_of(primitive);
-
     return shape->table ? shape->table(primitive, viewpoints, NULL) : 0;
 }
 
@@ -65,7 +62,6 @@ double *shape_table(const struct primitive *primitive,
                     const struct viewpoints *viewpoints, size_t count)
 {
     double *table = calloc(count + 1, sizeof *table);
-
     if (table && count > 0
         && shape_of(primitive)->table(primitive, viewpoints, table) == 0) {
         free(table);
@@ -87,7 +83,6 @@ static bool table_is_finite(const struct primitive *primitive)
     size_t count = shape_table_count(primitive, NULL);
     double *table = shape_table(primitive, NULL, count);
     bool finite = !table || are_finite(table, count);
-
     free(table);
     return finite;
 }
@@ -96,7 +91,6 @@ bool shape_is_finite(const struct primitive *primitive)
 {
     const struct shape *shape = shape_of(primitive);
     struct shape_words words;
-
     shape_words(primitive, &words);
     return are_finite(words.words, words.count)
            && (shape->is_finite ? shape->is_finite(primitive)

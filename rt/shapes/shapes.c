@@ -12,7 +12,6 @@ const char *primitive_kind_name(enum primitive_kind kind)
 #define SHAPE(KIND, name, ...) #name,
 #include "rt/shapes/shapes.def"
     };
-
     return names[kind];
 }
 
@@ -24,7 +23,6 @@ const struct shape *shape_of(const struct primitive *primitive)
 const struct shape_kernels *shape_kernels_of(const struct primitive *primitive)
 {
     const struct shape *shape = shape_of(primitive);
-
     return shape->is_other && shape->is_other(primitive) ? &shape->other
                                                          : &shape->kernels;
 }
@@ -32,7 +30,6 @@ const struct shape_kernels *shape_kernels_of(const struct primitive *primitive)
 bool shape_is_surface(const struct primitive *primitive)
 {
     const struct shape *shape = shape_of(primitive);
-
     return (shape->segments ? shape->segments(primitive) : shape->kernels.segments)
            == 0;
 }

@@ -9,7 +9,6 @@
 static double column_product(const struct singular *singular, size_t p, size_t q)
 {
     double sum = 0;
-
     for (size_t i = 0; i < singular->rows; i++)
         sum += singular->scaled[i][p] * singular->scaled[i][q];
     return sum;
@@ -20,7 +19,6 @@ static void turn(singular_matrix matrix, size_t rows, size_t p, size_t q, double
 {
     for (size_t i = 0; i < rows; i++) {
         double x = matrix[i][p], y = matrix[i][q];
-
         matrix[i][p] = cosine * x - sine * y;
         matrix[i][q] = sine * x + cosine * y;
     }
@@ -33,7 +31,6 @@ static bool make_square(struct singular *singular, size_t p, size_t q)
     double qq = column_product(singular, q, q);
     double pq = column_product(singular, p, q);
     double ratio, tangent, cosine;
-
     if (fabs(pq) <= DBL_EPSILON * sqrt(pp) * sqrt(qq))
         return false;
     ratio = (qq - pp) / (2 * pq);
@@ -48,7 +45,6 @@ void singular_decompose(struct singular *singular)
 {
     enum { MAX_SWEEPS = 60 };
     bool turned = true;
-
     memset(singular->right, 0, sizeof singular->right);
     for (size_t i = 0; i < singular->columns; i++)
         singular->right[i][i] = 1;
@@ -65,7 +61,6 @@ void singular_decompose(struct singular *singular)
 static double least_value(const struct singular *singular, double share)
 {
     double most = 0;
-
     for (size_t i = 0; i < singular->columns; i++)
         most = fmax(most, singular->values[i]);
     return share * most;
@@ -75,7 +70,6 @@ size_t singular_nullity(const struct singular *singular, double share)
 {
     double least = least_value(singular, share);
     size_t count = 0;
-
     for (size_t i = 0; i < singular->columns; i++)
         count += singular->values[i] <= least;
     return count;
@@ -85,11 +79,9 @@ void singular_solve(const struct singular *singular, double share, const double 
                     double *x)
 {
     double least = least_value(singular, share);
-
     memset(x, 0, singular->columns * sizeof *x);
     for (size_t j = 0; j < singular->columns; j++) {
         double value = singular->values[j], product = 0;
-
         if (value <= least)
             continue;
         for (size_t i = 0; i < singular->rows; i++)

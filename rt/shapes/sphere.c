@@ -21,12 +21,10 @@ static const char *finish(struct primitive *primitive)
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     double r = primitive->shape.sphere.radius;
-
     bound_about(primitive, primitive->shape.sphere.center,
                 bound_stretch(primitive, r, r, r), bound);
     for (int i = 0; i < 3; i++) {
         double reach = r * length3(primitive->to_world.rows[i]);
-
         bound->low[i] = bound->center[i] - reach;
         bound->high[i] = bound->center[i] + reach;
     }
@@ -35,7 +33,6 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     double r = primitive->shape.sphere.radius;
-
     copy3(primitive->shape.sphere.center, words);
     words[3] = r * r;
     words[4] = 1 / r;
@@ -50,13 +47,11 @@ static bool carry(const struct primitive *primitive, double *words)
     double scale = length3((const double[]){ rows[0][0], rows[1][0], rows[2][0] });
     const double *center = primitive->shape.sphere.center;
     double r = primitive->shape.sphere.radius * scale;
-
     for (size_t i = 0; i < 3; i++)
         for (size_t j = 0; j < 3; j++) {
             double dot = rows[0][i] * rows[0][j] + rows[1][i] * rows[1][j]
                          + rows[2][i] * rows[2][j];
             double want = i == j ? scale * scale : 0;
-
             if (fabs(dot - want) > 1e-12 * scale * scale)
                 return false;
         }

@@ -22,7 +22,6 @@ struct patch_polynomials {
 bool steiner_is_polynomial(const struct primitive *primitive)
 {
     const double *weights = primitive->shape.steiner_patch.weights;
-
     for (int i = 1; i < STEINER_POINTS; i++)
         if (weights[i] != weights[0])
             return false;
@@ -38,10 +37,8 @@ static void read_weights(const struct primitive *primitive, double *weights)
                                                  { 0, 1 }, { 1, 2 }, { 2, 0 } };
     const double *given = primitive->shape.steiner_patch.weights;
     double greatest = 0;
-
     for (int i = 0; i < STEINER_POINTS; i++) {
         double first = given[ends[i][0]], second = given[ends[i][1]];
-
         weights[i] = first == second ? given[i] / first
                                      : given[i] / sqrt(first) / sqrt(second);
         greatest = fmax(greatest, weights[i]);
@@ -55,7 +52,6 @@ static void read_patch(const struct primitive *primitive, struct patch *patch)
 {
     const double(*points)[3] = primitive->shape.steiner_patch.points;
     double weights[STEINER_POINTS];
-
     memset(patch, 0, sizeof *patch);
     read_weights(primitive, weights);
     for (int i = 0; i < STEINER_POINTS; i++)
@@ -63,7 +59,6 @@ static void read_patch(const struct primitive *primitive, struct patch *patch)
             patch->center[axis] += points[i][axis] / STEINER_POINTS;
     for (int i = 0; i < STEINER_POINTS; i++) {
         double *point = patch->point[i];
-
         for (int axis = 0; axis < 3; axis++)
             point[axis] = points[i][axis] - patch->center[axis];
         patch->bound = fmax(patch->bound, 1.001 * length3(point));
@@ -109,7 +104,6 @@ static void read_best(const struct primitive *primitive, struct patch *best,
 {
     struct patch patch, turned;
     struct patch_polynomials other;
-
     read_patch(primitive, &patch);
     *best = patch;
     form_polynomials(&patch, polynomials);
@@ -128,10 +122,8 @@ static void read_best(const struct primitive *primitive, struct patch *best,
 static bool square_to_last(const double (*k)[3], double *square)
 {
     static const int order[] = { 2, 4, 1, 3, 0 };
-
     for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
         const double *of = k[order[i]];
-
         cross3(of, k[5], square);
         if (length3(square) > 1e-9 * length3(of) * length3(k[5]))
             return true;
@@ -147,7 +139,6 @@ static void other_plane(const struct patch_polynomials *polynomials, double boun
                         double *other)
 {
     double k[6][3], normal[3], length;
-
     for (int i = 0; i < 6; i++)
         for (int axis = 0; axis < 3; axis++)
             k[i][axis] = polynomials->k[i][axis] / bound;
@@ -166,7 +157,6 @@ void steiner_shape(const struct primitive *primitive, double *shape)
 {
     struct patch patch;
     struct patch_polynomials best;
-
     read_best(primitive, &patch, &best);
     memcpy(shape, patch.center, sizeof patch.center);
     shape[3] = patch.bound * patch.bound;
@@ -184,7 +174,6 @@ static size_t put_implicit(const struct patch *patch, double *table)
     struct moving_planes planes;
     double scaled[STEINER_POINTS][4];
     double *next = table;
-
     for (int i = 0; i < STEINER_POINTS; i++)
         for (int c = 0; c < 4; c++)
             scaled[i][c] = patch->point[i][c] / (c < 3 ? patch->bound : 1);
@@ -206,7 +195,6 @@ size_t steiner_table(const struct primitive *primitive, double *table)
 {
     struct patch patch;
     struct patch_polynomials best;
-
     read_best(primitive, &patch, &best);
     for (int k = 0; k < 6; k++) {
         memcpy(table + 3 * k, best.k[k], 3 * sizeof *table);

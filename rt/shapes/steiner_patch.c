@@ -17,7 +17,6 @@ static const struct shape_field fields[] = {
 static const char *finish(struct primitive *primitive)
 {
     double *weights = primitive->shape.steiner_patch.weights;
-
     for (size_t i = 0; i < STEINER_POINTS && weights[i] == 0; i++)
         weights[i] = 1;
     return patch_has_area(primitive) ? NULL
@@ -28,7 +27,6 @@ static const char *finish(struct primitive *primitive)
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     struct hull hull = { .count = 0 };
-
     for (int i = 0; i < STEINER_POINTS; i++)
         hull_point(&hull, primitive, primitive->shape.steiner_patch.points[i]);
     bound_hull(&hull, bound);
@@ -45,7 +43,6 @@ static size_t put_table(const struct primitive *primitive,
 {
     double found[MAX_STEINER_TABLE];
     size_t count = steiner_table(primitive, found);
-
     (void)viewpoints;
     if (table)
         memcpy(table, found, count * sizeof *table);
@@ -63,7 +60,6 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
 {
     static const double times[STEINER_POINTS] = { 1, 1, 1, 2, 1, 2 };
     double shape[STEINER_SHAPE], table[MAX_STEINER_TABLE];
-
     steiner_shape(primitive, shape);
     steiner_table(primitive, table);
     for (int k = 0; k < STEINER_POINTS; k++) {

@@ -15,7 +15,6 @@ static const char *finish(struct primitive *primitive)
 {
     double major = primitive->shape.torus.major;
     double minor = primitive->shape.torus.minor;
-
     if (major < 0 || minor <= 0)
         return shape_empty(primitive, "a radius is not above 0");
     if (major == 0) {
@@ -34,7 +33,6 @@ void torus_bound(const struct primitive *primitive, double major, double radial,
     static const double origin[3] = { 0, 0, 0 };
     const double base[3] = { 0, -axial, 0 }, cap[3] = { 0, axial, 0 };
     struct hull hull = { .count = 0 };
-
     bound_about(primitive, origin,
                 bound_stretch(primitive, major, 0, major)
                     + bound_stretch(primitive, radial, axial, radial),
@@ -46,7 +44,6 @@ void torus_bound(const struct primitive *primitive, double major, double radial,
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     double minor = primitive->shape.torus.minor;
-
     torus_bound(primitive, primitive->shape.torus.major, minor, minor, bound);
 }
 
@@ -55,7 +52,6 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 size_t torus_words(double major, double radial, double axial, double *words)
 {
     double bound = 1.001 * (major + fmax(radial, axial));
-
     words[0] = (radial / axial) * (radial / axial);
     words[1] = (major - radial) * (major + radial);
     words[2] = 4 * major * major;
@@ -72,14 +68,12 @@ size_t torus_words(double major, double radial, double axial, double *words)
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     double minor = primitive->shape.torus.minor;
-
     return torus_words(primitive->shape.torus.major, minor, minor, words);
 }
 
 static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     double minor = primitive->shape.torus.minor;
-
     return emitter_torus(primitive->shape.torus.major, minor, minor, emitter);
 }
 

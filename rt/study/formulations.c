@@ -20,7 +20,6 @@ static const struct table_column columns[] = {
 static const struct speedup_paper *printed(void)
 {
     size_t i = 0;
-
     while (strcmp(speedup_subjects[i].name, "cylinder") != 0)
         i++;
     return &speedup_subjects[i].paper;
@@ -45,14 +44,12 @@ struct table *formulations_table(const c205_model *model,
 {
     struct table *table = table_new(TABLE_COLUMNS(columns));
     double paper[SPEEDUP_FIGURES];
-
     if (!table)
         return NULL;
     speedup_paper_figures(printed(), paper);
     add_times(table, "the paper", paper, paper);
     for (size_t i = 0; i < speedup_formulation_count; i++) {
         double figures[SPEEDUP_FIGURES];
-
         speedup_figures(model, measures[i], figures);
         add_times(table, speedup_formulations[i].name, figures, paper);
     }

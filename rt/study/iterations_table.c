@@ -21,7 +21,6 @@ void iterations_add(struct table *table, const struct iterations *iterations,
                     enum stage stage)
 {
     const struct stage_count *count = &iterations->stage[stage];
-
     table_text(table, stage_name(stage));
     table_count(table, count->brackets);
     table_number(table, mean(count->halvings, count->brackets));
@@ -35,7 +34,6 @@ void iterations_add(struct table *table, const struct iterations *iterations,
 size_t iterations_passes(const struct iterations *iterations, enum stage stage)
 {
     size_t passes = 0;
-
     while (passes < MAX_ITERATIONS && iterations->stage[stage].in_loop[passes] > 0)
         passes++;
     return passes;
@@ -46,7 +44,6 @@ void iterations_add_pass(struct table *table, const struct iterations *iteration
 {
     const struct stage_count *count = &iterations->stage[stage];
     uint64_t active = count->active[pass], lanes = count->in_loop[pass];
-
     table_text(table, stage_name(stage));
     table_count(table, pass + 1);
     table_count(table, active);

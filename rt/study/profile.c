@@ -63,7 +63,6 @@ static bool is_first_of_region(size_t kind)
 static size_t list_regions(struct profile_region list[MAX_REGIONS])
 {
     size_t count = 0;
-
     for (size_t i = 0; i < REGIONS; i++) {
         if (regions[i].name)
             list[count++] = regions[i];
@@ -84,7 +83,6 @@ bool profile_part_of(const char *region, enum profile_part *part)
 {
     struct profile_region list[MAX_REGIONS];
     size_t count = list_regions(list);
-
     for (size_t i = 0; i < count; i++)
         if (strcmp(list[i].name, region) == 0) {
             *part = list[i].part;
@@ -98,7 +96,6 @@ bool profile_part_of(const char *region, enum profile_part *part)
 static uint64_t clocks_of_region(const struct trace *trace, const char *region)
 {
     const c205_account *account = accounts_find(trace_accounts(trace), region);
-
     return account ? accounts_clocks(account) : 0;
 }
 
@@ -107,7 +104,6 @@ static uint64_t clocks_of_part(const struct trace *trace, enum profile_part part
     struct profile_region list[MAX_REGIONS];
     size_t count = list_regions(list);
     uint64_t clocks = 0;
-
     for (size_t i = 0; i < count; i++)
         if (list[i].part == part)
             clocks += clocks_of_region(trace, list[i].name);
@@ -163,7 +159,6 @@ static void add_region(struct table *table, const struct profile *profile,
                        const char *region)
 {
     uint64_t clocks[TRACE_MODES], sum = 0;
-
     for (int i = 0; i < TRACE_MODES; i++)
         sum += clocks[i] = clocks_of_region(profile->traces[i], region);
     if (sum > 0)
@@ -176,7 +171,6 @@ static void add_part(struct table *table, const struct profile *profile,
     struct profile_region list[MAX_REGIONS];
     size_t count = list_regions(list);
     uint64_t clocks[TRACE_MODES];
-
     for (int i = 0; i < TRACE_MODES; i++)
         clocks[i] = clocks_of_part(profile->traces[i], part);
     add_clocks(table, profile, part_names[part], "", clocks);
@@ -188,7 +182,6 @@ static void add_part(struct table *table, const struct profile *profile,
 static void fill_clocks(struct table *table, const struct profile *profile)
 {
     uint64_t clocks[TRACE_MODES];
-
     for (int part = 0; part < PROFILE_PARTS; part++)
         add_part(table, profile, (enum profile_part)part);
     for (int i = 0; i < TRACE_MODES; i++)
@@ -227,7 +220,6 @@ static void add_millions(struct table *table, const struct profile *profile,
                          const uint64_t clocks[TRACE_MODES])
 {
     char text[64];
-
     snprintf(text, sizeof text, "%s%s", indent, name);
     table_text(table, text);
     for (int i = 0; i < TRACE_MODES; i++) {
@@ -245,7 +237,6 @@ static bool find_clocks(const struct profile *profile, enum profile_part part,
                         const char *region, uint64_t clocks[TRACE_MODES])
 {
     uint64_t sum = 0;
-
     for (int i = 0; i < TRACE_MODES; i++)
         sum += clocks[i] = region ? clocks_of_region(profile->traces[i], region)
                                   : clocks_of_part(profile->traces[i], part);
@@ -258,7 +249,6 @@ static void add_members(struct table *table, const struct profile *profile,
     struct profile_region list[MAX_REGIONS];
     uint64_t clocks[TRACE_MODES];
     size_t count;
-
     if (part != PART_INTERSECT) {
         if (find_clocks(profile, part, NULL, clocks))
             add_millions(table, profile, "  ", part_names[part], clocks);
@@ -273,7 +263,6 @@ static void add_members(struct table *table, const struct profile *profile,
 static void add_group(struct table *table, const struct profile *profile, size_t group)
 {
     uint64_t clocks[TRACE_MODES], sum[TRACE_MODES] = { 0 };
-
     for (size_t k = 0; k < groups[group].count; k++) {
         find_clocks(profile, groups[group].parts[k], NULL, clocks);
         for (int i = 0; i < TRACE_MODES; i++)
@@ -287,7 +276,6 @@ static void add_group(struct table *table, const struct profile *profile, size_t
 static void fill_groups(struct table *table, const struct profile *profile)
 {
     uint64_t clocks[TRACE_MODES];
-
     for (size_t group = 0; group < GROUPS; group++)
         add_group(table, profile, group);
     for (int i = 0; i < TRACE_MODES; i++)
@@ -329,12 +317,10 @@ static void add_amdahl(struct table *table, const struct profile *profile, size_
     int stage = vectorised[row].stage;
     uint64_t frame = clocks_of_frame(profile->traces[SERIAL]);
     uint64_t serial = 0, now = 0;
-
     for (size_t i = 0; i < vectorised[row].count; i++) {
         enum profile_part part = vectorised[row].parts[i];
         bool last = i + 1 == vectorised[row].count;
         char what[64];
-
         snprintf(what, sizeof what, "%s%s", i > 0 ? "+ " : "", part_names[part]);
         serial += clocks_of_part(profile->traces[SERIAL], part);
         now += clocks_of_part(profile->traces[stage], part);
@@ -370,7 +356,6 @@ static void fill_vectors(struct table *table, const struct profile *profile)
 {
     for (int i = 0; i < TRACE_MODES; i++) {
         const struct vector_use *use = &profile->vectors[i];
-
         table_text(table, trace_mode_name(profile_stages[i]));
         table_count(table, use->instructions);
         table_count(table, use->elements);
@@ -390,7 +375,6 @@ static void fill_rays(struct table *table, const struct profile *profile)
 {
     for (int kind = 0; kind < RAY_KINDS; kind++) {
         uint64_t count = trace_rays(profile->traces[SERIAL], (enum ray_kind)kind);
-
         table_text(table, ray_kind_name((enum ray_kind)kind));
         table_count(table, count);
         table_number(table,
@@ -450,7 +434,6 @@ static bool run_stage(void *context, const struct task *task, c205_error *error)
     const struct observer *const observers[] = { &vectors, NULL };
     struct trace_options how = *profiling->options;
     struct trace *trace;
-
     how.mode = profile_stages[stage];
     how.observers = observers;
     how.progress = task->progress;
@@ -466,7 +449,6 @@ static double stage_weight(const void *context, size_t stage)
     static const double weights[TRACE_MODES] = {
         [TRACE_SCALAR] = 10, [TRACE_KERNELS] = 4, [TRACE_VECTOR] = 1
     };
-
     (void)context;
     return weights[profile_stages[stage]];
 }
@@ -490,7 +472,6 @@ bool profile_run(struct profile *profile, const struct scene *scene,
                                       .context = &profiling,
                                       .progress = options->progress,
                                       .progress_context = options->context };
-
     if (!thread_pool_run(&pool, error))
         return false;
     for (int i = 0; i < TRACE_MODES; i++)
@@ -508,7 +489,6 @@ void profile_free(struct profile *profile)
 struct table *profile_table(enum profile_table kind, const struct profile *profile)
 {
     struct table *table = table_new(tables[kind].columns, tables[kind].count);
-
     if (table)
         tables[kind].fill(table, profile);
     return table;

@@ -15,7 +15,6 @@ static const struct table_column passes[] = { ITERATIONS_PASS_COLUMNS };
 static struct table *step_table(const struct iterations *iterations)
 {
     struct table *table = table_new(TABLE_COLUMNS(steps));
-
     for (int i = 0; table && i < STAGES; i++)
         iterations_add(table, iterations, (enum stage)i);
     return table;
@@ -24,10 +23,8 @@ static struct table *step_table(const struct iterations *iterations)
 static struct table *pass_table(const struct iterations *iterations)
 {
     struct table *table = table_new(TABLE_COLUMNS(passes));
-
     for (int i = 0; table && i < STAGES; i++) {
         size_t count = iterations_passes(iterations, (enum stage)i);
-
         for (size_t pass = 0; pass < count; pass++)
             iterations_add_pass(table, iterations, (enum stage)i, pass);
     }
@@ -41,7 +38,6 @@ static bool print_remarks(const struct table *table, const char *heading, FILE *
     FILE *stream = open_memstream(&text, &length);
     bool good = stream && table_print(table, stream);
     bool begins = true;
-
     good = stream && fclose(stream) == 0 && good;
     fprintf(file, "#\n# %s:\n#\n", heading);
     for (size_t i = 0; good && i < length; i++) {
@@ -58,7 +54,6 @@ bool quartic_costs_part(const struct command_output *results, const struct table
                         const char *key, const char *heading)
 {
     struct command_output rest = *results;
-
     if (results->format == OUTPUT_TEXT) {
         if (!table || !print_remarks(table, heading, results->file))
             return false;
@@ -96,7 +91,6 @@ static void print_head(const struct quartic_costs *costs,
     const char *mark = results->format == OUTPUT_TEXT ? "# " : "";
     uint64_t clocks = c205_clock(roots_machine(costs->search));
     char queue[48] = "";
-
     if (options->mode == TRACE_VECTOR)
         snprintf(queue, sizeof queue, ", a queue of %zu", options->queue);
     output_printf(results,
@@ -115,7 +109,6 @@ static void write_costs_head(const struct quartic_costs *costs, struct json *jso
 {
     const struct roots_options *options = costs->options;
     uint64_t clocks = c205_clock(roots_machine(costs->search));
-
     json_text(json, "file", costs->file);
     json_text(json, "mode", trace_mode_name(options->mode));
     json_count(json, "queue", options->queue);
@@ -146,7 +139,6 @@ bool quartic_costs_print(const struct quartic_costs *costs,
         [STEPS] = step_table(costs->iterations),
         [PASSES] = pass_table(costs->iterations),
     };
-
     print_head(costs, results);
     if (results->json)
         write_costs_head(costs, results->json);

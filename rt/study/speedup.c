@@ -23,7 +23,6 @@ const char *speedup_projection_model(const c205_model *model,
     static const char *const priors[SPEEDUP_PROJECTIONS] = {
         [SPEEDUP_720] = "cyber720-prior", [SPEEDUP_6600] = "cdc6600"
     };
-
     return provenance_is_fitted(model) ? speedup_projections[machine] : priors[machine];
 }
 
@@ -68,7 +67,6 @@ const size_t speedup_subject_count = sizeof speedup_subjects / sizeof *speedup_s
 bool speedup_is_named(const struct speedup_subject *subject, const char *name)
 {
     size_t stem = strcspn(subject->name, ",");
-
     return strcasecmp(subject->name, name) == 0
            || (strlen(name) == stem && strncasecmp(subject->name, name, stem) == 0);
 }
@@ -129,7 +127,6 @@ static struct scene *read_scene(const struct speedup_subject *subject,
     struct diagnostics reports = { 0 };
     struct scene *scene;
     char text[1024];
-
     print_scene(text, sizeof text, subject, view, options);
     scene = scene_read_text(subject->name, text, &how, &reports);
     if (!scene)
@@ -143,7 +140,6 @@ const c205_account *speedup_account(const struct accounts *accounts, const char 
                                     c205_error *error)
 {
     const c205_account *account = accounts_find(accounts, region);
-
     if (!account)
         error_set(error, "the program has no region %s", region);
     return account;
@@ -157,7 +153,6 @@ static bool sum_accounts(const struct accounts *accounts,
     for (size_t i = 0; i < MAX_SPEEDUP_REGIONS; i++) {
         const char *region = subject->regions[i];
         const c205_account *account;
-
         if (!region)
             break;
         account = speedup_account(accounts, region, error);
@@ -191,7 +186,6 @@ struct projected_band {
 static void end_projection(void *state)
 {
     struct projected_band *band = state;
-
     c205_projection_free(band->projection);
     free(band);
 }
@@ -201,7 +195,6 @@ static void *begin_projection(void *context, const struct object *program,
 {
     const struct projecting *projecting = context;
     struct projected_band *band = calloc(1, sizeof *band);
-
     (void)program;
     error_set(error, "out of memory");
     if (band)
@@ -215,7 +208,6 @@ static void *begin_projection(void *context, const struct object *program,
 static void record_projection(void *state, const c205 *machine, const c205_event *event)
 {
     struct projected_band *band = state;
-
     band->machine = machine;
     c205_project(band->projection, machine, event);
 }
@@ -232,7 +224,6 @@ static void merge_projection(void *context, const void *state)
 {
     const struct projected_band *band = state;
     struct projecting *projecting = context;
-
     if (!c205_projection_holds(band->projection, &projecting->error))
         projecting->failed = true;
     for (size_t i = 0; i < c205_account_count(band->machine); i++)
@@ -252,7 +243,6 @@ static bool find_projections(struct projecting projecting[SPEEDUP_PROJECTIONS],
 {
     for (int i = 0; i < SPEEDUP_PROJECTIONS; i++) {
         enum speedup_projection machine = (enum speedup_projection)i;
-
         projecting[i].subject = subject;
         projecting[i].model = c205_model_find(speedup_projection_model(on, machine),
                                               error);
@@ -273,7 +263,6 @@ static bool run_form(const struct speedup_subject *subject,
     struct trace *trace = speedup_trace(subject, view, options, &scene, error);
     bool good = trace && trace_run(trace, error)
                 && sum_accounts(trace_accounts(trace), subject, measure, error);
-
     if (good) {
         measure->falsi = falsi_of(trace_program(trace));
         measure->hits = trace_hits(trace);
@@ -296,7 +285,6 @@ static bool run_observed(const struct speedup_subject *subject,
     struct trace_options how = *options;
     struct observer watching[1 + SPEEDUP_PROJECTIONS];
     const struct observer *observers[2 + SPEEDUP_PROJECTIONS] = { NULL };
-
     measure->iterations.vector = options->mode == TRACE_VECTOR;
     watching[0] = iterations_observer(&measure->iterations);
     observers[0] = &watching[0];
@@ -322,7 +310,6 @@ struct trace *speedup_trace(const struct speedup_subject *subject,
                             c205_error *error)
 {
     struct trace_options how = *options;
-
     how.historical = subject->historical;
     how.variant = subject->variant;
     how.no_bounds = true;
@@ -339,7 +326,6 @@ bool speedup_measure(const struct speedup_subject *subject,
 {
     struct projecting projecting[SPEEDUP_PROJECTIONS] = { { .model = NULL } };
     bool good;
-
     memset(measure, 0, sizeof *measure);
     measure->rays = options->width * options->height;
     good = find_projections(projecting, subject, options->model, error)
@@ -364,7 +350,6 @@ static bool measure_form(void *context, const struct task *task, c205_error *err
     struct trace_options options = *measuring->options;
     size_t subject = task->number / TRACE_FORMS;
     size_t mode = task->number % TRACE_FORMS;
-
     options.mode = (enum trace_mode)mode;
     options.jobs = 1;
     options.progress = task->progress;
@@ -379,7 +364,6 @@ static double form_weight(const void *context, size_t number)
 {
     const struct measuring *measuring = context;
     const struct speedup_subject *subject = &measuring->subjects[number / TRACE_FORMS];
-
     if (number % TRACE_FORMS == TRACE_VECTOR)
         return 1;
     return subject->regions[2] ? 20 : 3;
@@ -399,12 +383,10 @@ bool speedup_measure_all(const struct speedup_subject *subjects, size_t count,
                                       .context = &measuring,
                                       .progress = options->progress,
                                       .progress_context = options->context };
-
     if (!thread_pool_run(&pool, error))
         return false;
     for (size_t i = 0; i < count; i++) {
         const struct speedup_measure *forms = measures[i];
-
         if (forms[TRACE_SCALAR].checksum == forms[TRACE_VECTOR].checksum)
             continue;
         return error_set(error, "%s: the scalar and the vector form do not agree",

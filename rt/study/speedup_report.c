@@ -103,7 +103,6 @@ struct speedup_report {
 struct speedup_report *speedup_report_new(const c205_model *model)
 {
     struct speedup_report *report = calloc(1, sizeof *report);
-
     if (!report)
         return NULL;
     report->model = model;
@@ -159,9 +158,7 @@ void speedup_figures(const c205_model *model,
                      double figures[SPEEDUP_FIGURES])
 {
     const struct speedup_measure *scalar = &measures[TRACE_SCALAR];
-
     double vector = scaled_seconds(model, &measures[TRACE_VECTOR]);
-
     figures[SPEEDUP_SCALAR_SECONDS] = scaled_seconds(model, scalar);
     figures[SPEEDUP_VECTOR_SECONDS] = vector;
     figures[SPEEDUP_720_SECONDS] = scaled(scalar->projected[SPEEDUP_720], scalar);
@@ -199,7 +196,6 @@ static void add_table1(struct speedup_report *report,
 {
     struct table *table = report->tables[TABLE1];
     double ours[SPEEDUP_FIGURES], paper[SPEEDUP_FIGURES];
-
     speedup_figures(report->model, measures, ours);
     speedup_paper_figures(&subject->paper, paper);
     add_figures(table, subject->name, "ours", ours);
@@ -217,7 +213,6 @@ static void add_rays(struct table *table, const struct speedup_subject *subject,
                      const struct speedup_measure *measure)
 {
     char eye[64];
-
     snprintf(eye, sizeof eye, "<%g, %g, %g>", view->distance * subject->from[0],
              view->distance * subject->from[1], view->distance * subject->from[2]);
     table_text(table, subject->name);
@@ -251,7 +246,6 @@ static void add_projected(struct speedup_report *report,
     struct table *table = report->tables[PROJECTED];
     const struct speedup_measure *scalar = &measures[TRACE_SCALAR];
     double seconds = scaled(scalar->projected[SPEEDUP_6600], scalar);
-
     table_text(table, subject->name);
     table_text(table, speedup_projections[SPEEDUP_6600]);
     table_number(table, seconds);
@@ -264,7 +258,6 @@ static void add_shares(struct table *table, const struct speedup_subject *subjec
 {
     for (size_t i = 0; i < MAX_SPEEDUP_REGIONS; i++) {
         const char *region = subject->regions[i];
-
         if (!region)
             break;
         add_name(table, subject, mode);
@@ -293,10 +286,8 @@ static void add_passes(struct table *table, const struct speedup_subject *subjec
                        const struct speedup_measure *measure)
 {
     const struct iterations *iterations = &measure->iterations;
-
     for (int i = 0; i < STAGES; i++) {
         size_t count = iterations_passes(iterations, (enum stage)i);
-
         for (size_t pass = 0; pass < count; pass++) {
             table_text(table, subject->name);
             iterations_add_pass(table, iterations, (enum stage)i, pass);
@@ -323,7 +314,6 @@ void speedup_report_add(struct speedup_report *report,
                         const struct speedup_measure measures[TRACE_FORMS])
 {
     struct table *const *tables = report->tables;
-
     add_table1(report, subject, measures);
     add_rays(tables[RAYS], subject, view, &measures[TRACE_VECTOR]);
     for (int mode = 0; mode < TRACE_FORMS; mode++) {

@@ -20,7 +20,6 @@ bool stages_find(struct stages *stages, enum trace_mode there, stages_function *
 {
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         bool same = true;
-
         if (mode == (int)there)
             continue;
         if (!find(found, (enum trace_mode)mode, stages->clocks[mode], &same, error))
@@ -36,7 +35,6 @@ bool stages_find(struct stages *stages, enum trace_mode there, stages_function *
 uint64_t stages_clocks(const struct stages *stages, enum trace_mode mode)
 {
     uint64_t sum = 0;
-
     for (size_t i = 0; i < stages->step_count; i++)
         sum += stages->clocks[mode][i];
     return sum;
@@ -62,7 +60,6 @@ static void add_row(struct table *table, const char *name, uint64_t scalar,
 struct table *stages_table(const struct stages *stages)
 {
     struct table *table = table_new(TABLE_COLUMNS(columns));
-
     for (size_t i = 0; table && i < stages->step_count; i++)
         if (stages->clocks[TRACE_SCALAR][i] > 0)
             add_row(table, stages->steps[i], stages->clocks[TRACE_SCALAR][i],

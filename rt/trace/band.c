@@ -40,7 +40,6 @@ c205 *band_machine(const struct band_work *work, size_t first_row, size_t rows,
                    struct frame_layout *layout, c205_error *error)
 {
     c205 *machine = c205_new(work->model, error);
-
     if (machine && load_band(work, machine, first_row, rows, layout, error))
         return machine;
     c205_free(machine);
@@ -52,7 +51,6 @@ static size_t calls_begun(const c205 *machine)
 {
     for (size_t i = 0; i < c205_account_count(machine); i++) {
         const c205_account *account = c205_account_at(machine, i);
-
         if (strcmp(account->name, "generate") == 0)
             return (size_t)account->entries;
     }
@@ -64,7 +62,6 @@ static size_t pixels_begun(const struct band_work *work, const c205 *machine,
 {
     size_t samples = work->samples > 0 && work->threshold == 0 ? work->samples : 1;
     size_t done = calls_begun(machine) * work->rays_a_call / (samples * samples);
-
     return done < pixels ? done : pixels;
 }
 
@@ -78,7 +75,6 @@ static bool report_pixels(void *context, const c205 *machine)
 {
     const struct reporting *reporting = context;
     const struct band_work *work = reporting->work;
-
     return work->progress(reporting->context,
                           pixels_begun(work, machine, reporting->pixels));
 }
@@ -87,7 +83,6 @@ static bool run_band(const struct band_work *work, c205 *machine, size_t pixels,
                      void *context, bool *stopped, c205_error *error)
 {
     struct reporting reporting = { work, pixels, context };
-
     return program_run(machine, work->progress ? report_pixels : NULL, &reporting,
                        stopped, error);
 }
@@ -95,7 +90,6 @@ static bool run_band(const struct band_work *work, c205 *machine, size_t pixels,
 static void listen_band(void *context, const c205 *machine, const c205_event *event)
 {
     const struct band_watch *watch = context;
-
     watch->observer->listen(watch->band, machine, event);
 }
 
@@ -103,10 +97,8 @@ static void listen_band(void *context, const c205 *machine, const c205_event *ev
 static bool listen(struct band_tracer *tracer, c205_error *error)
 {
     const struct observer *const *observers = tracer->work->observers;
-
     for (; observers && *observers; observers++) {
         struct band_watch *watch = &tracer->watches[tracer->watch_count];
-
         if (tracer->watch_count == MAX_BAND_OBSERVERS
             || !c205_listen(tracer->machine, listen_band, watch))
             return error_set(error, "more than %d observers", MAX_BAND_OBSERVERS);
@@ -119,11 +111,9 @@ static bool listen(struct band_tracer *tracer, c205_error *error)
 static bool begin_watches(struct band_tracer *tracer, c205_error *error)
 {
     bool good = true;
-
     lock_take(tracer->lock);
     for (size_t i = 0; i < tracer->watch_count; i++) {
         struct band_watch *watch = &tracer->watches[i];
-
         watch->band = good ? watch->observer->begin(watch->observer->context,
                                                     tracer->work->program, error)
                            : NULL;
@@ -138,7 +128,6 @@ static void end_watches(struct band_tracer *tracer, bool merge)
     lock_take(tracer->lock);
     for (size_t i = 0; i < tracer->watch_count; i++) {
         const struct band_watch *watch = &tracer->watches[i];
-
         if (merge)
             watch->observer->merge(watch->observer->context, watch->band);
         if (watch->band)
@@ -152,7 +141,6 @@ static bool read_integer(const struct band_work *work, const c205 *machine,
 {
     const struct asm_symbol *symbol = object_symbol(work->program, name);
     c205_word word;
-
     if (!symbol || !c205_read(machine, (uint64_t)symbol->value, &word, 1))
         return false;
     *value = (uint64_t)c205_to_integer(word);
@@ -176,7 +164,6 @@ static size_t rows_done(const struct band_work *work, const c205 *machine, size_
 {
     size_t calls = calls_begun(machine), done;
     uint64_t levels = 0, above = 0;
-
     if (calls == 0 || work->samples > 1
         || !read_integer(work, machine, "scene_level_count", &levels)
         || (levels > 1 && !work->ray_by_ray))
@@ -191,7 +178,6 @@ static bool read_frame(const struct band_work *work, const c205 *machine,
                        const struct frame_layout *layout, struct band *band)
 {
     size_t count = FRAME_CHANNELS * band->rows * work->width;
-
     band->words = malloc(count * sizeof *band->words);
     return band->words && c205_read(machine, layout->address, band->words, count);
 }
@@ -231,7 +217,6 @@ bool band_trace(struct band_tracer *tracer, struct band *band, void *progress_co
     const struct band_work *work = tracer->work;
     struct frame_layout *layout = &tracer->layout;
     bool good;
-
     good = ready(tracer, error) && begin_watches(tracer, error)
            && load_band(work, tracer->machine, band->first_row, band->rows, layout,
                         error)
@@ -250,7 +235,6 @@ bool band_look(const struct band_tracer *tracer, struct band *band)
 {
     const struct frame_layout *layout = &tracer->layout;
     c205_error error;
-
     *band = (struct band){ .first_row = layout->first_row, .rows = layout->rows };
     if (collect(tracer->work, tracer->machine, layout, band, &error))
         return true;

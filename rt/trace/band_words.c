@@ -15,7 +15,6 @@ static bool take_samples(struct band *band, size_t width,
                          struct serialized_result *words)
 {
     size_t count = FRAME_CHANNELS * band->rows * width;
-
     if (count != words->count - words->at)
         return false;
     band->words = malloc(count * sizeof *band->words);

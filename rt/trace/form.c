@@ -56,7 +56,6 @@ const char *order_name(enum trace_order order)
         [ORDER_ROWS] = "rows",
         [ORDER_TILES] = "tiles",
     };
-
     return orders[order];
 }
 
@@ -67,7 +66,6 @@ const char *visible_name(enum visible method)
         [VISIBLE_STEPPING] = "stepping",
         [VISIBLE_EVERY] = "every",
     };
-
     return methods[method];
 }
 
@@ -129,7 +127,6 @@ static void define(struct defines *defines, const char *symbol, size_t value)
 static void define_shapes(struct defines *defines, const struct scene *scene)
 {
     bool there[PRIMITIVE_KINDS] = { false };
-
     for (size_t i = 0; i < scene->primitive_count; i++)
         there[scene->primitives[i].kind] = true;
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++)
@@ -142,7 +139,6 @@ static void define_scene(struct defines *defines, const struct scene *scene)
 {
     size_t crossings = most_crossings(scene);
     size_t pieces = blob_pieces_most(scene);
-
     for (size_t i = 0; i < FEATURES; i++)
         if (features[i].is_in(scene))
             define(defines, features[i].symbol, 1);
@@ -157,7 +153,6 @@ struct object *form_assemble(const struct trace_options *options,
                              const struct scene *scene, c205_error *error)
 {
     struct defines defines = { .count = 0 };
-
     define(&defines, "QUEUE", options->queue);
     define_scene(&defines, scene);
     if (scene_hides(scene))
@@ -185,7 +180,6 @@ struct object *form_assemble_lines(enum trace_mode mode, size_t queue, bool norm
         [TRACE_KERNELS] = "query/query_1984.s",
     };
     struct defines defines = { .count = 0 };
-
     define(&defines, "QUEUE", queue);
     define_scene(&defines, scene);
     if (normals)
@@ -200,7 +194,6 @@ struct object *form_assemble_beside(const char *name, enum trace_mode mode,
 {
     static const struct asm_define none[] = { { NULL, 0 } };
     char path[64];
-
     snprintf(path, sizeof path, "%s_%s.s", name,
              trace_mode_name(trace_mode_besides(mode)));
     return program_assemble(path, defines ? defines : none, error);

@@ -34,7 +34,6 @@ static bool lay_bare(const struct scene *scene, struct scene *bare)
     bare->primitives = calloc(scene->primitive_count + 1, sizeof *bare->primitives);
     for (size_t i = 0; bare->primitives && i < scene->primitive_count; i++) {
         struct primitive *primitive = &bare->primitives[i];
-
         *primitive = scene->primitives[i];
         primitive->pigment = (struct pigment){ .kind = PIGMENT_COLOR };
         primitive->bumps = (struct bumps){ .list = NULL };
@@ -47,11 +46,9 @@ static bool lay_bare(const struct scene *scene, struct scene *bare)
 static bool find_orders(struct ray_query *query)
 {
     const struct scene *scene = query->scene;
-
     query->orders = calloc(scene->primitive_count + 1, sizeof *query->orders);
     for (size_t i = 0; query->orders && i < scene->primitive_count; i++) {
         const struct primitive *primitive = &scene->primitives[i];
-
         if (!primitive_is_mesh(primitive))
             continue;
         query->orders[i] = mesh_order(primitive);
@@ -68,7 +65,6 @@ static bool lay_out_query(struct ray_query *query, c205_error *error)
                              : options->flat    ? BOUNDING_FLAT
                                                 : BOUNDING_HIERARCHY;
     struct scene bare;
-
     if (!find_orders(query) || !lay_bare(query->scene, &bare))
         return error_set(error, "out of memory");
     query->program = form_assemble_lines(options->mode, options->queue,
@@ -99,7 +95,6 @@ struct ray_query *ray_query_new(const struct scene *scene,
                                 c205_error *error)
 {
     struct ray_query *query;
-
     if (!check_options(options, error))
         return NULL;
     query = calloc(1, sizeof *query);
@@ -153,7 +148,6 @@ struct ray_hit_fields {
 static size_t field(const struct ray_query *query, const char *name)
 {
     const struct asm_symbol *symbol = object_symbol(query->program, name);
-
     return symbol ? (size_t)symbol->value : 0;
 }
 
@@ -195,7 +189,6 @@ static size_t triangle_of(const struct column *column, size_t line, size_t primi
 {
     const struct ray_query *query = column->query;
     const size_t *order = query->orders[primitive];
-
     return order
                ? order[mesh_row(&query->scene->primitives[primitive],
                                 (size_t)integer_of(column, column->fields.point, line))]
@@ -214,7 +207,6 @@ static struct ray_hit crossing_of(const struct column *column, size_t line)
         .triangle = triangle_of(column, line, id),
         .crossing = integer_of(column, fields->crossing, line),
     };
-
     for (size_t i = 0; query->options.normals && i < 3; i++)
         seen.normal[i] = word_of(column, fields->normal + i, line);
     if (query->options.bodies) {
@@ -229,10 +221,8 @@ static struct ray_hit crossing_of(const struct column *column, size_t line)
 static size_t sum_counts(const c205_word *counts, size_t count, size_t *first)
 {
     size_t most = 0;
-
     for (size_t i = 0; i < count; i++) {
         size_t crossings = (size_t)c205_to_integer(counts[i]);
-
         first[i + 1] = first[i] + crossings;
         most = crossings > most ? crossings : most;
     }
@@ -244,7 +234,6 @@ static bool read_counts(const c205 *machine, const struct packet_layout *packet,
 {
     c205_word *counts = calloc(packet->count, sizeof *counts);
     bool good = counts && c205_read(machine, packet->counts, counts, packet->count);
-
     if (good)
         *most = sum_counts(counts, packet->count, first);
     free(counts);
@@ -255,7 +244,6 @@ static bool read_column(struct column *column, const c205 *machine, uint64_t fou
                         size_t k, const size_t *first, struct ray_hit *list)
 {
     size_t words = column->fields.size * column->count;
-
     if (!c205_read(machine, found + UINT64_C(64) * k * words, column->words, words))
         return false;
     for (size_t i = 0; i < column->count; i++)
@@ -271,7 +259,6 @@ static bool read_columns(struct column *column, const c205 *machine,
 {
     size_t total = first[packet->count];
     struct ray_hit *list = realloc(found->list, (total + 1) * sizeof *list);
-
     if (!list)
         return false;
     found->list = list;
@@ -292,7 +279,6 @@ static bool collect(const struct ray_query *query, const c205 *machine,
                              .count = packet->count };
     size_t *first = found->first + line, most = 0;
     bool good;
-
     column.words = calloc(column.fields.size * column.count, sizeof *column.words);
     good = read_counts(machine, packet, first, &most)
            && read_columns(&column, machine, packet, first, most, found)
@@ -306,7 +292,6 @@ static bool collect(const struct ray_query *query, const c205 *machine,
 static bool is_line(const struct scene_ray *line)
 {
     double size = 0;
-
     for (int i = 0; i < 3; i++) {
         if (!isfinite(line->origin[i]) || !isfinite(line->direction[i]))
             return false;
@@ -337,7 +322,6 @@ c205 *ray_query_machine(const struct ray_query *query, const struct scene_ray *l
 {
     struct packet_layout packet = { .lines = list, .count = count };
     c205 *machine;
-
     if (!check_rays(list, count, error))
         return NULL;
     machine = c205_new(query->options.model, error);
@@ -352,7 +336,6 @@ static bool find_packet(const struct ray_query *query, c205 *machine,
                         size_t line, c205_error *error)
 {
     bool stopped = false;
-
     if (!load_packet(query, machine, packet, error)
         || !program_run(machine, NULL, NULL, &stopped, error))
         return false;
@@ -365,13 +348,11 @@ static bool find_packets(const struct ray_query *query, c205 *machine,
                          c205_error *error)
 {
     size_t most = query->options.packet, count = found->line_count;
-
     for (size_t i = 0; i < count; i += most) {
         struct packet_layout packet = {
             .lines = list + i,
             .count = count - i < most ? count - i : most,
         };
-
         if (!find_packet(query, machine, &packet, found, i, error))
             return false;
     }
@@ -383,7 +364,6 @@ bool ray_query_find(const struct ray_query *query, const struct scene_ray *list,
 {
     c205 *machine;
     bool good;
-
     *found = (struct ray_hits){ .line_count = count,
                                 .accounts = { .model = query->options.model } };
     if (!check_rays(list, count, error))
@@ -408,7 +388,6 @@ bool ray_query_keep(const struct ray_query *query, struct job_set *job_set,
     const struct scene_ray line = { { 0 }, { 1, 0, 0 } };
     c205 *machine;
     bool good;
-
     if (!job_set || job_set->path_count == 0 || job_set->file)
         return true;
     machine = ray_query_machine(query, &line, 1, error);

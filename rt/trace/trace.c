@@ -53,7 +53,6 @@ struct job {
 static size_t pixels_done(const struct trace *trace)
 {
     size_t done = trace->rows_done * trace->options.width;
-
     for (size_t i = 0; i < trace->job_count; i++)
         done += trace->jobs[i].pixels;
     return done;
@@ -64,7 +63,6 @@ static bool ask(struct trace *trace)
 {
     const struct trace_options *options = &trace->options;
     size_t all = options->width * options->height, done = pixels_done(trace);
-
     if (trace->stop || !options->progress
         || options->progress(options->context, done, all))
         return !trace->stop;
@@ -77,7 +75,6 @@ static bool may_continue(void *context)
 {
     struct trace *trace = context;
     bool going;
-
     lock_take(trace->lock);
     going = ask(trace);
     lock_give_back(trace->lock);
@@ -93,7 +90,6 @@ static size_t samples_across(const struct trace_options *options,
 {
     const struct camera *camera = &scene->camera;
     size_t samples = options->samples > 0 ? options->samples : 1;
-
     if (camera->lens_radius > 0)
         while (samples * samples < (size_t)camera->lens_points)
             samples++;
@@ -105,7 +101,6 @@ static bool check_threshold(const struct trace_options *options,
                             const struct scene *scene, c205_error *error)
 {
     const char *why = NULL;
-
     if (options->threshold == 0)
         return true;
     if (!(options->threshold > 0) || isinf(options->threshold))
@@ -128,7 +123,6 @@ static void divide(struct trace *trace)
     size_t pixels = options->band > 0 ? options->band : TRACE_BAND;
     size_t samples = options->samples * options->samples;
     size_t least = 1;
-
     if (options->threshold > 0) {
         samples = 1; /* the samples of most pixels */
         least = TRACE_BLOCK;
@@ -149,14 +143,12 @@ size_t trace_band_row(const struct trace *trace, size_t band)
 static size_t rows_of(const struct trace *trace, size_t band)
 {
     size_t left = trace->options.height - band * trace->band_rows;
-
     return left < trace->band_rows ? left : trace->band_rows;
 }
 
 c205 *trace_machine(const struct trace *trace, size_t band, c205_error *error)
 {
     struct frame_layout layout;
-
     return band_machine(&trace->work, trace_band_row(trace, band), rows_of(trace, band),
                         &layout, error);
 }
@@ -168,7 +160,6 @@ static bool lay_out_frame(struct trace *trace, const struct scene *scene,
     enum bounding bounding = options->no_bounds ? BOUNDING_NONE
                              : options->flat    ? BOUNDING_FLAT
                                                 : BOUNDING_HIERARCHY;
-
     trace->work.program = trace->program = form_assemble(options, scene, error);
     trace->work.layout = trace->layout = trace->program ? layout_new(trace->program,
                                                                      scene, bounding,
@@ -183,7 +174,6 @@ static bool lay_out_frame(struct trace *trace, const struct scene *scene,
 static bool prepare(struct trace *trace, const struct scene *scene, c205_error *error)
 {
     size_t pixels = trace->options.width * trace->options.height;
-
     if (!lay_out_frame(trace, scene, error))
         return false;
     error_set(error, "out of memory for the frame");
@@ -203,7 +193,6 @@ struct trace *trace_new(const struct scene *scene, const struct trace_options *o
                         c205_error *error)
 {
     struct trace *trace = calloc(1, sizeof *trace);
-
     if (!trace) {
         error_set(error, "out of memory");
         return NULL;
@@ -272,10 +261,8 @@ static void copy_rows(struct trace *trace, const struct band *band)
     size_t pixels = width * trace->options.height;
     size_t done = band->rows_done * width;
     const c205_word *ids = band->words + (size_t)CHANNEL_ID * count;
-
     for (int i = 0; i < FRAME_CHANNELS; i++) {
         size_t first = (size_t)i * pixels + band->first_row * width;
-
         memcpy(trace->planes.words + first, band->words + (size_t)i * count,
                done * sizeof *band->words);
         framebuffer_leave(&trace->planes, first, done);
@@ -305,7 +292,6 @@ static bool take_band(void *context, size_t number, struct serialized_result *wo
                          .rows = rows_of(trace, number),
                          .accounts = { .model = trace->options.model } };
     bool good;
-
     lock_take(trace->lock);
     good = (band_take(&band, trace->options.width, words) && add_band(trace, &band))
            || error_set(error, "out of memory");
@@ -320,7 +306,6 @@ bool trace_keep(struct trace *trace, c205_error *error)
     const uint64_t size[] = { trace->options.width, trace->options.height,
                               trace->band_rows };
     uint64_t key = machine ? job_set_key("frame", machine, size, 3) : 0;
-
     c205_free(machine);
     return machine && job_set_open(trace->job_set, key, error);
 }
@@ -336,7 +321,6 @@ void trace_forget(struct trace *trace)
 static void look(const struct job *job, bool done)
 {
     const struct trace_options *options = &job->trace->options;
-
     if (options->look)
         options->look(options->context, job->trace, &job->tracer, done);
 }
@@ -345,7 +329,6 @@ static bool report_progress(void *context, size_t pixels)
 {
     struct job *job = context;
     bool going;
-
     lock_take(job->trace->lock);
     job->pixels = pixels;
     going = ask(job->trace);
@@ -381,7 +364,6 @@ static bool run_band(void *context, size_t number, size_t unit,
                          .rows = rows_of(trace, unit) };
     bool stopped = false;
     bool good = band_trace(&job->tracer, &band, job, &stopped, error);
-
     if (good)
         band_put(&band, trace->options.width, words);
     else if (stopped)
@@ -398,7 +380,6 @@ static bool run_band(void *context, size_t number, size_t unit,
 static bool watch(void *context, size_t done, c205_error *error)
 {
     struct trace *trace = context;
-
     (void)done;
     if (may_continue(trace))
         return true;
@@ -409,7 +390,6 @@ static bool watch(void *context, size_t done, c205_error *error)
 static bool begin_jobs(struct trace *trace)
 {
     size_t jobs = trace->options.jobs > 0 ? trace->options.jobs : 1;
-
     trace->job_count = jobs < trace->band_count ? jobs : trace->band_count;
     trace->jobs = calloc(trace->job_count, sizeof *trace->jobs);
     for (size_t i = 0; trace->jobs && i < trace->job_count; i++)
@@ -439,7 +419,6 @@ bool trace_run(struct trace *trace, c205_error *error)
                                        .go_on = options->progress ? watch : NULL,
                                        .context = trace };
     bool good;
-
     if (!begin_jobs(trace))
         return error_set(error, "out of memory");
     trace->work.progress = options->progress ? report_progress : NULL;
@@ -479,7 +458,6 @@ static void read_channel(const struct trace *trace, int channel, const c205_word
 {
     size_t pixels = part->height * trace->options.width;
     double *samples = part->channel[channel];
-
     for (size_t i = 0; i < pixels; i++)
         samples[i] = c205_to_double(words[i]);
     if (channel <= CHANNEL_BLUE)
@@ -491,11 +469,9 @@ static void read_channel(const struct trace *trace, int channel, const c205_word
 void trace_read(const struct trace *trace, size_t first_row, struct frame *part)
 {
     size_t width = trace->options.width;
-
     part->gamma_off = trace->gamma_off;
     for (int i = 0; i < FRAME_CHANNELS; i++) {
         size_t first = (size_t)i * pixels_of(trace) + first_row * width;
-
         read_channel(trace, i, trace->planes.words + first, part);
         framebuffer_leave(&trace->planes, first, part->height * width);
     }
@@ -505,7 +481,6 @@ void trace_read_band(const struct trace *trace, const struct band *band,
                      struct frame *part)
 {
     size_t pixels = band->rows * trace->options.width;
-
     part->gamma_off = trace->gamma_off;
     for (int i = 0; i < FRAME_CHANNELS; i++)
         read_channel(trace, i, band->words + (size_t)i * pixels, part);
@@ -516,10 +491,8 @@ uint64_t trace_checksum(const struct trace *trace)
     enum { AT_A_TIME = 1 << 17 };
     size_t words = FRAME_CHANNELS * pixels_of(trace);
     uint64_t checksum = HASH_START;
-
     for (size_t i = 0; i < words; i += AT_A_TIME) {
         size_t count = words - i < AT_A_TIME ? words - i : AT_A_TIME;
-
         checksum = hash_words(checksum, trace->planes.words + i, count);
         framebuffer_leave(&trace->planes, i, count);
     }

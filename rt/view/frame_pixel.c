@@ -8,7 +8,6 @@ bool frame_pixel_find(struct frame_pixel *pixel, const struct trace *trace, size
 {
     const struct trace_options *how = trace_how(trace);
     size_t band = 0;
-
     if (how->samples > 1)
         return error_set(error,
                          "a pixel of this frame has %zu x %zu rays: only a pixel "

@@ -1,13 +1,11 @@
 /* frame_profile.c - profiles the clocks of a frame by lines of its kernels. */
 #include "rt/view/frame_profile.h"
 
-
 #include "vm/error.h"
 
 static void *begin_band(void *context, const struct object *program, c205_error *error)
 {
     struct line_profile **sum = context, *band;
-
     if (!*sum)
         *sum = line_profile_new(program);
     band = *sum ? line_profile_new(program) : NULL;
@@ -19,7 +17,6 @@ static void *begin_band(void *context, const struct object *program, c205_error 
 static void merge(void *context, const void *band)
 {
     struct line_profile **sum = context;
-
     line_profile_add(*sum, band);
 }
 

@@ -23,7 +23,6 @@ struct recording {
 static void record_queue(void *context, const c205 *machine, const c205_event *event)
 {
     struct recording *recording = context;
-
     if (!event->record || recording->done)
         return;
     if (recording->here
@@ -43,7 +42,6 @@ static void record_region(void *context, const c205 *machine, const c205_event *
     const struct clock_stretch *within = &recording->within;
     uint64_t arrived;
     bool there;
-
     if (!event->record || recording->done || event->record->arrived < within->from)
         return;
     arrived = event->record->arrived;
@@ -62,7 +60,6 @@ static bool may_continue(void *context, const c205 *machine)
 {
     const struct recording *recording = context;
     const struct trace_options *how = trace_how(recording->pixel->trace);
-
     (void)machine;
     return !recording->done
            && (!how->progress
@@ -76,7 +73,6 @@ static bool on_event(struct recording *recording, c205_listener *listen,
     const struct frame_pixel *pixel = recording->pixel;
     c205 *machine = trace_machine(pixel->trace, pixel->band, error);
     bool stopped = false, good;
-
     if (!machine)
         return false;
     good = (c205_listen(machine, listen, recording)
@@ -101,7 +97,6 @@ bool pixel_queue_clocks(const struct frame_pixel *pixel, struct clock_stretch *s
         .made = label(pixel, pixel_made_label(pixel)),
         .end = label(pixel, serial ? "frame_pixel" : "levels_next"),
     };
-
     if (!on_event(&recording, record_queue, error))
         return false;
     *stretch = recording.stretch;
@@ -114,7 +109,6 @@ bool pixel_region_clocks(const struct frame_pixel *pixel, const char *region,
     struct recording recording = { .pixel = pixel,
                                    .region = region,
                                    .within = *stretch };
-
     if (!on_event(&recording, record_region, error))
         return false;
     if (recording.stretch.to == 0)

@@ -34,7 +34,6 @@ static uint64_t value_of(const struct pixel_look *look, const char *name)
 static c205_word word_at(const struct pixel_look *look, uint64_t address)
 {
     c205_word word = 0;
-
     c205_read(look->machine, address, &word, 1);
     return word;
 }
@@ -48,7 +47,6 @@ static c205_word word_of(const struct pixel_look *look, const char *name)
 static c205_word register_of(const struct pixel_look *look, const char *name)
 {
     const struct asm_register *known = look->program->registers;
-
     while (strcmp(known->name, name) != 0)
         known++;
     return c205_register(look->machine, known->number);
@@ -75,7 +73,6 @@ static bool is_outside(const struct pixel_look *look)
     static const char *const regions[] = { "frame", "generate", "resolve", "camera",
                                            "average" };
     const char *region = object_region(look->program, c205_pc(look->machine));
-
     for (size_t i = 0; i < sizeof regions / sizeof *regions; i++)
         if (strcmp(region, regions[i]) == 0)
             return true;
@@ -100,7 +97,6 @@ static bool find_queue(const struct pixel_look *look, struct queue *queue)
     uint64_t levels = word_of(look, "scene_levels");
     uint64_t record = 64 * value_of(look, "LEVEL_SIZE");
     uint64_t at = c205_descriptor_address(importance);
-
     *queue = (struct queue){ .count = c205_descriptor_length(importance) };
     if (queue->count == 0 || is_outside(look))
         return false;
@@ -131,7 +127,6 @@ static bool is_of_pixel(const struct pixel_look *look, const struct queue *queue
 {
     size_t list = queue->list;
     size_t place = list > 0 ? queue->first + ray : place_of_ray(look, queue, ray);
-
     for (; list > 0; list--)
         place = (size_t)c205_to_integer(
             word_at(look, list_vector(look, list, value_of(look, "LIST_PARENT"))
@@ -145,7 +140,6 @@ static void notify(const struct pixel_look *look, const struct pixel_element *of
                    const char *vector, uint64_t address)
 {
     struct pixel_element element = *of;
-
     element.vector = vector;
     element.word = word_at(look, address);
     look->listener(look->context, &element);
@@ -176,7 +170,6 @@ static void list_queue(const struct pixel_look *look, const struct queue *queue,
     uint64_t length = value_of(look, "QUEUE");
     uint64_t store = value_of(look, "queue_store") + 64 * ray;
     uint64_t in_list = 64 * (queue->first + ray);
-
     if (queue->list == 0)
         list_words(look, &of, rays, store, length);
     else
@@ -213,7 +206,6 @@ static bool meets_near(const struct pixel_look *look)
     const struct asm_symbol *pairs = object_symbol(look->program, "intersect_spheres");
     uint64_t pc = c205_pc(look->machine);
     const char *region = object_region(look->program, pc);
-
     for (size_t i = 0; i < sizeof regions / sizeof *regions; i++)
         if (strcmp(region, regions[i]) == 0)
             return false;
@@ -232,20 +224,17 @@ static void list_near(const struct pixel_look *look, const struct queue *queue,
                                          "w9",        "w10",        "w11", NULL };
     size_t near = (size_t)c205_to_integer(register_of(look, "near"));
     c205_word place = register_of(look, "ray_index");
-
     if (!meets_near(look) || c205_descriptor_length(place) != near)
         return;
     for (size_t i = 0; i < near; i++) {
         const struct pixel_element of = {
             .group = PIXEL_NEAR, .list = queue->list, .lane = i, .length = near
         };
-
         if (c205_to_integer(word_at(look, c205_descriptor_address(place) + 64 * i))
             != (int64_t)ray)
             continue;
         for (const char *const *name = names; *name; name++) {
             c205_word vector = register_of(look, *name);
-
             if (c205_descriptor_length(vector) == near)
                 notify(look, &of, *name, c205_descriptor_address(vector) + 64 * i);
         }
@@ -275,14 +264,12 @@ static void list_hits(const struct pixel_look *look, const struct queue *queue,
                                          "lz",  "facing", NULL };
     uint64_t store = value_of(look, "shade_store");
     size_t hits = (size_t)c205_to_integer(register_of(look, "h"));
-
     if (!shades_hits(look))
         return;
     for (size_t i = 0; i < hits; i++) {
         const struct pixel_element of = {
             .group = PIXEL_HITS, .list = queue->list, .lane = i, .length = hits
         };
-
         if (c205_to_integer(word_at(look, store + 64 * i)) == (int64_t)ray)
             list_words(look, &of, names, store + 64 * i, value_of(look, "QUEUE"));
     }
@@ -294,7 +281,6 @@ static void list_hits(const struct pixel_look *look, const struct queue *queue,
 static bool is_pixel_at_hand(const struct pixel_look *look)
 {
     uint64_t at = value_of(look, "pixel");
-
     return word_at(look, at) == c205_from_double((double)look->pixel->x)
            && word_at(look, at + 64) == c205_from_double((double)look->pixel->y)
            && !is_between(look, c205_pc(look->machine), "frame_pixel", "frame_aimed");
@@ -308,7 +294,6 @@ static size_t list_pixel(const struct pixel_look *look)
     };
     const struct pixel_element of = { .length = 1 };
     uint64_t record = word_of(look, "scene_levels");
-
     if (!is_pixel_at_hand(look))
         return 0;
     list_words(look, &of, ray, record + 64 * value_of(look, "L_RAY"), 1);
@@ -322,7 +307,6 @@ size_t pixel_elements(const struct frame_pixel *pixel, const c205 *machine,
     struct pixel_look look = look_at(pixel, machine);
     struct queue queue;
     size_t count = 0;
-
     look.listener = listener;
     look.context = context;
     if (mode_of(&look) == TRACE_SCALAR)
@@ -361,7 +345,6 @@ bool pixel_is_in_queue(const struct frame_pixel *pixel, const c205 *machine)
 bool pixel_is_made(const struct frame_pixel *pixel, const c205 *machine)
 {
     struct pixel_look look = look_at(pixel, machine);
-
     return c205_pc(machine) == value_of(&look, pixel_made_label(pixel))
            && pixel_is_in_queue(pixel, machine);
 }

@@ -10,7 +10,6 @@
 c205 *pixel_machine(void *context, c205_error *error)
 {
     const struct frame_pixel *pixel = context;
-
     return trace_machine(pixel->trace, pixel->band, error);
 }
 
@@ -40,7 +39,6 @@ static void put_heading(const struct lane_report *report,
         [PIXEL_HITS] = "hits",
     };
     const struct sink *out = report->out;
-
     if (trace_how(report->pixel->trace)->mode == TRACE_SCALAR)
         sink_print(out, "pixel %zu,%zu\n", report->pixel->x, report->pixel->y);
     else if (element->list > 0)
@@ -56,7 +54,6 @@ static void put_element(void *context, const struct pixel_element *element)
     struct lane_report *report = context;
     const struct pixel_element *last = &report->last;
     struct word_text text = word_text(element->word, false);
-
     if (!is_asked(report, element->vector))
         return;
     if (last->length == 0 || last->group != element->group
@@ -78,7 +75,6 @@ static bool show_lane(void *context, struct debugger *debugger, const char *rest
                                   .length = strcspn(vector, " \t") };
     size_t rays = pixel_elements(pixel, debugger_machine(debugger), put_element,
                                  &report);
-
     if (rays == 0)
         sink_print(report.out, "pixel %zu,%zu is in no current queue\n", pixel->x,
                    pixel->y);

@@ -36,7 +36,6 @@ static inline c205_model *fuzz_model(void)
 {
     static c205_model *model;
     c205_error error;
-
     if (!model)
         model = c205_model_find(C205_DEFAULT_MODEL, &error);
     must(model != NULL);

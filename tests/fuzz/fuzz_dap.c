@@ -45,7 +45,6 @@ static void frame_lines(struct talk *talk, const uint8_t *data, size_t size)
     enum { MAX_LINES = 14 };
     struct sink sink = text_buffer_sink(&talk->said);
     size_t from = 0, lines = 0;
-
     for (size_t i = 0; i <= size && lines < MAX_LINES; i++) {
         SCOPED_VALUE(text_buffer) line = { 0 };
         struct sink filling = text_buffer_sink(&line);

@@ -28,7 +28,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     enum { MAX = 6 }; /* requests */
     SCOPED(engine) *engine = engine_new();
     const char *line = (const char *)data, *end = line + size;
-
     must(engine);
     engine_bound(engine, 100000);
     for (int i = 0; i < MAX && line < end; i++) {

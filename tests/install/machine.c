@@ -19,7 +19,6 @@ int main(void)
     const c205_program program = { 0x400000, 1, &segment, 0, NULL, false };
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
     c205 *machine = model ? c205_new(model, &error) : NULL;
-
     if (!machine || !c205_load(machine, &program, &error)) {
         puts(error.message);
         return 1;

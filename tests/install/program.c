@@ -21,7 +21,6 @@ static int run(const c205_model *model, const struct object *object)
     c205_error error = { "" };
     c205 *machine = c205_new(model, &error);
     c205_stop stop;
-
     if (!machine || !c205_load(machine, &object->program, &error))
         return fail(error.message);
     stop = c205_run(machine, C205_NO_LIMIT);
@@ -37,7 +36,6 @@ int main(void)
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
     struct object *object = assemble_text("client.s", text, NULL, &found);
     int code = 1;
-
     diagnostics_print(&found, stderr);
     if (!model)
         fail(error.message);

@@ -19,7 +19,6 @@ static int trace(const struct scene *scene, const c205_model *model,
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);
     int code = !trace || !trace_run(trace, &error);
-
     if (code)
         fprintf(stderr, "%s\n", error.message);
     else
@@ -38,7 +37,6 @@ int main(void)
     struct scene *scene = scene_read_text("client", text, &how, &found);
     int code = !model || !scene || trace(scene, model, TRACE_SCALAR)
                || trace(scene, model, TRACE_VECTOR);
-
     diagnostics_print(&found, stderr);
     diagnostics_free(&found);
     scene_free(scene);

@@ -18,7 +18,6 @@ bool __wrap_source_find(struct assembler *assembler, const char *name, const cha
 {
     const char *path = getenv("TEXTS_READ");
     FILE *file = path ? fopen(path, "a") : NULL;
-
     if (file) {
         fprintf(file, "%s\n", name);
         fclose(file);

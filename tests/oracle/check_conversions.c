@@ -168,7 +168,6 @@ static void random_text(const struct converters *as, uint64_t *random, char text
     static const char *const tails[] = { "", "", ")", ",3", " 1", "e", "E+" };
     char digits[DIGITS + 2], power[32] = "";
     long exponent;
-
     random_digits(as, random, digits, &exponent);
     long n = (long)strlen(digits);
     long point = random_between(random, 0, n);
@@ -200,7 +199,6 @@ static void odd_text(const struct converters *as, uint64_t *random, char text[TE
         "21778071e33", "21778072e33", "-21778071e33", "-21778072e33", "8e-28",
         "8077e-31", "8078e-31", "-8e-28"
     };
-
     (void)as;
     snprintf(text, TEXT, "%s", CHOSEN(random, texts));
 }

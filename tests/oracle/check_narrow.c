@@ -129,7 +129,6 @@ static bool oracles_agree(const struct operation *operation, const struct words 
 {
     enum { PARTNERS = 16 };
     uint64_t random = 205;
-
     for (size_t i = 0; i < words->n * PARTNERS; i++) {
         uint64_t one = 0, other = 0;
         c205_word a = words->at[i / PARTNERS];

@@ -139,15 +139,14 @@ static void add_solid(struct drawing *drawing, const struct group *group, size_t
     group->place(state, group, i, place);
     place->whole = drawing->whole;
     place_make_short(place);
-    if (count > 0 && ((group->same && i > 0) || one_in(state, 24))) {
+    if (count > 0 && ((group->same && i > 0) || one_in(state, 24)))
         solid = copy_of_one(drawing, count);
-    } else if (group->endless || (drawing->endless && one_in(state, 20))) {
+    else if (group->endless || (drawing->endless && one_in(state, 20)))
         solid = endless_at(state, place);
-    } else if (one_in(state, 16)) {
+    else if (one_in(state, 16))
         solid = mesh_at(state, place);
-    } else {
+    else
         solid = solid_at(state, place, scene->mood, 2);
-    }
     random_look(state, scene->mood, solid->look);
     bump_words(*state, 8, solid->look);
     scene->solids[count] = solid;
@@ -225,7 +224,6 @@ static void look_from_afar(const struct drawing *drawing)
 {
     uint64_t *state = drawing->state;
     struct place place = one_in(state, 4) ? some_place(drawing) : whole_place(drawing);
-    /* look_at needs a minimum distance */
     double far = fmax(place.size * between(state, 1.2, 4), 1e-3);
     bool parallel = *state % 6 == 0; /* no other choice depends on it */
     solid_words(drawing->scene->view,

@@ -373,7 +373,6 @@ static void edge_pair(const struct oracle_format *format, size_t block, size_t i
                       c205_word *a, c205_word *b)
 {
     enum { STRIDE = 199 }; /* prime to EDGES */
-
     *a = edge(format, block * STRIDE % EDGES);
     *b = edge(format, i);
 }

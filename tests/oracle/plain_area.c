@@ -78,7 +78,6 @@ PLACE(place_box)
 {
     const double(*corner)[3] = primitive->shape.box.corner;
     size_t axis = piece / 2, j = (axis + 1) % 3, k = (axis + 2) % 3;
-
     point[axis] = corner[piece % 2][axis];
     point[j] = corner[0][j] + u * (corner[1][j] - corner[0][j]);
     point[k] = corner[0][k] + v * (corner[1][k] - corner[0][k]);
@@ -88,7 +87,6 @@ PLACE(place_mesh)
 {
     const double(*corners)[3] =
         (const double(*)[3])primitive->shape.mesh.triangles.list[piece].corners;
-
     for (int i = 0; i < 3; i++)
         point[i] = (1 - u) * corners[0][i]
                    + u * ((1 - v) * corners[1][i] + v * corners[2][i]);
@@ -130,7 +128,6 @@ static struct surface_grid grid_over(const struct primitive *primitive)
         [PRIMITIVE_STEINER_PATCH] = place_steiner_patch,
     };
     struct surface_grid grid = { primitive, places[primitive->kind], 1, 100 };
-
     if (primitive->kind == PRIMITIVE_BOX)
         grid.pieces = 6;
     else if (primitive->kind == PRIMITIVE_MESH)

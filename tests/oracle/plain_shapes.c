@@ -215,6 +215,5 @@ CROSS(plain_crossings)
 #define SHAPE(KIND, name, ...) cross_##name,
 #include "rt/shapes/shapes.def"
     };
-
     return cross[primitive->kind](primitive, ray, crossings);
 }

@@ -133,6 +133,5 @@ ENCLOSE(plain_encloses)
 #define SHAPE(KIND, name, ...) in_##name,
 #include "rt/shapes/shapes.def"
     };
-
     return inside[primitive->kind](primitive, point);
 }

@@ -93,7 +93,6 @@ static const c205_insn *draw_insn(uint64_t *random, const c205_insn *const *rows
 static bool is_transfer(const c205_insn *insn)
 {
     static const char *const names[] = { "VXTOV", "VTOVX", "VGATHP", "VSCATP" };
-
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(insn->mnemonic, names[i]) == 0)
             return true;

@@ -51,7 +51,6 @@ unsigned width_of_letter(char letter);
 static inline int64_t as_integer(c205_word word)
 {
     int64_t low = (int64_t)(word & LOW_48);
-
     return low >> 47 ? low - (INT64_C(1) << COEFFICIENT_BITS) : low;
 }
 

@@ -7,7 +7,6 @@
 static struct object *checked(struct object *object, const struct diagnostics *errors)
 {
     struct sink sink = stream_sink(stderr);
-
     if (errors->errors > 0)
         diagnostics_put(errors, &sink);
     assert_int_equal(errors->errors, 0);
@@ -30,7 +29,6 @@ struct object *good_file(const char *path)
 size_t each_file(const char *pattern, void (*use)(const char *path))
 {
     glob_t found;
-
     assert_int_equal(glob(pattern, 0, NULL, &found), 0);
     for (size_t i = 0; i < found.gl_pathc; i++)
         use(found.gl_pathv[i]);
@@ -42,7 +40,6 @@ size_t each_file(const char *pattern, void (*use)(const char *path))
 size_t count_of(const char *text, const char *part)
 {
     size_t count = 0;
-
     for (; text && (text = strstr(text, part)) != NULL; text += strlen(part))
         count++;
     return count;
@@ -51,7 +48,6 @@ size_t count_of(const char *text, const char *part)
 uint64_t clocks_of_cause(const c205 *machine, c205_cause cause)
 {
     uint64_t sum = 0;
-
     for (size_t i = 0; i < c205_account_count(machine); i++)
         sum += c205_account_at(machine, i)->clocks[cause];
     return sum;
@@ -60,7 +56,6 @@ uint64_t clocks_of_cause(const c205 *machine, c205_cause cause)
 void assert_sum(const c205 *machine)
 {
     uint64_t sum = 0;
-
     for (int cause = 0; cause < C205_CAUSES; cause++)
         sum += clocks_of_cause(machine, (c205_cause)cause);
     assert_int_equal(sum, c205_clock(machine));
@@ -71,7 +66,6 @@ c205_word word_of(const c205_program *program, uint64_t address)
     for (size_t i = 0; i < program->segment_count; i++) {
         const c205_segment *segment = &program->segments[i];
         uint64_t index = (address - segment->address) / 64;
-
         if (address >= segment->address && index < segment->length)
             return segment->words ? segment->words[index] : 0;
     }
@@ -107,7 +101,6 @@ void assert_one_error(const struct diagnostics *errors, const char *text, size_t
                       size_t column, const char *message)
 {
     const struct diagnostic *first = errors->items;
-
     if (errors->count != 1 || first->line != line
         || (column > 0 && first->column != column) || !strstr(first->message, message))
         fail_msg("%.200s\n%zu errors: %zu:%zu: %s", text, errors->count,

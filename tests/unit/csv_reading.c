@@ -6,7 +6,6 @@ static const char *csv_cell(const char *text, char *cell)
 {
     bool quoted = *text == '"';
     size_t length = 0;
-
     text += quoted;
     while (*text != '\0' && (quoted || !strchr(",\n", *text))) {
         if (quoted && *text == '"' && *++text != '"')
@@ -22,7 +21,6 @@ static const char *csv_row(const char *text, struct csv_table *table)
 {
     size_t row = table->rows++;
     size_t cells = 0;
-
     assert_true(row < CSV_ROWS);
     do {
         assert_true(cells < CSV_CELLS);

@@ -19,7 +19,6 @@ static void become_adapter(int in, int out, const char *const *arguments)
     const char *folder = getenv("RT205_LIBDIR");
     char program[1000];
     const char *words[MAX_ARGUMENTS] = { program, "debug", "--dap" };
-
     for (size_t i = 0; arguments && arguments[i]; i++)
         words[3 + i] = arguments[i];
     snprintf(program, sizeof program, "%s/c205", folder ? folder : "build");
@@ -34,7 +33,6 @@ static void become_adapter(int in, int out, const char *const *arguments)
 void client_begin(struct dap_client *client, const char *const *arguments)
 {
     int to[2], from[2];
-
     *client = (struct dap_client){ .process = 0 };
     signal(SIGPIPE, SIG_IGN);
     alarm(MAX_SECONDS);
@@ -57,7 +55,6 @@ int client_end(struct dap_client *client)
 {
     int status = 0;
     char rest[1000];
-
     close(client->to);
     while (read(client->from, rest, sizeof rest) > 0)
         continue;
@@ -77,7 +74,6 @@ void client_send(struct dap_client *client, const char *bytes, size_t length)
 {
     while (length > 0) {
         ssize_t written = write(client->to, bytes, length);
-
         assert_true(written > 0);
         bytes += written;
         length -= (size_t)written;
@@ -98,7 +94,6 @@ void client_command(struct dap_client *client, const char *command, const char *
     struct sink sink = text_buffer_sink(&text), out = { put, client };
     char whole[4000] = "{}";
     va_list arguments;
-
     va_start(arguments, format);
     if (format)
         vsnprintf(whole, sizeof whole, format, arguments);
@@ -120,7 +115,6 @@ static void receive_more(struct dap_client *client)
     struct sink sink = text_buffer_sink(&client->input);
     char bytes[4096];
     ssize_t length = read(client->from, bytes, sizeof bytes);
-
     FAIL_IF(length <= 0, "the adapter has ended; of a message there is: %s",
             client->input.text ? client->input.text : "nothing");
     sink.put(sink.context, bytes, (size_t)length);
@@ -130,10 +124,8 @@ static struct dap_message next_message(struct dap_client *client)
 {
     struct dap_message message;
     struct message_content content;
-
     for (;;) {
         enum message_state state = message_find(&client->input, &content, &failure);
-
         if (state == MESSAGE_WHOLE)
             break;
         FAIL_IF(state == MESSAGE_BROKEN, "%s: %s", failure.message, client->input.text);
@@ -151,7 +143,6 @@ static struct dap_message next_message(struct dap_client *client)
 static void keep_event(struct dap_client *client, struct dap_message event)
 {
     struct sink sink = text_buffer_sink(&client->output);
-
     if (strcmp(the_text(event.value, "event"), "output") == 0) {
         sink_put(&sink, the_text(the(event.value, "body"), "output"));
         return;
@@ -168,7 +159,6 @@ const struct json_value *client_response(struct dap_client *client)
 {
     for (;;) {
         struct dap_message message = next_message(client);
-
         if (strcmp(the_text(message.value, "type"), "response") == 0) {
             assert_int_equal(the_whole(message.value, "request_seq"), client->sent);
             client->text = message.text;
@@ -182,7 +172,6 @@ const struct json_value *client_response(struct dap_client *client)
 const struct json_value *client_success(struct dap_client *client, const char *command)
 {
     const struct json_value *response = client_response(client);
-
     assert_string_equal(the_text(response, "command"), command);
     FAIL_IF(!json_member_truth(response, "success", false), "%s: %s", command,
             the_text(response, "message"));
@@ -192,7 +181,6 @@ const struct json_value *client_success(struct dap_client *client, const char *c
 void client_failure(struct dap_client *client, const char *words, const char *command)
 {
     const struct json_value *response = client_response(client);
-
     FAIL_IF(json_member_truth(response, "success", true)
                 || !strstr(the_text(response, "message"), words),
             "%s: not refused with '%s', but %s", command, words,
@@ -215,7 +203,6 @@ const struct json_value *client_event(struct dap_client *client, const char *nam
 const struct json_value *client_stopped(struct dap_client *client, const char *reason)
 {
     const struct json_value *body = client_event(client, "stopped");
-
     assert_string_equal(the_text(body, "reason"), reason);
     assert_int_equal(the_whole(body, "threadId"), 1);
     assert_true(json_member_truth(body, "allThreadsStopped", false));
@@ -227,7 +214,6 @@ const struct json_value *client_stopped(struct dap_client *client, const char *r
 const struct json_value *the(const struct json_value *object, const char *key)
 {
     const struct json_value *member = json_member(object, key);
-
     FAIL_IF(!member, "there is no '%s'", key);
     return member;
 }
@@ -235,7 +221,6 @@ const struct json_value *the(const struct json_value *object, const char *key)
 const char *the_text(const struct json_value *object, const char *key)
 {
     const char *text = the(object, key)->text;
-
     FAIL_IF(!text, "'%s' is no text", key);
     return text;
 }
@@ -243,7 +228,6 @@ const char *the_text(const struct json_value *object, const char *key)
 int64_t the_whole(const struct json_value *object, const char *key)
 {
     int64_t value = 0;
-
     the(object, key);
     FAIL_IF(!json_member_whole(object, key, &value), "'%s' is no integer", key);
     return value;
@@ -253,7 +237,6 @@ const struct json_value *element_with(const struct json_value *list, const char 
                                       const char *text)
 {
     const struct json_value *item = list->first;
-
     while (item && strcmp(the_text(item, key), text) != 0)
         item = item->next;
     return item;
@@ -262,7 +245,6 @@ const struct json_value *element_with(const struct json_value *list, const char 
 size_t length_of(const struct json_value *list)
 {
     size_t length = 0;
-
     for (const struct json_value *item = list->first; item; item = item->next)
         length++;
     return length;

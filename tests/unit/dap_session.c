@@ -93,7 +93,6 @@ const struct json_value *client_variables(struct dap_client *client, const char 
     const struct json_value *scopes = the(client_ask(client, "scopes",
                                                      "{\"frameId\": 1}"),
                                           "scopes");
-
     return the(client_ask(client, "variables", "{\"variablesReference\": %d}",
                           (int)the_whole(element_with(scopes, "name", scope),
                                          "variablesReference")),
@@ -103,7 +102,6 @@ const struct json_value *client_variables(struct dap_client *client, const char 
 const char *value_of(const struct json_value *list, const char *name)
 {
     const struct json_value *variable = element_with(list, "name", name);
-
     FAIL_IF(!variable, "there is no variable %s", name);
     return the_text(variable, "value");
 }
@@ -112,7 +110,6 @@ c205_word word_in(const char *value)
 {
     const char *at = NON_NULL(strstr(value, "X'"));
     c205_word word = 0;
-
     for (at += 2; *at != '\''; at++)
         if (*at != ' ')
             word = word << 4 | (c205_word)(*at >= 'A' ? *at - 'A' + 10 : *at - '0');
@@ -142,7 +139,6 @@ void client_stop_at(struct dap_client *client, const char *stop)
                        "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [%s]}",
                        client_path, stop),
             "breakpoints");
-
     FAIL_IF(list->first && !json_member_truth(list->first, "verified", false), "%s: %s",
             stop, the_text(list->first, "message"));
 }
@@ -181,7 +177,6 @@ const struct json_value *client_disassembled(struct dap_client *client,
                        "%d, \"instructionCount\": %d}",
                        (unsigned long long)address, from, count),
             "instructions");
-
     assert_int_equal(length_of(list), count);
     return list;
 }

@@ -9,7 +9,6 @@ void session_begin(struct debug_session *session, struct object *object,
                                     .model = prior_model,
                                     .out = text_buffer_sink(&session->said),
                                     .clocks_most = 1000000000 };
-
     *session = (struct debug_session){ .object = object };
     session->debugger = NON_NULL(debugger_new(&setup, &failure));
 }
@@ -38,7 +37,6 @@ void session_check(struct debug_session *session, const struct line_said *lines,
 {
     for (size_t i = 0; i < count; i++) {
         bool absent = *lines[i].said == '!';
-
         session_obey(session, lines[i].line);
         FAIL_IF(session_says(session, lines[i].said + absent) == absent, "%s: %s",
                 lines[i].line, session->said.text);

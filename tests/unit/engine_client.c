@@ -6,7 +6,6 @@
 struct talk talk_with(const char *text, const char *more)
 {
     struct talk talk = { .engine = engine_new() };
-
     assert_non_null(talk.engine);
     if (text)
         talk_load(&talk, text, more);
@@ -50,7 +49,6 @@ void talk_quote(char *text)
 static bool has(const char *text, const char *part)
 {
     char quoted[400];
-
     snprintf(quoted, sizeof quoted, "%s", part);
     talk_quote(quoted);
     return strstr(text, part) || strstr(text, quoted);
@@ -61,7 +59,6 @@ const char *talk_send(struct talk *talk, const char *format, ...)
 {
     static char request[1 << 16];
     va_list arguments;
-
     va_start(arguments, format);
     int length = vsnprintf(request, sizeof request, format, arguments);
     va_end(arguments);
@@ -96,7 +93,6 @@ const struct json_value *talk_load(struct talk *talk, const char *text,
     SCOPED_VALUE(text_buffer) line = { .text = NULL };
     struct sink sink = text_buffer_sink(&line);
     struct json *json = json_open_line(&line, &failure);
-
     json_text(json, "do", "load");
     json_text(json, "text", text);
     assert_true(json_close(json, &failure));
@@ -111,7 +107,6 @@ const struct json_value *talk_load(struct talk *talk, const char *text,
 double number_of(const struct json_value *object, const char *key)
 {
     const struct json_value *value = json_member(object, key);
-
     FAIL_IF(!value || value->kind != JSON_NUMBER, "'%s' is no number", key);
     return value->number;
 }
@@ -119,7 +114,6 @@ double number_of(const struct json_value *object, const char *key)
 const char *text_of(const struct json_value *object, const char *key)
 {
     const char *text = json_member_text(object, key);
-
     FAIL_IF(!text, "'%s' is no text", key);
     return text;
 }
@@ -127,7 +121,6 @@ const char *text_of(const struct json_value *object, const char *key)
 size_t items_of(const struct json_value *list)
 {
     size_t length = 0;
-
     for (const struct json_value *item = list ? list->first : NULL; item;
          item = item->next)
         length++;

@@ -13,7 +13,6 @@ static inline bool are_steps(const uint64_t clocks[HEAT_STEPS],
                              const struct accounts *accounts)
 {
     uint64_t sum = 0;
-
     for (int i = 0; i < HEAT_STEPS; i++)
         sum += clocks[i];
     return clocks[STEP_EMISSION] > 0 && clocks[STEP_CROSSINGS] > 0

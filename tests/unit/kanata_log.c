@@ -29,11 +29,9 @@ struct kanata_log {
 static bool cut_line(struct kanata_log *log, const char *line, size_t length)
 {
     size_t used = 0;
-
     log->word_count = 1;
     for (size_t i = 0; i < length; i++) {
         char *word = log->words[log->word_count - 1];
-
         if (line[i] != '\t') {
             if (used + 1 == WORD)
                 return false;
@@ -64,7 +62,6 @@ static uint64_t number_of(const struct kanata_log *log, size_t word)
 static struct alive *find_alive(const struct kanata_log *log, size_t word)
 {
     uint64_t id = number_of(log, word);
-
     return id < log->count && log->insns[id].is ? &log->insns[id] : NULL;
 }
 
@@ -90,14 +87,12 @@ static const char *label(struct kanata_log *log)
 static char *lane_of(const struct kanata_log *log)
 {
     uint64_t lane = number_of(log, 2);
-
     return lane < MAX_LANES ? find_alive(log, 1)->stage[lane] : NULL;
 }
 
 static const char *enter(struct kanata_log *log)
 {
     char *stage = lane_of(log);
-
     if (!stage || strlen(log->words[3]) >= STAGE)
         return "the lane or the stage's name is too large";
     strcpy(stage, log->words[3]);
@@ -107,7 +102,6 @@ static const char *enter(struct kanata_log *log)
 static const char *leave(struct kanata_log *log)
 {
     char *stage = lane_of(log);
-
     if (!stage || strcmp(stage, log->words[3]) != 0)
         return "it leaves a stage in which it is not";
     *stage = '\0';
@@ -117,7 +111,6 @@ static const char *leave(struct kanata_log *log)
 static const char *retire(struct kanata_log *log)
 {
     uint64_t kind = number_of(log, 3);
-
     find_alive(log, 1)->is = false;
     log->ended++;
     if (kind > 1)
@@ -145,7 +138,6 @@ static const struct kanata_command {
 static const char *take_line(struct kanata_log *log)
 {
     size_t i = 0;
-
     while (i < sizeof commands / sizeof *commands
            && strcmp(commands[i].name, log->words[0]) != 0)
         i++;
@@ -158,7 +150,6 @@ static const char *take_line(struct kanata_log *log)
         return "the command has other words";
     for (size_t k = 1; k < log->word_count; k++) {
         char kind = commands[i].words[k - 1];
-
         if (kind != 't' && !is_number(log->words[k]))
             return "a number is none";
         if (kind == 'i' && !find_alive(log, k))
@@ -172,10 +163,8 @@ static const char *take_line(struct kanata_log *log)
 static const char *read_lines(struct kanata_log *log, const char *text, size_t *line)
 {
     const char *fault = NULL;
-
     for (*line = 1; !fault && *text; (*line)++) {
         size_t length = strcspn(text, "\n");
-
         if (text[length] != '\n')
             fault = "the last line has no end";
         else if (*line == 1)
@@ -194,7 +183,6 @@ const char *kanata_fault(const char *text, size_t *line)
 {
     struct kanata_log log = { 0 };
     const char *fault = read_lines(&log, text, line);
-
     if (!fault && log.ended < log.count)
         fault = "an instruction is there at the end";
     free(log.insns);

@@ -24,7 +24,6 @@ c205_word lane_special_at(word_format f, size_t i)
     const int64_t coefficients[LANE_COEFFICIENTS] = { 0,         1,        -1,
                                                       half,      -half,    2 * half - 1,
                                                       -2 * half, -half - 1 };
-
     return format_make(f, exponents[i / LANE_COEFFICIENTS],
                        coefficients[i % LANE_COEFFICIENTS]);
 }
@@ -62,7 +61,6 @@ c205_word lane_sparse(word_format f, uint64_t *seed)
     c205_word word = around(f, seed);
     int64_t c = format_coefficient(f, word);
     int64_t kept = -(INT64_C(1) << xorshift_between(seed, 0, f.digits - 1));
-
     return format_make(f, format_exponent(f, word), c < 0 ? c | ~kept : c & kept);
 }
 
@@ -75,7 +73,6 @@ c205_word lane_mostly_usual(word_format f, uint64_t *seed)
 static c205_word zero(word_format f, uint64_t *seed)
 {
     c205_word digits = xorshift(seed) & UINT64_C(0x0FFFFFFFFFFFFFFF);
-
     return (C205_MACHINE_ZERO | digits) & format_mask(f);
 }
 
@@ -86,7 +83,6 @@ static c205_word at_the_ends(word_format f, uint64_t *seed, int less)
 {
     int32_t end = 1 << (f.exponent_bits - 1 - less);
     int32_t e = xorshift(seed) % 2 ? end - 1 : -end;
-
     return xorshift_normalised_of(f, seed, e, e);
 }
 
@@ -104,7 +100,6 @@ static c205_word within(word_format f, uint64_t *seed, int less)
     const int64_t ends[] = { half, 2 * half - 1, -half - 1, -2 * half };
     size_t kind = xorshift(seed) % 16;
     int32_t e = (int32_t)xorshift_between(seed, -end, end > 0 ? end - 1 : 0);
-
     if (kind < SIZE(ends))
         return format_make(f, e, ends[kind]);
     return kind == SIZE(ends) ? C205_MACHINE_ZERO
@@ -131,7 +126,6 @@ SUPPLY(beyond_moderate, within(f, seed, 6))
 static c205_word whole(word_format f, uint64_t *seed)
 {
     int64_t end = INT64_C(1) << xorshift_between(seed, 0, f.digits);
-
     if (xorshift(seed) % 8 == 0)
         return zero(f, seed);
     return format_make(f, 0, xorshift_between(seed, -end, end - 1));
@@ -148,7 +142,6 @@ static c205_word mostly_whole(word_format f, uint64_t *seed)
 static c205_word absolute(word_format f, c205_word word)
 {
     uint64_t flags = 0;
-
     return f.digits == WORD_DIGITS ? arith_absolute(word, &flags)
                                    : half_absolute(word, &flags);
 }
@@ -161,7 +154,6 @@ c205_word lane_about_a_square(word_format f, uint64_t *seed)
 {
     int64_t least = INT64_C(1) << (f.digits / 2);
     int64_t root = xorshift_between(seed, least, least * 707 / 500);
-
     return format_make(f, (int32_t)xorshift_between(seed, -90, 90),
                        root * root - (int64_t)(xorshift(seed) & 1));
 }

@@ -54,7 +54,6 @@ bool plain_stops_at(const struct plain *plain, const struct plain_stops *stops,
                     size_t step)
 {
     const struct moment *now = &plain->moments[step];
-
     if (step == 0 || step >= plain->end)
         return false;
     return (stops->by_place && now->pc == stops->place

@@ -30,7 +30,6 @@ static void add_lines(uint64_t *state, char *text, int64_t most,
                       const struct kinds *kinds)
 {
     int64_t count = xorshift_between(state, 0, most);
-
     while (count-- > 0)
         strcat(text, kinds->lines[xorshift(state) % kinds->count]);
 }

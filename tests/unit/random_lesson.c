@@ -43,7 +43,6 @@ static void draw_elements(const struct random_lesson *drawn, struct random_test 
 {
     for (size_t i = 0; i < test->n; i++) {
         double number = (double)(50 * i + (size_t)xorshift_between(state, 1, 49));
-
         if (drawn->kind == DRAWN_BITS)
             number = (double)(xorshift(state) & 1);
         else if (xorshift(state) & 1)
@@ -59,7 +58,6 @@ static void draw_test(const struct random_lesson *drawn, size_t index,
 {
     static const char *const models[] = { "cyber205-1pipe", "cyber205-2pipe",
                                           "cyber205-4pipe", C205_DEFAULT_MODEL };
-
     *test = (struct random_test){
         .n = (size_t)(DRAWN_TESTS
                           * xorshift_between(state, 0, DRAWN_LONGEST / DRAWN_TESTS - 1)
@@ -77,7 +75,6 @@ static void draw_test(const struct random_lesson *drawn, size_t index,
 static bool fits(const struct random_lesson *drawn)
 {
     size_t n = drawn->tests[drawn->faulty].n;
-
     switch (drawn->fault) {
     case FAULT_LAST_BIT:
     case FAULT_SIGN:
@@ -93,7 +90,6 @@ static void draw_found(struct random_lesson *drawn, uint64_t *state)
     const struct random_test *test = &drawn->tests[drawn->faulty];
     c205_word wanted = test->wanted[drawn->element];
     double number = random_number(drawn, wanted);
-
     if (drawn->kind == DRAWN_BITS)
         drawn->found = ~wanted & C205_MACHINE_ZERO;
     else if (drawn->fault == FAULT_LAST_BIT)
@@ -139,7 +135,6 @@ static void put_fault(const struct random_lesson *drawn, const struct sink *sink
 {
     unsigned width = kinds[drawn->kind].width;
     const char *half = width == 32 ? ",H" : "";
-
     switch (drawn->fault) {
     case FAULT_NOTHING: return;
     case FAULT_LATE:
@@ -176,7 +171,6 @@ static void write_answer(struct random_lesson *drawn)
     const char *directive = kinds[drawn->kind].directive;
     SCOPED_VALUE(text_buffer) text = { 0 };
     struct sink sink = text_buffer_sink(&text);
-
     sink_print(&sink,
                "        .include \"core.s\"\n        .ifndef n\n"
                "        .equ    n, 5\n        .endif\n"
@@ -267,7 +261,6 @@ void random_open(const struct random_lesson *drawn, struct lesson *lesson)
         char file[] = "test-0.s";
         SCOPED_VALUE(text_buffer) text = { 0 };
         struct sink sink = text_buffer_sink(&text);
-
         file[5] = (char)(file[5] + (int)i);
         put_test(drawn, &drawn->tests[i], &sink);
         take(lesson, file, text.text);

@@ -389,7 +389,6 @@ static void put_solid(struct making *making, size_t depth)
 {
     static const char *const words[] = { "union", "merge", "intersection" };
     size_t around = below(making, 4); /* where there are spheres */
-
     put(making, "%s { ", words[below(making, COUNT(words))]);
     if (around != 1)
         put_sphere(making, 0);
@@ -418,7 +417,6 @@ static void put_array(struct making *making, size_t depth)
     size_t count = 1 + below(making, MAX), turns = 1 + below(making, 2);
     size_t variable = new_variable(making, 0);
     uint64_t seed = new_seed(making);
-
     direct(making, "#local A%zu = array[%zu] { #for (V%zu, 1, %zu) ", variable,
            turns * count, variable, turns);
     making->silent += !making->written;

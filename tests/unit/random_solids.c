@@ -279,7 +279,6 @@ static void add_clip(char *text, size_t size)
         add_plane, add_ball,    add_box,   add_cylinder,
         add_cone,  add_quadric, add_torus, add_prism,
     };
-
     if (below(10))
         return;
     add_text(text, size, "clipped_by { ");
@@ -362,7 +361,6 @@ void add_solid(char *text, size_t size, size_t depth)
     };
     size_t which = below(COUNT(joined));
     bool patches = solids.patches, meshes = solids.meshes;
-
     if (depth == 0 || below(5) == 0) {
         add_leaf(text, size);
         return;

@@ -24,7 +24,6 @@ void draw_walk(uint64_t *state, struct text_buffer *text)
     };
     struct sink sink = text_buffer_sink(text);
     size_t loops = 1 + below(state, 3);
-
     *text = (struct text_buffer){ .text = NULL };
     sink_put(&sink, "        .include \"vectors.s\"\n"
                     "        .regs r16, a, b, c, one, count, data, other\n"

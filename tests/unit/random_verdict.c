@@ -9,7 +9,6 @@ static void format_value(const struct random_lesson *drawn, c205_word element,
                          const struct sink *sink)
 {
     char text[C205_TEXT_SIZE];
-
     if (drawn->kind == DRAWN_BITS)
         strcpy(text, element ? "1" : "0");
     else if (drawn->kind == DRAWN_HALVES)
@@ -32,7 +31,6 @@ static void format_element(const struct random_lesson *drawn, c205_word found,
 static c205_word found_at(const struct random_lesson *drawn, size_t i)
 {
     const struct random_test *test = &drawn->tests[drawn->faulty];
-
     switch (drawn->fault) {
     case FAULT_NOTHING: return 0;
     case FAULT_LATE: return i > 0 ? test->wanted[i - 1] : 0;
@@ -60,7 +58,6 @@ size_t random_count_wrong(const struct random_lesson *drawn)
 {
     const struct random_test *test = &drawn->tests[drawn->faulty];
     size_t wrong = 0;
-
     for (size_t i = 0; i < test->n; i++)
         wrong += !is_near(drawn, found_at(drawn, i), test->wanted[i]);
     return wrong;
@@ -71,7 +68,6 @@ void random_mismatch(const struct random_lesson *drawn, size_t wrong,
 {
     const struct random_test *test = &drawn->tests[drawn->faulty];
     size_t reported = 0;
-
     if (test->n == 1) {
         sink_put(sink, "y");
         format_element(drawn, found_at(drawn, 0), test->wanted[0], sink);
@@ -113,7 +109,6 @@ const char *random_likeness(const struct random_lesson *drawn)
         [FAULT_BACKWARDS] = "  The right elements are there, but in reverse order.",
         [FAULT_SIGN] = "  The sign is wrong.",
     };
-
     return drawn->kind == DRAWN_BITS ? NULL : sentences[drawn->fault];
 }
 
@@ -121,7 +116,6 @@ size_t random_fault_line(const struct random_lesson *drawn)
 {
     const char *at = drawn->answer, *fault = strstr(at, "; fault");
     size_t line = 1;
-
     for (; at < fault; at++)
         line += *at == '\n';
     return line;

@@ -28,7 +28,6 @@ static void add_thing(char *text, size_t size)
         "pigment { rgb 1 } finish { ambient 3 }",
         "pigment { rgb <-1, .2, .3> } finish { ambient .6 }",
     };
-
     add_text(text, size, "%s", among(0, 1) ? "sphere { 0, 1 " : "box { -.7, .7 ");
     add_text(text, size, "scale <%.2f, %.2f, 1> rotate %.1f*z rotate %.1f*y\n",
              between(.2, 1.2), between(.1, 1), between(0, 180), between(0, 180));

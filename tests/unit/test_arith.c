@@ -150,7 +150,6 @@ static void products(void)
 static void quotients(void)
 {
     int64_t seven_thirds = HALF / 2 * 7 / 3;
-
     BINARY(divide_upper, IND, MZ, IND, INDEFINITE_FLAG);
     BINARY(divide_upper, MZ, MZ, IND, FAULT_FLAGS);
     BINARY(divide_upper, ONE, N(5, 0), IND, FAULT_FLAGS);
@@ -189,7 +188,6 @@ static void roots(void)
 {
     int64_t root_of_two = INT64_C(0x5A827999FCEF) >> (47 - B);
     int64_t root_below = INT64_C(0x5A827999FCEE) >> (47 - B);
-
     UNARY(square_root, ONE, ONE, 0);
     UNARY(square_root, N(3 - B, HALF), N(2 - B, HALF), 0);
     UNARY(square_root, N(2 - B, HALF), N(1 - B, root_of_two), 0);
@@ -249,7 +247,6 @@ static void parts(void)
 static void exponents(void)
 {
     int64_t least = -(INT64_C(1) << (size->format.exponent_bits - 1));
-
     UNARY(exponent, ONE, N(0, 1 - B), 0);
     UNARY(exponent, IND, N(0, TOP + 1), 0);
     UNARY(exponent, MZ, N(0, least), 0);
@@ -296,11 +293,9 @@ static void compare(void)
         { N(TOP, MAX) },
     };
     const c205_word others[] = { IND, ONE, MZ, N(TOP, MIN) };
-
     for (size_t i = 0; i < 16 * COUNT(ladder) * COUNT(ladder); i++) {
         size_t step = i / 16 / COUNT(ladder), other = i / 16 % COUNT(ladder);
         c205_word a = ladder[step][i / 4 % 4], b = ladder[other][i % 4];
-
         if (a == 0 || b == 0)
             continue;
         assert_int_equal(SIZED(equal)(a, b), step == other);
@@ -335,7 +330,6 @@ static void shift(void)
         { MIN, UINT64_MAX },
     };
     c205_word mask = format_mask(size->format), a = cases[0].expected & mask;
-
     for (size_t i = 0; i < COUNT(cases); i++)
         BINARY(shift, a, N(TOP + 2, cases[i].count), cases[i].expected & mask, 0);
     BINARY(shift, a >> 1 & mask, N(0, -width), 0, 0);
@@ -354,12 +348,10 @@ static c205_word any(uint64_t *seed)
 static void laws_of_sums(void)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;
-
     for (int i = 0; i < ROUNDS; i++) {
         c205_word a = any(&seed), b = any(&seed);
         c205_word upper = SIZED(subtract_upper)(a, b, &flags);
         c205_word lower = SIZED(subtract_lower)(a, b, &flags);
-
         assert_int_equal(SIZED(add_upper)(a, b, &flags),
                          SIZED(add_upper)(b, a, &flags));
         assert_int_equal(SIZED(add_lower)(a, b, &flags),
@@ -376,12 +368,10 @@ static void laws_of_roots(void)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;
     c205_word step = UINT64_C(1) << format_padding(size->format);
-
     for (int i = 0; i < ROUNDS; i++) {
         c205_word either = xorshift_normalised_of(size->format, &seed, -60, 60);
         c205_word a = SIZED(absolute)(either, &flags);
         c205_word r = SIZED(square_root)(a, &flags), next = r + step;
-
         assert_true(format_is_normalised(size->format, r));
         assert_true(SIZED(not_less)(a, SIZED(multiply_significant)(r, r, &flags)));
         assert_true(
@@ -395,7 +385,6 @@ TEST(rules)
         format,    sums,   products, quotients, roots,        parts,
         exponents, adjust, compare,  shift,     laws_of_sums, laws_of_roots,
     };
-
     for (size = sizes; size < sizes + COUNT(sizes); size++)
         for (size_t i = 0; i < COUNT(rules); i++)
             rules[i]();
@@ -453,7 +442,6 @@ TEST(extend)
 TEST(extended_come_back)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;
-
     for (int i = 0; i < ROUNDS; i++) {
         c205_word a = xorshift_unnormalised_of(half_words, &seed, HALF_BOTTOM,
                                                HALF_TOP);
@@ -469,7 +457,6 @@ TEST(extended_come_back)
 TEST(half_results_are_cut)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;
-
     for (int i = 0; i < ROUNDS; i++) {
         c205_word a = half_absolute(xorshift_normalised_of(half_words, &seed, -40, 30),
                                     &flags);

@@ -146,7 +146,6 @@ TEST(bounds)
 {
     FREED char *model = repeated(" .macro m a\n .text \"", "\\a", 100,
                                  "\"\n .endm\n m ");
-
     check_long(repeated("a:", " ", 70000, "EXIT\n"), 1, 1, "the line has more than");
     check_long(repeated(model, "1234567890", 70, "\n"), 2, 2,
                "the line expands to more than");
@@ -162,7 +161,6 @@ TEST(bounds)
 TEST(line_ends)
 {
     SCOPED(object) *object = good(" .data\r\n .word 5 \r\n .word 6\r\n");
-
     assert_int_equal(word_of(&object->program, 0x800000), 5);
     assert_int_equal(word_of(&object->program, 0x800040), 6);
 }
@@ -174,7 +172,6 @@ TEST(names_of_the_command)
     static const struct asm_define defines[] = { { "N", 2 }, { NULL, 0 } };
     const struct asm_options options = { .defines = defines };
     SCOPED_VALUE(diagnostics) errors = { 0 };
-
     assert_null(assemble_text("test.s", " EXIT\nN: EXIT\n", &options, &errors));
     assert_one_error(&errors, "N", 2, 1, "already defined by the command");
 }

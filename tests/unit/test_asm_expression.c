@@ -82,7 +82,6 @@ static void expect_failure(const char *expression, const char *message)
 TEST(errors)
 {
     char deep[500] = "";
-
     expect_failure("(1 << 63) / -1", "does not fit");
     expect_failure("1 >> -1", "between 0 and 63");
     expect_failure("~F", "requires integers");
@@ -126,7 +125,6 @@ TEST(depth)
 {
     enum { DEEPEST = 200 };
     char text[1000] = "";
-
     times(strcat(times(text, "(", DEEPEST - 1), "5"), ")", DEEPEST - 1);
     assert_int_equal(value(text), 5);
     *text = '\0';

@@ -182,7 +182,6 @@ TEST(broken_files)
     for (size_t i = 0; i < 20000; i++) {
         char *byte = &text.text[xorshift(&seed) % text.length];
         char kept = *byte;
-
         *byte = (char)xorshift(&seed);
         object_free(object_read(text.text, text.length, &failure));
         *byte = kept;
@@ -192,7 +191,6 @@ TEST(broken_files)
 static void check_refused(const char *text, const char *message)
 {
     c205_error error;
-
     assert_null(object_read(text, strlen(text), &error));
     FAIL_IF(!strstr(error.message, message), "%s: %s", text, error.message);
 }

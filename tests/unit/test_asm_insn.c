@@ -202,10 +202,8 @@ TEST(round_trip)
     uint64_t seed = 205;
     for (size_t i = 0; i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
-
         for (int j = 0; j < 100; j++) {
             c205_word word = xorshift(&seed);
-
             word = word << 8 >> 8 | (c205_word)insn->opcode << 56;
             word &= ~((c205_word)insn->subop_mask << 48);
             word |= (c205_word)insn->subop << 48;

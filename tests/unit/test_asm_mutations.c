@@ -35,7 +35,6 @@ static size_t below(uint64_t *seed, size_t bound)
 static void cut(char *text, size_t at, size_t count)
 {
     size_t length = strlen(text);
-
     if (at + count <= length)
         memmove(text + at, text + at + count, length - at - count + 1);
 }
@@ -43,7 +42,6 @@ static void cut(char *text, size_t at, size_t count)
 static void put(char *text, size_t at, const char *piece)
 {
     size_t length = strlen(piece);
-
     memmove(text + at + length, text + at, strlen(text + at) + 1);
     memcpy(text + at, piece, length);
 }
@@ -52,7 +50,6 @@ static void put(char *text, size_t at, const char *piece)
 static void make_mistake(char *text, uint64_t *seed)
 {
     size_t at = below(seed, strlen(text) + 1);
-
     switch (below(seed, 4)) {
     case 0: cut(text, at, 1 + below(seed, 8)); break;
     case 1: put(text, at, pieces[below(seed, COUNT(pieces))]); break;
@@ -74,7 +71,6 @@ static size_t check_text(const char *path, const char *text)
     SCOPED_VALUE(diagnostics) found = { 0 };
     SCOPED(object) *object = assemble_bytes(path, text, strlen(text), NULL, &found);
     size_t errors = found.errors;
-
     FAIL_IF(!object != (errors > 0), "%s: %zu errors, and %s object in\n%s", path,
             errors, object ? "an" : "no", text);
     for (size_t i = 0; i < found.count; i++) {
@@ -96,7 +92,6 @@ TEST(mutations)
         size_t length;
         FREED char *text = file_read(programs[i], FILE_LARGEST, &length, &failure);
         FREED char *copy = NON_NULL(text ? malloc(length + 100 * MISTAKES) : NULL);
-
         for (int try = 0; try < TRIES; try++) {
             memcpy(copy, text, length + 1);
             for (k = 0; k < 1 + below(&seed, MISTAKES); k++)

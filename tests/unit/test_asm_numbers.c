@@ -32,7 +32,6 @@ static c205_word number_of(const struct drawn *drawn)
 static void draw_leaf(struct drawn *drawn)
 {
     const char *end;
-
     drawn->good = true;
     drawn->is_integer = one_in(&state, 3);
     if (drawn->is_integer) {
@@ -62,7 +61,6 @@ static void draw_sum(struct drawn *drawn, int depth)
     size_t i = below(&state, 4);
     FREED struct drawn *sides = calloc(2, sizeof *sides);
     uint64_t flags = 0;
-
     draw_value(&sides[0], depth);
     draw_value(&sides[1], depth);
     /* Operators on two integers are integer operators, so one operand is converted. */
@@ -158,7 +156,6 @@ TEST(operations)
 {
     static struct drawn drawn;
     int values = 0;
-
     for (int i = 0; i < TRIES; i++) {
         draw_value(&drawn, DEPTH);
         SCOPED(object) *object = assemble_value(drawn.text);

@@ -9,7 +9,6 @@
 static void assert_place(const struct object *object, const char *name, int64_t place)
 {
     const struct asm_symbol *symbol = object_symbol(object, name);
-
     FAIL_IF(!symbol || symbol->is_label || symbol->value != place, "%s: %ld, not %ld",
             name, symbol ? (long)symbol->value : -1, (long)place);
 }
@@ -41,7 +40,6 @@ TEST(places)
                                   " .endrecord\n"
                                   " .equ radius, 3\n"
                                   " .word BALL_SIZE\n");
-
     for (size_t i = 0; i < COUNT(places); i++)
         assert_place(object, places[i].name, places[i].place);
     assert_null(object_symbol(object, "BALL"));
@@ -67,7 +65,6 @@ static void make_record(struct random_record *record, uint64_t *seed)
     while (record->count < MAX_FIELDS) {
         int64_t words = xorshift_between(seed, 0, 19);
         int64_t choice = xorshift_between(seed, 0, 7);
-
         if (choice == 0 && record->count > 0) {
             size_t field = xorshift(seed) % record->count;
             next = record->place[field];
@@ -91,14 +88,12 @@ static void make_record(struct random_record *record, uint64_t *seed)
 TEST(random_records)
 {
     uint64_t seed = RANDOM_SEED;
-
     for (size_t i = 0; i < 300; i++) {
         struct random_record record = { 0 };
         make_record(&record, &seed);
         SCOPED(object) *object = good(record.text.text);
-        for (size_t field = 0; field < record.count; field++) {
+        for (size_t field = 0; field < record.count; field++)
             assert_place(object, formatted("f%zu", field), record.place[field]);
-        }
         assert_place(object, "R_SIZE", record.size);
         text_buffer_free(&record.text);
     }

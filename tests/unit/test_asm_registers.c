@@ -70,7 +70,6 @@ TEST(errors)
         { " .share\n .endshare 5\n", 2, 12, "the end of the statement" },
     };
     struct diagnostics found = { 0 }, first;
-
     assert_asm_errors(errors, COUNT(errors));
     /* Only the first of several errors is compared. */
     assert_null(assemble_text("test.s", nested, NULL, &found));
@@ -98,7 +97,6 @@ TEST(mentions)
         { 0x400000, 0 }, { 0x400000, 3 }, { 0x400020, 4 }, { 0x400020, 1 },
         { 0x400020, 3 }, { 0x400020, 4 }, { 0x400020, 1 }, { 0x400060, 2 }
     };
-
     assert_int_equal(object->register_count, 5);
     assert_string_equal(object->registers[2].name, "h");
     assert_true(object->registers[2].half);
@@ -151,7 +149,6 @@ static bool agree(const struct given *a, const struct given *b)
 static bool clashes(const struct given *given, size_t last)
 {
     const struct given *new = &given[last];
-
     for (size_t i = 0; i < last; i++)
         if (given[i].holds
             && given[i].number == new->number &&given[i].owner != new->owner
@@ -179,7 +176,6 @@ static void say(struct declarations *declarations, const char *text)
 static void open_block(struct declarations *declarations, unsigned word)
 {
     struct given *around = &declarations->around;
-
     say(declarations, formatted(word ? " .share w%u\n" : " .share\n", word));
     around->blocks[around->depth] = ++declarations->blocks;
     around->words[around->depth++] = word;
@@ -197,7 +193,6 @@ static void name_one(struct declarations *declarations, uint64_t *seed)
     struct given *given = declarations->given, *new = &given[declarations->count];
     size_t other = declarations->count > 0 ? xorshift(seed) % declarations->count : 0;
     char text[40];
-
     *new = declarations->around;
     new->name = xorshift(seed) % NAMES;
     new->number = 5 + (unsigned)(xorshift(seed) % REGISTERS);
@@ -229,7 +224,6 @@ static void make_declarations(struct declarations *declarations, uint64_t *seed)
     memset(declarations, 0, sizeof *declarations);
     while (declarations->line < LINES) {
         size_t choice = xorshift(seed) % 6, *depth;
-
         depth = &declarations->around.depth;
         if (choice == 0 && *depth < DEPTH)
             open_block(declarations, (unsigned)(xorshift(seed) % WORDS));
@@ -246,7 +240,6 @@ TEST(random_declarations)
 {
     uint64_t seed = RANDOM_SEED;
     size_t reported = 0, silent = 0;
-
     for (size_t i = 0; i < 2000; i++) {
         static struct declarations declarations;
         SCOPED_VALUE(diagnostics) found = { 0 };
@@ -256,7 +249,6 @@ TEST(random_declarations)
             assemble_text("test.s", declarations.text, NULL, &found));
         for (size_t line = 1; line <= LINES; line++) {
             bool here = next < found.count && found.items[next].line == line;
-
             FAIL_IF(here != declarations.reported[line], "%sline %zu",
                     declarations.text, line);
             next += here;

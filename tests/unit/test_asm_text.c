@@ -22,7 +22,6 @@ TEST(data)
                                   "end:\n"
                                   " .half -1, 0xFFFFFFFF, -0x80000000\n");
     const c205_program *program = &object->program;
-
     assert_int_equal(object_symbol(object, "label")->value, DATA + 64);
     assert_int_equal(object_symbol(object, "same")->value, DATA + 64);
     assert_true(object_symbol(object, "v")->is_label);
@@ -51,7 +50,6 @@ TEST(half_words)
         " .halfvector none, 0\n"
         " .word 8\n");
     const c205_program *program = &object->program;
-
     assert_int_equal(word_of(program, DATA), 0xEA600000EA800000);
     assert_int_equal(word_of(program, DATA + 64), 0x00FFFFFEE6666666);
     assert_int_equal(word_of(program, DATA + 128), 0x7012345670000000);
@@ -81,7 +79,6 @@ TEST(places)
                                   " .space 1000\n"
                                   " .entry here\n");
     const c205_program *program = &object->program;
-
     assert_int_equal(program->entry, CODE + 64);
     assert_int_equal(word_of(program, CODE + 64), 0x3E01000200000000);
     assert_int_equal(word_of(program, 0x10000000), 0x3E010003);
@@ -94,7 +91,6 @@ TEST(entry_is_the_first_instruction)
 {
     SCOPED(object) *object = good(" .data\n .word 1\n .code\n .org 0x500000\n"
                                   " EXIT\n .org 0x400000\n EXIT\n");
-
     assert_int_equal(object->program.entry, 0x500000);
 }
 
@@ -106,7 +102,6 @@ TEST(regions)
         " .endkernel\n .kernel two\n .endkernel\n"
         " .kernel \"a b\"\n EXIT\n .endkernel\n");
     const c205_program *program = &object->program;
-
     assert_int_equal(program->region_count, 2);
     assert_string_equal(program->regions[0].name, "one");
     assert_int_equal(program->regions[0].begin, CODE + 32);
@@ -160,11 +155,9 @@ TEST(words)
         { " .reg x, r1\n .regs h8, y, x\n RTORH y, x\n", CODE, 0x5808000900000000 },
         { " .reg x, h1\n .reg x, r9\n RTOR x, r3\n", CODE, 0x7809000300000000 },
     };
-
     for (size_t i = 0; i < COUNT(cases); i++) {
         SCOPED(object) *object = good(cases[i].text);
         c205_word word = word_of(&object->program, cases[i].address);
-
         FAIL_IF(word != cases[i].word, "%s: %016llX", cases[i].text,
                 (unsigned long long)word);
     }
@@ -173,7 +166,6 @@ TEST(words)
 TEST(lines_of_dos)
 {
     SCOPED(object) *object = good(" EXIT\r\n; expect-print: a\r\n");
-
     assert_string_equal(object->expectations[0].text, "a");
     assert_string_equal(object->lines[0].source, " EXIT");
 }
@@ -182,7 +174,6 @@ TEST(lines_of_dos)
 TEST(overlaps)
 {
     SCOPED_VALUE(diagnostics) errors = { 0 };
-
     assert_null(assemble_text("test.s",
                               " .data\n .space 4\n .org 0x800040\n .word 1\n"
                               " .org 0x8000C0\n .word 2\n",
@@ -202,7 +193,6 @@ TEST(conditions)
     const struct asm_options options = { .defines = defines };
     struct diagnostics errors = { 0 };
     SCOPED(object) *object = NON_NULL(assemble_text("t.s", text, &options, &errors));
-
     assert_int_equal(word_of(&object->program, DATA), 2);
     assert_int_equal(word_of(&object->program, DATA + 64), 22);
     assert_int_equal(word_of(&object->program, DATA + 128), 4);
@@ -310,7 +300,6 @@ TEST(all_errors_with_carets)
     SCOPED_VALUE(diagnostics) errors = { 0 };
     SCOPED_VALUE(text_buffer) buffer = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&buffer);
-
     assert_null(assemble_text("test.s", text, NULL, &errors));
     diagnostics_put(&errors, &sink);
     assert_string_equal(buffer.text, printed);
@@ -319,7 +308,6 @@ TEST(all_errors_with_carets)
 TEST(missing_file)
 {
     SCOPED_VALUE(diagnostics) errors = { 0 };
-
     assert_null(assemble_file("no such file.s", NULL, &errors));
     assert_int_equal(errors.count, 1);
     assert_int_equal(errors.items[0].line, 0);

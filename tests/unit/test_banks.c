@@ -15,7 +15,6 @@ static uint64_t by_the_rule(const struct banks *banks, uint64_t table, unsigned 
                             const c205_word *indices, size_t count)
 {
     uint64_t free_at[MAX_BANKS] = { 0 }, next = 0;
-
     for (size_t i = 0; i < count; i++) {
         uint64_t address = (table + indices[i] * step) & UINT64_C(0xFFFFFFFFFFFF);
         uint64_t *free_again = &free_at[address / 64 % banks->count];
@@ -31,7 +30,6 @@ static uint64_t by_the_rule(const struct banks *banks, uint64_t table, unsigned 
 static void fill(c205_word *indices, size_t count, size_t banks, uint64_t *seed)
 {
     uint64_t kind = xorshift(seed) % 4, at = xorshift(seed) >> 16;
-
     for (size_t i = 0; i < count; i++) {
         uint64_t gap = kind == 0   ? 1 + xorshift(seed) % 3
                        : kind == 1 ? banks * (xorshift(seed) % 2)
@@ -67,7 +65,6 @@ static void check_list(uint64_t *seed)
     unsigned step = xorshift(seed) % 4 ? 64 : 32;
     SCOPED_VALUE(banks) banks;
     SCOPED_VALUE(index_list) list = { 0 };
-
     assert_true(
         banks_init(&banks, (size_t)xorshift_between(seed, 1, MAX_BANKS), access, busy));
     fill(indices, count, banks.count, seed);
@@ -82,7 +79,6 @@ static void check_list(uint64_t *seed)
 TEST(lists_by_chance)
 {
     uint64_t seed = RANDOM_SEED;
-
     for (int i = 0; i < LISTS; i++)
         check_list(&seed);
 }
@@ -93,7 +89,6 @@ TEST(roundings)
     static const int ways[] = { FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO };
     uint64_t seed = RANDOM_SEED;
     int before = fegetround();
-
     for (size_t i = 0; i < 3 * LISTS; i++) {
         assert_int_equal(fesetround(ways[i % 3]), 0);
         check_list(&seed);

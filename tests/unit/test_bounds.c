@@ -68,7 +68,6 @@ TEST(known)
           " difference { box { -9, 9 } sphere { 0, 1 } } }",
           0, 0, 0, 4, .002 },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct bound bound = first_bound(rows[i].text);
         const double center[] = { rows[i].x, rows[i].y, rows[i].z };
@@ -102,7 +101,6 @@ TEST(known_boxes)
           { 2, 0, 0, 4, 1, 2 } },
         { "difference { box { 0, <4, 4, 1> } box { 1, 3 } }", { 0, 0, 0, 4, 4, 1 } },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct bound bound = first_bound(rows[i].text);
         for (int k = 0; k < 3; k++) {
@@ -166,7 +164,6 @@ TEST(crossings)
          " weights 1, 2, 1, .5, 3, 1"),
     };
     enum { PLACES = 20, LINES = 400 };
-
     for (size_t i = 0; i < COUNT(shapes) * PLACES; i++) {
         size_t count = 0;
         char text[400];
@@ -192,7 +189,6 @@ TEST(crossings)
 TEST(enclose)
 {
     enum { PARTS = 20, TRIES = 1000 };
-
     for (int try = 0; try < TRIES; try++) {
         struct bound parts[PARTS], whole;
         size_t count = 1 + xorshift(&random_state) % PARTS;

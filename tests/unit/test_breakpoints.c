@@ -23,7 +23,6 @@ static uint64_t draw_address(const struct object *object)
     const c205_program *program = &object->program;
     const c205_segment *segment = &program->segments[below(program->segment_count)];
     uint64_t half = segment->address / 32 + below(2 * segment->length + 8);
-
     switch (below(8)) {
     case 0: return below(2) * 32;
     case 1: return below(UINT64_C(1) << 48);
@@ -44,7 +43,6 @@ static void check_line(struct debug_session *session, const char *line, bool goo
                        const char *said)
 {
     size_t stops = session->debugger->breakpoint_count;
-
     session_obey(session, line);
     FAIL_IF(session->debugger->breakpoint_count != stops + good
                 || !session_says(session, said),
@@ -66,7 +64,6 @@ static void check_addresses(const char *path, bool stripped)
     for (size_t i = 0; i < PLACES; i++) {
         uint64_t address = draw_address(whole);
         bool good = is_instruction(whole, address);
-
         const char *line = formatted("%s *0x%" PRIX64, below(2) ? "break" : "tbreak",
                                      address);
         check_line(&session, line, good,
@@ -106,10 +103,8 @@ TEST(visited)
 static size_t next_line(const struct object *object, const char *file, size_t number)
 {
     size_t found = SIZE_MAX;
-
     for (size_t i = 0; i < object->line_count; i++) {
         const struct asm_line *line = &object->lines[i];
-
         if (!line->is_code)
             continue;
         if (strcmp(line->file, file) == 0 && line->number >= number
@@ -128,7 +123,6 @@ TEST(lines)
     static const char *const paths[] = { "asm/examples/dot.s",
                                          "asm/examples/saxpy_scalar.s",
                                          "asm/examples/sieve.s" };
-
     for (size_t i = 0; i < COUNT(paths); i++) {
         struct object *object = good_file(paths[i]);
         FREED_BY(session_end) struct debug_session session;
@@ -138,7 +132,6 @@ TEST(lines)
             size_t wanted = number < 0 ? 0 : (size_t)number;
             size_t found = next_line(object, paths[i], wanted);
             char line[80], said[200] = "error: ";
-
             snprintf(line, sizeof line, "break %ld", number);
             if (found == wanted && found > 0)
                 snprintf(said, sizeof said, ": %zu\n", found);
@@ -180,7 +173,6 @@ TEST(moved)
         { "until 0", "error: lines are counted from 1" },
         { "list 0", "error: lines are counted from 1" },
     };
-
     check_session(text, lines, COUNT(lines), 9);
 }
 
@@ -194,7 +186,6 @@ static void check_verified(struct dap_client *client, const char *request,
                        "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [%s]}",
                        client_path, stop),
             "breakpoints");
-
     FAIL_IF(json_member_truth(list->first, "verified", !good) != good
                 || !*the_text(list->first, "message"),
             "%s %s", request, stop);
@@ -209,7 +200,6 @@ TEST(protocol)
     client_enter(&client, client_program);
     for (size_t i = 0; i < REQUESTS; i++) {
         uint64_t address = draw_address(object);
-
         snprintf(stop, sizeof stop, "{\"instructionReference\": \"0x%" PRIX64 "\"}",
                  address);
         check_verified(&client, "setInstructionBreakpoints", stop,

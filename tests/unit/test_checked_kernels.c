@@ -66,7 +66,6 @@ static void check(const char *path, const c205_model *model, enum trace_mode mod
                                            .visible = visible,
                                            .observers = observers,
                                            .model = model };
-
     if (!scene)
         diagnostics_print(&reports, stderr);
     assert_non_null(scene);

@@ -18,7 +18,6 @@ static void charge_pair(struct clock *clock, const char *first_name,
     struct decoded first = insn(first_name, 0, 0, 0);
     struct decoded second = insn(second_name, 0, 0, 0);
     struct decoded prefix = insn("LINKV", 0, 0, 0);
-
     first.fields.g = second.fields.g = g;
     prefix.linked[0] = &first;
     prefix.linked[1] = &second;

@@ -29,14 +29,12 @@ struct arguments {
 static const char *colour_choice(size_t number)
 {
     static const char *const names[] = { "red", "green", "", "blue" };
-
     return number < 4 ? names[number] : NULL;
 }
 
 static bool take_length(char *text, void *value)
 {
     size_t length = strlen(text);
-
     memcpy(value, &length, sizeof length);
     return length < 9;
 }
@@ -89,7 +87,6 @@ static void describe(const struct arguments *a, char text[4096])
                           a->folder ? a->folder : "", a->count,
                           (unsigned long long)a->clocks, (unsigned long long)a->end,
                           a->number, (int)a->colour, a->length, a->first);
-
     for (size_t i = 0; i < a->words.count; i++)
         length += snprintf(text + length, 4096 - (size_t)length, "|%s",
                            a->words.items[i]);
@@ -126,7 +123,6 @@ static int run(int argc, char **argv)
         .version = "1",
         .commands = commands,
     };
-
     seen[0] = '\0';
     return command_main(&program, argc, argv);
 }
@@ -153,7 +149,6 @@ static size_t below(struct line *line, size_t most)
 static char *add(struct line *line)
 {
     char *word = line->words[line->argc];
-
     line->argv[line->argc++] = word;
     line->argv[line->argc] = NULL;
     return word;
@@ -162,7 +157,6 @@ static char *add(struct line *line)
 static void make_word(struct line *line, char text[WORD_SIZE])
 {
     size_t length = 5 + below(line, 4);
-
     for (size_t i = 0; i < length; i++)
         text[i] = (char)('a' + below(line, 26));
     text[length] = '\0';
@@ -175,7 +169,6 @@ static const char *make_value(struct line *line, const struct command_option *op
     struct arguments *expected = &line->expected;
     static const enum colour colours[] = { RED, GREEN, BLUE };
     uint64_t clocks;
-
     make_word(line, text);
     switch (option->kind) {
     case COMMAND_COUNT:
@@ -212,7 +205,6 @@ static void add_option(struct line *line, const struct command_option *option)
     struct arguments *expected = &line->expected;
     char *word = add(line), *place;
     int length;
-
     if (option->letter && below(line, 2))
         length = snprintf(word, WORD_SIZE, "-%c", option->letter);
     else
@@ -249,7 +241,6 @@ static void add_operands(struct line *line, size_t count)
     for (size_t i = 0; i < count; i++) {
         struct command_texts *files = &line->expected.files;
         char *word = add(line);
-
         make_word(line, word);
         if (!line->expected.first)
             line->expected.first = word;
@@ -263,7 +254,6 @@ TEST(right_lines)
     for (uint64_t seed = 1; seed <= 3000; seed++) {
         struct line line;
         char expected[4096];
-
         begin(&line, seed * RANDOM_SEED);
         add_operands(&line, 1);
         for (size_t i = below(&line, 12); i > 0; i--) {
@@ -364,7 +354,6 @@ static int run_words(const char *first, ...)
 {
     struct line line = { .argc = 0 };
     va_list words;
-
     strcpy(add(&line), "test");
     va_start(words, first);
     for (const char *word = first; word; word = va_arg(words, const char *))
@@ -385,7 +374,6 @@ TEST(bounds)
 TEST(missing_and_too_many)
 {
     struct caught caught;
-
     catch (&caught);
     assert_int_equal(run_words("look", NULL), CMD_USAGE);
     assert_int_equal(run_words("other", "look", NULL), CMD_USAGE);
@@ -407,14 +395,12 @@ TEST(nearest)
     static const char *const names[] = { "render", "profile", "speedup", "sweep",
                                          "quartic" };
     uint64_t random = RANDOM_SEED;
-
     for (int i = 0; i < 2000; i++) {
         const char *name = names[xorshift_between(&random, 0, 4)];
         size_t length = strlen(name);
         size_t at = (size_t)xorshift_between(&random, 0, (int64_t)length - 2);
         char word[16];
         struct spelling nearest = { .word = word };
-
         strcpy(word, name);
         switch (xorshift_between(&random, 0, 3)) {
         case 0: memmove(word + at, name + at + 1, length - at); break;
@@ -445,10 +431,8 @@ TEST(time_left)
                   { 59.6, "1 min 0 s" },
                   { 3599, "59 min 59 s" },
                   { 7290, "2 h 1 min" } };
-
     for (size_t i = 0; i < COUNT(cases); i++) {
         char text[PROGRESS_TIME_SIZE];
-
         progress_time(cases[i].seconds, text);
         assert_string_equal(text, cases[i].text);
     }

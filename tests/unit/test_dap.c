@@ -32,7 +32,6 @@ static void replace(const struct session *session, const char *from, char to[TEX
     for (size_t used = 0; (to[used] = *from) != '\0'; from++) {
         char folder[TEXT] = "", number[20];
         const char *value = NULL;
-
         snprintf(number, sizeof number, "%d", session->reference);
         if (*from == '$')
             switch (from[1]) {
@@ -53,7 +52,6 @@ static void replace(const struct session *session, const char *from, char to[TEX
 static char *next_word(char *text)
 {
     char *end = text + strcspn(text, " ");
-
     return *end ? *end = '\0', end + 1 : end;
 }
 
@@ -62,7 +60,6 @@ static char *next_word(char *text)
 static void send(struct session *session, char *request)
 {
     char *arguments = next_word(request);
-
     client_command(&session->client, request, *arguments ? "%s" : NULL, arguments);
 }
 
@@ -76,7 +73,6 @@ static void do_request(struct session *session, char *request)
 static void begin(struct session *session, char *arguments)
 {
     const char *words[20] = { NULL };
-
     client_write(session->program);
     for (size_t i = 0; *arguments; i++) {
         words[i] = arguments;
@@ -154,7 +150,6 @@ static void check_refused(struct session *session, char *text)
 static void check_event(struct session *session, char *event)
 {
     char *text = next_word(event);
-
     client_event(&session->client, event);
     check_text(session, text);
 }
@@ -183,7 +178,6 @@ static void check_step(struct session *session, char *step)
 static void check_value(struct session *session, char *value)
 {
     char *text = NON_NULL(strstr(value, " = "));
-
     *text = '\0';
     client_print(&session->client, value);
     check_text(session, text + strlen(" = "));
@@ -195,7 +189,6 @@ static void check_output(struct session *session, char *text)
     const char *printed = session->client.output.text;
     char *end;
     bool whole = false;
-
     while ((end = strstr(text, "\\n")) != NULL) {
         *end = '\n';
         memmove(end + 1, end + 2, strlen(end + 1));
@@ -221,7 +214,6 @@ static void play_step(struct session *session, const char *step)
 {
     char text[TEXT], *rest, first[TEXT];
     size_t i = 0;
-
     replace(session, step, text);
     strcpy(first, text);
     rest = text + (next_word(first) - first);
@@ -240,7 +232,6 @@ static void play_step(struct session *session, const char *step)
 static void end_session(struct session *session)
 {
     unsigned line = session->line;
-
     if (session->begun) {
         if (session->refused)
             wrong(session, "a success");
@@ -252,11 +243,9 @@ static void end_session(struct session *session)
 static void play_line(struct session *session, char *line)
 {
     static const char between[] = " => ";
-
     line += strspn(line, " ");
     while (line) {
         char *next = strstr(line, between);
-
         if (next)
             *next = '\0';
         play_step(session, line);
@@ -310,7 +299,6 @@ TEST(broken)
     };
     static const char no_json[] = "Content-Length: 5\r\n\r\nhello";
     struct dap_client client;
-
     for (size_t i = 0; i < COUNT(broken); i++) {
         client_begin(&client, NULL);
         client_send(&client, broken[i], strlen(broken[i]));

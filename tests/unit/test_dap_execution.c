@@ -27,7 +27,6 @@ static void check_moment(struct walk *walk, const char *request)
     const struct moment *moment = &walk->plain.moments[walk->step];
     const struct json_value *item, *time = client_variables(&walk->client, "Time");
     size_t i = 0;
-
     FAIL_IF(strtoull(value_of(time, "step"), NULL, 10) != walk->step
                 || strtoull(value_of(time, "clock"), NULL, 10) != moment->clock
                 || client_pc(&walk->client) != moment->pc,
@@ -63,7 +62,6 @@ static void choose_stops(struct walk *walk)
 static const char *reason_for(const struct walk *walk, const char *request, size_t from)
 {
     bool steps_back = strcmp(request, "stepBack") == 0;
-
     if (walk->step == walk->plain.end)
         return "end";
     if (walk->step == 0)
@@ -79,7 +77,6 @@ static const char *reason_for(const struct walk *walk, const char *request, size
 static void move_to(struct walk *walk, const char *request, size_t step)
 {
     size_t from = walk->step;
-
     walk->step = step;
     client_ask(&walk->client, request,
                "{\"threadId\": 1, \"granularity\": \"instruction\"}");
@@ -91,7 +88,6 @@ static void move_to(struct walk *walk, const char *request, size_t step)
 static void move(struct walk *walk)
 {
     size_t step = walk->step, end = walk->plain.end;
-
     switch (step == end ? 2 + below(2) : below(5)) {
     case 0:
         step = plain_on(&walk->plain, &walk->stops, step, UINT64_MAX);
@@ -113,7 +109,6 @@ static void check_disassembly(struct walk *walk)
     const struct json_value *all = client_disassembled(&walk->client, 0x400000, 0, MAX);
     int here = (int)below(MAX), before = (int)below((uint64_t)here + 1);
     const struct json_value *item = all->first, *from = all->first, *part;
-
     for (int i = 0; i < here; i++)
         item = item->next;
     for (int i = 0; i < here - before; i++)
@@ -129,11 +124,9 @@ static void check_disassembly(struct walk *walk)
 TEST(motions)
 {
     enum { ROUNDS = 12, MOVES = 60 };
-
     for (size_t i = 0; i < ROUNDS; i++) {
         struct walk walk = { .step = 0 };
         SCOPED_VALUE(text_buffer) text;
-
         draw_walk(&random_state, &text);
         walk.plain = run_plainly(good(text.text), &random_state);
         client_launch(&walk.client, text.text,
@@ -157,7 +150,6 @@ TEST(motions)
 TEST(objects)
 {
     enum { ROUNDS = 6 };
-
     client_write("");
     for (size_t i = 0; i < ROUNDS; i++) {
         struct walk walk = { .step = 0 };

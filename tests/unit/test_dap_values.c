@@ -38,7 +38,6 @@ TEST(elements)
     for (int start = 0; start < 4; start++)
         for (int count = 0; count < 6; count++) {
             int i = start;
-
             const char *range =
                 formatted(", \"filter\": \"indexed\", \"start\": %d, \"count\": %d",
                           start, count);
@@ -58,18 +57,15 @@ static void check_accounts(struct dap_client *client, const c205 *machine)
 {
     const struct json_value *time = client_variables(client, "Time");
     uint64_t sum = 0;
-
     for (size_t i = 0; i < c205_account_count(machine); i++) {
         const c205_account *account = c205_account_at(machine, i);
         const char *name = *account->name ? account->name : "outside regions";
         const struct json_value *list = client_inside(client, reference_of(time, name),
                                                       "");
-
         for (int cause = 0; cause < C205_CAUSES; cause++) {
             uint64_t clocks = strtoull(value_of(list,
                                                 c205_cause_name((c205_cause)cause)),
                                        NULL, 10);
-
             assert_int_equal(clocks, account->clocks[cause]);
             sum += clocks;
         }
@@ -118,7 +114,6 @@ static void put_defaults(struct json *json, const struct json_value *properties)
     for (const struct json_value *item = properties->first; item; item = item->next) {
         const char *type = the_text(item, "type");
         const struct json_value *value = the(item, "default");
-
         if (strcmp(item->key, "program") == 0)
             json_text(json, "program", client_path);
         else if (strcmp(type, "string") == 0)

@@ -26,7 +26,6 @@ struct random_text {
 static uint64_t put_data(struct random_text *drawn, enum asm_contents contents)
 {
     uint64_t n = below(&state, 4) + 1;
-
     switch (contents) {
     case ASM_WORDS:
         if (one_in(&state, 3)) {
@@ -58,7 +57,6 @@ static void put_vector(struct random_text *drawn, size_t i)
                   { "halfvector", ASM_HALF_WORDS },
                   { "bitvector", ASM_BITS } };
     size_t kind = below(&state, 3);
-
     drawn->label[i].contents = kinds[kind].contents;
     drawn->label[i].count = below(&state, 100) + !one_in(&state, 4);
     sink_print(&drawn->out, "        .%s l%zu, %" PRIu64 "%s\n", kinds[kind].name, i,
@@ -73,7 +71,6 @@ static void put_labelled(struct random_text *drawn, size_t i)
     static const enum asm_contents kinds[] = { ASM_WORDS, ASM_HALF_WORDS, ASM_BYTES,
                                                ASM_CODE };
     enum asm_contents contents = kinds[below(&state, 4)];
-
     drawn->label[i] = (struct labelled){ contents, 0 };
     sink_print(&drawn->out,
                contents == ASM_CODE ? "        .code\n" : "        .data\n");
@@ -88,7 +85,6 @@ static void put_labelled(struct random_text *drawn, size_t i)
 static void check(const struct random_text *drawn)
 {
     SCOPED(object) *object = good(drawn->text.text);
-
     for (size_t i = 0; i < LABELS; i++) {
         const char *name = formatted("l%zu", i);
         const struct asm_symbol *symbol = object_symbol(object, name);
@@ -105,7 +101,6 @@ static void check(const struct random_text *drawn)
 TEST(labels)
 {
     static struct random_text drawn;
-
     for (int try = 0; try < TRIES; try++) {
         drawn.out = text_buffer_sink(&drawn.text);
         for (size_t i = 0; i < LABELS; i++) {
@@ -129,7 +124,6 @@ TEST(ends)
     SCOPED(object) *object = good("        .data\nx:      .word 1\nend:\n"
                                   "        .equ five, 5\n        .code\n"
                                   "        EXIT\n");
-
     assert_int_equal(object_symbol(object, "end")->contents, ASM_NOTHING);
     assert_int_equal(object_symbol(object, "end")->count, 0);
     assert_int_equal(object_symbol(object, "five")->contents, ASM_NOTHING);

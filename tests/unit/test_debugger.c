@@ -21,7 +21,6 @@ static bool begins_with_stop(const struct plain *plain,
                              const struct plain_stops *reported)
 {
     uint64_t pc = plain->moments[0].pc;
-
     return (reported->by_place && pc == reported->place)
            || (reported->region
                && strcmp(plain_region(plain, pc), reported->region) == 0);
@@ -67,7 +66,6 @@ static void choose_place(struct session *session)
 static void choose_region(struct session *session)
 {
     const c205_program *program = &session->plain->object->program;
-
     if (session->reported.region || program->region_count == 0)
         return;
     session->reported.region = program->regions[below(program->region_count)].name;
@@ -89,7 +87,6 @@ static size_t draw_line(struct session *session, char line[80])
     const struct plain_stops *reported = &session->reported;
     size_t step = session->step;
     uint64_t number;
-
     switch (below(8)) {
     case 0:
         number = 1 + below(40);
@@ -126,7 +123,6 @@ static void check_place(const struct session *session, const char *line)
     const struct moment *expected = &session->plain->moments[session->step];
     struct moment found = moment_of(machine_of(session->debug.debugger),
                                     session->plain->watched);
-
     FAIL_IF(c205_history_step(session->debug.debugger->history) != session->step
                 || memcmp(&found, expected, sizeof found) != 0,
             "'%s' (watch %d, place %d every %zu, region %s): step %" PRIu64
@@ -150,7 +146,6 @@ TEST(movements)
         struct plain plain = run_plainly(good_file(programs[i % PROGRAMS]),
                                          &random_state);
         struct session session = { .plain = &plain };
-
         session_begin(&session.debug, plain.object, programs[i % PROGRAMS]);
         for (size_t k = 0; k < LINES; k++) {
             char line[80];
@@ -177,7 +172,6 @@ TEST(far_back)
                                      &random_state);
     struct session session = { .plain = &plain };
     char line[80];
-
     session_begin(&session.debug, plain.object, "saxpy_scalar.s");
     snprintf(line, sizeof line, "break *%" PRIu64 " if $step == %d",
              plain.moments[STOP].pc, STOP);

@@ -84,7 +84,6 @@ TEST(values)
         { "disassemble here, 2", "LODH" },
         { "help", "reverse-continue" },
     };
-
     check_session(text, lines, COUNT(lines), 3);
 }
 
@@ -284,7 +283,6 @@ TEST(sessions)
 {
     for (size_t i = 0; i < COUNT(sessions); i++) {
         size_t count = 0;
-
         while (count < MAX_LINES && sessions[i].lines[count].line)
             count++;
         check_session(sessions[i].program, sessions[i].lines, count,

@@ -45,7 +45,6 @@ static uint64_t draw_address(const struct object *object, bool code)
 {
     size_t count = object->line_count;
     const struct asm_line *line = &object->lines[below(count)];
-
     while (line->is_code != code)
         line = &object->lines[below(count)];
     return line->address;
@@ -57,7 +56,6 @@ static void draw_place(const struct object *object, script_line place)
     const struct asm_symbol *symbol = &object->symbols[below(object->symbol_count)];
     static const char *const insns[] = { "EXIT", "ADDN",  "LOD", "STO",
                                          "EX",   "MPYSV", "ES",  "LINKV" };
-
     switch (below(5)) {
     case 0: snprintf(place, LINE, "insn %s", PICK(insns)); break;
     case 1:
@@ -83,7 +81,6 @@ static void draw_value(const struct object *object, script_line value)
         "h21",        "r50.i",          "r14 + 1", "clock / 3",      "r12 < 4 || r13",
         "!(r15 - 2)", "r50.length * 2",
     };
-
     if (below(3) == 0)
         snprintf(value, LINE, "[%" PRIu64 "]", draw_address(object, false));
     else
@@ -99,7 +96,6 @@ static void draw_motion(const struct object *object, script_line line)
     };
     static const char *const counted[] = { "step", "next",       "reverse-step",
                                            "goto", "goto clock", "continue" };
-
     switch (below(5)) {
     case 0:
     case 1: snprintf(line, LINE, "%s", PICK(plain)); break;
@@ -119,7 +115,6 @@ static void draw_view(const struct object *object, script_line line)
     };
     static const char formats[] = "fixhb";
     script_line value;
-
     switch (below(6)) {
     case 0:
         draw_value(object, value);
@@ -141,7 +136,6 @@ static void draw_view(const struct object *object, script_line line)
 static void draw_stop(const struct object *object, script_line line)
 {
     script_line place, value;
-
     draw_place(object, place);
     draw_value(object, value);
     if (below(3) == 0)
@@ -157,7 +151,6 @@ static void draw_stop(const struct object *object, script_line line)
 static void draw_change(const struct object *object, script_line line)
 {
     script_line place;
-
     draw_place(object, place);
     switch (below(5)) {
     case 0: snprintf(line, LINE, "tbreak %.60s", place); break;
@@ -176,7 +169,6 @@ static void draw_change(const struct object *object, script_line line)
 static void draw_line(const struct object *object, script_line line)
 {
     script_line value;
-
     switch (below(10)) {
     case 0: draw_change(object, line); break;
     case 1:
@@ -203,7 +195,6 @@ static struct debugger *begin(const struct object *object, const char *name,
                                     .out = text_buffer_sink(said),
                                     .clocks_most = 10000000 };
     struct debugger *debugger = NON_NULL(debugger_new(&setup, &failure));
-
     debugger_greet(debugger);
     return debugger;
 }
@@ -211,7 +202,6 @@ static struct debugger *begin(const struct object *object, const char *name,
 static void obey(struct debugger *debugger, struct text_buffer *said, const char *line)
 {
     struct sink sink = text_buffer_sink(said);
-
     sink_print(&sink, "(c205) %s\n", line);
     assert_true(debugger_obey(debugger, line));
 }
@@ -222,7 +212,6 @@ static struct text_buffer play(const struct object *object, const char *name,
 {
     struct text_buffer said = { 0 };
     SCOPED(debugger) *debugger = begin(object, name, &said);
-
     for (size_t i = 0; i < count; i++)
         obey(debugger, &said, lines[i]);
     assert_false(said.failed);
@@ -244,7 +233,6 @@ static void check_in_turn(const struct object *object, const char *name,
 {
     struct text_buffer said[2] = { { 0 }, { 0 } };
     struct debugger *debugger[2];
-
     for (int k = 0; k < 2; k++)
         debugger[k] = begin(object, name, &said[k]);
     for (size_t i = 0; i < LINES; i++)
@@ -261,7 +249,6 @@ static void check_in_turn(const struct object *object, const char *name,
 TEST(scripts)
 {
     size_t all = 0, faults = 0;
-
     for (size_t i = 0; i < ROUNDS * PROGRAMS; i++) {
         static script_line lines[LINES];
         const char *name;
@@ -287,7 +274,6 @@ static void check_anew(const struct object *object, const char *name)
     struct sink sink[2] = { text_buffer_sink(&said[0]), text_buffer_sink(&said[1]) };
     static script_line lines[LINES];
     SCOPED(debugger) *debugger = begin(object, name, &before);
-
     obey(debugger, &before, "run");
     for (int i = 0; i < STOPS; i++) {
         draw_stop(object, lines[i]);
@@ -316,7 +302,6 @@ TEST(again)
     for (size_t i = 0; i < ROUNDS * PROGRAMS; i++) {
         const char *name;
         SCOPED(object) *object = open_program(&name);
-
         check_anew(object, name);
     }
 }
@@ -327,7 +312,6 @@ static int print_script(const char *number, const char *path)
 {
     SCOPED(object) *object = good_file(path);
     script_line line;
-
     random_state ^= strtoull(number, NULL, 10) << 20;
     for (int i = 0; i < LINES; i++) {
         draw_line(object, line);

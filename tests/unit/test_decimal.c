@@ -15,7 +15,6 @@ static c205_word draw_below_power(void)
 {
     static const char nines[] = "9.999999999999999999";
     const char *end;
-
     const char *text = formatted("%.*se%d", (int)xorshift_between(&state, 3, 16), nines,
                                  (int)xorshift_between(&state, -8000, 8000));
     return c205_from_text(text, &end);
@@ -52,7 +51,6 @@ static void check(c205_word word, c205_notation notation, unsigned digits)
                      : notation == C205_SCIENTIFIC && digits == 0 ? 1
                                                                   : digits;
     mpfr_t value;
-
     mpfr_init2(value, DIGITS);
     oracle_value(&oracle_full, value, word);
     c205_to_decimal(word, notation, digits, text);
@@ -60,7 +58,6 @@ static void check(c205_word word, c205_notation notation, unsigned digits)
         strcpy(exact, "indefinite");
     } else if (notation == C205_SCIENTIFIC || strchr(text, 'e')) {
         unsigned behind = asked - (notation == C205_SCIENTIFIC);
-
         mpfr_snprintf(exact, sizeof exact, "%.*RNe", (int)behind, value);
         /* MPFR's exponent has a sign and at least two digits. */
         char *e = strchr(exact, 'e');
@@ -71,7 +68,6 @@ static void check(c205_word word, c205_notation notation, unsigned digits)
                         > 3.3219 * ((double)C205_DIGITS - asked) - 0.001);
     } else {
         size_t digits_shown = strspn(text, "-0123456789.");
-
         digits_shown -= *text == '-' ? 1 : 0;
         digits_shown -= strchr(text, '.') ? 1 : 0;
         assert_true(digits_shown <= C205_DIGITS);
@@ -103,7 +99,6 @@ TEST(ends)
         UINT64_C(0x9000000000000001),
         UINT64_C(0x9000FFFFFFFFFFFF) /* -1 in units of the last place */
     };
-
     for (size_t i = 0; i < COUNT(words); i++)
         for (unsigned digits = 0; digits < 20; digits++) {
             check(words[i], C205_FIXED, digits);

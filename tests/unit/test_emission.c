@@ -113,7 +113,6 @@ static bool encloses(const struct primitive *primitive, const double place[3],
                      double above, const double face[3])
 {
     double point[3];
-
     add_scaled(point, place, above, face);
     transform_point(&primitive->to_local, point);
     return plain_encloses(primitive, point);
@@ -381,7 +380,6 @@ TEST(alias)
         enum { MAX = 50 };
         double weights[MAX], share[MAX], found[MAX] = { 0 }, sum = 0;
         size_t alias[MAX];
-
         for (size_t k = 0; k < count; k++)
             sum += weights[k] = between(0, 4) == 0 ? 0 : number_between(&state, 0, 1);
         weights[between(0, count - 1)] += 1;
@@ -436,7 +434,6 @@ TEST(clocks)
     for (size_t i = 0; i < COUNT(kinds); i++) {
         struct primitive primitive = draw_emitting(kinds[i], &state);
         double scalar = print_clocks(&primitive, TRACE_SCALAR, 0, model);
-
         assert_true(4 * print_clocks(&primitive, TRACE_VECTOR, 2000, model) < scalar);
         print_clocks(&primitive, TRACE_VECTOR, MAX_EMISSION, model);
     }

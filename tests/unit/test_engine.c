@@ -15,7 +15,6 @@ TEST(about)
     SCOPED_VALUE(lessons) lessons = { .count = 0 };
     SCOPED_VALUE(talk) talk = talk_with(NULL, "");
     size_t i = 0;
-
     about = talk_ask(&talk, "{'do': 'about'}");
     assert_string_equal(text_of(about, "version"), C205_VERSION);
     item = json_member_first(about, "instructions");
@@ -40,7 +39,6 @@ TEST(load)
         " .include \"own.inc\"\n EX r10, m\n EXIT\n .data\nx: .space 3\n",
         ", 'defines': {'n': 7}, 'warm': true, 'files': {'own.inc': ' .equ m, n + "
         "1\\n'}");
-
     talk_says(&talk, "'warm': true");
     talk_says(&talk, "'lines': [2, 3]");
     talk_says(&talk, "{'name': 'm', 'label': false, 'value': 8");
@@ -65,7 +63,6 @@ TEST(instructions)
                   "-2.0\n words b\n bits z, \"10\"\n ADDNV [a], [a], [b] ? [z]\n "
                   "EXIT\n",
                   AND_PRIOR);
-
     talk_ask(&talk, "{'do': 'breaks', 'lines': [6]}");
     talk_ask(&talk, "{'do': 'go', 'how': 'continue'}");
     talk_ask(&talk, "{'do': 'view'}");
@@ -89,7 +86,6 @@ TEST(instructions)
 TEST(trap)
 {
     SCOPED_VALUE(talk) talk = talk_with(" ES r10, 64\n LOD [r10], r11\n EXIT\n", "");
-
     talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
     assert_string_equal(text_of(talk.reply, "why"), "trap");
     assert_non_null(strstr(text_of(talk.reply, "message"), "program.s:2"));
@@ -174,7 +170,6 @@ TEST(bad)
         { "{'do': 'say', 'line': 'step\\nstep'}", "one line" },
     };
     SCOPED_VALUE(talk) talk = talk_with(NULL, "");
-
     for (size_t i = 0; i < COUNT(cases); i++)
         if (cases[i].request)
             talk_refused(&talk, cases[i].why, "%s", cases[i].request);
@@ -221,7 +216,6 @@ enum { VALUES = COUNT(values) };
 static void change_value(char *text, size_t size)
 {
     char *colon = text, copy[4096], *end;
-
     for (size_t n = below(6); n > 0 && colon; n--)
         colon = strchr(colon + 1, ':');
     if (!colon)
@@ -236,18 +230,15 @@ TEST(chance)
 {
     enum { ROUNDS = 3000 };
     SCOPED_VALUE(talk) talk = talk_with(NULL, "");
-
     engine_bound(talk.engine, 200000);
     for (size_t i = 0; i < ROUNDS; i++) {
         char text[4096];
-
         snprintf(text, sizeof text, "%s", seeds[below(SEEDS)]);
         for (size_t n = below(3); n > 0; n--)
             change_value(text, sizeof text);
         talk_quote(text);
         if (below(3) == 0) {
             size_t length = strlen(text), at = below(length + 1);
-
             switch (below(3)) {
             case 0: text[at] = (char)(at < length ? 1 + below(255) : 0); break;
             case 1:

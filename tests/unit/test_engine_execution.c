@@ -25,7 +25,6 @@ static void keep_last(void *context, const c205 *machine UNUSED,
                       const c205_event *event)
 {
     struct fresh *fresh = context;
-
     if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
     fresh->has_last = true;
@@ -36,7 +35,6 @@ static void keep_last(void *context, const c205 *machine UNUSED,
 static void fresh_run(struct fresh *fresh, const struct object *object, uint64_t steps)
 {
     c205_stop stop;
-
     *fresh = (struct fresh){ .machine = machine_with(&object->program, prior_model) };
     fresh->printer.sink = text_buffer_sink(&fresh->printed);
     assert_true(c205_listen(fresh->machine, printer_listen, &fresh->printer));
@@ -56,11 +54,9 @@ static void check_registers(const struct json_value *view, const struct fresh *f
     const c205 *machine = fresh->machine;
     const struct json_value *item = json_member_first(view, "registers");
     unsigned i = 0;
-
     for (; item; item = item->next, i++) {
         char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
         c205_word word = c205_register(machine, i);
-
         c205_to_hex(word, hex);
         c205_to_text(word, text);
         assert_true(number_of(item, "number") == i);
@@ -78,7 +74,6 @@ static void check_last(const struct json_value *view, const struct fresh *fresh)
     const struct json_value *last = json_member(view, "last");
     const struct json_value *piece = json_member_first(last, "pieces");
     double clocks = 0;
-
     assert_int_equal(last != NULL, fresh->has_last);
     if (!last)
         return;
@@ -96,11 +91,9 @@ static void check_last(const struct json_value *view, const struct fresh *fresh)
 static void check_causes(const struct json_value *owner, const c205_account *account)
 {
     const struct json_value *causes = json_member(owner, "causes");
-
     for (int i = 0; i < C205_CAUSES; i++) {
         const struct json_value *item = causes ? causes->first : NULL;
         uint64_t sum = 0;
-
         for (; item; item = item->next)
             if (strcmp(text_of(item, "cause"), c205_cause_name((c205_cause)i)) == 0)
                 sum += (uint64_t)number_of(item, "clocks");
@@ -116,7 +109,6 @@ static void check_accounts(const struct json_value *view, const c205 *machine)
     const struct json_value *reported = json_member(view, "accounts");
     const struct json_value *region = json_member_first(reported, "regions");
     SCOPED_VALUE(accounts) accounts = { .model = prior_model };
-
     assert_true(accounts_add(&accounts, machine));
     c205_account all = accounts_together(&accounts);
     check_causes(reported, &all);
@@ -135,19 +127,16 @@ static void check_vectors(const struct json_value *view, const struct object *ob
                           const c205 *machine)
 {
     const struct json_value *vector = json_member_first(view, "vectors");
-
     for (; vector; vector = vector->next) {
         const struct asm_symbol *symbol = object_symbol(object,
                                                         text_of(vector, "label"));
         const struct json_value *value = json_member_first(vector, "values");
         uint64_t at = (uint64_t)symbol->value;
-
         assert_string_equal(text_of(vector, "kind"), "words");
         assert_true(number_of(vector, "count") == (double)symbol->count);
         for (; value; value = value->next, at += 64) {
             char text[C205_TEXT_SIZE];
             c205_word word;
-
             assert_true(c205_read(machine, at, &word, 1));
             c205_to_text(word, text);
             assert_string_equal(value->text, text);
@@ -170,7 +159,6 @@ static void check_place(struct walk *walk, const char *asked)
     const struct json_value *view = talk_ask(&walk->talk,
                                              "{'do': 'view', 'all-registers': true}");
     SCOPED_VALUE(fresh) fresh;
-
     fresh_run(&fresh, walk->plain.object, walk->step);
     FAIL_IF(number_of(view, "step") != (double)walk->step, "%s: step %g, not %llu",
             asked, number_of(view, "step"), (unsigned long long)walk->step);
@@ -200,10 +188,8 @@ static void choose_stop(struct walk *walk)
 {
     const struct object *object = walk->plain.object;
     size_t wanted = 1 + below(60), found = 0;
-
     for (size_t i = 0; i < object->line_count; i++) {
         const struct asm_line *each = &object->lines[i];
-
         if (each->is_code && strcmp(each->call_file, "program.s") == 0
             && each->call_number >= wanted
             && (found == 0 || each->call_number < found)) {
@@ -229,7 +215,6 @@ static void go(struct walk *walk, const char *how, uint64_t n, uint64_t step,
     const struct json_value *reply = talk_ask(&walk->talk,
                                               "{'do': 'go', 'how': '%s', 'n': %llu}",
                                               how, (unsigned long long)n);
-
     walk->step = step;
     walk->known = step > walk->known ? step : walk->known;
     assert_true(json_member_truth(reply, "done", false));
@@ -242,7 +227,6 @@ static void go(struct walk *walk, const char *how, uint64_t n, uint64_t step,
 static void go_on(struct walk *walk, const char *how, uint64_t n)
 {
     uint64_t step = plain_on(&walk->plain, &walk->stops, walk->step, n);
-
     go(walk, how, n, step, why_at(walk, step));
 }
 
@@ -252,7 +236,6 @@ static void go_next(struct walk *walk)
     const struct plain *plain = &walk->plain;
     uint64_t pc = plain->moments[walk->step].pc, step = walk->step + 1;
     const struct asm_line *line = object_line(plain->object, pc);
-
     if (strstr(line->source, "BSAVE"))
         while (step < plain->end && !plain_stops_at(plain, &walk->stops, step)
                && plain->moments[step].pc != pc + 32 * line->halves)
@@ -264,7 +247,6 @@ static void move(struct walk *walk)
 {
     const struct plain *plain = &walk->plain;
     uint64_t end = plain->end, n = 1 + below(20), step;
-
     switch (below(10)) {
     case 0: go_on(walk, "continue", UINT64_C(1) << 40); break;
     case 1: go_on(walk, "step", 1 + below(200)); break;
@@ -311,7 +293,6 @@ static struct walk new_walk(void)
 {
     SCOPED_VALUE(text_buffer) text;
     SCOPED_VALUE(diagnostics) said = { 0 };
-
     draw_walk(&random_state, &text);
     struct walk walk = { .talk = talk_with(text.text, AND_PRIOR) };
     walk.plain = run_plainly(assemble_text("program.s", text.text, NULL, &said),
@@ -329,10 +310,8 @@ static void walk_free(struct walk *walk)
 TEST(walks)
 {
     enum { ROUNDS = 10, MOVES = 40 };
-
     for (size_t i = 0; i < ROUNDS; i++) {
         SCOPED_VALUE(walk) walk = new_walk();
-
         check_place(&walk, "load");
         walk_by_chance(&walk, MOVES);
     }
@@ -354,7 +333,6 @@ static void check_timeline(struct walk *walk)
                                               "{'do': 'timeline', 'most': 50000}");
     uint64_t clock = 0, by_cause[C205_CAUSES] = { 0 };
     SCOPED_VALUE(fresh) fresh;
-
     assert_false(json_member_truth(reply, "full", true));
     for (const struct json_value *piece = json_member_first(reply, "charged"); piece;
          piece = piece->next) {
@@ -380,10 +358,8 @@ static void check_timeline(struct walk *walk)
 TEST(replays)
 {
     enum { ROUNDS = 10, MOVES = 6 };
-
     for (size_t i = 0; i < ROUNDS; i++) {
         SCOPED_VALUE(walk) walk = new_walk();
-
         for (size_t k = 0; k < MOVES; k++) {
             walk_by_chance(&walk, 3);
             talk_ask(&walk.talk, "{'do': 'view'}");
@@ -395,7 +371,6 @@ TEST(replays)
             rows = json_member(talk_ask(&walk.talk, "{'do': 'profile'}"), "lines");
             for (int cause = 0; cause < C205_CAUSES; cause++) {
                 uint64_t sum = 0;
-
                 for (row = rows->first; row; row = row->next)
                     sum += (uint64_t)number_of(row, accounts_cause_columns[cause].key);
                 assert_int_equal(sum,
@@ -419,7 +394,6 @@ TEST(changed)
                   "        DBNZ r10, [r11]\n        EXIT\n",
                   AND_PRIOR);
     const struct json_value *rows, *account;
-
     talk_ask(&talk, "{'do': 'go', 'how': 'step', 'n': 10}");
     talk_ask(&talk, "{'do': 'say', 'line': 'set r10 = 5'}");
     talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
@@ -440,7 +414,6 @@ TEST(open_line)
                                "        EXIT\n";
     static const char *const lines[] = { "step 2", "account", "continue", "where" };
     SCOPED_VALUE(talk) talk = talk_with(text, "");
-
     for (size_t i = 0; i < COUNT(lines); i++) {
         talk_ask(&talk, "{'do': 'say', 'line': '%s'}", lines[i]);
         assert_true(*text_of(talk.reply, "text") > ' ');
@@ -467,7 +440,6 @@ TEST(changed_prints)
                                "        EXIT r0, r0, 5\n"
                                "        DBNZ r10, [r11]\n        EXIT\n";
     SCOPED_VALUE(talk) talk = talk_with(text, AND_PRIOR);
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         talk_ask(&talk, "%s", rows[i].requests[0]);
         talk_ask(&talk, "%s", rows[i].requests[1]);
@@ -484,7 +456,6 @@ TEST(cut)
         "        EX r12, 100000000000000\n"
         "on:     EXIT r12, r0, 2\n        DBNZ r10, [r11]\n        EXIT\n";
     SCOPED_VALUE(talk) talk = talk_with(text, "");
-
     talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
     talk_ask(&talk, "{'do': 'view'}");
     assert_true(json_member_truth(talk.reply, "printed_cut", false));

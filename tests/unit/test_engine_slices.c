@@ -29,7 +29,6 @@ static size_t ask_both(struct talk *whole, struct talk *sliced, const char *requ
                        uint64_t clocks)
 {
     size_t slices = 0;
-
     talk_ask(whole, "%s}", request);
     talk_ask(sliced, "%s, 'clocks': %d}", request, 1 + (int)below(clocks));
     while (!json_member_truth(sliced->reply, "done", true)) {
@@ -58,7 +57,6 @@ TEST(slices)
     enum { REQUESTS = COUNT(requests), ROUNDS = 50 };
     SCOPED_VALUE(talk) whole = talk_with(long_program, "");
     SCOPED_VALUE(talk) sliced = talk_with(long_program, "");
-
     talk_ask(&whole, "{'do': 'breaks', 'lines': [8]}");
     talk_ask(&sliced, "{'do': 'breaks', 'lines': [8]}");
     for (size_t i = 0; i < ROUNDS; i++) {
@@ -85,7 +83,6 @@ TEST(other_work)
     };
     SCOPED_VALUE(talk) whole = talk_with(NULL, "");
     SCOPED_VALUE(talk) sliced = talk_with(NULL, "");
-
     for (size_t i = 0; i < COUNT(requests); i++)
         assert_true(ask_both(&whole, &sliced, requests[i], 1) > 0);
     talk_ask(&whole, "%s}", requests[1]);
@@ -97,7 +94,6 @@ TEST(limit)
 {
     static const char text[] = " EX r10, on\non: IBNZ r11, [r10]\n EX r11, 1\n EXIT\n";
     SCOPED_VALUE(talk) talk = talk_with(text, "");
-
     for (int i = 0; i < 2; i++) {
         talk_ask(&talk, "{'do': 'go', 'how': 'end', 'limit': 100000}");
         assert_string_equal(text_of(talk.reply, "why"), "limit");

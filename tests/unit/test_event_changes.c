@@ -24,7 +24,6 @@ static void take(struct contents *contents, const c205 *machine)
         contents->registers[i] = c205_register(machine, i);
     for (size_t i = 0; i < random_area_count; i++) {
         const struct random_area *area = &random_areas[i];
-
         if (!contents->words[i])
             contents->words[i] = calloc(area->words, sizeof(c205_word));
         assert_true(c205_read(machine, area->address, contents->words[i], area->words));
@@ -88,13 +87,11 @@ static void check_changes(uint64_t seed, size_t *dense)
     c205_event event;
     c205_stop stop;
     bool goes_on = true;
-
     assert_true(random_area_count <= 16);
     assert_true(c205_listen(machine, take_event, &event));
     take(&before, machine);
     for (int i = 0; i < MAX_STEPS && goes_on; i++) {
         struct contents other = before;
-
         event.kind = C205_EVENT_STOP;
         goes_on = c205_step(machine, &stop);
         if (event.kind == C205_EVENT_TRAP || event.kind == C205_EVENT_STOP)
@@ -115,7 +112,6 @@ static void check_changes(uint64_t seed, size_t *dense)
 TEST(changes)
 {
     size_t dense = 0;
-
     for (uint64_t i = 0; i < PROGRAMS; i++)
         check_changes(RANDOM_SEED + 977 * i, &dense);
     assert_true(dense > 100);
@@ -132,7 +128,6 @@ static uint64_t constant(const c205 *machine, const char *name)
 static uint64_t clocks_for(const c205_times *record, c205_cause cause)
 {
     uint64_t clocks = 0;
-
     for (size_t i = 0; i < record->phase_count; i++)
         if (record->phase[i].cause == cause)
             clocks += record->phase[i].end - record->phase[i].begin;
@@ -146,7 +141,6 @@ static void check_pages(void *context, const c205 *machine, const c205_event *ev
 {
     const c205_times *record = event->record;
     uint64_t *faults = context;
-
     if (event->kind > C205_EVENT_REQUEST)
         return;
     assert_int_equal(record->misses * constant(machine, "translation.miss"),
@@ -160,13 +154,11 @@ static void check_pages(void *context, const c205 *machine, const c205_event *ev
 TEST(pages)
 {
     uint64_t faults = 0;
-
     for (uint64_t i = 0; i < PROGRAMS; i++) {
         struct random_program program = random_program(RANDOM_SEED + 41 * i);
         SCOPED(c205_model) *model = model_of(&program);
         SCOPED(c205) *machine = machine_of(&program, model);
         c205_stop stop;
-
         assert_true(c205_listen(machine, check_pages, &faults));
         for (int k = 0; k < MAX_STEPS && c205_step(machine, &stop); k++)
             continue;
@@ -233,7 +225,6 @@ static void pause_now(void *context, const c205 *machine UNUSED,
                       const c205_event *event)
 {
     uint64_t *left = context;
-
     if (event->kind <= C205_EVENT_REQUEST && *left > 0 && --*left == 0)
         c205_pause((c205 *)(uintptr_t)machine);
 }
@@ -242,7 +233,6 @@ static void pause_now(void *context, const c205 *machine UNUSED,
 static c205_stop run_some(c205 *machine, uint64_t most, uint64_t *left)
 {
     c205_stop stop;
-
     if (!left)
         return c205_run_steps(machine, most, C205_NO_LIMIT);
     *left = most;
@@ -263,7 +253,6 @@ static void check_stops(uint64_t seed, bool listens)
     SCOPED(c205) *machine = machine_of(&program, model);
     SCOPED(c205) *plain = machine_of(&program, model);
     uint64_t left = 0;
-
     for (size_t i = 0; i < PLACES; i++)
         assert_true(c205_break(machine, places.at[i], true));
     assert_true(c205_break(machine, places.at[0] + 0x100000000, true));
@@ -276,7 +265,6 @@ static void check_stops(uint64_t seed, bool listens)
         uint64_t most = 1 + below(30);
         c205_stop expected, stop = run_some(machine, most, listens ? &left : NULL);
         c205_trap trap = step_to_stop(plain, &places, most, &expected);
-
         assert_string_equal(c205_trap_name(stop.trap), c205_trap_name(trap));
         assert_int_equal(c205_pc(machine), c205_pc(plain));
         assert_int_equal(c205_clock(machine), c205_clock(plain));
@@ -309,7 +297,6 @@ static void check_history(uint64_t seed)
         c205_history_new(machine, 1 << 20, &failure));
     uint64_t pc[STEPS + 1], steps = 0;
     c205_stop stop;
-
     for (size_t i = 0; i < PLACES; i++)
         assert_true(c205_break(machine, places.at[i], true));
     assert_true(c205_watch(machine, places.watched, places.words, true));
@@ -322,7 +309,6 @@ static void check_history(uint64_t seed)
     }
     for (int i = 0; i < 30 && steps > 0; i++) {
         uint64_t step = below(steps + 1);
-
         assert_true(c205_history_back(history, step, &failure));
         while (c205_history_step(history) < step)
             c205_history_forward(history, &stop);

@@ -25,7 +25,6 @@ static bool holds(const char *expectation)
     SCOPED_VALUE(text_buffer) said = { NULL, 0, 0, false };
     struct printer printer = { text_buffer_sink(&printed) };
     struct sink report = text_buffer_sink(&said);
-
     SCOPED(object) *object = good(formatted("%s; %s\n", program, expectation));
     assert_true(c205_listen(machine, printer_listen, &printer));
     assert_true(c205_load(machine, &object->program, &failure));
@@ -54,7 +53,6 @@ TEST(expectations)
           "expect-halves: [0x7000000000] = 0" },
         { "expect-bits: [v - 32] = 10100", "expect-bits: [0x7000000000] = 0" },
     };
-
     for (size_t i = 0; i < COUNT(cases); i++) {
         FAIL_IF(!holds(cases[i].right), "fails: %s", cases[i].right);
         FAIL_IF(holds(cases[i].wrong), "holds: %s", cases[i].wrong);

@@ -23,7 +23,6 @@ static char *run_on(const char *model_name, const char *text)
 static void check_said(const char *text, const char *said)
 {
     FREED char *report = run_on("cyber205-2pipe", text);
-
     FAIL_IF(!*said && report && *report, "%s\nexpected nothing said, found %s", text,
             report);
     FAIL_IF(*said && (!report || !strstr(report, said)),

@@ -65,7 +65,6 @@ static void add_texture(void)
         "onion color_map { [0 rgb 1] [1 rgb <1, .2, .2>] }",
         "checker rgbt .9, rgb .6",
     };
-
     add("pigment { %s scale %.4g translate %.4g } ", pigments[among(0, 7)], any_size(),
         any_size() - 1);
     if (!among(0, 2))
@@ -91,7 +90,6 @@ static void add_object(void)
         "prism { -1, 1, 4, <-1, -1>, <1, -1>, <0, 1>, <-1, -1>",
         "lathe { linear_spline 3, <.2, -1>, <1, 0>, <.3, 1>",
     };
-
     add("%s ", shapes[among(0, 12)]);
     add_texture();
     add("rotate %.1f*x scale %.4g translate ", between(-90, 90), any_size());
@@ -134,7 +132,6 @@ static void check_scene(const struct scene *scene)
         { TRACE_VECTOR, 2000, false, true },
     };
     FREED struct words *same = frame_in(scene, TRACE_SCALAR, 1, false, false);
-
     for (size_t i = 0; i < COUNT(forms); i++) {
         FREED struct words *words = frame_in(scene, forms[i].mode, forms[i].queue,
                                              forms[i].no_bounds, forms[i].flat);

@@ -16,7 +16,6 @@ TEST(other_case)
     static const char *const files[] = { "maps/part.inc", "maps/Part.inc",
                                          "Maps/part.inc", "Maps/only.INC" };
     struct folder found;
-
     assert_int_equal(chdir(temporary_folder), 0);
     mkdir("maps", 0777);
     mkdir("Maps", 0777);
@@ -26,7 +25,6 @@ TEST(other_case)
         bool once = i % 2;
         char name[] = "./maps/part.inc", other[] = "./maps/only.inc";
         char *wanted = once ? other : name;
-
         for (char *at = wanted; *at; at++)
             if (*at >= 'a' && *at <= 'z' && below(2))
                 *at = (char)(*at - 'a' + 'A');

@@ -130,7 +130,6 @@ TEST(units)
         { "add/add LENGTH=3,cyber205-2pipe,1,ratio,1,,s,fit", 1 },
         { "add LENGTH=3,cyber205-2pipe,1,%,1,,s,fit", 100 },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED_VALUE(observations) all = { 0 };
         const char *text = formatted("# a remark\n\na,vector_add.s:%s\n", rows[i].row);
@@ -175,7 +174,6 @@ TEST(refused)
         { HEAD "a,stride.s,cyber205-2pipe,1,Mflop/s,1,,s,fit\n",
           "2:29: the program does not define FLOPS" },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED_VALUE(observations) all = { 0 };
         SCOPED_VALUE(diagnostics) found = { 0 };
@@ -250,7 +248,6 @@ TEST(groups)
         { "sphere 720", "sphere" },
         { "spheres, scalar", "spheres" },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         const struct observation item = { .name = rows[i][0] };
         const struct observation sphere = { .name = rows[0][0] };

@@ -51,7 +51,6 @@ TEST(by_chance)
         "#declare V = (%s);\n#declare K = 9;\n"
         "sphere { <F(a, b, c), V, 0>, 1 }";
     uint64_t random = RANDOM_SEED;
-
     for (int i = 0; i < FORMULAS; i++) {
         FREED char *formula = NULL;
         size_t length;

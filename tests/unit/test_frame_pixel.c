@@ -47,7 +47,6 @@ static struct scene *some_scene(void)
              "quadric { 1, 0, 0, -.2 translate <-1, 1, -1> } plane { y, -1.2 }"
              "light_source { <9, 9, -9>, 1 }",
     };
-
     return read_text(texts[next++ % (COUNT(texts))]);
 }
 

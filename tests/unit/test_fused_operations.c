@@ -17,7 +17,6 @@ static c205_word word_within(uint64_t *seed, int32_t low, int32_t high)
     const int64_t ends[] = { half, 2 * half - 1, -half - 1, -2 * half };
     size_t kind = xorshift(seed) % 16;
     int32_t e = (int32_t)xorshift_between(seed, low, high);
-
     if (kind < COUNT(ends))
         return word_make(e, ends[kind]);
     return kind == COUNT(ends) ? C205_MACHINE_ZERO : xorshift_normalised(seed, e, e);
@@ -32,7 +31,6 @@ static c205_word stranger(uint64_t *seed)
         UINT64_C(0x0000000000000000), UINT64_C(0xFFFF000000000001),
         UINT64_C(0x0100400000000000), UINT64_C(0xFEFF800000000000),
     };
-
     return strangers[xorshift(seed) % COUNT(strangers)];
 }
 
@@ -42,7 +40,6 @@ static void fill(c205_word *words, size_t n, uint64_t *seed)
 {
     int32_t high = xorshift(seed) % 2 ? 255 : (int32_t)(xorshift(seed) % 50);
     int32_t low = xorshift(seed) % 2 ? -high - 1 : high - 3;
-
     for (size_t i = 0; i < n; i++)
         words[i] = word_within(seed, low, high);
 }
@@ -75,7 +72,6 @@ static c205_word exact_result(const struct pair *pair, size_t i, uint64_t *flags
 {
     c205_word handed = pair->first->exact(pair->a[pair->constant_a ? 0 : i],
                                           pair->b[pair->constant_b ? 0 : i], flags);
-
     return pair->hands_a ? pair->second->exact(handed, pair->d[i], flags)
                          : pair->second->exact(pair->d[i], handed, flags);
 }
@@ -87,7 +83,6 @@ static bool is_moderate(c205_word w)
     int32_t e = word_exponent(w);
     int64_t c = word_coefficient(w);
     bool normalised = c >= INT64_C(1) << 46 || c < -(INT64_C(1) << 46);
-
     return w == C205_MACHINE_ZERO || (e >= -256 && e <= 255 && normalised);
 }
 
@@ -115,7 +110,6 @@ static c205_word *place_result(struct pair *pair, c205_word *apart, c205_word *r
 {
     size_t below = xorshift(seed) % BELOW, which = xorshift(seed) % 4;
     bool is_constant[] = { pair->constant_a, pair->constant_b, false };
-
     if (which == 3 || is_constant[which])
         return apart;
     memmove(read[which] + below, read[which], pair->n * sizeof *apart);
@@ -133,7 +127,6 @@ static void check_pair(struct pair *pair, uint64_t *seed, size_t *done_count)
     uint64_t flags = 5, exact_flags = 5; /* other flags are unchanged */
     c205_word *read[] = { pair->a, pair->b, pair->d };
     bool done = false, moderate = true;
-
     for (size_t i = 0; i < pair->n; i++) {
         expected[i] = exact_result(pair, i, &exact_flags);
         moderate = moderate && is_moderate(pair->a[i]) && is_moderate(pair->b[i])
@@ -168,7 +161,6 @@ static void check_pair(struct pair *pair, uint64_t *seed, size_t *done_count)
 static bool find_rounding(host_rounding *now)
 {
     bool can = host_vectors() >= HOST_LANES && host_round_down(now);
-
     if (can)
         host_round_as(*now);
     return can;
@@ -182,7 +174,6 @@ TEST(pairs_by_chance)
     bool can = find_rounding(&now);
     size_t done = 0;
     volatile double one = 1, fixture = 0x1p-60;
-
     for (int turn = 0; turn < TURNS; turn++) {
         make_pair(&pair, &seed);
         check_pair(&pair, &seed, &done);
@@ -201,7 +192,6 @@ TEST(traps)
     uint64_t seed = RANDOM_SEED;
     host_rounding now, untrapped = 0x3FU << 7, inexact = 0x20U << 7;
     size_t done = 0;
-
     if (!find_rounding(&now))
         return;
     host_round_as((now & ~untrapped) | inexact);

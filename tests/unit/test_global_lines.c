@@ -80,7 +80,6 @@ TEST(areas)
         { "torus { 1, .25 rotate 30*x }", 9.86960440108936 },
         { "box { 0, 1 } box { x, <2,1,1> }", 10 }, /* touching faces */
     };
-
     for (size_t s = 0; s < COUNT(solids); s++) {
         SCOPED_VALUE(global_lines) found = find(solids[s].solid, usual);
         struct estimate sum = { 0, 0 };

@@ -277,7 +277,6 @@ TEST(errors)
         { "height_field { function 3, 3 { x } pigment { rgb 1 } smooth }", 54,
           "expected" },
     };
-
     for (size_t i = 0; i < COUNT(errors); i++) {
         assert_refused(errors[i].text, 2, errors[i].message);
         if (!strstr(errors[i].text, "99999"))

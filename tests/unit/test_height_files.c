@@ -168,7 +168,6 @@ TEST(large_file)
 {
     enum { SIDE = 1500 };
     FREED char *bytes = NON_NULL(calloc(1, SIDE * SIDE + 100));
-
     int head = sprintf(bytes, "P5 %d %d 255\n", SIDE, SIDE);
     field_keep(bytes, (size_t)head + SIDE * SIDE);
     field_expect_fault("pgm", "", 20, "more than 4000000 triangles");

@@ -160,7 +160,6 @@ TEST(depth)
     enum { COUNT = 120, HALVED_FROM = 64 };
     struct bound bounds[COUNT];
     double size = 1e11;
-
     for (size_t i = 0; i < COUNT; i++, size /= 20)
         bounds[i] = ball(size, 0, 0, size / 100);
     assert_in_range(check(bounds, COUNT), 2 * HALVED_FROM, 2 * COUNT - 5);

@@ -287,7 +287,6 @@ TEST(faults)
         { "sphere { 0, 1 pigment { image_map { png once } } }", 41,
           "the name of an image" },
     };
-
     assert_errors(errors, COUNT(errors));
     field_keep(FILE_OF("P6\n8 1\n255\n" COLORS));
     expect_fault("png \"%s\"", 5, "not an image of the kind 'png'");
@@ -311,7 +310,6 @@ TEST(limit)
     FREED char *bytes = calloc(1, 100 + PIXELS);
     SCOPED_VALUE(diagnostics) reports = { 0 };
     int head = sprintf(bytes, "P5\n%d %d\n255\n", SIDE, SIDE);
-
     field_keep(bytes, (size_t)head + PIXELS);
     scene_free(expect_reports("", "\"%s\"", 0, ""));
     const char

@@ -24,7 +24,6 @@ struct random_table {
 static void add_blanks(struct random_table *table)
 {
     static const char *const blanks[] = { "", "", " ", "\t", "  " };
-
     strcat(table->text, blanks[below(&state, 5)]);
 }
 
@@ -39,7 +38,6 @@ static void end_line(struct random_table *table)
 {
     static const char *const ends[] = { "\n",   "\n",     "\r\n",      " # 1, 2\n",
                                         "\n\n", "\n  \n", "\n# a, b\n" };
-
     add_blanks(table);
     strcat(table->text, ends[below(&state, 7)]);
 }
@@ -72,10 +70,8 @@ static void draw_table(struct random_table *table, bool headed)
             c205_word *word = &table->words[row][i];
             char number[60];
             const char *end;
-
             if (table->integers) {
                 int64_t integer = xorshift_between(&state, -1000000, 1000000);
-
                 snprintf(number, sizeof number,
                          one_in(&state, 4) ? "%" PRId64 ".0" : "%" PRId64, integer);
                 *word = c205_from_integer(integer);
@@ -108,7 +104,6 @@ static void check_words(const struct random_table *table, const char *expectatio
     SCOPED_VALUE(diagnostics) errors = { 0 };
     SCOPED(object) *object = include_file(expectations, &errors);
     uint64_t at = 0x800000;
-
     FAIL_IF(!object, "%s, of\n%s", errors.items[0].message, table->text);
     for (size_t k = 0; k < table->rows * table->columns; k++) {
         size_t row = k / table->columns, i = k % table->columns;
@@ -124,11 +119,9 @@ static void check_words(const struct random_table *table, const char *expectatio
 TEST(tables)
 {
     static struct random_table table;
-
     for (int i = 0; i < TRIES; i++) {
         bool headed = one_in(&state, 2);
         char expectations[60];
-
         draw_table(&table, headed);
         write_bytes(path, table.text, strlen(table.text));
         check_words(&table, table.integers ? ", integers" : "", 0);
@@ -168,10 +161,8 @@ TEST(faults)
         { "a b\n1.5.2 1\n", "", 2, 1, "not a number" },
         { "1.5 a\n", "", 1, 5, "not a number" },
     };
-
     for (size_t i = 0; i < COUNT(cases); i++) {
         SCOPED_VALUE(diagnostics) errors = { 0 };
-
         write_bytes(path, cases[i].text, strlen(cases[i].text));
         assert_null(include_file(cases[i].expectations, &errors));
         assert_one_error(&errors, cases[i].text, cases[i].line, cases[i].column,

@@ -11,10 +11,8 @@
 TEST(rows)
 {
     const char *of_bits = c205_operation_specials(C205_OPERATION_none);
-
     for (size_t i = 0; i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
-        /* Each field has a different value; the sign bit of the immediate is set. */
         c205_fields fields = { insn->opcode, 0x81, 0x12, 0x23, 0x34, 0x45,
                                0x56,         0x67, 0xAB, 0xBC, 0xCD, -2 };
         fields.g = (uint8_t)((fields.g & ~insn->subop_mask) | insn->subop);

@@ -134,7 +134,6 @@ TEST(shares)
             struct job_set job_set = {
                 .part = part + 1, .parts = parts, .paths = &paths[part], .path_count = 1
             };
-
             assert_false(job_set_collects(&job_set));
             assert_true(do_job_set(&job_set, &bench, between(1, 3), &failure));
             job_set_close(&job_set, false);

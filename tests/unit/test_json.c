@@ -29,7 +29,6 @@ static void draw_text(char text[40])
         "\t"
     };
     size_t length = below(8);
-
     for (*text = '\0'; length > 0; length--)
         strcat(text, pieces[below(COUNT(pieces))]);
 }
@@ -37,7 +36,6 @@ static void draw_text(char text[40])
 static double draw_number(void)
 {
     double number = (double)(int64_t)xorshift(&random_state);
-
     return ldexp(number, (int)below(200) - 100);
 }
 
@@ -45,7 +43,6 @@ static void write_value(struct json *json, const char *key, unsigned depth)
 {
     char text[40];
     size_t count;
-
     switch (below(depth < DEEPEST ? 6 : 4)) {
     case 0: json_null(json, key); break;
     case 1: json_bool(json, key, below(2)); break;
@@ -76,7 +73,6 @@ static void check_items(const struct json_value *value, bool has_keys, unsigned 
 {
     const struct json_value *item = value->first;
     char text[40];
-
     for (size_t count = below(5); count > 0; count--, item = item->next) {
         assert_non_null(item);
         if (has_keys) {
@@ -94,7 +90,6 @@ static void check_value(const struct json_value *value, unsigned depth)
 {
     char text[40];
     enum json_kind kind = (enum json_kind)below(depth < DEEPEST ? 6 : 4);
-
     assert_int_equal(value->kind, kind);
     switch (kind) {
     case JSON_NULL: break;
@@ -111,7 +106,6 @@ static void check_value(const struct json_value *value, unsigned depth)
 static void write_document(struct text_buffer *text)
 {
     struct json *json = json_open_line(text, &failure);
-
     write_value(json, "value", 0);
     assert_true(json_close(json, &failure));
     assert_null(strchr(text->text, '\n'));
@@ -123,7 +117,6 @@ TEST(written_and_read)
         uint64_t seed = random_state;
         SCOPED_VALUE(text_buffer) text = { 0 };
         SCOPED_VALUE(arena) arena = { 0 };
-
         write_document(&text);
         random_state = seed;
         const struct json_value *tree = read_in(&arena, text.text, &failure);
@@ -141,7 +134,6 @@ static bool is_read(const char *text, size_t length)
     SCOPED_VALUE(arena) arena = { 0 };
     c205_error error = { "" };
     FREED char *copy = malloc(length + !length);
-
     memcpy(copy, text, length);
     const struct json_value *tree = json_read(&arena, copy, length, &error);
     assert_true(tree || *error.message);
@@ -152,7 +144,6 @@ TEST(damaged)
 {
     for (size_t i = 0; i < ROUNDS; i++) {
         SCOPED_VALUE(text_buffer) text = { 0 };
-
         write_document(&text);
         assert_true(is_read(text.text, text.length));
         assert_false(is_read(text.text, below(text.length)));
@@ -200,7 +191,6 @@ TEST(right_and_wrong)
     };
     SCOPED_VALUE(arena) arena = { 0 };
     c205_error error;
-
     for (size_t i = 0; i < COUNT(right); i++)
         FAIL_IF(!read_in(&arena, right[i], &error), "%s: %s", right[i], error.message);
     for (size_t i = 0; i < COUNT(wrong); i++) {
@@ -216,7 +206,6 @@ TEST(depth)
 {
     char text[2 * JSON_DEEPEST + 3] = "";
     size_t depth = JSON_DEEPEST;
-
     memset(text, '[', depth);
     memset(text + depth, ']', depth);
     assert_true(is_read(text, 2 * depth));
@@ -235,7 +224,6 @@ TEST(members)
                         "\"e\": \"x\", \"f\": false, \"g\": 9007199254740992}",
                         &failure);
     int64_t value = 7;
-
     for (size_t i = 0; i < COUNT(keys); i++) /* the last three are no integers */
         FAIL_IF(json_member_whole(tree, keys[i], &value) != (i < 3) || value != 1,
                 "%s: %lld", keys[i], (long long)value);
@@ -258,7 +246,6 @@ TEST(bytes)
         struct json *json = json_open_line(&line, &failure);
         char bytes[30];
         size_t length = below(sizeof bytes);
-
         for (size_t k = 0; k < length; k++)
             bytes[k] = (char)(1 + below(255));
         bytes[length] = '\0';
@@ -274,11 +261,9 @@ TEST(utf8)
     static const char *const outside[] = { "\xf4\x90\x80\x80", "\xe0\x9f\xbf",
                                            "\xf0\x8f\xbf\xbf", "\x80" };
     char text[MAX_UTF8];
-
     for (unsigned long code = 0; code < 0x110000; code++) {
         size_t length = utf8_put(text, code);
         bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
-
         assert_int_equal(utf8_length(text, length), is_surrogate ? 0 : length);
         assert_int_equal(utf8_length(text, length - 1), 0);
     }

@@ -91,7 +91,6 @@ TEST(formulations)
             { subject->variant, 1 },
             { NULL, 0 },
         };
-
         check_assembled("frame/frame_scalar.s", defines);
         check_assembled("frame/frame_vector.s", defines);
     }
@@ -146,7 +145,6 @@ static void trace_modes(const struct scene *scene, size_t queue, const char *wha
                                               .bodies = true, .behind = 1,
                                               .no_bounds = traced.no_bounds);
     struct scene_ray list[LINES];
-
     draw_camera_lines(&traced.random, scene, list, LINES);
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         options.mode = along.mode = (enum trace_mode)mode;
@@ -326,7 +324,6 @@ TEST(roots)
 {
     enum { POLYNOMIALS = 60 };
     struct polynomial polynomials[POLYNOMIALS];
-
     for (int i = 0; i < POLYNOMIALS; i++) {
         for (int j = 0; j < 5; j++)
             polynomials[i].c[j] = c205_from_double(below(6) ? between(-2, 2) : 0);

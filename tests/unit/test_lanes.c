@@ -126,7 +126,6 @@ static void check_words(const operation *op, const c205_word *a, const c205_word
     static c205_word room[LONG_LENGTH + SLACK + PLACES];
     c205_word *c = room + place;
     uint64_t flags = other_flags, exact_flags = other_flags;
-
     memset(c, 0x5A, (n + SLACK) * sizeof *c);
     apply(op, c, a, b, n, &flags);
     for (size_t i = 0; i < n; i++) {
@@ -147,7 +146,6 @@ static void check_comparison(const operation *op, const c205_word *a,
                              const c205_word *b, size_t n)
 {
     uint64_t bits[BITS], expected[BITS];
-
     memset(bits, 0x5A, sizeof bits);
     memset(expected, 0x5A, sizeof expected);
     memset(expected, 0, (n + 63) / 64 * sizeof *expected);
@@ -181,11 +179,9 @@ static void check_lengths(const operations *size, uint64_t seed)
 {
     static c205_word a[SPAN], b[SPAN];
     size_t turns = LANE_SUPPLIES;
-
     for (size_t place = 0; place < PLACES; place++) {
         c205_word *placed_a = a + place, *placed_b = b + 3 * place % PLACES;
         uint64_t random = seed + place;
-
         for (size_t n = 0; n <= LENGTH_MAX; n++) {
             lane_fill(placed_a, n, lane_supplies[n % turns], size->format, &random);
             lane_fill(placed_b, n, lane_supplies[n / turns % turns], size->format,
@@ -209,7 +205,6 @@ static void check_upon(const operation *op, const c205_word *const operands[2],
     const c205_word *upon[2] = { operands[0], operands[1] };
     uint64_t flags = 0, flags_upon = 0;
     size_t left = below < n ? below : n;
-
     upon[which] = memcpy(room + below, operands[which], n * sizeof *room);
     apply(op, expected, operands[0], operands[1], n, &flags);
     apply(op, room, upon[0], upon[1], n, &flags_upon);
@@ -225,7 +220,6 @@ static void check_all_upon(const operations *size, size_t n, size_t below,
 {
     static c205_word a[UPON_LENGTH], b[UPON_LENGTH];
     const c205_word *const operands[2] = { a, b };
-
     lane_fill(a, n, lane_mostly_usual, size->format, seed);
     lane_fill(b, n, lane_or_machine_zero, size->format, seed);
     for (size_t i = 0; i < size->count; i++)
@@ -239,7 +233,6 @@ TEST(upon_an_operand)
 {
     static const size_t lengths[] = { 1, 7, 8, 9, 64, 255, 256, 261, 600 };
     uint64_t seed = RANDOM_SEED;
-
     for (size_t i = 0; i < COUNT(sizes); i++)
         for (size_t k = 0; k < COUNT(lengths); k++)
             for (size_t below = 0; below <= BELOW; below++)
@@ -266,7 +259,6 @@ static void check_supplies(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
     size_t turns = LANE_SUPPLIES;
-
     for (size_t s = 0; s < turns * turns; s++) {
         lane_fill(a, LONG_LENGTH, lane_supplies[s / turns], size->format, &seed);
         lane_fill(b, LONG_LENGTH, lane_supplies[s % turns], size->format, &seed);
@@ -278,7 +270,6 @@ static void check_supplies(const operations *size, uint64_t seed)
 static void check_close_operands(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
-
     for (int round = 0; round < ROUNDS; round++) {
         lane_fill(a, LONG_LENGTH, round & 1 ? lane_sparse : lane_near, size->format,
                   &seed);
@@ -287,7 +278,6 @@ static void check_close_operands(const operations *size, uint64_t seed)
             int32_t e = format_exponent(size->format, a[i])
                         + (int32_t)(xorshift(&seed) % 3);
             int64_t c = format_coefficient(size->format, a[i]) + (int64_t)shift - 3;
-
             b[i] = format_make(size->format, e, shift & 1 ? -c : c);
         }
         check_pairs(size, a, b, LONG_LENGTH, 0);
@@ -298,7 +288,6 @@ static void check_close_operands(const operations *size, uint64_t seed)
 static void check_by_integers(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
-
     for (size_t s = 0; s < LANE_SUPPLIES; s++) {
         lane_fill(a, LONG_LENGTH, lane_supplies[s], size->format, &seed);
         for (size_t i = 0; i < LONG_LENGTH; i++)
@@ -311,7 +300,6 @@ static void check_by_integers(const operations *size, uint64_t seed)
 static void check_unary_operands(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH];
-
     for (size_t s = 0; s < LANE_SUPPLIES + ROUNDS; s++) {
         lane_fill(a, LONG_LENGTH,
                   s < LANE_SUPPLIES ? lane_supplies[s] : lane_about_a_square,
@@ -326,7 +314,6 @@ TEST(operands)
         check_lengths,        check_specials,    check_supplies,
         check_close_operands, check_by_integers, check_unary_operands
     };
-
     for (size_t i = 0; i < COUNT(sizes); i++)
         for (size_t k = 0; k < COUNT(checks); k++)
             checks[k](&sizes[i], RANDOM_SEED + k);
@@ -338,7 +325,6 @@ TEST(every_root_of_a_half_word)
 {
     static c205_word a[LONG_LENGTH];
     operation square_root = HALVES(OF_ONE, of_one, of_one, square_root, square_root);
-
     for (int64_t c = INT64_C(1) << 22; c < INT64_C(1) << 23; c += LONG_LENGTH / 2) {
         for (int i = 0; i < LONG_LENGTH; i++)
             a[i] = format_make(half_words, i & 1, c + i / 2);
@@ -351,7 +337,6 @@ TEST(every_root_of_a_half_word)
 TEST(store_masked)
 {
     uint64_t seed = RANDOM_SEED + 4;
-
     for (size_t n = 0; n <= LENGTH_MAX; n++) {
         c205_word a[SPAN], c[SPAN], expected[SPAN];
         uint64_t bits[BITS];

@@ -128,7 +128,6 @@ TEST(words)
         { "camera { blur_samples 7 focal_point y }", 0, 1, 7 },
         { "camera { aperture 0 blur_samples 7 }", 0, 0, 7 },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_text(rows[i].camera);
         assert_float_equal(scene->camera.lens_radius, rows[i].radius, 1e-12);

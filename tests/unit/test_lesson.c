@@ -29,7 +29,6 @@ static void run_plainly(const struct random_lesson *drawn,
     struct asm_define defines[] = { { "n", (int64_t)test->n }, { NULL, 0 } };
     struct asm_options options = { .defines = defines };
     SCOPED_VALUE(diagnostics) errors = { 0 };
-
     plain->object = assemble_text("my.s", drawn->answer, &options, &errors);
     FAIL_IF(!plain->object, "%s\n%s", errors.items[0].message, drawn->answer);
     plain->model = c205_model_find(test->model, &failure);
@@ -41,7 +40,6 @@ static void run_plainly(const struct random_lesson *drawn,
     for (size_t i = 0; i < test->n; i++) {
         uint64_t at = (uint64_t)x->value + i * width;
         c205_word word;
-
         assert_true(c205_read(plain->machine, at / 64 * 64, &word, 1));
         word |= test->x[i] >> at % 64;
         c205_write(plain->machine, at / 64 * 64, &word, 1);
@@ -84,7 +82,6 @@ static void check_sentence(const struct random_lesson *drawn,
 static uint64_t clocks_of(const struct profile_row *row)
 {
     uint64_t sum = 0;
-
     for (int cause = 0; cause < C205_CAUSES; cause++)
         sum += row->clocks[cause];
     return sum;
@@ -96,7 +93,6 @@ static void check_cause(const struct random_lesson *drawn,
 {
     SCOPED_VALUE(accounts) accounts = { .model = plain->model };
     int most = 0, wait = 1;
-
     assert_true(accounts_add(&accounts, plain->machine));
     c205_account all = accounts_together(&accounts);
     for (int cause = 1; cause < C205_CAUSES; cause++) {
@@ -125,14 +121,11 @@ static void check_lines(const struct random_lesson *drawn,
     enum { LINES = 200 };
     bool reported[LINES] = { false };
     size_t count = line_profile_count(plain->profile);
-
     assert_true(count < LINES);
     for (size_t i = 2;; i++) {
         const struct profile_row *row = NULL;
-
         for (size_t k = 0; k < count; k++) {
             const struct profile_row *other = line_profile_row(plain->profile, k);
-
             if (other->file && !reported[k]
                 && clocks_of(other) > (row ? clocks_of(row) : 0))
                 row = other;
@@ -140,10 +133,8 @@ static void check_lines(const struct random_lesson *drawn,
         if (!row || i == 5 || (i > 2 && clocks_of(row) * 10 < trial->clocks)) {
             /* Then the verdict says that the loop is scalar, if that is the reason. */
             uint64_t instructions = 0;
-
             for (size_t k = 0; k < c205_account_count(plain->machine); k++) {
                 const c205_account *account = c205_account_at(plain->machine, k);
-
                 instructions += account->instructions;
                 if (account->vector_instructions > 0)
                     instructions = 0;
@@ -194,7 +185,6 @@ static const struct lesson_trial *trial_of(const struct lesson_verdict *verdict,
                                            size_t n)
 {
     char tries_text[40];
-
     snprintf(tries_text, sizeof tries_text, "so many as %zu", n);
     for (size_t i = 0; i < verdict->count; i++)
         if (strcmp(verdict->trials[i].test->tries, tries_text) == 0)
@@ -207,7 +197,6 @@ static void check_texts(const struct lesson_report *report,
                         const struct json_value *object)
 {
     const struct json_value *text = json_member_first(object, "report");
-
     for (size_t i = 0; i < report->count; i++, text = text->next)
         assert_string_equal(text->text, report->sentences[i]);
     assert_null(text);
@@ -219,7 +208,6 @@ static void check_json(const struct lesson_verdict *verdict)
     SCOPED_VALUE(arena) arena = { 0 };
     const struct json_value *read, *test;
     struct json *json = json_open_line(&line, &failure);
-
     lesson_verdict_json(verdict, json);
     assert_true(json_close(json, &failure));
     read = NON_NULL(json_read(&arena, line.text, line.length, &failure));
@@ -233,7 +221,6 @@ static void check_json(const struct lesson_verdict *verdict)
     test = json_member_first(read, "tests");
     for (size_t i = 0; i < verdict->count; i++, test = test->next) {
         const struct lesson_trial *trial = &verdict->trials[i];
-
         assert_string_equal(json_member_text(test, "name"), trial->test->name);
         assert_int_equal(json_member_truth(test, "right", false), trial->right);
         assert_int_equal(json_member(test, "clocks")->number, trial->clocks);
@@ -251,10 +238,8 @@ static void check_whole(const struct lesson_verdict *verdict)
     enum medal worst = MEDAL_GOLD;
     bool passed = true, goals = false;
     uint64_t slowest = 0;
-
     for (size_t i = 0; i < verdict->count; i++) {
         const struct lesson_trial *trial = &verdict->trials[i];
-
         passed = passed && trial->passed;
         if (i > 0)
             assert_true(trial->test->has_goals
@@ -277,7 +262,6 @@ static void check_trial(const struct random_lesson *drawn, size_t index,
                         const struct plain_trial *plain, enum medal medal)
 {
     bool faulty = index == drawn->faulty;
-
     if (faulty && drawn->fault == FAULT_TRAP) {
         assert_int_equal(trial->report.count, 1);
         check_begins(
@@ -296,7 +280,6 @@ static void check_trial(const struct random_lesson *drawn, size_t index,
         SCOPED_VALUE(text_buffer) text = { 0 };
         struct sink sink = text_buffer_sink(&text);
         const char *likeness = random_likeness(drawn);
-
         random_mismatch(drawn, random_count_wrong(drawn), &sink);
         sink_put(&sink, likeness ? likeness : "");
         assert_false(trial->right);
@@ -314,7 +297,6 @@ static void check_drawn(struct random_lesson *drawn)
     enum medal medals[DRAWN_TESTS];
     SCOPED_VALUE(lesson) lesson;
     SCOPED_VALUE(lesson_verdict) verdict;
-
     for (size_t i = 0; i < drawn->count; i++) {
         run_plainly(drawn, &drawn->tests[i], &plain[i]);
         medals[i] = (enum medal)below(MEDALS);
@@ -337,7 +319,6 @@ static void check_drawn(struct random_lesson *drawn)
     grade_well(&verdict, &lesson, drawn->answer);
     for (size_t i = 0; i < drawn->count; i++) {
         const struct lesson_trial *trial = trial_of(&verdict, drawn->tests[i].n);
-
         assert_int_equal(trial->test->warm, drawn->tests[i].warm);
         check_trial(drawn, i, trial, &plain[i], medals[i]);
     }
@@ -349,10 +330,8 @@ static void check_drawn(struct random_lesson *drawn)
 TEST(drawn)
 {
     size_t seen[DRAWN_FAULTS] = { 0 };
-
     for (size_t i = 0; i < tries; i++) {
         struct random_lesson drawn = { 0 };
-
         draw_lesson(&drawn, &random_state);
         check_drawn(&drawn);
         seen[drawn.fault]++;
@@ -366,7 +345,6 @@ TEST(ways)
 {
     for (size_t i = 0; i < tries; i++) {
         struct random_lesson drawn = { 0 };
-
         do
             draw_lesson(&drawn, &random_state);
         while (drawn.way == WAY_VECTOR || !drawn.tests[drawn.faulty].has_goals);
@@ -384,7 +362,6 @@ static void check_said(const struct random_lesson *drawn, const char *old,
     SCOPED_VALUE(lesson_verdict) verdict;
     const char *at = NON_NULL(strstr(drawn->answer, old));
     char answer[sizeof drawn->answer + 200];
-
     snprintf(answer, sizeof answer, "%.*s%s%s", (int)(at - drawn->answer),
              drawn->answer, new, at + strlen(old));
     random_open(drawn, &lesson);
@@ -429,11 +406,9 @@ static const struct {
 TEST(said_of_all)
 {
     struct random_lesson drawn = { 0 };
-
     for (size_t i = 0; i < 10 * COUNT(said); i++) {
         size_t row = i % COUNT(said);
         char wanted[200];
-
         if (row == 0) {
             do
                 draw_lesson(&drawn, &random_state);

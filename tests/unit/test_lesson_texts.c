@@ -13,7 +13,6 @@ static uint64_t random_state = RANDOM_SEED;
 static bool open_with(struct lesson *lesson, const char *test, c205_error *error)
 {
     static const char title[] = "# A\n";
-
     *lesson = (struct lesson){ 0 };
     return lesson_begin(lesson, "12-it", error)
            && lesson_take(lesson, "lesson.md", title, strlen(title), error)
@@ -28,7 +27,6 @@ static void check_run(const char *test, const char *answer, const char *wanted)
 {
     SCOPED_VALUE(lesson) lesson;
     SCOPED_VALUE(lesson_verdict) verdict;
-
     assert_true(open_with(&lesson, test, &failure));
     grade_well(&verdict, &lesson, answer);
     const struct lesson_report *report = verdict.graded ? &verdict.trials[0].report
@@ -52,7 +50,6 @@ TEST(runs)
     static const char endless[] = "here:   ES      r10, 5\n"
                                   "        EXIT    r10, r0, 2\n"
                                   "        BIM     here\n";
-
     check_run(reg, five, NULL);
     check_run(reg, "        EXIT\n",
               "Expected r10 = X'0000 0000 0000 0005' (5), found X'0000 0000 "
@@ -104,11 +101,9 @@ TEST(notes)
         { "; test: a\n; test: b\n",
           "12-it/test-a.s:2: expected one sentence after 'test:', once" },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED_VALUE(lesson) lesson = { 0 };
         c205_error error = { "" };
-
         assert_int_equal(open_with(&lesson, rows[i][0], &error), *rows[i][1] == '\0');
         assert_string_equal(error.message, rows[i][1]);
     }
@@ -133,14 +128,12 @@ TEST(refused)
         { "; expect: r1 = 0\n; expect-model: cdc6600\n",
           ": programs cannot run on its model, which only gives times" },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED_VALUE(lesson) lesson = { 0 };
         SCOPED_VALUE(lesson_verdict) verdict = { 0 };
         const char *wanted = rows[i][1];
         c205_error error = { "" };
         char test[200], message[200];
-
         snprintf(test, sizeof test, "; test: a\n%s", rows[i][0]);
         snprintf(message, sizeof message, "test-a.s%s%s", *wanted == ':' ? "" : " ",
                  wanted);
@@ -157,7 +150,6 @@ TEST(names)
     struct lesson items[2] = { { 0 } };
     struct lessons lessons = { 2, items };
     c205_error error;
-
     assert_true(lesson_begin(&items[0], "03-first-vector", &error));
     assert_true(lesson_begin(&items[1], "11-sieve", &error));
     for (size_t i = 0; i < COUNT(first); i++)
@@ -176,7 +168,6 @@ static void mutate(char *text)
 {
     static const char bytes[] = ";:,_.0159 \n\tgnwxy\"";
     size_t length = strlen(text);
-
     for (int64_t i = xorshift_between(&random_state, 0, 3); i > 0; i--)
         text[xorshift(&random_state) % length] =
             bytes[xorshift(&random_state) % (sizeof bytes - 1)];
@@ -191,7 +182,6 @@ static void grade_any(const char *test, const char *answer)
     bool good = open_with(&lesson, test, &error)
                 && lesson_grade(&verdict, &lesson, "my.s", answer, strlen(answer),
                                 &error);
-
     FAIL_IF(good != (*error.message == '\0'), "'%s'\n%s\n%s", error.message, test,
             answer);
     FAIL_IF(good && !verdict.passed
@@ -220,11 +210,9 @@ TEST(any)
                                  "        ADDNV   [a], [a], [b]\n"
                                  "        ES      r5, n\n"
                                  "        EXIT    r5, r0, 2\n        EXIT\n";
-
     check_run(test, answer, NULL);
     for (size_t i = 0; i < tries; i++) {
         char other_test[sizeof test], other_answer[sizeof answer];
-
         mutate(strcpy(other_test, test));
         mutate(strcpy(other_answer, answer));
         grade_any(other_test, other_answer);
@@ -240,11 +228,9 @@ static size_t take_elements(const char *text, enum asm_contents contents,
                             c205_word elements[ELEMENTS])
 {
     size_t count = 0;
-
     for (; *text; text += strspn(text, " ")) {
         size_t length = strcspn(text, " ");
         const char *end;
-
         elements[count++] = contents == ASM_BITS ? (c205_word)(*text == '1') << 63
                             : *text == 'i'       ? C205_INDEFINITE
                             : memchr(text, '.', length) ? c205_from_text(text, &end)
@@ -289,7 +275,6 @@ TEST(likeness)
           "Nothing new was stored after" },
         { ASM_WORDS, "9.0 9.0 9.0", "1.0 2.0 3.0", "1.0 9.0 8.0", NULL },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         c205_word before[ELEMENTS], wanted[ELEMENTS], found[ELEMENTS];
         SCOPED_VALUE(arena) arena = { 0 };
@@ -299,7 +284,6 @@ TEST(likeness)
                                   .expected = wanted,
                                   .initial = before,
                                   .actual = found };
-
         take_elements(rows[i].before, rows[i].contents, before);
         take_elements(rows[i].found, rows[i].contents, found);
         item.count = take_elements(rows[i].wanted, rows[i].contents, wanted);

@@ -159,7 +159,6 @@ static void copy_words(c205 *machine, const struct object *object, const char *l
     uint64_t address = (uint64_t)object_symbol(object, label)->value;
     bool done = in ? c205_write(machine, address, words, both.count)
                    : c205_read(machine, address, words, both.count);
-
     assert_true(done);
 }
 
@@ -168,7 +167,6 @@ static void compute(const char *name, const char *result)
     static char program[4096];
     const char *file = strcmp(name, "cos") == 0 ? "sin" : name;
     size_t n = both.count;
-
     snprintf(program, sizeof program, text, STRIP, file, n, n, n, n, n, n, n, name, n,
              n, result, n, n, name);
     SCOPED(object) *object = good(program);
@@ -233,7 +231,6 @@ static void check_value(const struct function *function, size_t i, const mpfr_t 
     c205_word word = both.number[i];
     double error, factor = 1; /* by which the error of a power grows */
     mpfr_t difference;
-
     mpfr_init2(difference, DIGITS);
     oracle_value(&oracle_full, difference, word);
     mpfr_sub(difference, difference, exact, MPFR_RNDN);
@@ -256,7 +253,6 @@ static void check_value(const struct function *function, size_t i, const mpfr_t 
 static void value_of(mpfr_t value, c205_word word)
 {
     uint64_t flags = 0;
-
     oracle_value(&oracle_full, value,
                  oracle_add_normalised(&oracle_full, word, C205_MACHINE_ZERO, &flags));
 }
@@ -267,7 +263,6 @@ static void check_result(const struct function *function, size_t i,
     c205_word word = both.number[i];
     mpfr_t x, y, exact;
     bool good = true, overflows = false;
-
     mpfr_inits2(DIGITS, x, y, exact, (mpfr_ptr)NULL);
     value_of(x, both.x[i]);
     value_of(y, both.y[i]);
@@ -303,11 +298,9 @@ static void check_result(const struct function *function, size_t i,
 TEST(errors)
 {
     static const char *const results[] = { "vectors", "xs", "ys" };
-
     printf("function   results   off by, units of the last place\n");
     for (size_t f = 0; f < FUNCTIONS; f++) {
         struct errors errors = { 0, 0, 0 };
-
         draw_arguments(&functions[f], tries);
         for (size_t k = 0; k < 3; k++) {
             compute(functions[f].name, results[k]);
@@ -326,7 +319,6 @@ TEST(lengths)
 {
     for (size_t count = 0; count < 3 * STRIP; count += count % 7 + 1) {
         const struct function *function = &functions[below(&state, FUNCTIONS)];
-
         draw_arguments(function, count);
         compute(function->name, "vectors");
         check_forms(function->name);
@@ -346,7 +338,6 @@ TEST(powers_of_two)
     for (size_t i = 0; i < both.count; i++) {
         double exact = pow(c205_to_double(both.x[i]),
                            (double)c205_to_integer(both.y[i]));
-
         assert_int_equal(both.number[i], c205_from_double(exact));
     }
 }
@@ -367,7 +358,6 @@ static bool is_integer(c205_word word, int64_t *integer)
                                     oracle_add_normalised(&oracle_full, word,
                                                           C205_MACHINE_ZERO, &flags),
                                     0, &flags);
-
     *integer = 0;
     if (word >> 60 == 7 || fabs(c205_to_double(cut)) >= 0x1p47)
         return false;
@@ -380,10 +370,8 @@ TEST(quotients)
     both.count = tries;
     for (size_t i = 0; i < tries; i++) {
         int64_t y = draw_integer();
-        /* Near a multiple of y a wrongly truncated quotient shows. */
         int64_t times = y ? draw_integer() / y : 0;
         int64_t x = one_in(&state, 2) ? times * y : draw_integer();
-
         x += xorshift_between(&state, -1, 1);
         x = x >= INT64_C(1) << 47 || -x >= INT64_C(1) << 47 ? y : x;
         both.x[i] = c205_from_integer(x);
@@ -404,7 +392,6 @@ TEST(quotients)
         bool good = is_integer(both.x[i], &x) & is_integer(both.y[i], &y);
         c205_word quotient = good && y ? c205_from_integer(x / y) : C205_INDEFINITE;
         c205_word rest = good && y ? c205_from_integer(x % y) : C205_INDEFINITE;
-
         if (both.number[i] != quotient || both.rest[i] != rest
             || both.other[i] != rest) {
             fail_msg("%" PRId64 " / %" PRId64 " is %016" PRIX64 ", remains %016" PRIX64
@@ -421,7 +408,6 @@ TEST(quotients)
 static c205_word word_below(const mpfr_t value)
 {
     mpfr_t cut;
-
     mpfr_init2(cut, 47);
     mpfr_set(cut, value, MPFR_RNDD);
     c205_word word = oracle_word(&oracle_full, cut);
@@ -436,15 +422,12 @@ TEST(polynomials)
         "        .include \"sin.s\"\n        .include \"atan2.s\"\n"
         "        .include \"power.s\"\n        EXIT\n");
     const struct exact_polynomial *polynomial;
-
     for (size_t i = 0; (polynomial = exact_polynomial_at(i)) != NULL; i++) {
         mpfr_t exact[EXACT_COEFFICIENTS];
         uint64_t at = (uint64_t)object_symbol(object, polynomial->label)->value;
-
         exact_coefficients(polynomial, exact);
         for (size_t k = 0; k < polynomial->count; k++) {
             c205_word word = word_of(&object->program, at + 64 * k);
-
             if (word != word_below(exact[k])) {
                 fail_msg("%s, %zu: %016" PRIX64 " should be %016" PRIX64,
                          polynomial->label, k, word, word_below(exact[k]));
@@ -465,11 +448,9 @@ TEST(factors)
     uint64_t high = (uint64_t)object_symbol(object, "power.high")->value;
     uint64_t low = (uint64_t)object_symbol(object, "power.low")->value;
     mpfr_t exact, part;
-
     mpfr_inits2(DIGITS, exact, part, (mpfr_ptr)NULL);
     for (uint64_t j = 0; j < FACTORS; j++) {
         double factor = floor(64 * 32 / (32.0 + (double)j) + 0.5) / 64;
-
         assert_int_equal(word_of(program, c + 64 * j), c205_from_double(factor));
         mpfr_set_ui(exact, 1, MPFR_RNDN);
         mpfr_div_d(exact, exact, factor, MPFR_RNDN);

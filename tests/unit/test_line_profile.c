@@ -9,10 +9,8 @@ static void check_sums(const struct line_profile *profile, const c205 *machine,
                        const char *path)
 {
     uint64_t instructions = 0, elements = 0; /* of the lines, minus the accounts */
-
     for (int cause = 0; cause < C205_CAUSES; cause++) {
         uint64_t sum = 0, all = clocks_of_cause(machine, (c205_cause)cause);
-
         for (size_t i = 0; i < line_profile_count(profile); i++)
             sum += line_profile_row(profile, i)->clocks[cause];
         FAIL_IF(sum != all, "%s: %s is %llu line by line, %llu in all", path,
@@ -38,7 +36,6 @@ static void check_run(const char *path, uint64_t limit, uint64_t slice)
     SCOPED(line_profile) *profile = line_profile_new(object);
     SCOPED(c205) *machine = machine_with(&object->program, prior_model);
     c205_stop stop;
-
     assert_true(c205_listen(machine, line_profile_listen, profile));
     do
         stop = c205_run(machine, slice < limit - c205_clock(machine)
@@ -52,7 +49,6 @@ static void check_run(const char *path, uint64_t limit, uint64_t slice)
 static void check_program(const char *path)
 {
     static uint64_t more;
-
     check_run(path, 100000000, C205_NO_LIMIT);
     check_run(path, 1100 + more, C205_NO_LIMIT);
     check_run(path, 20000, 100 + more);
@@ -64,7 +60,6 @@ TEST(programs)
     static const char *const patterns[] = { "asm/examples/*.s", "tests/programs/*.s",
                                             "tests/programs/traps/*.s" };
     size_t count = 0;
-
     for (size_t i = 0; i < COUNT(patterns); i++)
         count += each_file(patterns[i], check_program);
     assert_true(count > 100);
@@ -103,7 +98,6 @@ TEST(lines)
     SCOPED(line_profile) *profile = line_profile_new(object);
     SCOPED(c205) *machine = machine_with(&object->program, prior_model);
     const struct profile_row *row;
-
     assert_true(c205_listen(machine, line_profile_listen, profile));
     c205_warm(machine);
     assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
@@ -135,7 +129,6 @@ TEST(lines)
     for (int cause = 0; cause < C205_CAUSES; cause++) {
         const char *key = table_key(columns, BEFORE + (size_t)cause);
         const char *name = c205_cause_name((c205_cause)cause);
-
         for (; *name; name++)
             if (*name == ' ')
                 assert_int_equal(*key++, '_');

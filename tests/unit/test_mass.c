@@ -180,7 +180,6 @@ TEST(points)
 {
     enum { SEEDS = 16 };
     double square[POINTS_KINDS];
-
     for (int points = 0; points < POINTS_KINDS; points++) {
         struct tried tried = try_seeds((enum columns_points)points, SEEDS);
         double bias = tried.sum / sqrt(tried.square);

@@ -133,7 +133,6 @@ static void check_values(const struct scene *scene, const struct scene *nested)
 {
     enum { TRIES = 40 };
     static bool inside[NODES];
-
     for (int try = 0; try < TRIES; try++) {
         size_t few = 1 + below(try % 2 ? 400 : 4);
         for (size_t i = 0; i < scene->primitive_count; i++)
@@ -148,7 +147,6 @@ TEST(random_trees)
     enum { FORESTS = 400 };
     static struct forest forest;
     size_t nested_more = 0;
-
     for (int i = 0; i < FORESTS; i++) {
         FREED_BY(nesting_free) struct nested_scene nested;
         grow(&forest);
@@ -196,7 +194,6 @@ TEST(depth)
         { "pow(2, I/2)*x, pow(2, I/2)/3", 400, 8, 80 },
         { "<mod(I, 40), int(I/40), 0>, .4", 4000, 8, 40 },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene)
         *scene = read_format("merge { #for (I, 1, %zu) sphere { %s } #end }",
@@ -219,7 +216,6 @@ TEST(few_parts)
         "intersection { #for (I, 1, 50) sphere { I/99*x, 1 } #end }",
         "merge { #for (I, 1, 50) plane { y, I } #end }",
     };
-
     for (size_t i = 0; i < COUNT(texts); i++) {
         SCOPED(scene) *scene = read_scene(texts[i]);
         FREED_BY(nesting_free) struct nested_scene nested;

@@ -84,7 +84,6 @@ TEST(colors)
         { &ahead, 0, 0, 0, DARK "rgbf <.9, 0, 0, 1> } }" }, /* brightness .267 */
         { &ahead, 0, 0, 0, DARK "rgbt <0, 0, 0, .5> } }" },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++)
         check(rows[i].look, rows[i].red, rows[i].green, rows[i].blue, "%s",
               rows[i].text);

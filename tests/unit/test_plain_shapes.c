@@ -37,7 +37,6 @@ static struct surface surface_of(const char *text)
 TEST(known)
 {
     double c = 2 / sqrt(5), s = 1 / sqrt(5), h = sqrt(.5), t = sqrt(1. / 3);
-    /* The normal of the ellipse at the angle a is (cos a / p, sin a / n). */
     double x = .8 / .5, y = .6 / .25, l = sqrt(x * x + y * y);
     const struct {
         const char *text;
@@ -98,9 +97,7 @@ TEST(known)
         { TRIANGLE, { { 2, 2, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } } }, /* its edges */
         { TRIANGLE, { { 0, 1, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } } },
     };
-
     enum { SIDES = 6 }; /* the first rows hold for the open frustum, too */
-
     for (size_t i = 0; i < COUNT(rows) + SIDES; i++) {
         const char *text = i < COUNT(rows) ? rows[i].text : OPEN_FRUSTUM;
         const struct expectation *line = &rows[i % COUNT(rows)].line;

@@ -64,7 +64,6 @@ TEST(hits)
     static const enum frame_channel channels[] = { CHANNEL_ID, CHANNEL_DEPTH,
                                                    CHANNEL_NORMAL_X, CHANNEL_NORMAL_Y,
                                                    CHANNEL_NORMAL_Z };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         double values[FRAME_CHANNELS];
         trace_ray(&rows[i].look, HEAD, rows[i].text, values);
@@ -125,7 +124,6 @@ TEST(shading)
         { "<3, 4, 0>", "", "", DARK_BALL, lit },
         { "<.75, 1, 0>", "", "", BALL, lit }, /* in front of the sphere */
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         const char *text =
             formatted("light_source { %s, rgb <.5, 1, 1> %s }\n"

@@ -30,7 +30,6 @@ struct image {
 static size_t present_before(const struct vector_case *one, enum role role, size_t i)
 {
     size_t count = 0;
-
     for (size_t k = 0; k < i; k++)
         count += bit_of(one, role, k);
     return count;
@@ -41,7 +40,6 @@ static size_t present_before(const struct vector_case *one, enum role role, size
 static bool has_result(const struct vector_case *one, size_t i)
 {
     bool x = bit_of(one, ROLE_X, i), y = bit_of(one, ROLE_Y, i);
-
     if (is_given(one))
         return bit_of(one, ROLE_Z, i);
     return one->row->flags & C205_INSN_PADO ? x && y : x || y;
@@ -70,7 +68,6 @@ static void mark_sparse(struct vector_case *one)
 static bool is_selected(const struct vector_case *one, enum role role, size_t i)
 {
     bool ones = role == ROLE_A;
-
     if (is_row_of(one->row, "MRGV MRGB"))
         return i < count_chosen(one, ones);
     return is_chosen(one, i) == ones;
@@ -103,7 +100,6 @@ static void mark_source(struct vector_case *one, enum role role)
 static void mark_table(struct vector_case *one, struct bits_of *bits)
 {
     unsigned width = one->vector[table_of(one->row)].width;
-
     for (size_t i = 0; i < one->n; i++)
         if (is_permitted(one, i))
             mark(bits, indexed(one, i), width);
@@ -136,7 +132,6 @@ static void mark_result(struct vector_case *one, const struct image *after)
     const struct extent_of *c = &one->vector[ROLE_C];
     c205_word set = after->reg[role_register[ROLE_C]] >> 48;
     bool counted = strchr("co", letter_of(one->row, ROLE_C));
-
     if (scatters(one->row))
         mark_table(one, &one->written);
     else if (counted)
@@ -154,7 +149,6 @@ static void mark_number(struct vector_case *one, enum role role, unsigned behind
 {
     c205_word *reg = one->written.reg;
     unsigned number = register_name(one, role) + behind;
-
     if (is_half(one, role))
         reg[number / 2] |= number % 2 ? UINT32_MAX : (c205_word)UINT32_MAX << HALF;
     else
@@ -183,7 +177,6 @@ static c205_word poison(uint64_t *random)
     static const c205_word kinds[] = { C205_INDEFINITE, C205_MACHINE_ZERO, UINT64_MAX,
                                        0, UINT64_C(0x6FFF7FFFFFFFFFFF) };
     size_t kind = draw(random, 0, 9);
-
     return kind < 5 ? kinds[kind] : random_bits(random);
 }
 
@@ -230,7 +223,6 @@ static void check_contents(const char *name, const struct image *a,
                            bool outside)
 {
     c205_word flip = outside ? UINT64_MAX : 0;
-
     check_words(name, outside ? "changed word" : "unlike word", a->memory, b->memory,
                 written->memory, flip, MEMORY_WORDS);
     check_words(name, outside ? "changed register" : "unlike register", a->reg, b->reg,
@@ -262,7 +254,6 @@ static void check_images(struct vector_case *one, const struct image *before,
 {
     const char *name = one->row->mnemonic;
     const struct image *a = &after[0], *b = &after[1];
-
     for (int i = 0; i < TWICE; i++)
         check_contents(name, &before[i], &after[i], &one->written, true);
     check_contents(name, a, b, &one->written, false);
@@ -308,7 +299,6 @@ TEST(rows)
 static const c205_insn *draw_linked(uint64_t *random)
 {
     const c205_insn *row;
-
     do
         row = c205_insns + draw(random, 0, c205_insn_count - 1);
     while (!c205_unit_links(row->unit));
@@ -319,7 +309,6 @@ static const c205_insn *draw_linked(uint64_t *random)
 static const c205_insn *draw_first(uint64_t *random, c205_unit second)
 {
     const c205_insn *row;
-
     do
         row = draw_linked(random);
     while (row->unit == second || row->timing == C205_TIMING_vcompare);
@@ -332,7 +321,6 @@ static c205_fields first_fields(const c205_insn *row, unsigned half)
     c205_fields fields = { .g = (uint8_t)(row->subop | half),
                            .a = role_register[ROLE_X],
                            .c = role_register[ROLE_A] };
-
     if (letter_of(row, ROLE_B)) {
         fields.g |= C205_G_BROADCAST_B;
         fields.b = half ? role_half[ROLE_Y] : role_register[ROLE_Y];

@@ -321,7 +321,6 @@ TEST(corners_are_given_points)
     static double given[4][3] = {
         { .1, .2, .7 }, { .7, .3, 0 }, { .6, .9, -.5 }, { .3, .5, .2 }
     };
-
     for (int i = 0; i < 4; i++) {
         bool found = false;
         for (size_t k = 0; k < 3 * triangles_of(scene)->count; k++)
@@ -343,7 +342,6 @@ TEST(reports)
         "polygon { 5, 0, x, y, <1, 1, 1>, 0 }",
         "polygon { 8, 0, x, y, 0, 0, x, y, 0 }",
     };
-
     check_area("polygon { 3, 0, x, y }", 1, .5, 1);
     check_area("polygon { 4, 0, 1e-9*x, 1e-9*y, 0 scale 1e9 }", 0, 5e-19, 1);
     check_area("polygon { 7, 0, x, y, 0, 2*x, 3*x, <2, 1> }", 1, 1, 2);
@@ -370,7 +368,6 @@ TEST(errors)
         { "sphere { 0, 1 clipped_by { polygon { 4, 0, x, y, 0 } } }", 28,
           "a mesh has no inside and cannot clip" },
     };
-
     assert_errors(rows, COUNT(rows));
     /* all its edges cross each other */
     assert_refused("polygon { 3000, #for (I, 0, 2999) "

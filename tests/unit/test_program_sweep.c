@@ -34,7 +34,6 @@ static char *file_text(const char *path)
 {
     FILE *file = NON_NULL(fopen(path, "r"));
     char *text = calloc(1, 65536);
-
     assert_true(fread(text, 1, 65535, file) > 0);
     fclose(file);
     return text;
@@ -57,7 +56,6 @@ static c205 *run_plainly(const struct program_sweep *sweep, int which, uint64_t 
     SCOPED(object) *object = NON_NULL(
         assemble_text(program->path, program->text, &options, &errors));
     c205 *machine = c205_new(prior_model, &failure);
-
     assert_true(c205_load(machine, &object->program, &failure));
     if (sweep->warm)
         c205_warm(machine);
@@ -79,10 +77,8 @@ static void check_point(const struct program_sweep *sweep, int which,
     SCOPED(c205) *machine = run_plainly(sweep, which, point->value);
     const c205_account *found = &point->runs[which];
     c205_account sum = { .name = "" };
-
     for (size_t i = 0; i < c205_account_count(machine); i++) {
         const c205_account *account = c205_account_at(machine, i);
-
         sum.operations += account->operations;
         sum.instructions += account->instructions;
     }
@@ -119,7 +115,6 @@ TEST(examples)
     static const char *const folders[] = { "asm/examples", "asm/examples/profiling",
                                            NULL };
     static const struct asm_options options = { .search = folders };
-
     for (size_t i = 0; i < COUNT(examples); i++) {
         FREED_BY(swept_free)
         struct program_sweep sweep = sweep_of(examples[i].constant, examples[i].from,
@@ -186,14 +181,11 @@ static void check_crossings(const struct program_sweep *sweep)
 {
     size_t found = 0;
     bool before = false;
-
     for (uint64_t n = sweep->range.from; n <= sweep->range.to; n++) {
         bool faster = plain_clocks(sweep, SWEPT_SECOND, n)
                       < plain_clocks(sweep, SWEPT_FIRST, n);
-
         if (n > sweep->range.from && faster != before) {
             const struct swept_crossing *crossing = &sweep->crossings[found];
-
             assert_true(found++ < sweep->crossing_count);
             assert_int_equal(crossing->at.value, n);
             assert_int_equal(crossing->faster, faster);
@@ -218,14 +210,12 @@ static void write_line(char text[DRAWN_TEXT], uint64_t fixed, uint64_t slope)
 static void draw_line(char text[DRAWN_TEXT])
 {
     uint64_t slope = below(5);
-
     write_line(text, below(120), slope);
 }
 
 TEST(crossings)
 {
     size_t crossed = 0;
-
     for (int i = 0; i < 50; i++) {
         FREED_BY(swept_free)
         struct program_sweep sweep = sweep_of("n", 1 + below(10), 30 + below(60));
@@ -270,7 +260,6 @@ static void make_points(struct program_sweep *sweep, double startup, double slop
                         double noise)
 {
     uint64_t values[MAX_SWEPT_POINTS];
-
     sweep->program_count = 1;
     sweep->count = swept_values(&sweep->range, 0, values);
     sweep->points = calloc(sweep->count, sizeof *sweep->points);
@@ -278,7 +267,6 @@ static void make_points(struct program_sweep *sweep, double startup, double slop
         double clocks = (startup + slope * (double)values[i])
                         * (1 + xorshift_real(&random_state, -noise, noise));
         c205_account *run = &sweep->points[i].runs[SWEPT_FIRST];
-
         sweep->points[i].value = values[i];
         run->clocks[below(C205_CAUSES)] = (uint64_t)llround(clocks);
         run->operations = 7 + 3 * values[i];
@@ -291,11 +279,9 @@ static void solve(const struct program_sweep *sweep, long double *startup,
                   long double *slope)
 {
     long double w = 0, wx = 0, wxx = 0, wt = 0, wxt = 0;
-
     for (size_t i = 0; i < sweep->count; i++) {
         long double x = sweep->points[i].value;
         long double t = accounts_clocks(&sweep->points[i].runs[0]);
-
         w += 1 / (t * t);
         wx += x / (t * t);
         wxx += x * x / (t * t);
@@ -310,13 +296,11 @@ static void check_line(const struct program_sweep *sweep, double noise)
 {
     struct swept_line line = swept_line_of(sweep, SWEPT_FIRST);
     long double startup, slope, farthest = 0;
-
     solve(sweep, &startup, &slope);
     for (size_t i = 0; i < sweep->count; i++) {
         const struct swept_point *point = &sweep->points[i];
         long double t = accounts_clocks(&point->runs[0]);
         long double off = (startup + slope * point->value - t) / t;
-
         farthest = fmaxl(farthest, fabsl(off));
         if (point->value == line.off_at)
             assert_true(fabsl(off - line.off) < 1e-9L);
@@ -336,7 +320,6 @@ static void check_line(const struct program_sweep *sweep, double noise)
 TEST(lines)
 {
     static const double noises[] = { 0, .001, .02, .3 };
-
     for (size_t i = 0; i < 400; i++) {
         uint64_t from = 1 + below(100);
         FREED_BY(swept_free)
@@ -360,7 +343,6 @@ TEST(no_line)
     assert_true(!line.grows && !line.good);
     for (size_t i = 0; i < sweep.count; i++) {
         uint64_t n = sweep.points[i].value;
-
         sweep.points[i].runs[0] = (c205_account){ .clocks = { n * n * n } };
     }
     line = swept_line_of(&sweep, SWEPT_FIRST);
@@ -377,7 +359,6 @@ TEST(ranges)
         "8:9:2:3,8:9 , 8:9,8:9:1.5,8:9:xx2,a:b,8:9:-1,8:0x,8 : 9,"
         "1:140737488355328,1:99999999999999999999,";
     struct swept_range range;
-
     for (const char *at = bad, *end; (end = strchr(at, ',')); at = end + 1) {
 
         const char *text = formatted("%.*s", (int)(end - at), at);
@@ -394,13 +375,11 @@ static void check_spread(const uint64_t *values, size_t count,
                          const struct swept_range *range, size_t points)
 {
     double ratio = (double)range->to / (double)range->from;
-
     assert_true(count >= 2 && count <= points);
     assert_int_equal(values[0], range->from);
     assert_int_equal(values[count - 1], range->to);
     for (size_t i = 1; i < count; i++) {
         double factor = pow(ratio, 1 / (double)(points - 1));
-
         assert_true(values[i] > values[i - 1]);
         assert_true((double)values[i] <= (double)(values[i - 1] + 1) * factor + 1);
     }
@@ -412,12 +391,10 @@ TEST(values)
     static uint64_t values[MAX_SWEPT_POINTS];
     struct swept_range far = { UINT64_C(1) << 40, UINT64_C(1) << 46, 0,
                                UINT64_C(1) << 40 };
-
     assert_int_equal(swept_values(&far, 0, values), 1);
     for (int i = 0; i < 2000; i++) {
         struct swept_range range = { .from = 1 + below(UINT64_C(1) << below(20)) };
         size_t points = 2 + below(MAX_SWEPT_POINTS - 1);
-
         range.to = range.from + 1 + below(UINT64_C(1) << below(46));
         check_spread(values, swept_values(&range, points, values), &range, points);
         double octaves = log2((double)range.to / (double)range.from);
@@ -496,11 +473,9 @@ static void check_picture(const struct program_sweep *sweep)
     struct sink sink = text_buffer_sink(&svg);
     size_t halves = 0, circles = 0;
     double x, y, width, height;
-
     for (size_t k = 0; k < sweep->program_count; k++) {
         struct swept_line line = swept_line_of(sweep, (int)k);
         double half = swept_half_length(&line);
-
         halves += line.good && half >= (double)sweep->range.from
                   && half <= (double)sweep->range.to;
     }

@@ -81,7 +81,6 @@ TEST(models)
           "# Projected, not emulated, on the model test,\n",
           "Not modelled: its own compiler ", "\"not_modelled\": \"its own compiler " },
     };
-
     for (size_t i = 0; i < COUNT(cases); i++) {
         SCOPED(c205_model) *model = parsed_model(cases[i].model);
         c205_belief belief = c205_model_fitted(c205_model_like(model));
@@ -90,7 +89,6 @@ TEST(models)
         FREED char *json = as_json(model);
         char expected[1000];
         int first = (int)strcspn(text, "\n") - 1;
-
         snprintf(expected, sizeof expected, cases[i].begins, belief.figures,
                  belief.largest, belief.worst);
         FAIL_IF(strncmp(text, expected, strlen(expected)) != 0,

@@ -11,7 +11,6 @@ enum { MAX = 40, TRIES = 300 };
 static size_t place_of(const size_t *numbers, size_t count, size_t number)
 {
     size_t place = 0, found = 0;
-
     for (size_t i = 0; i < count; i++) {
         size_t before = 0;
         while (before < i && numbers[before] != numbers[i])
@@ -25,11 +24,9 @@ static size_t place_of(const size_t *numbers, size_t count, size_t number)
 TEST(random)
 {
     uint64_t random = RANDOM_SEED;
-
     for (int try = 0; try < TRIES; try++) {
         size_t numbers[MAX], count = xorshift(&random) % (MAX + 1), largest = 0;
         SCOPED_VALUE(rank_index) ranks;
-
         assert_true(rank_index_begin(&ranks, count));
         for (size_t i = 0; i < count; i++) {
             numbers[i] = xorshift(&random) % (try % 2 ? 30 : SIZE_MAX);

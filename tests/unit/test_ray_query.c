@@ -237,7 +237,6 @@ TEST(many)
     enum { SPHERES = 300 };
     static struct expected expected[2 * SPHERES];
     static char text[1 << 16];
-
     strcpy(text, HEAD "union {\n");
     for (size_t i = 0; i < SPHERES; i++) {
         size_t at = i * 7 % SPHERES;
@@ -271,7 +270,6 @@ TEST(refused)
           "the distance before the origins must be finite and not below 0" },
     };
     SCOPED(scene) *scene = read_text(HEAD "sphere { 0, 1 }");
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         c205_error error = { "" };
         assert_null(ray_query_new(scene, &rows[i].options, &error));

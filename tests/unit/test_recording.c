@@ -231,7 +231,6 @@ TEST(ticks)
     double whole = retimed(&run, NULL, 1), fine = retimed(&run, NULL, 1000);
     double between = retimed(&run, &settings[0], 1000);
     double low = retimed(&run, &settings[1], 1000);
-
     assert_true(fabs(whole - fine) < .003 * whole);
     assert_true(fabs(2 * between - fine - low) < 1);
     assert_true(fine < between && between < low);

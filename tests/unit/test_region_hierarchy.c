@@ -181,7 +181,6 @@ TEST(windows)
 {
     enum { WINDOWS = 6 };
     FREED char *text = NON_NULL(malloc(TEXT_ROOM));
-
     for (int i = 0; i < WINDOWS; i++) {
         write_window(text);
         check_ways(text);

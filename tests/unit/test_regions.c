@@ -133,7 +133,6 @@ TEST(crossings)
         { "prism { 0, 1, 4, <0, 0>, <2, 1>, <0, 2>, <1, 1> open pigment { rgbt 1 } }",
           8, 0, 4 },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         uint64_t room = 64 * 2 * rows[i].crossings;
         c205_word word;
@@ -150,7 +149,6 @@ TEST(crossings)
 TEST(room)
 {
     enum { LEAVES = 5 };
-
     SCOPED_VALUE(stage) stage =
         stage_of("sphere { 0, 1 } merge { sphere { 0, 1 } sphere { x, 1 }"
                  " box { 0, 1 } box { 0, 1 } sphere { y, 1 } }",
@@ -174,7 +172,6 @@ TEST(regions)
         { 1, 1, 0 }, { 3, 0, 1 }, { 0, 2, 2 }, { 0, 1, 3 },
         { 0, 2, 5 }, { 2, 0, 7 }, { 1, 1, 9 },
     };
-
     SCOPED_VALUE(stage) stage =
         stage_of("sphere { 0, 1.2 } box { .1, .9 no_shadow }\n"
                  "plane { y, 0 pigment { checker rgb 1, rgbf 1 } }\n"
@@ -230,7 +227,6 @@ TEST(nodes)
         "intersection { merge { sphere { -2*x, 2 } sphere { 2*x, 2 } }\n"
         "  difference { sphere { 0, 9 } plane { y, 0 } inverse }\n"
         "  sphere { x, 2.5 } }";
-
     SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
     uint64_t nodes = region(&stage, 0, "R_NODES");
     uint64_t size = 64 * symbol(&stage, "N_SIZE");
@@ -434,7 +430,6 @@ static void check_region(const struct stage *stage, size_t i, const char *text)
 TEST(steps)
 {
     enum { SCENES = 300, MAX = 40 };
-
     for (int scene = 0; scene < SCENES; scene++) {
         char text[8000];
         add_solid(text, MAX);
@@ -455,7 +450,6 @@ TEST(many_parts)
         "difference { box { -1, 1 } " BALLS "}",
         "intersection { box { -1, 1 } merge { " BALLS "} }",
     };
-
     for (size_t way = 0; way < COUNT(texts); way++) {
         size_t visited;
         SCOPED_VALUE(stage) stage = stage_of(texts[way], BOUNDING_HIERARCHY);
@@ -479,7 +473,6 @@ TEST(values)
         "merge { intersection { box { 0, 1 } box { 0, 1 } }"
         " intersection { box { 0, 1 } box { 0, 1 } } }",
     };
-
     for (size_t i = 0; i < COUNT(texts); i++) {
         SCOPED(scene) *scene = read_scene(texts[i]);
         struct tree_step steps[8];
@@ -523,7 +516,6 @@ TEST(bodies)
           1 },
         { "steiner_patch { 0, x, y, x + z, y + z, x + y }", 0 },
     };
-
     for (size_t i = 0; i < COUNT(cases); i++) {
         SCOPED_VALUE(stage) stage = stage_of(cases[i].text, BOUNDING_HIERARCHY);
         assert_integer(region(&stage, 0, "R_BODY"), cases[i].body);

@@ -16,7 +16,6 @@ static void check(const char *text, size_t count, const char *expected)
     SCOPED_VALUE(text_buffer) printed = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&printed);
     SCOPED(c205) *machine = machine_with(&program->program, prior_model);
-
     assert_non_null(owners);
     assert_true(c205_listen(machine, register_owners_listen, owners));
     assert_int_equal(c205_run(machine, 100000).trap, C205_TRAP_NONE);
@@ -86,11 +85,9 @@ TEST(lost)
           " ADDX v, r8, r8\n",
           8, 7, V_OF_Q },
     };
-
     for (size_t i = 0; i < COUNT(cases); i++) {
         const struct lost *lost = &cases[i];
         char text[1000], expected[200];
-
         snprintf(text, sizeof text, NAMES "%s EXIT\n", lost->text);
         snprintf(expected, sizeof expected, "test.s:%u: %s since test.s:%u\n",
                  FIRST + lost->read, lost->names ? lost->names : A_OF_B,
@@ -124,9 +121,7 @@ TEST(left_alone)
         " ES v, 7\n EX r9, data\n ELEN r9, 2\n SWAP [r9], p, [r0]\n"
         " ADDX q, r8, r8\n SWAP [r9], u, [r0]\n ADDX v, r8, r8\n",
     };
-
-    for (size_t i = 0; i < COUNT(texts); i++) {
+    for (size_t i = 0; i < COUNT(texts); i++)
 
         check(formatted(NAMES "%s EXIT\n", texts[i]), 0, "");
-    }
 }

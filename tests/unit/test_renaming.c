@@ -88,7 +88,6 @@ static void draw_names(struct renaming *renaming)
 {
     unsigned begin[C205_REGISTERS + 1], order[C205_REGISTERS];
     unsigned runs = 0, low = 0, next = 0;
-
     for (unsigned r = 0; r < C205_REGISTERS; r++)
         if (r == 0 || !renaming->tied[r - 1]) {
             low = r == IN_HALVES ? runs : low;
@@ -141,7 +140,6 @@ static struct random_program rename_program(const struct renaming *renaming,
                                             const struct random_program *program)
 {
     struct random_program renamed = *program;
-
     for (size_t i = 0; i < program->insn_count; i++)
         renamed.insns[i].word = rename_insn(renaming, row_of(&program->insns[i]),
                                             program->insns[i].word);
@@ -158,7 +156,6 @@ static bool holds_code_address(const c205 *machine, unsigned number,
                                const struct random_program *program)
 {
     uint64_t address = c205_register(machine, number) << 16 >> 16;
-
     return address >= random_pages[0].address
            && address < program_address(program, program->insn_count);
 }
@@ -167,7 +164,6 @@ static bool uses_code(const c205 *machine, const c205_insn *row, const c205_fiel
                       const struct random_program *program)
 {
     const uint8_t names[] = { f->x, f->a, f->y, f->b, f->z, f->c, f->r, f->s, f->t };
-
     for (size_t i = 0; i < sizeof names; i++)
         if (holds_code_address(machine, names[i], program))
             return row->unit != C205_UNIT_BRANCH || row->format == C205_FORMAT_ALTERB;
@@ -179,7 +175,6 @@ static bool uses_code(const c205 *machine, const c205_insn *row, const c205_fiel
 static bool next_uses_code(const c205 *machine, const struct random_program *program)
 {
     size_t i = 0, end;
-
     while (i < program->insn_count && program_address(program, i) != c205_pc(machine))
         i++;
     if (i == program->insn_count)
@@ -199,7 +194,6 @@ static void check_memory(const c205 *machine, const c205 *other)
 {
     enum { MAX_AREA = 4096 };
     static c205_word one[MAX_AREA], two[MAX_AREA];
-
     for (size_t i = 0; i < random_area_count; i++) {
         const struct random_area *area = random_areas + i;
         assert_true(c205_read(machine, area->address, one, area->words));
@@ -213,7 +207,6 @@ static bool step_both(c205 *machine, c205 *other, const struct renaming *renamin
     c205_stop stop = { .trap = C205_TRAP_NONE };
     c205_stop its_stop = { .trap = C205_TRAP_NONE };
     bool goes_on = c205_step(machine, &stop);
-
     assert_int_equal(goes_on, c205_step(other, &its_stop));
     assert_int_equal(stop.trap, its_stop.trap);
     assert_int_equal(stop.address, its_stop.address);
@@ -233,7 +226,6 @@ static bool step_both(c205 *machine, c205 *other, const struct renaming *renamin
 static void try_program(const struct random_program *program)
 {
     struct renaming renaming = { .tied = { false } };
-
     tie_pairs(&renaming, program);
     do
         draw_names(&renaming);

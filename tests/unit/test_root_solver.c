@@ -189,7 +189,6 @@ static void check_signs(const struct lanes *lanes, int lane, int found)
     const c205_word *in = lanes->in[lane];
     double low = c205_to_double(in[5]), high = c205_to_double(in[6]);
     int seen = 0;
-
     for (int i = 0; i < STEPS && low < high; i++) {
         double a = low + (high - low) * i / STEPS;
         double b = low + (high - low) * (i + 1) / STEPS;

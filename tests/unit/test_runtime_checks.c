@@ -34,7 +34,6 @@ static void check(const char *text, const char *said)
     static const struct warning_choice all;
     SCOPED(object) *object = good(text);
     FREED char *report = watched(object, &all);
-
     FAIL_IF(*said ? count_of(report, said) != 1 || count_of(report, "[-W") != 1
                   : report != NULL,
             "%s\nexpected '%s', found '%s'", text, said, report ? report : "");
@@ -211,7 +210,6 @@ static c205_word some_operand(uint64_t *seed, bool half)
     int64_t small = xorshift_between(seed, -1000, 1000);
     double number = ldexp((double)xorshift_between(seed, -100000, 100000),
                           (int)xorshift_between(seed, -20, 5));
-
     if (xorshift(seed) % 2)
         return half ? (c205_word)(small & 0xFFFFFF) << 32 : c205_from_integer(small);
     return half ? c205_half_from_double(number) : c205_from_double(number);
@@ -231,7 +229,6 @@ static void check_loss(const char *mnemonic, arith_binary *operation, char sign,
     double (*value)(c205_word) = half ? c205_half_to_double : c205_to_double;
     double most = half ? 0x1p-16 : 0x1p-40;
     int lost = 0;
-
     assert_non_null(insn);
     for (int i = 0; i < 20000; i++) {
         c205_word a = some_operand(seed, half), b = some_operand(seed, half);
@@ -241,7 +238,6 @@ static void check_loss(const char *mnemonic, arith_binary *operation, char sign,
         double found = value(operation(a, b, &flags));
         double off = fabs(found - wanted) / fabs(wanted);
         bool reported = precision_is_lost(precision_rule(insn), half, a, b, &precision);
-
         if (!isfinite(wanted) || wanted == 0)
             assert_false(reported);
         else if (reported ? off < 0.9 * most : off > 1.1 * most)
@@ -257,7 +253,6 @@ static void check_loss(const char *mnemonic, arith_binary *operation, char sign,
 TEST(loss)
 {
     uint64_t seed = RANDOM_SEED;
-
     check_loss("ADDU", arith_add_upper, '+', false, &seed);
     check_loss("SUBUV", arith_subtract_upper, '-', false, &seed);
     check_loss("MPYU", arith_multiply_upper, '*', false, &seed);

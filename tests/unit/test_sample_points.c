@@ -66,7 +66,6 @@ TEST(seeds)
     static const uint64_t period = UINT64_C(1) << 45;
     static uint64_t begin[SEEDS + 1];
     uint64_t first = some_integer(40);
-
     for (size_t i = 0; i < SEEDS; i++)
         begin[i] = stream_position(first + i, 0, 0) % period;
     qsort(begin, SEEDS, sizeof *begin, by_size);
@@ -210,7 +209,6 @@ TEST(cells)
                                             .points = CELLS,
                                             .coordinates = LATTICE_COORDINATES };
     struct point_choice choice = { .seed = 7, .m = LOG };
-
     make(&kind, &choice, words[0]);
     for (size_t j = 0; j < LATTICE_COORDINATES; j++) {
         static bool met[CELLS];
@@ -252,7 +250,6 @@ static struct estimate estimate(struct point_maker *maker, bool lattice, uint64_
         struct point_choice choice = {
             .seed = seed, .first = lattice ? 0 : k * N, .m = M, .shift = k
         };
-
         REQUIRE(point_maker_run(maker, &choice, words[0], &failure));
         value[k] = mean_of_function(words[0]);
         sum += value[k];
@@ -302,7 +299,6 @@ TEST(quality)
     struct quality lattice = try_seeds(true, SEEDS);
     struct quality random = try_seeds(false, SEEDS);
     double spread = sqrt(.95 * .05 / SEEDS);
-
     print_message("points   error     covered %%  bias\n");
     print_quality("lattice", lattice);
     print_quality("random", random);

@@ -92,7 +92,6 @@ TEST(expressions)
         { "F.transmit", .5 },
         { "vlength(G)", 0 },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene =
             read_format("#declare F = rgbft <.1, .2, .3, .4, .5>; #local G = 0*x;"
@@ -120,7 +119,6 @@ TEST(rotations)
         { "2*V/<4, 5, 6>", { .5, .8, 1 } },
         { "V + 1", { 2, 3, 4 } },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_format("#declare V = <1, 2 3>; sphere { %s 1 }",
                                            rows[i].text);
@@ -147,7 +145,6 @@ TEST(colors)
         { "Firebrick", { 0.556863, 0.137255, 0.137255 } },
         { "Gray35", { .35, .35, .35 } },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_format(
             "#include \"colors.inc\"\n#declare W = rgb 1; background { %s }",
@@ -177,7 +174,6 @@ TEST(camera)
         "camera { aperture 1 blur_samples 257 focal_point y }",
         "camera { aperture 1 blur_samples 4 }",
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_scene(rows[i].text);
         const double *vectors[] = { scene->camera.location, scene->camera.direction,
@@ -233,7 +229,6 @@ TEST(orthographic)
         "#declare C = camera { orthographic %s }\n"
         "#declare D = camera { C } camera { D translate x }",
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         for (size_t form = 0; form < COUNT(forms); form++) {
             SCOPED(scene) *scene = read_format(forms[form], rows[i].words);
@@ -262,7 +257,6 @@ TEST(transforms)
         { "transform { T inverse }", { 0, 1, 4 } },
         { "transform { translate x scale 2 }", { 4, 4, 6 } },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         const double point[3] = { 1, 2, 3 };
         double image[3], back[3];
@@ -378,7 +372,6 @@ TEST(beams)
         { "light_source { 2*y, 1 cylinder tightness 4 spotlight }",
           { 0, 2, 0, 0, 0, 1, BEAM_CONE, 30, 45, 0, 0, 0, true, false } },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_scene(rows[i].text);
         const struct light *l = scene->lights;
@@ -480,7 +473,6 @@ TEST(gamma_of_versions)
         { "#version 3.7; #version 3.6;", true },
         { "#version 3.6; #version 3.7;", false },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED_VALUE(diagnostics) reports = { 0 };
         SCOPED(scene) *scene = NON_NULL(
@@ -536,7 +528,6 @@ TEST(manual)
         { "docs/textures.md", 3 },
         { "docs/lighting.md", 4 },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++)
         assert_true(read_examples(rows[i].page) >= rows[i].examples);
 }

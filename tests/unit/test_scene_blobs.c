@@ -137,7 +137,6 @@ TEST(rows)
     struct shape_words words;
     FREED double *table = shape_table(primitive, NULL, 3 * ROW);
     static const double ends[2][3] = { { 1, 4, 3 }, { 1, 10, 7 } };
-
     assert_int_equal(shape_table_count(primitive, NULL), 3 * ROW);
     shape_words(primitive, &words);
     assert_close(words.words[4], 1, 0);

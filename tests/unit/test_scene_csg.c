@@ -134,7 +134,6 @@ TEST(trees)
           "|(0,1) ++" },
         { "difference { " B " mesh { " E " } }", "&(0,1) ++" },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++)
         check_regions(rows[i][0], 0, rows[i][1]);
     for (size_t i = 0; i < COUNT(reported); i++)
@@ -208,7 +207,6 @@ TEST(hidden)
           " union { sphere { 0, 1 no_image } " B " no_reflection } } }",
           "s s" },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_scene(rows[i][0]);
         char found[40] = "", *to = found;
@@ -319,7 +317,6 @@ TEST(bodies)
           "abbcddefgg" },
         { "#for (I, 1, 2) union { " A FILLED "} #end", "abcd" },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++)
         check_bodies(rows[i][0], rows[i][1]);
 }
@@ -383,7 +380,6 @@ TEST(clear_pigments)
         { "checker pigment { Glass } color Glass", { .9, .9 }, { .1, .1 } },
         { "rgbf 1 checker", { 0, 0 }, { 0, 0 } },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_format("#declare Glass = rgbft <1, 1, 1, .9, .1>;\n"
                                            "sphere { 0, 1 pigment { %s } }",
@@ -420,7 +416,6 @@ TEST(reflections)
         { "reflection { 0, 1 fresnel falloff 2 metallic } reflection { .5 }",
           { .5, .5, .5, .5, .5, .5, 2, 1, true } },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_format("sphere { 0, 1 finish { %s } }",
                                            rows[i].text);
@@ -469,7 +464,6 @@ TEST(deep_names)
     FREED char *inverses = repeated("#declare H = " A " ",
                                     "#declare H = object { H inverse } ", DEEP + 1);
     FREED char *text = repeated(inverses, "object { H }", 1);
-
     assert_refused(solids, 201, "including copies");
     check_regions(text, 0, "!(0) -");
 }

@@ -147,7 +147,6 @@ TEST(invisible)
 {
     struct words *without[2];
     bool drawn[PRIMITIVE_KINDS] = { [PRIMITIVE_PLANE] = true }; /* an error */
-
     memcpy(traced.queues, (const size_t[]){ 40, 0 }, 2 * sizeof(size_t));
     for (int ball = 0; ball < 2; ball++)
         without[ball] = same_frame(ball ? VIEW GROUND BALL "}\n" : VIEW GROUND);
@@ -177,7 +176,6 @@ TEST(without_height)
         { "text { ttf \"timrom.ttf\" \"ab\" 0, 0 scale 3 translate -x",
           "text { ttf \"timrom.ttf\" \"ab\" 1e-5, 0 scale 3 translate -x" },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         size_t seen[2];
         for (int k = 0; k < 2; k++) {
@@ -198,7 +196,6 @@ TEST(flat)
         "sphere { 0, 1 scale <1, 0, 1> }",
         "sphere { 0, 1 matrix <1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0> }",
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_with(rows[i], 1);
         assert_false(scene->primitives[0].transformed);

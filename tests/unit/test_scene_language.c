@@ -154,7 +154,6 @@ TEST(errors)
           "not a finite number" },
         { "#error concat(\"a\", \"b\")", 1, "ab" },
     };
-
     assert_errors(rows, COUNT(rows));
     assert_refused("#declare F = function(x) { x } #for (I, 1, 1000000)"
                    " #declare F = function(x) { F(x) + 1 } #end",

@@ -49,7 +49,6 @@ TEST(spheres)
         { "#macro M(x2) sphere { 0, x2 } #end #for (I, 1, 2) M(I) #end", "1 2" },
         { "sphere { 0, #include concat(\"col\", \"ors.inc\") 1 }", "1" },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_scene(rows[i][0]);
         char found[100] = "", *to = found;
@@ -102,7 +101,6 @@ TEST(errors)
           "200 nested macros and files" },
         { "#macro R(A) R(R(A)) #end\nR(1)", 1, 15, "200" },
     };
-
     assert_place_errors(rows, COUNT(rows), &reading_options);
 }
 
@@ -149,7 +147,6 @@ TEST(bounds)
         { "#while (1) #declare S = seed(1); #end", "random streams" },
         { "#while (1) #if (file_exists(\"no\")) #end #end", "files are read" },
     };
-
     check_bounded(rows, COUNT(rows));
 }
 
@@ -164,7 +161,6 @@ TEST(slow_bounds)
           "#declare S = union { object { S } object { S } } #end",
           "primitives and lights, including copies" },
     };
-
     if (!thorough())
         skip();
     check_bounded(rows, COUNT(rows));

@@ -24,7 +24,6 @@ static void check_pigment(const char *words, enum pigment_kind kind,
         "#declare P = pigment { %s } sphere { 0, 1 pigment { P } }",
         "#declare T = texture { pigment { %s } } sphere { 0, 1 texture { T } }",
     };
-
     for (size_t i = 0; i < COUNT(forms); i++) {
         SCOPED(scene) *scene = read_format(forms[i], words);
         const struct pigment *pigment = &scene->primitives[0].pigment;
@@ -79,7 +78,6 @@ TEST(patterns)
         { PIGMENT_PATTERN, "gradient x frequency 2", "0:0,0,0 1:1,1,1 " },
         { PIGMENT_PATTERN, "gradient x phase .5", "0:0,0,0 1:1,1,1 " },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++)
         check_pigment(rows[i].words, rows[i].kind, rows[i].map);
     struct pattern pattern = pattern_of("onion");
@@ -207,7 +205,6 @@ TEST(gradients_after_checkers)
           "pigment { gradient y }",
           "0:0,0,1 1:0,1,0 " },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_format("sphere { 0, 1 %s }", rows[i].words);
         check_map(&scene->primitives[0].pigment.map, rows[i].expected);
@@ -254,7 +251,6 @@ TEST(skies)
         "sky_sphere { pigment { gradient y } pigment { gradient x }"
         " pigment { gradient z } }",
     };
-
     SCOPED(scene) *plain = read_scene(
         "background { rgb z } sky_sphere { pigment { rgb <1, .5, 0> } }");
     SCOPED(scene) *none = read_scene("sky_sphere { }");

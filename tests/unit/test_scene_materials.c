@@ -75,7 +75,6 @@ TEST(reported_when_used)
           " #fclose F",
           10, "is ignored" },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED_VALUE(diagnostics) reports = { 0 };
         SCOPED(scene) *scene = read_reported(rows[i].text, &reading_options, &reports);
@@ -170,7 +169,6 @@ TEST(reported_by_chance)
 {
     enum { SCENES = 300 };
     struct drawing drawing = { .random = RANDOM_SEED };
-
     for (int i = 0; i < SCENES; i++) {
         FREED char *text = NULL;
         size_t length;
@@ -215,7 +213,6 @@ TEST(maps_and_layers)
         "#declare T = texture { pigment { rgb 0 } } texture { pigment { C } }"
         " sphere { 0, 1 texture { T } }",
     };
-
     for (size_t i = 0; i < COUNT(texts); i++) {
         SCOPED_VALUE(diagnostics) reports = { 0 };
         const char *text = formatted("#declare C = rgb <1, 2, 3>; %s", texts[i]);

@@ -193,7 +193,6 @@ TEST(textures)
           "bumps } } } }",
           1, 1, 0 },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[700];
         snprintf(text, sizeof text, LOOKS "%s", rows[i].text);
@@ -232,7 +231,6 @@ TEST(messages)
         { "mesh { smooth_triangle { 0, 0, x, y, y, z } }", 1, 8,
           "<1, 0, 0> is used instead" },
     };
-
     assert_place_errors(rows, COUNT(rows), &strict_options);
 }
 
@@ -468,7 +466,6 @@ TEST(many)
         " #for (I, 1, 40000) <I, 0, 0>, #end }"
         " face_indices { 40000, #for (I, 1, 40000) <I + 1, 0, 1> #end } }");
     const struct triangles *mesh = triangles_of_part(scene, 0);
-
     assert_int_equal(mesh->count, MANY);
     assert_int_equal(triangles_of_part(scene, 1)->count, MANY);
     for (size_t i = 0; i < MANY; i++)

@@ -28,7 +28,6 @@ static void check_bump(const char *words, enum pattern_function function, double
         "#declare A = array[1] { normal { %s } }"
         " sphere { 0, 1 normal { A[0] } }",
     };
-
     for (size_t i = 0; i < COUNT(forms); i++) {
         SCOPED(scene) *scene = read_format(forms[i], words);
         const struct bump *bump = &list_of(scene)->bump;
@@ -66,7 +65,6 @@ TEST(none)
         { "sphere { 0, 1 normal { gradient x } normal { bumps 2 scale 3 } }", 1 },
         { "sphere { 0, 1 normal { bumps 2 normal_map { [0 onion] } } }", 1 },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_with(rows[i].text, rows[i].reports);
         assert_false(bumps_show(&scene->primitives[0].bumps));
@@ -93,7 +91,6 @@ TEST(motions)
         "union { sphere { 0, 1 } box { 0, 1 } normal { onion scale 2 } translate x }",
         "union { sphere { 0, 1 normal { onion } } box { 0, 1 } scale 2 translate x }",
     };
-
     for (size_t i = 0; i < COUNT(texts); i++) {
         SCOPED(scene) *scene = read_scene(texts[i]);
         double point[3] = { 3, 2, 4 };
@@ -121,7 +118,6 @@ TEST(slope_maps)
         "gradient x normal_map { [0 onion] [1 radial] }"
         " slope_map { [.2 <0, 1>], [.2, <.5, -1>] [1 <2, 0>] }",
     };
-
     for (size_t i = 0; i < COUNT(texts); i++) {
         SCOPED(scene) *scene = scene_with(texts[i], 0);
         const struct bump *bump = &list_of(scene)->bump;

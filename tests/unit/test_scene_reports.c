@@ -96,7 +96,6 @@ TEST(errors)
           "'Foo'" },
         { "sphere { 0, 1 scale 1e200 scale 1e200 }", 1, 1, "out of range" },
     };
-
     assert_place_errors(rows, COUNT(rows), &reading_options);
 }
 
@@ -174,7 +173,6 @@ TEST(reports)
         { "#version 3.6;", 10, "without gamma correction" },
         { "#undef A", 8, "'A' is not declared" },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         scene_free(read_with(rows[i].text, 1));
         assert_error(rows[i].text, &strict_options, 1, rows[i].column, rows[i].message);
@@ -221,9 +219,8 @@ static void write_file(const char *folder, const char *name, const char *text)
 
 static void delete_files(const char *folder, const char *const *names)
 {
-    for (; *names; names++) {
+    for (; *names; names++)
         assert_int_equal(remove(formatted("%s/%s", folder, *names)), 0);
-    }
     assert_int_equal(remove(folder), 0);
 }
 
@@ -283,7 +280,6 @@ TEST(bounds)
           "primitives and lights, including copies" },
     };
     FREED char *faults = repeated("", "foo{}\n", 10000);
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         FREED char *text = repeated(rows[i].head, rows[i].part, 10000);
         assert_refused(text, 201, rows[i].message);
@@ -299,7 +295,6 @@ TEST(many_places)
                                 COUNT_OF_SPHERES);
     SCOPED_VALUE(diagnostics) reports = { 0 };
     SCOPED(scene) *scene = read_reported(text, &reading_options, &reports);
-
     assert_int_equal(scene->primitive_count, COUNT_OF_SPHERES);
     assert_int_equal(reports.errors, 0);
     assert_int_equal(reports.count, 1);
@@ -314,7 +309,6 @@ TEST(many_reports)
     SCOPED(scene) *scene =
         read_reported("#for (I, 1, 1000)\n#warning concat(\"no \", str(I, 0, 0))\n#end",
                       &reading_options, &reports);
-
     assert_int_equal(reports.errors, 0);
     assert_int_equal(reports.count, MAX_TOLD + 1);
     assert_string_equal(reports.items[MAX_TOLD - 1].message, "no 200");
@@ -328,7 +322,6 @@ TEST(lost_notes)
     FREED char *text = repeated("", "sphere{0,1 uv_mapping}\n", NOTES);
     SCOPED_VALUE(diagnostics) reports = { 0 };
     SCOPED(scene) *scene = read_reported(text, &reading_options, &reports);
-
     assert_int_equal(reports.count, 2);
     assert_non_null(strstr(reports.items[0].message, "(100000 places"));
     assert_int_equal(reports.items[1].line, NOTES);
@@ -341,7 +334,6 @@ TEST(many_files)
     enum { FILES = 1000 };
     char folder[] = "/tmp/scene-XXXXXX", path[60], text[300];
     struct diagnostics reports = { 0 };
-
     assert_non_null(mkdtemp(folder));
     for (int i = 1; i <= FILES + 1; i++) {
         snprintf(path, sizeof path, "%d", i);

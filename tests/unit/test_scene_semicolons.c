@@ -57,7 +57,6 @@ TEST(values_that_continue)
         "#declare S = \"a\" #declare T = S #if (1) sphere { 0, 1 } #end",
         "#declare S = sphere { 0, 1 } #if (1) object { S } #end",
     };
-
     for (size_t i = 0; i < COUNT(texts); i++)
         scene_free(read_scene(texts[i]));
 }
@@ -102,7 +101,6 @@ TEST(random_scenes)
 {
     enum { SCENES = 60 };
     size_t count = 0;
-
     write_bytes(LANGUAGE_IMAGE, language_image, strlen(language_image));
     for (uint64_t seed = 1; seed <= SCENES; seed++) {
         FREED char *text = language_scene_text(seed);

@@ -10,7 +10,6 @@ static void describe(const struct primitive *primitive, size_t count, char *to)
 {
     const double *numbers = (const double *)&primitive->shape;
     enum primitive_kind kind = primitive->kind;
-
     to += sprintf(to, "%s", primitive_kind_name(kind));
     for (size_t i = 0; i < count; i++)
         to += sprintf(to, " %.17g", numbers[i] + 0); /* -0 becomes 0 */
@@ -61,7 +60,6 @@ TEST(shapes)
           "steiner_patch 4 0 1 0 2 0 0 0 0 1 2 3 0 1 0 1 0 0 1 2 3 0.5 0.25 6 moved" },
     };
     char text[4000] = "", found[500];
-
     for (size_t i = 0; i < COUNT(rows); i++)
         strcat(strcat(text, rows[i].text), "\n");
     SCOPED(scene) *scene = read_scene(text);
@@ -97,7 +95,6 @@ TEST(prisms)
         { 0, 0 }, { 1, 0 }, { 0, 1 }, { 0, 0 }, { 2, 2 },
         { 3, 2 }, { 3, 3 }, { 2, 3 }, { 2, 2 },
     };
-
     assert_int_equal(scene->primitive_count, 4);
     assert_int_equal(p[0].kind, PRIMITIVE_PRISM);
     assert_close(p[0].shape.prism.low, -1, 0);
@@ -126,7 +123,6 @@ TEST(quadratic_prisms)
         { 0, 0 }, { 1, -1 },  { 4, 0 }, { 5, 1 }, { 4, 4 }, { 3, 4 }, { 0, 0 },
         { 5, 5 }, { 5.5, 6 }, { 9, 5 }, { 9, 6 }, { 5, 9 }, { 4, 9 }, { 5, 5 },
     };
-
     assert_int_equal(scene->primitive_count, 2);
     assert_int_equal(p[0].kind, PRIMITIVE_QUADRATIC_PRISM);
     assert_close(p[0].shape.quadratic_prism.low, -1, 0);
@@ -249,7 +245,6 @@ TEST(conditions)
           2 },
         { "#undef A #ifdef (A) sphere { 0, 1 } #end sphere { 0, 2 }", 2 },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_format("#declare A = 1;\n%s", rows[i].text);
         assert_int_equal(scene->primitive_count, 1);

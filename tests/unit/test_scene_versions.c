@@ -27,7 +27,6 @@ TEST(reports)
           "#declare A = 1 #declare B = A sphere { 0, A } sphere { 0, B }",
           2 },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_with(rows[i].text, rows[i].reports);
         assert_int_equal(scene->primitive_count, 2);

@@ -154,7 +154,6 @@ static void take_primitive(struct primitive *mesh)
     static const struct transform nowhere = {
         { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } }
     };
-
     net_primitive(&net, mesh);
     mesh->to_world = mesh->to_local = nowhere;
 }
@@ -345,7 +344,6 @@ TEST(other_cameras)
         "orthographic", "aperture 2 focal_point 5*z blur_samples 4",
         "orthographic aperture 2 focal_point 5*z blur_samples 4"
     };
-
     traced.reported = true;
     for (size_t i = 0; i < COUNT(cameras); i++)
         for (size_t k = 0; k < scene_count / 3; k++) {
@@ -371,7 +369,6 @@ TEST(places)
         { "", "shadowless", 1 },
         { "", "area_light x, y, 2, 2", 1 },
     };
-
     for (size_t i = 0; i < COUNT(cases); i++) {
         struct viewpoints viewpoints;
         sprintf(text,

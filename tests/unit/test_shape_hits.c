@@ -234,7 +234,6 @@ TEST(ahead)
         { "difference { sphere { 0, 3 } " BLOB "cylinder { -4*z, 0, 2, 1 } } }", 2,
           5 + 2 * SEEN },
     };
-
     check_sights(AHEAD, sights, COUNT(sights));
 }
 
@@ -350,6 +349,5 @@ TEST(straight)
           1, 5 },
         { "mesh { " TINY "translate 1e7*x } mesh { " FLAT "translate -z }", 2, 4 },
     };
-
     check_sights(STRAIGHT, sights, COUNT(sights));
 }

@@ -98,7 +98,6 @@ TEST(centers_of_quadrics)
         { 1, 2, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, -1 },
         { 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, -.5, 0 },
     };
-
     for (size_t k = 0; k < 3; k++) {
         struct primitive primitive;
         set_quadric(&primitive, terms[k]);
@@ -353,7 +352,6 @@ TEST(other_planes)
         { 0, 2, 0, 1, 4, 0, 2, 2, 0, 0, 2, 0, 1, 4, 0, 2, 2, 0 },
         { 0, 0, 0, 2, 0, 0, 0, 2, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0 },
     };
-
     for (size_t i = 0; i < COUNT(straight); i++) {
         struct primitive patch;
         set_patch(&patch);

@@ -81,7 +81,6 @@ static void become(const char *const *given, int in, int out)
 {
     const char *built = getenv("RT205_LIBDIR");
     char paths[WORDS][PATH], command[1000], *words[WORDS + 1] = { NULL };
-
     for (size_t i = 0; given[i]; i++) {
         snprintf(paths[i], PATH, "%s", given[i]);
         if (*given[i] == '%')
@@ -101,7 +100,6 @@ static void become(const char *const *given, int in, int out)
 static pid_t begin(const char *const *words, int in, int out)
 {
     pid_t process = fork();
-
     assert_true(process >= 0);
     if (process == 0)
         become(words, in, out);
@@ -112,7 +110,6 @@ static pid_t begin(const char *const *words, int in, int out)
 static int end(pid_t process)
 {
     int status = 0;
-
     assert_int_equal(waitpid(process, &status, 0), process);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
@@ -127,7 +124,6 @@ static void wait_for(int milliseconds)
 static void write_file(const char *name, const char *text)
 {
     char path[PATH];
-
     path_of(path, name);
     write_bytes(path, text, strlen(text));
 }
@@ -135,7 +131,6 @@ static void write_file(const char *name, const char *text)
 static size_t read_file(const char *name, char text[TEXT])
 {
     char path[PATH];
-
     path_of(path, name);
     FILE *file = NON_NULL(fopen(path, "r"));
     size_t length = fread(text, 1, TEXT - 1, file);
@@ -163,7 +158,6 @@ static void check_file(const char *name, const char *command, int number)
 {
     char text[TEXT];
     size_t length = read_file(name, text), wanted = strlen(ending_of(name));
-
     FAIL_IF(strcmp(text, old) != 0
                 && (length < 2 || length < wanted
                     || memcmp(text + length - wanted, ending_of(name), wanted) != 0),
@@ -184,11 +178,9 @@ static void check_folder(const char *const *words, int number)
     DIR *directory = NON_NULL(opendir(folder));
     struct dirent *entry;
     char command[100];
-
     snprintf(command, sizeof command, "%s %s", words[0], words[1]);
     while ((entry = readdir(directory))) {
         size_t i = 0;
-
         if (*entry->d_name == '.' || is_input(entry->d_name))
             continue;
         while (words[i]
@@ -205,7 +197,6 @@ static void remove_files(void)
 {
     DIR *directory = opendir(folder);
     struct dirent *entry;
-
     while (directory && (entry = readdir(directory))) {
         const char *path = formatted("%s/%s", folder, entry->d_name);
         if (*entry->d_name != '.' && !is_input(entry->d_name))
@@ -231,7 +222,6 @@ static void check_command(const char *const *words, int number)
 {
     int null = open("/dev/null", O_RDWR), status;
     int delay = below(2) ? below(30) : below(300);
-
     remove_files();
     if (below(2))
         write_old_files(words);
@@ -282,7 +272,6 @@ static int run_script(const char *const *words, const char *lines, int number,
     int to[2], from[2], status;
     size_t length = 0;
     ssize_t count;
-
     write_file("lines", lines);
     assert_int_equal(pipe(to), 0);
     assert_int_equal(pipe(from), 0);
@@ -323,7 +312,6 @@ TEST(scripts)
     static const char lines[] = "continue\nprint 6 * 7\n";
     static const int ends[] = { SIGTERM, SIGHUP };
     char said[TEXT];
-
     for (size_t i = 0; i < 2; i++) {
         assert_int_equal(run_script(script_words, lines, ends[i], said), 1);
         assert_null(strstr(said, "42  X'2A'"));
@@ -351,7 +339,6 @@ FIXTURE(make_folder)
 FIXTURE(remove_folder)
 {
     char path[PATH];
-
     remove_files();
     for (size_t i = 0; i < INPUTS; i++) {
         path_of(path, inputs[i].name);
@@ -363,7 +350,6 @@ FIXTURE(remove_folder)
 ARGUMENTS(count, words)
 {
     const char *wanted = getenv("SIGNALS");
-
     (void)count, (void)words;
     if (wanted)
         rounds = (size_t)strtoul(wanted, NULL, 10);

@@ -64,7 +64,6 @@ struct trial {
 static struct outcome result_of(const struct trial *t)
 {
     struct outcome result = { 0, 0 };
-
     result.word = t->of->binary ? t->of->binary(t->a, t->b, &result.flags)
                                 : t->of->unary(t->a, &result.flags);
     return result;
@@ -73,7 +72,6 @@ static struct outcome result_of(const struct trial *t)
 static void expect(const struct trial *t, struct outcome expected)
 {
     struct outcome result = result_of(t);
-
     FAIL_IF(result.word != expected.word || result.flags != expected.flags,
             "%s of %016llX and %016llX, %d digits: %016llX, flags %llX, "
             "not %016llX, %llX",
@@ -98,7 +96,6 @@ static bool either_indefinite(const struct trial *t)
 static void check_BITS(const struct trial *t)
 {
     struct outcome result = result_of(t);
-
     assert_int_equal(result.flags, 0);
     assert_int_equal(result.word & ~format_mask(t->f), 0);
 }
@@ -110,7 +107,6 @@ static void check_SUM(const struct trial *t)
     bool a_zero = word_is_machine_zero(t->a);
     bool b_zero = word_is_machine_zero(t->b);
     struct trial same = *t;
-
     same.a = a_zero ? zero : t->a;
     same.b = b_zero ? zero : t->b;
     expect(t, either_indefinite(t) ? plain_indefinite
@@ -175,7 +171,6 @@ static void check_FITTED(const struct trial *t)
 {
     int32_t exponent = format_exponent(t->f, t->a);
     struct trial too_long = *t;
-
     check_PLAIN(t);
     too_long.b = format_make(t->f, 0, exponent - 1);
     if (!word_is_indefinite(t->a) && format_is_normalised(t->f, t->a))
@@ -185,7 +180,6 @@ static void check_FITTED(const struct trial *t)
 static void check_FIELD(const struct trial *t)
 {
     int32_t exponent = format_exponent(t->f, t->a);
-
     expect(t, (struct outcome){ format_make(t->f, 0, exponent), 0 });
 }
 
@@ -194,7 +188,6 @@ static void check_FIELD(const struct trial *t)
 static void check_CONTRACTED(const struct trial *t)
 {
     int32_t exponent = format_exponent(t->f, t->a) + 24;
-
     check_PLAIN(t);
     if (word_is_machine_zero(t->a) || word_is_indefinite(t->a))
         return;
@@ -235,7 +228,6 @@ static void check_operation(const struct operation *operation)
 {
     uint64_t seed = RANDOM_SEED;
     struct trial t = { operation, operation->f, 0, 0 };
-
     for (int i = 0; i < ROUNDS; i++) {
         t.a = any_word(t.f, &seed);
         t.b = any_word(t.f, &seed);
@@ -273,7 +265,6 @@ static void check_relation(const struct ordering *relation, uint64_t *seed)
     c205_word none = any_machine_zero(f, seed) & format_mask(f);
     c205_word zero = format_make(f, any_exponent(f, seed), 0);
     bool of_nothing = relation->holds == relation->not_equal;
-
     assert_int_equal(relation->holds(odd, b), of_nothing);
     assert_int_equal(relation->holds(a, odd), of_nothing);
     assert_int_equal(relation->holds(none, b), relation->holds(zero, b));
@@ -284,7 +275,6 @@ static void check_relation(const struct ordering *relation, uint64_t *seed)
 TEST(relations)
 {
     uint64_t seed = RANDOM_SEED;
-
     for (size_t i = 0; i < COUNT(relations); i++)
         for (int n = 0; n < ROUNDS; n++)
             check_relation(&relations[i], &seed);

@@ -372,7 +372,6 @@ TEST(projection_models)
         { "cyber205-2pipe-prior", "cyber720-prior" },
         { "cyber205-1pipe-prior", "cyber720-prior" },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(c205_model) *on = NON_NULL(c205_model_find(rows[i][0], &failure));
         assert_string_equal(speedup_projection_model(on, SPEEDUP_720), rows[i][1]);

@@ -26,7 +26,6 @@ static size_t plain(const char *a, const char *b)
 static void some_word(uint64_t *seed, char word[7])
 {
     size_t length = xorshift(seed) % 7, i;
-
     for (i = 0; i < length; i++)
         word[i] = (char)('a' + xorshift(seed) % 3);
     word[length] = '\0';
@@ -37,7 +36,6 @@ TEST(distance)
     uint64_t seed = RANDOM_SEED;
     char a[7], b[7];
     int i;
-
     for (i = 0; i < 3000; i++) {
         some_word(&seed, a);
         some_word(&seed, b);
@@ -52,7 +50,6 @@ static const char *of_these(const char *written)
     static const char *const names[] = { "ADDN", "ADDNV", "ES", "EX", "total", NULL };
     struct spelling nearest = { .word = written };
     size_t i;
-
     for (i = 0; names[i]; i++)
         spelling_try(&nearest, names[i]);
     return nearest.name;

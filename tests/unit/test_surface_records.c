@@ -90,7 +90,6 @@ TEST(odd_surfaces)
         { 1.125, 1.5, .75, 1.5 }, { -.5, -.5, -.5, -1 }, { 0, 0, .03125, -1 },
         { 0, 0, .125, .125 },     { -1, 1, 0, 1 },
     };
-
     SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
     check_numbers(&stage, 0, "P_COLOR", (const double[]){ -.25, -.5, 0 }, 3);
     check_numbers(&stage, 1, "P_COLOR", (const double[]){ .75, 1.5, 0 }, 3);
@@ -176,7 +175,6 @@ TEST(levels)
         { "sphere { 0, 1 finish { reflection rgb <0, 0, .1> } }", 7 },
         { "sphere { 0, 1 } sphere { 0, 1 pigment { rgbt <0, 0, 0, .1> } }", 7 + 64 },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[200];
         c205_word word;

@@ -17,7 +17,6 @@ static struct sweep sweep_of(const char *subject, size_t width, size_t height)
                              .model = model },
                   .view = { .distance = 5, .angle = 37 } },
     };
-
     for (size_t i = 0; i < speedup_subject_count; i++)
         if (strcmp(speedup_subjects[i].name, subject) == 0)
             sweep.subject = &speedup_subjects[i];

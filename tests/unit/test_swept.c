@@ -221,7 +221,6 @@ TEST(segments)
         { &lathe, "5, <0, 0>, <1, 1>, <.5, 2>, <1, 3>, <0, 4>", 2 },
     };
     char circle[2000] = "48", ball[2000] = "25";
-
     for (size_t i = 0; i < COUNT(rows); i++)
         assert_int_equal(segments_of(rows[i].shape, rows[i].path), rows[i].segments);
     for (int i = 0; i < 48; i++)
@@ -302,7 +301,6 @@ TEST(along)
         "lathe { " DRUM " rotate 90*x translate y }",
         "lathe { 4, <0, 0>, <1, 1e-9>, <1, 1>, <0, 1 + 1e-9> translate -y }",
     };
-
     for (size_t i = 0; i < COUNT(lathes); i++) {
         char text[1000];
         snprintf(text, sizeof text, STRAIGHT "%s", lathes[i]);

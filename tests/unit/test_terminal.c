@@ -33,7 +33,6 @@ struct terminal {
 static void become(const char *name, bool libedit, char *const *words)
 {
     const char *built = getenv("RT205_LIBDIR");
-
     signal(SIGHUP, SIG_DFL); /* nohup ignores it */
     if (setsid() < 0)
         _exit(127);
@@ -62,7 +61,6 @@ static void begin(struct terminal *terminal, bool libedit, char *const *words)
 static void type(struct terminal *terminal, const char *text)
 {
     size_t length = strlen(text);
-
     assert_int_equal(write(terminal->master, text, length), length);
 }
 
@@ -103,7 +101,6 @@ static void expect(struct terminal *terminal, const char *text)
 static void ask(struct terminal *terminal)
 {
     char line[80];
-
     snprintf(line, sizeof line, "print %u\n", 1000 + ++terminal->asked);
     type(terminal, line);
     snprintf(line, sizeof line, "%u  X'%X'", 1000 + terminal->asked,
@@ -114,7 +111,6 @@ static void ask(struct terminal *terminal)
 static int end(struct terminal *terminal)
 {
     int status = 0;
-
     while (listen_on(terminal, MAX_MILLISECONDS))
         continue;
     close(terminal->master);
@@ -142,7 +138,6 @@ static void check_drops(struct terminal *terminal)
 {
     static const char *const dropped[] = { "",     "delete",   "dele", "qu",
                                            "quit", "delete 1", "q",    "brea" };
-
     ask(terminal);
     type(terminal, "break insn EXIT\n");
     expect(terminal, "break 1: insn EXIT");
@@ -166,7 +161,6 @@ static void check_program(struct terminal *terminal)
 {
     for (size_t i = 0; i < 3; i++) {
         size_t tries = 0;
-
         do {
             type(terminal, "continue\n");
             poll(NULL, 0, 100);
@@ -181,7 +175,6 @@ static void check_program(struct terminal *terminal)
 static void check_session(char *const *words, bool libedit)
 {
     struct terminal terminal;
-
     begin(&terminal, libedit, words);
     check_drops(&terminal);
     if (words == debug_words)
@@ -203,10 +196,8 @@ TEST(ends)
 {
     static const char *const typed[] = { "", "print", "continue\n" };
     static const int signals[] = { SIGTERM, SIGHUP };
-
     for (size_t i = 0; i < 12; i++) {
         struct terminal terminal;
-
         begin(&terminal, i % 2 == 0, debug_words);
         ask(&terminal);
         type(&terminal, typed[i / 4]);

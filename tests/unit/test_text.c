@@ -105,7 +105,6 @@ TEST(extents)
         { "crystal", "205, Cyber!", "<-.1, .2, 0>", { 0, .00096, 4.51564, 2.68514 } },
         { "povlogo", "P", "0", { 0, .00194, .66994, 1.00196 } },
     };
-
     for (size_t i = 0; i < COUNT(rows); i++) {
         double low[3], high[3];
         SCOPED(scene) *scene = read_format("text { ttf \"%s.ttf\" \"%s\" 1, %s }",

@@ -19,7 +19,6 @@ static size_t draw_text(char *text)
     static const char bytes[] = "ab \n\n\r\r\x1A\xEF\xBB\xBF\xC2\xA0";
     size_t length = below(LONGEST);
     size_t marked = below(4) == 0 ? 3 : 0;
-
     memcpy(text, "\xEF\xBB\xBF", marked);
     for (size_t i = 0; i < length; i++)
         text[marked + i] = bytes[below(sizeof bytes - 1)];
@@ -49,7 +48,6 @@ TEST(any_text)
     for (size_t i = 0; i < TEXTS; i++) {
         char text[LONGEST + 4], plain[LONGEST + 4];
         size_t length = draw_text(text);
-
         read_plainly(text, plain);
         assert_null(c205_plain_text(text, &length));
         assert_string_equal(text, plain);
@@ -64,7 +62,6 @@ TEST(any_stream)
         char text[LONGEST + 4], plain[LONGEST + 4], *line = plain;
         size_t length = draw_text(text);
         struct text_stream stream = { .file = tmpfile() };
-
         assert_non_null(stream.file);
         fwrite(text, 1, length, stream.file);
         rewind(stream.file);
@@ -89,7 +86,6 @@ TEST(utf16)
         char text[4 * LONGEST];
         bool marked = i & 1, big = i & 2;
         size_t length = 0, count = 1 + below(LONGEST);
-
         if (marked) {
             memcpy(text, big ? "\xFE\xFF" : "\xFF\xFE", 2);
             length = 2;
@@ -123,7 +119,6 @@ TEST(invisible_in_program)
         { " addx r1, r2, \x07r3\n", "U+0007, a control character", 15 },
         { " .word 1\xE3\x80\x80\n", "U+3000, a space", 9 },
     };
-
     for (size_t i = 0; i < COUNT(cases); i++) {
         SCOPED_VALUE(diagnostics) reports = { 0 };
         assert_null(assemble_text("a.s", cases[i].text, NULL, &reports));
@@ -149,13 +144,11 @@ TEST(any_name)
         "\x1B[31m",     "\x1B]0;title\x07", "\x9B", "\xC2\x9B", "\r",  "\n", "a",
         "\xE2\x80\xAE", "\xEF\xBB\xBF",     "\x7F", "\xFF",     "b.s", " ",
     };
-
     for (size_t i = 0; i < TEXTS; i++) {
         char name[200] = "";
         SCOPED_VALUE(text_buffer) shown = { 0 };
         struct sink sink = text_buffer_sink(&shown);
         size_t visible = 0;
-
         for (size_t k = below(10); k > 0; k--)
             strcat(name, parts[below(COUNT(parts))]);
         visible_put(&sink, name, strlen(name));
@@ -172,7 +165,6 @@ TEST(name_in_diagnostic)
     SCOPED_VALUE(diagnostics) reports = { 0 };
     SCOPED_VALUE(text_buffer) shown = { 0 };
     struct sink sink = text_buffer_sink(&shown);
-
     diagnostics_add(&reports, SEVERITY_ERROR, &position, "no \x1B[31m\n");
     diagnostics_append(&reports, "said \x1B[31m\n\tnext\n");
     diagnostics_put(&reports, &sink);

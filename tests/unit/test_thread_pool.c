@@ -43,9 +43,8 @@ static bool run(void *context, const struct task *task, c205_error *error)
         return error_set(error, "worse");
     for (size_t step = 0; step <= STEPS; step++)
         if (task->progress && !task->progress(task->context, step, STEPS)
-            && step < STEPS) { /* a complete run continues */
+            && step < STEPS) /* a complete run continues */
             return error_set(error, "stopped");
-        }
     if (task->number == bench->bad)
         return error_set(error, "bad %zu", task->number);
     return true;

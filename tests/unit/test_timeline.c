@@ -33,10 +33,8 @@ static void check_sums(const struct timeline *timeline, const c205 *machine,
                        const char *path)
 {
     uint64_t clocks[C205_CAUSES] = { 0 }, at = 0;
-
     for (size_t i = 0; i < timeline->piece_count; i++) {
         const struct timed_piece *piece = &timeline->pieces[i];
-
         assert_int_equal(piece->begin, at);
         clocks[piece->cause] += piece->end - piece->begin;
         at = piece->end;
@@ -53,12 +51,10 @@ static void check_rows(const struct timeline *timeline)
     static uint64_t ends[LANES][ROWS];
     SCOPED_VALUE(arena) arena = { NULL, false };
     struct lanes lanes = { 0 };
-
     memset(ends, 0, sizeof ends);
     assert_true(lanes_make(timeline, &arena, &lanes));
     for (size_t i = 0; i < lanes.count; i++) {
         const struct timed_span *span = &lanes.spans[i];
-
         assert_true(span->row < lanes.rows[span->lane] && span->row < ROWS);
         assert_true(span->begin >= ends[span->lane][span->row]);
         assert_true(span->end > span->begin && span->begin >= timeline->from
@@ -102,7 +98,6 @@ static void take_command(struct reader *reader, const char *line)
 {
     char kind = *line, word[16] = "", rest[TEXT_LENGTH] = "";
     unsigned long id = 0, second = 0;
-
     assert_true(sscanf(line + 1, "\t%lu", &id) == 1);
     if (kind == 'C') {
         assert_true(id > 0);
@@ -171,7 +166,6 @@ static void check_texts(const struct timeline *timeline)
     SCOPED_VALUE(text_buffer) events = { 0 };
     struct sink svg_sink = text_buffer_sink(&svg);
     struct sink events_sink = text_buffer_sink(&events);
-
     assert_true(lanes_make(timeline, &arena, &lanes));
     assert_true(timeline_svg(timeline, "a < b & c", &svg_sink)
                 && timeline_trace_events(timeline, &events_sink));
@@ -204,7 +198,6 @@ static void check_object(const struct object *object, const char *path)
 static void check_program(const char *path)
 {
     SCOPED(object) *object = good_file(path);
-
     check_object(object, path);
 }
 
@@ -212,7 +205,6 @@ TEST(programs)
 {
     static const char *const patterns[] = { "asm/examples/*.s", "tests/programs/*.s",
                                             "tests/programs/traps/*.s" };
-
     for (size_t i = 0; i < COUNT(patterns); i++)
         each_file(patterns[i], check_program);
 }

@@ -85,7 +85,6 @@ static uint64_t stream(const c205_model *model, const char *name, uint64_t n, bo
 {
     uint64_t million = 1000000, pipes = 1;
     uint64_t rate = (uint64_t)llround(constant(model, "stream", name) * 1e6);
-
     const char *text = formatted("stream.%s", name);
     if (strncmp(c205_model_lookup(model, text)->unit, "clk*pipe", 8) == 0) {
         pipes = (uint64_t)constant(model, "machine", "pipes");
@@ -104,7 +103,6 @@ static relation *relation_of(const c205_insn *row, unsigned g)
 #define RELATION(name) [C205_OPERATION_##name] = { arith_##name, half_##name },
 #include "vm/arith.def"
     };
-
     if (row->format != C205_FORMAT_SCAN)
         return NULL;
     return g & C205_G_HALF ? relations[row->operation].of_halves
@@ -118,7 +116,6 @@ static c205_word unsigned_element(const struct vector_case *one, enum role role,
     uint64_t at = vector->address - DATA + i * vector->width;
     unsigned left = role_half[role] % 2 ? HALF : 0;
     c205_word word;
-
     if (!one->scalar[role] && i >= vector->length)
         return C205_MACHINE_ZERO;
     if (!one->scalar[role]) {
@@ -137,7 +134,6 @@ static c205_word element(const struct vector_case *one, enum role role, size_t i
     bool half = g & C205_G_HALF;
     c205_word word = unsigned_element(one, role, i);
     uint64_t flags = 0;
-
     if (g & (role == ROLE_A ? C205_G_MAGNITUDE_A : C205_G_MAGNITUDE_B))
         word = half ? half_absolute(word, &flags) : arith_absolute(word, &flags);
     if (role == ROLE_A && g & C205_G_NEGATE_A)
@@ -149,7 +145,6 @@ static uint64_t comparisons(const struct vector_case *one)
 {
     relation *compares = relation_of(one->row, one->fields.g);
     uint64_t count = 0;
-
     for (size_t i = 0; i < one->n; i++)
         for (size_t k = 0; k < one->vector[ROLE_B].length; k++) {
             count++;
@@ -162,7 +157,6 @@ static uint64_t comparisons(const struct vector_case *one)
 static size_t ones(const struct vector_case *one, bool x, bool y)
 {
     size_t count = 0;
-
     for (size_t i = 0; i < one->n; i++)
         count += (x && bit_of(one, ROLE_X, i)) || (y && bit_of(one, ROLE_Y, i));
     return count;
@@ -171,7 +165,6 @@ static size_t ones(const struct vector_case *one, bool x, bool y)
 static size_t longest_packed(const struct vector_case *one)
 {
     size_t x = ones(one, true, false), y = ones(one, false, true), z = 0;
-
     for (size_t i = 0; is_given(one) && i < one->n; i++)
         z += bit_of(one, ROLE_Z, i);
     x = x > z ? x : z;
@@ -197,7 +190,6 @@ static uint64_t conflicts(const struct vector_case *one, const c205_model *model
     uint64_t banks = (uint64_t)constant(model, "memory", "banks");
     uint64_t busy = (uint64_t)constant(model, "memory", "bank_busy");
     uint64_t free_at[MAX_BANKS] = { 0 }, t = 0, accesses = 0;
-
     for (size_t i = 0; has_indices(one->row) && i < one->n; i++) {
         uint64_t word = indexed(one, i) / WORD;
         if (!is_permitted(one, i))
@@ -247,7 +239,6 @@ static void draw_plain(struct vector_case *one, const c205_insn *row, uint64_t *
 static void try_lengths(struct vector_case *one, unsigned times)
 {
     uint64_t before[MODELS] = { 0 }, now[MODELS];
-
     for (int i = 0; i < MODELS; i++)
         begin_with(&fixture[i], one, times);
     for (size_t length = 0; length <= LENGTH; length += 1 + length / 20) {
@@ -295,7 +286,6 @@ static bool step_all(void)
 {
     bool goes_on = true;
     c205_stop stop;
-
     for (int i = 0; i < MODELS; i++) {
         goes_on = c205_step(fixture[i].machine, &stop) && goes_on;
         assert_sum(fixture[i].machine);
@@ -307,7 +297,6 @@ static void try_program(uint64_t seed)
 {
     enum { STEPS = 200 };
     struct random_program program = random_program(seed);
-
     for (int i = 0; i < MODELS; i++)
         assert_true(random_load(fixture[i].machine, &program, &failure));
     for (int step = 0; step < STEPS && step_all(); step++)

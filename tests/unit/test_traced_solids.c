@@ -101,7 +101,6 @@ TEST(limits_of_rays)
               "sphere { 0, 1 pigment { rgbt <.1, .2, .3, .5> }\n"
               "    finish { reflection .6 } interior { ior 1.3 } }",
     };
-
     for (size_t i = 0; i < COUNT(texts); i++) {
         FREED struct words *frame = same_frame(texts[i]);
         check_paper_stage(texts[i], frame);

@@ -88,6 +88,5 @@ TEST(without_lines)
     static const char *const said[] = {
         "test.o: error: trap unmapped-address at 400020: LOD: address 40", NULL
     };
-
     check(" ES r1, 64\n LOD [r1], r2\n", false, said);
 }

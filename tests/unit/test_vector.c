@@ -115,7 +115,6 @@ static void draw_vectors(struct bench *bench, const struct pool *pool, uint64_t 
 {
     c205_word *registers = bench->reference.now.registers;
     uint64_t places = spread * WORD / pool->width;
-
     for (unsigned i = 0; i < SINGLES; i++)
         registers[pool->first + i] = descriptor(begin
                                                     + below(bench, places)
@@ -126,7 +125,6 @@ static void draw_vectors(struct bench *bench, const struct pool *pool, uint64_t 
 static void draw_pairs(struct bench *bench, const struct pool *pool)
 {
     c205_word *registers = bench->reference.now.registers;
-
     for (unsigned i = 0; i < PAIRS; i++) {
         registers[pool->pairs + 2 * i] = registers[pool->first + below(bench, SINGLES)];
         registers[pool->pairs + 2 * i + 1] = below(bench, 4);
@@ -147,7 +145,6 @@ static void move_away(struct bench *bench, c205_word *vector)
 static void spoil(struct bench *bench)
 {
     c205_word *registers = bench->reference.now.registers;
-
     for (unsigned i = 0; i < POOLS * SINGLES; i++)
         if (one_in(bench, 4))
             move_away(bench, registers + pools[0].first + i);
@@ -162,7 +159,6 @@ static void draw_registers(struct bench *bench, size_t longest)
     c205_word *registers = bench->reference.now.registers;
     uint64_t begin = borders[0].address - 60 * WORD + below(bench, 60) * WORD;
     uint64_t spread = one_in(bench, 2) ? 2 : 20;
-
     for (size_t i = 0; i < POOLS; i++)
         draw_vectors(bench, pools + i, begin, spread, longest);
     registers[OFFSET] = below(bench, 4);
@@ -218,7 +214,6 @@ static uint64_t draw_operand(struct bench *bench, const c205_insn *row, unsigned
                              enum role role)
 {
     char letter = sized_letter(row, g, role);
-
     if (row->format == C205_FORMAT_SWAP) /* its operands are vectors, too */
         return role == ROLE_B ? BLOCK + below(bench, C205_REGISTERS - BLOCK)
                               : draw_vector(bench, 'd', false);
@@ -240,7 +235,6 @@ static uint8_t draw_g(struct bench *bench, const c205_insn *row)
     uint64_t some = random_bits(&bench->random) & random_bits(&bench->random)
                     & ~C205_G_HALF;
     unsigned half = one_in(bench, 2) ? C205_G_HALF : 0;
-
     return (uint8_t)(row->subop | (((unsigned)some | half) & legal));
 }
 
@@ -250,14 +244,12 @@ static uint8_t draw_offset(struct bench *bench, const c205_insn *row, unsigned g
     const char *syntax = c205_format_syntax(row->format);
     bool may = role == ROLE_A ? strchr(syntax, 'a') || strstr(syntax, "A+X")
                               : strchr(syntax, 'b') || strstr(syntax, "B+Y");
-
     return may && !is_scalar(row, g, role) && one_in(bench, 3) ? OFFSET : 0;
 }
 
 static c205_fields draw_fields(struct bench *bench, const c205_insn *row)
 {
     c205_fields f = { .f = row->opcode };
-
     if (c205_format_halves(row->format) == 2) {
         f.g = draw_g(bench, row);
         f.x = draw_offset(bench, row, f.g, ROLE_A);
@@ -286,7 +278,6 @@ static void map(struct bench *bench, uint64_t page, c205_access access)
 static void fill(struct bench *bench, size_t border, enum contents contents)
 {
     c205_word *words = bench->memory[border];
-
     for (size_t i = 0; i < borders[border].words; i++) {
         words[i] = draw_word(bench, contents);
         plain_store(&bench->reference.memory, begin_of(border) + i * WORD, words[i]);
@@ -298,7 +289,6 @@ static void fill(struct bench *bench, size_t border, enum contents contents)
 static struct bench *make_bench(void)
 {
     struct bench *bench = NON_NULL(calloc(1, sizeof *bench));
-
     bench->fixture = make_small_machine();
     load(&bench->fixture, 1);
     reference_begin(&bench->reference);
@@ -322,7 +312,6 @@ static void free_bench(struct bench *bench)
 static void fail_case(const struct bench *bench, const char *what)
 {
     const c205_fields *f = &bench->fields;
-
     fail_msg("%s G %02X X %d A %d Y %d B %d Z %d C %d R %d S %d T %d: %s",
              bench->row->mnemonic, f->g, f->x, f->a, f->y, f->b, f->z, f->c, f->r, f->s,
              f->t, what);
@@ -342,7 +331,6 @@ static c205_word *place(struct bench *bench, uint64_t address)
 static void follow_changes(struct bench *bench)
 {
     const struct plain_memory *memory = &bench->reference.memory;
-
     for (size_t i = 0; i < memory->change_count; i++) {
         uint64_t address = memory->changes[i].address;
         c205_word word = plain_read(memory, address);
@@ -357,7 +345,6 @@ static void follow_changes(struct bench *bench)
 static void compare_memory(struct bench *bench)
 {
     c205_word words[BEFORE + AFTER];
-
     follow_changes(bench);
     for (size_t i = 0; i < BORDERS; i++) {
         size_t count = borders[i].words;
@@ -372,7 +359,6 @@ static bool has_fault(const struct bench *bench, const c205_stop *stop)
 {
     bool names_address = stop->trap == C205_TRAP_UNMAPPED_ADDRESS
                          || stop->trap == C205_TRAP_PROTECTED_ADDRESS;
-
     return names_address
                ? reference_has_fault(&bench->reference, stop->trap, stop->address)
                : bench->reference.faults[stop->trap].possible;
@@ -384,7 +370,6 @@ static bool step_both(struct bench *bench)
     c205_stop stop = { .trap = C205_TRAP_NONE };
     bool done = reference_step(&bench->reference);
     bool traps = !c205_step(bench->fixture.machine, &stop);
-
     assert_false(bench->reference.lost);
     if (traps && !has_fault(bench, &stop))
         fail_case(bench, c205_trap_name(stop.trap));
@@ -421,7 +406,6 @@ static void add_insn(struct bench *bench, const c205_insn *row,
 static void load_code(struct bench *bench)
 {
     const c205_word *code = bench->fixture.code;
-
     for (size_t i = 0; i <= bench->fixture.halves / 2; i++)
         plain_store(&bench->reference.memory, CODE + i * WORD, code[i]);
     assert_true(c205_write(bench->fixture.machine, CODE, code, CODE_WORDS));
@@ -450,7 +434,6 @@ static bool run_case(struct bench *bench)
 static bool one_case(struct bench *bench, const c205_insn *row)
 {
     c205_fields fields = draw_fields(bench, row);
-
     begin_case(bench);
     add_insn(bench, row, &fields);
     draw_registers(bench, one_in(bench, 10) ? 150 : 20);
@@ -478,7 +461,6 @@ static void link_pair(struct bench *bench, const c205_insn *const rows[2],
     bool as_a = !takes_b || one_in(bench, 2);
     bool as_b = takes_b && (!as_a || one_in(bench, 4));
     uint8_t number = f[0].g & C205_G_HALF ? 2 * HALF_NUMBER : NUMBER;
-
     f[0].z = 0;
     f[0].g &= (uint8_t) ~(C205_G_OFFSET | C205_G_ZEROS);
     if (letter_of(rows[0], ROLE_B) && !one_in(bench, 20))
@@ -511,7 +493,6 @@ static void describe_handed(struct bench *bench, const c205_fields *second)
     c205_word *registers = bench->reference.now.registers;
     uint64_t length = registers[second->c] >> 48;
     uint64_t offset = second->g & C205_G_OFFSET ? registers[second->c + 1] : 0;
-
     length = offset < length ? length - offset : 0;
     registers[HANDED] = descriptor(WORD, one_in(bench, 30) ? 7 : length);
 }
@@ -520,7 +501,6 @@ static bool one_pair(struct bench *bench)
 {
     const c205_insn *rows[2];
     c205_fields f[2];
-
     draw_linkables(bench, rows);
     do
         for (size_t i = 0; i < 2; i++)
@@ -548,7 +528,6 @@ static void check_traps(const char *name, size_t traps, size_t cases)
 TEST(instructions)
 {
     struct bench *bench = make_bench();
-
     for (size_t i = 0; i < c205_insn_count; i++) {
         size_t traps = 0;
         if (!has_vectors(c205_insns + i))
@@ -565,7 +544,6 @@ TEST(linked_pairs)
 {
     struct bench *bench = make_bench();
     size_t traps = 0;
-
     for (int i = 0; i < 10 * CASES; i++)
         traps += one_pair(bench);
     check_traps("LINKV", traps, 10 * CASES);

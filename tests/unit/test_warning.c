@@ -11,7 +11,6 @@ static struct object *assembled(const char *text, const char *choice,
                                 struct diagnostics *diagnostics)
 {
     struct asm_options options = { .defines = NULL };
-
     if (choice)
         assert_true(warning_choose(&options.warnings, choice));
     return assemble_text("test.s", text, &options, diagnostics);
@@ -21,7 +20,6 @@ static void check_none(const char *text, const char *choice)
 {
     SCOPED_VALUE(diagnostics) diagnostics = { 0 };
     SCOPED(object) *object = assembled(text, choice, &diagnostics);
-
     FAIL_IF(!object || diagnostics.count > 0, "%s\n%s", text,
             diagnostics.count ? diagnostics.items[0].message : "");
 }

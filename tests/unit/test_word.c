@@ -20,7 +20,6 @@ static c205_word read_as(const struct size *size, const char *text)
 {
     const char *end;
     c205_word word = size->from_text(text, &end);
-
     assert_true(end != text);
     assert_int_equal(*end, '\0');
     return word;
@@ -34,7 +33,6 @@ static c205_word read_all(const char *text)
 static void check_text(const struct size *size, c205_word word, const char *expected)
 {
     char text[C205_TEXT_SIZE];
-
     size->to_text(word, text);
     assert_string_equal(text, expected);
 }
@@ -58,11 +56,9 @@ TEST(known_words)
         { "-1", UINT64_C(0xFFD1800000000000), UINT64_C(0xE980000000000000) },
         { "0", C205_MACHINE_ZERO, C205_MACHINE_ZERO },
     };
-
     for (size_t i = 0; i < COUNT(known); i++) {
         const char *text = known[i].text;
         double value = strtod(text, NULL);
-
         assert_int_equal(read_all(text), known[i].word);
         assert_int_equal(read_as(&halves, text), known[i].half);
         assert_int_equal(words.from_double(value), known[i].word);
@@ -91,7 +87,6 @@ TEST(doubles_at_the_edges)
         { NAN, C205_INDEFINITE, C205_INDEFINITE },
         { -0.0, C205_MACHINE_ZERO, C205_MACHINE_ZERO },
     };
-
     for (size_t i = 0; i < COUNT(cases); i++) {
         assert_int_equal(words.from_double(cases[i].value), cases[i].word);
         assert_int_equal(halves.from_double(cases[i].value), cases[i].half);
@@ -121,7 +116,6 @@ TEST(where_text_ends)
         { ".", 0, NULL },          { "-.", 0, NULL },   { "e5", 0, NULL },
         { " 1", 0, NULL },         { "x", 0, NULL },
     };
-
     for (size_t i = 0; i < COUNT(cases); i++) {
         const char *end;
         c205_word word = c205_from_text(cases[i].text, &end);
@@ -162,7 +156,6 @@ TEST(ends_of_the_range)
         UINT64_C(0x9000400000000000), UINT64_C(0x9000800000000000),
         UINT64_C(0x9000BFFFFFFFFFFF), UINT64_C(0x6FFF400000000000),
     };
-
     for (size_t i = 0; i < COUNT(cases); i++)
         assert_int_equal(read_as(cases[i].size, cases[i].text), cases[i].word);
     for (size_t i = 0; i < COUNT(ends); i++) {
@@ -178,7 +171,6 @@ TEST(distant_digits)
 {
     enum { ZEROS = 30000 };
     FREED char *text = NON_NULL(malloc(ZEROS + 8));
-
     memset(text, '0', ZEROS + 8);
     memcpy(text, "-1.", 3);
     text[ZEROS] = '1';
@@ -213,7 +205,6 @@ TEST(layout_of_text)
         { &halves, UINT64_C(0x1100000000000000), "0" },
         { &halves, UINT64_C(0x7F12345600000000), "indefinite" },
     };
-
     for (size_t i = 0; i < COUNT(texts); i++)
         check_text(&words, read_all(texts[i]), texts[i]);
     for (size_t i = 0; i < COUNT(odd); i++)
@@ -232,7 +223,6 @@ TEST(significant_bits)
                   { 2, 2 },
                   { WORD_COEFFICIENT_MAX, 47 },
                   { WORD_COEFFICIENT_MIN, 47 } };
-
     for (size_t i = 0; i < COUNT(cases); i++)
         assert_int_equal(word_significant_bits(cases[i].number), cases[i].bits);
     for (int n = 1; n <= 50; n++) {

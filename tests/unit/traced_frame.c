@@ -126,7 +126,6 @@ void add_text(char *text, size_t size, const char *format, ...)
 {
     size_t used = strlen(text);
     va_list list;
-
     va_start(list, format);
     vsnprintf(text + used, size - used, format, list);
     va_end(list);

@@ -62,7 +62,6 @@ extern struct traced traced;
 static inline int set_up_frames(void **state)
 {
     const size_t queues[MAX_QUEUES] = QUEUES;
-
     traced.width = WIDTH;
     traced.height = HEIGHT;
     traced.pixels = PIXELS;

@@ -10,7 +10,6 @@ bool is_row_of(const c205_insn *row, const char *names)
 {
     const char *found = strstr(names, row->mnemonic);
     char after = found ? found[strlen(row->mnemonic)] : 'x';
-
     return after == ' ' || after == '\0';
 }
 
@@ -32,7 +31,6 @@ bool has_control(const struct vector_case *one)
 static unsigned width_of(const struct vector_case *one, enum role role)
 {
     char letter = sized_letter(one->row, one->fields.g, role);
-
     if (letter && strchr("beoz", letter))
         return 1;
     return isupper((unsigned char)letter) ? HALF : WORD;
@@ -55,7 +53,6 @@ void mark_element(struct bits_of *bits, const struct extent_of *vector, size_t i
 bool bit_of(const struct vector_case *one, enum role role, size_t i)
 {
     uint64_t at = one->vector[role].address + i - DATA;
-
     return i < one->vector[role].length
            && one->memory[at / WORD] >> (WORD - 1 - at % WORD) & 1;
 }
@@ -65,7 +62,6 @@ bool is_chosen(const struct vector_case *one, size_t i)
     const struct extent_of *z = &one->vector[ROLE_Z];
     uint64_t at = z->address + i - DATA;
     bool bit = one->memory[at / WORD] >> (WORD - 1 - at % WORD) & 1;
-
     return bit != !!(one->fields.g & C205_G_ZEROS);
 }
 
@@ -77,7 +73,6 @@ bool is_permitted(const struct vector_case *one, size_t i)
 size_t count_chosen(const struct vector_case *one, bool chosen)
 {
     size_t count = 0;
-
     for (size_t i = 0; i < one->n; i++)
         count += is_chosen(one, i) == chosen;
     return count;
@@ -111,7 +106,6 @@ void define(struct vector_case *one, unsigned number, c205_word word, c205_word 
 void define_half(struct vector_case *one, unsigned number, c205_word word)
 {
     unsigned shift = number % 2 ? 0 : HALF;
-
     define(one, number / 2, (word & UINT32_MAX) << shift,
            (c205_word)UINT32_MAX << shift);
 }
@@ -121,7 +115,6 @@ void define_half(struct vector_case *one, unsigned number, c205_word word)
 static bool length_matters(const struct vector_case *one, enum role role)
 {
     char letter = sized_letter(one->row, one->fields.g, role);
-
     if (letter == 'z')
         return one->row->format == C205_FORMAT_SQUEEZE
                || one->row->format == C205_FORMAT_SQUEEZEB;
@@ -138,7 +131,6 @@ size_t draw(uint64_t *random, size_t low, size_t high)
 size_t draw_size(uint64_t *random)
 {
     size_t kind = draw(random, 0, 9);
-
     return kind == 0 ? 0 : draw(random, 1, kind == 1 ? LENGTH : 150);
 }
 
@@ -152,7 +144,6 @@ static void place_vector(struct vector_case *one, enum role role, uint64_t *rand
     uint64_t zone = DATA + (uint64_t)(role * ZONE_WORDS + LEAD) * WORD
                     + draw(random, 0, start - 1) * vector->width;
     bool counts = length_matters(one, role);
-
     define(one, role_register[role], descriptor(zone, counts ? length + offset : 0),
            counts ? UINT64_MAX : ADDRESS_BITS);
     vector->address = zone + offset * vector->width;
@@ -163,7 +154,6 @@ static c205_word draw_of(const struct oracle_format *format, uint64_t *random)
 {
     struct operands operands = operands_begin(format, random_bits(random));
     c205_word a, b;
-
     operands.position = draw(random, 0, 100000);
     operands_next(&operands, &a, &b, 1);
     return a;
@@ -182,7 +172,6 @@ c205_word draw_half(uint64_t *random)
 static void place_scalar(struct vector_case *one, enum role role, uint64_t *random)
 {
     char letter = letter_of(one->row, role);
-
     if (letter == 'i') /* groups of a repeated mask */
         define(one, role_register[role], (c205_word)draw(random, 1, 20), ADDRESS_BITS);
     else if (letter && strchr("wpk", letter)) /* results */
@@ -197,7 +186,6 @@ static size_t draw_offset(struct vector_case *one, uint64_t *random, uint8_t *fi
                           enum role role)
 {
     size_t offset = draw(random, 0, MAX_OFFSET);
-
     *field = (uint8_t)(role_register[role] + 1);
     define(one, *field, offset, ADDRESS_BITS);
     return offset;
@@ -209,7 +197,6 @@ static size_t source_offset(struct vector_case *one, uint64_t *random, enum role
     const char *syntax = c205_format_syntax(one->row->format);
     bool may = role == ROLE_A ? strchr(syntax, 'a') || strstr(syntax, "A+X")
                               : strchr(syntax, 'b') || strstr(syntax, "B+Y");
-
     if (!may || draw(random, 0, 3) > 0)
         return 0;
     return draw_offset(one, random, role == ROLE_A ? &one->fields.x : &one->fields.y,
@@ -227,7 +214,6 @@ size_t source_length(uint64_t *random, size_t n)
 static bool makes_sense(const c205_insn *row, unsigned g)
 {
     bool a = g & C205_G_BROADCAST_A, b = g & C205_G_BROADCAST_B;
-
     switch (row->format) {
     case C205_FORMAT_REDUCE:
     case C205_FORMAT_EXTREME: return !a;
@@ -243,7 +229,6 @@ static void draw_g(struct vector_case *one, uint64_t *random)
     const char *syntax = c205_format_syntax(one->row->format);
     bool is_short = c205_format_halves(one->row->format) == 1;
     unsigned legal = reference_bits_of_g(one->row), g;
-
     legal |= one->row->flags & C205_INSN_HALF ? C205_G_HALF : 0;
     legal &= ~(unsigned)one->row->subop_mask;
     do
@@ -300,7 +285,6 @@ uint64_t indexed(const struct vector_case *one, size_t i)
     uint64_t list = one->vector[ROLE_A].address - DATA;
     uint64_t index = is_periodic(one->row) ? (uint64_t)(one->period * (int64_t)i)
                                            : one->memory[list / WORD + i];
-
     return table->address + index * table->width;
 }
 
@@ -311,7 +295,6 @@ static void place_period(struct vector_case *one, uint64_t *random)
     struct extent_of *table = &one->vector[role];
     int64_t room = ZONE_WORDS - 2 * LEAD;
     int64_t most = room / (int64_t)(one->n > 0 ? one->n : 1);
-
     one->period = random_between(random, -most, most);
     define(one, role_register[ROLE_A], (c205_word)one->period, ADDRESS_BITS);
     if (one->period < 0)
@@ -352,7 +335,6 @@ static size_t elements_of(const struct vector_case *one)
 {
     const struct extent_of *v = one->vector;
     size_t n = v[ROLE_C].length;
-
     switch (one->row->format) {
     case C205_FORMAT_REDUCE:
     case C205_FORMAT_REDUCE2:
@@ -380,7 +362,6 @@ static void place_operand(struct vector_case *one, enum role role, uint64_t *ran
                           size_t n, size_t offset)
 {
     bool exact = role == ROLE_C || role == ROLE_Z;
-
     if (!letter_of(one->row, role)
         || (letter_of(one->row, role) == 'z' && !one->fields.z))
         return;
@@ -395,7 +376,6 @@ static void place_operand(struct vector_case *one, enum role role, uint64_t *ran
 static void place_operands(struct vector_case *one, uint64_t *random, size_t n)
 {
     size_t offset;
-
     for (int role = ROLE_A; role <= ROLE_B; role++) {
         offset = is_scalar(one->row, one->fields.g, (enum role)role)
                      ? 0

@@ -12,7 +12,6 @@ enum {
 static uint32_t power_of_5(int32_t power)
 {
     uint32_t value = 1;
-
     while (power-- > 0)
         value *= 5;
     return value;
@@ -55,14 +54,12 @@ uint64_t big_low(const big *number)
 {
     uint64_t low = number->count > 0 ? number->limb[0] : 0;
     uint64_t high = number->count > 1 ? number->limb[1] : 0;
-
     return high << LIMB_BITS | low;
 }
 
 void big_multiply(big *number, uint32_t factor, uint32_t addend)
 {
     uint64_t carry = addend;
-
     for (size_t i = 0; i < number->count; i++) {
         carry += (uint64_t)number->limb[i] * factor;
         number->limb[i] = (uint32_t)carry;
@@ -80,7 +77,6 @@ void big_multiply_power_of_5(big *number, int32_t power)
 static uint32_t divide(big *number, uint32_t divisor)
 {
     uint64_t remainder = 0;
-
     for (size_t i = number->count; i-- > 0;) {
         remainder = remainder << LIMB_BITS | number->limb[i];
         number->limb[i] = (uint32_t)(remainder / divisor);
@@ -95,7 +91,6 @@ static uint32_t divide(big *number, uint32_t divisor)
 bool big_divide_power_of_5(big *number, int32_t power)
 {
     bool lost = false;
-
     for (; power > 0; power -= FIVES)
         if (divide(number, power_of_5(power < FIVES ? power : FIVES)) != 0)
             lost = true;
@@ -105,7 +100,6 @@ bool big_divide_power_of_5(big *number, int32_t power)
 void big_shift_left(big *number, int32_t places)
 {
     size_t limbs = (size_t)(places / LIMB_BITS);
-
     big_multiply(number, UINT32_C(1) << places % LIMB_BITS, 0);
     if (number->count == 0)
         return;
@@ -119,7 +113,6 @@ bool big_shift_right(big *number, int32_t places)
 {
     size_t limbs = (size_t)(places / LIMB_BITS);
     bool lost = false;
-
     if (limbs > number->count)
         limbs = number->count;
     for (size_t i = 0; i < limbs; i++)

@@ -31,7 +31,6 @@ static inline bool common_word(c205_word w)
 static inline bool common_pair(c205_word a, c205_word b)
 {
     uint64_t x = common_edges(a), y = common_edges(b);
-
     return common_by_edges(x & y, x | y);
 }
 

@@ -48,7 +48,6 @@ static void take_digit(decimal *d, uint32_t digit, bool after_point)
 static const char *take_digits(decimal *d, const char *text)
 {
     bool after_point = false, any = false;
-
     for (;; text++) {
         if (is_digit(*text)) {
             take_digit(d, (uint32_t)(*text - '0'), after_point);
@@ -66,7 +65,6 @@ static const char *take_exponent(decimal *d, const char *text)
 {
     const char *p = text + 1;
     int64_t exponent = 0;
-
     if (*text != 'e' && *text != 'E')
         return text;
     bool negative = *p == '-';
@@ -86,7 +84,6 @@ static const char *take_exponent(decimal *d, const char *text)
 static bool scale(big *number, int32_t power, int32_t *exponent)
 {
     bool inexact = false;
-
     *exponent = power;
     if (power >= 0) {
         big_multiply_power_of_5(number, power);
@@ -104,7 +101,6 @@ static bool scale(big *number, int32_t power, int32_t *exponent)
 static c205_word word_of_decimal(word_format f, decimal *d)
 {
     int32_t exponent;
-
     if (d->length == 0)
         return C205_MACHINE_ZERO;
     int64_t places = (int64_t)d->length + d->exponent;
@@ -158,7 +154,6 @@ static uint64_t whole_units(int64_t c, int32_t exponent, int32_t power, bool *lo
 {
     int32_t twos = exponent - power;
     big number;
-
     *lost = false;
     big_set(&number, (uint64_t)c);
     if (twos > 0)
@@ -177,7 +172,6 @@ static uint64_t count_units(int64_t c, int32_t exponent, int32_t power, bool cei
 {
     bool lost;
     uint64_t units = whole_units(c, exponent, power, &lost);
-
     return units + (ceiling && lost);
 }
 
@@ -204,11 +198,9 @@ static digits shortest(word_format f, int64_t c, int32_t exponent)
     bool negative = c < 0;
     int64_t near = negative ? -c : c;
     int64_t far = negative ? near - 1 : near + 1;
-    /* 18 or 19 digits */
     digits d = { 0, power_below(f, exponent) - 17 };
     uint64_t from = count_units(near, exponent, d.power, !negative);
     uint64_t to = count_units(far, exponent, d.power, !negative);
-
     do {
         d.number = from;
         d.power++;
@@ -228,7 +220,6 @@ static void write_decimal(char *text, bool negative, digits d)
     int places = length + d.power; /* digits before the point */
     const char *sign = negative ? "-" : "";
     const char *point = length > 1 ? "." : "";
-
     if (places < LEAST || places > GREATEST)
         snprintf(text, C205_TEXT_SIZE, "%s%.1s%s%se%d", sign, number, point, number + 1,
                  places - 1);
@@ -246,7 +237,6 @@ static void to_text(word_format f, c205_word word, char text[C205_TEXT_SIZE])
 {
     int64_t c = format_value_coefficient(f, word);
     int32_t places = f.digits - word_significant_bits(c);
-
     if (word_is_indefinite(word))
         snprintf(text, C205_TEXT_SIZE, "indefinite");
     else if (c == 0)
@@ -276,14 +266,12 @@ static uint64_t nearest_units(int64_t c, int32_t exponent, int32_t power)
     bool lost;
     uint64_t halves = whole_units(c, exponent + 1, power, &lost);
     uint64_t units = halves / 2;
-
     return units + (halves % 2 != 0 && (lost || units % 2 != 0));
 }
 
 static uint64_t power_of_10(unsigned power)
 {
     uint64_t value = 1;
-
     while (power-- > 0)
         value *= 10;
     return value;
@@ -295,7 +283,6 @@ static void write_fixed(char *text, bool negative, uint64_t units, unsigned plac
     char number[24];
     int length = snprintf(number, sizeof number, "%0*llu", (int)places + 1,
                           (unsigned long long)units);
-
     snprintf(text, C205_TEXT_SIZE, "%s%.*s%s%s", negative && units > 0 ? "-" : "",
              length - (int)places, number, places > 0 ? "." : "",
              number + length - places);
@@ -306,7 +293,6 @@ static bool try_fixed(char *text, bool negative, uint64_t c, int32_t exponent,
                       unsigned places)
 {
     uint64_t units = 0;
-
     if (c != 0
         && power_below(whole_words, exponent) + 1 + (int32_t)places > C205_DIGITS)
         return false;
@@ -323,7 +309,6 @@ static void write_scientific(char *text, bool negative, uint64_t c, int32_t expo
 {
     int32_t power = power_below(whole_words, exponent) + 1 - (int32_t)count;
     uint64_t units = nearest_units((int64_t)c, exponent, power);
-
     while (units >= power_of_10(count)) /* Rounding turned 9.99 into 10.0. */
         units = nearest_units((int64_t)c, exponent, ++power);
     write_fixed(text, negative, units, count - 1);
@@ -342,7 +327,6 @@ void c205_to_decimal(c205_word word, c205_notation notation, unsigned count,
     int64_t normalised = word_shift_left(c, places);
     uint64_t magnitude = (uint64_t)(c < 0 ? -normalised : normalised);
     unsigned most = C205_DIGITS - (notation == C205_FIXED);
-
     count = count > most ? most : count;
     if (word_is_indefinite(word))
         snprintf(text, C205_TEXT_SIZE, "indefinite");

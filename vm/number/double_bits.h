@@ -8,7 +8,6 @@
 static inline double double_of_bits(uint64_t bits)
 {
     double d;
-
     memcpy(&d, &bits, sizeof d);
     return d;
 }
@@ -16,7 +15,6 @@ static inline double double_of_bits(uint64_t bits)
 static inline uint64_t bits_of_double(double d)
 {
     uint64_t bits;
-
     memcpy(&bits, &d, sizeof bits);
     return bits;
 }

@@ -24,7 +24,6 @@ static inline c205_word fast_word(int64_t e, int64_t c)
 static inline c205_word fast_fitted(int64_t e, int64_t c)
 {
     int64_t places = (c ^ c >> 63) >> WORD_DIGITS;
-
     return fast_word(e + places, c >> places);
 }
 
@@ -40,7 +39,6 @@ static inline bool fast_sum(c205_word a, int64_t ca, c205_word b, int64_t cb,
     int64_t e = (int64_t)a >> 48, eb = (int64_t)b >> 48;
     int64_t distance = e - eb;
     int64_t larger = ca, smaller = cb;
-
     if (distance < 0) {
         e = eb;
         larger = cb;
@@ -63,7 +61,6 @@ static inline int64_t fast_twice(c205_word w)
 static inline c205_word fast_add_normalised(c205_word a, c205_word b, uint64_t *flags)
 {
     c205_word c;
-
     if (common_pair(a, b) && fast_sum(a, fast_twice(a), b, fast_twice(b), &c))
         return c;
     return arith_add_normalised(a, b, flags);
@@ -75,7 +72,6 @@ static inline c205_word fast_subtract_normalised(c205_word a, c205_word b,
                                                  uint64_t *flags)
 {
     c205_word c;
-
     if (common_pair(a, b) && fast_sum(a, fast_twice(a), b, -fast_twice(b), &c))
         return c;
     if (a == C205_MACHINE_ZERO && common_word(b)
@@ -95,7 +91,6 @@ static inline c205_word fast_multiply_significant(c205_word a, c205_word b,
     int64_t middle = a1 * b0 + a0 * b1 + (a0 * b0 >> 24);
     int64_t product = a1 * b1 * 4 + (middle >> 22);
     int64_t e = ((int64_t)a >> 48) + ((int64_t)b >> 48);
-
     if (!common_pair(a, b))
         return arith_multiply_significant(a, b, flags);
     return fast_fitted(e + WORD_DIGITS - 1, product);
@@ -110,7 +105,6 @@ static inline c205_word fast_divide_significant(c205_word a, c205_word b,
     int64_t ca = word_coefficient(a), cb = word_coefficient(b);
     int64_t dividend = ca < 0 ? -ca : ca, divisor = cb < 0 ? -cb : cb;
     int64_t e = ((int64_t)a >> 48) - ((int64_t)b >> 48) - WORD_DIGITS;
-
     if (!common_pair(a, b))
         return arith_divide_significant(a, b, flags);
     int64_t q = (int64_t)((double)dividend * 0x1p47 / (double)divisor);
@@ -130,7 +124,6 @@ static inline c205_word fast_square_root(c205_word a, uint64_t *flags)
 {
     int64_t c = word_coefficient(a), e = (int64_t)a >> 48;
     int32_t k = WORD_DIGITS - 1 + (int32_t)(e & 1);
-
     if (!common_word(a) || c < 0)
         return arith_square_root(a, flags);
     uint64_t root = (uint64_t)(int64_t)sqrt((double)c * (e & 1 ? 0x1p47 : 0x1p46));
@@ -153,7 +146,6 @@ static inline bool fast_ranks(c205_word a, c205_word b, int64_t *rank_a,
                               int64_t *rank_b)
 {
     int64_t sign = (int64_t)(a << 16) >> 63;
-
     *rank_a = sign | 1;
     *rank_b = 0;
     if (b == C205_MACHINE_ZERO && common_word(a))

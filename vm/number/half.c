@@ -16,7 +16,6 @@ static c205_word contracted(c205_word a, int64_t rounding, uint64_t *flags)
 {
     int64_t c = (word_coefficient(a) + rounding) >> MORE_DIGITS;
     bool fits = c <= MAX_COEFFICIENT;
-
     if (word_is_indefinite(a))
         return indefinite(0, flags);
     if (word_is_machine_zero(a))

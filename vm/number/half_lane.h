@@ -30,7 +30,6 @@ static inline lane sum_lower(c205_word a, c205_word b, int64_t t)
     c205_word l = max_word(a, b);
     int64_t e = exponent(l) - DIGITS;
     uint64_t places = excess(t, 2 * DIGITS);
-
     return odd_if(indefinite(l),
                   zero_if(is_zero(l), lower(e + (int64_t)places, t >> places)));
 }
@@ -52,7 +51,6 @@ static inline lane lane_subtract_lower(c205_word a, c205_word b)
 static inline int64_t least_significance(int64_t ca, int64_t cb)
 {
     int64_t ma = ca ^ ca >> 63, mb = cb ^ cb >> 63;
-
     return LENGTH - (int64_t)room((ma < mb ? ma : mb) | 1);
 }
 
@@ -64,7 +62,6 @@ static inline int64_t product(c205_word a, c205_word b)
 static inline lane lane_multiply_upper(c205_word a, c205_word b)
 {
     int64_t e = exponent(a) + exponent(b) + DIGITS;
-
     return special_product(a, b, fitted(e, product(a, b) >> DIGITS));
 }
 
@@ -77,7 +74,6 @@ static inline lane lane_multiply_significant(c205_word a, c205_word b)
 {
     int64_t e = exponent(a) + exponent(b), p = product(a, b);
     int64_t bits = least_significance(coefficient(a), coefficient(b));
-
     return special_product(a, b, zero_if(p == 0, significant(e, p, bits)));
 }
 
@@ -96,7 +92,6 @@ static inline int64_t quotient(int64_t ca, int64_t cb)
 {
     double dividend = to_double(magnitude(ca) << DIGITS) + 0.5;
     int64_t q = below(dividend / to_double(magnitude(cb)));
-
     return (ca ^ cb) < 0 ? -q : q;
 }
 
@@ -109,7 +104,6 @@ static inline int64_t quotient_exponent(c205_word a, c205_word b)
 static inline lane special_quotient(c205_word a, c205_word b, lane result)
 {
     uint64_t without_digits = magnitude(coefficient(b)) - 1;
-
     return odd_if(without_digits | zero(b) | indefinite(max_word(a, b)),
                   zero_if(is_zero(a), result));
 }
@@ -119,7 +113,6 @@ static inline lane lane_divide_upper(c205_word a, c205_word b)
 {
     int64_t q = quotient(coefficient(a), coefficient(b));
     int64_t bits = LENGTH - (int64_t)room(q);
-
     return special_quotient(a, b,
                             significant(quotient_exponent(a, b), q,
                                         bits < DIGITS ? bits : DIGITS));
@@ -130,7 +123,6 @@ static inline lane lane_divide_significant(c205_word a, c205_word b)
     int64_t ca = coefficient(a), cb = coefficient(b);
     int64_t e = quotient_exponent(a, b), q = quotient(ca, cb);
     int64_t bits = least_significance(ca, cb);
-
     return special_quotient(a, b, zero_if(q == 0, significant(e, q, bits)));
 }
 
@@ -151,7 +143,6 @@ static inline lane lane_square_root(c205_word a)
     int64_t k = DIGITS - 1 + (e & 1);
     int64_t r = root((uint64_t)c << (places + k));
     lane result = number(((e - k) >> 1) + places, r >> places);
-
     return odd_if((uint64_t)c | indefinite(a), zero_if(c == 0, result));
 }
 
@@ -164,7 +155,6 @@ static inline lane contracted(c205_word a, int64_t rounding)
 {
     int64_t e = word_exponent(a) + MORE_DIGITS;
     int64_t c = (word_coefficient(a) + rounding) >> MORE_DIGITS;
-
     return special_product(a, a, fitted(e, c));
 }
 
@@ -183,7 +173,6 @@ static inline lane lane_extend(c205_word a)
 {
     c205_word digits = (a & ~EXPONENT_MASK) >> 8;
     const lane result = { (c205_word)(exponent(a) - MORE_DIGITS) << 48 | digits, 0 };
-
     return special_product(a, a, result);
 }
 

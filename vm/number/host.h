@@ -88,7 +88,6 @@ static inline bool host_round_down(host_rounding *before)
 {
     host_rounding ways = 3U << 13, down = 1U << 13, untrapped = 0x3FU << 7;
     volatile double little = 0x1p-60;
-
     __asm__ volatile("stmxcsr %0" : "=m"(*before) : : "memory");
     host_round_as((*before & ~ways) | down | untrapped);
     if (1 - little < 1)

@@ -15,14 +15,12 @@ static inline int64_t product(c205_word a, c205_word b, int keep)
     int64_t a1 = (int64_t)(a << 16) >> 40, a0 = a & 0xFFFFFF;
     int64_t b1 = (int64_t)(b << 16) >> 40, b0 = b & 0xFFFFFF;
     int64_t middle = a1 * b0 + a0 * b1 + (a0 * b0 >> 24);
-
     return (int64_t)((uint64_t)(a1 * b1) << keep) + (middle >> (24 - keep));
 }
 
 static inline lane lane_multiply_upper(c205_word a, c205_word b)
 {
     int64_t e = exponent(a) + exponent(b) + WORD_DIGITS;
-
     return special_product(a, b, fitted(e, product(a, b, 1)));
 }
 
@@ -54,7 +52,6 @@ static inline lane lane_multiply_significant(c205_word a, c205_word b)
     c205_word high = (c205_word)(e + (int64_t)places) << EXPONENT_PLACE;
     const lane result = { high | integer((int64_t)((uint64_t)p >> places)),
                           either_unnormalised(a, b) | is_small(s) };
-
     return odd_if(is_large(l), zero_if(is_zero(s), result));
 }
 
@@ -70,7 +67,6 @@ static inline int64_t quotient(int64_t ca, int64_t cb)
     uint64_t nearest = to_nearest(to_double(dividend) * scale / to_double(divisor));
     uint64_t remainder = (dividend << WORD_DIGITS) - nearest * divisor;
     int64_t q = (int64_t)(nearest - (remainder >> 63));
-
     return (ca ^ cb) < 0 ? -q : q;
 }
 
@@ -79,7 +75,6 @@ static inline lane lane_divide_significant(c205_word a, c205_word b)
     int64_t e = exponent(a) - exponent(b) - WORD_DIGITS;
     int64_t q = quotient(coefficient(a), coefficient(b));
     lane result = odd_if(unnormalised(a), normalised(e, q));
-
     return odd_if(unnormalised(b) | zero(b) | indefinite(max_word(a, b)),
                   zero_if(is_zero(a), result));
 }
@@ -90,7 +85,6 @@ static inline int64_t root(uint64_t radicand)
 {
     uint64_t nearest = to_nearest(sqrt(to_double(radicand)) * (1 << 23));
     uint64_t remainder = (radicand << 46) - nearest * nearest;
-
     return (int64_t)(nearest - (remainder >> 63));
 }
 
@@ -102,7 +96,6 @@ static inline lane lane_square_root(c205_word a)
     int64_t r = root(is_even ? digits : digits << 1);
     lane result = number((exponent(a) >> 1) - 23, r);
     uint64_t negative = a << 16;
-
     return zero_if(is_zero(a),
                    odd_if(unnormalised(a) | negative | indefinite(a), result));
 }
@@ -120,14 +113,12 @@ static inline c205_word common_multiply_significant(c205_word a, c205_word b)
     uint64_t places = excess(p, DIGITS);
     c205_word high = a + (b & EXPONENT_MASK)
                      + ((places + (WORD_DIGITS - 1)) << EXPONENT_PLACE);
-
     return format_with_coefficient(LANE_FORMAT, high, (c205_word)p >> places);
 }
 
 static inline c205_word common_divide_significant(c205_word a, c205_word b)
 {
     int64_t e = exponent(a) - exponent(b) - WORD_DIGITS;
-
     return significant(e, quotient(coefficient(a), coefficient(b)), DIGITS).word;
 }
 

@@ -49,7 +49,6 @@ static inline int64_t coefficient(c205_word w)
 static inline int64_t guarded(c205_word w)
 {
     int64_t digits = (int64_t)(w << LANE_FORMAT.exponent_bits);
-
     return digits >> (63 - DIGITS - LANE_GUARD);
 }
 
@@ -67,7 +66,6 @@ static inline uint64_t magnitude(int64_t c)
 static inline uint64_t unnormalised(c205_word w)
 {
     uint64_t digits = w << LANE_FORMAT.exponent_bits;
-
     return digits ^ digits << 1 ^ first_bit;
 }
 
@@ -104,7 +102,6 @@ static inline uint64_t room(int64_t t)
     enum { BIAS = 1023 };
     double d = double_of_bits(two_to_52 | (uint64_t)(t ^ t >> 63))
                - (double_of_bits(two_to_52) - 0.5);
-
     return (((uint64_t)(BIAS + LENGTH) << 52) - 1 - bits_of_double(d)) >> 52;
 }
 
@@ -121,7 +118,6 @@ static inline lane number(int64_t e, int64_t c)
 {
     const lane result = { (c205_word)e << EXPONENT_PLACE | integer(c),
                           out_of_range(e) };
-
     return result;
 }
 
@@ -130,7 +126,6 @@ static inline lane zero_if(bool it_is, lane otherwise)
 {
     const lane result = { it_is ? C205_MACHINE_ZERO : otherwise.word,
                           it_is ? 0 : otherwise.odd };
-
     return result;
 }
 
@@ -147,7 +142,6 @@ static inline lane significant(int64_t e, int64_t t, int64_t bits)
     uint64_t places = room(t);
     int64_t top = (int64_t)((uint64_t)t << places);
     int64_t excess = LENGTH - bits;
-
     return number(e + excess - (int64_t)places, top >> excess);
 }
 
@@ -169,7 +163,6 @@ static inline uint64_t excess(int64_t t, int digits)
 static inline lane fitted(int64_t e, int64_t t)
 {
     uint64_t places = excess(t, DIGITS);
-
     return number(e + (int64_t)places, (int64_t)((uint64_t)t >> places));
 }
 
@@ -189,7 +182,6 @@ static inline uint64_t apart(c205_word l, c205_word s, int64_t limit)
 {
     uint64_t distance = l - (s & EXPONENT_MASK);
     uint64_t most = (uint64_t)limit << EXPONENT_PLACE;
-
     return distance < most ? distance : most;
 }
 
@@ -210,7 +202,6 @@ static inline int64_t sum_of(c205_word l, int64_t value_l, c205_word s, int64_t 
 static inline int64_t sum(c205_word a, c205_word b)
 {
     c205_word l = max_word(a, b), s = min_word(a, b);
-
     return sum_of(l, guarded_value(l), s, guarded_value(s));
 }
 
@@ -222,7 +213,6 @@ static inline int64_t difference_of(c205_word l, int64_t value_l, c205_word s,
     int64_t reach = DIGITS - LANE_GUARD;
     uint64_t distance = apart(l, s, reach);
     int64_t kept = shifted(value_s, apart(l, s, reach + 63) - distance);
-
     return (is_subtrahend ? value_l : -value_l)
            + shifted(is_subtrahend ? -kept : kept, distance);
 }
@@ -230,7 +220,6 @@ static inline int64_t difference_of(c205_word l, int64_t value_l, c205_word s,
 static inline int64_t difference(c205_word a, c205_word b)
 {
     c205_word l = max_word(a, b), s = min_word(a, b);
-
     return difference_of(l, guarded_value(l), s, guarded_value(s),
                          (int64_t)b <= (int64_t)a);
 }
@@ -239,7 +228,6 @@ static inline int64_t difference(c205_word a, c205_word b)
 static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
 {
     c205_word l = max_word(a, b);
-
     return zero_if(is_zero(l), fitted(exponent(l), t >> LANE_GUARD));
 }
 
@@ -259,7 +247,6 @@ static inline c205_word with_sum(c205_word l, int64_t t)
     uint64_t more = (uint64_t)(LENGTH - DIGITS - LANE_GUARD) - places;
     c205_word high = l + (more << EXPONENT_PLACE);
     c205_word low = (c205_word)top << format_padding(LANE_FORMAT);
-
     return format_with_coefficient(LANE_FORMAT, high, low);
 }
 
@@ -268,7 +255,6 @@ static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
     c205_word l = max_word(a, b);
     uint64_t too_short = LANE_GUARD < DIGITS ? unnormalised(l) : 0;
     const lane result = { with_sum(l, t), 0 };
-
     return odd_if(is_zero(l) ? 0 : is_extreme(l) | too_short, zero_if(t == 0, result));
 }
 
@@ -295,7 +281,6 @@ static inline lane lane_subtract_normalised(c205_word a, c205_word b)
 static inline lane halved(lane sum)
 {
     uint64_t is_number = ~zero(sum.word) >> 63;
-
     sum.word -= is_number << EXPONENT_PLACE;
     sum.odd |= zero(sum.word) & (0 - is_number);
     return sum;
@@ -326,7 +311,6 @@ static inline lane integer_part(c205_word a, int64_t part)
                           : is_zero(a)     ? a
                                            : whole,
                           indefinite(a) };
-
     return result;
 }
 
@@ -344,7 +328,6 @@ static inline lane lane_truncate(c205_word a)
 {
     int64_t c = coefficient(a);
     int64_t part = without_fraction((int64_t)magnitude(c), a);
-
     return integer_part(a, c < 0 ? -part : part);
 }
 
@@ -356,7 +339,6 @@ static inline lane lane_negate(c205_word a)
     int64_t half = -format_coefficient_min(LANE_FORMAT) / 2;
     bool too_long = c == -2 * half, too_short = c == half;
     int64_t moved = too_short ? e - 1 : e;
-
     return odd_if(indefinite(a), zero_if(is_zero(a), number(too_long ? e + 1 : moved,
                                                             too_long    ? half
                                                             : too_short ? -2 * half
@@ -369,7 +351,6 @@ static inline lane lane_absolute(c205_word a)
     int64_t c = coefficient(a);
     const lane zero_number = { c < 0 ? C205_MACHINE_ZERO : a, 0 };
     lane result = fitted(exponent(a), (int64_t)magnitude(c));
-
     return odd_if(indefinite(a), is_zero(a) ? zero_number : result);
 }
 

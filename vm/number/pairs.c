@@ -19,14 +19,16 @@ enum constants { NO_CONSTANT, CONSTANT_A, CONSTANT_B };
         host_rounding before; \
         if (!host_round_down(&before)) \
             return false; \
-        EACH_LANE( \
+        EACH_LANE({ \
             c205_word x = constants == CONSTANT_A ? constant_a : a[j]; \
             c205_word y = constants == CONSTANT_B ? constant_b : b[j]; \
-            take_edges(&block, x, y); take_edges(&block, d[j], d[j]); \
+            take_edges(&block, x, y); \
+            take_edges(&block, d[j], d[j]); \
             double handed = round_down_value( \
                 take_result(&block, first(moderate_value(x), moderate_value(y)))); \
             double other = moderate_value(d[j]); \
-            to[j] = result_word(take_result(&block, second));) \
+            to[j] = result_word(take_result(&block, second)); \
+        }); \
         host_round_as(before); \
         return round_down_end(&block, flags); \
     }

@@ -49,7 +49,6 @@ static inline uint64_t moderate_edges(c205_word w)
 static inline bool moderate_pair(c205_word a, c205_word b)
 {
     uint64_t x = moderate_edges(a), y = moderate_edges(b);
-
     return moderate_by_edges(x & y, x | y);
 }
 
@@ -61,7 +60,6 @@ static inline double moderate_value(c205_word w)
     uint64_t exponent = w >> ROUND_DOWN_PLACE << DOUBLE_DIGITS;
     uint64_t large = exponent
                      + (double_exponent(DOUBLE_DIGITS) | UINT64_C(1) << WORD_DIGITS);
-
     return double_of_bits(large ^ (w & WORD_COEFFICIENT_MASK)) - double_of_bits(large);
 }
 
@@ -80,7 +78,6 @@ static inline c205_word round_down_word(double value)
     double c = double_of_bits(bits - places) + double_of_bits(large);
     uint64_t exponent = (uint64_t)((int64_t)places
                                    >> (DOUBLE_DIGITS - ROUND_DOWN_PLACE));
-
     return format_with_coefficient(whole_words, exponent, bits_of_double(c));
 }
 
@@ -90,7 +87,6 @@ static inline double round_down_value(double value)
     enum { BEYOND = (1 << (DOUBLE_DIGITS - ROUND_DOWN_DIGITS)) - 1 };
     uint64_t bits = bits_of_double(value);
     uint64_t is_negative = (uint64_t)((int64_t)bits >> 63);
-
     return double_of_bits((bits + (is_negative & BEYOND)) & ~(uint64_t)BEYOND);
 }
 
@@ -106,7 +102,6 @@ typedef struct round_down {
 static inline round_down round_down_add(double x, double y)
 {
     const round_down sum = { x + y, false };
-
     return sum;
 }
 
@@ -115,14 +110,12 @@ static inline round_down round_down_add(double x, double y)
 static inline round_down round_down_subtract(double x, double y)
 {
     const round_down difference = { x - y, (x + y == x) & (y > 0) };
-
     return difference;
 }
 
 static inline round_down round_down_multiply(double x, double y)
 {
     const round_down product = { x * y, false };
-
     return product;
 }
 
@@ -143,7 +136,6 @@ static const round_down_block round_down_begin = { UINT64_MAX, 0, 0, 0 };
 static inline void take_edges(round_down_block *block, c205_word a, c205_word b)
 {
     uint64_t x = moderate_edges(a), y = moderate_edges(b);
-
     block->all &= x & y;
     block->any |= x | y;
 }
@@ -158,7 +150,6 @@ static inline double take_result(round_down_block *block, round_down result)
 static inline c205_word result_word(double value)
 {
     c205_word word = round_down_word(value);
-
     return value == 0 ? C205_MACHINE_ZERO : word;
 }
 
@@ -181,10 +172,11 @@ static inline bool round_down_end(const round_down_block *block, uint64_t *flags
         if (n < ROUND_DOWN_LEAST || !moderate_pair(a[0], b[0]) \
             || !host_round_down(&before)) \
             return false; \
-        EACH_LANE(take_edges(&block, a[j], b[j]); \
-                  to[j] = result_word( \
-                      take_result(&block, operation(moderate_value(a[j]), \
-                                                    moderate_value(b[j]))));) \
+        EACH_LANE({ \
+            take_edges(&block, a[j], b[j]); \
+            to[j] = result_word(take_result(&block, operation(moderate_value(a[j]), \
+                                                              moderate_value(b[j])))); \
+        }); \
         host_round_as(before); \
         return round_down_end(&block, flags); \
     }

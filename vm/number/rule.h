@@ -92,7 +92,6 @@ static wide wide_negate(wide w)
 {
     int64_t borrow = w.lo != 0;
     const wide negated = { -w.hi - borrow, -w.lo & MAX_COEFFICIENT, w.exponent };
-
     return negated;
 }
 
@@ -107,7 +106,6 @@ static int32_t wide_significant_bits(wide w)
 static int64_t wide_floor(wide w, int32_t places)
 {
     int32_t up = DIGITS - places;
-
     if (up <= 0)
         return w.hi >> (up < -63 ? 63 : -up);
     if (places >= 0)
@@ -135,7 +133,6 @@ static c205_word wide_significant(wide w, int32_t bits, uint64_t *flags)
 static c205_word wide_upper(wide w, uint64_t *flags)
 {
     bool fits = word_significant_bits(w.hi) <= DIGITS;
-
     return wide_cut(w, fits ? DIGITS : DIGITS + 1, flags);
 }
 
@@ -151,7 +148,6 @@ static c205_word wide_lower(wide w, uint64_t *flags)
 static wide aligned(int64_t c, int32_t places)
 {
     wide w = { c >> 63, 0, 0 };
-
     if (places < DIGITS) {
         w.hi = c >> places;
         w.lo = word_shift_left(c, DIGITS - places) & MAX_COEFFICIENT;
@@ -171,7 +167,6 @@ static wide sum(c205_word a, c205_word b, bool subtract)
     int64_t ca = value_of(a);
     int64_t cb = value_of(b);
     wide w;
-
     if (distance >= 0) {
         w = aligned(cb, distance);
         if (subtract)
@@ -292,7 +287,6 @@ static wide product(c205_word a, c205_word b)
     const wide w = { a1 * b1 * 2 + (middle >> (half - 1)),
                      (middle & mask >> 1) << half | (low & mask),
                      exponent_of(a) + exponent_of(b) };
-
     return w;
 }
 
@@ -315,14 +309,12 @@ static int32_t least_significance(c205_word a, c205_word b)
     int32_t sa = word_significant_bits(coefficient_of(a));
     int32_t sb = word_significant_bits(coefficient_of(b));
     int32_t least = sa < sb ? sa : sb;
-
     return least < 1 ? 1 : least;
 }
 
 c205_word RULE(multiply_upper)(c205_word a, c205_word b, uint64_t *flags)
 {
     c205_word special;
-
     if (special_product(a, b, &special, flags))
         return special;
     return wide_upper(product(a, b), flags);
@@ -331,7 +323,6 @@ c205_word RULE(multiply_upper)(c205_word a, c205_word b, uint64_t *flags)
 c205_word RULE(multiply_lower)(c205_word a, c205_word b, uint64_t *flags)
 {
     c205_word special;
-
     if (special_product(a, b, &special, flags))
         return special;
     return wide_lower(product(a, b), flags);
@@ -340,7 +331,6 @@ c205_word RULE(multiply_lower)(c205_word a, c205_word b, uint64_t *flags)
 c205_word RULE(multiply_significant)(c205_word a, c205_word b, uint64_t *flags)
 {
     c205_word special;
-
     if (special_product(a, b, &special, flags))
         return special;
     return wide_significant(product(a, b), least_significance(a, b), flags);
@@ -357,7 +347,6 @@ static wide quotient(c205_word a, c205_word b)
     int64_t dividend = ca < 0 ? -ca : ca, divisor = cb < 0 ? -cb : cb;
     int64_t remainder = dividend % divisor;
     wide w = { dividend / divisor, 0, 0 };
-
     for (int32_t left = DIGITS; left > 0;) {
         int32_t places = left < 16 ? left : 16;
         remainder <<= places;
@@ -388,7 +377,6 @@ static bool special_quotient(c205_word a, c205_word b, c205_word *special,
 c205_word RULE(divide_upper)(c205_word a, c205_word b, uint64_t *flags)
 {
     c205_word special;
-
     if (special_quotient(a, b, &special, flags))
         return special;
     wide w = quotient(a, b);
@@ -399,7 +387,6 @@ c205_word RULE(divide_upper)(c205_word a, c205_word b, uint64_t *flags)
 c205_word RULE(divide_significant)(c205_word a, c205_word b, uint64_t *flags)
 {
     c205_word special;
-
     if (special_quotient(a, b, &special, flags))
         return special;
     return wide_significant(quotient(a, b), least_significance(a, b), flags);
@@ -414,14 +401,12 @@ static int64_t root(int64_t c, int32_t k)
 {
     uint64_t estimate = (uint64_t)sqrt(ldexp((double)c, k));
     uint64_t remainder = ((uint64_t)c << k) - estimate * estimate;
-
     return (int64_t)(estimate - (remainder >> 63));
 }
 
 c205_word RULE(square_root)(c205_word a, uint64_t *flags)
 {
     int64_t c = value_of(a);
-
     if (word_is_indefinite(a))
         return indefinite(0, flags);
     if (c == 0)
@@ -449,7 +434,6 @@ static c205_word kept(c205_word a, uint64_t *flags)
 c205_word RULE(floor)(c205_word a, uint64_t *flags)
 {
     int32_t exponent = exponent_of(a);
-
     if (exponent >= 0 || word_is_machine_zero(a))
         return kept(a, flags);
     return made(0, coefficient_of(a) >> (exponent < -63 ? 63 : -exponent));
@@ -458,7 +442,6 @@ c205_word RULE(floor)(c205_word a, uint64_t *flags)
 c205_word RULE(ceiling)(c205_word a, uint64_t *flags)
 {
     int32_t exponent = exponent_of(a);
-
     if (exponent >= 0 || word_is_machine_zero(a))
         return kept(a, flags);
     return made(0, -(-coefficient_of(a) >> (exponent < -63 ? 63 : -exponent)));
@@ -475,7 +458,6 @@ c205_word RULE(negate)(c205_word a, uint64_t *flags)
 {
     int32_t exponent = exponent_of(a);
     int64_t c = coefficient_of(a);
-
     if (word_is_indefinite(a))
         return indefinite(0, flags);
     if (word_is_machine_zero(a))
@@ -517,7 +499,6 @@ static int32_t room(int64_t c)
 static c205_word with_exponent(c205_word a, int64_t exponent, uint64_t *flags)
 {
     int64_t c = coefficient_of(a), left = exponent_of(a) - exponent;
-
     if (word_is_indefinite(a))
         return indefinite(0, flags);
     if (word_is_machine_zero(a))
@@ -535,7 +516,6 @@ c205_word RULE(adjust_significance)(c205_word a, c205_word b, uint64_t *flags)
     int64_t wanted = coefficient_of(b);
     int64_t most = room(coefficient_of(a));
     int64_t places = wanted < most ? wanted : most;
-
     return with_exponent(a, exponent_of(a) - places, flags);
 }
 

@@ -75,7 +75,6 @@ static inline c205_word zero_as_number(c205_word w)
 static inline uint64_t unnormalised(word_format f, c205_word number)
 {
     uint64_t digits = number << f.exponent_bits;
-
     return number == LEAST_NUMBER ? 0 : ~(digits ^ digits << 1);
 }
 
@@ -85,7 +84,6 @@ static inline c205_word order(word_format f, c205_word w)
 {
     c205_word exponent = ~format_coefficient_mask(f);
     int64_t sign = (int64_t)(w << f.exponent_bits) >> 63;
-
     return w ^ (exponent & (c205_word)sign);
 }
 
@@ -93,7 +91,6 @@ static inline c205_word order(word_format f, c205_word w)
 static inline uint64_t less_integer(uint64_t x, uint64_t y)
 {
     uint64_t difference = x - y;
-
     return difference ^ ((x ^ y) & (difference ^ x));
 }
 
@@ -102,7 +99,6 @@ static inline uint64_t less_number(word_format f, c205_word x, c205_word y)
     uint64_t of_one_sign = less_integer(order(f, x), order(f, y));
     uint64_t sign_x = x << f.exponent_bits;
     uint64_t sign_y = y << f.exponent_bits;
-
     return of_one_sign ^ ((of_one_sign ^ sign_x) & (sign_x ^ sign_y));
 }
 

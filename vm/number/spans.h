@@ -69,7 +69,6 @@ enum { BLOCK = 256, LANES = 8 };
 static inline bool spans_meet(const c205_word *one, const c205_word *other, size_t n)
 {
     uintptr_t a = (uintptr_t)one, b = (uintptr_t)other;
-
     return a - b < n * sizeof *one || b - a < n * sizeof *one;
 }
 
@@ -87,13 +86,12 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n
         lanes[i] = words[i];
 }
 
-/* Runs the body for each index j in whole groups of LANES, then for the last LANES of
- * n. */
+/* Runs the body, a statement or a block, for each index j in whole groups of LANES, then
+ * for the last LANES of n. */
 #define EACH_LANE(body) \
     for (size_t i = 0, end = n & ~(size_t)(LANES - 1);;) { \
-        for (size_t j = i; j < end; j++) { \
-            body \
-        } \
+        for (size_t j = i; j < end; j++) \
+            body; \
         if (end == n) \
             break; \
         i = n - LANES; \
@@ -103,8 +101,13 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n
     LANEWISE void name##_block parameters \
     { \
         uint64_t odd[BLOCK], odds = 0, zeros = 0; \
-        EACH_LANE(lane result = of_lane; odd[j] = result.odd; odds |= result.odd; \
-                  zeros |= zero(result.word); to[j] = result.word;) \
+        EACH_LANE({ \
+            lane result = of_lane; \
+            odd[j] = result.odd; \
+            odds |= result.odd; \
+            zeros |= zero(result.word); \
+            to[j] = result.word; \
+        }); \
         if (odds >> 63) \
             exactly; \
         else if (zeros >> 63) \
@@ -173,9 +176,12 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n
 LANEWISE bool common_lanes(const c205_word *a, const c205_word *b, size_t n)
 {
     uint64_t all = UINT64_MAX, any = 0;
-
-    EACH_LANE(uint64_t x = common_edges(a[j]); uint64_t y = common_edges(b[j]);
-              all &= x & y; any |= x | y;)
+    EACH_LANE({
+        uint64_t x = common_edges(a[j]);
+        uint64_t y = common_edges(b[j]);
+        all &= x & y;
+        any |= x | y;
+    });
     return common_by_edges(all, any);
 }
 
@@ -185,7 +191,6 @@ LANEWISE bool common_pairs(const c205_word *a, const c205_word *b, size_t n)
 {
     enum { FIRST_ONES = 2 * LANES };
     size_t first = n > 2 * FIRST_ONES ? FIRST_ONES : n;
-
     return common_lanes(a, b, first)
            && (first == n || common_lanes(a + first, b + first, n - first));
 }
@@ -193,10 +198,9 @@ LANEWISE bool common_pairs(const c205_word *a, const c205_word *b, size_t n)
 LANEWISE bool zero_lanes(const c205_word *a, size_t n)
 {
     c205_word most = a[0];
-
     if (!is_zero(most))
         return false;
-    EACH_LANE(most = max_word(most, a[j]);)
+    EACH_LANE(most = max_word(most, a[j]));
     return is_zero(most);
 }
 
@@ -214,7 +218,7 @@ LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
     if (!both && !common_pairs(others, others, n))
         return false;
     if (both || gives == GIVE_ZEROS) {
-        EACH_LANE(to[j] = C205_MACHINE_ZERO;)
+        EACH_LANE(to[j] = C205_MACHINE_ZERO);
         *flags |= FLAG_MACHINE_ZERO;
     } else
         copy_block(to, others, n);
@@ -235,7 +239,7 @@ LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
         (void)flags; \
         if (!common_pairs(a, b, n)) \
             return false; \
-        EACH_LANE(to[j] = of_common(a[j], b[j]);) \
+        EACH_LANE(to[j] = of_common(a[j], b[j])); \
         return true; \
     }
 

@@ -8,7 +8,6 @@ c205_word word_cut(word_format f, bool negative, int64_t digits, bool inexact,
                    int32_t exponent)
 {
     int64_t c = negative ? -digits - inexact : digits;
-
     if (c == format_coefficient_min(f) / 2) {
         c = format_coefficient_min(f);
         exponent--;
@@ -37,7 +36,6 @@ static c205_word from_double(word_format f, double value)
     enum { DOUBLE_DIGITS = 53 };
     int32_t excess = DOUBLE_DIGITS - f.digits;
     int exponent;
-
     if (!isfinite(value))
         return C205_INDEFINITE;
     if (value == 0)

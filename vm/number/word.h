@@ -90,7 +90,6 @@ static inline c205_word format_with_coefficient(word_format f, c205_word high,
                                                 c205_word low)
 {
     c205_word mask = format_coefficient_mask(f);
-
     return (high & ~mask) | (low & mask);
 }
 
@@ -98,7 +97,6 @@ static inline c205_word format_make(word_format f, int32_t exponent,
                                     int64_t coefficient)
 {
     c205_word placed = (c205_word)coefficient << format_padding(f);
-
     return (c205_word)(int64_t)exponent << (64 - f.exponent_bits)
            | (placed & format_coefficient_mask(f));
 }
@@ -152,7 +150,6 @@ static inline bool word_is_normalised(c205_word w)
 static inline int32_t word_bit_length(uint64_t x)
 {
     double d = double_of_bits(UINT64_C(0x4330000000000000) | x << 1 | 1);
-
     return (int32_t)(bits_of_double(d - 4503599627370496.0) >> 52) - 1023;
 }
 
@@ -192,7 +189,6 @@ static inline int64_t format_rank(word_format f, c205_word w)
     int64_t exponent = format_exponent(f, w) - places
                        + (1 - format_exponent_min(f) + f.digits);
     int64_t digits = word_shift_left(c, places) ^ sign;
-
     return c == 0 ? 0 : (exponent << f.digits | digits) ^ sign;
 }
 
@@ -218,7 +214,6 @@ static inline c205_word format_shift(word_format f, c205_word a, int64_t count)
     uint64_t left = (uint64_t)count % (uint64_t)width;
     c205_word around = a >> (((uint64_t)width - left) & 63);
     c205_word right = (c205_word)((int64_t)a >> (count < -63 ? 63 : -count & 63));
-
     return (count < 0 ? right : a << left | around) & format_mask(f);
 }
 

@@ -40,7 +40,6 @@ enum { SPAN = 256, LATEST = 3 };
 static inline double nearest_whole(double d)
 {
     double large = 0x1p52, sum = d + large;
-
     return sum - large;
 }
 

@@ -26,7 +26,6 @@ LANEWISE void find_range_span FIND_RANGE_PARAMETERS
 {
     struct page_walk of = *walk;
     uint64_t mask = (UINT64_C(1) << of.shift) - 1;
-    /* vector units compare signed integers */
     int64_t low = INT64_MAX, high = 0, most = 0;
     for (size_t i = 0; i < n; i++) {
         uint64_t address = address_of(&of, indices[i]);

@@ -26,7 +26,6 @@ struct schedules {
 struct schedules *schedules_new(void)
 {
     struct schedules *schedules = malloc(sizeof *schedules);
-
     if (schedules) {
         schedules->count = 0;
         in_flight_init(&schedules->flights);

@@ -7,7 +7,6 @@ static bool put_models(struct json *reply, c205_error *error)
     json_array(reply, "models");
     for (const char *const *name = c205_model_names(); *name; name++) {
         c205_model *model = c205_model_find(*name, error);
-
         if (!model)
             return false;
         if (!c205_model_is_projection(model)) {
@@ -29,7 +28,6 @@ static void put_operands(const c205_insn *insn, bool half, const char *key,
     struct text_line text = { .length = 0 };
     struct sink sink = text_line_sink(&text);
     const char *behind = text.text;
-
     syntax_write(insn, half, &sink);
     while (*behind && *behind != ' ')
         behind++;
@@ -39,7 +37,6 @@ static void put_operands(const c205_insn *insn, bool half, const char *key,
 static void put_insn(const c205_insn *insn, struct json *reply)
 {
     char source[2] = { insn->provenance, '\0' };
-
     json_object(reply, NULL);
     json_text(reply, "mnemonic", insn->mnemonic);
     put_operands(insn, false, "operands", reply);

@@ -10,14 +10,12 @@
 bool refuse_of(c205_error *error, const char *name)
 {
     c205_error why = *error;
-
     return error_set(error, "%.80s: %.160s", name, why.message);
 }
 
 bool refuse_is_clip(struct engine *engine, c205_error *error)
 {
     const char *said = debugger_report(&engine->said);
-
     error_set(error, "%s", *said ? said : "out of memory");
     text_buffer_free(&engine->said);
     return false;
@@ -27,7 +25,6 @@ bool put_said(struct engine *engine, struct json *reply, const char *key,
               c205_error *error)
 {
     bool good = !engine->said.failed;
-
     json_text(reply, key, debugger_report(&engine->said));
     text_buffer_free(&engine->said);
     return good || error_set(error, "out of memory");
@@ -46,7 +43,6 @@ bool put_buffer(struct json *reply, const char *key, struct text_buffer *text,
                 c205_error *error)
 {
     bool good = !text->failed;
-
     json_text(reply, key, text->text ? text->text : "");
     text_buffer_free(text);
     return good || error_set(error, "out of memory");
@@ -60,7 +56,6 @@ bool needs_program(const struct engine *engine, c205_error *error)
 char *copy_of(const char *text)
 {
     char *copy = malloc(strlen(text) + 1);
-
     return copy ? strcpy(copy, text) : NULL;
 }
 
@@ -70,7 +65,6 @@ bool take_text_or(const struct json_value *request, const char *key, const char 
                   c205_error *error)
 {
     const struct json_value *value = json_member(request, key);
-
     if (value && value->kind != JSON_TEXT)
         return error_set(error, "\"%s\" is not a string", key);
     if (value)
@@ -90,7 +84,6 @@ bool take_truth(const struct json_value *request, const char *key, bool *truth,
                 c205_error *error)
 {
     const struct json_value *value = json_member(request, key);
-
     if (value && value->kind != JSON_TRUTH)
         return error_set(error, "\"%s\" must be true or false", key);
     if (value)
@@ -102,7 +95,6 @@ bool take_count(const struct json_value *request, const char *key, uint64_t *cou
                 c205_error *error)
 {
     int64_t value = 0;
-
     if (!json_member(request, key))
         return true;
     if (!json_member_whole(request, key, &value) || value < 0)
@@ -115,7 +107,6 @@ bool take_limit(const struct engine *engine, const struct json_value *request,
                 uint64_t *limit, c205_error *error)
 {
     bool good = take_count(request, "limit", limit, error);
-
     if (*limit > engine->bound)
         *limit = engine->bound;
     return good;
@@ -126,7 +117,6 @@ bool take_limit(const struct engine *engine, const struct json_value *request,
 static double milliseconds(void)
 {
     struct timespec now = { 0, 0 };
-
     clock_gettime(CLOCK_MONOTONIC, &now);
     return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
 }
@@ -136,7 +126,6 @@ bool take_slice(struct engine *engine, const struct json_value *request,
 {
     uint64_t ms = UINT64_MAX;
     struct slice *slice = &engine->slice;
-
     slice->clocks = 0;
     if (!take_count(request, "ms", &ms, error)
         || !take_count(request, "clocks", &slice->clocks, error))
@@ -159,7 +148,6 @@ bool slice_is_over(void *given)
     struct engine *engine = given;
     struct slice *slice = &engine->slice;
     uint64_t clock = c205_clock(engine_machine(engine));
-
     slice->to_the_limit = clock >= slice->ends_at;
     if (clock < slice->from) /* the program has gone back */
         slice->from = clock;
@@ -171,7 +159,6 @@ bool slice_is_over(void *given)
 bool slice_is_full(const struct engine *engine)
 {
     const struct slice *slice = &engine->slice;
-
     return (slice->clocks > 0 && slice->spent >= slice->clocks) || time_is_over(slice);
 }
 
@@ -189,7 +176,6 @@ static bool answer_more(struct engine *engine, const struct json_value *request,
                         struct json *reply, c205_error *error)
 {
     engine_slice *goes_on = engine->goes_on;
-
     if (!goes_on)
         return error_set(error, "no work is left to continue");
     return take_slice(engine, request, error) && goes_on(engine, reply, error);
@@ -224,7 +210,6 @@ static bool answer(struct engine *engine, const struct json_value *request,
 {
     const char *name;
     size_t i = 0;
-
     if (request->kind != JSON_OBJECT)
         return error_set(error, "a request must be an object");
     if (!take_text(request, "do", &name, error))
@@ -245,7 +230,6 @@ static char *put_refusal(const struct engine *engine, const char *why)
     struct text_buffer text = { .text = NULL };
     c205_error error;
     struct json *reply = json_open_line(&text, &error);
-
     if (!reply)
         return NULL;
     json_bool(reply, "ok", false);
@@ -263,7 +247,6 @@ static char *answer_read(struct engine *engine, const struct json_value *request
     struct text_buffer text = { .text = NULL };
     c205_error error = { "out of memory" };
     struct json *reply = json_open_line(&text, &error);
-
     if (!reply)
         return NULL;
     json_bool(reply, "ok", true);
@@ -281,7 +264,6 @@ char *engine_answer(struct engine *engine, const char *request, size_t length)
     c205_error error;
     const struct json_value *read = json_read(&arena, request, length, &error);
     char *text = read ? answer_read(engine, read) : put_refusal(engine, error.message);
-
     diagnostics_free(&engine->diagnostics);
     engine->diagnostics = (struct diagnostics){ 0 };
     arena_free(&arena);
@@ -293,7 +275,6 @@ char *engine_answer(struct engine *engine, const char *request, size_t length)
 struct engine *engine_new(void)
 {
     struct engine *engine = calloc(1, sizeof *engine);
-
     if (engine)
         engine->bound = UINT64_MAX;
     return engine;

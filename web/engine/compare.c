@@ -22,12 +22,10 @@ struct text_comparison {
 void compare_drop(struct engine *engine)
 {
     struct text_comparison *comparison = engine->comparison;
-
     if (!comparison)
         return;
     for (int i = 0; i < COMPARED_RUNS; i++) {
         struct compared_text *side = &comparison->sides[i];
-
         compared_free(&side->run);
         object_free(side->object);
         c205_model_free(side->model);
@@ -49,7 +47,6 @@ static bool run_side(struct engine *engine, struct text_comparison *comparison,
     uint64_t clock = c205_clock(machine);
     bool last = comparison->limit <= clock + AT_ONCE;
     c205_stop stop = c205_run(machine, last ? comparison->limit : clock + AT_ONCE);
-
     engine->slice.spent += c205_clock(machine) - clock;
     *over = stop.trap == C205_TRAP_NONE;
     if (*over)
@@ -64,7 +61,6 @@ static bool run_side(struct engine *engine, struct text_comparison *comparison,
 static bool begin_run(struct text_comparison *comparison, c205_error *error)
 {
     const struct compared_text *side = &comparison->sides[comparison->which];
-
     comparison->machine = c205_new(side->model, error);
     return comparison->machine && object_check(side->object, error)
            && c205_load(comparison->machine, &side->object->program, error);
@@ -74,7 +70,6 @@ static bool continue_comparison(struct engine *engine,
                                 struct text_comparison *comparison, c205_error *error)
 {
     bool over = false;
-
     if (!comparison->machine && !begin_run(comparison, error))
         return false;
     if (!run_side(engine, comparison, &over, error))
@@ -95,7 +90,6 @@ static bool put_comparison(const struct text_comparison *comparison, struct json
 {
     struct compared_run runs[COMPARED_RUNS];
     char sentence[COMPARED_SENTENCE];
-
     json_array(reply, "programs");
     for (int i = 0; i < COMPARED_RUNS; i++) {
         runs[i] = comparison->sides[i].run;
@@ -116,7 +110,6 @@ static bool slice(struct engine *engine, struct json *reply, c205_error *error)
 {
     struct text_comparison *comparison = engine->comparison;
     bool good = true;
-
     while (good && comparison->which < COMPARED_RUNS) {
         good = continue_comparison(engine, comparison, error);
         if (good && slice_is_full(engine))
@@ -139,7 +132,6 @@ static bool take_side(struct engine *engine, const struct json_value *request,
                       struct compared_text *side, c205_error *error)
 {
     const char *name = "program.s", *text, *model = NULL;
-
     if (!take_text_or(from, "name", &name, error)
         || !take_text(from, "text", &text, error)
         || !take_text_or(request, "model", &model, error)
@@ -161,7 +153,6 @@ static bool take_sides(struct engine *engine, const struct json_value *request,
     const struct json_value *text = json_member_first(request, "texts");
     struct object *objects[COMPARED_RUNS];
     int count = 0;
-
     for (; text && count < COMPARED_RUNS; text = text->next)
         if (!take_side(engine, request, text, options,
                        &engine->comparison->sides[count++], error))
@@ -180,7 +171,6 @@ bool answer_compare(struct engine *engine, const struct json_value *request,
     struct asm_options options = { .defines = NULL };
     struct arena arena = { 0 };
     bool good;
-
     if (!comparison)
         return error_set(error, "out of memory");
     engine->comparison = comparison;

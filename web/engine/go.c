@@ -27,7 +27,6 @@ static enum execution_end go_next(struct engine *engine)
 {
     struct execution *execution = &engine->execution;
     enum execution_end ended = EXECUTION_COMPLETE;
-
     while (execution->left > 0 && ended == EXECUTION_COMPLETE) {
         if (!execution->inside)
             execution->inside = execution_is_call(engine->debugger, &execution->behind);
@@ -80,7 +79,6 @@ enum { WAYS = sizeof ways / sizeof *ways };
 static const char *why(const struct engine *engine, enum execution_end ended)
 {
     const c205_stop *halt = debugger_halt(engine->debugger);
-
     switch (ended) {
     case EXECUTION_AT_STOP: return "breakpoint";
     case EXECUTION_HALTED: return halt && halt->trap != C205_TRAP_NONE ? "trap" : "end";
@@ -113,7 +111,6 @@ static bool arrive(struct engine *engine, enum execution_end ended, struct json 
 static bool continue_walk(struct engine *engine, struct json *reply, c205_error *error)
 {
     enum execution_end ended = engine->execution.move(engine);
-
     engine->goes_on = NULL;
     if (ended == EXECUTION_FAILED)
         return refuse_is_clip(engine, error);
@@ -142,7 +139,6 @@ static bool take_movement(struct engine *engine, const struct json_value *reques
     uint64_t n = UINT64_MAX, limit = ENGINE_LIMIT;
     bool given;
     size_t i = 0;
-
     if (!take_text(request, "how", &how, error) || !take_count(request, "n", &n, error)
         || !take_limit(engine, request, &limit, error))
         return false;
@@ -182,7 +178,6 @@ bool answer_printf(struct engine *engine, const struct json_value *request,
 {
     const char *line;
     uint64_t limit = ENGINE_LIMIT;
-
     if (!needs_program(engine, error) || !take_slice(engine, request, error)
         || !take_limit(engine, request, &limit, error)
         || !take_text(request, "line", &line, error))

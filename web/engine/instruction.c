@@ -14,7 +14,6 @@ static void put_disassembly(const struct engine *engine, const char *key, uint64
                             struct json *reply)
 {
     char text[DISASSEMBLE_TEXT_SIZE];
-
     disassemble_one(view_word_at(engine_machine(engine), pc), pc, text);
     json_text(reply, key, text);
 }
@@ -36,7 +35,6 @@ static void put_operand(const struct engine *engine,
 {
     struct vector_view vector = vector_of_operand(view, operand);
     char letter[2] = { operand->field, '\0' };
-
     json_object(reply, NULL);
     json_text(reply, "mnemonic", view->insn->mnemonic);
     json_text(reply, "field", letter);
@@ -57,7 +55,6 @@ static void put_operands(const struct engine *engine, struct json *reply)
     struct instruction_view views[VIEW_LINKED];
     size_t count = view_at(views, engine_machine(engine),
                            c205_pc(engine_machine(engine)));
-
     json_array(reply, "operands");
     for (size_t i = 0; i < count; i++)
         for (size_t k = 0; views[i].insn && k < views[i].count; k++)
@@ -69,7 +66,6 @@ static void put_operands(const struct engine *engine, struct json *reply)
 void put_next_insn(const struct engine *engine, struct json *reply)
 {
     const c205_stop *halt = debugger_halt(engine->debugger);
-
     if (halt && halt->trap == C205_TRAP_NONE) {
         json_null(reply, "next");
         return;
@@ -93,7 +89,6 @@ static bool put_formula(const c205_event *event, struct json *reply, c205_error 
     const c205_times *record = event->record;
     struct text_buffer text = { .text = NULL };
     struct sink sink = text_buffer_sink(&text);
-
     sink_print(&sink, "%" PRIu64 " clock%s", event->clocks, plural(event->clocks));
     for (size_t i = 0; i < record->piece_count; i++)
         put_term(&sink, i == 0 ? " = " : " + ", record->piece[i].clocks,
@@ -112,7 +107,6 @@ static bool put_formula(const c205_event *event, struct json *reply, c205_error 
 static void put_constant(const c205_constant *constant, struct json *reply)
 {
     char source[2] = { constant->source, '\0' };
-
     json_object(reply, NULL);
     json_text(reply, "name", constant->name);
     json_text(reply, "value", constant->text);
@@ -128,7 +122,6 @@ static void put_constants(const struct engine *engine, const c205_times *record,
     for (size_t i = 0; i < record->phase_count; i++) {
         const c205_constant *constant = debugger_constant(engine->debugger,
                                                           record->phase[i].cause);
-
         if (constant)
             put_constant(constant, reply);
     }
@@ -142,7 +135,6 @@ static void put_pieces(const struct engine *engine, const c205_times *record,
     for (size_t i = 0; i < record->piece_count; i++) {
         struct text_line wait = { .length = 0 };
         struct sink sink = text_line_sink(&wait);
-
         show_wait(engine->debugger, &record->piece[i], &sink);
         json_object(reply, NULL);
         json_count(reply, "clocks", record->piece[i].clocks);
@@ -168,7 +160,6 @@ bool put_last_insn(const struct engine *engine, struct json *reply, c205_error *
     const c205_event *last = debugger_last(engine->debugger);
     const c205_times *end = debugger_end(engine->debugger);
     bool good;
-
     if (!last) {
         json_null(reply, "last");
         return true;

@@ -38,7 +38,6 @@ bool put_lessons(struct json *reply, c205_error *error)
 {
     struct lessons lessons = { .count = 0 };
     bool good = lessons_open(&lessons, error);
-
     json_array(reply, "lessons");
     for (size_t i = 0; good && i < lessons.count; i++)
         put_lesson(&lessons.items[i], reply);
@@ -54,7 +53,6 @@ static bool put_lesson_words(const struct lesson_verdict *verdict, struct json *
 {
     struct text_buffer text = { .text = NULL };
     struct sink sink = text_buffer_sink(&text);
-
     lesson_verdict_put(verdict, &sink);
     return put_buffer(reply, "words", &text, error);
 }
@@ -64,7 +62,6 @@ static bool grade(const struct lesson *lesson, const char *name, const char *tex
 {
     struct lesson_verdict verdict = { .lesson = NULL };
     bool good = lesson_grade(&verdict, lesson, name, text, strlen(text), error);
-
     if (good)
         lesson_verdict_json(&verdict, reply);
     good = good && put_lesson_words(&verdict, reply, error);
@@ -80,7 +77,6 @@ bool answer_grade(struct engine *engine, const struct json_value *request,
     struct lessons lessons = { .count = 0 };
     const struct lesson *lesson;
     bool good = false;
-
     (void)engine;
     if (!take_text(request, "lesson", &wanted, error)
         || !take_text(request, "text", &text, error)

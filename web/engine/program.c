@@ -27,7 +27,6 @@ static size_t length_of(const struct diagnostic *diagnostic)
 {
     const char *source = diagnostic->source;
     size_t column = diagnostic->column, length;
-
     if (!source || column == 0 || column > strlen(source))
         return 1;
     length = strcspn(source + column - 1, " \t\n,;[]()+-*/\"");
@@ -39,7 +38,6 @@ void put_diagnostics(const struct diagnostics *diagnostics, struct json *reply)
     json_array(reply, "diagnostics");
     for (size_t i = 0; i < diagnostics->count; i++) {
         const struct diagnostic *diagnostic = &diagnostics->items[i];
-
         json_object(reply, NULL);
         json_text(reply, "severity", severity_name(diagnostic->severity));
         json_text(reply, "file", diagnostic->file ? diagnostic->file : "");
@@ -68,7 +66,6 @@ static bool take_defines(const struct json_value *request, struct arena *arena,
     const struct json_value *defines = json_member(request, "defines");
     size_t count = json_length(defines);
     struct asm_define *list = arena_take(arena, (count + 1) * sizeof *list);
-
     options->defines = list;
     if (!list)
         return error_set(error, "out of memory");
@@ -94,7 +91,6 @@ static bool take_files(const struct json_value *request, struct arena *arena,
     struct text *texts = arena_take(arena, (count + 1) * sizeof *texts);
     const struct text **tables = arena_take(arena, 2 * sizeof *tables);
     const char **lines = arena_take(arena, (2 * count + 1) * sizeof *lines);
-
     if (!is_object(files))
         return error_set(error, "\"files\" must have names with strings");
     if (!texts || !tables || !lines)
@@ -125,7 +121,6 @@ bool uses_defines(const struct asm_options *options, struct object *const *objec
                   size_t count, c205_error *error)
 {
     const char *unused = asm_unused_define(options->defines, objects, count);
-
     return !unused
            || error_set(error, "'%.100s' is defined, but the program does not use it",
                         unused);
@@ -136,7 +131,6 @@ struct object *engine_assemble(struct engine *engine, const char *name,
                                c205_error *error)
 {
     struct object *object = assemble_text(name, text, options, &engine->diagnostics);
-
     if (!object && engine->diagnostics.errors == 0)
         error_set(error, "out of memory");
     else if (!object)
@@ -152,7 +146,6 @@ c205_model *program_model(const char *name, const struct object *object,
 {
     const char *own = expect_model(object);
     c205_model *model;
-
     name = name && *name ? name : own ? own : C205_DEFAULT_MODEL;
     if (c205_model_is_file(name)) {
         error_set(error, "'%.60s' is not a built-in model", name);
@@ -171,7 +164,6 @@ c205_model *program_model(const char *name, const struct object *object,
 static void keep_mark(struct printed *printed, uint64_t step)
 {
     struct printed_mark mark = { step, printed->text.length };
-
     if (printed->count > 0 && printed->marks[printed->count - 1].step == step) {
         printed->marks[printed->count - 1].length = printed->text.length;
         return;
@@ -199,7 +191,6 @@ static void print(void *context, const char *text, size_t length)
     struct printed *printed = &engine->printed;
     struct sink sink = text_buffer_sink(&printed->text);
     uint64_t step = debugger_step(engine->debugger) + 1;
-
     printed_forget(printed, step);
     if (printed->cut)
         return;
@@ -213,10 +204,8 @@ static void print(void *context, const char *text, size_t length)
 size_t printed_until(const struct printed *printed, uint64_t step)
 {
     size_t low = 0, high = printed->count;
-
     while (low < high) {
         size_t middle = (low + high) / 2;
-
         if (printed->marks[middle].step <= step)
             low = middle + 1;
         else
@@ -247,7 +236,6 @@ static c205 *make_machine(void *context, c205_error *error)
 {
     struct engine *engine = context;
     c205 *machine = c205_new(engine->model, error);
-
     if (machine && object_check(engine->object, error)
         && c205_load(machine, &engine->object->program, error)
         && c205_listen(machine, replay_listen, engine))
@@ -270,7 +258,6 @@ static bool make_debugger(struct engine *engine, c205_error *error)
                                     .asked = engine,
                                     .machine = make_machine,
                                     .context = engine };
-
     engine->debugger = debugger_new(&setup, error);
     return engine->debugger;
 }
@@ -293,7 +280,6 @@ void program_drop(struct engine *engine)
 size_t program_line(const struct engine *engine, uint64_t address)
 {
     const struct asm_line *line = object_line(engine->object, address);
-
     return line && strcmp(line->call_file, engine->name) == 0 ? line->call_number : 0;
 }
 
@@ -302,7 +288,6 @@ static void put_symbols(const struct object *object, struct json *reply)
     json_array(reply, "symbols");
     for (size_t i = 0; i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
-
         json_object(reply, NULL);
         json_text(reply, "name", symbol->name);
         json_bool(reply, "label", symbol->is_label);
@@ -320,7 +305,6 @@ static void put_symbols(const struct object *object, struct json *reply)
 static int compare_lines(const void *a, const void *b)
 {
     size_t one = *(const size_t *)a, other = *(const size_t *)b;
-
     return (one > other) - (one < other);
 }
 
@@ -331,12 +315,10 @@ static bool put_lines(const struct engine *engine, struct json *reply,
     const struct object *object = engine->object;
     size_t *lines = calloc(object->line_count + 1, sizeof *lines);
     size_t count = 0;
-
     if (!lines)
         return error_set(error, "out of memory");
     for (size_t i = 0; i < object->line_count; i++) {
         size_t line = program_line(engine, object->lines[i].address);
-
         if (object->lines[i].is_code && line > 0)
             lines[count++] = line;
     }
@@ -375,7 +357,6 @@ static bool load_program(struct engine *engine, const struct json_value *request
 {
     const char *wanted = NULL;
     c205_model *model = NULL;
-
     if (take_text_or(request, "model", &wanted, error)
         && take_warm(request, object, error))
         model = program_model(wanted, object, error);
@@ -392,7 +373,6 @@ bool answer_load(struct engine *engine, const struct json_value *request,
     struct asm_options options = { .defines = NULL };
     struct arena arena = { 0 };
     struct object *object = NULL;
-
     if (take_text_or(request, "name", &name, error)
         && take_text(request, "text", &text, error)
         && take_options(request, &arena, &options, error))
@@ -420,7 +400,6 @@ static bool put_break(struct engine *engine, struct json *reply, int64_t wanted,
 {
     size_t line = 0;
     bool reported = true;
-
     json_object(reply, NULL);
     json_number(reply, "wanted", (double)wanted);
     if (wanted < 1)
@@ -438,7 +417,6 @@ bool answer_breaks(struct engine *engine, const struct json_value *request,
 {
     const struct json_value *lines = json_member(request, "lines");
     bool good = true;
-
     if (!needs_program(engine, error))
         return false;
     if (!lines || lines->kind != JSON_ARRAY)

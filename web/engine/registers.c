@@ -10,14 +10,12 @@
 void put_hex(struct json *json, const char *key, c205_word word)
 {
     struct word_text text = word_text(word, false);
-
     json_text(json, key, text.hex);
 }
 
 void put_number(struct json *json, const char *key, c205_word word, bool half)
 {
     struct word_text text = word_text(word, half);
-
     json_text(json, key, text.number);
 }
 
@@ -26,7 +24,6 @@ void put_number(struct json *json, const char *key, c205_word word, bool half)
 static bool is_written(const struct engine *engine, unsigned number)
 {
     const c205_event *last = debugger_last(engine->debugger);
-
     return last && last->written[number / 64] >> number % 64 & 1;
 }
 
@@ -34,7 +31,6 @@ static void put_descriptor(const struct engine *engine, c205_word word,
                            struct json *reply)
 {
     struct vector_view vector;
-
     if (!vector_recognise(engine_machine(engine), word, &vector))
         return;
     json_object(reply, "descriptor");
@@ -48,11 +44,9 @@ static void put_descriptor(const struct engine *engine, c205_word word,
 static void put_halves(const struct engine *engine, unsigned number, struct json *reply)
 {
     static const char *const keys[] = { "left", "right" };
-
     for (unsigned side = 0; side < 2; side++) {
         const char *name = object_register_name(engine->object, 2 * number + side,
                                                 true);
-
         if (!*name)
             continue;
         json_object(reply, keys[side]);
@@ -69,7 +63,6 @@ static void put_register(const struct engine *engine, unsigned number,
                          struct json *reply)
 {
     c205_word word = c205_register(engine_machine(engine), number);
-
     json_object(reply, NULL);
     json_count(reply, "number", number);
     json_text(reply, "name", object_register_name(engine->object, number, false));
@@ -119,12 +112,10 @@ static bool put_stored(const struct engine *engine, const struct vector_view *ve
     uint64_t from = vector->address;
     uint64_t end = from + (uint64_t)vector->length * vector->width;
     bool any = false;
-
     json_array(reply, "stored");
     for (size_t i = 0; last && i < last->store_count; i++) {
         uint64_t low = last->store[i].address;
         uint64_t high = low + last->store[i].bits;
-
         low = low < from ? from : low;
         high = high > end ? end : high;
         if (low >= high)
@@ -150,7 +141,6 @@ static bool put_values(const struct engine *engine, const struct vector_view *ve
     bool good = words && (bits || vector->width != 1);
     bool mapped = good
                   && vector_get(engine_machine(engine), vector, first, count, words);
-
     if (good && !bits)
         json_array(reply, "values");
     for (size_t i = 0; mapped && i < count; i++)
@@ -180,7 +170,6 @@ static bool put_symbol(const struct engine *engine, const struct asm_symbol *sym
     uint64_t first = window->first < symbol->count ? window->first : 0;
     uint64_t left = symbol->count - first;
     bool good;
-
     json_object(reply, NULL);
     json_text(reply, "label", symbol->name);
     json_text(reply, "kind", vector_elements(vector.width));
@@ -210,7 +199,6 @@ bool put_vectors(const struct engine *engine, const struct json_value *request,
     struct window window = { 0, 64 };
     size_t count = 0;
     bool good = true;
-
     if (!take_count(request, "elements", &window.most, error))
         return false;
     if (first && first->kind != JSON_OBJECT)
@@ -220,7 +208,6 @@ bool put_vectors(const struct engine *engine, const struct json_value *request,
     json_array(reply, "vectors");
     for (size_t i = 0; good && i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
-
         if (symbol_width(symbol) == 0 || count++ >= MAX_VECTORS)
             continue;
         good = take_window(request, symbol->name, &window, error)

@@ -8,7 +8,6 @@
 void replay_listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct engine *engine = context;
-
     if (engine->replay.profile)
         line_profile_listen(engine->replay.profile, machine, event);
     if (engine->replay.timeline)
@@ -28,7 +27,6 @@ static void fall_silent(struct replay *replay)
 static enum execution_end stand_at(struct engine *engine, uint64_t step, bool halted)
 {
     enum execution_end ended = execution_to_step(engine->debugger, step);
-
     if (halted && ended == EXECUTION_COMPLETE)
         ended = execution_steps(engine->debugger, 1);
     return ended;
@@ -37,7 +35,6 @@ static enum execution_end stand_at(struct engine *engine, uint64_t step, bool ha
 void replay_drop(struct engine *engine)
 {
     struct replay replay = engine->replay;
-
     if (!replay.begun)
         return;
     fall_silent(&engine->replay);
@@ -49,7 +46,6 @@ bool replay_begin(struct engine *engine, struct line_profile *profile,
                   struct timeline *timeline, uint64_t end, c205_error *error)
 {
     struct replay *replay = &engine->replay;
-
     if (!profile && !timeline)
         return error_set(error, "out of memory");
     replay->begun = true;
@@ -72,7 +68,6 @@ bool replay_begin(struct engine *engine, struct line_profile *profile,
 static bool has_recorded_all(const struct engine *engine)
 {
     const struct timeline *timeline = engine->replay.timeline;
-
     return debugger_step(engine->debugger) >= engine->replay.end
            || (timeline
                && (timeline->full
@@ -85,11 +80,9 @@ static bool continue_replay(struct engine *engine, bool *done, c205_error *error
     enum { AT_ONCE = 512 };
     struct replay *replay = &engine->replay;
     enum execution_end ended = EXECUTION_COMPLETE;
-
     while (ended == EXECUTION_COMPLETE && !has_recorded_all(engine)) {
         uint64_t step = debugger_step(engine->debugger);
         uint64_t left = replay->end - step;
-
         ended = execution_to_step(engine->debugger,
                                   step + (left < AT_ONCE ? left : AT_ONCE));
         if (ended == EXECUTION_COMPLETE && !has_recorded_all(engine)
@@ -109,7 +102,6 @@ bool replay_slice(struct engine *engine, struct json *reply, engine_slice *again
                   engine_slice *put, c205_error *error)
 {
     bool done = false, good = continue_replay(engine, &done, error);
-
     engine->goes_on = good && !done ? again : NULL;
     if (good)
         json_bool(reply, "done", done);
@@ -131,7 +123,6 @@ static bool put_profile(struct engine *engine, struct json *reply, c205_error *e
                                                          : PROFILE_HOTTEST,
                                  false };
     struct table *table = line_profile_table(engine->replay.profile, view, false);
-
     return put_table(table, "lines", reply, error);
 }
 
@@ -145,7 +136,6 @@ bool answer_profile(struct engine *engine, const struct json_value *request,
 {
     struct replay *replay = &engine->replay;
     bool in_order = false;
-
     if (!needs_program(engine, error) || !take_slice(engine, request, error)
         || !take_truth(request, "in-order", &in_order, error)
         || !replay_begin(engine, line_profile_new(engine->object), NULL,

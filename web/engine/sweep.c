@@ -18,7 +18,6 @@ struct laboratory {
 void sweep_drop(struct engine *engine)
 {
     struct laboratory *laboratory = engine->laboratory;
-
     if (!laboratory)
         return;
     swept_free(&laboratory->sweep);
@@ -37,7 +36,6 @@ static bool put_picture(const struct program_sweep *sweep, struct json *reply,
     struct text_buffer text = { .text = NULL };
     struct sink sink = text_buffer_sink(&text);
     char title[SWEPT_TITLE];
-
     swept_title(sweep, title);
     if (swept_svg(sweep, title, &sink, error))
         return put_buffer(reply, "svg", &text, error);
@@ -64,7 +62,6 @@ static bool slice(struct engine *engine, struct json *reply, c205_error *error)
 {
     struct program_sweep *sweep = &engine->laboratory->sweep;
     bool over = false, good = true;
-
     do {
         good = swept_step(sweep, &over, error);
         engine->slice.spent++;
@@ -88,7 +85,6 @@ static bool take_values(const struct engine *engine, const struct json_value *re
 {
     struct swept_range *range = &sweep->range;
     uint64_t values[MAX_SWEPT_POINTS], points = 0;
-
     if (!take_count(request, "from", &range->from, error)
         || !take_count(request, "to", &range->to, error)
         || !take_count(request, "step", &range->step, error)
@@ -118,7 +114,6 @@ static struct asm_options *at_first(struct laboratory *laboratory)
     struct asm_options *options = arena_take(arena, sizeof *options);
     struct asm_define *list;
     size_t count = 0;
-
     while (defines[count].name)
         count++;
     list = arena_take(arena, (count + 2) * sizeof *list);
@@ -143,7 +138,6 @@ static bool take_program(struct engine *engine, const struct json_value *request
     const char *name = swept_names[sweep->program_count];
     struct asm_options *first;
     struct object *object;
-
     if (!take_text_or(request, key, &text, error)
         || !take_text_or(request, name_key, &name, error)
         || !take_text_or(request, "model", &model, error))
@@ -175,7 +169,6 @@ static bool take_sweep(struct engine *engine, const struct json_value *request,
     struct program_sweep *sweep = &laboratory->sweep;
     bool given = json_member(request, "warm"), warm = false;
     const char *constant;
-
     if (!take_text(request, "constant", &constant, error)
         || !take_truth(request, "warm", &warm, error)
         || !take_values(engine, request, sweep, error)
@@ -199,7 +192,6 @@ bool answer_sweep(struct engine *engine, const struct json_value *request,
                   struct json *reply, c205_error *error)
 {
     struct laboratory *laboratory = calloc(1, sizeof *laboratory);
-
     if (!laboratory)
         return error_set(error, "out of memory");
     engine->laboratory = laboratory;

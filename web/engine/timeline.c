@@ -19,7 +19,6 @@ static void put_insn(const struct engine *engine, struct json *reply,
                      const struct timed_insn *insn)
 {
     const struct timeline *timeline = engine->replay.timeline;
-
     json_object(reply, NULL);
     json_count(reply, "pc", insn->pc);
     json_count(reply, "line", program_line(engine, insn->pc));
@@ -81,7 +80,6 @@ static bool put_spans(const struct engine *engine, struct json *reply,
     struct arena arena = { NULL, false };
     struct lanes lanes = { 0 };
     bool good = lanes_make(timeline, &arena, &lanes);
-
     json_array(reply, "insns");
     for (size_t i = 0; i < timeline->insn_count; i++)
         put_insn(engine, reply, &timeline->insns[i]);
@@ -101,7 +99,6 @@ static bool put_file(const struct engine *engine, struct json *reply, c205_error
     struct text_buffer text = { .text = NULL };
     struct sink sink = text_buffer_sink(&text);
     char title[TIMELINE_TITLE];
-
     timeline_title(replay->timeline, engine->name, c205_model_name(engine->model),
                    title);
     text.failed |= !timeline_write(replay->timeline, replay->form, title, &sink);
@@ -113,7 +110,6 @@ static bool put_file(const struct engine *engine, struct json *reply, c205_error
 static bool put_timeline(struct engine *engine, struct json *reply, c205_error *error)
 {
     struct timeline *timeline = engine->replay.timeline;
-
     if (!timeline_is_good(timeline))
         return error_set(error, "out of memory");
     timeline_finish(timeline);
@@ -134,7 +130,6 @@ static bool take_form(const struct json_value *request,
                       const struct timeline_form **form, c205_error *error)
 {
     const char *file = NULL;
-
     if (!take_text_or(request, "file", &file, error))
         return false;
     *form = file ? timeline_form_of(file) : NULL;
@@ -149,7 +144,6 @@ bool answer_timeline(struct engine *engine, const struct json_value *request,
     struct timeline *timeline = &engine->timeline;
     uint64_t most = 2000;
     const struct timeline_form *form;
-
     if (!needs_program(engine, error) || !take_slice(engine, request, error))
         return false;
     *timeline = (struct timeline){ .to = UINT64_MAX };

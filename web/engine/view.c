@@ -51,7 +51,6 @@ bool put_accounts(const struct engine *engine, struct json *reply, c205_error *e
 {
     struct accounts accounts = { .model = engine->model };
     c205_account all;
-
     if (!accounts_add(&accounts, engine_machine(engine))) {
         accounts_free(&accounts);
         return error_set(error, "out of memory");
@@ -78,7 +77,6 @@ bool put_table(struct table *table, const char *key, struct json *reply,
                c205_error *error)
 {
     bool good = table && table_json(table, reply, key);
-
     table_free(table);
     return good || error_set(error, "out of memory");
 }
@@ -89,7 +87,6 @@ bool answer_accounts(struct engine *engine, const struct json_value *request,
 {
     struct accounts accounts = { .model = engine->model };
     bool good;
-
     (void)request;
     if (!needs_program(engine, error))
         return false;
@@ -110,7 +107,6 @@ static void put_place(const struct engine *engine, struct json *reply)
     const c205 *machine = engine_machine(engine);
     const c205_stop *halt = debugger_halt(engine->debugger);
     uint64_t clock = c205_clock(machine);
-
     json_count(reply, "step", debugger_step(engine->debugger));
     json_count(reply, "steps", debugger_known(engine->debugger));
     json_bool(reply, "ended", halt);
@@ -133,7 +129,6 @@ static bool put_printed(const struct engine *engine, struct json *reply,
     size_t length = printed_until(printed, step);
     struct arena arena = { 0 };
     char *text = arena_text(&arena, length > 0 ? printed->text.text : "", length);
-
     if (text) {
         json_text(reply, "printed", text);
         json_bool(reply, "printed_cut", printed_is_cut(printed, step));
@@ -146,7 +141,6 @@ bool answer_view(struct engine *engine, const struct json_value *request,
                  struct json *reply, c205_error *error)
 {
     bool all = false;
-
     if (!needs_program(engine, error)
         || !take_truth(request, "all-registers", &all, error))
         return false;

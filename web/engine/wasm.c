@@ -23,7 +23,6 @@ char *host_room(size_t length)
 char *host_answer(char *request, size_t length)
 {
     char *reply;
-
     if (!engine)
         engine = engine_new();
     reply = engine ? engine_answer(engine, request, length) : NULL;

@@ -8,7 +8,6 @@
 static bool mpi_begin(size_t *rank, size_t *count)
 {
     int own, all, offered;
-
     if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &offered) != MPI_SUCCESS
         || offered < MPI_THREAD_FUNNELED)
         return false;
@@ -50,7 +49,6 @@ static bool mpi_ready(size_t *from, size_t *count)
 {
     MPI_Status status;
     int there, words;
-
     MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &there, &status);
     if (!there)
         return false;

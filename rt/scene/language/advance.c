@@ -21,7 +21,6 @@ static bool is_stopped(struct reader *reader, size_t bytes)
 {
     const struct scene_options *options = reader->options;
     uint64_t period = ASKED_EACH;
-
     return options && options->go_on
            && reader->bytes / period != (reader->bytes + bytes) / period
            && !options->go_on(options->context);
@@ -30,14 +29,12 @@ static bool is_stopped(struct reader *reader, size_t bytes)
 static uint64_t reading_most(const struct reader *reader)
 {
     const struct scene_options *options = reader->options;
-
     return options && options->reading_most ? options->reading_most : MAX_READING;
 }
 
 bool reader_spend(struct reader *reader, size_t bytes)
 {
     uint64_t most = reading_most(reader);
-
     if (reader->stopped)
         return false;
     if (is_stopped(reader, bytes)) {
@@ -58,7 +55,6 @@ bool reader_spend(struct reader *reader, size_t bytes)
 static void count_brackets(struct reader *reader, int sign)
 {
     size_t *brackets = &reader->declared.brackets;
-
     if (sign == '{')
         reader->braces++;
     else if (sign == '}')
@@ -92,7 +88,6 @@ struct scene_token reader_peek(struct reader *reader)
 {
     struct text_place place = lexer_top(&reader->lexer)->place;
     struct scene_token token = lexer_next(&reader->lexer);
-
     lexer_top(&reader->lexer)->place = place;
     return token;
 }
@@ -100,7 +95,6 @@ struct scene_token reader_peek(struct reader *reader)
 void reader_back(struct reader *reader)
 {
     struct open_text *top = lexer_top(&reader->lexer);
-
     if (reader->stopped)
         return;
     if (reader->token.depth == reader->lexer.depth)
@@ -132,7 +126,6 @@ static bool close_frame(struct reader *reader)
 size_t reader_hold(struct reader *reader)
 {
     size_t before = reader->hold;
-
     reader->hold = reader->braces;
     return before;
 }
@@ -140,7 +133,6 @@ size_t reader_hold(struct reader *reader)
 size_t reader_nest(struct reader *reader)
 {
     size_t before = reader->hold;
-
     reader->hold = (size_t)HOLD_NONE;
     return before;
 }
@@ -148,7 +140,6 @@ size_t reader_nest(struct reader *reader)
 static bool carry_out(struct reader *reader)
 {
     bool done;
-
     if (!reader_enter(reader)) {
         reader_step(reader);
         return false;
@@ -162,7 +153,6 @@ static bool carry_out(struct reader *reader)
 static bool resolve(struct reader *reader, bool *done)
 {
     struct scene_token *token = &reader->token;
-
     if (!reader_look_up(reader, token))
         return false;
     if (token->value->kind == VALUE_MACRO) {
@@ -178,7 +168,6 @@ static void finish(struct reader *reader, size_t depth)
 {
     size_t hold = reader_nest(reader), brackets = reader->declared.brackets;
     bool directed = false, done = true, again = true;
-
     reader->declared.brackets = 0;
     while (again && !reader->stopped && reader->lexer.depth > depth) {
         again = false;
@@ -218,7 +207,6 @@ void reader_next(struct reader *reader)
 {
     bool closes = reader_at_sign(reader, '}');
     bool ends = reader->declared.brackets && semicolon_may_follow(reader);
-
     if (reader->stopped)
         return;
     if (closes) {

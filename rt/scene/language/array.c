@@ -9,7 +9,6 @@ struct array *array_new(size_t dimensions, const size_t *sizes, size_t *cells)
 {
     struct array *array;
     size_t count = 1;
-
     for (size_t i = 0; i < dimensions; i++) {
         if (sizes[i] > MAX_CELLS / count)
             return NULL;
@@ -42,7 +41,6 @@ void array_free(struct array *array)
 static bool array_takes(struct array *array, const struct scene_value *value)
 {
     int terms = value->kind == VALUE_NUMBERS ? value->is.numbers.count : 0;
-
     if (value->kind == VALUE_FAULTY)
         return true;
     if (!array->typed) {
@@ -56,7 +54,6 @@ static bool array_takes(struct array *array, const struct scene_value *value)
 const char *array_set(struct array *array, size_t element, struct scene_value *value)
 {
     struct scene_value **cell = &array->cell[element];
-
     if (!array_takes(array, value)) {
         value_free(value);
         return "the array contains values of another kind";
@@ -76,7 +73,6 @@ const char *array_set(struct array *array, size_t element, struct scene_value *v
 static const char *copy_cells(struct array *copy, const struct array *array)
 {
     const char *fault = NULL;
-
     for (size_t i = 0; i < array->count && !fault; i++) {
         struct scene_value value;
         if (!array->cell[i])
@@ -91,7 +87,6 @@ static const char *copy_cells(struct array *copy, const struct array *array)
 const char *array_copy(struct array **copy, const struct array *array)
 {
     const char *fault;
-
     *copy = array_new(array->dimensions, array->sizes, array->cells);
     if (!*copy)
         return "not enough memory, or too many array elements: "
@@ -105,7 +100,6 @@ const char *array_copy(struct array **copy, const struct array *array)
 size_t array_nesting(const struct array *array)
 {
     size_t most = 0;
-
     for (size_t i = 0; i < array->count && array->kind == VALUE_ARRAY; i++)
         if (array->cell[i] && array->cell[i]->kind == VALUE_ARRAY) {
             size_t inner = array_nesting(array->cell[i]->is.array);
@@ -117,7 +111,6 @@ size_t array_nesting(const struct array *array)
 size_t array_primitives(const struct array *array)
 {
     size_t sum = 0;
-
     for (size_t i = 0; i < array->count; i++) {
         const struct scene_value *value = array->cell[i];
         if (value && value->kind == VALUE_ARRAY)

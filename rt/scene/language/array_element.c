@@ -16,7 +16,6 @@ static bool read_size(struct reader *reader, double most, size_t *size)
 {
     struct scene_token at;
     double value;
-
     if (!reader_require_sign(reader, '['))
         return false;
     reader_next(reader);
@@ -32,7 +31,6 @@ static bool read_size(struct reader *reader, double most, size_t *size)
 static bool bracket_follows(struct reader *reader)
 {
     struct scene_token token = reader_peek(reader);
-
     return token_is_sign(&token, '[');
 }
 
@@ -40,7 +38,6 @@ static bool read_indices(struct reader *reader, const struct array *array,
                          size_t *element)
 {
     size_t dimensions = array->dimensions, sizes[MAX_DIMENSIONS];
-
     for (size_t i = 0; i < dimensions; i++)
         sizes[i] = array->sizes[i];
     *element = 0;
@@ -59,7 +56,6 @@ static bool read_indices(struct reader *reader, const struct array *array,
 static bool read_hop(struct reader *reader, struct scene_token *name)
 {
     struct reference *reference = &name->reference;
-
     if (reference->hops == MAX_ARRAY_NESTING)
         return reader_fault(reader, name, "more than %d nested arrays",
                             MAX_ARRAY_NESTING);
@@ -74,7 +70,6 @@ static bool read_hop(struct reader *reader, struct scene_token *name)
 static bool read_hops(struct reader *reader, struct scene_token *name)
 {
     bool done = true;
-
     while (done && name->value && name->value->kind == VALUE_ARRAY
            && bracket_follows(reader))
         done = read_hop(reader, name);
@@ -86,7 +81,6 @@ bool element_read_place(struct reader *reader)
     struct scene_token name = reader->token;
     size_t hold = reader_nest(reader);
     bool done = false;
-
     symbol_hold(name.reference.symbol);
     if (reader_enter(reader)) {
         done = read_hops(reader, &name);
@@ -108,7 +102,6 @@ bool element_read_place(struct reader *reader)
 bool element_read(struct reader *reader)
 {
     static const struct scene_value faulty = { .kind = VALUE_FAULTY };
-
     if (!element_read_place(reader))
         return false;
     if (!reader->token.value) {
@@ -128,7 +121,6 @@ static bool read_cell(struct reader *reader, struct array *array, size_t dimensi
 {
     struct scene_token at = reader->token;
     struct scene_value value;
-
     if (dimension + 1 < array->dimensions)
         return read_row(reader, array, dimension + 1, element);
     if (!value_read(reader, &value))
@@ -176,7 +168,6 @@ bool array_read(struct reader *reader, struct scene_value *value)
 {
     struct scene_token at = reader->token;
     size_t dimensions, sizes[MAX_DIMENSIONS], element = 0;
-
     reader_step(reader);
     if (!read_sizes(reader, &dimensions, sizes))
         return false;

@@ -61,7 +61,6 @@ struct piece {
 static void weigh(double t, double points[4], double differences[3])
 {
     double s = 1 - t;
-
     points[0] = s * s * s;
     points[1] = 3 * t * s * s;
     points[2] = 3 * t * t * s;
@@ -75,7 +74,6 @@ static void weigh(double t, double points[4], double differences[3])
 static bool unit_product(const double a[3], const double b[3], double product[3])
 {
     double square;
-
     cross3(a, b, product);
     square = dot3(product, product);
     if (!(square > NO_AREA * dot3(a, a) * dot3(b, b)))
@@ -91,7 +89,6 @@ static void patch_normal(const struct patch_points *points, double u, double v,
     static const double none[3] = { 1, 0, 0 };
     const double(*at)[4][3] = points->at;
     double weights[2][4], slopes[2][3], along[2][3] = { { 0 }, { 0 } };
-
     weigh(u, weights[0], slopes[0]);
     weigh(v, weights[1], slopes[1]);
     for (int i = 0; i < 3; i++)
@@ -111,7 +108,6 @@ static bool is_flat(const struct patch_points *points, double flatness)
 {
     const double(*at)[4][3] = points->at;
     double edges[2][3], normal[3], way[3];
-
     subtract3(at[0][3], at[0][0], edges[0]);
     if (length3(edges[0]) < CORNER_SAME)
         subtract3(at[3][3], at[0][0], edges[0]);
@@ -147,7 +143,6 @@ static void halve_line(struct patch_points *low, struct patch_points *high, int 
                        int line)
 {
     double *l[4], *h[4], bc[3];
-
     for (int i = 0; i < 4; i++) {
         l[i] = point_of(low, axis, line, i);
         h[i] = point_of(high, axis, line, i);
@@ -166,7 +161,6 @@ static struct piece cut_off(struct piece *piece, int axis)
 {
     struct piece high = *piece;
     double between = (piece->from[axis] + piece->to[axis]) / 2;
-
     for (int line = 0; line < 4; line++)
         halve_line(&piece->points, &high.points, axis, line);
     piece->to[axis] = high.from[axis] = between;
@@ -194,7 +188,6 @@ static bool add_triangle(struct patch_cutting *cutting, const struct triangle *t
 static bool add_leaf(struct patch_cutting *cutting, const struct piece *piece)
 {
     struct triangle triangle = { .smooth = true };
-
     put_corner(cutting, piece, false, false, &triangle, 0);
     put_corner(cutting, piece, false, true, &triangle, 1);
     put_corner(cutting, piece, true, true, &triangle, 2);
@@ -210,7 +203,6 @@ static bool add_piece(struct patch_cutting *cutting, struct piece *piece)
     bool cut[2];
     struct piece parts[4];
     size_t count = 0;
-
     for (int axis = 0; axis < 2; axis++)
         cut[axis] = piece->depth < numbers[PATCH_U + axis];
     if (!reader_spend(cutting->reader, TOKEN_COST))
@@ -238,7 +230,6 @@ bool bicubic_patch_cut(struct reader *reader, struct scene_part *part,
         .reader = reader, .at = at, .patch = part->patch, .points = part->patch->points
     };
     struct piece whole = { .to = { 1, 1 } };
-
     for (int i = 0; i < 16; i++)
         transform_point(&primitive->to_world, cutting.points.at[i / 4][i % 4]);
     primitive->to_world = placement_none.to_world;
@@ -259,7 +250,6 @@ static bool read_word(struct reader *reader, struct bicubic_patch *patch,
 {
     struct scene_token at = reader->token;
     double number;
-
     if (!read_number(reader, &number))
         return false;
     if (word != PATCH_FLATNESS)
@@ -279,7 +269,6 @@ static bool read_word(struct reader *reader, struct bicubic_patch *patch,
 static bool read_words(struct reader *reader, struct bicubic_patch *patch)
 {
     size_t word = 0;
-
     while (word < PATCH_WORDS) {
         if (!reader_accept(reader, patch_words[word])) {
             word++;
@@ -295,7 +284,6 @@ static bool read_words(struct reader *reader, struct bicubic_patch *patch)
 static bool read_points(struct reader *reader, struct patch_points *points)
 {
     double ignored[4][3];
-
     reader_comma(reader);
     if (reader_accept(reader, "uv_vectors") && !read_vectors(reader, ignored, 4))
         return false;
@@ -308,7 +296,6 @@ static bool is_on_line(const struct patch_points *points)
 {
     const double *at = points->at[0][0];
     double axis[3] = { 0 }, across[3], to[3];
-
     for (int i = 1; i < 16; i++) {
         subtract3(points->at[i / 4][i % 4], at, to);
         if (length3(to) > length3(axis))
@@ -328,7 +315,6 @@ bool bicubic_patch_read(struct reader *reader, struct scene_object *object,
 {
     struct bicubic_patch *patch = arena_take(&reader->arena, sizeof *patch);
     struct primitive primitive;
-
     if (!patch)
         return reader_no_memory(reader);
     memset(&primitive, 0, sizeof primitive);

@@ -36,7 +36,6 @@ static bool read_vector_of(struct reader *reader, const struct item *item)
     struct camera_reading *reading = item->subject;
     const struct camera *camera = &reading->setting.camera;
     const double *vector = item_member(item);
-
     reading->looks |= vector == reading->look_at;
     reading->focuses |= vector == reading->focal_point;
     reading->spans |= vector == camera->right || vector == camera->up;
@@ -46,7 +45,6 @@ static bool read_vector_of(struct reader *reader, const struct item *item)
 static bool read_angle(struct reader *reader, const struct item *item)
 {
     const double *angle = item_member(item);
-
     return item_number(reader, item)
            && ((*angle >= 0 && *angle < 180)
                || reader_fault(reader, &item->at,
@@ -57,7 +55,6 @@ static bool read_angle(struct reader *reader, const struct item *item)
 static bool read_kind(struct reader *reader, const struct item *item)
 {
     struct camera_reading *reading = item->subject;
-
     (void)reader;
     reading->setting.camera.orthographic = item->keyword->detail;
     return true;
@@ -68,7 +65,6 @@ static bool read_aperture(struct reader *reader, const struct item *item)
 {
     struct camera_reading *reading = item->subject;
     double aperture;
-
     if (!read_number(reader, &aperture))
         return false;
     reading->setting.camera.lens_radius = fabs(aperture) / 4;
@@ -79,7 +75,6 @@ static bool read_lens_points(struct reader *reader, const struct item *item)
 {
     struct camera_reading *reading = item->subject;
     double points;
-
     if (!read_number(reader, &points))
         return false;
     if (points < 1)
@@ -94,7 +89,6 @@ static bool read_lens_points(struct reader *reader, const struct item *item)
 static void move(void *subject, const struct placement *step)
 {
     struct camera_reading *reading = subject;
-
     reading->placement = placement_then(&reading->placement, step);
 }
 
@@ -145,7 +139,6 @@ static void apply_distance(struct camera_reading *reading)
 {
     struct camera *camera = &reading->setting.camera;
     double ahead[3], distance;
-
     if (!camera->orthographic || reading->setting.spanned)
         return;
     reading->setting.spanned = true;
@@ -163,7 +156,6 @@ static void apply_distance(struct camera_reading *reading)
 static double handedness(const struct camera *camera)
 {
     double across[3];
-
     cross3(camera->up, camera->direction, across);
     return dot3(across, camera->right);
 }
@@ -175,7 +167,6 @@ static bool apply_look_at(struct reader *reader, const struct scene_token *at,
 {
     struct camera *camera = &reading->setting.camera, before = *camera;
     double side = handedness(camera) > 0 ? 1 : -1;
-
     for (int i = 0; i < 3; i++)
         camera->direction[i] = reading->look_at[i] - camera->location[i];
     if (greatest3(camera->direction) == 0)
@@ -204,7 +195,6 @@ static void apply_focal_point(struct reader *reader, const struct scene_token *a
 {
     struct camera *camera = &reading->setting.camera;
     double to_it[3];
-
     if (reading->focuses) {
         subtract3(reading->focal_point, camera->location, to_it);
         camera->focal_distance = length3(to_it);
@@ -230,7 +220,6 @@ static void apply_placement(struct camera *camera, const struct transform *trans
 static bool is_sound(const struct camera *camera)
 {
     double volume = handedness(camera);
-
     return isfinite(volume) && volume != 0
            && isfinite(dot3(camera->location, camera->location))
            && isfinite(camera->focal_distance) && isfinite(camera->lens_radius);
@@ -242,7 +231,6 @@ bool camera_read(struct reader *reader, const struct scene_token *at,
     struct camera_reading reading = { *setting, 0,     { 0, 0, 1 }, false,
                                       false,    { 0 }, false,       placement_none };
     struct camera *camera = &reading.setting.camera;
-
     if (!block_read_from(reader, &grammar, VALUE_CAMERA, &reading,
                          sizeof reading.setting))
         return false;

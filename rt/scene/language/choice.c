@@ -10,7 +10,6 @@
 static bool to_next(struct reader *reader, struct scene_condition *condition)
 {
     struct scene_token at = condition->at;
-
     if (condition_skip(reader, &at, "case range else end", 1))
         return true;
     reader->condition_count--;
@@ -22,7 +21,6 @@ bool switch_begin(struct reader *reader, const struct item *item)
     double value = 0;
     bool good = condition_read(reader, &value);
     struct scene_condition *condition = NULL;
-
     if (good)
         condition = condition_push(reader, CONDITION_SWITCH, &item->at);
     if (!condition)
@@ -53,7 +51,6 @@ bool switch_case(struct reader *reader, const struct item *item)
     double lowest = 0, highest = 0;
     size_t sealed;
     bool good;
-
     if (!condition || condition->kind != CONDITION_SWITCH || condition->in_else)
         return reader_fault(reader, &item->at, "'#%s' without a matching '#switch'",
                             item->keyword->words);

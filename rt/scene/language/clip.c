@@ -48,7 +48,6 @@ static bool read_solid(struct reader *reader, const struct item *item)
                 && check_inside(reader, &solid, &item->at)
                 && ((object_join(&solid) && object_add(&clipping->solids, &solid))
                     || reader_no_memory(reader));
-
     scene_object_free(&solid);
     return done;
 }
@@ -80,7 +79,6 @@ static void hide(const struct reader *reader, struct scene_object *clip)
     for (size_t i = 0; i < clip->part_count; i++) {
         struct scene_part *part = &clip->parts[i];
         struct primitive *primitive = &part->primitive;
-
         part->textured = part->filled = true;
         primitive->pigment = reader->default_texture.pigment;
         primitive->pigment.filter[0] = primitive->pigment.filter[1] = 0;
@@ -98,7 +96,6 @@ static void hide(const struct reader *reader, struct scene_object *clip)
 static size_t count_solids(const struct scene_object *object)
 {
     size_t count = 0;
-
     for (size_t i = 0; i < object->branch_count; i += object->branches[i].size)
         count++;
     return count;
@@ -116,7 +113,6 @@ static bool clip(struct reader *reader, struct scene_object *object,
                  struct scene_object *by, const struct scene_token *at)
 {
     size_t count = count_solids(object), copies = count * by->part_count;
-
     if (object->part_count + copies > count * MAX_SOLID)
         return reader_fault(reader, at,
                             "more than %d primitives in one solid, including "
@@ -134,7 +130,6 @@ bool clipped_by_read(struct reader *reader, const struct item *item)
     struct clipping clipping = { .is_clip = false };
     bool done = block_read(reader, &of_clip, &clipping)
                 && make_whole(reader, item->subject);
-
     if (done && clipping.solids.part_count > 0)
         done = clip(reader, item->subject, &clipping.solids, &item->at);
     scene_object_free(&clipping.solids);
@@ -151,7 +146,6 @@ static bool box_holds(const struct primitive *box, const double point[3])
         double one = box->shape.box.corner[0][i];
         double other = box->shape.box.corner[1][i];
         double middle = (one + other) / 2, half = fabs(other - one) / 2;
-
         if (!(fabs(point[i] - middle) <= half * (1 + SLACK)))
             return false;
     }
@@ -161,7 +155,6 @@ static bool box_holds(const struct primitive *box, const double point[3])
 static bool sphere_holds(const struct primitive *sphere, const double point[3])
 {
     double from[3];
-
     for (int i = 0; i < 3; i++)
         from[i] = point[i] - sphere->shape.sphere.center[i];
     return length3(from) <= fabs(sphere->shape.sphere.radius) * (1 + SLACK);
@@ -171,7 +164,6 @@ static bool sphere_holds(const struct primitive *sphere, const double point[3])
 static bool holds(const struct primitive *bound, const double point[3])
 {
     double local[3];
-
     memcpy(local, point, sizeof local);
     transform_point(&bound->to_local, local);
     return bound->kind == PRIMITIVE_BOX ? box_holds(bound, local)
@@ -196,7 +188,6 @@ static double radius_in_world(const struct primitive *sphere)
 {
     const double(*rows)[4] = sphere->to_world.rows;
     double square = dot3(rows[0], rows[0]);
-
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             if (!(fabs(dot3(rows[i], rows[k]) - (i == k ? square : 0))
@@ -208,7 +199,6 @@ static double radius_in_world(const struct primitive *sphere)
 static bool holds_sphere(const struct primitive *bound, const struct bound *about)
 {
     double from[3];
-
     if (bound->kind != PRIMITIVE_SPHERE)
         return false;
     memcpy(from, bound->shape.sphere.center, sizeof from);
@@ -222,7 +212,6 @@ static bool holds_sphere(const struct primitive *bound, const struct bound *abou
 static void bound_part(const struct primitive *primitive, struct bound *bound)
 {
     const struct shape *shape = shape_of(primitive);
-
     (shape->endless ? bound_without : shape->bound)(primitive, bound);
 }
 
@@ -235,7 +224,6 @@ static void bound_branch(const struct scene_object *object, size_t at, size_t *p
     enum tree_operation operation = branches[at].operation;
     size_t end = at + branches[at].size;
     struct bound both[2];
-
     if (operation == TREE_LEAF) {
         bound_part(&object->parts[(*part)++].primitive, whole);
         return;
@@ -254,7 +242,6 @@ static bool holds_object(const struct scene_object *bound,
 {
     const struct primitive *primitive = &bound->parts[0].primitive;
     size_t part = 0;
-
     if (bound->branch_count != 1
         || (primitive->kind != PRIMITIVE_BOX && primitive->kind != PRIMITIVE_SPHERE))
         return false;
@@ -272,7 +259,6 @@ static bool holds_object(const struct scene_object *bound,
 static bool is_forgotten(const struct scene_object *object)
 {
     enum primitive_kind kind;
-
     if (object->part_count != 1)
         return object->part_count == 0;
     kind = object->parts[0].primitive.kind;
@@ -291,7 +277,6 @@ bool bounded_by_read(struct reader *reader, const struct item *item)
     struct clipping clipping = { .is_clip = false };
     bool done = block_read(reader, &of_bound, &clipping)
                 && make_whole(reader, item->subject);
-
     if (done && !changes_nothing(&clipping, item->subject))
         reader_report(reader, &item->at,
                       "'bounded_by' is ignored: whether it cuts the "

@@ -47,7 +47,6 @@ bool is_color_word(const struct scene_token *token)
 bool starts_color(const struct reader *reader)
 {
     const struct scene_value *value = reader_value_of(reader, VALUE_NUMBERS);
-
     return is_color_word(&reader->token)
            || (value && value->is.numbers.count == COLOR_TERMS);
 }
@@ -56,7 +55,6 @@ bool starts_color(const struct reader *reader)
 static double from_srgb(double value, double gamma)
 {
     double linear = srgb_light(value);
-
     return gamma > 0 && gamma != 1 && linear > 0 ? elementary_pow(linear, 1 / gamma)
                                                  : linear;
 }
@@ -66,7 +64,6 @@ static bool read_ordered(struct reader *reader, const struct color_order *order,
 {
     struct scene_token at = reader->token;
     struct numbers given;
-
     if (!read_expression(reader, &given))
         return false;
     if (given.count == COLOR_TERMS && order->count > 1 && !order->srgb) {
@@ -90,7 +87,6 @@ static bool read_ordered(struct reader *reader, const struct color_order *order,
 static bool read_terms(struct reader *reader, struct numbers *color)
 {
     const struct color_order *order = TOKEN_ROW(&reader->token, orders);
-
     for (; order && order->count == 1; order = TOKEN_ROW(&reader->token, orders)) {
         reader_next(reader);
         if (!read_ordered(reader, order, color))
@@ -111,7 +107,6 @@ bool read_color_after(struct reader *reader, const struct scene_token *word,
                       struct numbers *color)
 {
     const struct color_order *order = TOKEN_ROW(word, orders);
-
     *color = numbers_of(0);
     color->count = COLOR_TERMS;
     if (!order && TOKEN_ROW(&reader->token, orders)) {
@@ -128,7 +123,6 @@ bool read_color_after(struct reader *reader, const struct scene_token *word,
 bool read_color(struct reader *reader, struct numbers *color)
 {
     struct scene_token word = reader->token;
-
     if (is_color_word(&word))
         reader_next(reader);
     else if (!starts_expression(reader))
@@ -139,7 +133,6 @@ bool read_color(struct reader *reader, struct numbers *color)
 bool read_rgb(struct reader *reader, double rgb[3])
 {
     struct numbers color;
-
     if (!read_color(reader, &color))
         return false;
     memcpy(rgb, color.n, 3 * sizeof *rgb);

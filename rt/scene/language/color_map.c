@@ -3,14 +3,12 @@
 #include "rt/scene/language/pattern.h"
 #include "rt/scene/vector3.h"
 
-
 #define MAX_COLOR 1e100 /* keeps differences finite */
 
 static bool put_stop(struct reader *reader, struct color_map *map, size_t *room,
                      double at, const struct numbers *color)
 {
     struct color_stop stop = { at, { 0 }, color->n[3], color->n[4] };
-
     copy3(color->n, stop.color);
     map->clear += stop.filter != 0 || stop.transmit != 0;
     return arena_add(&reader->scene->kept, &map->stops, &map->count, room, &stop,
@@ -37,7 +35,6 @@ static bool read_stops(struct reader *reader, struct color_map *map, size_t *roo
     struct numbers color;
     double at[2];
     int count = 0;
-
     while (count < 2 && starts_expression(reader) && !starts_color(reader)) {
         if (!read_number(reader, &at[count++]))
             return false;
@@ -54,7 +51,6 @@ static bool read_stops(struct reader *reader, struct color_map *map, size_t *roo
 static bool read_entry(struct reader *reader, void *map, size_t *room)
 {
     struct block entry;
-
     return block_open(reader, &entry, '[') && read_stops(reader, map, room)
            && reader_require_sign(reader, ']') && block_finish(reader, &entry);
 }
@@ -73,7 +69,6 @@ bool color_map_listed(struct reader *reader, const struct numbers *colors, size_
 {
     struct color_map made = { .count = 0 };
     size_t room = 0;
-
     for (size_t i = 0; i < count; i++)
         if (!put_stop(reader, &made, &room, (double)i, &colors[i]))
             return false;
@@ -84,7 +79,6 @@ bool color_map_listed(struct reader *reader, const struct numbers *colors, size_
 static void show_first(struct pigment *pigment)
 {
     const struct color_stop *first = pigment->map.stops;
-
     copy3(first->color, pigment->color[0]);
     pigment->filter[0] = first->filter;
     pigment->transmit[0] = first->transmit;
@@ -101,7 +95,6 @@ bool color_map_read(struct reader *reader, struct pigment *pigment)
 {
     static const struct map_kind colors = { VALUE_COLOR_MAP, take_colors, read_entry };
     struct color_map map = { .count = 0 };
-
     if (!map_read(reader, &colors, &map))
         return false;
     pigment->map = map;

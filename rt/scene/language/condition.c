@@ -18,7 +18,6 @@ bool condition_skip(struct reader *reader, const struct scene_token *at,
 {
     size_t braces = reader->braces;
     bool found = false;
-
     while (!found && reader->token.kind != TOKEN_END) {
         if (is_directive(&reader->token, CONDITION_OPENERS))
             depth++;
@@ -36,7 +35,6 @@ struct scene_condition *condition_top(struct reader *reader)
 {
     size_t serial = lexer_top(&reader->lexer)->serial;
     size_t count = reader->condition_count;
-
     return count > reader->sealed && reader->conditions[count - 1].frame == serial
                ? &reader->conditions[count - 1]
                : NULL;
@@ -46,7 +44,6 @@ struct scene_condition *condition_push(struct reader *reader, enum condition_kin
                                        const struct scene_token *at)
 {
     struct scene_condition *condition;
-
     if (reader->condition_count == MAX_CONDITIONS) {
         reader_fault(reader, at, "more than %d nested conditions", MAX_CONDITIONS);
         return NULL;
@@ -63,7 +60,6 @@ struct scene_condition *condition_push(struct reader *reader, enum condition_kin
 size_t condition_seal(struct reader *reader)
 {
     size_t before = reader->sealed;
-
     reader->sealed = reader->condition_count;
     return before;
 }
@@ -71,7 +67,6 @@ size_t condition_seal(struct reader *reader)
 bool condition_leave(struct reader *reader, struct scene_condition *condition)
 {
     struct scene_token at = condition->at;
-
     reader->condition_count--;
     if (!condition_skip(reader, &at, "end", 1))
         return false;
@@ -89,7 +84,6 @@ bool condition_leave_out(struct reader *reader, const struct scene_token *at)
 void conditions_close(struct reader *reader)
 {
     const struct scene_condition *top;
-
     while ((top = condition_top(reader))) {
         unclosed(reader, &top->at);
         reader->condition_count--;
@@ -108,7 +102,6 @@ static bool read_brackets(struct reader *reader, bool name, double *value)
 {
     size_t sealed = condition_seal(reader);
     bool done = reader_require_sign(reader, '(');
-
     if (done) {
         (name ? reader_step : reader_next)(reader);
         done = (name ? read_defined : read_full_number)(reader, value)
@@ -126,7 +119,6 @@ bool condition_read(struct reader *reader, double *value)
 static bool choose(struct reader *reader, struct scene_condition *condition)
 {
     double value;
-
     for (;;) {
         struct scene_token at = condition->at;
         if (!condition_skip(reader, &at, "else elseif end", 1)) {
@@ -159,7 +151,6 @@ static bool begin(struct reader *reader, const struct scene_token *at, bool good
                   bool holds)
 {
     struct scene_condition *condition = NULL;
-
     if (good)
         condition = condition_push(reader, CONDITION_IF, at);
     if (!condition)
@@ -172,7 +163,6 @@ bool condition_if(struct reader *reader, const struct item *item)
 {
     double value = 0;
     bool good = condition_read(reader, &value);
-
     return begin(reader, &item->at, good, condition_holds(value));
 }
 
@@ -181,7 +171,6 @@ bool condition_ifdef(struct reader *reader, const struct item *item)
     bool wanted = item->keyword->detail == CONDITION_WHEN_DEFINED;
     double defined = 0;
     bool good = read_brackets(reader, true, &defined);
-
     return begin(reader, &item->at, good, (defined != 0) == wanted);
 }
 
@@ -189,7 +178,6 @@ bool condition_ifdef(struct reader *reader, const struct item *item)
 bool condition_else(struct reader *reader, const struct item *item)
 {
     struct scene_condition *condition = condition_top(reader);
-
     if (condition && condition->kind == CONDITION_SWITCH && !condition->in_else
         && token_is_text(&item->at, "else"))
         return switch_else(reader, condition);
@@ -202,7 +190,6 @@ bool condition_else(struct reader *reader, const struct item *item)
 bool condition_end(struct reader *reader, const struct item *item)
 {
     struct scene_condition *condition = condition_top(reader);
-
     if (!condition)
         return reader_fault(reader, &item->at, "'#end' without a matching directive");
     if (condition->kind == CONDITION_WHILE || condition->kind == CONDITION_FOR)
@@ -218,7 +205,6 @@ static struct scene_condition *breakable(struct reader *reader)
 {
     size_t serial = lexer_top(&reader->lexer)->serial;
     size_t count = reader->condition_count;
-
     while (count > reader->sealed && reader->conditions[count - 1].frame == serial) {
         struct scene_condition *condition = &reader->conditions[--count];
         if (condition->kind != CONDITION_IF)
@@ -232,7 +218,6 @@ static bool end_macro(struct reader *reader, const struct scene_token *at)
 {
     const struct open_text *top = lexer_top(&reader->lexer);
     struct text_place end = top->place;
-
     if (!top->is_macro)
         return reader_fault(reader, at,
                             "'#break' outside of a loop, '#switch' or macro");
@@ -247,7 +232,6 @@ bool condition_break(struct reader *reader, const struct item *item)
 {
     struct scene_condition *condition = breakable(reader);
     size_t inner;
-
     if (!condition)
         return end_macro(reader, &item->at);
     inner = (size_t)(&reader->conditions[reader->condition_count] - condition);

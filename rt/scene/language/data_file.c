@@ -20,7 +20,6 @@ static bool read_name(struct reader *reader, char **name)
 {
     size_t hold = reader_nest(reader);
     bool done = file_name_read(reader, name);
-
     reader->hold = hold;
     return done;
 }
@@ -30,7 +29,6 @@ static bool read_mode(struct reader *reader, const struct scene_token *at,
                       const char *name, struct data_file *file)
 {
     const struct scene_token *mode = &reader->token;
-
     file->reads = is_token(mode, "read");
     if (!file->reads && !is_token(mode, "write") && !is_token(mode, "append"))
         return reader_expected(reader, "read, write or append");
@@ -50,7 +48,6 @@ static bool open_file(struct reader *reader, struct target *target)
     struct scene_token at;
     char *name;
     bool done;
-
     reader_resolve(reader);
     at = reader->token;
     if (!read_name(reader, &name))
@@ -67,7 +64,6 @@ bool data_file_open(struct reader *reader, const struct item *item)
     struct target target = { .local = false };
     struct declared_name *symbol;
     bool done;
-
     (void)item;
     if (!target_read(reader, &target))
         return false;
@@ -85,7 +81,6 @@ bool data_file_open(struct reader *reader, const struct item *item)
 static const struct data_file *expect_file(struct reader *reader)
 {
     struct scene_token *token = &reader->token;
-
     if (reader_look_up(reader, token) && token->value->kind == VALUE_FILE)
         return &token->value->is.file;
     reader_expected(reader, "the name of an open file");
@@ -99,7 +94,6 @@ static void forget(struct reader *reader, const struct scene_token *name)
     const struct declared_name *own = symbols_find(&reader->symbols, name->text,
                                                    name->length);
     struct scene_value closed = { .kind = VALUE_FILE };
-
     if (own == name->reference.symbol)
         symbols_remove(&reader->symbols, name->text, name->length);
     else
@@ -109,7 +103,6 @@ static void forget(struct reader *reader, const struct scene_token *name)
 bool data_file_close(struct reader *reader, const struct item *item)
 {
     struct scene_token name;
-
     (void)item;
     if (!expect_file(reader))
         return false;
@@ -136,7 +129,6 @@ static void next(struct datum *datum)
 static bool take_float(struct datum *datum, double *value)
 {
     bool minus = token_is_sign(&datum->token, '-');
-
     if (minus || token_is_sign(&datum->token, '+'))
         next(datum);
     if (datum->token.kind != TOKEN_NUMBER || datum->token.fault)
@@ -202,7 +194,6 @@ static bool read_datum(struct reader *reader, struct data_file *file,
     struct datum datum = { .reader = reader };
     size_t begin = file->place.at, end;
     bool done = true;
-
     *value = (struct scene_value){ .kind = VALUE_FAULTY };
     if (!file->source)
         return true;
@@ -229,7 +220,6 @@ static bool read_next(struct reader *reader, struct data_file *file)
 {
     struct target target = { .local = false };
     struct scene_value value;
-
     if (!target_read(reader, &target)
         || !read_datum(reader, file, &target.name, &value))
         return false;
@@ -242,7 +232,6 @@ static bool read_next(struct reader *reader, struct data_file *file)
 static const struct data_file *read_handle(struct reader *reader, bool reads)
 {
     const struct data_file *file;
-
     if (!reader_require_sign(reader, '('))
         return NULL;
     reader_step(reader);
@@ -258,7 +247,6 @@ static bool read_all(struct reader *reader, const struct scene_token *name,
                      struct data_file *file)
 {
     struct scene_value value = { .kind = VALUE_FILE };
-
     while (!reader_at_sign(reader, ')')) {
         if (reader_at_sign(reader, ','))
             reader_step(reader);
@@ -279,7 +267,6 @@ bool data_file_read(struct reader *reader, const struct item *item)
     struct scene_token name = reader->token;
     struct data_file file;
     bool done;
-
     (void)item;
     if (!open)
         return false;
@@ -297,7 +284,6 @@ static bool read_written(struct reader *reader)
 {
     struct numbers numbers;
     char *string;
-
     if (!starts_string(reader))
         return read_full(reader, &numbers);
     if (!string_read_within(reader, &string))

@@ -16,7 +16,6 @@
 static bool read_layers(struct reader *reader, struct texture *texture)
 {
     bool done = true;
-
     while (done && is_token(&reader->token, "texture")) {
         struct scene_token at = reader->token;
         reader_next(reader);
@@ -29,7 +28,6 @@ static bool read_layers(struct reader *reader, struct texture *texture)
 static void begin_value(const struct reader *reader, struct scene_value *value)
 {
     const struct texture *usual = &reader->default_texture;
-
     switch (value->kind) {
     case VALUE_PIGMENT:
     case VALUE_COLOR_MAP:
@@ -49,7 +47,6 @@ static void begin_value(const struct reader *reader, struct scene_value *value)
 bool item_statement(struct reader *reader, const struct item *item)
 {
     void *subject = item->subject;
-
     switch ((enum scene_value_kind)item->keyword->detail) {
     case VALUE_PIGMENT: return pigment_read(reader, subject);
     case VALUE_COLOR_MAP: return color_map_read(reader, subject);
@@ -75,7 +72,6 @@ static bool declare(struct reader *reader, const struct item *item)
 {
     struct scene_value *value = item->subject;
     struct item own = *item;
-
     value->kind = (enum scene_value_kind)item->keyword->detail;
     begin_value(reader, value);
     own.subject = &value->is;
@@ -86,7 +82,6 @@ static bool declare(struct reader *reader, const struct item *item)
 static bool declare_function(struct reader *reader, const struct item *item)
 {
     struct scene_value *value = item->subject;
-
     value->kind = VALUE_FUNCTION;
     value->is.formula = formula_read(reader);
     return value->is.formula;
@@ -96,7 +91,6 @@ static bool declare_function(struct reader *reader, const struct item *item)
 static bool declare_look(struct reader *reader, const struct item *item)
 {
     struct scene_value *value = item->subject;
-
     value->kind = VALUE_LOOK;
     if (!reader_require_sign(reader, '{'))
         return false;
@@ -107,7 +101,6 @@ static bool declare_look(struct reader *reader, const struct item *item)
 static bool declare_object(struct reader *reader, const struct item *item)
 {
     struct scene_value *value = item->subject;
-
     value->kind = VALUE_OBJECT;
     return shape_read(reader, &value->is.object, item);
 }
@@ -142,7 +135,6 @@ static bool copy_array(struct reader *reader, struct scene_value *value,
                        const struct array *array)
 {
     struct scene_token at = reader->token;
-
     if (!shape_count(reader, array_primitives(array), &at)
         || !reader_spend(reader, array->count * TOKEN_COST)
         || !reader_check(reader, &at, array_copy(&value->is.array, array)))
@@ -155,7 +147,6 @@ static bool copy_named(struct reader *reader, struct scene_value *value)
 {
     const struct scene_value *from = reader_value(reader);
     bool done = true;
-
     value_warnings_use(&reader->warnings, from->value_warnings);
     if (from->kind == VALUE_OBJECT) {
         value->kind = VALUE_OBJECT;
@@ -188,7 +179,6 @@ static bool read_statement(struct reader *reader, struct scene_value *value)
 {
     struct item item = item_find(reader, &declared_grammar, value);
     const struct scene_value *named = reader_value(reader);
-
     if (item.keyword) {
         reader_next(reader);
         return item.keyword->read(reader, &item);
@@ -203,7 +193,6 @@ static bool read_noted(struct reader *reader, struct scene_value *value)
 {
     struct warning_page page;
     bool done;
-
     value_warnings_begin(&reader->warnings, &page);
     done = read_statement(reader, value);
     value->value_warnings = value_warnings_end(&reader->warnings);
@@ -213,7 +202,6 @@ static bool read_noted(struct reader *reader, struct scene_value *value)
 bool value_read(struct reader *reader, struct scene_value *value)
 {
     bool done;
-
     memset(value, 0, sizeof *value);
     if (is_token(&reader->token, "array"))
         done = array_read(reader, value);
@@ -239,7 +227,6 @@ bool is_reserved(const struct scene_token *token)
 bool name_expected(struct reader *reader, const struct scene_token *token)
 {
     struct scene_token name = *token;
-
     if (name.kind != TOKEN_WORD)
         return reader_expected(reader, "a name");
     if (!is_reserved(&name))
@@ -259,7 +246,6 @@ static bool read_right_side(struct reader *reader, size_t depth,
     struct declared_value outside = reader->declared;
     size_t hold = reader_hold(reader);
     bool done;
-
     reader->declared = (struct declared_value){ .brackets = 1, .depth = depth };
     done = value_read(reader, value);
     reader->hold = hold;
@@ -280,7 +266,6 @@ const char *target_assign(struct reader *reader, const struct target *target,
     const struct scene_token *name = &target->name;
     struct declared_names *symbols = &reader->symbols;
     struct declared_name *symbol;
-
     if (target->is_element)
         return reference_assign(&name->reference, value);
     symbol = target->local
@@ -306,7 +291,6 @@ static void pass_deprecated(struct reader *reader)
 bool target_read(struct reader *reader, struct target *target)
 {
     size_t hops = 0;
-
     pass_deprecated(reader);
     if (!name_expected(reader, &reader->token))
         return false;
@@ -330,7 +314,6 @@ static bool declare_value(struct reader *reader, struct target *target)
     bool done = reader_expect_sign(reader, '=')
                 && read_right_side(reader, target->level, &value);
     const char *fault;
-
     if (!done)
         value = (struct scene_value){ .kind = VALUE_FAULTY };
     if (target->level > reader->lexer.depth)
@@ -344,7 +327,6 @@ bool read_declare(struct reader *reader, const struct item *item)
     struct target target = { .local = item->keyword->detail };
     struct declared_name *symbol;
     bool done;
-
     if (!target_read(reader, &target))
         return false;
     symbol = target.name.reference.symbol;
@@ -357,7 +339,6 @@ bool read_declare(struct reader *reader, const struct item *item)
 bool read_undef(struct reader *reader, const struct item *item)
 {
     struct scene_token name = reader->token;
-
     (void)item;
     if (name.kind != TOKEN_WORD)
         return reader_expected(reader, "a name");

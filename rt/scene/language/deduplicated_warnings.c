@@ -43,7 +43,6 @@ static struct scene_warning **bucket_of(struct deduplicated_warnings *book,
                                         const char *words)
 {
     uint64_t key = hash_bytes(HASH_START, (const unsigned char *)words, strlen(words));
-
     return &book->buckets[(key + offset_of(place)) % WARNING_BUCKETS];
 }
 
@@ -52,7 +51,6 @@ static struct scene_warning *new_note(struct deduplicated_warnings *book,
                                       const char *words, const char *calls)
 {
     struct scene_warning *warning = NULL;
-
     if (book->count < MAX_WARNINGS)
         warning = arena_take(&book->arena, sizeof *warning);
     else if (!book->lost.source)
@@ -76,7 +74,6 @@ static struct scene_warning *scene_warning_of(struct deduplicated_warnings *book
 {
     struct scene_warning **bucket = bucket_of(book, place, words);
     struct scene_warning *warning = *bucket;
-
     while (warning
            && (warning->place.source != place->source
                || offset_of(&warning->place) != offset_of(place)
@@ -97,7 +94,6 @@ static struct warning_cause *cause_of(struct deduplicated_warnings *book,
                                       const struct scene_warning *warning)
 {
     struct warning_cause *cause = book->causes;
-
     while (cause && strcmp(cause->words, warning->words))
         cause = cause->next;
     if (cause || book->cause_count > MAX_REPORTS)
@@ -119,7 +115,6 @@ static void add_report(struct deduplicated_warnings *book,
                        struct scene_warning *warning)
 {
     struct warning_cause *cause = warning->reported ? NULL : cause_of(book, warning);
-
     warning->reported = true;
     if (cause)
         cause->places++;
@@ -131,7 +126,6 @@ static void report(const struct warning_cause *cause, enum severity severity,
     const struct scene_warning *first = cause->first;
     char message[2000];
     int length = snprintf(message, sizeof message, "%s%s", first->words, first->calls);
-
     if (cause->places > 1 && length >= 0 && (size_t)length < sizeof message)
         snprintf(message + length, sizeof message - (size_t)length,
                  " (%zu places, this is the first)", cause->places);
@@ -143,7 +137,6 @@ void warnings_report(const struct deduplicated_warnings *book, enum severity sev
 {
     const struct warning_cause *cause = book->causes;
     const struct warning_place *lost = &book->lost;
-
     for (size_t i = 0; cause && i < MAX_REPORTS; i++, cause = cause->next)
         report(cause, severity, reports);
     if (cause)
@@ -160,7 +153,6 @@ void warnings_report(const struct deduplicated_warnings *book, enum severity sev
 static void report_all(struct deduplicated_warnings *book, struct value_warnings *list)
 {
     struct value_warnings *waiting = NULL;
-
     for (;;) {
         for (; list && !list->reported; list = list->rest) {
             list->reported = true;
@@ -182,7 +174,6 @@ static void write_down(struct deduplicated_warnings *book,
                        struct scene_warning *warning, struct value_warnings *used)
 {
     struct value_warnings *list = arena_take(&book->arena, sizeof *list);
-
     if (!list)
         return;
     *list = (struct value_warnings){ .warning = warning,
@@ -196,7 +187,6 @@ static void write_down(struct deduplicated_warnings *book,
 static bool is_new(const struct deduplicated_warnings *book, size_t *page)
 {
     bool fresh = *page != book->page->serial;
-
     *page = book->page->serial;
     return fresh;
 }
@@ -206,7 +196,6 @@ void scene_warning_add(struct deduplicated_warnings *book,
                        const char *calls)
 {
     struct scene_warning *warning = scene_warning_of(book, place, words, calls);
-
     if (!warning)
         return;
     if (!book->page)
@@ -220,7 +209,6 @@ void scene_warning_report(struct deduplicated_warnings *book,
                           const char *calls)
 {
     struct scene_warning *warning = scene_warning_of(book, place, words, calls);
-
     if (warning)
         add_report(book, warning);
 }
@@ -234,7 +222,6 @@ void value_warnings_begin(struct deduplicated_warnings *book, struct warning_pag
 struct value_warnings *value_warnings_end(struct deduplicated_warnings *book)
 {
     struct value_warnings *list = book->page->list;
-
     book->page = book->page->outer;
     return list;
 }

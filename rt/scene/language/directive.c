@@ -19,7 +19,6 @@ static char *read_file_name(struct reader *reader, size_t depth)
 {
     size_t hold = reader_hold(reader);
     char *name = NULL;
-
     if (!starts_string(reader))
         reader_expected(reader, "a file name in quotes");
     else if (!file_name_read(reader, &name))
@@ -34,7 +33,6 @@ static bool open_file(struct reader *reader, const struct scene_token *at,
 {
     const struct scene_source *source;
     bool opened;
-
     if (!*name)
         return reader_fault(reader, at, "the file name is empty");
     source = reader_find(reader, at, name, true);
@@ -56,7 +54,6 @@ static bool read_include(struct reader *reader, const struct item *item)
     struct scene_token at;
     char *name;
     bool done;
-
     (void)item;
     reader_resolve(reader);
     at = reader->token;
@@ -72,7 +69,6 @@ static bool read_version(struct reader *reader, const struct item *item)
 {
     struct scene_token at;
     double version;
-
     (void)item;
     reader_resolve(reader);
     at = reader->token;
@@ -104,7 +100,6 @@ bool default_read(struct reader *reader, const struct item *item)
 {
     struct texture texture = reader->default_texture;
     bool done = block_read(reader, &default_grammar, &texture);
-
     (void)item;
     if (done)
         reader->default_texture = texture;
@@ -116,7 +111,6 @@ static bool read_default(struct reader *reader, const struct item *item)
     struct warning_page *page = reader->warnings.page;
     size_t hold = reader_hold(reader);
     bool done;
-
     reader->warnings.page = NULL; /* warnings belong to the scene */
     done = default_read(reader, item);
     reader->hold = hold;
@@ -144,7 +138,6 @@ static bool read_message(struct reader *reader, const struct item *item)
     size_t hold;
     char *text;
     bool done;
-
     reader_resolve(reader);
     hold = reader_hold(reader);
     done = string_read(reader, &text);
@@ -191,7 +184,6 @@ bool directive_read(struct reader *reader)
 {
     struct item item = { keyword_find(words, &reader->token), reader->token, NULL,
                          NULL };
-
     reader_step(reader);
     if (!item.keyword)
         return reader_fault(reader, &item.at, "unknown directive '#%.*s'",

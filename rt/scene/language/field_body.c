@@ -30,7 +30,6 @@ static void add(struct field_body *body, const double a[3], const double b[3],
                 const double c[3])
 {
     struct triangle *triangle = &body->triangles.list[body->triangles.count++];
-
     *triangle = (struct triangle){ .smooth = false };
     copy3(a, triangle->corners[0]);
     copy3(b, triangle->corners[1]);
@@ -62,7 +61,6 @@ static int compare_edges(const void *a, const void *b)
 {
     const struct field_edge *one = a, *other = b;
     int first = compare_points(one->ends[0], other->ends[0]);
-
     return first ? first : compare_points(one->ends[1], other->ends[1]);
 }
 
@@ -73,7 +71,6 @@ static void take_edges(const struct triangles *surface, struct field_edge *edges
         const double *a = triangle->corners[i % 3];
         const double *b = triangle->corners[(i + 1) % 3];
         bool turned = compare_points(a, b) > 0;
-
         edges[i].ends[0] = turned ? b : a;
         edges[i].ends[1] = turned ? a : b;
     }
@@ -84,7 +81,6 @@ static void add_wall(struct field_body *body, const struct field_edge *edge)
 {
     const double *a = edge->ends[0], *b = edge->ends[1];
     double a_foot[3], b_foot[3];
-
     below(body, a, a_foot);
     below(body, b, b_foot);
     if (b[1] > body->ground)
@@ -112,7 +108,6 @@ static void add_surface(struct field_body *body, const struct triangles *surface
 {
     for (size_t i = 0; i < surface->count; i++) {
         struct triangle triangle = surface->list[i];
-
         for (int k = 0; k < 9; k++)
             triangle.corners[k / 3][k % 3] = GRAIN
                                              * round(triangle.corners[k / 3][k % 3]
@@ -127,7 +122,6 @@ static void add_ground(struct field_body *body, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         double feet[3][3];
-
         for (int k = 0; k < 3; k++)
             below(body, body->triangles.list[i].corners[k], feet[k]);
         add(body, feet[0], feet[1], feet[2]);
@@ -148,10 +142,8 @@ static void add_column(struct field_body *body)
         { 0, 1, 3 }, { 0, 3, 2 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 2, 6 }, { 0, 6, 4 },
         { 1, 3, 7 }, { 1, 7, 5 }, { 0, 4, 5 }, { 0, 5, 1 }, { 2, 6, 7 }, { 2, 7, 3 },
     };
-
     for (int i = 0; i < COLUMN_FACES; i++) {
         double corners[3][3];
-
         for (int k = 0; k < 3; k++)
             column_corner(body, faces[i][k], corners[k]);
         add(body, corners[0], corners[1], corners[2]);
@@ -162,7 +154,6 @@ static void fill(struct field_body *body, const struct triangles *surface,
                  struct field_edge *edges)
 {
     struct triangles top;
-
     add_surface(body, surface);
     top = body->triangles;
     add_ground(body, top.count);
@@ -178,7 +169,6 @@ static bool make_body(struct reader *reader, const struct triangles *surface,
     size_t most = 8 * surface->count + COLUMN_FACES;
     struct field_edge *edges = malloc((3 * surface->count + 1) * sizeof *edges);
     bool good;
-
     body->ground = INFINITY;
     body->triangles.count = 0;
     body->triangles.list = malloc(most * sizeof *body->triangles.list);
@@ -195,7 +185,6 @@ static bool fill_part(struct reader *reader, struct scene_part *part,
     struct triangles *own = &part->primitive.shape.mesh.body;
     struct field_body body;
     bool done;
-
     if (!part->field || own->count > 0)
         return true;
     done = reader_spend(reader, TOKEN_COST * part->primitive.shape.mesh.triangles.count)

@@ -8,7 +8,6 @@ static bool read_type(struct reader *reader, const struct item *item)
 {
     struct fog_setting *reading = item->subject;
     double type;
-
     if (!read_number(reader, &type))
         return false;
     reading->grounded = type == 2;
@@ -27,7 +26,6 @@ static bool read_fog_color(struct reader *reader, const struct item *item)
 {
     struct fog_setting *reading = item->subject;
     struct numbers color;
-
     if (!read_color_after(reader, &item->at, &color))
         return false;
     set_color(&reading->fog, &color);
@@ -50,7 +48,6 @@ static const struct grammar grammar = { "a keyword of fog", .tables = { words } 
 static bool read_first_color(struct reader *reader, struct fog *fog)
 {
     struct numbers color;
-
     if (!starts_color(reader) || is_color_word(&reader->token))
         return true;
     if (!read_color(reader, &color))
@@ -62,7 +59,6 @@ static bool read_first_color(struct reader *reader, struct fog *fog)
 bool fog_read(struct reader *reader, struct fog_setting *fog)
 {
     struct block block;
-
     *fog = (struct fog_setting){ .fog = { .distance = 0 } };
     return block_open_from(reader, &block, VALUE_FOG, fog, sizeof *fog)
            && block_items(reader, &block, &grammar, fog,
@@ -73,7 +69,6 @@ bool fog_take(struct reader *reader, const struct fog_setting *setting,
               const struct scene_token *at)
 {
     struct scene *scene = reader->scene;
-
     if (setting->grounded) {
         reader_report(reader, at, "a fog of type 2 is not supported and is ignored");
         return true;

@@ -91,7 +91,6 @@ static bool read_arguments(struct compiler *compiler, size_t least, size_t most,
                            size_t *count)
 {
     struct reader *reader = compiler->reader;
-
     *count = 0;
     if (!reader_expect_sign(reader, '('))
         return false;
@@ -110,7 +109,6 @@ static bool read_function(struct compiler *compiler, const struct function *func
     struct reader *reader = compiler->reader;
     size_t least = strspn(function->takes, "f"), most = least;
     struct formula_step step = { .kind = FORMULA_FUNCTION, .is.function = function };
-
     if (strchr(function->takes, 'v'))
         return reader_expected(reader, "a function of floats");
     if (function->takes[least] == '?')
@@ -127,7 +125,6 @@ static bool read_term(struct reader *reader, size_t *term)
 {
     static const char names[] = "xyz";
     const char *found = NULL;
-
     if (!reader_expect_sign(reader, '.'))
         return false;
     if (reader->token.kind == TOKEN_WORD && reader->token.length == 1)
@@ -145,7 +142,6 @@ static bool read_other_call(struct compiler *compiler, const struct formula *cal
 {
     struct reader *reader = compiler->reader;
     struct formula_step step = { .kind = FORMULA_CALL, .is.formula = called };
-
     compiler->formula->without = called->without;
     reader_next(reader);
     if (!read_arguments(compiler, 0, MAX_PARAMETERS, &step.count))
@@ -163,7 +159,6 @@ static bool read_formula_call(struct compiler *compiler, const struct formula *c
     struct reader *reader = compiler->reader;
     struct formula_step step = { .kind = FORMULA_CALL, .is.formula = called };
     size_t count = called->parameter_count;
-
     if (called->without)
         return read_other_call(compiler, called);
     if (called->nesting == MAX_NESTING)
@@ -183,7 +178,6 @@ static bool read_constant(struct compiler *compiler)
     struct scene_token at = reader->token;
     struct formula_step step = { .kind = FORMULA_NUMBER };
     struct numbers value;
-
     if (!operand_read(reader, &value) || !operand_float(reader, &at, &value))
         return false;
     step.is.number = value.n[0];
@@ -208,7 +202,6 @@ static bool read_primary(struct compiler *compiler)
     struct reader *reader = compiler->reader;
     struct formula_step step = { .kind = FORMULA_PARAMETER };
     const struct scene_value *declared;
-
     if (reader_accept_sign(reader, '('))
         return read_whole(compiler) && reader_expect_sign(reader, ')');
     if (is_parameter(compiler, &reader->token, &step.is.parameter)) {
@@ -229,7 +222,6 @@ static bool read_factor(struct compiler *compiler)
     struct reader *reader = compiler->reader;
     bool minus = reader_at_sign(reader, '-');
     bool done;
-
     if (!minus && !reader_at_sign(reader, '+'))
         return read_primary(compiler);
     if (!reader_enter(reader))
@@ -261,7 +253,6 @@ static bool read_rank(struct compiler *compiler, size_t rank)
     };
     enum { RANKS = sizeof signs / sizeof *signs };
     struct formula_step step = { .kind = FORMULA_OPERATOR };
-
     if (rank == RANKS)
         return read_factor(compiler);
     if (!read_rank(compiler, rank + 1))
@@ -276,7 +267,6 @@ static bool read_whole(struct compiler *compiler)
 {
     struct reader *reader = compiler->reader;
     bool done;
-
     if (!reader_enter(reader))
         return false;
     done = read_rank(compiler, 0);
@@ -289,7 +279,6 @@ static bool read_parameter(struct compiler *compiler)
     struct reader *reader = compiler->reader;
     const struct scene_token *token = &reader->token;
     size_t number = compiler->formula->parameter_count;
-
     if (token->kind != TOKEN_WORD)
         return reader_expected(reader, "the name of a parameter or ')'");
     if (number == MAX_PARAMETERS)
@@ -305,7 +294,6 @@ static bool read_parameters(struct compiler *compiler)
 {
     static const char *const usual[] = { "x", "y", "z" };
     struct reader *reader = compiler->reader;
-
     if (!reader_accept_sign(reader, '(')) {
         for (size_t i = 0; i < 3; i++)
             compiler->parameters[i] = (struct name){ usual[i], 1 };
@@ -322,7 +310,6 @@ static bool read_parameters(struct compiler *compiler)
 static const char *find_other(const struct reader *reader)
 {
     static const char *const words[] = { "internal", "pattern", "pigment", "spline" };
-
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (is_token(&reader->token, words[i]))
             return words[i];
@@ -334,7 +321,6 @@ static bool read_body(struct compiler *compiler, const struct block *block)
     struct reader *reader = compiler->reader;
     struct formula *formula = compiler->formula;
     bool good;
-
     formula->without = find_other(reader);
     if (formula->without)
         return block_finish(reader, block);
@@ -358,7 +344,6 @@ const struct formula *formula_read(struct reader *reader)
 {
     struct compiler compiler = { .reader = reader };
     struct block block;
-
     compiler.formula = arena_take(&reader->arena, sizeof *compiler.formula);
     if (!compiler.formula) {
         reader_no_memory(reader);
@@ -407,7 +392,6 @@ static double operate(int sign, double a, double b)
 static void apply(const struct function *function, size_t count, double *arguments)
 {
     struct numbers taken[MAX_ARGUMENTS], result;
-
     for (size_t i = 0; i < count; i++)
         taken[i] = numbers_of(arguments[i]);
     function_apply(function, taken, count, &result);
@@ -419,7 +403,6 @@ static bool take_step(const struct formula_caller *call,
                       double **top)
 {
     double value[3];
-
     switch (step->kind) {
     case FORMULA_NUMBER: *(*top)++ = step->is.number; break;
     case FORMULA_PARAMETER: *(*top)++ = arguments[step->is.parameter]; break;
@@ -447,7 +430,6 @@ static bool take_steps(const struct formula_caller *call, const struct formula *
                        const double *arguments, double *stack, double *value)
 {
     double *top = stack;
-
     for (size_t i = 0; i < formula->step_count; i++)
         if (!take_step(call, &formula->steps[i], arguments, &top))
             return false;
@@ -463,7 +445,6 @@ static bool evaluate(const struct formula_caller *call, const struct formula *fo
     struct reader *reader = call->reader;
     double *stack;
     bool done;
-
     if (formula->moves) {
         memcpy(value, arguments, 3 * sizeof *value);
         transform_point(&formula->placement.to_world, value);
@@ -507,7 +488,6 @@ bool formula_call(struct reader *reader, const struct formula *formula,
     struct scene_token at = reader->token;
     const struct formula_caller call = { reader, &at };
     double arguments[MAX_PARAMETERS];
-
     if (!can_call(reader, formula, &at))
         return false;
     *value = numbers_of(0);
@@ -523,7 +503,6 @@ bool formula_value(struct reader *reader, const struct formula *formula,
 {
     const struct formula_caller call = { reader, at };
     struct numbers result = numbers_of(0);
-
     if (!can_call(reader, formula, at))
         return false;
     if (formula->moves || formula->parameter_count > 3)

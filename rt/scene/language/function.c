@@ -48,14 +48,12 @@ static double power(double base, double exponent)
 static long bits_of(const struct numbers *number)
 {
     double value = number->n[0];
-
     return value > -MAX_WHOLE && value < MAX_WHOLE ? (long)value : 0;
 }
 
 static void apply_bitwise_and(const struct numbers *a, size_t n, struct numbers *r)
 {
     long bits = bits_of(&a[0]);
-
     for (size_t i = 1; i < n; i++)
         bits &= bits_of(&a[i]);
     give(r, (double)bits);
@@ -64,7 +62,6 @@ static void apply_bitwise_and(const struct numbers *a, size_t n, struct numbers 
 static void apply_bitwise_or(const struct numbers *a, size_t n, struct numbers *r)
 {
     long bits = bits_of(&a[0]);
-
     for (size_t i = 1; i < n; i++)
         bits |= bits_of(&a[i]);
     give(r, (double)bits);
@@ -73,7 +70,6 @@ static void apply_bitwise_or(const struct numbers *a, size_t n, struct numbers *
 static void apply_bitwise_xor(const struct numbers *a, size_t n, struct numbers *r)
 {
     long bits = bits_of(&a[0]);
-
     for (size_t i = 1; i < n; i++)
         bits ^= bits_of(&a[i]);
     give(r, (double)bits);
@@ -96,7 +92,6 @@ static void give_vector(struct numbers *result, const double vector[3])
 static void apply_vcross(const struct numbers *a, size_t n, struct numbers *r)
 {
     double product[3];
-
     (void)n;
     cross3(a[0].n, a[1].n, product);
     give_vector(r, product);
@@ -118,7 +113,6 @@ static void apply_vlength(const struct numbers *a, size_t n, struct numbers *r)
 static void apply_vnormalize(const struct numbers *a, size_t n, struct numbers *r)
 {
     double length = length3(a[0].n);
-
     (void)n;
     give_vector(r, a[0].n);
     if (length > 0)
@@ -128,7 +122,6 @@ static void apply_vnormalize(const struct numbers *a, size_t n, struct numbers *
 static void apply_vrotate(const struct numbers *a, size_t n, struct numbers *r)
 {
     struct placement rotation = placement_rotation(a[1].n);
-
     (void)n;
     give_vector(r, a[0].n);
     transform_direction(&rotation.to_world, r->n);
@@ -140,7 +133,6 @@ static void apply_vaxis_rotate(const struct numbers *a, size_t n, struct numbers
     double angle = radians(a[2].n[0]), c = elementary_cos(angle),
            s = elementary_sin(angle);
     double axis[3], across[3], along, length = length3(a[1].n);
-
     (void)n;
     give_vector(r, a[0].n);
     memcpy(axis, a[1].n, sizeof axis);
@@ -203,7 +195,6 @@ void function_apply(const struct function *function, const struct numbers *argum
                     size_t count, struct numbers *result)
 {
     double value = arguments[0].n[0];
-
     if (function->apply) {
         function->apply(arguments, count, result);
         return;

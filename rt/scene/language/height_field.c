@@ -51,7 +51,6 @@ static void add_normal(const struct heights *heights, size_t x, size_t z, int ri
     double behind = height_at(heights, x, z + (size_t)up);
     double normal[3] = { right * (height - beside), 1, up * (height - behind) };
     double length = length3(normal);
-
     for (int i = 0; i < 3; i++)
         sum[i] += normal[i] / length;
 }
@@ -65,7 +64,6 @@ static void point_normal(const struct heights *heights, size_t x, size_t z,
     double steps[3] = { (double)(heights->columns - 1), HEIGHT_ONE,
                         (double)(heights->rows - 1) };
     double length;
-
     for (int i = 0; i < 3; i++)
         normal[i] = 0;
     for (int right = -1; right <= 1; right += 2)
@@ -83,7 +81,6 @@ static struct field_point point_of(const struct height_field *field, size_t x, s
     struct field_point point = { .place = { (double)x / (double)(heights->columns - 1),
                                             height_at(heights, x, z) / HEIGHT_ONE,
                                             (double)z / (double)(heights->rows - 1) } };
-
     if (field->smooth) {
         point_normal(heights, x, z, point.normal);
         scale3(1 / length3(point.normal), point.normal);
@@ -109,7 +106,6 @@ static struct field_point shore(const struct height_field *field,
 {
     double part = (field->water - a->place[1]) / (b->place[1] - a->place[1]);
     struct field_point point;
-
     for (int i = 0; i < 3; i++) {
         point.place[i] = a->place[i] + part * (b->place[i] - a->place[i]);
         point.normal[i] = a->normal[i] + part * (b->normal[i] - a->normal[i]);
@@ -125,7 +121,6 @@ static size_t cut_triangle(const struct height_field *field,
                            struct field_point left[4])
 {
     size_t count = 0;
-
     for (int i = 0; i < 3; i++) {
         const struct field_point *a = &corners[i], *b = &corners[(i + 1) % 3];
         bool dry = a->place[1] >= field->water;
@@ -142,7 +137,6 @@ static void put_triangle(struct height_field *field, const struct field_point *a
 {
     const struct field_point *points[3] = { a, b, c };
     struct triangle *triangle = &field->triangles.list[field->triangles.count];
-
     memset(triangle, 0, sizeof *triangle);
     triangle->smooth = field->smooth;
     for (int k = 0; k < 3; k++) {
@@ -157,7 +151,6 @@ static void add_half(struct height_field *field, size_t x, size_t z, bool upper)
 {
     struct field_point corners[3], left[4];
     size_t count;
-
     take_corners(field, x, z, upper, corners);
     count = cut_triangle(field, corners, left);
     if (!field->triangles.list)
@@ -171,7 +164,6 @@ static bool add_cells(struct height_field *field)
 {
     size_t columns = field->heights.columns - 1;
     size_t rows = field->heights.rows - 1;
-
     field->triangles.count = 0;
     for (size_t i = 0; i < columns * rows; i++)
         for (int upper = 0; upper < 2; upper++)
@@ -183,7 +175,6 @@ static bool make_triangles(struct height_field *field)
 {
     struct reader *reader = field->reader;
     size_t count;
-
     if (!add_cells(field))
         return false;
     count = field->triangles.count;
@@ -209,7 +200,6 @@ static bool place_triangles(struct reader *reader, const struct primitive *primi
 {
     size_t count = triangles->count;
     struct triangle *list = reader_keep(reader, triangles->list, count * sizeof *list);
-
     if (!list)
         return false;
     for (size_t i = 0; i < 3 * count; i++) {
@@ -225,7 +215,6 @@ static bool place_triangles(struct reader *reader, const struct primitive *primi
 bool height_field_place(struct reader *reader, struct scene_part *part)
 {
     struct primitive *primitive = &part->primitive;
-
     if (!place_triangles(reader, primitive, &primitive->shape.mesh.triangles)
         || !place_triangles(reader, primitive, &primitive->shape.mesh.body))
         return false;
@@ -239,21 +228,18 @@ bool height_field_place(struct reader *reader, struct scene_part *part)
 static bool read_words(struct height_field *field)
 {
     struct reader *reader = field->reader;
-
-    for (;;) {
+    for (;;)
         if (reader_accept(reader, "smooth"))
             field->smooth = true;
         else if (!reader_accept(reader, "water_level"))
             return true;
         else if (!read_number(reader, &field->water))
             return false;
-    }
 }
 
 static bool add_mesh(const struct height_field *field, struct scene_object *object)
 {
     struct scene_part *part;
-
     if (!mesh_object_add(field->reader, object, &field->triangles, field->at,
                          "the height_field is below its water_level"))
         return false;
@@ -269,7 +255,6 @@ bool height_field_read(struct reader *reader, struct scene_object *object,
     struct height_field field = { .reader = reader, .at = at };
     bool done = heights_read(reader, &field.heights) && read_words(&field)
                 && make_triangles(&field) && add_mesh(&field, object);
-
     free(field.heights.list);
     return done;
 }

@@ -63,7 +63,6 @@ static uint32_t brightness(const float color[3])
 {
     double sum = .297 * (double)color[0] + .589 * (double)color[1]
                  + .114 * (double)color[2];
-
     return (uint32_t)(sum * UINT16_MAX);
 }
 
@@ -77,7 +76,6 @@ struct pixels {
 static uint32_t grey_height(const struct pixels *pixels, uint32_t sample)
 {
     uint32_t most = pixels->raster.most;
-
     if (pixels->kind == RASTER_PNG && most == UINT8_MAX && pixels->raster.channels == 1)
         return 257 * grey_png_steps((float)sample / (float)most);
     return (uint32_t)((uint64_t)sample * UINT16_MAX / most);
@@ -87,7 +85,6 @@ static uint32_t color_height(const struct pixels *pixels, const uint16_t *sample
 {
     uint32_t most = pixels->raster.most;
     float color[3];
-
     if (pixels->coarse)
         return 256u * (sample[0] & COARSE) + (sample[1] & COARSE);
     if (most <= UINT8_MAX)
@@ -101,7 +98,6 @@ static uint32_t pixel_height(const struct pixels *pixels, size_t i)
 {
     const struct raster *raster = &pixels->raster;
     const uint16_t *sample = raster->samples + i * raster->channels;
-
     if (pixels->numbers)
         return 256u * sample[0];
     return raster->channels < 3 ? grey_height(pixels, *sample)
@@ -111,7 +107,6 @@ static uint32_t pixel_height(const struct pixels *pixels, size_t i)
 static void cut_to_bytes(struct raster *raster)
 {
     size_t count = raster->width * raster->height * raster->channels;
-
     for (size_t i = 0; i < count && raster->most > UINT8_MAX; i++)
         raster->samples[i] >>= 8;
     raster->most = UINT8_MAX;
@@ -123,7 +118,6 @@ static bool take_pixels(struct reader *reader, const struct scene_token *at,
 {
     struct raster *raster = &pixels->raster;
     size_t columns = raster->width, rows = raster->height;
-
     if (!check_size(reader, at, (double)columns, (double)rows)
         || !allocate(reader, heights, columns, rows))
         return false;
@@ -142,7 +136,6 @@ static bool read_pixels(struct reader *reader, const struct image_file *file,
                         char *bytes, struct pixels *pixels)
 {
     size_t length = file->source->length;
-
     pixels->kind = file->kind;
     pixels->coarse = pixels->kind == RASTER_TGA && length > TGA_BITS
                      && (bytes[TGA_BITS] == 15 || bytes[TGA_BITS] == 16);
@@ -160,7 +153,6 @@ static bool take_file(struct reader *reader, const struct image_file *file,
     struct pixels pixels = { .coarse = false };
     char *bytes = malloc(source->length + 1);
     bool done;
-
     if (!bytes)
         return reader_no_memory(reader);
     memcpy(bytes, source->text, source->length);
@@ -174,7 +166,6 @@ static bool take_file(struct reader *reader, const struct image_file *file,
 static bool read_image(struct reader *reader, struct heights *heights)
 {
     struct image_file file;
-
     return image_file_read(reader, "the kind of an image, its name, or 'function'",
                            &file)
            && take_file(reader, &file, heights);
@@ -203,7 +194,6 @@ static bool take_values(struct reader *reader, const struct scene_token *at,
                         const struct formula *formula, struct heights *heights)
 {
     size_t columns = heights->columns, rows = heights->rows;
-
     for (size_t i = 0; i < columns * rows; i++) {
         size_t x = i % columns, z = i / columns;
         double place[3] = { (double)x / (double)(columns - 1),
@@ -230,7 +220,6 @@ static bool read_function(struct reader *reader, struct heights *heights)
     struct scene_token at = reader->token;
     const struct formula *formula;
     double columns, rows;
-
     if (!read_size(reader, &columns) || !read_size(reader, &rows)
         || !check_size(reader, &at, columns, rows))
         return false;

@@ -20,7 +20,6 @@ static const struct image_word {
 const char *image_kind_unsupported(const struct reader *reader)
 {
     const struct image_word *word = TOKEN_ROW(&reader->token, image_words);
-
     return word && word->kind == RASTER_KINDS ? word->word : NULL;
 }
 
@@ -29,7 +28,6 @@ static bool find_file(struct reader *reader, const struct image_word *word,
                       const char *name, struct image_file *file)
 {
     const struct scene_source *source = reader_find(reader, &file->at, name, false);
-
     if (!source)
         return false;
     if (source->length == 0)
@@ -48,7 +46,6 @@ bool image_file_read(struct reader *reader, const char *expected,
     const struct image_word *word = TOKEN_ROW(&reader->token, image_words);
     char *name;
     bool done;
-
     if (word && word->kind == RASTER_KINDS)
         return reader_fault(reader, &reader->token,
                             "images of the kind '%s' are not supported", word->word);
@@ -69,7 +66,6 @@ bool image_file_pixels(struct reader *reader, const struct image_file *file,
 {
     raster_reader *reads = reader->options ? reader->options->read_raster : NULL;
     c205_error error;
-
     return raster_read(file->kind, bytes, file->source->length, reads, raster, &error)
            || reader_fault(reader, &file->at, "cannot read the image: %s",
                            error.message);

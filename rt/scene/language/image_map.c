@@ -36,7 +36,6 @@ static double *decode(struct reader *reader, const struct raster *raster,
                     && raster->most == UINT8_MAX;
     double *light = arena_take(&reader->scene->kept,
                                (raster->most + 1) * sizeof *light);
-
     for (uint32_t i = 0; light && i <= raster->most; i++) {
         double share = (double)i / (double)raster->most;
         light[i] = transfer_light(transfer, share, gamma);
@@ -52,7 +51,6 @@ static bool take_samples(struct reader *reader, const struct raster *raster,
 {
     size_t pixels = raster->width * raster->height, n = raster->channels;
     uint16_t *samples = arena_take(&reader->scene->kept, 3 * pixels * sizeof *samples);
-
     if (!samples)
         return reader_no_memory(reader);
     for (size_t i = 0; i < pixels; i++) {
@@ -71,7 +69,6 @@ static bool check_size(struct reader *reader, const struct raster *raster,
                        const struct scene_token *at)
 {
     size_t pixels = raster->width * raster->height;
-
     if (reader->scene->image_count == MAX_IMAGES)
         return reader_fault(reader, at, "more than %d images", MAX_IMAGES);
     if (pixels > MAX_IMAGE_PIXELS - reader->image_pixels)
@@ -105,7 +102,6 @@ static const struct kept_image *new_image(struct reader *reader,
     struct kept_image *kept = arena_take(&reader->scene->kept, sizeof *kept);
     struct raster raster = { 0 };
     bool done;
-
     if (!kept) {
         reader_no_memory(reader);
         return NULL;
@@ -125,7 +121,6 @@ static const struct kept_image *image_of(struct reader *reader,
 {
     const struct transfer_function *transfer = &reading->transfer;
     const struct kept_image *kept = reader->images;
-
     while (kept
            && (kept->source != reading->file.source
                || kept->transfer.kind != transfer->kind
@@ -142,7 +137,6 @@ static bool read_type(struct reader *reader, const struct item *item)
     static const int types[IMAGE_MAPPINGS] = { 0, 1, 2, 5 };
     struct image_reading *reading = item->subject;
     double type;
-
     if (!read_number(reader, &type))
         return false;
     for (int i = 0; i < IMAGE_MAPPINGS; i++)
@@ -160,7 +154,6 @@ static bool read_sampling(struct reader *reader, const struct item *item)
 {
     struct image_reading *reading = item->subject;
     double number;
-
     if (!read_number(reader, &number))
         return false;
     number = trunc(number);
@@ -177,7 +170,6 @@ static bool read_gamma(struct reader *reader, const struct item *item)
 {
     struct image_reading *reading = item->subject;
     struct transfer_function *transfer = &reading->transfer;
-
     reading->transfer_given = true;
     *transfer = (struct transfer_function){ TRANSFER_SRGB, 1 };
     if (reader_accept(reader, "srgb"))
@@ -222,7 +214,6 @@ static const struct grammar grammar = { "a keyword of image_map", .tables = { wo
 static void show(const struct image_map *map, struct pigment *pigment)
 {
     const struct image_table *table = map->table;
-
     pigment->kind = PIGMENT_IMAGE;
     pigment->image = *map;
     for (int i = 0; i < 3; i++) {
@@ -240,7 +231,6 @@ static struct transfer_function default_transfer(const struct reader *reader,
 {
     const struct scene_source *source = file->source;
     bool before = reader_is_before(reader, 3.7);
-
     if (before && reader->scene->assumed_gamma == 0)
         return (struct transfer_function){ TRANSFER_NONE, 1 };
     return transfer_of(file->kind, source->text, source->length,
@@ -251,7 +241,6 @@ static bool take_image(struct reader *reader, struct image_reading *reading,
                        struct pigment *pigment)
 {
     const struct kept_image *kept;
-
     if (!reading->transfer_given)
         reading->transfer = default_transfer(reader, &reading->file);
     kept = image_of(reader, reading);
@@ -270,7 +259,6 @@ static bool read_way(struct reader *reader)
     static const double usual[3] = { 1, -1, 0 };
     struct scene_token at = reader->token;
     double way[3];
-
     if (!starts_expression(reader))
         return true;
     if (!read_vector(reader, way))
@@ -302,7 +290,6 @@ bool image_map_read(struct reader *reader, const struct item *item)
     const char *other;
     struct block block;
     bool good;
-
     if (!block_open(reader, &block, '{'))
         return false;
     good = read_way(reader);

@@ -16,7 +16,6 @@ bool item_number(struct reader *reader, const struct item *item)
 bool item_above_0(struct reader *reader, const struct item *item)
 {
     const double *number = item_member(item);
-
     return item_number(reader, item)
            && (*number > 0
                || reader_fault(reader, &item->at, "%.*s must be above 0",
@@ -26,7 +25,6 @@ bool item_above_0(struct reader *reader, const struct item *item)
 bool item_number_or_1(struct reader *reader, const struct item *item)
 {
     double *number = item_member(item);
-
     *number = 1;
     return !starts_expression(reader) || read_number(reader, number);
 }
@@ -44,7 +42,6 @@ bool item_rgb(struct reader *reader, const struct item *item)
 bool item_flag(struct reader *reader, const struct item *item)
 {
     bool *flag = item_member(item);
-
     (void)reader;
     return *flag = true;
 }

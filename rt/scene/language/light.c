@@ -14,7 +14,6 @@ enum { TIGHTNESS_LEAST = -100 };
 static void set_member(const struct item *item, const void *value, size_t size)
 {
     const struct scene_object *object = item->subject;
-
     for (size_t i = 0; i < object->light_count; i++)
         memcpy((char *)&object->lights[i] + item->keyword->detail, value, size);
 }
@@ -24,7 +23,6 @@ static void set_member(const struct item *item, const void *value, size_t size)
 static bool read_shadowless(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
-
     (void)reader;
     for (size_t i = 0; i < object->light_count; i++) {
         object->lights[i].shadowless = true;
@@ -38,7 +36,6 @@ static bool read_looks_like(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject, look = { 0 };
     bool done;
-
     if (!object->light_count)
         return false;
     done = looks_like_read(reader, &look, object->lights[0].position);
@@ -56,11 +53,9 @@ static bool read_beam(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
     bool cone = item->keyword->detail == BEAM_CONE;
-
     (void)reader;
     for (size_t i = 0; i < object->light_count; i++) {
         struct light *light = &object->lights[i];
-
         light->shadowless = false;
         light->beam = cone ? BEAM_CONE : BEAM_CYLINDER;
         light->parallel = light->parallel || !cone;
@@ -74,7 +69,6 @@ static bool read_beam(struct reader *reader, const struct item *item)
 static bool read_flag(struct reader *reader, const struct item *item)
 {
     bool on = true;
-
     (void)reader;
     set_member(item, &on, sizeof on);
     return true;
@@ -83,7 +77,6 @@ static bool read_flag(struct reader *reader, const struct item *item)
 static bool read_point_at(struct reader *reader, const struct item *item)
 {
     double point[3];
-
     if (!read_vector(reader, point))
         return false;
     set_member(item, point, sizeof point);
@@ -93,7 +86,6 @@ static bool read_point_at(struct reader *reader, const struct item *item)
 static bool read_fading(struct reader *reader, const struct item *item)
 {
     double number;
-
     if (!read_number(reader, &number))
         return false;
     set_member(item, &number, sizeof number);
@@ -104,7 +96,6 @@ static bool read_fading(struct reader *reader, const struct item *item)
 static bool read_measure(struct reader *reader, const struct item *item)
 {
     const struct scene_object *object = item->subject;
-
     for (size_t i = 0; i < object->light_count; i++)
         if (object->lights[i].beam == BEAM_NONE)
             return reader_fault(reader, &item->at,
@@ -117,7 +108,6 @@ static bool read_measure(struct reader *reader, const struct item *item)
 static bool read_side(struct reader *reader, const struct item *item, size_t *size)
 {
     double number;
-
     reader_comma(reader);
     if (!read_number(reader, &number))
         return false;
@@ -135,7 +125,6 @@ static bool read_area(struct reader *reader, const struct item *item)
     struct scene_object *object = item->subject;
     double axes[2][3];
     size_t size[2] = { 0, 0 };
-
     if (!read_vectors(reader, axes, 2) || !read_side(reader, item, &size[0])
         || !read_side(reader, item, &size[1]))
         return false;
@@ -178,7 +167,6 @@ static const struct grammar grammar = { "a keyword of light_source",
 static bool read_point(struct reader *reader, struct scene_object *object)
 {
     struct light light = { .point_at = { 0, 0, 1 } }; /* POV-Ray's default */
-
     if (!read_vector(reader, light.position))
         return false;
     reader_comma(reader);
@@ -194,7 +182,6 @@ static bool check_beams(struct reader *reader, const struct scene_object *object
     for (size_t i = 0; i < object->light_count; i++) {
         const struct light *light = &object->lights[i];
         double way[3];
-
         subtract3(light->point_at, light->position, way);
         if ((light->beam != BEAM_NONE || light->parallel) && !(length3(way) > 0))
             return reader_fault(reader, at,
@@ -216,7 +203,6 @@ static bool check_areas(struct reader *reader, const struct scene_object *object
     for (size_t i = 0; i < object->light_count; i++) {
         const struct light *light = &object->lights[i];
         const size_t *size = light->area_size;
-
         if (light->circular && (size[0] == 1 || size[1] == 1))
             return reader_fault(reader, at,
                                 "a circular area_light must have at least 2 points "
@@ -232,7 +218,6 @@ static void leave_out_areas(struct reader *reader, struct scene_object *object,
 {
     for (size_t i = 0; i < object->light_count; i++) {
         struct light *light = &object->lights[i];
-
         if (light->parallel && light->area_size[0] > 0) {
             light->area_size[0] = light->area_size[1] = 0;
             reader_report(reader, at,
@@ -247,7 +232,6 @@ bool light_read(struct reader *reader, struct scene_object *object)
     const struct scene_value *value;
     struct block block;
     bool good;
-
     if (!block_open(reader, &block, '{'))
         return false;
     value = reader_value_of(reader, VALUE_OBJECT);

@@ -37,14 +37,12 @@ static bool begin_turn(struct reader *reader, struct scene_condition *loop)
 {
     double value = 0;
     bool good = condition_read(reader, &value) && same_frame(reader, loop);
-
     return turn(reader, loop, good, condition_holds(value));
 }
 
 bool loop_while(struct reader *reader, const struct item *item)
 {
     struct scene_condition *loop = condition_push(reader, CONDITION_WHILE, &item->at);
-
     if (!loop)
         return condition_leave_out(reader, &item->at);
     loop->again = reader->token.place;
@@ -61,7 +59,6 @@ static bool set_variable(struct reader *reader, const struct scene_token *name,
     size_t level = reader->lexer.depth;
     struct declared_name *symbol = symbols_find_at(&reader->symbols, level, name->text,
                                                    name->length);
-
     return reader_check(reader, name,
                         symbols_assign(&reader->symbols, symbol, level, name, &value));
 }
@@ -71,7 +68,6 @@ static bool get_variable(struct reader *reader, const struct scene_token *name,
                          double *number)
 {
     struct scene_token found = *name;
-
     if (!reader_look_up(reader, &found) || found.value->kind != VALUE_NUMBERS
         || found.value->is.numbers.count != 1)
         return reader_fault(reader, name,
@@ -89,7 +85,6 @@ static bool is_past(const struct scene_condition *loop, double value)
 static bool read_step(struct reader *reader, double *step)
 {
     struct scene_token at = reader->token;
-
     *step = 1;
     if (!reader_accept_sign(reader, ','))
         return true;
@@ -120,7 +115,6 @@ bool loop_for(struct reader *reader, const struct item *item)
     double start = 0;
     size_t sealed;
     bool good;
-
     if (!loop)
         return condition_leave_out(reader, &item->at);
     sealed = condition_seal(reader);
@@ -136,7 +130,6 @@ static bool next_turn(struct reader *reader, struct scene_condition *loop)
     double value = 0;
     bool good = get_variable(reader, &loop->name, &value)
                 && set_variable(reader, &loop->name, value + loop->step);
-
     return good && !is_past(loop, value + loop->step);
 }
 
@@ -145,7 +138,6 @@ static bool next_turn(struct reader *reader, struct scene_condition *loop)
 bool loop_end(struct reader *reader, struct scene_condition *loop)
 {
     bool is_for = loop->kind == CONDITION_FOR;
-
     if (!may_go_on(reader, loop) || (is_for && !next_turn(reader, loop))) {
         reader->condition_count--;
         return true;

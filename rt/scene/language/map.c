@@ -17,7 +17,6 @@ bool map_read(struct reader *reader, const struct map_kind *kind, void *map)
     struct block block;
     size_t room = 0;
     bool good = true;
-
     if (!block_open(reader, &block, '{'))
         return false;
     named = reader_use(reader, kind->kind);
@@ -40,7 +39,6 @@ static bool read_entry(struct reader *reader, body_reader *body, void *subject)
     struct block entry;
     bool good = true, more;
     double at;
-
     if (!block_open(reader, &entry, '['))
         return false;
     for (more = starts_expression(reader) && !starts_color(reader); good && more;
@@ -60,7 +58,6 @@ bool map_first(struct reader *reader, enum scene_value_kind kind, body_reader *b
     const struct scene_value *value;
     struct block map;
     bool good;
-
     if (!block_open(reader, &map, '{'))
         return false;
     value = reader_use(reader, kind);

@@ -49,7 +49,6 @@ typedef bool row_reader(struct reader *reader, struct mesh2_reading *mesh);
 static bool read_into(struct reader *reader, struct section_vectors *vectors)
 {
     double vector[3];
-
     if (!read_vector(reader, vector))
         return false;
     if (!array_add(&vectors->list, &vectors->count, vector, sizeof vector))
@@ -67,7 +66,6 @@ static bool read_normal(struct reader *reader, struct mesh2_reading *mesh)
 {
     struct section_vectors *normals = &mesh->vectors[SECTION_NORMALS];
     struct scene_token at = reader->token;
-
     if (!read_into(reader, normals))
         return false;
     mesh_direct(reader, &at, normals->list[normals->count - 1]);
@@ -77,7 +75,6 @@ static bool read_normal(struct reader *reader, struct mesh2_reading *mesh)
 static bool read_texture(struct reader *reader, struct mesh2_reading *mesh)
 {
     struct texture texture = reader->default_texture;
-
     if (!reader_accept(reader, "texture"))
         return reader_expected(reader, "a texture");
     if (!texture_read(reader, &texture))
@@ -96,7 +93,6 @@ static bool take_index(struct reader *reader, const struct mesh2_reading *mesh,
                        size_t count, size_t *index)
 {
     double whole = trunc(number);
-
     if (whole >= 0 && whole < (double)count) {
         *index = (size_t)whole;
         return true;
@@ -112,7 +108,6 @@ static bool read_indices(struct reader *reader, const struct mesh2_reading *mesh
 {
     struct scene_token at = reader->token;
     double numbers[3];
-
     if (!read_vector(reader, numbers))
         return false;
     for (int i = 0; i < 3; i++)
@@ -127,7 +122,6 @@ static bool read_indices(struct reader *reader, const struct mesh2_reading *mesh
 static bool at_float(const struct reader *reader)
 {
     const struct scene_value *value = reader_value_of(reader, VALUE_NUMBERS);
-
     if (value)
         return value->is.numbers.count == 1;
     return starts_expression(reader) && !reader_at_sign(reader, '<');
@@ -138,7 +132,6 @@ static bool read_look(struct reader *reader, struct mesh2_reading *mesh)
     struct scene_token at = reader->token;
     double number;
     size_t index = 0;
-
     if (!read_number(reader, &number)
         || !take_index(reader, mesh, &at, "texture", number, mesh->texture_count,
                        &index))
@@ -152,7 +145,6 @@ static bool read_look(struct reader *reader, struct mesh2_reading *mesh)
 static bool read_looks(struct reader *reader, struct mesh2_reading *mesh)
 {
     int count = 0;
-
     for (; count < 3 && at_float(reader); count++)
         if (!read_look(reader, mesh))
             return false;
@@ -165,7 +157,6 @@ static void take_normals(const struct mesh2_reading *mesh, const size_t indices[
                          struct triangle *triangle)
 {
     const struct section_vectors *normals = &mesh->vectors[SECTION_NORMALS];
-
     for (int i = 0; i < 3; i++)
         memcpy(triangle->normals[i], normals->list[indices[i]],
                sizeof triangle->normals[i]);
@@ -180,7 +171,6 @@ static bool read_face(struct reader *reader, struct mesh2_reading *mesh)
     struct scene_token at = reader->token;
     struct triangle triangle = { .smooth = false };
     size_t indices[3];
-
     if (at_float(reader))
         return reader_expected(reader, "the three vertices of a face");
     if (!read_indices(reader, mesh, "vertex", vertices->count, indices))
@@ -197,7 +187,6 @@ static bool read_face(struct reader *reader, struct mesh2_reading *mesh)
 static bool read_uv_index(struct reader *reader, struct mesh2_reading *mesh)
 {
     size_t count = mesh->vectors[SECTION_UVS].count, ignored[3];
-
     return read_indices(reader, mesh, "uv vector", count ? count : 1, ignored);
 }
 
@@ -206,7 +195,6 @@ static bool read_normal_index(struct reader *reader, struct mesh2_reading *mesh)
 {
     struct triangles *triangles = &mesh->mesh.triangles;
     size_t indices[3];
-
     if (!read_indices(reader, mesh, "normal", mesh->vectors[SECTION_NORMALS].count,
                       indices))
         return false;
@@ -241,7 +229,6 @@ static bool check_order(struct reader *reader, const struct mesh2_reading *mesh,
                         enum section section, const struct scene_token *at)
 {
     const struct section_rule *rule = &rules[section];
-
     if (mesh->given[section])
         return reader_fault(reader, at, "'%s' is already defined in this mesh2",
                             rule->word);
@@ -264,7 +251,6 @@ static bool check_count(struct reader *reader, const struct mesh2_reading *mesh,
     bool fits = section == SECTION_UV_INDICES       ? count == faces
                 : section == SECTION_NORMAL_INDICES ? count <= faces
                                                     : true;
-
     return fits || mesh->faulty
            || reader_fault(reader, at, "%zu '%s' cannot match %zu face%s", count,
                            rules[section].word, faces, plural(faces));
@@ -276,7 +262,6 @@ static bool read_count(struct reader *reader, const struct mesh2_reading *mesh,
     const struct section_rule *rule = &rules[section];
     struct scene_token at = reader->token;
     double number;
-
     if (!read_number(reader, &number))
         return false;
     reader_comma(reader);
@@ -294,7 +279,6 @@ static bool read_rows(struct reader *reader, struct mesh2_reading *mesh,
                       enum section section)
 {
     size_t count = 0;
-
     if (!read_count(reader, mesh, section, &count))
         return false;
     for (mesh->row = 0; mesh->row < count; mesh->row++) {
@@ -317,7 +301,6 @@ static bool read_block(struct reader *reader, struct mesh2_reading *mesh,
                        enum section section)
 {
     struct block block;
-
     mesh->section = section;
     mesh->given[section] = true;
     mesh->rank = rules[section].rank;
@@ -335,7 +318,6 @@ static bool read_section(struct reader *reader, const struct item *item)
     struct mesh2_reading *mesh = item->subject;
     bool done = check_order(reader, mesh, section, &item->at)
                 && read_block(reader, mesh, section);
-
     mesh->faulty |= !done;
     return done;
 }
@@ -343,7 +325,6 @@ static bool read_section(struct reader *reader, const struct item *item)
 static bool read_inside(struct reader *reader, const struct item *item)
 {
     struct mesh2_reading *mesh = item->subject;
-
     mesh->rank = RANK_INSIDE;
     mesh->last = item->keyword->words;
     return read_inside_vector(reader, item);
@@ -369,7 +350,6 @@ static bool check_indices(struct reader *reader, const struct mesh2_reading *mes
 {
     size_t count = mesh->vectors[of].count;
     size_t vertices = mesh->vectors[SECTION_VERTICES].count;
-
     return mesh->given[indices] || count <= most || count == vertices
            || reader_fault(reader, &mesh->mesh.at,
                            "'%s' is missing: there are %zu '%s', but %zu vertices",
@@ -379,7 +359,6 @@ static bool check_indices(struct reader *reader, const struct mesh2_reading *mes
 static bool check_sections(struct reader *reader, const struct mesh2_reading *mesh)
 {
     static const enum section needed[] = { SECTION_VERTICES, SECTION_FACES };
-
     for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
         if (!mesh->given[needed[i]])
             return reader_fault(reader, &mesh->mesh.at, "'%s' is missing",
@@ -394,7 +373,6 @@ bool mesh2_read(struct reader *reader, struct scene_object *object,
     struct mesh2_reading mesh;
     struct block block;
     bool good;
-
     memset(&mesh, 0, sizeof mesh);
     good = mesh_begin(reader, &mesh.mesh, item) && block_open(reader, &block, '{')
            && block_items(reader, &block, &grammar, &mesh, true)

@@ -37,7 +37,6 @@ static bool read_function(struct reader *reader, const struct item *item)
     struct bump_list *list = &reading->list;
     struct bump *bump = &list->bump;
     size_t count;
-
     pattern_begin(&bump->pattern, (enum pattern_function)item->keyword->detail);
     list->average = false;
     if (item->keyword->detail == PATTERN_QUILTED) {
@@ -64,7 +63,6 @@ static bool read_average(struct reader *reader, const struct item *item)
 {
     struct normal_reading *reading = item->subject;
     bool good = read_function(reader, item);
-
     reading->list.average = true;
     return good;
 }
@@ -88,7 +86,6 @@ static bool read_unsupported(struct reader *reader, const struct item *item)
 {
     struct normal_reading *reading = item->subject;
     struct bump_list *list = &reading->list;
-
     reader_report(reader, &item->at,
                   "a normal of the pattern '%.*s' is not supported and is ignored",
                   ITEM_WORD(item));
@@ -102,7 +99,6 @@ static bool read_unsupported(struct reader *reader, const struct item *item)
 static bool read_accuracy(struct reader *reader, const struct item *item)
 {
     const double *accuracy = item_member(item);
-
     return item_number(reader, item)
            && (*accuracy != 0
                || reader_fault(reader, &item->at, "the accuracy must not be 0"));
@@ -137,7 +133,6 @@ bool normal_body(struct reader *reader, const struct block *block, void *subject
 {
     const struct scene_value *value = reader_use(reader, VALUE_NORMAL);
     struct normal_reading *reading = subject;
-
     if (value) {
         normal_begin(reading, &value->is.bumps);
         reader_next(reader);
@@ -165,7 +160,6 @@ bool normal_read(struct reader *reader, struct bumps *bumps)
 {
     struct normal_reading reading;
     struct block block;
-
     normal_begin(&reading, bumps);
     return block_open(reader, &block, '{') && normal_body(reader, &block, &reading)
            && keep(reader, &reading, bumps);

@@ -29,7 +29,6 @@ static bool read_slope(struct reader *reader, void *map, size_t *room)
     double slope[3];
     struct block entry;
     bool good;
-
     if (!map_has_room(reader, count) || !block_open(reader, &entry, '['))
         return false;
     good = read_place(reader, count, count > 0 ? bump->stops[count - 1].at : 0,
@@ -47,7 +46,6 @@ static bool read_slope(struct reader *reader, void *map, size_t *room)
 static void take_slopes(void *map, const struct scene_value *named)
 {
     struct bump *bump = map;
-
     bump->stop_count = named->is.bump.stop_count;
     bump->stops = named->is.bump.stops;
 }
@@ -55,7 +53,6 @@ static void take_slopes(void *map, const struct scene_value *named)
 bool slope_map_read(struct reader *reader, struct bump *bump)
 {
     static const struct map_kind slopes = { VALUE_SLOPE_MAP, take_slopes, read_slope };
-
     bump->stop_count = 0;
     return map_read(reader, &slopes, bump);
 }
@@ -73,7 +70,6 @@ static bool has_place(struct reader *reader, const struct normal_reading *readin
 bool read_slope_map(struct reader *reader, const struct item *item)
 {
     struct normal_reading *reading = item->subject;
-
     if (!has_place(reader, reading, item))
         return false;
     reading->list.count = 0;
@@ -88,7 +84,6 @@ static void take_entry(struct reader *reader, const struct normal_reading *from,
                        const struct scene_token *at, struct bump *bump)
 {
     const struct bump_list *list = &from->list;
-
     *bump = list->bump;
     if (from->unscaled)
         reader_report(reader, at,
@@ -117,7 +112,6 @@ static bool read_entry(struct reader *reader, void *map, size_t *room)
     struct bump_entry entry = { .at = 1 };
     struct normal_reading reading;
     struct block block;
-
     if (!map_has_room(reader, count) || !block_open(reader, &block, '['))
         return false;
     begin_entry(reader, &reading);
@@ -137,7 +131,6 @@ static bool read_entry(struct reader *reader, void *map, size_t *room)
 static void take_normals(void *map, const struct scene_value *named)
 {
     struct bump_list *list = map;
-
     list->count = named->is.bump_list.count;
     list->entries = named->is.bump_list.entries;
 }
@@ -146,7 +139,6 @@ bool normal_map_read(struct reader *reader, struct bump_list *list)
 {
     static const struct map_kind normals = { VALUE_NORMAL_MAP, take_normals,
                                              read_entry };
-
     list->count = 0;
     return map_read(reader, &normals, list);
 }
@@ -154,7 +146,6 @@ bool normal_map_read(struct reader *reader, struct bump_list *list)
 bool read_normal_map(struct reader *reader, const struct item *item)
 {
     struct normal_reading *reading = item->subject;
-
     if (!has_place(reader, reading, item))
         return false;
     reading->list.bump.stop_count = 0;
@@ -167,14 +158,12 @@ bool normal_list_read(struct reader *reader, struct normal_reading *reading,
                       size_t count)
 {
     struct bump_entry entries[MAX_LISTED];
-
     if (!is_token(&reader->token, "normal"))
         return true;
     for (size_t i = 0; i < count; i++) {
         struct normal_reading entry;
         struct scene_token at = reader->token;
         struct block block;
-
         if (!reader_accept(reader, "normal"))
             return reader_expected(reader, "a normal");
         begin_entry(reader, &entry);

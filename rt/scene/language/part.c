@@ -24,7 +24,6 @@ static bool read_value(struct reader *reader, const struct item *item)
     const char *part = item->subject, *word = item->at.text;
     char name[MAX_NAME + 20];
     double value;
-
     if (!read_number(reader, &value))
         return false;
     snprintf(name, sizeof name, "%s_%c%.*s", part, toupper((int)word[0]),
@@ -44,7 +43,6 @@ static bool read_name(struct reader *reader, char name[MAX_NAME + 1])
     struct scene_token at = reader->token;
     char *string;
     bool good;
-
     if (!starts_string(reader))
         return reader_expected(reader, "the name of the part as a string");
     if (!string_read(reader, &string))
@@ -65,7 +63,6 @@ bool part_read(struct reader *reader, const struct item *item)
     struct block block;
     char name[MAX_NAME + 1] = "";
     bool good;
-
     if (!block_open(reader, &block, '{'))
         return false;
     good = read_name(reader, name);

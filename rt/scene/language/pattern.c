@@ -20,7 +20,6 @@ static bool read_listed(struct reader *reader, struct pigment *pigment,
                         const struct numbers *unless, size_t count)
 {
     struct numbers colors[MAX_LISTED];
-
     for (size_t i = 0; i < count; i++)
         colors[i] = unless[i];
     pigment->pattern.frequency = 0;
@@ -31,7 +30,6 @@ static bool read_listed(struct reader *reader, struct pigment *pigment,
 void pattern_begin(struct pigment *pigment, enum pattern_function function)
 {
     struct pattern *pattern = &pigment->pattern;
-
     pigment->kind = PIGMENT_PATTERN;
     pattern->function = function;
     if (function == PATTERN_BRICK) {
@@ -45,7 +43,6 @@ void pattern_begin(struct pigment *pigment, enum pattern_function function)
 bool pattern_read(struct reader *reader, const struct item *item)
 {
     struct pigment *pigment = item->subject;
-
     pattern_begin(pigment, (enum pattern_function)item->keyword->detail);
     switch (pigment->pattern.function) {
     case PATTERN_BRICK: return read_listed(reader, pigment, bricks, 2);
@@ -57,7 +54,6 @@ bool pattern_read(struct reader *reader, const struct item *item)
 bool checker_read(struct reader *reader, const struct item *item)
 {
     struct pigment *pigment = item->subject;
-
     pigment->kind = PIGMENT_CHECKER;
     return read_listed(reader, pigment, checkers, 2);
 }
@@ -65,7 +61,6 @@ bool checker_read(struct reader *reader, const struct item *item)
 static bool read_wave(struct reader *reader, const struct item *item)
 {
     struct pattern *pattern = &((struct pigment *)item->subject)->pattern;
-
     pattern->wave = (enum pattern_wave)item->keyword->detail;
     if (pattern->wave != WAVE_POLY || !starts_expression(reader))
         return true;
@@ -79,7 +74,6 @@ static bool read_wave(struct reader *reader, const struct item *item)
 static bool read_brick_size(struct reader *reader, const struct item *item)
 {
     double *size = ((struct pigment *)item->subject)->pattern.brick_size;
-
     if (!read_vector(reader, size))
         return false;
     for (int i = 0; i < 3; i++)
@@ -113,7 +107,6 @@ static void finish_checker(struct pigment *pigment)
 {
     for (int i = 0; i < 2; i++) {
         struct color_stop listed = pigment_listed(pigment, (size_t)i);
-
         copy3(listed.color, pigment->color[i]);
         pigment->filter[i] = listed.filter;
         pigment->transmit[i] = listed.transmit;
@@ -128,7 +121,6 @@ bool pattern_finish(struct reader *reader, struct pigment *pigment,
     struct pattern *pattern = &pigment->pattern;
     bool round = pigment->kind == PIGMENT_PATTERN
                  && pattern->function == PATTERN_RADIAL;
-
     if (pigment->kind == PIGMENT_CHECKER)
         finish_checker(pigment);
     if (!pigment_has_map(pigment))

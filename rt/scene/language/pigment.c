@@ -11,7 +11,6 @@ static const double black[COLOR_TERMS];
 static bool read_quick_color(struct reader *reader, const struct item *item)
 {
     struct numbers ignored;
-
     (void)item;
     return read_color(reader, &ignored);
 }
@@ -38,7 +37,6 @@ static void set_color(struct pigment *pigment, int which,
 static bool read_term(struct reader *reader, struct pigment *pigment, int which)
 {
     struct numbers color;
-
     if (!read_color(reader, &color))
         return false;
     set_color(pigment, which, color.n);
@@ -49,7 +47,6 @@ static bool read_color_word(struct reader *reader, const struct item *item)
 {
     struct pigment *pigment = item->subject;
     struct numbers color;
-
     if (!read_color_after(reader, &item->at, &color))
         return false;
     pigment->kind = PIGMENT_COLOR;
@@ -61,7 +58,6 @@ static bool read_nested(struct reader *reader, struct numbers *color)
 {
     struct pigment pigment = reader->default_texture.pigment;
     struct scene_token at = reader->token;
-
     reader_next(reader);
     if (!pigment_read(reader, &pigment))
         return false;
@@ -78,7 +74,6 @@ static bool read_nested(struct reader *reader, struct numbers *color)
 bool pigment_colors(struct reader *reader, struct numbers *colors, size_t count)
 {
     bool done = true;
-
     for (size_t i = 0; i < count && done; i++) {
         if (is_token(&reader->token, "pigment"))
             done = read_nested(reader, &colors[i]);
@@ -94,7 +89,6 @@ bool gradient_read(struct reader *reader, const struct item *item)
 {
     struct pigment *pigment = item->subject;
     double length;
-
     if (!read_vector(reader, pigment->axis))
         return false;
     length = length3(pigment->axis);
@@ -114,7 +108,6 @@ static bool read_pattern(struct reader *reader, const struct item *item)
     struct pigment *pigment = item->subject;
     struct pigment other;
     bool first = true;
-
     reader_report(
         reader, &item->at,
         "the pattern '%.*s' is not supported; its first colour is used instead",
@@ -140,7 +133,6 @@ bool pigment_map_read(struct reader *reader, struct pigment *pigment)
 static bool read_pigment_map(struct reader *reader, const struct item *item)
 {
     struct pigment *pigment = item->subject;
-
     if (pigment_has_map(pigment))
         reader_report(reader, &item->at,
                       "'pigment_map' is not supported; its first pigment "
@@ -171,7 +163,6 @@ bool pigment_body(struct reader *reader, const struct block *block, void *subjec
     const struct scene_value *value = reader_use(reader, VALUE_PIGMENT);
     struct pigment *pigment = subject;
     bool done = true;
-
     if (value) {
         *pigment = value->is.pigment;
         reader_next(reader);
@@ -186,6 +177,5 @@ bool pigment_body(struct reader *reader, const struct block *block, void *subjec
 bool pigment_read(struct reader *reader, struct pigment *pigment)
 {
     struct block block;
-
     return block_open(reader, &block, '{') && pigment_body(reader, &block, pigment);
 }

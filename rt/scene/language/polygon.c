@@ -77,7 +77,6 @@ static bool read_count(struct polygon *polygon)
     struct reader *reader = polygon->reader;
     struct scene_token at = reader->token;
     double number;
-
     if (!read_number(reader, &number))
         return false;
     if (number < POINTS_LEAST)
@@ -93,7 +92,6 @@ static bool read_points(struct polygon *polygon)
 {
     double way[3];
     size_t count;
-
     if (!read_count(polygon))
         return false;
     count = polygon->count;
@@ -141,10 +139,8 @@ static bool find_normal(const struct polygon *polygon, double normal[3])
 static bool is_flat(const struct polygon *polygon, const double normal[3])
 {
     double off = fmax(PLANE_SAME * polygon->size, polygon->rounding);
-
     for (size_t i = 1; i < polygon->count; i++) {
         double way[3];
-
         subtract3(polygon->points[i], polygon->points[0], way);
         if (!(fabs(dot3(way, normal)) <= off))
             return false;
@@ -155,7 +151,6 @@ static bool is_flat(const struct polygon *polygon, const double normal[3])
 static void choose_axes(struct polygon *polygon, const double normal[3])
 {
     int seen = 0;
-
     for (int i = 1; i < 3; i++)
         if (fabs(normal[i]) > fabs(normal[seen]))
             seen = i;
@@ -167,7 +162,6 @@ static void choose_axes(struct polygon *polygon, const double normal[3])
 static const char *find_plane(struct polygon *polygon)
 {
     double normal[3];
-
     if (!find_normal(polygon, normal))
         return "the polygon has no area, or one that is too small";
     scale3(1 / length3(normal), normal);
@@ -183,7 +177,6 @@ static void add_edge(struct polygon *polygon, const double *a, const double *b)
 {
     struct polygon_edge *edge = &polygon->edges[polygon->edge_count];
     bool rises = a[polygon->up] < b[polygon->up];
-
     if (a[polygon->up] == b[polygon->up])
         return;
     edge->low = rises ? a : b;
@@ -230,7 +223,6 @@ static int compare(double a, double b)
 static int compare_low_ends(const void *a, const void *b)
 {
     const struct polygon_edge *one = a, *other = b;
-
     return compare(one->from, other->from);
 }
 
@@ -238,7 +230,6 @@ static bool make_edges(struct polygon *polygon)
 {
     struct arena *arena = &polygon->arena;
     size_t count = polygon->count;
-
     polygon->edges = arena_take(arena, count * sizeof *polygon->edges);
     polygon->active = arena_take(arena, count * sizeof *polygon->active);
     if (!polygon->edges || !polygon->active)
@@ -255,7 +246,6 @@ static void point_at(const struct polygon *polygon, const struct polygon_edge *e
                      double height, double point[3])
 {
     double part = (height - edge->from) / (edge->to - edge->from);
-
     if (height == edge->from || height == edge->to) {
         copy3(height == edge->from ? edge->low : edge->high, point);
         return;
@@ -269,7 +259,6 @@ static double across_at(const struct polygon *polygon, const struct polygon_edge
                         double height)
 {
     double point[3];
-
     point_at(polygon, edge, height, point);
     return point[polygon->across];
 }
@@ -291,7 +280,6 @@ static bool add_crossing(struct polygon *polygon, const struct polygon_edge *a,
     double low = fmax(a->from, b->from), high = fmin(a->to, b->to);
     double below = across_at(polygon, a, low) - across_at(polygon, b, low);
     double above = across_at(polygon, a, high) - across_at(polygon, b, high);
-
     if (!((below < 0 && above > 0) || (below > 0 && above < 0)))
         return true;
     return reader_spend(polygon->reader, CROSSING_COST)
@@ -303,7 +291,6 @@ static bool add_crossings(struct polygon *polygon, size_t i)
 {
     const struct polygon_edge *edges = polygon->edges;
     size_t k = i + 1;
-
     for (; k < polygon->edge_count && edges[k].from < edges[i].to; k++)
         if (!add_crossing(polygon, &edges[i], &edges[k]))
             return false;
@@ -313,7 +300,6 @@ static bool add_crossings(struct polygon *polygon, size_t i)
 static int compare_heights(const void *a, const void *b)
 {
     const double *one = a, *other = b;
-
     return compare(*one, *other);
 }
 
@@ -322,7 +308,6 @@ static void sort_heights(struct polygon *polygon)
 {
     double *heights = polygon->heights;
     size_t kept = 0;
-
     if (!heights)
         return;
     qsort(heights, polygon->height_count, sizeof *heights, compare_heights);
@@ -348,7 +333,6 @@ static bool add_triangle(struct polygon *polygon, const double a[3], const doubl
                          const double c[3])
 {
     struct triangle triangle = { .smooth = false };
-
     copy3(a, triangle.corners[0]);
     copy3(b, triangle.corners[1]);
     copy3(c, triangle.corners[2]);
@@ -360,7 +344,6 @@ static bool add_triangle(struct polygon *polygon, const double a[3], const doubl
 static bool add_trapezoid(struct polygon *polygon, double low[2][3], double high[2][3])
 {
     double near = polygon->rounding;
-
     return (is_near(low[0], low[1], near)
             || add_triangle(polygon, low[0], low[1], high[1]))
            && (is_near(high[0], high[1], near)
@@ -372,7 +355,6 @@ static bool end_trapezoid(struct polygon *polygon, struct polygon_edge *left,
 {
     struct polygon_edge *right = left->right;
     double low[2][3], high[2][3];
-
     left->right = NULL;
     if (!right || height - left->since < polygon->rounding)
         return true;
@@ -388,7 +370,6 @@ static bool end_edges(struct polygon *polygon, double height)
 {
     struct polygon_edge **active = polygon->active;
     size_t kept = 0;
-
     for (size_t i = 0; i < polygon->active_count; i++) {
         bool ends = active[i]->to <= height;
         if (ends && !end_trapezoid(polygon, active[i], height))
@@ -403,7 +384,6 @@ static bool end_edges(struct polygon *polygon, double height)
 static void begin_edges(struct polygon *polygon, double height)
 {
     struct polygon_edge *edges = polygon->edges;
-
     for (; polygon->begun < polygon->edge_count && edges[polygon->begun].from <= height;
          polygon->begun++)
         polygon->active[polygon->active_count++] = &edges[polygon->begun];
@@ -416,7 +396,6 @@ static int compare_places(const void *a, const void *b)
     const struct polygon_edge *one = *(struct polygon_edge *const *)a;
     const struct polygon_edge *other = *(struct polygon_edge *const *)b;
     int order = compare(one->middle, other->middle);
-
     return order ? order : (one > other) - (one < other);
 }
 
@@ -424,7 +403,6 @@ static bool sort_active(struct polygon *polygon, double middle)
 {
     size_t count = polygon->active_count;
     struct polygon_edge **active = polygon->active;
-
     for (size_t i = 0; i < count; i++)
         active[i]->middle = across_at(polygon, active[i], middle);
     qsort(active, count, sizeof *active, compare_places);
@@ -436,7 +414,6 @@ static bool sort_active(struct polygon *polygon, double middle)
 static bool pair_edges(struct polygon *polygon, double height)
 {
     struct polygon_edge **active = polygon->active;
-
     for (size_t i = 0; i < polygon->active_count; i++) {
         struct polygon_edge *right = i % 2 == 0 ? active[i + 1] : NULL;
         if (active[i]->right == right)
@@ -453,7 +430,6 @@ static bool pair_edges(struct polygon *polygon, double height)
 static bool take_slab(struct polygon *polygon, size_t i)
 {
     double low = polygon->heights[i], high = polygon->heights[i + 1];
-
     begin_edges(polygon, low);
     return sort_active(polygon, low / 2 + high / 2) && pair_edges(polygon, low);
 }
@@ -461,7 +437,6 @@ static bool take_slab(struct polygon *polygon, size_t i)
 static bool cut(struct polygon *polygon)
 {
     size_t count = polygon->height_count;
-
     for (size_t i = 0; i < count; i++)
         if (!end_edges(polygon, polygon->heights[i])
             || (i + 1 < count && !take_slab(polygon, i)))
@@ -474,7 +449,6 @@ static bool cut(struct polygon *polygon)
 static bool make_mesh(struct polygon *polygon, struct scene_object *object)
 {
     const char *why = find_plane(polygon);
-
     if (why)
         return shape_leave_out(polygon->reader, object, polygon->at, why);
     return make_edges(polygon) && find_heights(polygon) && cut(polygon)
@@ -488,7 +462,6 @@ bool polygon_read(struct reader *reader, struct scene_object *object,
 {
     struct polygon polygon = { .reader = reader, .at = at };
     bool done = read_points(&polygon) && make_mesh(&polygon, object);
-
     arena_free(&polygon.arena);
     return done;
 }

@@ -20,7 +20,6 @@ static bool read_radius(struct reader *reader, double *radius)
 static bool read_size(struct reader *reader, const char *what, double *size)
 {
     struct scene_token at = reader->token;
-
     if (!read_number(reader, size))
         return false;
     return *size > 0 || reader_fault(reader, &at, "the %s must be above 0", what);
@@ -33,7 +32,6 @@ static bool read_terms(struct reader *reader, double *terms, size_t count)
     struct scene_token at = reader->token;
     size_t found = 0;
     double value;
-
     if (!reader_expect_sign(reader, '<'))
         return false;
     do {
@@ -55,7 +53,6 @@ static bool read_count(struct reader *reader, size_t least, size_t *count)
 {
     struct scene_token at = reader->token;
     double number;
-
     if (!read_number(reader, &number))
         return false;
     if (number < (double)least)
@@ -72,7 +69,6 @@ static bool read_count(struct reader *reader, size_t least, size_t *count)
 static bool read_path(struct reader *reader, size_t least, struct outline *path)
 {
     double vector[3];
-
     if (!read_count(reader, least, &path->count))
         return false;
     path->points = arena_take(&reader->scene->kept,
@@ -124,7 +120,6 @@ static bool read_row(struct reader *reader, const struct shape_field *field, boo
                      double *to)
 {
     size_t count = field->count > 0 && field->takes != TAKES_TERMS ? field->count : 1;
-
     for (size_t i = 0; i < count; i++) {
         if (i > 0 || !first)
             reader_comma(reader);
@@ -144,7 +139,6 @@ static bool read_word(struct reader *reader, const struct shape_field *field, bo
 {
     struct scene_token at = reader->token;
     bool there = reader_accept(reader, field->what);
-
     if (field->takes == TAKES_WORD)
         *to = there;
     return !there || field->takes != TAKES_OTHER
@@ -157,7 +151,6 @@ static bool read_field(struct reader *reader, const struct shape_field *field,
                        bool first, struct primitive *primitive)
 {
     void *to = (char *)primitive + field->offset;
-
     if (is_word(field))
         return read_word(reader, field, to);
     if (field->takes == TAKES_PATH) {
@@ -187,7 +180,6 @@ bool primitive_finish(struct reader *reader, struct primitive *primitive,
                       const struct scene_token *at)
 {
     const char *fault = shapes[primitive->kind]->finish(primitive);
-
     if (!fault || !primitive->empty)
         return reader_check(reader, at, fault);
     primitive_leave_out(reader, primitive, at, fault);
@@ -199,7 +191,6 @@ bool primitive_read(struct reader *reader, enum primitive_kind kind,
 {
     const struct shape_field *fields = shapes[kind]->fields;
     struct scene_token at = reader->token;
-
     memset(primitive, 0, sizeof *primitive);
     primitive->kind = kind;
     for (size_t i = 0; fields[i].takes != TAKES_END; i++)
@@ -216,7 +207,6 @@ static bool read_order(struct reader *reader, int *order)
 {
     struct scene_token at = reader->token;
     double number;
-
     if (!read_number(reader, &number))
         return false;
     reader_comma(reader);
@@ -233,7 +223,6 @@ static bool read_order(struct reader *reader, int *order)
 static size_t terms_of(int order)
 {
     size_t n = (size_t)order;
-
     return (n + 1) * (n + 2) * (n + 3) / 6;
 }
 
@@ -242,7 +231,6 @@ static size_t terms_of(int order)
 static void make_quartic(const double *terms, int order, struct primitive *primitive)
 {
     double *quartic = primitive->shape.quartic.coefficients;
-
     primitive->kind = PRIMITIVE_QUARTIC;
     for (int x = MAX_ORDER; x >= 0; x--)
         for (int y = MAX_ORDER - x; y >= 0; y--)
@@ -255,7 +243,6 @@ static void make_quartic(const double *terms, int order, struct primitive *primi
 static void make_quadric(const double *terms, struct primitive *primitive)
 {
     static const size_t places[QUADRIC_TERMS] = { 0, 3, 4, 6, 1, 5, 7, 2, 8, 9 };
-
     primitive->kind = PRIMITIVE_QUADRIC;
     for (size_t i = 0; i < QUADRIC_TERMS; i++)
         primitive->shape.quadric.coefficients[places[i]] = terms[i];
@@ -267,7 +254,6 @@ bool polynomial_read(struct reader *reader, enum shape_word word,
     double terms[QUARTIC_TERMS];
     struct scene_token at = reader->token;
     int order = 3;
-
     memset(primitive, 0, sizeof *primitive);
     if (word == SHAPE_POLY && !read_order(reader, &order))
         return false;

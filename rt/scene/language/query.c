@@ -16,7 +16,6 @@ typedef double string_measure(const char *string);
 static bool read_measure(struct reader *reader, string_measure *measure, double *value)
 {
     char *string;
-
     if (!string_read(reader, &string))
         return false;
     *value = measure(string);
@@ -52,7 +51,6 @@ static bool read_strcmp(struct reader *reader, double *value)
 {
     char *a, *b;
     bool done;
-
     if (!string_read(reader, &a))
         return false;
     done = reader_expect_sign(reader, ',') && string_read(reader, &b);
@@ -73,7 +71,6 @@ static bool read_file_exists(struct reader *reader, double *value)
     };
     c205_error error;
     char *name;
-
     if (!string_read(reader, &name))
         return false;
     if (reader->includes++ >= MAX_INCLUDE) {
@@ -122,7 +119,6 @@ bool read_defined(struct reader *reader, double *value)
 static const struct array *expect_array(struct reader *reader)
 {
     const struct scene_value *value = reader_value_of(reader, VALUE_ARRAY);
-
     if (!value)
         reader_expected(reader, "an array");
     return value ? value->is.array : NULL;
@@ -131,7 +127,6 @@ static const struct array *expect_array(struct reader *reader)
 static bool read_dimensions(struct reader *reader, double *value)
 {
     const struct array *array = expect_array(reader);
-
     if (!array)
         return false;
     *value = (double)array->dimensions;
@@ -145,7 +140,6 @@ static bool read_dimension_size(struct reader *reader, double *value)
     const struct array *array = expect_array(reader);
     size_t sizes[MAX_DIMENSIONS] = { 0 }, count;
     double dimension;
-
     if (!array)
         return false;
     count = array->dimensions;
@@ -168,7 +162,6 @@ static bool read_seed(struct reader *reader, double *value)
     struct scene_token at = reader->token;
     uint32_t state;
     double seed;
-
     if (!read_full_number(reader, &seed))
         return false;
     if (!(seed > -most && seed < most))
@@ -187,7 +180,6 @@ static bool read_rand(struct reader *reader, double *value)
     struct scene_token at = reader->token;
     double stream;
     uint32_t *seed;
-
     if (!read_full_number(reader, &stream))
         return false;
     if (!(stream >= 0 && stream < (double)reader->seed_count))
@@ -249,7 +241,6 @@ bool query_read(struct reader *reader, double *value)
     const struct query *query = TOKEN_ROW(&reader->token, queries);
     size_t hold = reader_nest(reader);
     bool done;
-
     if (!query->read && !query->measure) {
         reader->hold = hold;
         return reader_fault(reader, &reader->token, "'%.*s' is not supported",

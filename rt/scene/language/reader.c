@@ -20,7 +20,6 @@ static void add_calls(const struct reader *reader, const struct scene_token *at,
     const struct lexer *lexer = &reader->lexer;
     size_t depth = at->depth < lexer->depth ? at->depth : lexer->depth;
     size_t calls = 0;
-
     for (; depth && calls < CALLS_TOLD; depth--) {
         const struct open_text *frame = &lexer->frames[depth - 1];
         size_t length = strlen(message);
@@ -40,7 +39,6 @@ static void add_error(struct reader *reader, const struct scene_token *at,
 {
     struct diagnostics *reports = reader->reports;
     struct position position = token_position(at);
-
     diagnostics_add(reports, SEVERITY_ERROR, &position, message);
     if (reports->errors >= MAX_ERRORS) {
         diagnostics_add(reports, SEVERITY_ERROR, &position,
@@ -55,7 +53,6 @@ bool reader_fault(struct reader *reader, const struct scene_token *at,
 {
     char message[MESSAGE_LONGEST];
     va_list arguments;
-
     for (size_t i = 0; i < reader->fault_count; i++)
         if (reader->faults[i].source == at->source
             && reader->faults[i].at == at->place.at)
@@ -79,7 +76,6 @@ static void warning(struct reader *reader, const struct scene_token *at,
 {
     char words[MESSAGE_LONGEST], calls[MESSAGE_LONGEST] = "";
     struct warning_place place = { at->source, at->place.at, token_position(at) };
-
     if (reader->stopped)
         return;
     vsnprintf(words, sizeof words, format, arguments);
@@ -92,7 +88,6 @@ void reader_report(struct reader *reader, const struct scene_token *at,
                    const char *format, ...)
 {
     va_list arguments;
-
     va_start(arguments, format);
     warning(reader, at, false, format, arguments);
     va_end(arguments);
@@ -102,7 +97,6 @@ void reader_warn(struct reader *reader, const struct scene_token *at,
                  const char *format, ...)
 {
     va_list arguments;
-
     va_start(arguments, format);
     warning(reader, at, true, format, arguments);
     va_end(arguments);
@@ -123,7 +117,6 @@ bool reader_no_memory(struct reader *reader)
 static bool is_undeclared(const struct reader *reader)
 {
     const struct scene_token *token = &reader->token;
-
     return token->kind == TOKEN_WORD && token->length < TOKEN_LONGEST
            && !reader_value(reader) && token->text[0] >= 'A' && token->text[0] <= 'Z';
 }
@@ -136,7 +129,6 @@ bool reader_expected(struct reader *reader, const char *what)
     const char *more = token->length > TOKEN_LONGEST ? "..." : "";
     const char *hint = is_undeclared(reader) ? ", which is not declared" : "";
     int length = short_length(token);
-
     if (value && value->kind == VALUE_FAULTY)
         return false;
     if (token->kind == TOKEN_END)
@@ -156,7 +148,6 @@ bool reader_at_sign(const struct reader *reader, int sign)
 bool reader_accept_sign(struct reader *reader, int sign)
 {
     bool there = reader_at_sign(reader, sign);
-
     if (there)
         reader_next(reader);
     return there;
@@ -165,7 +156,6 @@ bool reader_accept_sign(struct reader *reader, int sign)
 bool reader_require_sign(struct reader *reader, int sign)
 {
     const char what[] = { '\'', (char)sign, '\'', '\0' };
-
     return reader_at_sign(reader, sign) || reader_expected(reader, what);
 }
 
@@ -177,7 +167,6 @@ bool reader_expect_sign(struct reader *reader, int sign)
 bool reader_accept(struct reader *reader, const char *word)
 {
     bool there = is_token(&reader->token, word);
-
     if (there)
         reader_next(reader);
     return there;
@@ -194,7 +183,6 @@ bool reader_look_up(struct reader *reader, struct scene_token *token)
                                        ? symbols_find(&reader->symbols, token->text,
                                                       token->length)
                                        : NULL;
-
     if (!symbol)
         return false;
     token->reference = reference_to(symbol);
@@ -211,7 +199,6 @@ const char *reader_keep_name(struct reader *reader)
 {
     size_t length;
     const char *name = symbol_name(reader->token.reference.symbol, &length);
-
     return arena_text(&reader->scene->kept, name, length);
 }
 
@@ -220,7 +207,6 @@ bool reader_keep_float(struct reader *reader, const char *name, size_t length,
 {
     struct scene *scene = reader->scene;
     struct declared_float declared = { arena_text(&scene->kept, name, length), value };
-
     return declared.name
            && arena_add(&scene->kept, &scene->floats, &scene->float_count,
                         &reader->floats_room, &declared, sizeof declared);
@@ -229,7 +215,6 @@ bool reader_keep_float(struct reader *reader, const char *name, size_t length,
 void *reader_keep(struct reader *reader, const void *items, size_t size)
 {
     void *kept = arena_take(&reader->scene->kept, size + 1);
-
     if (!kept)
         reader_no_memory(reader);
     else if (size > 0)
@@ -241,14 +226,12 @@ const struct scene_value *reader_value_of(const struct reader *reader,
                                           enum scene_value_kind kind)
 {
     const struct scene_value *value = reader_value(reader);
-
     return value && value->kind == kind ? value : NULL;
 }
 
 const struct scene_value *reader_use(struct reader *reader, enum scene_value_kind kind)
 {
     const struct scene_value *value = reader_value_of(reader, kind);
-
     if (value)
         value_warnings_use(&reader->warnings, value->value_warnings);
     return value;
@@ -269,7 +252,6 @@ const struct scene_source *reader_find(struct reader *reader,
         name, at->source, reader->options ? reader->options->search : NULL, is_text
     };
     c205_error error;
-
     source = source_include(&reader->sources, &request, &error);
     if (!source)
         reader_fault(reader, at, "%s", error.message);

@@ -48,7 +48,6 @@ static bool read_ends(struct reader *reader, struct blob_part *part)
 {
     struct scene_token at = reader->token;
     double axis[3];
-
     if (!read_vector(reader, part->base))
         return false;
     reader_comma(reader);
@@ -69,7 +68,6 @@ static void part_move(void *subject, const struct placement *step)
 {
     struct part_reading *reading = subject;
     struct blob_part *part = &reading->part;
-
     part->to_blob = transform_then(&part->to_blob, &step->to_world);
     part->to_local = transform_then(&step->to_local, &part->to_local);
     pigment_move(&reading->texture.pigment, step);
@@ -78,7 +76,6 @@ static void part_move(void *subject, const struct placement *step)
 static bool read_texture_part(struct reader *reader, const struct item *item)
 {
     struct part_reading *reading = item->subject;
-
     if (!reading->textured)
         reading->look_at = item->at;
     reading->textured = true;
@@ -112,7 +109,6 @@ static bool add_part(struct reader *reader, struct blob_reading *blob,
 static void take_look(struct blob_reading *blob, const struct part_reading *reading)
 {
     struct scene_part *part = blob->object.parts;
-
     if (!reading->textured || part->textured)
         return;
     blob->look_at = reading->look_at;
@@ -128,7 +124,6 @@ static bool read_component(struct reader *reader, const struct item *item)
                                     .part.cylinder = item->keyword->detail };
     struct block block;
     bool good;
-
     reading.part.to_blob = reading.part.to_local = placement_none.to_world;
     if (!block_open(reader, &block, '{'))
         return false;
@@ -144,7 +139,6 @@ static bool read_bare_component(struct reader *reader, const struct item *item)
 {
     struct blob_part part = { .to_blob = placement_none.to_world,
                               .to_local = placement_none.to_world };
-
     if (!read_strength(reader, &part.strength) || !read_radius(reader, &part.radius))
         return false;
     reader_comma(reader);
@@ -158,7 +152,6 @@ static bool read_threshold(struct reader *reader, const struct item *item)
 {
     struct blob_reading *blob = item->subject;
     struct primitive *primitive = &blob->object.parts->primitive;
-
     return read_number(reader, &primitive->shape.blob.threshold);
 }
 
@@ -178,7 +171,6 @@ static bool begin(struct reader *reader, struct blob_reading *blob,
                   const struct item *item)
 {
     struct primitive primitive;
-
     *blob = (struct blob_reading){ .at = item->at };
     memset(&primitive, 0, sizeof primitive);
     primitive.kind = PRIMITIVE_BLOB;
@@ -193,7 +185,6 @@ static bool keep(struct reader *reader, struct blob_reading *blob)
     size_t count = blob->parts.count;
     struct blob_part *list = reader_keep(reader, blob->parts.list,
                                          count * sizeof *list);
-
     if (!list)
         return false;
     primitive->shape.blob.parts = (struct blob_parts){ count, list };
@@ -212,7 +203,6 @@ bool blob_read(struct reader *reader, struct scene_object *object,
     bool good = begin(reader, &blob, item) && block_open(reader, &block, '{')
                 && block_items(reader, &block, &blob_grammar, &blob, true)
                 && keep(reader, &blob);
-
     free(blob.parts.list);
     *object = blob.object;
     return good;

@@ -25,7 +25,6 @@ const struct keyword *grammar_find(const struct grammar *grammar,
                                    const struct scene_token *token)
 {
     const struct keyword *found = NULL;
-
     if (token->kind != TOKEN_WORD)
         return NULL;
     for (size_t i = 0; i < GRAMMAR_TABLES && !found; i++)
@@ -47,7 +46,6 @@ struct item item_find(const struct reader *reader, const struct grammar *grammar
 struct block block_file(const struct reader *reader)
 {
     struct block block = { reader->token, 0, 0 };
-
     return block;
 }
 
@@ -68,7 +66,6 @@ bool block_open_from(struct reader *reader, struct block *block,
                      enum scene_value_kind kind, void *subject, size_t size)
 {
     const struct scene_value *value;
-
     if (!block_open(reader, block, '{'))
         return false;
     value = reader_use(reader, kind);
@@ -118,7 +115,6 @@ static bool read_item(struct reader *reader, const struct grammar **grammar,
                       void *subject)
 {
     struct item item = item_find(reader, *grammar, subject);
-
     if (!item.keyword && (*grammar)->then) {
         item = item_find(reader, (*grammar)->then, subject);
         if (item.keyword)
@@ -138,7 +134,6 @@ bool block_items(struct reader *reader, const struct block *block,
                  const struct grammar *grammar, void *subject, bool good)
 {
     bool lost = !good;
-
     for (;;) {
         if (lost || reader->lost) {
             recover(reader, block, grammar);
@@ -154,7 +149,6 @@ bool block_items(struct reader *reader, const struct block *block,
 bool block_read(struct reader *reader, const struct grammar *grammar, void *subject)
 {
     struct block block;
-
     return block_open(reader, &block, '{')
            && block_items(reader, &block, grammar, subject, true);
 }
@@ -163,7 +157,6 @@ bool block_read_from(struct reader *reader, const struct grammar *grammar,
                      enum scene_value_kind kind, void *subject, size_t size)
 {
     struct block block;
-
     return block_open_from(reader, &block, kind, subject, size)
            && block_items(reader, &block, grammar, subject, true);
 }
@@ -183,7 +176,6 @@ bool block_finish(struct reader *reader, const struct block *block)
 void block_skip(struct reader *reader)
 {
     size_t outside = reader->braces;
-
     do
         reader_next(reader);
     while (reader->braces > outside && reader->token.kind != TOKEN_END);
@@ -192,7 +184,6 @@ void block_skip(struct reader *reader)
 void skip_arguments(struct reader *reader)
 {
     struct numbers ignored;
-
     for (;;) {
         if (starts_expression(reader)) {
             if (!read_expression(reader, &ignored))

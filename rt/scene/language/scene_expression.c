@@ -45,7 +45,6 @@ static bool read_factor(struct reader *reader, struct numbers *value)
     struct scene_token at = reader->token;
     char prefix;
     bool done;
-
     if (!reader_enter(reader))
         return false;
     if (!accept_prefix(reader, &prefix)) {
@@ -122,7 +121,6 @@ static bool compare_strings(struct reader *reader, const char *left,
 {
     struct scene_token at = reader->token;
     char *right;
-
     reader_next(reader);
     if (!string_read_within(reader, &right))
         return false;
@@ -135,7 +133,6 @@ static bool read_comparison(struct reader *reader, struct numbers *value)
 {
     char *left;
     bool done;
-
     if (!string_read_within(reader, &left))
         return false;
     done = at_operator(reader, RANK_RELATION) ? compare_strings(reader, left, value)
@@ -174,7 +171,6 @@ bool read_full(struct reader *reader, struct numbers *value)
     struct scene_token at = reader->token;
     struct numbers other;
     bool first, done;
-
     if (!read_rank(reader, RANK_LOGIC, value))
         return false;
     if (!reader_accept_sign(reader, '?'))
@@ -196,7 +192,6 @@ static bool read_float(struct reader *reader, value_reader *read, double *value)
 {
     struct scene_token at = reader->token;
     struct numbers numbers;
-
     if (!read(reader, &numbers) || !operand_float(reader, &at, &numbers))
         return false;
     *value = numbers.n[0];
@@ -217,7 +212,6 @@ bool read_vector(struct reader *reader, double vector[3])
 {
     struct scene_token at = reader->token;
     struct numbers numbers;
-
     if (!read_expression(reader, &numbers))
         return false;
     if (numbers.count > 3)

@@ -18,7 +18,6 @@
 static bool read_parameter(struct reader *reader, struct scene_macro *macro)
 {
     const struct scene_token *token = &reader->token;
-
     if (token->kind != TOKEN_WORD)
         return reader_expected(reader, "the name of a parameter or ')'");
     if (is_reserved(token))
@@ -55,7 +54,6 @@ static bool add_macro(struct reader *reader, const struct scene_token *name,
     struct declared_name *before = symbols_find(&reader->symbols, name->text,
                                                 name->length);
     struct scene_value value = { .kind = VALUE_MACRO, .is.macro = macro };
-
     return reader_check(reader, name,
                         symbols_assign(&reader->symbols, before, 0, name, &value));
 }
@@ -66,7 +64,6 @@ bool macro_define(struct reader *reader, const struct item *item)
     struct scene_token name = reader->token;
     bool done = macro || reader_no_memory(reader);
     bool found;
-
     done = done && name_expected(reader, &name);
     if (done) {
         reader_step(reader);
@@ -101,7 +98,6 @@ struct call {
 static bool is_alone(struct reader *reader)
 {
     struct scene_token behind;
-
     if (reader->token.kind != TOKEN_WORD || !reader->token.reference.symbol)
         return false;
     behind = reader_peek(reader);
@@ -121,7 +117,6 @@ static bool read_argument(struct reader *reader, struct argument *argument)
 static bool read_arguments(struct reader *reader, struct call *call)
 {
     const struct scene_macro *macro = &call->macro;
-
     while (call->count < macro->count) {
         if (reader_at_sign(reader, ')'))
             return reader_fault(reader, &reader->token,
@@ -141,7 +136,6 @@ static bool read_arguments(struct reader *reader, struct call *call)
 static bool bind(struct reader *reader, struct call *call)
 {
     const char *fault = NULL;
-
     for (size_t i = 0; i < call->count && !fault; i++) {
         struct argument *argument = &call->arguments[i];
         const char *name = call->macro.parameters[i].text;
@@ -162,7 +156,6 @@ static bool bind(struct reader *reader, struct call *call)
 static bool enter_body(struct reader *reader, struct call *call)
 {
     const struct scene_macro *macro = &call->macro;
-
     if (!lexer_call(&reader->lexer, macro->source, macro->body, macro->end,
                     &call->at)) {
         reader_fault(reader, &call->at, "more than %d nested macros and files",
@@ -190,7 +183,6 @@ static struct call *new_call(const struct reader *reader)
     const struct scene_macro *macro = reader->token.value->is.macro;
     struct call *call = calloc(1,
                                sizeof *call + macro->count * sizeof *call->arguments);
-
     if (call) {
         call->macro = *macro;
         call->at = reader->token;
@@ -212,7 +204,6 @@ bool macro_call(struct reader *reader)
     struct call *call;
     size_t hold = reader_nest(reader);
     bool done;
-
     if (!reader_enter(reader)) {
         reader_step(reader);
         reader->hold = hold;

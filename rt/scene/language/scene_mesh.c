@@ -19,7 +19,6 @@
 static bool make_unit(double normal[3])
 {
     double size = greatest3(normal);
-
     if (size == 0)
         return false;
     for (int i = 0; i < 3; i++)
@@ -32,7 +31,6 @@ static bool make_unit(double normal[3])
 void mesh_direct(struct reader *reader, const struct scene_token *at, double normal[3])
 {
     bool none = true;
-
     for (int i = 0; i < 3; i++)
         none = none && fabs(normal[i]) < NORMAL_SAME;
     if (none) {
@@ -47,7 +45,6 @@ void mesh_direct(struct reader *reader, const struct scene_token *at, double nor
 bool mesh_is_smooth(const struct triangle *triangle)
 {
     const double(*normals)[3] = triangle->normals;
-
     for (int k = 1; k < 3; k++) {
         double apart[3];
         subtract3(normals[0], normals[k], apart);
@@ -83,7 +80,6 @@ void mesh_look(struct mesh_reading *mesh, const struct texture *texture,
                const struct scene_token *at)
 {
     struct scene_part *part = mesh->object.parts;
-
     mesh->looked = true;
     if (part->textured) {
         mesh->differ |= !has_texture(&part->primitive, texture);
@@ -102,7 +98,6 @@ bool mesh_begin(struct reader *reader, struct mesh_reading *mesh,
                 const struct item *item)
 {
     struct primitive primitive;
-
     *mesh = (struct mesh_reading){ .at = item->at };
     memset(&primitive, 0, sizeof primitive);
     primitive.kind = PRIMITIVE_MESH;
@@ -112,10 +107,8 @@ bool mesh_begin(struct reader *reader, struct mesh_reading *mesh,
 size_t mesh_triangles(const struct scene_object *object)
 {
     size_t count = 0;
-
     for (size_t i = 0; i < object->part_count; i++) {
         const struct primitive *primitive = &object->parts[i].primitive;
-
         if (primitive->kind == PRIMITIVE_MESH)
             count += primitive->shape.mesh.triangles.count
                      + primitive->shape.mesh.body.count;
@@ -135,7 +128,6 @@ bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
               const struct triangle *triangle, const struct scene_token *at)
 {
     struct triangles *triangles = &mesh->triangles;
-
     if (!mesh_count(reader, 1, at))
         return false;
     if (!array_add(&triangles->list, &triangles->count, triangle, sizeof *triangle))
@@ -160,7 +152,6 @@ bool mesh_object_add(struct reader *reader, struct scene_object *object,
                      const char *reason)
 {
     struct primitive primitive;
-
     memset(&primitive, 0, sizeof primitive);
     primitive.kind = PRIMITIVE_MESH;
     primitive.shape.mesh.triangles = *triangles;
@@ -185,7 +176,6 @@ static bool keep(struct reader *reader, struct mesh_reading *mesh)
     size_t count = mesh->triangles.count;
     struct triangle *list;
     const char *fault;
-
     if (count == 0)
         return leave_out(reader, mesh);
     list = reader_keep(reader, mesh->triangles.list, count * sizeof *list);
@@ -206,7 +196,6 @@ bool mesh_end(struct reader *reader, struct mesh_reading *mesh, bool good,
               struct scene_object *object)
 {
     bool done = good && keep(reader, mesh);
-
     free(mesh->triangles.list);
     *object = mesh->object;
     return done;
@@ -225,7 +214,6 @@ static bool read_corners(struct reader *reader, bool smooth, struct triangle *tr
 {
     size_t each = smooth ? 2 : 1; /* a corner, and the normal there */
     double vectors[6][3];
-
     *triangle = (struct triangle){ .smooth = smooth };
     if (!read_vectors(reader, vectors, 3 * each))
         return false;
@@ -241,7 +229,6 @@ static bool read_corners(struct reader *reader, bool smooth, struct triangle *tr
 static bool read_uv_vectors(struct reader *reader, const struct item *item)
 {
     double ignored[3][3];
-
     (void)item;
     return read_vectors(reader, ignored, 3);
 }
@@ -249,7 +236,6 @@ static bool read_uv_vectors(struct reader *reader, const struct item *item)
 static bool read_texture(struct reader *reader, const struct item *item)
 {
     struct texture texture = reader->default_texture;
-
     if (!texture_read(reader, &texture))
         return false;
     mesh_look(item->subject, &texture, &item->at);
@@ -274,7 +260,6 @@ static bool read_names(struct reader *reader, struct mesh_reading *mesh,
 static bool read_texture_list(struct reader *reader, const struct item *item)
 {
     struct block block;
-
     return block_open(reader, &block, '{')
            && mesh_close(reader, &block, read_names(reader, item->subject, item));
 }
@@ -297,7 +282,6 @@ static bool read_triangle(struct reader *reader, const struct item *item)
     struct triangle triangle;
     struct block block;
     bool good;
-
     if (!block_open(reader, &block, '{'))
         return false;
     good = read_corners(reader, smooth, &triangle);
@@ -314,7 +298,6 @@ bool read_inside_vector(struct reader *reader, const struct item *item)
 {
     struct mesh_reading *mesh = item->subject;
     double vector[3];
-
     if (!read_vector(reader, vector))
         return false;
     mesh->object.parts->primitive.shape.mesh.solid = greatest3(vector) >= NORMAL_SAME;
@@ -339,7 +322,6 @@ static bool read_lone(struct reader *reader, struct mesh_reading *mesh, bool smo
 {
     struct triangle triangle;
     bool seen = true;
-
     mesh->lone = true;
     if (!read_corners(reader, smooth, &triangle))
         return false;
@@ -356,7 +338,6 @@ bool mesh_read(struct reader *reader, struct scene_object *object,
     struct mesh_reading mesh;
     struct block block;
     bool good;
-
     if (shape == SHAPE_MESH2)
         return mesh2_read(reader, object, item);
     if (!mesh_begin(reader, &mesh, item) || !block_open(reader, &block, '{'))

@@ -10,7 +10,6 @@
 void pigment_move(void *subject, const struct placement *step)
 {
     struct pigment *pigment = subject;
-
     pigment->to_local = transform_then(&step->to_local, &pigment->to_local);
 }
 
@@ -24,7 +23,6 @@ static void bumps_move(struct bumps *bumps, const struct placement *step)
 void texture_move(void *subject, const struct placement *step)
 {
     struct texture *texture = subject;
-
     pigment_move(&texture->pigment, step);
     bumps_move(&texture->bumps, step);
 }
@@ -38,7 +36,6 @@ static bool add_branch(struct scene_object *object, enum tree_operation operatio
                        size_t size)
 {
     struct branch branch = { operation, size, false };
-
     return array_add(&object->branches, &object->branch_count, &branch, sizeof branch);
 }
 
@@ -67,7 +64,6 @@ bool object_add_primitive(struct scene_object *object,
                           const struct primitive *primitive)
 {
     struct scene_part part = { .primitive = *primitive };
-
     return add_part(object, &part) && add_branch(object, TREE_LEAF, 1);
 }
 
@@ -113,7 +109,6 @@ bool object_add(struct scene_object *object, const struct scene_object *child)
 static bool add_root(struct scene_object *object, enum tree_operation operation)
 {
     size_t count = object->branch_count;
-
     if (!add_branch(object, operation, 1))
         return false;
     memmove(object->branches + 1, object->branches, count * sizeof *object->branches);
@@ -132,7 +127,6 @@ bool object_join(struct scene_object *object)
 {
     bool meet = object->joining == JOIN_INTERSECTION
                 || object->joining == JOIN_DIFFERENCE;
-
     return object->branch_count == 0 || object->branches[0].size == object->branch_count
            || add_root(object, meet ? TREE_AND : TREE_OR);
 }
@@ -140,7 +134,6 @@ bool object_join(struct scene_object *object)
 static size_t count_leaves(const struct branch *branches, size_t count)
 {
     size_t leaves = 0;
-
     for (size_t i = 0; i < count; i++)
         leaves += branches[i].operation == TREE_LEAF;
     return leaves;
@@ -191,7 +184,6 @@ static bool invert_children(struct inverting *inverting, size_t at)
     const struct branch *from = inverting->object->branches;
     struct branch root = from[at];
     size_t end = at + root.size, place = inverting->made.branch_count;
-
     if (!root.clips)
         root.operation = root.operation == TREE_AND ? TREE_OR : TREE_AND;
     if (!add_branches(&inverting->made, &root, 1) || !invert_branch(inverting, at + 1))
@@ -213,7 +205,6 @@ static bool invert_branch(struct inverting *inverting, size_t at)
 {
     const struct branch *from = &inverting->object->branches[at];
     struct scene_object *made = &inverting->made;
-
     switch (from->operation) {
     case TREE_LEAF:
         if (is_open_mesh(&inverting->object->parts[inverting->part]))
@@ -233,7 +224,6 @@ static bool invert_clipped(struct scene_object *object)
 {
     struct inverting inverting = { .object = object };
     bool done = invert_branch(&inverting, 0);
-
     free(done ? object->branches : inverting.made.branches);
     if (done) {
         object->branches = inverting.made.branches;
@@ -279,7 +269,6 @@ bool object_clip(struct scene_object *object, const struct scene_object *clip)
     const struct scene_part *part = object->parts;
     size_t left = object->branch_count;
     bool done = true;
-
     made.branches = NULL;
     made.parts = NULL;
     made.branch_count = made.part_count = 0;
@@ -309,7 +298,6 @@ static enum content prune_leaf(struct pruning *pruning)
 {
     struct scene_part *parts = pruning->object->parts;
     const struct scene_part *part = &parts[pruning->part++];
-
     if (part->primitive.empty)
         return CONTENT_NOTHING;
     parts[pruning->kept_parts++] = *part;
@@ -330,7 +318,6 @@ static void keep_root(struct pruning *pruning, struct branch root, size_t place,
                       size_t children)
 {
     struct branch *branches = pruning->object->branches;
-
     root.size = pruning->kept_branches - place;
     branches[place] = root;
     if (root.operation == TREE_NOT || children > 1)
@@ -349,7 +336,6 @@ static enum content prune_branch(struct pruning *pruning)
     size_t children = 0;
     enum content decides = root.operation == TREE_AND ? CONTENT_NOTHING : CONTENT_ALL;
     enum content content = opposite(decides);
-
     if (root.operation == TREE_LEAF)
         return prune_leaf(pruning);
     pruning->kept_branches++;
@@ -371,7 +357,6 @@ static enum content prune_branch(struct pruning *pruning)
 void object_prune(struct scene_object *object)
 {
     struct pruning pruning = { .object = object };
-
     while (pruning.branch < object->branch_count)
         prune_branch(&pruning);
     object->branch_count = pruning.kept_branches;
@@ -381,7 +366,6 @@ void object_prune(struct scene_object *object)
 unsigned object_hidden_from(const struct scene_object *object)
 {
     unsigned hidden_from = object->hidden_from;
-
     for (size_t i = 0; i < object->part_count; i++)
         if (!object->parts[i].primitive.invisible)
             hidden_from |= object->parts[i].primitive.hidden_from;
@@ -406,7 +390,6 @@ static void forget_no_shadow(struct scene_object *object)
 bool object_add_child(struct scene_object *object, struct scene_object *child)
 {
     bool first = object->child_count++ == 0;
-
     if (object->joining == JOIN_DIFFERENCE && !first) {
         if (!object_invert(child))
             return false;
@@ -423,7 +406,6 @@ bool object_add_child(struct scene_object *object, struct scene_object *child)
 bool object_copy(struct scene_object *copy, const struct scene_object *object)
 {
     struct scene_object bare = *object;
-
     bare.textured = bare.filled = false;
     bare.hidden_from = 0;
     copy->textured = object->textured;
@@ -441,7 +423,6 @@ bool object_copy(struct scene_object *copy, const struct scene_object *object)
 bool object_renumber(struct scene_object *object, size_t *last)
 {
     struct rank_index old;
-
     if (!rank_index_begin(&old, object->part_count + 1))
         return false;
     for (size_t i = 0; i < object->part_count; i++)
@@ -465,7 +446,6 @@ bool object_renumber(struct scene_object *object, size_t *last)
 static void part_move(struct scene_part *part, const struct placement *step)
 {
     struct primitive *primitive = &part->primitive;
-
     primitive->to_world = transform_then(&primitive->to_world, &step->to_world);
     primitive->to_local = transform_then(&step->to_local, &primitive->to_local);
     if (!part->textured)
@@ -477,7 +457,6 @@ static void part_move(struct scene_part *part, const struct placement *step)
 void object_move(void *subject, const struct placement *step)
 {
     struct scene_object *object = subject;
-
     for (size_t i = 0; i < object->part_count; i++)
         part_move(&object->parts[i], step);
     for (size_t i = 0; i < object->light_count; i++) {

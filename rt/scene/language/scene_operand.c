@@ -38,7 +38,6 @@ bool is_expression_word(const struct scene_token *token)
 bool starts_expression(const struct reader *reader)
 {
     const struct scene_token *token = &reader->token;
-
     if (token->kind == TOKEN_SIGN)
         return token->sign && token->sign < SIGN_UNEQUAL
                && strchr("(<+-!", token->sign);
@@ -73,7 +72,6 @@ bool operand_float(struct reader *reader, const struct scene_token *at,
 static bool read_components(struct reader *reader, struct numbers *value)
 {
     size_t declared = reader->declared.brackets > 0;
-
     *value = numbers_of(0);
     value->count = 0;
     reader->declared.brackets += declared;
@@ -92,7 +90,6 @@ static bool read_components(struct reader *reader, struct numbers *value)
 static bool read_argument(struct reader *reader, char kind, struct numbers *argument)
 {
     struct scene_token at = reader->token;
-
     if (!read_full(reader, argument))
         return false;
     if (kind != 'v')
@@ -108,7 +105,6 @@ static size_t read_arguments(struct reader *reader, const char *takes,
                              struct numbers *arguments)
 {
     size_t count = 0;
-
     if (!reader_expect_sign(reader, '('))
         return 0;
     do {
@@ -133,7 +129,6 @@ static bool read_call(struct reader *reader, const struct function *function,
     struct numbers arguments[MAX_ARGUMENTS];
     struct scene_token at = reader->token;
     size_t count;
-
     reader_next(reader);
     count = read_arguments(reader, function->takes, arguments);
     if (!count)
@@ -146,7 +141,6 @@ static bool read_picture_size(struct reader *reader, struct numbers *value)
 {
     bool width = is_token(&reader->token, "image_width");
     int pixels = 0;
-
     if (reader->options)
         pixels = width ? reader->options->width : reader->options->height;
     if (pixels <= 0)
@@ -160,7 +154,6 @@ static bool read_picture_size(struct reader *reader, struct numbers *value)
 static bool read_query(struct reader *reader, struct numbers *value)
 {
     struct scene_token at = reader->token;
-
     *value = numbers_of(0);
     return query_read(reader, &value->n[0]) && operand_finite(reader, &at, value);
 }
@@ -179,7 +172,6 @@ static bool read_name(struct reader *reader, struct numbers *value)
     const struct scene_value *declared = reader_value_of(reader, VALUE_NUMBERS);
     const struct scene_value *function = reader_use(reader, VALUE_FUNCTION);
     const struct constant *constant;
-
     if (declared)
         return take(reader, declared->is.numbers, value);
     if (function)
@@ -218,7 +210,6 @@ static bool read_primary(struct reader *reader, struct numbers *value)
 static double gray(const double rgb[3])
 {
     static const double weights[3] = { 0.297, 0.589, 0.114 };
-
     return dot3(weights, rgb);
 }
 
@@ -233,7 +224,6 @@ static bool read_component(struct reader *reader, struct numbers *value)
         { "t filter", 3 }, { "transmit", 4 },
     };
     const struct component *found = TOKEN_ROW(&reader->token, components);
-
     if (found && found->index < value->count)
         *value = numbers_of(value->n[found->index]);
     else if (is_token(&reader->token, "gray") && value->count >= 3)
@@ -247,7 +237,6 @@ static bool read_component(struct reader *reader, struct numbers *value)
 bool operand_read(struct reader *reader, struct numbers *value)
 {
     bool done = read_primary(reader, value);
-
     while (done && reader_accept_sign(reader, '.'))
         done = read_component(reader, value);
     return done;

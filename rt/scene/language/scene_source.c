@@ -13,7 +13,6 @@
 static char *copy(const char *text, size_t length)
 {
     char *own = malloc(length + 1);
-
     if (own) {
         memcpy(own, text, length);
         own[length] = '\0';
@@ -28,7 +27,6 @@ static struct scene_source *adopt(struct scene_source **list, const char *name,
 {
     struct scene_source *source = malloc(sizeof *source);
     char *own_name = copy(name, strlen(name));
-
     if (!source || !own_name || !text) {
         free(source);
         free(own_name);
@@ -49,7 +47,6 @@ struct scene_source *source_add(struct scene_source **list, const char *name,
                                 const char *text, size_t length, c205_error *error)
 {
     char *own;
-
     if (length > SOURCE_LONGEST) {
         error_set(error, "more than %d bytes", SOURCE_LONGEST);
         return NULL;
@@ -70,7 +67,6 @@ static struct scene_source *load(struct scene_source **list, const char *path,
     size_t length;
     char *text = (is_text ? text_file_read : file_read)(path, SOURCE_LONGEST, &length,
                                                         error);
-
     if (text)
         return adopt(list, path, text, length, is_text, error);
     if (errno == ENOTDIR)
@@ -97,7 +93,6 @@ static char *join(const char *folder, size_t length, const char *name)
 {
     size_t rest = strlen(name);
     char *path = malloc(length + rest + 2);
-
     if (!path)
         return NULL;
     memcpy(path, folder, length);
@@ -120,7 +115,6 @@ struct search {
 static void open_path(struct search *search, const char *path)
 {
     bool is_text = search->request->is_text;
-
     search->found = find(*search->list, path, is_text);
     if (!search->found)
         search->found = load(search->list, path, is_text, search->error);
@@ -134,7 +128,6 @@ static void refuse_several(struct search *search, const struct folder *paths)
     struct text_buffer names = { 0 };
     struct sink sink = text_buffer_sink(&names);
     size_t length = strlen(search->request->name);
-
     for (size_t i = 0; i < paths->count; i++)
         sink_print(&sink, "%s'%s'", i ? " or " : "",
                    paths->names[i] + strlen(paths->names[i]) - length);
@@ -147,7 +140,6 @@ static void refuse_several(struct search *search, const struct folder *paths)
 static void open_any_case(struct search *search, const char *path, size_t fixed)
 {
     struct folder paths;
-
     if (!other_case_find(&paths, path, fixed))
         search->is_over = !error_set(search->error, "%s", strerror(ENOMEM));
     else if (paths.count == 1)
@@ -160,7 +152,6 @@ static void open_any_case(struct search *search, const char *path, size_t fixed)
 static void search_folder(struct search *search, const char *folder, size_t length)
 {
     char *path;
-
     if (search->is_over)
         return;
     path = join(folder, length, search->request->name);
@@ -185,7 +176,6 @@ static void search_carried(struct search *search)
     const struct text *text = scene_texts;
     size_t length = 0;
     char *all, *end;
-
     while (text->name
            && (search->any_case ? strlen(text->name) != strlen(name)
                                       || !other_case_is(text->name, name, strlen(name))
@@ -220,7 +210,6 @@ static void search_all(struct search *search)
     const char *slash = strrchr(request->from->name, '/');
     size_t folder = slash ? (size_t)(slash - request->from->name) + 1 : 0;
     bool is_absolute = request->name[0] == '/';
-
     search_folder(search, request->from->name, is_absolute ? 0 : folder);
     if (search->found)
         search->found->library |= request->from->library;
@@ -240,7 +229,6 @@ struct scene_source *source_include(struct scene_source **list,
                                     c205_error *error)
 {
     struct search search = { .list = list, .request = request, .error = error };
-
     search_all(&search);
     if (!search.is_over) {
         search.any_case = true;

@@ -39,7 +39,6 @@ struct reach {
 static int compare_reaches(const void *a, const void *b)
 {
     const struct reach *one = a, *other = b;
-
     return (one->distance > other->distance) - (one->distance < other->distance);
 }
 
@@ -51,7 +50,6 @@ static struct reach reach_plane(const struct primitive *primitive, const double 
     const double *normal = primitive->shape.plane.normal;
     struct reach reach = { 0 };
     double across[3], at[3], height;
-
     copy3(from, at);
     transform_point(&primitive->to_local, at);
     copy3(normal, across);
@@ -71,7 +69,6 @@ static void bound_corners(const struct primitive *mesh, struct bound *bound)
     const struct triangles *triangles = &mesh->shape.mesh.triangles;
     const double *first = triangles->list[0].corners[0];
     double way[3];
-
     subtract3(triangles->list[triangles->count - 1].corners[1], first, way);
     transform_direction(&mesh->to_world, way);
     bound_about(mesh, first, length3(way), bound);
@@ -83,7 +80,6 @@ static struct reach find_reach(const struct primitive *primitive, const double f
 {
     struct bound bound = bound_none;
     struct reach reach = { 0 };
-
     if (primitive->kind == PRIMITIVE_PLANE)
         return reach_plane(primitive, from, nearest);
     if (primitive->kind == PRIMITIVE_MESH)
@@ -103,10 +99,8 @@ static struct reach find_reach(const struct primitive *primitive, const double f
 static double find_nearest(const struct scene *scene, const struct scene_object *world)
 {
     double nearest = length3(scene->camera.location);
-
     for (size_t i = 0; i < world->light_count; i++) {
         double way[3], distance;
-
         subtract3(world->lights[i].position, scene->camera.location, way);
         distance = length3(way);
         if (distance > 0 && !(nearest > 0 && nearest < distance))
@@ -124,7 +118,6 @@ static struct reach find_size(const struct scene *scene,
     struct reach none = { nearest, nearest, { 0 } };
     struct reach reaches[MAX_SAMPLES];
     size_t step = world->part_count / MAX_SAMPLES + 1, count = 0;
-
     for (size_t i = 0; i < world->part_count; i += step) {
         reaches[count] = find_reach(&world->parts[i].primitive, from, nearest);
         count += reaches[count].distance > 0 && isfinite(reaches[count].distance);
@@ -139,7 +132,6 @@ static int unit_of(const struct reach *size)
 {
     double length = size->distance;
     int log;
-
     if (length > MAX_ORDINARY)
         length = fmax(fmin(length, SIGHT * size->radius), 1);
     if (!(length > 0) || (length >= ORDINARY_LEAST && length <= MAX_ORDINARY))
@@ -180,7 +172,6 @@ static void place_quartic(struct primitive *primitive)
     const double(*rows)[4] = (const double(*)[4])primitive->to_world.rows;
     double size = 0;
     int log;
-
     for (int i = 0; i < 3; i++)
         size = fmax(size, greatest3(rows[i]));
     frexp(size, &log);
@@ -190,11 +181,9 @@ static void place_quartic(struct primitive *primitive)
 static void scale_world(struct scene *scene, struct scene_object *world, double by)
 {
     struct placement step = placement_scaling((const double[]){ by, by, by });
-
     object_move(world, &step);
     for (size_t i = 0; i < world->part_count; i++) {
         struct primitive *primitive = &world->parts[i].primitive;
-
         primitive->transformed = true;
         if (primitive->kind == PRIMITIVE_QUARTIC)
             place_quartic(primitive);
@@ -212,7 +201,6 @@ static void scale_world(struct scene *scene, struct scene_object *world, double 
 static double distance3(const double way[3])
 {
     double size = greatest3(way), unit[3];
-
     copy3(way, unit);
     scale3(size > 0 ? 1 / size : 0, unit);
     return size * length3(unit);
@@ -229,7 +217,6 @@ static void shrink_about(const double center[3], double share, double point[3])
 static void bring_point(struct light *light, const double center[3])
 {
     double way[3], share;
-
     subtract3(light->position, center, way);
     share = LIGHT_FARTHEST / distance3(way);
     if (!(share < 1))
@@ -246,7 +233,6 @@ static void bring_point(struct light *light, const double center[3])
 static void bring_parallel(struct light *light, const double center[3])
 {
     double beside[3], axis[3], along, near, share;
-
     subtract3(light->position, center, beside);
     subtract3(light->position, light->point_at, axis);
     scale3(1 / distance3(axis), axis);
@@ -275,7 +261,6 @@ static void shrink_area(struct light *light)
 {
     for (int i = 0; i < 2; i++) {
         double share = LIGHT_FARTHEST / distance3(light->area_axes[i]);
-
         if (share < 1)
             scale3(share, light->area_axes[i]);
     }
@@ -294,7 +279,6 @@ bool unit_choose(struct scene *scene, struct scene_object *world)
 {
     struct reach size = find_size(scene, world);
     double by;
-
     scene->unit_log = unit_of(&size);
     by = ldexp(1, -scene->unit_log);
     if (by != 1)

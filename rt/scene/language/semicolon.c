@@ -20,7 +20,6 @@ static bool is_component(const struct scene_token *token)
 bool semicolon_may_follow(const struct reader *reader)
 {
     const struct scene_token *token = &reader->token;
-
     if (reader->declared.brackets != 1 + (size_t)token_is_sign(token, ')')
         || reader->braces != reader->hold)
         return false;
@@ -40,7 +39,6 @@ static void skip_brackets(struct reader *reader)
 {
     struct scene_token token;
     size_t open = 0;
-
     do {
         token = next(reader);
         open += token_is_sign(&token, '(');
@@ -53,7 +51,6 @@ static void skip_branches(struct reader *reader)
 {
     struct scene_token token;
     size_t open = 1;
-
     do {
         token = next(reader);
         open += is_directive(&token, CONDITION_OPENERS);
@@ -65,7 +62,6 @@ static void skip_branches(struct reader *reader)
 static bool skip_statement(struct reader *reader)
 {
     struct scene_token token;
-
     do
         token = next(reader);
     while (token.kind != TOKEN_END && token.kind != TOKEN_DIRECTIVE
@@ -120,21 +116,18 @@ static bool leads_on(struct reader *reader, struct scene_token token)
     struct text_place place = lexer_top(lexer)->place;
     size_t open = 0, bytes;
     bool possible = true;
-
-    for (; possible; token = next(reader)) {
+    for (; possible; token = next(reader))
         if (token.kind == TOKEN_DIRECTIVE)
             possible = skip_directive(reader, &token, &open);
         else if (is_macro(reader, &token))
             skip_brackets(reader);
         else
             break;
-    }
     bytes = lexer_top(lexer)->place.at - place.at;
-    if (!possible || token.kind != TOKEN_END || lexer->depth == 1) {
+    if (!possible || token.kind != TOKEN_END || lexer->depth == 1)
         possible = possible && continues_value(&token);
-    } else {
+    else
         possible = frame_below_leads_on(reader);
-    }
     lexer_top(lexer)->place = place;
     return reader_spend(reader, bytes) && possible;
 }
@@ -144,7 +137,6 @@ static bool frame_below_leads_on(struct reader *reader)
     struct lexer *lexer = &reader->lexer;
     struct text_place place;
     bool possible;
-
     lexer->depth--;
     place = lexer_top(lexer)->place;
     possible = leads_on(reader, next(reader));
@@ -158,7 +150,6 @@ static bool frame_below_leads_on(struct reader *reader)
 void semicolon_missing(struct reader *reader)
 {
     struct scene_token at = reader->token;
-
     if (reader->declared.source) {
         at.source = reader->declared.source;
         at.place = reader->declared.place;
@@ -176,7 +167,6 @@ void semicolon_missing(struct reader *reader)
 static void end_value(struct reader *reader)
 {
     const struct open_text *frame;
-
     reader->declared.source = reader->token.source;
     reader->declared.place = reader->before;
     if (reader->lexer.depth <= reader->declared.depth)
@@ -189,7 +179,6 @@ static void end_value(struct reader *reader)
 void semicolon_find(struct reader *reader)
 {
     struct scene_token *token = &reader->token;
-
     if (continues_value(token))
         return;
     end_value(reader);

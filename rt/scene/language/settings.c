@@ -6,7 +6,6 @@
 static bool read_gamma(struct reader *reader, const struct item *item)
 {
     struct scene *scene = item->subject;
-
     if (reader_accept(reader, "srgb")) {
         reader_report(reader, &item->at,
                       "assumed_gamma srgb is not supported; 2.2 is used instead");
@@ -21,7 +20,6 @@ static bool read_trace_level(struct reader *reader, const struct item *item)
     enum { LEAST = 1, MAX = 256 };
     struct scene *scene = item->subject;
     double level;
-
     if (!read_number(reader, &level))
         return false;
     if (level < LEAST || level > MAX)

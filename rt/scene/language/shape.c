@@ -20,7 +20,6 @@ bool shape_copy(struct reader *reader, struct scene_object *copy,
 {
     struct scene_token at = reader->token;
     size_t more = object->part_count + object->light_count;
-
     if (!shape_count(reader, more, &at)
         || !mesh_count(reader, mesh_triangles(object), &at))
         return false;
@@ -44,7 +43,6 @@ bool shape_leave_out(struct reader *reader, struct scene_object *object,
                      const struct scene_token *at, const char *reason)
 {
     struct primitive primitive;
-
     memset(&primitive, 0, sizeof primitive);
     primitive_leave_out(reader, &primitive, at, reason);
     return shape_add(reader, object, &primitive, at);
@@ -55,7 +53,6 @@ void shape_choose_texture(struct reader *reader, struct scene_object *object,
                           const char *own)
 {
     struct scene_part *part = object->parts;
-
     if (!part->textured)
         return;
     reader_report(reader, at,
@@ -77,7 +74,6 @@ static bool read_texture(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
     enum texture_part part = (enum texture_part)item->keyword->detail;
-
     if (part == TEXTURE_WHOLE && object->textured)
         return texture_layer_read(reader, &item->at, &object->texture);
     if (!object->textured)
@@ -100,7 +96,6 @@ void object_fill(struct reader *reader, struct scene_object *object, double ior)
 static bool read_interior(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
-
     if (!object->filled)
         object_fill(reader, object, 1);
     if (!interior_read(reader, &object->ior))
@@ -128,7 +123,6 @@ static bool read_inverse(struct reader *reader, const struct item *item)
 static bool read_no_shadow(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
-
     (void)reader;
     for (size_t i = 0; i < object->part_count; i++)
         object->parts[i].primitive.no_shadow = true;
@@ -141,7 +135,6 @@ static bool read_hidden(struct reader *reader, const struct item *item)
     struct scene_object *object = item->subject;
     unsigned rays = (unsigned)item->keyword->detail;
     double on = 1;
-
     if (starts_expression(reader) && !read_number(reader, &on))
         return false;
     object->hidden_from &= ~rays;
@@ -153,7 +146,6 @@ static bool read_hidden(struct reader *reader, const struct item *item)
 static bool read_sturm(struct reader *reader, const struct item *item)
 {
     double ignored;
-
     (void)item;
     return !starts_expression(reader) || read_number(reader, &ignored);
 }
@@ -162,7 +154,6 @@ static bool read_sturm(struct reader *reader, const struct item *item)
 static void material_move(void *subject, const struct placement *step)
 {
     struct scene_object *object = subject;
-
     texture_move(&object->texture, step);
 }
 
@@ -191,7 +182,6 @@ bool material_read(struct reader *reader, struct scene_object *object)
 {
     const struct scene_value *value;
     struct block block;
-
     if (!block_open(reader, &block, '{'))
         return false;
     value = reader_use(reader, VALUE_MATERIAL);
@@ -253,7 +243,6 @@ static void report_hidden(struct reader *reader, enum joining joining,
     bool several = child->branch_count > 0
                    && child->branches[0].size < child->branch_count;
     unsigned hidden_from = object_hidden_from(child);
-
     if (joining == JOIN_APART || (joining != JOIN_MERGE && !several))
         return;
     if (joining != JOIN_MERGE)
@@ -271,7 +260,6 @@ static bool read_child(struct reader *reader, const struct item *item)
     bool done = shape_read(reader, &child, item)
                 && (object->joining == JOIN_APART
                     || fields_fill(reader, &child, &item->at));
-
     if (done && object->joining >= JOIN_INTERSECTION)
         report_patches(reader, &child, &item->at);
     if (done)
@@ -312,10 +300,8 @@ static bool read_base(struct reader *reader, struct scene_object *object)
 {
     const struct scene_value *value = reader_use(reader, VALUE_OBJECT);
     struct item item = item_find(reader, &solid_grammar, object);
-
     if (value) {
         bool done = shape_copy(reader, object, &value->is.object);
-
         if (!object->named)
             object->name = reader_keep_name(reader);
         reader_next(reader);
@@ -342,7 +328,6 @@ bool looks_like_read(struct reader *reader, struct scene_object *object,
     struct placement step = placement_translation(position);
     struct block block;
     bool good;
-
     if (!block_open(reader, &block, '{'))
         return false;
     good = read_base(reader, object);
@@ -366,7 +351,6 @@ static void set_joining(struct reader *reader, struct scene_object *object,
                         const struct item *item)
 {
     enum shape_word shape = (enum shape_word)item->keyword->detail;
-
     if (shape != SHAPE_LIGHT_GROUP) {
         object->joining = (enum joining)(shape - SHAPE_UNION);
         return;
@@ -391,7 +375,6 @@ static bool read_first(struct reader *reader, struct scene_object *object,
     static shape_reader *const readers[] = { text_read, bicubic_patch_read,
                                              polygon_read, height_field_read };
     struct primitive primitive;
-
     if (is_joined(shape)) {
         set_joining(reader, object, item);
         return true;
@@ -423,7 +406,6 @@ bool shape_read(struct reader *reader, struct scene_object *object,
     enum shape_word shape = (enum shape_word)item->keyword->detail;
     struct block block;
     bool good;
-
     if (shape == SHAPE_NAMED)
         return read_named(reader, object, item);
     if (shape == SHAPE_LIGHT)

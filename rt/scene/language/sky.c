@@ -6,7 +6,6 @@ static bool read_pigment(struct reader *reader, const struct item *item)
 {
     struct pigment pigment = reader->default_texture.pigment;
     struct sky_setting *sky = item->subject;
-
     if (sky->pigments++ == 1)
         reader_report(reader, &item->at,
                       "layered pigments are not supported; the lowest one "
@@ -40,7 +39,6 @@ void sky_take(struct reader *reader, const struct sky_setting *sky,
 {
     const struct pigment *pigment = &sky->pigment;
     struct scene *scene = reader->scene;
-
     if (sky->pigments == 0)
         return;
     scene->sky = *pigment;

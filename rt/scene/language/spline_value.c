@@ -13,7 +13,6 @@ static bool accept_kind(struct reader *reader, enum spline_kind *kind)
     static const char *const words[SPLINE_KINDS] = { "linear_spline",
                                                      "quadratic_spline", "cubic_spline",
                                                      "natural_spline" };
-
     for (int i = 0; i < SPLINE_KINDS; i++)
         if (reader_accept(reader, words[i])) {
             *kind = (enum spline_kind)i;
@@ -28,7 +27,6 @@ static bool read_point(struct reader *reader, struct spline *spline)
     struct numbers value;
     size_t moved;
     double t;
-
     if (!read_number(reader, &t))
         return false;
     reader_comma(reader);
@@ -48,7 +46,6 @@ bool spline_read(struct reader *reader, const struct item *item)
     struct spline *spline;
     struct block block;
     bool good = true;
-
     if (!block_open(reader, &block, '{'))
         return false;
     from = reader_value_of(reader, VALUE_SPLINE);
@@ -75,7 +72,6 @@ bool spline_read(struct reader *reader, const struct item *item)
 bool spline_is_alone(struct reader *reader)
 {
     struct scene_token after;
-
     if (!reader_value_of(reader, VALUE_SPLINE))
         return false;
     after = reader_peek(reader);
@@ -99,7 +95,6 @@ bool spline_call(struct reader *reader, struct numbers *value)
     enum spline_kind kind = spline->kind;
     double t;
     bool done;
-
     spline->holders++;
     reader_next(reader);
     done = read_parameter(reader, &t, &kind);

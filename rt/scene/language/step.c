@@ -11,7 +11,6 @@ static bool read_scaling(struct reader *reader, const struct item *item,
                          struct placement *step)
 {
     double by[3];
-
     if (!read_vector(reader, by))
         return false;
     for (int i = 0; i < 3; i++)
@@ -39,7 +38,6 @@ static bool read_matrix(struct reader *reader, const struct item *item,
                         struct placement *step)
 {
     double values[12];
-
     if (!reader_expect_sign(reader, '<'))
         return false;
     for (int i = 0; i < 12; i++) {
@@ -57,7 +55,6 @@ static bool read_matrix(struct reader *reader, const struct item *item,
 static bool read_named(struct reader *reader, struct placement *step)
 {
     const struct scene_value *value = reader_use(reader, VALUE_TRANSFORM);
-
     if (!value)
         return transform_read(reader, step);
     *step = value->is.transform;
@@ -70,7 +67,6 @@ static bool read_step(struct reader *reader, const struct item *item,
 {
     enum step kind = (enum step)item->keyword->detail;
     double vector[3];
-
     if (kind == STEP_SCALE)
         return read_scaling(reader, item, step);
     if (kind == STEP_MATRIX)
@@ -88,7 +84,6 @@ static bool read_step(struct reader *reader, const struct item *item,
 static bool item_step(struct reader *reader, const struct item *item)
 {
     struct placement step;
-
     if (!read_step(reader, item, &step))
         return false;
     item->grammar->move(item->subject, &step);
@@ -109,7 +104,6 @@ struct transform_reading {
 static void move(void *subject, const struct placement *step)
 {
     struct transform_reading *reading = subject;
-
     reading->placement = placement_then(&reading->placement, step);
 }
 
@@ -126,7 +120,6 @@ bool transform_read(struct reader *reader, struct placement *placement)
 {
     struct transform_reading reading = { placement_none, false };
     struct scene_token at = reader->token;
-
     if (!block_read_from(reader, &grammar, VALUE_TRANSFORM, &reading,
                          sizeof reading.placement))
         return false;

@@ -21,7 +21,6 @@ struct made_string {
 static void add(struct made_string *buffer, const char *text, size_t length)
 {
     char *grown;
-
     if (buffer->full || length > STRING_LONGEST - buffer->length) {
         buffer->full = true;
         return;
@@ -62,7 +61,6 @@ static void add_utf8(struct made_string *buffer, unsigned code)
 {
     char bytes[3];
     size_t length = code < 0x80 ? 1 : code < 0x800 ? 2 : 3;
-
     for (size_t i = length; --i > 0; code >>= 6)
         bytes[i] = (char)(0x80 | (code & 0x3f));
     bytes[0] = (char)(length == 1 ? code : length == 2 ? 0xc0 | code : 0xe0 | code);
@@ -73,7 +71,6 @@ static int hex_digit(char c)
 {
     static const char digits[] = "0123456789abcdef0123456789ABCDEF";
     const char *found = c ? strchr(digits, c) : NULL;
-
     return found ? (int)((found - digits) % 16) : -1;
 }
 
@@ -81,7 +78,6 @@ static int hex_digit(char c)
 static unsigned read_code(const char *text, size_t length)
 {
     unsigned code = 0;
-
     if (length < 4)
         return 0;
     for (size_t i = 0; i < 4; i++) {
@@ -101,7 +97,6 @@ static size_t add_escape(struct made_string *buffer, const char *text, size_t le
     static const char bytes[] = "\a\b\f\n\r\t\v\\'\"";
     const char *found = *text ? strchr(names, *text) : NULL;
     unsigned code = *text == 'u' ? read_code(text + 1, length - 1) : 0;
-
     if (code) {
         add_utf8(buffer, code);
         return 5;
@@ -116,7 +111,6 @@ static bool add_quoted(struct reader *reader, const struct scene_token *token,
                        struct made_string *buffer)
 {
     const char *text = token->text, *end = text + token->length;
-
     while (text < end) {
         size_t escaped = 1;
         if (*text == '\0')
@@ -155,7 +149,6 @@ static bool read_format(struct reader *reader, int *width, int *digits)
 {
     struct scene_token at = reader->token;
     double given[2];
-
     for (int i = 0; i < 2; i++)
         if (!reader_expect_sign(reader, ',') || !read_full_number(reader, &given[i]))
             return false;
@@ -171,7 +164,6 @@ static bool read_format(struct reader *reader, int *width, int *digits)
 static void add_number(struct made_string *buffer, double value, int width, int digits)
 {
     char text[MAX_PRINTED];
-
     if (width < 0)
         snprintf(text, sizeof text, "%0*.*f", -width, digits, value);
     else
@@ -183,7 +175,6 @@ static bool read_str(struct reader *reader, struct made_string *buffer)
 {
     double value;
     int width, digits;
-
     if (!read_full_number(reader, &value) || !read_format(reader, &width, &digits))
         return false;
     add_number(buffer, value, width, digits);
@@ -198,7 +189,6 @@ static bool read_vstr(struct reader *reader, struct made_string *buffer)
     char *between = NULL;
     int width, digits;
     bool done;
-
     if (!read_full_number(reader, &count) || !reader_expect_sign(reader, ',')
         || !read_full(reader, &vector) || !reader_expect_sign(reader, ',')
         || !string_read(reader, &between))
@@ -221,7 +211,6 @@ static bool read_chr(struct reader *reader, struct made_string *buffer)
 {
     struct scene_token at = reader->token;
     double code;
-
     if (!read_full_number(reader, &code))
         return false;
     if (!(code >= 1 && code < 0x10000))
@@ -235,7 +224,6 @@ static bool read_range(struct reader *reader, size_t length, size_t *from,
 {
     struct scene_token at = reader->token;
     double first, wanted;
-
     *from = *count = 0;
     if (!reader_expect_sign(reader, ',') || !read_full_number(reader, &first)
         || !reader_expect_sign(reader, ',') || !read_full_number(reader, &wanted))
@@ -253,7 +241,6 @@ static bool read_substr(struct reader *reader, struct made_string *buffer)
     char *whole;
     size_t from, count;
     bool done;
-
     if (!string_read(reader, &whole))
         return false;
     done = read_range(reader, strlen(whole), &from, &count);
@@ -268,7 +255,6 @@ static bool read_cased(struct reader *reader, struct made_string *buffer, char f
                        int change)
 {
     char *text;
-
     if (!string_read(reader, &text))
         return false;
     for (char *c = text; *c; c++)
@@ -317,7 +303,6 @@ static bool read_call(struct reader *reader, const struct string_function *funct
 {
     size_t hold = reader_nest(reader);
     bool done = false;
-
     if (reader_enter(reader)) {
         reader_next(reader);
         done = reader_expect_sign(reader, '(') && function->read(reader, buffer)
@@ -335,7 +320,6 @@ bool string_read(struct reader *reader, char **string)
     const struct scene_value *named = reader_value_of(reader, VALUE_STRING);
     struct made_string buffer = { NULL, 0, false };
     bool done = true;
-
     if (named)
         add(&buffer, named->is.string, strlen(named->is.string));
     else if (at.kind == TOKEN_STRING)
@@ -353,7 +337,6 @@ bool quoted_read(struct reader *reader, const struct scene_token *token, char **
 {
     struct made_string buffer = { NULL, 0, false };
     bool done = add_quoted(reader, token, &buffer);
-
     return give(reader, token, &buffer, done, string);
 }
 
@@ -361,7 +344,6 @@ bool file_name_read(struct reader *reader, char **name)
 {
     struct scene_token at = reader->token;
     struct made_string buffer = { NULL, 0, false };
-
     if (at.kind != TOKEN_STRING || memchr(at.text, '\0', at.length))
         return string_read(reader, name);
     add(&buffer, at.text, at.length);
@@ -373,7 +355,6 @@ bool string_read_within(struct reader *reader, char **string)
 {
     size_t hold = reader_nest(reader);
     bool done = string_read(reader, string);
-
     reader->hold = hold;
     return done;
 }

@@ -33,7 +33,6 @@ struct declared_name *symbols_find(const struct declared_names *symbols,
                                    const char *name, size_t length)
 {
     struct declared_name *symbol = symbols->buckets[bucket_of(name, length)];
-
     while (symbol && !has_name(symbol, name, length))
         symbol = symbol->next;
     return symbol;
@@ -43,7 +42,6 @@ struct declared_name *symbols_find_at(const struct declared_names *symbols,
                                       size_t level, const char *name, size_t length)
 {
     struct declared_name *symbol = symbols->buckets[bucket_of(name, length)];
-
     while (symbol && !(symbol->level == level && has_name(symbol, name, length)))
         symbol = symbol->next;
     return symbol;
@@ -56,7 +54,6 @@ static struct scene_value **walk(struct scene_value **value, const size_t *eleme
 {
     for (size_t i = 0; i < hops && value && *value; i++) {
         struct array *array = (*value)->is.array;
-
         value = (*value)->kind == VALUE_ARRAY && element[i] < array->count
                     ? &array->cell[element[i]]
                     : NULL;
@@ -68,14 +65,12 @@ const struct scene_value *reference_value(const struct reference *reference)
 {
     struct scene_value *own = &reference->symbol->value;
     struct scene_value **found = walk(&own, reference->element, reference->hops);
-
     return found ? *found : NULL;
 }
 
 struct reference reference_to(struct declared_name *symbol)
 {
     struct reference reference = { symbol, 0, { 0 } };
-
     return symbol->target.symbol ? symbol->target : reference;
 }
 
@@ -104,7 +99,6 @@ static struct declared_name *add(struct declared_names *symbols, size_t level,
 {
     struct declared_name **bucket = &symbols->buckets[bucket_of(name, length)];
     struct declared_name *symbol = calloc(1, sizeof *symbol + length);
-
     if (!symbol)
         return NULL;
     symbol->level = level;
@@ -126,7 +120,6 @@ const char *symbols_add(struct declared_names *symbols, size_t level, const char
                         size_t length, struct scene_value *value)
 {
     struct declared_name *symbol = add(symbols, level, name, length);
-
     if (!symbol) {
         value_free(value);
         return no_memory;
@@ -145,7 +138,6 @@ static const char *assign_element(const struct reference *reference,
                               ? (*found)->is.array
                               : NULL;
     const char *fault = NULL;
-
     if (!array || reference->element[last] >= array->count)
         fault = "the array of this element no longer exists";
     else if (value->kind == VALUE_ARRAY
@@ -161,7 +153,6 @@ const char *reference_assign(const struct reference *reference,
                              struct scene_value *value)
 {
     struct declared_name *symbol = reference->symbol;
-
     if (reference->hops)
         return assign_element(reference, value);
     value_free(&symbol->value);
@@ -174,7 +165,6 @@ const char *symbols_assign(struct declared_names *symbols, struct declared_name 
                            struct scene_value *value)
 {
     struct reference reference;
-
     if (!symbol)
         return symbols_add(symbols, level, name->text, name->length, value);
     reference = reference_to(symbol);
@@ -186,7 +176,6 @@ const char *symbols_refer(struct declared_names *symbols, size_t level,
                           const struct reference *reference)
 {
     struct declared_name *symbol = add(symbols, level, name, length);
-
     if (!symbol)
         return no_memory;
     symbol->target = *reference;
@@ -199,7 +188,6 @@ static void unlink_symbol(struct declared_names *symbols, struct declared_name *
 {
     struct declared_name *
         *link = &symbols->buckets[bucket_of(symbol->name, symbol->length)];
-
     while (*link != symbol)
         link = &(*link)->next;
     *link = symbol->next;
@@ -210,7 +198,6 @@ bool symbols_remove(struct declared_names *symbols, const char *name, size_t len
 {
     struct declared_name *symbol = symbols_find(symbols, name, length);
     struct declared_name **link = &symbols->locals;
-
     if (!symbol)
         return false;
     while (*link && *link != symbol)

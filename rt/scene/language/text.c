@@ -27,7 +27,6 @@ static struct placement to_character(const double position[3])
 {
     struct placement placement = placement_none;
     double values[12] = { 1, 0, 0, 0, 0, 1, 0, 1, 0 };
-
     memcpy(values + 9, position, 3 * sizeof *position);
     placement_matrix(values, &placement);
     return placement;
@@ -62,7 +61,6 @@ static bool add_glyph(struct text_reading *text, const struct glyph *glyph)
     struct primitive prism;
     struct scene_object one = { 0 };
     bool done;
-
     if (glyph->count > MAX_PATH)
         return reader_fault(reader, text->at, "more than %d points in one character",
                             MAX_PATH);
@@ -82,7 +80,6 @@ static bool add_character(struct text_reading *text, bool first, uint32_t before
 {
     struct reader *reader = text->reader;
     struct glyph glyph;
-
     if (!font_glyph(text->font, character, &reader->scene->kept, &glyph))
         return reader_fault(reader, text->at,
                             "the font is invalid, or there is not enough memory");
@@ -104,7 +101,6 @@ static uint32_t next_character(const unsigned char **string)
     const unsigned char *s = *string;
     size_t more = s[0] >= 0xf0 ? 3 : s[0] >= 0xe0 ? 2 : s[0] >= 0xc0 ? 1 : 0;
     uint32_t character = more ? s[0] & (0x3fu >> more) : s[0];
-
     for (size_t i = 1; i <= more; i++) {
         if ((s[i] & 0xc0) != 0x80) {
             *string = s + 1;
@@ -121,7 +117,6 @@ static bool add_characters(struct text_reading *text, const char *string)
     const unsigned char *next = (const unsigned char *)string;
     uint32_t before = 0;
     bool first = true;
-
     for (; *next; first = false) {
         uint32_t character = next_character(&next);
         if (!add_character(text, first, before, character))
@@ -136,7 +131,6 @@ static bool add_characters(struct text_reading *text, const char *string)
 static bool read_extent(struct text_reading *text)
 {
     struct reader *reader = text->reader;
-
     reader_comma(reader);
     if (!read_number(reader, &text->thickness))
         return false;
@@ -151,7 +145,6 @@ static bool read_with(struct text_reading *text, const struct scene_source *sour
     const char *fault;
     struct font *font;
     bool done;
-
     if (!read_extent(text) || !reader_spend(text->reader, FONT_COST))
         return false;
     font = font_open(source->text, source->length, &fault);
@@ -166,7 +159,6 @@ static const struct scene_source *read_font(struct reader *reader)
     const struct scene_source *source;
     struct scene_token at;
     char *name;
-
     if (is_token(&reader->token, "internal")) {
         reader_fault(reader, &reader->token,
                      "the built-in fonts of POV-Ray are not supported");
@@ -191,7 +183,6 @@ bool text_read(struct reader *reader, struct scene_object *object,
     const struct scene_source *source = read_font(reader);
     char *string;
     bool done;
-
     if (!source)
         return false;
     reader_comma(reader);

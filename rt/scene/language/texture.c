@@ -15,7 +15,6 @@ static bool read_fresnel(struct reader *reader, const struct item *item)
 {
     struct mirror_reading *mirror = item->subject;
     double number = 1;
-
     if (starts_expression(reader) && !read_number(reader, &number))
         return false;
     mirror->fresnel = mirror->finish.fresnel = number != 0;
@@ -39,7 +38,6 @@ static const struct grammar reflection_grammar = { "a keyword of reflection",
 static bool read_mirror(struct reader *reader, struct finish *finish)
 {
     bool good = read_rgb(reader, finish->reflection);
-
     memcpy(finish->reflection_most, finish->reflection, sizeof finish->reflection);
     return good;
 }
@@ -60,7 +58,6 @@ static bool read_reflection(struct reader *reader, const struct item *item)
     struct mirror_reading mirror = { *finish, false };
     struct block block;
     bool two = false;
-
     if (!reader_at_sign(reader, '{'))
         return read_mirror(reader, finish);
     if (!block_open(reader, &block, '{')
@@ -77,7 +74,6 @@ static bool read_amount(struct reader *reader, const struct item *item)
 {
     struct scene_token more = reader->token;
     double inside;
-
     if (reader_accept(reader, "albedo"))
         reader_report(reader, &more, "'albedo' is not supported and is ignored");
     if (!item_number(reader, item))
@@ -150,7 +146,6 @@ bool texture_map_read(struct reader *reader, struct texture *texture)
 static bool read_pattern(struct reader *reader, const struct item *item)
 {
     struct texture texture = reader->default_texture;
-
     reader_report(reader, &item->at,
                   "textures in the pattern '%.*s' are not supported; "
                   "the first one is used instead",
@@ -169,7 +164,6 @@ static bool read_tiles(struct reader *reader, const struct item *item)
 {
     struct block block;
     bool good;
-
     reader_report(reader, &item->at,
                   "'tiles' is not supported; the first texture is used instead");
     if (!block_open(reader, &block, '{'))
@@ -200,10 +194,8 @@ static const struct grammar texture_grammar = { "a keyword of texture",
 bool texture_body(struct reader *reader, const struct block *block, void *subject)
 {
     const struct scene_value *value = reader_use(reader, VALUE_TEXTURE);
-
     if (value) {
         struct texture *texture = subject;
-
         *texture = value->is.texture;
         texture->name = reader_keep_name(reader);
         reader_next(reader);
@@ -214,7 +206,6 @@ bool texture_body(struct reader *reader, const struct block *block, void *subjec
 bool texture_read(struct reader *reader, struct texture *texture)
 {
     struct block block;
-
     return block_open(reader, &block, '{') && texture_body(reader, &block, texture);
 }
 
@@ -223,7 +214,6 @@ bool texture_layer_read(struct reader *reader, const struct scene_token *at,
                         struct texture *texture)
 {
     struct texture layer = reader->default_texture;
-
     if (!texture_read(reader, &layer))
         return false;
     if (pigment_is_clear(&layer.pigment))

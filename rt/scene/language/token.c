@@ -19,7 +19,6 @@ static struct open_text *open_frame(struct lexer *lexer,
                                     const struct scene_source *source)
 {
     struct open_text *frame = &lexer->frames[lexer->depth];
-
     if (lexer->depth == MAX_FRAMES)
         return NULL;
     lexer->depth++;
@@ -43,7 +42,6 @@ bool lexer_call(struct lexer *lexer, const struct scene_source *source,
                 struct text_place place, size_t end, const struct scene_token *call)
 {
     struct open_text *frame = open_frame(lexer, source);
-
     if (!frame)
         return false;
     frame->place = place;
@@ -56,7 +54,6 @@ bool lexer_call(struct lexer *lexer, const struct scene_source *source,
 void lexer_jump(struct lexer *lexer, const struct text_place *place)
 {
     struct open_text *frame = lexer_top(lexer);
-
     frame->place = *place;
     frame->comes_again = true;
 }
@@ -87,21 +84,18 @@ static char look(const struct lexer *lexer, size_t ahead)
 {
     const struct open_text *frame = &lexer->frames[lexer->depth - 1];
     size_t at = frame->place.at + ahead;
-
     return at < frame->end ? frame->source->text[at] : '\0';
 }
 
 static bool at_end(const struct lexer *lexer)
 {
     const struct open_text *frame = &lexer->frames[lexer->depth - 1];
-
     return frame->place.at >= frame->end;
 }
 
 static void step(struct lexer *lexer, size_t count)
 {
     struct text_place *place = &lexer_top(lexer)->place;
-
     for (; count && !at_end(lexer); count--) {
         char c = look(lexer, 0);
         place->at++;
@@ -131,7 +125,6 @@ static void skip_line(struct lexer *lexer)
 static bool skip_comment(struct lexer *lexer)
 {
     size_t depth = 0;
-
     while (!at_end(lexer)) {
         bool opens = at_comment(lexer);
         bool closes = look(lexer, 0) == '*' && look(lexer, 1) == '/';
@@ -148,7 +141,6 @@ static struct scene_token here(const struct lexer *lexer, enum scene_token_kind 
 {
     const struct open_text *frame = &lexer->frames[lexer->depth - 1];
     struct scene_token token;
-
     memset(&token, 0, sizeof token);
     token.kind = kind;
     token.source = frame->source;
@@ -171,7 +163,6 @@ static struct scene_token bad(struct scene_token token, size_t length,
 static struct scene_token read_word(struct lexer *lexer)
 {
     struct scene_token token = here(lexer, TOKEN_WORD);
-
     while (is_letter(look(lexer, token.length)) || is_digit(look(lexer, token.length)))
         token.length++;
     step(lexer, token.length);
@@ -181,7 +172,6 @@ static struct scene_token read_word(struct lexer *lexer)
 static size_t digits(const struct lexer *lexer, size_t from)
 {
     size_t n = 0;
-
     while (is_digit(look(lexer, from + n)))
         n++;
     return n;
@@ -190,7 +180,6 @@ static size_t digits(const struct lexer *lexer, size_t from)
 static size_t number_length(const struct lexer *lexer)
 {
     size_t length = digits(lexer, 0), exponent;
-
     if (look(lexer, length) == '.')
         length += 1 + digits(lexer, length + 1);
     if (look(lexer, length) != 'e' && look(lexer, length) != 'E')
@@ -205,7 +194,6 @@ static struct scene_token read_number(struct lexer *lexer)
 {
     struct scene_token token = here(lexer, TOKEN_NUMBER);
     char text[NUMBER_LONGEST + 1];
-
     token.length = number_length(lexer);
     step(lexer, token.length);
     if (token.length > NUMBER_LONGEST) {
@@ -226,7 +214,6 @@ static struct scene_token read_number(struct lexer *lexer)
 static struct scene_token read_string(struct lexer *lexer)
 {
     struct scene_token token = here(lexer, TOKEN_STRING);
-
     step(lexer, 1);
     token.text++;
     while (!at_end(lexer) && look(lexer, 0) != '"') {
@@ -244,7 +231,6 @@ static struct scene_token read_directive(struct lexer *lexer)
 {
     struct scene_token token = here(lexer, TOKEN_DIRECTIVE);
     struct scene_token word;
-
     step(lexer, 1);
     while (is_blank(look(lexer, 0)))
         step(lexer, 1);
@@ -261,7 +247,6 @@ static struct scene_token read_sign(struct lexer *lexer)
     struct scene_token token = here(lexer, TOKEN_SIGN);
     char c = look(lexer, 0);
     size_t rest = 0; /* bytes of a UTF-8 character after the first */
-
     token.length = 1;
     token.sign = (unsigned char)c;
     if (look(lexer, 1) == '=' && c && strchr("!<>", c)) {
@@ -302,7 +287,6 @@ static struct scene_token read_token(struct lexer *lexer)
 {
     struct scene_token opened;
     char c;
-
     if (!skip_blank(lexer, &opened))
         return bad(opened, 2, "the comment is not closed by '*/'");
     c = look(lexer, 0);
@@ -337,7 +321,6 @@ static void keep(struct kept_token *kept, const struct scene_token *token, size_
                  const struct open_text *frame)
 {
     enum { LOOKED_AT = 2 };
-
     if (token->kind == TOKEN_END || token->fault
         || frame->place.at + LOOKED_AT >= frame->end)
         return;
@@ -348,7 +331,6 @@ static void keep(struct kept_token *kept, const struct scene_token *token, size_
 static struct scene_token again(struct lexer *lexer, const struct kept_token *kept)
 {
     struct scene_token token = kept->token;
-
     lexer_top(lexer)->place = kept->token.place;
     token.depth = lexer->depth;
     token.main_line = lexer->frames[0].place.line;
@@ -362,7 +344,6 @@ struct scene_token lexer_next(struct lexer *lexer)
     struct kept_token *kept = kept_at(lexer, frame);
     size_t from = frame->place.at;
     struct scene_token token;
-
     if (!frame->comes_again)
         return read_token(lexer);
     if (is_kept(kept, frame))
@@ -382,7 +363,6 @@ bool token_is_text(const struct scene_token *token, const char *word)
 bool token_is_among(const struct scene_token *token, const char *words)
 {
     size_t length = token->length;
-
     while (words) {
         if (*words == *token->text && !strncmp(words, token->text, length)
             && (words[length] == ' ' || words[length] == '\0'))
@@ -398,7 +378,6 @@ const void *token_row(const struct scene_token *token, const void *rows, size_t 
 {
     for (const char *row = rows; count > 0; row += size, count--) {
         const char *word;
-
         memcpy(&word, row, sizeof word);
         if (token->kind == TOKEN_WORD && token_is_among(token, word))
             return row;
@@ -422,7 +401,6 @@ struct position token_position(const struct scene_token *token)
     struct position position;
     const char *line = source->text + token->place.line_at;
     const char *end = memchr(line, '\n', source->length - token->place.line_at);
-
     position.file = source->name;
     position.line = token->place.line;
     position.column = token->place.at - token->place.line_at + 1;

@@ -10,7 +10,6 @@
 struct numbers numbers_of(double value)
 {
     struct numbers numbers = { 1, { value, 0, 0, 0, 0 } };
-
     return numbers;
 }
 
@@ -36,7 +35,6 @@ const char no_memory[] = "there is not enough memory";
 static const char *copy_string(struct scene_value *copy, const char *text)
 {
     size_t size = strlen(text) + 1;
-
     copy->is.string = malloc(size);
     if (!copy->is.string)
         return no_memory;

@@ -33,7 +33,6 @@ enum { TRACE_LEVEL_DEFAULT = 5 };
 static bool has_space(const struct bumps *bumps)
 {
     struct placement placement = { .to_local = bumps->to_local };
-
     return !bumps_show(bumps)
            || (transform_invert(&placement.to_local, &placement.to_world)
                && placement_is_finite(&placement));
@@ -50,7 +49,6 @@ static bool check_part(struct reader *reader, const struct scene_part *part,
     const struct primitive *primitive = &part->primitive;
     struct placement own = { primitive->to_world, primitive->to_local };
     struct placement pattern = { placement_none.to_world, primitive->pigment.to_local };
-
     if (!placement_is_finite(&own) || !placement_is_finite(&pattern)
         || !has_space(&primitive->bumps))
         return reader_fault(reader, at, "a transform is out of range");
@@ -63,7 +61,6 @@ static void find_material(const struct scene_part *parts, size_t count,
                           struct world_object *object)
 {
     bool found = false;
-
     for (size_t i = 0; i < count; i++) {
         if (parts[i].primitive.inverted)
             continue;
@@ -83,7 +80,6 @@ static bool scene_warning_object(struct reader *reader, size_t first,
     struct scene *scene = reader->scene;
     const struct scene_part *parts = reader->world.parts;
     struct world_object entry = { .name = object->name, .line = at->main_line };
-
     find_material(parts + first, reader->world.part_count - first, &entry);
     return arena_add(&scene->kept, &scene->objects, &scene->object_count,
                      &reader->objects_room, &entry, sizeof entry)
@@ -96,7 +92,6 @@ static void leave_out_extremes(struct reader *reader, struct primitive *primitiv
 {
     struct placement own = { primitive->to_world, primitive->to_local };
     char reason[80];
-
     primitive->transformed = !placement_is_none(&own);
     if (primitive->empty || !placement_is_finite(&own) || shape_is_finite(primitive))
         return;
@@ -123,7 +118,6 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
                          const struct scene_token *at)
 {
     size_t first = reader->world.part_count;
-
     if (!object->textured)
         object->texture = reader->default_texture;
     object->textured = true;
@@ -135,7 +129,6 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
         return reader_no_memory(reader);
     for (size_t i = first; i < reader->world.part_count; i++) {
         struct scene_part *part = &reader->world.parts[i];
-
         part->primitive.object = reader->scene->object_count;
         if (part->smooth_field && !height_field_place(reader, part))
             return false;
@@ -151,7 +144,6 @@ static bool read_object(struct reader *reader, const struct item *item)
     struct scene_object object = { 0 };
     bool done = shape_read(reader, &object, item)
                 && add_to_world(reader, &object, &item->at);
-
     scene_object_free(&object);
     return done;
 }
@@ -159,7 +151,6 @@ static bool read_object(struct reader *reader, const struct item *item)
 static bool read_camera(struct reader *reader, const struct item *item)
 {
     struct camera_setting setting = camera_default;
-
     if (reader->camera_given)
         reader_report(reader, &item->at, "more than one camera: the last is used");
     reader->camera_given = true;
@@ -172,7 +163,6 @@ static bool read_camera(struct reader *reader, const struct item *item)
 static bool read_sky(struct reader *reader, const struct item *item)
 {
     struct sky_setting sky;
-
     if (!sky_read(reader, &sky))
         return false;
     sky_take(reader, &sky, &item->at);
@@ -182,7 +172,6 @@ static bool read_sky(struct reader *reader, const struct item *item)
 static bool read_fog(struct reader *reader, const struct item *item)
 {
     struct fog_setting fog;
-
     return fog_read(reader, &fog) && fog_take(reader, &fog, &item->at);
 }
 
@@ -190,7 +179,6 @@ static bool read_background(struct reader *reader, const struct item *item)
 {
     struct block block;
     bool good;
-
     if (!block_open(reader, &block, '{'))
         return false;
     good = read_rgb(reader, reader->scene->background);
@@ -218,7 +206,6 @@ static bool take_primitives(struct reader *reader)
 {
     const struct scene_object *world = &reader->world;
     struct scene *scene = reader->scene;
-
     scene->primitives = calloc(world->part_count ? world->part_count : 1,
                                sizeof *scene->primitives);
     if (!scene->primitives)
@@ -233,7 +220,6 @@ static bool take_primitives(struct reader *reader)
 static void fill_nodes(struct scene *scene, const struct scene_object *world)
 {
     size_t leaf = 0;
-
     for (size_t i = 0; i < world->branch_count; i++) {
         struct tree_node *node = &scene->nodes[i];
         node->operation = world->branches[i].operation;
@@ -248,7 +234,6 @@ static void fill_nodes(struct scene *scene, const struct scene_object *world)
 static void fill_regions(struct scene *scene)
 {
     size_t leaf = 0;
-
     for (size_t i = 0; i < scene->node_count;) {
         struct region *region = &scene->regions[scene->region_count++];
         region->first_primitive = leaf;
@@ -264,7 +249,6 @@ static void fill_regions(struct scene *scene)
 static bool take_regions(struct reader *reader)
 {
     struct scene *scene = reader->scene;
-
     scene->nodes = calloc(reader->world.branch_count + 1, sizeof *scene->nodes);
     scene->regions = calloc(scene->primitive_count + 1, sizeof *scene->regions);
     if (!scene->nodes || !scene->regions)
@@ -294,7 +278,6 @@ static bool take_floats(struct reader *reader)
 static void report_fogged_bodies(struct reader *reader)
 {
     const struct scene *scene = reader->scene;
-
     for (size_t i = 0; scene->fog_count > 0 && i < scene->primitive_count; i++)
         if (pigment_is_clear(&scene->primitives[i].pigment)) {
             reader_report(reader, &reader->fog,
@@ -308,7 +291,6 @@ static bool take_world(struct reader *reader)
 {
     struct scene *scene = reader->scene;
     bool done;
-
     if (!unit_choose(scene, &reader->world))
         reader_warn(reader, &reader->token,
                     "the objects are smaller than 1e-60 or larger than 1e60: "
@@ -325,7 +307,6 @@ static bool take_world(struct reader *reader)
 static struct scene *new_scene(void)
 {
     struct scene *scene = calloc(1, sizeof *scene);
-
     if (!scene)
         return NULL;
     scene->camera = camera_default.camera;
@@ -340,7 +321,6 @@ static struct scene *new_scene(void)
 static void decide_gamma(struct reader *reader, const struct scene_source *source)
 {
     struct scene_token at = reader->version_at;
-
     if (reader->fault_count > 0 || reader->scene->assumed_gamma > 0
         || !reader_is_before(reader, 3.7))
         return;
@@ -357,7 +337,6 @@ static void decide_gamma(struct reader *reader, const struct scene_source *sourc
 static bool read_all(struct reader *reader, const struct scene_source *source)
 {
     struct block file;
-
     lexer_open(&reader->lexer, source);
     reader_next(reader);
     file = block_file(reader);
@@ -370,7 +349,6 @@ static bool read_all(struct reader *reader, const struct scene_source *source)
 static bool report_notes(struct reader *reader)
 {
     bool strict = reader->options && reader->options->strict;
-
     if (warnings_failed(&reader->warnings))
         return reader_no_memory(reader);
     warnings_report(&reader->warnings, strict ? SEVERITY_ERROR : SEVERITY_REPORT,
@@ -384,7 +362,6 @@ static struct scene *read_source(struct reader *reader,
     size_t before = reader->reports->errors;
     struct scene *scene = new_scene();
     bool done;
-
     reader->scene = scene;
     reader->default_texture = texture_default;
     reader->hold = (size_t)HOLD_NONE;
@@ -407,7 +384,6 @@ static void cannot_read(struct diagnostics *reports, const char *path,
                         const char *reason)
 {
     struct position position = { path, 0, 0, "", 0 };
-
     diagnostics_add(reports, SEVERITY_ERROR, &position, reason);
 }
 
@@ -421,7 +397,6 @@ static struct scene *read_from(const char *name, const char *text,
     struct scene *scene = NULL;
     c205_error error = { "there is not enough memory" };
     size_t before = reports->errors;
-
     if (reader) {
         reader->options = options;
         reader->reports = reports;

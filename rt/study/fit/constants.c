@@ -35,7 +35,6 @@ static bool add_member(struct free_constant *constant, const char *name, size_t 
 {
     size_t i = constant->member_count;
     const c205_constant *found;
-
     if (i == MAX_MEMBERS)
         return constants_fail(error,
                               "%s has more than " LIMIT_TEXT(MAX_MEMBERS) " members",
@@ -96,7 +95,6 @@ static bool read_row(struct constants *constants, const struct csv_row *row,
     struct free_constant *constant = &constants->items[constants->count];
     c205_error error;
     const c205_model *prior = constants_prior(constants, row->fields[MACHINE]);
-
     if (!prior)
         return csv_wrong(file, row, MACHINE, "this machine has no priors", diagnostics);
     if (constants->count == MAX_FREE)
@@ -119,7 +117,6 @@ bool constants_read(struct constants *constants, const char *path,
     const struct position whole = { .file = path };
     c205_error error;
     bool good = true;
-
     memset(constants, 0, sizeof *constants);
     for (size_t i = 0; i < FREE_MACHINES; i++) {
         constants->priors[i] = c205_model_find(priors[i].model, &error);
@@ -176,11 +173,9 @@ size_t constants_settings(const struct constants *constants, const double *place
                           const c205_model *model, c205_setting settings[MAX_SETTINGS])
 {
     size_t count = 0;
-
     for (size_t i = 0; i < constants->count; i++) {
         const struct free_constant *constant = &constants->items[i];
         double factor = factor_at(constant, places[i]);
-
         for (size_t k = 0;
              constant_is_of(constant, model) && k < constant->member_count; k++)
             settings[count++] = (c205_setting){ constant->members[k].name,

@@ -13,10 +13,8 @@ static bool csv_fail(const struct csv *csv, size_t line, const char *at,
                      const char *message, struct diagnostics *diagnostics)
 {
     struct position position = { .file = csv->path };
-
     if (at) {
         const char *place = csv->source + (at - csv->text), *begin = place;
-
         while (begin > csv->source && begin[-1] != '\n')
             begin--;
         position.line = line;
@@ -38,7 +36,6 @@ static bool read_source(struct csv *csv, struct diagnostics *diagnostics)
 {
     c205_error error;
     size_t length;
-
     csv->source = text_file_read(csv->path, FILE_LARGEST, &length, &error);
     if (!csv->source)
         return fail_whole(csv, error.message, diagnostics);
@@ -53,7 +50,6 @@ static bool read_source(struct csv *csv, struct diagnostics *diagnostics)
 static char *next_field(char **line)
 {
     char *field = *line, *end;
-
     if (*field == '"') {
         field++;
         end = strchr(field, '"');
@@ -74,7 +70,6 @@ static bool cut(struct csv *csv, char *line, size_t number, char **fields,
                 struct diagnostics *diagnostics)
 {
     const char *begin = line;
-
     for (size_t i = 0; i < csv->columns; i++) {
         if (!line)
             return csv_fail(csv, number, begin,
@@ -90,7 +85,6 @@ static bool add_row(struct csv *csv, char *line, size_t number,
                     struct diagnostics *diagnostics)
 {
     struct csv_row row = { number, calloc(csv->columns, sizeof *row.fields) };
-
     if (!row.fields || !array_add(&csv->rows, &csv->count, &row, sizeof row)) {
         free(row.fields);
         return fail_whole(csv, "out of memory", diagnostics);
@@ -106,7 +100,6 @@ static bool check_head(const struct csv *csv, const char *const *columns,
     for (size_t i = 0; i < csv->columns; i++)
         if (strcmp(csv->rows[0].fields[i], columns[i]) != 0) {
             char message[80];
-
             snprintf(message, sizeof message, "expected the column '%s'", columns[i]);
             return csv_wrong(csv, &csv->rows[0], i, message, diagnostics);
         }
@@ -116,7 +109,6 @@ static bool check_head(const struct csv *csv, const char *const *columns,
 static bool read_rows(struct csv *csv, struct diagnostics *diagnostics)
 {
     size_t number = 0;
-
     for (char *line = csv->text, *next; line != NULL; line = next) {
         next = strchr(line, '\n');
         if (next)
@@ -168,7 +160,6 @@ bool csv_positive(const struct csv *csv, const struct csv_row *row, size_t field
                   double *value, struct diagnostics *diagnostics)
 {
     char *end;
-
     *value = strtod(row->fields[field], &end);
     return (end != row->fields[field] && *end == '\0' && *value > 0)
            || csv_wrong(csv, row, field, "expected a positive number", diagnostics);

@@ -46,7 +46,6 @@ static bool time_one(const struct work *work, size_t i, c205_error *error)
     const struct run_timing *timing = &all->timings[which];
     c205_setting settings[MAX_SETTINGS];
     size_t count;
-
     if (!work->needed[which] || point->timed[which]
         || (point->moved < MAX_FREE && work->fit->idle[which][point->moved]))
         return true;
@@ -61,12 +60,10 @@ static void do_work(void *context)
 {
     struct work *work = context;
     c205_error error = { "" };
-
     lock_take(work->lock);
     while (work->next < work->count && !work->failed) {
         size_t i = work->next++;
         bool good;
-
         lock_give_back(work->lock);
         good = time_one(work, i, &error);
         lock_take(work->lock);
@@ -83,7 +80,6 @@ static void share_out(struct work *work)
 {
     struct thread *threads[MAX_FIT_JOBS];
     size_t begun = 1;
-
     while (begun < work->fit->jobs && begun < MAX_FIT_JOBS
            && (threads[begun] = thread_begin(do_work, work)))
         begun++;
@@ -110,7 +106,6 @@ static bool time_points(const struct fit *fit, const bool *needed, struct point 
                          .points = points,
                          .count = count * fit->observations->timing_count,
                          .lock = lock_new() };
-
     if (!work.lock)
         return error_set(error, "out of memory");
     share_out(&work);
@@ -128,7 +123,6 @@ static struct point *points_at(const struct fit *fit, const double *places,
 {
     size_t constants = fit->constants->count;
     struct point *points = calloc(1 + constants, sizeof *points);
-
     if (!points)
         error_set(error, "out of memory");
     for (size_t i = 0; points && i < 1 + constants; i++) {
@@ -156,7 +150,6 @@ struct asked {
 static double prior_width(const struct asked *asked, size_t constant)
 {
     double wider = asked->change->wider[constant];
-
     return wider > 0 ? wider : 1;
 }
 
@@ -168,7 +161,6 @@ static const struct observation *used_at(const struct asked *asked, size_t i)
 static double error_at(const struct asked *asked, size_t i, struct point *point)
 {
     const struct observation *item = used_at(asked, i);
-
     return fit_error(item, observation_predict(asked->fit->observations, item,
                                                point->clocks));
 }
@@ -180,7 +172,6 @@ static double shared_error(const struct asked *asked, size_t i, const double *er
 {
     const struct observation *item = used_at(asked, i);
     double own = item->uncertainty, sum = 0, rows = 0;
-
     for (size_t k = 0; k < asked->use_count; k++)
         if (observation_same_group(item, used_at(asked, k))) {
             sum += errors[k * columns];
@@ -201,12 +192,10 @@ static void weigh_errors(const struct asked *asked, double *errors, size_t colum
 {
     for (size_t k = 0; k < columns; k++) {
         double shared[MAX_FIT_OBSERVATIONS];
-
         for (size_t i = 0; i < asked->use_count; i++)
             shared[i] = shared_error(asked, i, errors + k, columns);
         for (size_t i = 0; i < asked->use_count; i++) {
             double *error = &errors[i * columns + k];
-
             *error = (*error - shared[i]) / used_at(asked, i)->uncertainty;
         }
     }
@@ -216,7 +205,6 @@ static void find_residuals(const struct asked *asked, struct point *points,
                            double *residuals)
 {
     const struct fit_change *change = asked->change;
-
     for (size_t i = 0; i < asked->use_count; i++)
         residuals[i] = error_at(asked, i, &points[0]);
     weigh_errors(asked, residuals, 1);
@@ -230,7 +218,6 @@ static void find_derivatives(const struct asked *asked, struct point *points,
 {
     size_t constants = asked->fit->constants->count;
     double *prior = derivatives + asked->use_count * constants;
-
     for (size_t i = 0; i < asked->use_count; i++)
         for (size_t k = 0; k < constants; k++)
             derivatives[i * constants + k] = (error_at(asked, i, &points[k + 1])
@@ -251,7 +238,6 @@ static bool evaluate(void *context, const double *places, double *residuals,
     size_t count;
     struct point *points = points_at(asked->fit, places, &count, &asked->error);
     bool good;
-
     if (points
         && memcmp(asked->last.places, points[0].places, sizeof points[0].places) == 0)
         points[0] = asked->last;
@@ -278,7 +264,6 @@ bool fit_predict(const struct fit *fit, const double *places,
     struct point *points = points_at(fit, places, &count, error);
     bool needed[MAX_FIT_TIMINGS];
     bool good;
-
     memset(needed, true, sizeof needed);
     good = points && time_points(fit, needed, points, 1, error);
     for (size_t i = 0; good && i < all->count; i++)
@@ -301,7 +286,6 @@ static void find_idle(struct fit *fit, const struct point *points, size_t k)
 static void set_strangers_idle(struct fit *fit)
 {
     const struct observations *all = fit->observations;
-
     for (size_t i = 0; i < all->timing_count; i++)
         for (size_t k = 0; k < fit->constants->count; k++)
             fit->idle[i][k] = !constant_is_of(&fit->constants->items[k],
@@ -313,7 +297,6 @@ static void find_needed(const struct fit *fit, const struct fit_change *change,
                         bool needed[MAX_FIT_TIMINGS])
 {
     const struct observations *all = fit->observations;
-
     memset(needed, 0, MAX_FIT_TIMINGS * sizeof *needed);
     for (size_t i = 0; i < all->count; i++)
         for (size_t k = 0; k < all->items[i].term_count; k++)
@@ -329,7 +312,6 @@ bool fit_begin(struct fit *fit, c205_error *error)
     struct point *points;
     size_t count;
     bool good;
-
     if (fit->observations->count > MAX_FIT_OBSERVATIONS
         || fit->observations->timing_count > MAX_FIT_TIMINGS)
         return error_set(error, "more than %d observations or %d programs",
@@ -349,7 +331,6 @@ bool fit_begin(struct fit *fit, c205_error *error)
 static void choose(struct asked *asked)
 {
     const struct observations *all = asked->fit->observations;
-
     for (size_t i = 0; i < all->count; i++)
         if (all->items[i].use == OBSERVATION_FIT && !asked->change->held[i])
             asked->used[asked->use_count++] = i;
@@ -362,11 +343,9 @@ static void find_errors(const struct ceres_outcome *found, size_t constants,
                         struct fit_outcome *outcome)
 {
     double scale = fmax(1, sqrt(2 * found->cost / (double)outcome->used));
-
     for (size_t i = 0; i < constants; i++) {
         double error = found->determined ? sqrt(found->covariance[i * constants + i])
                                          : NAN;
-
         outcome->raw_errors[i] = error;
         outcome->errors[i] = error * scale;
     }
@@ -386,13 +365,11 @@ bool fit_solve(const struct fit *fit, const struct fit_change *change,
     struct ceres_problem problem = {
         constants, 0, least, most, losses, evaluate, &asked
     };
-
     choose(&asked);
     find_needed(fit, change, asked.needed);
     problem.residuals = asked.use_count + constants;
     for (size_t i = 0; i < constants; i++) {
         const struct free_constant *constant = &fit->constants->items[i];
-
         least[i] = constant_place(constant, constant->least);
         most[i] = constant_place(constant, constant->most);
         outcome->places[i] = places[i];

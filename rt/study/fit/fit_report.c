@@ -97,7 +97,6 @@ static void add_observation(const struct study *study, size_t i, const double *w
 {
     const struct observation *item = &study->fit.observations->items[i];
     double error = fit_error(item, study->best.predicted[i]);
-
     table_text(table, item->name);
     table_text(table, item->unit);
     table_number(table, item->value);
@@ -141,7 +140,6 @@ static void fill_ranges(const struct study *study, const double *written,
     for (size_t i = 0; i < study->fit.observations->count; i++) {
         const struct observation *item = &study->fit.observations->items[i];
         double predicted = study->best.predicted[i];
-
         if (item->use != OBSERVATION_RANGE)
             continue;
         table_text(table, item->name);
@@ -162,7 +160,6 @@ static size_t add_span(const struct study *study, size_t first, struct table *ta
     const struct observation *item = &all->items[first];
     size_t length = observation_group(item), ways = 0;
     double least = INFINITY, most = 0;
-
     for (; first + ways < all->count && observation_same_group(item, &item[ways]);
          ways++) {
         least = fmin(least, study->best.predicted[first + ways]);
@@ -170,7 +167,6 @@ static size_t add_span(const struct study *study, size_t first, struct table *ta
     }
     if (ways > 1) {
         char name[64];
-
         snprintf(name, sizeof name, "%.*s", (int)length, item->name);
         table_text(table, name);
         table_count(table, ways);
@@ -186,7 +182,6 @@ static void fill_spans(const struct study *study, const double *written,
                        struct table *table)
 {
     const struct observations *all = study->fit.observations;
-
     (void)written;
     for (size_t i = 0; i < all->count;)
         i += all->items[i].use == OBSERVATION_RANGE ? add_span(study, i, table) : 1;
@@ -202,7 +197,6 @@ static void add_speedup(const struct study *study, const double *written,
     double ratio = study_speedup(study, study->best.predicted, subject, other,
                                  &reported);
     double shown = study_speedup(study, written, subject, other, &reported);
-
     table_text(table, subject->name);
     table_text(table, other ? speedup_projections[0] : "205 scalar");
     table_number(table, reported);
@@ -230,7 +224,6 @@ static void add_constant(const struct study *study, size_t i, struct table *tabl
     const struct fit_outcome *best = &study->best;
     const char source[2] = { constant->source, '\0' };
     double width = constant->prior * constant->width;
-
     table_text(table, constant->name);
     table_text(table, constant->members[0].name);
     table_text(table, source);
@@ -259,11 +252,9 @@ static void fill_left_out(const struct study *study, const double *written,
                           struct table *table)
 {
     const struct observations *all = study->fit.observations;
-
     (void)written;
     for (size_t i = 0; i < all->count; i++) {
         const struct observation *item = &all->items[i];
-
         if (!study_is_fitted(study, i))
             continue;
         table_text(table, item->name);
@@ -279,11 +270,9 @@ static size_t most_changed(const struct study *study, const struct fit_outcome *
                            double *change)
 {
     size_t which = 0;
-
     *change = 0;
     for (size_t i = 0; i < study->fit.observations->count; i++) {
         double here = other->predicted[i] / study->best.predicted[i] - 1;
-
         if (study_is_fitted(study, i) && fabs(here) > fabs(*change)) {
             *change = here;
             which = i;
@@ -300,7 +289,6 @@ static void fill_doubled(const struct study *study, const double *written,
         const struct free_constant *constant = &study->fit.constants->items[i];
         double change;
         size_t row = most_changed(study, &study->moved[i], &change);
-
         table_text(table, constant->name);
         table_number(table, constant_value(constant, study->best.places[i]));
         table_number(table, constant_value(constant, study->wide[i].places[i]));
@@ -324,15 +312,12 @@ static void fill_without(const struct study *study, const double *written,
                          struct table *table)
 {
     const struct observations *all = study->fit.observations;
-
     (void)written;
     for (size_t k = 0; k < study->group_count; k++) {
         const struct study_group *group = &study->groups[k];
-
         for (size_t i = 0; i < all->count; i++) {
             const struct observation *item = &all->items[i];
             double predicted = group->without.predicted[i];
-
             if (!study_is_fitted(study, i) || !study_is_of(group, item))
                 continue;
             table_text(table, group->name);
@@ -351,7 +336,6 @@ static void fill_untouched(const struct study *study, const double *written,
     for (size_t i = 0; i < study->unidentifiable.count; i++) {
         const struct unidentifiable *item = &study->unidentifiable.items[i];
         const char source[2] = { item->constant->source, '\0' };
-
         table_text(table, item->machine);
         table_text(table, item->constant->name);
         table_number(table, item->constant->value);
@@ -398,7 +382,6 @@ static void print_head(const struct study *study, const struct command_output *r
 {
     const struct fit_outcome *best = &study->best;
     double known = study_known(study);
-
     output_printf(results,
                   "%zu observation%s, %zu free constant%s; cost %.3f after %d "
                   "step%s, %s.\n"
@@ -432,7 +415,6 @@ static bool add_part(const struct study *study, const struct report_part *part,
                      const double *written, const struct command_output *results)
 {
     struct table *table = table_new(part->columns, part->count);
-
     if (table)
         part->fill(study, written, table);
     return output_part(results, table, part->key, part->heading);

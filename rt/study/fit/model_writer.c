@@ -18,14 +18,12 @@ static const c205_model *prior_of(const struct observations *all, const char *pa
     const char *slash = strrchr(path, '/');
     const char *file = slash ? slash + 1 : path;
     size_t length = strcspn(file, ".");
-
     if (strcmp(file + length, ".model") != 0) {
         error_set(error, "%.100s: the name of a model file must end in .model", path);
         return NULL;
     }
     for (size_t i = 0; i < all->model_count; i++) {
         const char *name = c205_model_name(all->models[i]);
-
         if (strncmp(file, name, length) == 0
             && strcmp(name + length, PRIOR_SUFFIX) == 0)
             return all->models[i];
@@ -48,10 +46,8 @@ static size_t written_settings(const struct study *study, const c205_model *mode
 {
     size_t count = constants_settings(study->fit.constants, study->best.places, model,
                                       settings);
-
     for (size_t i = 0; i < count; i++) {
         char text[64];
-
         snprintf(text, sizeof text, "%.*f",
                  decimals(c205_model_lookup(model, settings[i].name)),
                  settings[i].value);
@@ -66,11 +62,9 @@ static bool time_all(const struct study *study, double (*clocks)[MAX_RUN_REGIONS
     const struct observations *all = study->fit.observations;
     c205_setting settings[MAX_SETTINGS];
     bool good = true;
-
     for (size_t i = 0; good && i < all->timing_count; i++) {
         const struct run_timing *timing = &all->timings[i];
         size_t count = written_settings(study, timing->model, settings);
-
         good = run_time(timing->run, timing->model, settings, count, RUN_WHOLE,
                         clocks[i], error);
     }
@@ -114,10 +108,8 @@ static bool is_of(const struct observations *all, const struct observation *item
                   const c205_model *model)
 {
     const char *name = c205_model_name(model);
-
     for (size_t i = 0; i < item->term_count; i++) {
         size_t timing = item->terms[i].timing;
-
         if (model_is_of(all->timings[timing].model, name, machine_length(name) + 1))
             return true;
     }
@@ -132,11 +124,9 @@ static void write_belief(const struct study *study, const c205_model *model,
     size_t figures = 0;
     double largest = 0;
     const char *worst = "";
-
     for (size_t i = 0; i < all->count; i++) {
         const struct observation *item = &all->items[i];
         double error = 100 * fit_error(item, predicted[i]);
-
         if (study_is_fitted(study, i) != fitted || item->use == OBSERVATION_RANGE
             || !is_of(all, item, model))
             continue;
@@ -156,7 +146,6 @@ static void write_model_head(const struct study *study, const c205_model *model,
 {
     const struct observations *all = study->fit.observations;
     const char *title = c205_model_title(model);
-
     fprintf(file, "title %.*s: fitted\n", (int)strcspn(title, ":"), title);
     write_belief(study, model, predicted, true, file);
     write_belief(study, model, predicted, false, file);
@@ -177,7 +166,6 @@ static void write_setting(const c205_setting *setting, const c205_model *model,
                           FILE *file)
 {
     const c205_constant *prior = c205_model_lookup(model, setting->name);
-
     fprintf(file, "%-22s %-8.*f %-16s  F  # prior %s %c\n", prior->name,
             decimals(prior), setting->value, prior->unit, prior->text, prior->source);
 }
@@ -190,7 +178,6 @@ bool written_model(const struct study *study,
     struct atomic_file *whole = !model ? NULL : atomic_file_open(path, error);
     c205_setting settings[MAX_SETTINGS];
     size_t count;
-
     if (!whole)
         return false;
     write_model_head(study, model, predicted, whole->file);

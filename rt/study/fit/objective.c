@@ -30,7 +30,6 @@ static bool is_any(const struct observation *observation)
 static bool is_kernel(const struct observation *observation)
 {
     static const char name[] = "Livermore ";
-
     return strncmp(observation->name, name, strlen(name)) == 0;
 }
 
@@ -42,7 +41,6 @@ static void print_rows(const struct study *study, chosen_rows *is_chosen,
     struct text_buffer text = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&text);
     size_t good = 0, rows = 0, missed = 0;
-
     for (size_t i = 0; i < all->count; i++)
         if (is_chosen(&all->items[i]) && !isnan(predicted[i])) {
             rows++;
@@ -62,11 +60,9 @@ static void print_speedups(const struct study *study, const double *written,
                            double within, const struct command_output *results)
 {
     size_t good = 0;
-
     for (size_t i = 0; i < 2 * study->subject_count; i++) {
         double reported, found = study_speedup(study, written, study->subjects[i / 2],
                                                i % 2 != 0, &reported);
-
         good += fabs(found / reported - 1) <= within;
     }
     output_printf(results, "Speedups within %.0f %%: %zu of %zu.\n", 100 * within, good,
@@ -78,11 +74,9 @@ static void print_constants(const struct study *study,
 {
     const struct constants *constants = study->fit.constants;
     size_t inside = 0, near = 0;
-
     for (size_t i = 0; i < constants->count; i++) {
         const struct free_constant *constant = &constants->items[i];
         double value = constant_value(constant, study->best.places[i]);
-
         inside += value > constant->least && value < constant->most;
         near += fabs(study->best.places[i]) <= WIDTHS_WITHIN;
     }
@@ -96,7 +90,6 @@ void objective_print(const struct study *study, const double *written,
                      const struct command_output *results)
 {
     static const double limits[] = { TIMES_WITHIN, TIMES_GOAL };
-
     output_printf(results, "\nThe goal:\n\n");
     for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) {
         print_rows(study, study_is_row, written, limits[i], "Times of Table 1",

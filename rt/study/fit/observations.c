@@ -29,7 +29,6 @@ static const struct fit_run *find_run(struct observations *all, const char *prog
                                       c205_error *error)
 {
     struct fit_run **added;
-
     for (size_t i = 0; i < all->run_count; i++)
         if (strcmp(all->runs[i]->program, program) == 0)
             return all->runs[i];
@@ -46,7 +45,6 @@ static const struct fit_run *find_run(struct observations *all, const char *prog
 static void name_prior(const char *machine, char name[MAX_TEXT])
 {
     const char *const *names = c205_model_names();
-
     snprintf(name, MAX_TEXT, "%s" PRIOR_SUFFIX, machine);
     while (*names && strcmp(*names, name) != 0)
         names++;
@@ -59,7 +57,6 @@ static const c205_model *find_model(struct observations *all, const char *machin
 {
     char name[MAX_TEXT];
     c205_model **added;
-
     name_prior(machine, name);
     for (size_t i = 0; i < all->model_count; i++)
         if (strcmp(c205_model_name(all->models[i]), name) == 0)
@@ -77,7 +74,6 @@ static bool find_timing(struct observations *all, const struct fit_run *run,
                         const c205_model *model, size_t *found, c205_error *error)
 {
     struct run_timing timing = { run, model };
-
     for (*found = 0; *found < all->timing_count; ++*found)
         if (all->timings[*found].run == run && all->timings[*found].model == model)
             return true;
@@ -91,7 +87,6 @@ static bool find_timing(struct observations *all, const struct fit_run *run,
 static void split(char *text, const char **second)
 {
     char *slash = strchr(text, '/');
-
     *second = "";
     if (slash) {
         *slash = '\0';
@@ -106,7 +101,6 @@ static void take_regions(const char *text, char program[MAX_TEXT],
     const char *colon = strchr(text, ':');
     size_t begin = !colon ? strlen(text) : (size_t)(colon - text);
     size_t length = !colon ? 0 : strcspn(colon, " ");
-
     snprintf(program, MAX_TEXT, "%.*s%s", (int)begin, text, text + begin + length);
     snprintf(regions, MAX_TEXT, "%.*s", length > 0 ? (int)length - 1 : 0,
              text + begin + (length > 0));
@@ -118,7 +112,6 @@ static bool add_term(struct observations *all, struct observation *item,
 {
     struct term *term = &item->terms[item->term_count++];
     const c205_model *model = find_model(all, machine, error);
-
     return model && find_timing(all, run, model, &term->timing, error)
            && run_select(run, region, term->chosen, error);
 }
@@ -130,7 +123,6 @@ static bool add_terms(struct observations *all, struct observation *item,
     char program[MAX_TEXT], regions[MAX_TEXT], machines[MAX_TEXT];
     const char *region, *machine;
     bool share = strcmp(item->unit, "%") == 0;
-
     take_regions(item->program, program, regions);
     snprintf(machines, sizeof machines, "%s", item->machine);
     split(regions, &region);
@@ -192,7 +184,6 @@ static bool set_unit(const struct observations *all, struct observation *item,
     const struct run_timing *timing = &all->timings[item->terms[0].timing];
     size_t i = 0;
     double count;
-
     while (i < sizeof units / sizeof *units && strcmp(units[i].name, item->unit) != 0)
         i++;
     if (i == sizeof units / sizeof *units)
@@ -211,7 +202,6 @@ static bool read_use(const struct csv *file, const struct csv_row *row,
 {
     static const char *const uses[OBSERVATION_USES] = { "fit", "compare", "range" };
     int i = 0;
-
     while (i < OBSERVATION_USES && strcmp(uses[i], row->fields[USE]) != 0)
         i++;
     *use = (enum observation_use)i;
@@ -225,7 +215,6 @@ static bool read_range(const struct csv *file, const struct csv_row *row,
 {
     static const char between[] = " to ";
     char *end;
-
     item->least = item->most = strtod(row->fields[VALUE], &end);
     if (strncmp(end, between, strlen(between)) == 0)
         item->most = strtod(end + strlen(between), &end);
@@ -254,7 +243,6 @@ static bool read_row(struct observations *all, const struct csv *file,
 {
     c205_error error;
     struct observation *item = array_add(&all->items, &all->count, NULL, sizeof *item);
-
     if (!item)
         return csv_wrong(file, row, NAME, "out of memory", diagnostics);
     *item = (struct observation){ .name = row->fields[NAME],
@@ -276,10 +264,8 @@ bool observations_read(struct observations *all, const char *path,
 {
     struct csv *file = array_add(&all->files, &all->file_count, NULL, sizeof *file);
     bool good = true;
-
     if (!file) {
         const struct position whole = { .file = path };
-
         diagnostics_add(diagnostics, SEVERITY_ERROR, &whole, "out of memory");
         return false;
     }
@@ -311,7 +297,6 @@ static double seconds(const struct observations *all, const struct term *term,
 {
     const struct run_timing *timing = &all->timings[term->timing];
     double sum = 0;
-
     for (size_t i = 0; i < timing->run->region_count; i++)
         if (term->chosen[i])
             sum += clocks[term->timing][i];
@@ -322,7 +307,6 @@ size_t observation_group(const struct observation *observation)
 {
     const char *comma = strchr(observation->name, ',');
     const char *last = comma ? comma : strrchr(observation->name, ' ');
-
     return !last ? strlen(observation->name) : (size_t)(last - observation->name);
 }
 
@@ -330,7 +314,6 @@ bool observation_same_group(const struct observation *one,
                             const struct observation *other)
 {
     size_t length = observation_group(one);
-
     return length == observation_group(other)
            && strncmp(one->name, other->name, length) == 0;
 }
@@ -346,7 +329,6 @@ double observation_predict(const struct observations *all,
                            double (*clocks)[MAX_RUN_REGIONS])
 {
     double time = seconds(all, &item->terms[0], clocks);
-
     if (item->term_count == 2)
         time /= seconds(all, &item->terms[1], clocks);
     return item->rate ? item->factor / time : item->factor * time;

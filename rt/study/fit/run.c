@@ -18,7 +18,6 @@ static bool run_fail(c205_error *error, const char *what, const char *name)
 static char *copied(const char *text)
 {
     char *copy = malloc(strlen(text) + 1);
-
     return !copy ? NULL : strcpy(copy, text);
 }
 
@@ -30,7 +29,6 @@ static bool find_subject(struct fit_run *run, enum trace_mode *mode)
     for (size_t i = 0; i < speedup_subject_count; i++) {
         const char *name = speedup_subjects[i].name;
         size_t length = strlen(name);
-
         if (strncmp(run->program, name, length) == 0 && run->program[length] == ' '
             && trace_mode_named(run->program + length + 1, mode)
             && *mode < TRACE_FORMS) {
@@ -49,7 +47,6 @@ static c205 *frame_machine(struct fit_run *run, enum trace_mode mode,
                                        .height = options->height[mode],
                                        .queue = TRACE_QUEUE,
                                        .model = options->model };
-
     run->rays = how.width * how.height;
     run->trace = speedup_trace(run->subject, &options->view, &how, &run->scene, error);
     return !run->trace ? NULL : trace_machine(run->trace, 0, error);
@@ -62,11 +59,9 @@ static c205 *frame_machine(struct fit_run *run, enum trace_mode mode,
 static bool cut_words(char *words, struct asm_define *defines, c205_error *error)
 {
     size_t count = 0;
-
     strtok(words, " ");
     for (char *word; (word = strtok(NULL, " ")) != NULL;) {
         char *value = strchr(word, '=');
-
         if (!value || count + 1 == MAX_DEFINES)
             return run_fail(error, "'%.60s' does not define a constant", word);
         *value++ = '\0';
@@ -84,7 +79,6 @@ static bool assemble_observed(struct fit_run *run, const struct run_options *opt
     struct asm_options how = { .defines = defines, .texts = texts };
     struct diagnostics errors = { 0 };
     char words[MAX_WORDS], path[2 * MAX_WORDS];
-
     snprintf(words, sizeof words, "%s", run->program);
     if (!cut_words(words, defines, error))
         return false;
@@ -103,7 +97,6 @@ static c205 *text_machine(struct fit_run *run, const struct run_options *options
     c205 *machine = assemble_observed(run, options, error)
                         ? c205_new(options->model, error)
                         : NULL;
-
     if (machine && !c205_load(machine, &run->object->program, error)) {
         c205_free(machine);
         machine = NULL;
@@ -130,7 +123,6 @@ static bool name_regions(struct fit_run *run, const c205 *machine, c205_error *e
 static bool record(struct fit_run *run, c205 *machine, c205_error *error)
 {
     c205_stop stop;
-
     run->recording = c205_recording_new(error);
     if (!run->recording || !name_regions(run, machine, error)
         || !c205_listen(machine, c205_record, run->recording))
@@ -149,7 +141,6 @@ struct fit_run *run_new(const char *program, const struct run_options *options,
     enum trace_mode mode;
     c205 *machine = NULL;
     bool good;
-
     run_fail(error, "%s", "out of memory");
     if (run && (run->program = copied(program)) != NULL)
         machine = find_subject(run, &mode) ? frame_machine(run, mode, options, error)
@@ -180,7 +171,6 @@ bool run_symbol(const struct fit_run *run, const char *name, double *value)
 {
     const struct asm_symbol *symbol = !run->object ? NULL
                                                    : object_symbol(run->object, name);
-
     if (!symbol || symbol->is_word)
         return false;
     *value = (double)symbol->value;
@@ -201,7 +191,6 @@ bool run_select(const struct fit_run *run, const char *name,
                 bool chosen[MAX_RUN_REGIONS], c205_error *error)
 {
     bool found = false;
-
     for (size_t i = 0; i < run->region_count; i++) {
         chosen[i] = *name != '\0' ? strcmp(run->regions[i], name) == 0
                                   : is_timed(run, run->regions[i]);

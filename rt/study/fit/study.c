@@ -26,11 +26,9 @@ static const struct speedup_subject *subject_of(const struct observations *all,
 static void find_subjects(struct study *study)
 {
     const struct observations *all = study->fit.observations;
-
     for (size_t i = 0; i < all->count; i++) {
         const struct speedup_subject *subject = subject_of(all, &all->items[i]);
         size_t k = 0;
-
         if (!study_is_fitted(study, i) || !subject)
             continue;
         while (k < study->subject_count && study->subjects[k] != subject)
@@ -49,11 +47,9 @@ static const double priors[MAX_FREE];
 static bool leave_rows_out(struct study *study, c205_error *error)
 {
     const struct observations *all = study->fit.observations;
-
     for (size_t i = 0; i < all->count; i++) {
         struct fit_change change = study->held;
         struct fit_outcome outcome;
-
         study->left_out[i] = NAN;
         if (!study_is_fitted(study, i))
             continue;
@@ -68,7 +64,6 @@ static bool leave_rows_out(struct study *study, c205_error *error)
 bool study_is_of(const struct study_group *group, const struct observation *item)
 {
     size_t length = observation_group(item);
-
     return strlen(group->name) == length
            && strncmp(group->name, item->name, length) == 0;
 }
@@ -77,7 +72,6 @@ static void add_to_groups(struct study *study, const struct observation *item)
 {
     struct study_group *group = study->groups;
     struct study_group *end = group + study->group_count;
-
     while (group < end && !study_is_of(group, item))
         group++;
     if (group == study->groups + MAX_STUDY_GROUPS)
@@ -97,7 +91,6 @@ static void find_groups(struct study *study)
 {
     const struct observations *all = study->fit.observations;
     size_t kept = 0;
-
     study->group_count = 0;
     for (size_t i = 0; i < all->count; i++)
         if (study_is_fitted(study, i))
@@ -111,11 +104,9 @@ static void find_groups(struct study *study)
 static bool leave_groups_out(struct study *study, c205_error *error)
 {
     const struct observations *all = study->fit.observations;
-
     for (size_t k = 0; k < study->group_count; k++) {
         struct study_group *group = &study->groups[k];
         struct fit_change change = study->held;
-
         for (size_t i = 0; i < all->count; i++)
             if (study_is_of(group, &all->items[i]))
                 change.held[i] = true;
@@ -131,7 +122,6 @@ static bool double_priors(struct study *study, c205_error *error)
 {
     for (size_t k = 0; k < study->fit.constants->count; k++) {
         struct fit_change wide = study->held, moved = study->held;
-
         wide.wider[k] = 2;
         moved.center[k] = 1 / study->fit.constants->items[k].width;
         if (!fit_solve(&study->fit, &wide, study->best.places, &study->wide[k], error)
@@ -162,14 +152,12 @@ bool study_make(struct study *study, c205_error *error)
 double study_known_of(const struct study *study, size_t constant)
 {
     double left = study->best.raw_errors[constant];
-
     return fmax(0, 1 - left * left);
 }
 
 double study_known(const struct study *study)
 {
     double sum = 0;
-
     for (size_t i = 0; i < study->fit.constants->count; i++)
         sum += study_known_of(study, i);
     return sum;
@@ -180,10 +168,8 @@ size_t study_row(const struct study *study, const struct speedup_subject *subjec
 {
     const struct observations *all = study->fit.observations;
     size_t i = 0;
-
     for (; i < all->count; i++) {
         const struct observation *item = &all->items[i];
-
         if (study_is_row(item) && subject_of(all, item) == subject
             && strncmp(item->machine, machine, strlen(machine)) == 0
             && strstr(item->program, trace_mode_name(mode)) != NULL)
@@ -200,7 +186,6 @@ double study_speedup(const struct study *study, const double *predicted,
     size_t slow = study_row(study, subject, TRACE_SCALAR,
                             other ? speedup_projections[0] : "cyber205");
     size_t fast = study_row(study, subject, TRACE_VECTOR, "cyber205");
-
     *reported = other ? subject->paper.projected[0].speedup : subject->paper.speedup;
     return slow == count || fast == count ? NAN : predicted[slow] / predicted[fast];
 }

@@ -23,7 +23,6 @@ static double sum_of(const struct term *term, const struct fit_run *run,
                      const region_clocks clocks)
 {
     double sum = 0;
-
     for (size_t i = 0; i < run->region_count; i++)
         if (term->chosen[i])
             sum += clocks[i];
@@ -40,13 +39,11 @@ static bool changes(const struct question *question, const struct term *term,
                                            ->timings[term->timing];
     double value = c205_model_lookup(timing->model, name)->value;
     double before = sum_of(term, timing->run, question->before[term->timing]);
-
     for (size_t i = 0; i < sizeof factors / sizeof *factors; i++) {
         double moved = value == 0 ? 1 : value * factors[i];
         c205_setting setting = { name, value == floor(value) ? floor(moved) : moved };
         region_clocks after;
         c205_error refused;
-
         if (run_time(timing->run, timing->model, &setting, 1, RUN_FINE, after, &refused)
             && fabs(sum_of(term, timing->run, after) / before - 1) >= CHANGED)
             return true;
@@ -58,7 +55,6 @@ static bool changes_any(const struct question *question, const struct observatio
                         const char *machine, const char *name)
 {
     const struct observations *all = question->fit->observations;
-
     for (size_t i = 0; i < item->term_count; i++)
         if (model_is_of(all->timings[item->terms[i].timing].model, machine,
                         strlen(machine))
@@ -74,7 +70,6 @@ static bool is_touched(const struct question *question, const char *machine,
 {
     const struct observations *all = question->fit->observations;
     bool touched = strcmp(constant->name, "clock.period") == 0;
-
     for (size_t i = 0; i < all->count && !touched; i++)
         touched = all->items[i].use == OBSERVATION_FIT && !question->change->held[i]
                   && changes_any(question, &all->items[i], machine, constant->name);
@@ -86,7 +81,6 @@ static const struct free_constant *find_mover(const struct constants *constants,
 {
     for (size_t i = 0; i < constants->count; i++) {
         const struct free_constant *item = &constants->items[i];
-
         for (size_t k = 0; k < item->member_count; k++)
             if (strcmp(item->machine, machine) == 0
                 && strcmp(item->members[k].name, name) == 0)
@@ -100,10 +94,8 @@ static void add_machine(const struct question *question, const char *machine,
 {
     const struct constants *constants = question->fit->constants;
     const c205_model *prior = constants_prior(constants, machine);
-
     for (size_t i = 0; i < c205_model_size(prior); i++) {
         const c205_constant *constant = c205_model_constant(prior, i);
-
         if (unidentifiable->count < MAX_UNTOUCHED
             && !is_touched(question, machine, constant))
             unidentifiable->items[unidentifiable->count++] = (struct unidentifiable){
@@ -117,11 +109,9 @@ static void add_machines(const struct question *question,
                          struct unidentifiable_list *unidentifiable)
 {
     const struct constants *constants = question->fit->constants;
-
     for (size_t i = 0; i < constants->count; i++) {
         const char *machine = constants->items[i].machine;
         size_t first = 0;
-
         while (strcmp(constants->items[first].machine, machine) != 0)
             first++;
         if (first == i)
@@ -136,7 +126,6 @@ bool unidentifiable_find(const struct fit *fit, const struct fit_change *change,
     struct question question = { fit, change,
                                  calloc(all->timing_count, sizeof(region_clocks)) };
     bool good = question.before != NULL;
-
     unidentifiable->count = 0;
     if (!good)
         error_set(error, "out of memory");

@@ -28,12 +28,10 @@ struct scout {
 static bool find_square(struct scout *scout)
 {
     size_t *sides = calloc(SIDE * SIDE, sizeof *sides);
-
     if (!sides)
         return false;
     for (size_t i = 0; i < SIDE * SIDE; i++) {
         size_t row = i / SIDE, column = i % SIDE;
-
         if (!scout->hit[i])
             continue;
         sides[i] = 1;
@@ -54,7 +52,6 @@ static bool find_square(struct scout *scout)
 static void shrink(struct scout *scout)
 {
     size_t edge = scout->side / 10;
-
     scout->side -= 2 * edge;
     scout->row += edge;
     scout->column += edge;
@@ -63,7 +60,6 @@ static void shrink(struct scout *scout)
 static bool read_hits(const struct trace *trace, struct scout *scout)
 {
     const c205_word *words = trace_channel(trace, CHANNEL_ID);
-
     scout->hit = malloc(SIDE * SIDE * sizeof *scout->hit);
     for (size_t i = 0; scout->hit && i < SIDE * SIDE; i++)
         scout->hit[i] = c205_to_integer(words[i]) != 0;
@@ -77,7 +73,6 @@ static bool send_scout(const struct sweep *sweep, struct scout *scout,
     struct scene *scene;
     struct trace *trace;
     bool good;
-
     point.trace.width = point.trace.height = SIDE;
     point.trace.mode = TRACE_VECTOR;
     trace = speedup_trace(sweep->subject, &point.view, &point.trace, &scene, error);
@@ -98,10 +93,8 @@ static bool send_scout(const struct sweep *sweep, struct scout *scout,
 static size_t hits_at(const struct scout *scout, ptrdiff_t shift)
 {
     size_t hits = 0;
-
     for (size_t i = 0; i < scout->side * scout->side; i++) {
         ptrdiff_t column = (ptrdiff_t)(scout->column + i % scout->side) + shift;
-
         if (column >= 0 && column < SIDE)
             hits += scout->hit[(scout->row + i / scout->side) * SIDE + (size_t)column];
     }
@@ -118,7 +111,6 @@ static ptrdiff_t direction(const struct scout *scout)
 static bool reaches_side(const struct scout *scout)
 {
     size_t column = direction(scout) < 0 ? 0 : SIDE - 1;
-
     for (size_t row = scout->row; row < scout->row + scout->side; row++)
         if (scout->hit[row * SIDE + column])
             return true;
@@ -129,7 +121,6 @@ static bool reaches_side(const struct scout *scout)
 static ptrdiff_t shift_past(const struct scout *scout)
 {
     ptrdiff_t shift = SIDE;
-
     while (hits_at(scout, direction(scout) * (shift - 1)) == 0)
         shift--;
     return shift + 1 + (ptrdiff_t)scout->side / 10;
@@ -140,7 +131,6 @@ static ptrdiff_t shift_to(const struct scout *scout, double share)
 {
     size_t most = (size_t)(share * (double)(scout->side * scout->side));
     ptrdiff_t shift = 0;
-
     while (hits_at(scout, direction(scout) * shift) > most)
         shift++;
     return shift;
@@ -156,7 +146,6 @@ static void normalise(double vector[3])
 {
     double length = sqrt(vector[0] * vector[0] + vector[1] * vector[1]
                          + vector[2] * vector[2]);
-
     for (int i = 0; i < 3; i++)
         vector[i] /= length;
 }
@@ -179,7 +168,6 @@ static struct speedup_view look(const struct sweep *sweep, const struct scout *s
     struct speedup_view view = sweep->base.view;
     double half = elementary_tan(view.angle / 2 / degrees), middle, x, y;
     double right[3], up[3];
-
     cross(sky, forward, right);
     normalise(right);
     cross(forward, right, up);
@@ -210,11 +198,9 @@ static bool measure(struct sweep *sweep, c205_error *error)
     struct sweep_point points[SHARES + 1];
     struct scout scout = { NULL, 0, 0, 0 };
     bool good = send_scout(sweep, &scout, error) && check_scout(sweep, &scout, error);
-
     for (int i = 0; good && i <= SHARES; i++) {
         ptrdiff_t shift = i == 0 ? shift_past(&scout)
                                  : shift_to(&scout, (double)i / SHARES);
-
         points[i] = sweep->base;
         points[i].view = look(sweep, &scout, direction(&scout) * shift);
     }
@@ -235,7 +221,6 @@ static void print_hits(struct sweep_report *report, const struct sweep *sweep)
 {
     const struct sweep_measure *none = sweep->measures;
     const struct sweep_measure *all = none + sweep->count - 1;
-
     sweep_report_line(report,
                       "From %.1f %% to %.1f %% of hits a ray of the "
                       "scalar form costs %.2f times as much,",
@@ -264,7 +249,6 @@ static bool report_hits(struct sweep *sweep, struct sweep_report *report,
 {
     struct table *table = sweep_report_table(report, "points", sweep_points_heading,
                                              TABLE_COLUMNS(point_columns));
-
     error_set(error, "out of memory");
     if (!table)
         return false;

@@ -18,7 +18,6 @@ static bool run_lengths(struct sweep *sweep, const size_t *lengths, size_t count
 {
     struct sweep_point *points = malloc((count + 1) * sizeof *points);
     bool good;
-
     error_set(error, "out of memory");
     if (!points)
         return false;
@@ -40,7 +39,6 @@ static size_t length_of(const struct sweep_measure *measure)
 static int by_length(const void *left, const void *right)
 {
     size_t a = length_of(left), b = length_of(right);
-
     return (a > b) - (a < b);
 }
 
@@ -55,7 +53,6 @@ static void sort(struct sweep *sweep)
 static ptrdiff_t last_not_above(const struct sweep *sweep, double speedup)
 {
     ptrdiff_t i = (ptrdiff_t)sweep->count - 1;
-
     while (i >= 0 && sweep_speedup(&sweep->measures[i]) > speedup)
         i--;
     return i;
@@ -65,7 +62,6 @@ static ptrdiff_t last_not_above(const struct sweep *sweep, double speedup)
 static size_t first_with(const struct sweep *sweep, double speedup)
 {
     size_t i = 0;
-
     while (i < sweep->count && sweep_speedup(&sweep->measures[i]) < speedup)
         i++;
     return i;
@@ -78,7 +74,6 @@ static bool run_between(struct sweep *sweep, size_t first, size_t last,
     size_t *lengths = malloc((last - first + 1) * sizeof *lengths);
     size_t count = 0;
     bool good;
-
     error_set(error, "out of memory");
     for (size_t n = first; lengths && n <= last; n++)
         if (!sweep_with_queue(sweep, n))
@@ -95,7 +90,6 @@ static bool approach_crossover(struct sweep *sweep, c205_error *error)
 {
     ptrdiff_t below = last_not_above(sweep, 1);
     size_t above;
-
     if (below < 0 || (size_t)below + 1 == sweep->count)
         return true;
     above = length_of(&sweep->measures[below + 1]);
@@ -107,7 +101,6 @@ static bool approach_crossover(struct sweep *sweep, c205_error *error)
 static double best_speedup(const struct sweep *sweep)
 {
     double best = 0;
-
     for (size_t i = 0; i < sweep->count; i++)
         if (sweep_speedup(&sweep->measures[i]) > best)
             best = sweep_speedup(&sweep->measures[i]);
@@ -121,7 +114,6 @@ static bool approach_speedup(struct sweep *sweep, double speedup, c205_error *er
     for (;;) {
         size_t i = first_with(sweep, speedup);
         size_t above, below, middle;
-
         if (i == 0 || i == sweep->count)
             return true;
         above = length_of(&sweep->measures[i]);
@@ -139,7 +131,6 @@ static bool measure(struct sweep *sweep, c205_error *error)
 {
     size_t lengths[MAX_SWEEP_LENGTHS];
     size_t count = sweep_lengths(sweep, MAX_TRACE_QUEUE, lengths);
-
     sweep->pages_in_place = true;
     return run_lengths(sweep, lengths, count, error) && approach_crossover(sweep, error)
            && approach_speedup(sweep, best_speedup(sweep) / 2, error);
@@ -166,7 +157,6 @@ struct sweep_lengths_found sweep_find_lengths(const struct sweep *sweep)
 {
     struct sweep_lengths_found found = { .best = best_speedup(sweep) };
     size_t crossover = (size_t)(last_not_above(sweep, 1) + 1);
-
     if (crossover < sweep->count) {
         found.crossover = length_of(&sweep->measures[crossover]);
         if (is_exact(sweep, found.crossover))
@@ -188,7 +178,6 @@ static bool is_asked(const struct sweep *sweep, size_t length)
 {
     size_t lengths[MAX_SWEEP_LENGTHS];
     size_t count = sweep_lengths(sweep, MAX_TRACE_QUEUE, lengths);
-
     for (size_t i = 0; i < count; i++)
         if (lengths[i] == length)
             return true;
@@ -201,7 +190,6 @@ static void fill_lengths(struct table *table, const struct sweep *sweep,
 {
     for (size_t i = 0; i < sweep->count; i++) {
         size_t length = length_of(&sweep->measures[i]);
-
         if (!is_asked(sweep, length) && length != found->crossover
             && length + 1 != found->crossover && length != found->half
             && length + 1 != found->half)
@@ -261,7 +249,6 @@ static bool report_length(struct sweep *sweep, struct sweep_report *report,
     struct sweep_lengths_found found = sweep_find_lengths(sweep);
     struct table *table = sweep_report_table(report, "points", sweep_points_heading,
                                              TABLE_COLUMNS(point_columns));
-
     error_set(error, "out of memory");
     if (!table)
         return false;

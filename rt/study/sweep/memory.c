@@ -12,7 +12,6 @@ static bool touched(struct sweep *sweep, size_t side, double *words, c205_error 
 {
     struct sweep_point point = sweep->base;
     uint64_t count;
-
     point.trace.width = point.trace.height = side;
     point.trace.queue = side * side;
     if (!sweep_touched(sweep, &point, SMALLEST_PAGE, &count, error))
@@ -27,7 +26,6 @@ static bool count_crossings(const struct scene *scene, size_t *crossings,
                             c205_error *error)
 {
     struct leaf_plan *plans = calloc(scene->primitive_count + 1, sizeof *plans);
-
     strcpy(error->message, "out of memory");
     if (plans)
         *crossings = plan_leaves(scene, plans);
@@ -41,7 +39,6 @@ bool sweep_memory(struct sweep *sweep, struct sweep_memory *memory, c205_error *
 {
     double rays = SIDE * SIDE;
     double few, many;
-
     memset(memory, 0, sizeof *memory);
     if (!touched(sweep, SIDE, &few, error) || !touched(sweep, 2 * SIDE, &many, error)
         || (sweep->scene != NULL

@@ -19,13 +19,11 @@ static unsigned results_a_clock(size_t machine)
 static bool measure(struct sweep *sweep, c205_error *error)
 {
     struct sweep_point points[MACHINES];
-
     for (size_t i = 0; i < MACHINES; i++) {
         const c205_setting settings[] = {
             { "machine.pipes", machines[i].pipes },
             { "vector.word_rate", 64 / machines[i].bits },
         };
-
         points[i] = sweep->base;
         points[i].trace.model = sweep_model(sweep, settings, 2, error);
         if (!points[i].trace.model)
@@ -75,14 +73,12 @@ static double amdahl(const struct sweep *sweep, double times)
     const struct sweep_form *one = &sweep->measures[ONE_PIPE].forms[SWEEP_QUEUED];
     double all = (double)one->total;
     double stream = (double)sweep_group_clocks(one, SWEEP_STREAM);
-
     return all / (all - stream + stream / times);
 }
 
 static void add_limit(struct table *table, const struct sweep *sweep, size_t machine)
 {
     const struct sweep_form *form = &sweep->measures[machine].forms[SWEEP_QUEUED];
-
     add_machine(table, machine);
     table_count(table, results_a_clock(machine));
     table_number(table, 100 * faster_than(sweep, TWO_PIPES, machine));
@@ -127,7 +123,6 @@ static void draw_pipes(struct sweep_report *report, const struct table *table)
 static void print_pipes(struct sweep_report *report, const struct sweep *sweep)
 {
     size_t last = MACHINES - 1;
-
     sweep_report_line(report,
                       "%u pipes with 32 bits have %u times the "
                       "results a clock of one with 64, and are %.2f",
@@ -153,7 +148,6 @@ static bool report_pipes(struct sweep *sweep, struct sweep_report *report,
     struct table *plotted = sweep_report_table(report, "plot",
                                                "Times as fast as one pipe with 64 bits",
                                                TABLE_COLUMNS(plot_columns));
-
     error_set(error, "out of memory");
     if (!points || !limits || !plotted)
         return false;

@@ -24,14 +24,12 @@ bool plot_is_named(const char *path)
 bool plot_svg_path(const char *path, char svg[PLOT_PATH])
 {
     int stem = (int)strlen(path) - ENDING;
-
     return snprintf(svg, PLOT_PATH, "%.*s.svg", stem, path) < PLOT_PATH;
 }
 
 bool plot_check_path(const char *path, c205_error *error)
 {
     char svg[PLOT_PATH];
-
     if (!plot_is_named(path))
         return error_set(error, "%.180s: the name of a plot must end in .svg or .png",
                          path);
@@ -54,7 +52,6 @@ static bool write_svg(const struct plot *plot, const struct table *table,
 {
     struct atomic_file *whole = atomic_file_open(path, error);
     struct sink sink;
-
     if (!whole)
         return false;
     sink = stream_sink(whole->file);
@@ -89,7 +86,6 @@ static bool write_both(const struct plot *plot, const struct table *table,
                        const char *svg, const char *png, c205_error *error)
 {
     struct atomic_file *whole = atomic_file_open(png, error);
-
     return whole
            && end_plot(whole,
                        write_svg(plot, table, svg, error)
@@ -101,7 +97,6 @@ bool plot_write(const struct plot *plot, const struct table *table, const char *
                 c205_error *error)
 {
     char svg[PLOT_PATH];
-
     if (!plot_check_path(path, error) || !plot_svg_path(path, svg))
         return false;
     return is_png(path) ? write_both(plot, table, svg, path, error)

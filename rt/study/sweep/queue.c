@@ -12,12 +12,10 @@ static bool measure(struct sweep *sweep, c205_error *error)
     size_t lengths[MAX_SWEEP_LENGTHS];
     size_t rays = sweep->base.trace.width * sweep->base.trace.height;
     size_t count = sweep_lengths(sweep, rays, lengths);
-
     for (size_t i = 0; i < count; i++) {
         size_t rows = (lengths[i] + sweep->base.trace.width - 1)
                       / sweep->base.trace.width;
         size_t band = rows * sweep->base.trace.width;
-
         points[i] = sweep->base;
         points[i].trace.queue = lengths[i];
         points[i].trace.band = band > TRACE_BAND ? band : TRACE_BAND;
@@ -81,7 +79,6 @@ struct trio {
 static double group_cost(const struct sweep_measure *measure, int group)
 {
     const struct sweep_form *form;
-
     if (!measure)
         return NAN;
     form = &measure->forms[SWEEP_QUEUED];
@@ -98,7 +95,6 @@ static void fill_difference(struct table *table, const struct trio *trio)
         double best = group_cost(trio->best, group);
         double paper = group_cost(trio->paper, group);
         double longest = group_cost(trio->longest, group);
-
         table_text(table, group < SWEEP_GROUPS
                               ? sweep_group_name((enum sweep_group)group)
                               : "all");
@@ -129,7 +125,6 @@ static enum sweep_group rises_most(const struct sweep_measure *from,
                                    const struct sweep_measure *to)
 {
     int most = 0;
-
     for (int group = 1; group < SWEEP_GROUPS; group++)
         if (group_cost(to, group) - group_cost(from, group)
             > group_cost(to, most) - group_cost(from, most))
@@ -142,7 +137,6 @@ static void print_other(struct sweep_report *report, const char *what,
                         const struct sweep_measure *best)
 {
     enum sweep_group most;
-
     if (!other || other == best)
         return;
     most = rises_most(best, other);
@@ -160,7 +154,6 @@ static void print_flat(struct sweep_report *report, const struct sweep *sweep,
 {
     const struct sweep_measure *first = best, *last = best;
     const struct sweep_measure *end = sweep->measures + sweep->count;
-
     while (first > sweep->measures && percent_above(first - 1, best) <= 2)
         first--;
     while (last + 1 < end && percent_above(last + 1, best) <= 2)
@@ -212,7 +205,6 @@ static void draw_queues(struct sweep_report *report, const struct trio *trio)
 {
     const struct sweep_measure *best = trio->best;
     double scalar = sweep_cost(best, SWEEP_SCALAR);
-
     report->plotted = report->parts[0].table;
     report->plot.form = PLOT_AREAS;
     report->plot.x = (struct plot_axis){ "rays in the queue", PLOT_LOG2 };
@@ -239,7 +231,6 @@ static bool report_queue(struct sweep *sweep, struct sweep_report *report,
     };
     struct sweep_memory memory;
     struct table *points, *words, *difference;
-
     if (!sweep_memory(sweep, &memory, error))
         return false;
     points = sweep_report_table(report, "points", sweep_points_heading,

@@ -44,7 +44,6 @@ static bool add_subject(const struct accounts *accounts,
     for (size_t i = 0; i < MAX_SPEEDUP_REGIONS && subject->regions[i]; i++) {
         const c205_account *account = speedup_account(accounts, subject->regions[i],
                                                       error);
-
         if (!account)
             return false;
         add_account(form, account);
@@ -72,7 +71,6 @@ static bool read_form(const struct sweep *sweep, const struct trace *trace,
 {
     const struct accounts *accounts = trace_accounts(trace);
     struct sweep_form *into = &run->found;
-
     if (!sweep->subject)
         add_all(accounts, into);
     else if (!add_subject(accounts, sweep->subject, into, error))
@@ -91,7 +89,6 @@ static bool read_form(const struct sweep *sweep, const struct trace *trace,
 static size_t weight_of(const struct sweep_point *point, int form)
 {
     size_t rays = point->trace.width * point->trace.height;
-
     return form == SWEEP_SCALAR ? rays : rays + 100 * (rays / point->trace.queue);
 }
 
@@ -112,7 +109,6 @@ static double run_weight(const void *context, size_t number)
 {
     const struct plan *plan = context;
     const struct form_run *run = &plan->runs[number];
-
     return (double)weight_of(point_of(plan, run), run->form);
 }
 
@@ -121,7 +117,6 @@ static void name_point(const struct sweep_point *point, c205_error *error)
 {
     const char *model = c205_model_name(point->trace.model);
     c205_error why = *error;
-
     if (point->trace.mode == TRACE_SCALAR)
         error_set(error, "in scalar form on %.60s: %s", model, why.message);
     else
@@ -137,7 +132,6 @@ static bool trace_form(void *context, const struct task *task, c205_error *error
     struct scene *scene;
     struct trace *trace;
     bool good;
-
     if (run->form == SWEEP_SCALAR) {
         how.trace.mode = TRACE_SCALAR;
         how.trace.band = 0;
@@ -189,10 +183,8 @@ static void plan_runs(struct plan *plan, const struct sweep_point *points, size_
 {
     struct sweep *sweep = plan->sweep;
     const struct sweep_point *last = last_point(sweep);
-
     for (size_t i = 0; i < count; last = &points[i++]) {
         size_t number = sweep->count + i;
-
         sweep->measures[number] = (struct sweep_measure){
             .point = points[i], .rays = points[i].trace.width * points[i].trace.height
         };
@@ -206,7 +198,6 @@ static bool finish_queued(const struct form_run *run, struct sweep_measure *meas
                           c205_error *error)
 {
     const struct trace_options *trace = &measure->point.trace;
-
     measure->forms[SWEEP_QUEUED] = run->found;
     measure->hits = run->hits;
     if (measure->checksum == run->checksum)
@@ -224,11 +215,9 @@ static bool finish_row(const struct plan *plan, c205_error *error)
     const struct sweep_measure *last = sweep->count > 0
                                            ? &sweep->measures[sweep->count - 1]
                                            : NULL;
-
     for (size_t i = 0; i < plan->count; i++) {
         const struct form_run *run = &plan->runs[i];
         struct sweep_measure *measure = &sweep->measures[run->point];
-
         if (run->form == SWEEP_SCALAR) {
             measure->forms[SWEEP_SCALAR] = run->found;
             measure->checksum = run->checksum;
@@ -248,7 +237,6 @@ static bool grow_measures(struct sweep *sweep, size_t more, c205_error *error)
 {
     struct sweep_measure *measures = realloc(sweep->measures,
                                              (sweep->count + more) * sizeof *measures);
-
     error_set(error, "out of memory");
     if (measures)
         sweep->measures = measures;
@@ -267,7 +255,6 @@ bool sweep_run(struct sweep *sweep, const struct sweep_point *points, size_t cou
                                 .progress = options->progress,
                                 .progress_context = options->context };
     bool good;
-
     if (!grow_measures(sweep, count, error))
         return false;
     plan.runs = calloc(2 * count + 1, sizeof *plan.runs);
@@ -285,7 +272,6 @@ const c205_model *sweep_model(struct sweep *sweep, const c205_setting *settings,
 {
     c205_model **added = array_add(&sweep->models, &sweep->model_count, NULL,
                                    sizeof *added);
-
     error_set(error, "out of memory");
     if (!added)
         return NULL;
@@ -317,7 +303,6 @@ bool sweep_touched(struct sweep *sweep, const struct sweep_point *point,
     struct scene *scene = NULL;
     struct trace *trace = NULL;
     bool good;
-
     how.trace.model = sweep_model(sweep, settings, 3, error);
     if (how.trace.model)
         trace = open_trace(sweep, &how, &scene, error);
@@ -358,7 +343,6 @@ static enum sweep_group group_of(c205_cause cause)
 uint64_t sweep_group_clocks(const struct sweep_form *form, enum sweep_group group)
 {
     uint64_t clocks = 0;
-
     for (int cause = 0; cause < C205_CAUSES; cause++)
         if (group_of((c205_cause)cause) == group)
             clocks += form->clocks[cause];

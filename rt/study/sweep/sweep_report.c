@@ -10,7 +10,6 @@ const char sweep_points_heading[] =
 void sweep_add_cells(struct table *table, const struct sweep_measure *measure)
 {
     const struct sweep_form *queued = &measure->forms[SWEEP_QUEUED];
-
     table_number(table, sweep_hit_percent(measure));
     table_number(table, sweep_cost(measure, SWEEP_SCALAR));
     table_number(table, sweep_cost(measure, SWEEP_QUEUED));
@@ -32,7 +31,6 @@ struct table *sweep_report_table(struct sweep_report *report, const char *key,
                                  const struct table_column *columns, size_t count)
 {
     struct table *table = table_new(columns, count);
-
     if (table)
         report->parts[report->part_count++] = (struct sweep_part){ key, heading,
                                                                    table };
@@ -42,7 +40,6 @@ struct table *sweep_report_table(struct sweep_report *report, const char *key,
 void sweep_report_line(struct sweep_report *report, const char *format, ...)
 {
     va_list arguments;
-
     va_start(arguments, format);
     vsnprintf(report->lines[report->line_count++], SWEEP_LINE_SIZE, format, arguments);
     va_end(arguments);
@@ -61,7 +58,6 @@ static struct plot_mark label_mark(struct sweep_report *report, double at,
                                    const char *format, va_list arguments)
 {
     char *label = report->labels[report->label_count++];
-
     vsnprintf(label, SWEEP_LABEL_SIZE, format, arguments);
     return (struct plot_mark){ at, label };
 }
@@ -69,7 +65,6 @@ static struct plot_mark label_mark(struct sweep_report *report, double at,
 void sweep_report_mark(struct sweep_report *report, double x, const char *format, ...)
 {
     va_list arguments;
-
     va_start(arguments, format);
     report->marks[report->plot.mark_count++] = label_mark(report, x, format, arguments);
     va_end(arguments);
@@ -79,7 +74,6 @@ void sweep_report_mark(struct sweep_report *report, double x, const char *format
 void sweep_report_level(struct sweep_report *report, double y, const char *format, ...)
 {
     va_list arguments;
-
     va_start(arguments, format);
     report->levels[report->plot.level_count++] = label_mark(report, y, format,
                                                             arguments);
@@ -114,10 +108,8 @@ static void add_causes(struct table *table, size_t number,
                        const struct sweep_measure *measure, int form)
 {
     const struct trace_options *trace = &measure->point.trace;
-
     for (int cause = 0; cause < C205_CAUSES; cause++) {
         uint64_t clocks = measure->forms[form].clocks[cause];
-
         if (clocks == 0)
             continue;
         table_count(table, number);
@@ -133,7 +125,6 @@ static bool json_causes(const struct sweep *sweep, struct json *json)
 {
     struct table *table = table_new(TABLE_COLUMNS(causes));
     bool good;
-
     if (!table)
         return false;
     for (size_t i = 0; i < sweep->count; i++)

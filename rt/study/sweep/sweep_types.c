@@ -9,7 +9,6 @@ const struct sweep_kind *const sweep_kinds[] = { &sweep_queue, &sweep_pipes,
 static size_t usual_lengths(size_t most, size_t lengths[MAX_SWEEP_LENGTHS])
 {
     size_t count = 0;
-
     for (size_t length = 1; length < MAX_TRACE_QUEUE && length <= most; length *= 2) {
         lengths[count++] = length;
         if (length < TRACE_QUEUE && 2 * length > TRACE_QUEUE && TRACE_QUEUE <= most)
@@ -32,7 +31,6 @@ size_t sweep_lengths(const struct sweep *sweep, size_t most,
 const struct sweep_measure *sweep_best(const struct sweep *sweep)
 {
     const struct sweep_measure *best = &sweep->measures[0];
-
     for (size_t i = 1; i < sweep->count; i++)
         if (sweep_cost(&sweep->measures[i], SWEEP_QUEUED)
             < sweep_cost(best, SWEEP_QUEUED))

@@ -47,7 +47,6 @@ static void put_chunk(FILE *file, const char *type, const unsigned char *bytes,
 {
     const unsigned char *name = (const unsigned char *)type;
     unsigned char number[4];
-
     put_number(number, (uint32_t)count);
     fwrite(number, 1, 4, file);
     fwrite(name, 1, 4, file);
@@ -73,7 +72,6 @@ static unsigned char *put_block(unsigned char *to, const unsigned char *bytes,
                                              (unsigned char)(count >> 8),
                                              (unsigned char)~count,
                                              (unsigned char)(~count >> 8) };
-
     memcpy(to, head, BLOCK_HEAD);
     if (count > 0)
         memcpy(to + BLOCK_HEAD, bytes, count);
@@ -85,13 +83,11 @@ static bool store(struct png *png, const unsigned char *bytes, size_t count)
 {
     size_t blocks = count / MAX_BLOCK + 1;
     unsigned char *stored = malloc(count + blocks * BLOCK_HEAD), *end = stored;
-
     if (!stored)
         return false;
     add_up(png->adler, bytes, count);
     while (count > 0) {
         size_t some = count < MAX_BLOCK ? count : MAX_BLOCK;
-
         end = put_block(end, bytes, some, false);
         bytes += some;
         count -= some;
@@ -108,7 +104,6 @@ static void put_head(FILE *file, const struct picture_image *image)
     static const unsigned char signature[8] = { 0x89, 'P',  'N',  'G',
                                                 '\r', '\n', 0x1A, '\n' };
     unsigned char head[13] = { [8] = 8 /* bits */, [9] = 2 /* RGB */ };
-
     put_number(head, (uint32_t)image->width);
     put_number(head + 4, (uint32_t)image->height);
     fwrite(signature, 1, sizeof signature, file);
@@ -122,7 +117,6 @@ static void put_note(FILE *file, const struct picture_note *note)
     unsigned char bytes[512];
     int length = snprintf((char *)bytes, sizeof bytes, "%.79s%c%.400s", note->name,
                           '\0', note->text);
-
     put_chunk(file, "tEXt", bytes, (size_t)length);
 }
 
@@ -132,7 +126,6 @@ static void *begin_png(const char *path, const struct picture_image *image,
     static const unsigned char zlib[2] = { 0x78, 0x01 }; /* RFC 1950, 2.2 */
     const char *ending = strrchr(path, '.');
     struct png *png;
-
     error_set(error, "in the page, the name of a picture must end in .png");
     if (!ending || strcasecmp(ending, ".png") != 0)
         return NULL;
@@ -160,7 +153,6 @@ static bool rows(void *picture, size_t first, size_t last, const float *samples,
     size_t row = png->width * COLORS, count = (last - first) * (1 + row);
     unsigned char *bytes = malloc(count), *to = bytes;
     bool good;
-
     if (!bytes)
         return error_set(error, "out of memory");
     for (size_t y = first; y < last; y++) {
@@ -177,7 +169,6 @@ static bool end_png(void *picture, bool whole, c205_error *error)
 {
     struct png *png = picture;
     unsigned char tail[BLOCK_HEAD + 4];
-
     (void)error;
     if (whole) {
         put_number(put_block(tail, NULL, 0, true), png->adler[1] << 16 | png->adler[0]);

@@ -36,7 +36,6 @@ static bool put_clocks(const struct trace *trace, const struct band *band,
     bool good = json && accounts_add_all(&sum, trace_accounts(trace))
                 && accounts_add_all(&sum, &band->accounts);
     c205_account all = accounts_together(&sum);
-
     if (good) {
         json_count(json, "clocks", sum.clocks);
         json_number(json, "seconds", accounts_seconds(sum.model, sum.clocks));
@@ -54,7 +53,6 @@ static unsigned char *bytes_of(const struct frame *part)
 {
     size_t pixels = part->width * part->height;
     unsigned char *rgba = malloc(4 * pixels), *to = rgba;
-
     for (size_t i = 0; rgba && i < pixels; i++) {
         for (int color = CHANNEL_RED; color <= CHANNEL_BLUE; color++)
             *to++ = png_byte((float)picture_shown(part, part->channel[color][i]));
@@ -69,7 +67,6 @@ static void show_band(const struct trace *trace, const struct band *band)
     struct text_buffer clocks = { .text = NULL };
     unsigned char *rgba;
     struct frame part;
-
     if (!frame_allocate(&part, how->width, band->rows))
         return;
     trace_read_band(trace, band, &part);
@@ -88,7 +85,6 @@ static void look(void *context, const struct trace *trace,
                  const struct band_tracer *tracer, bool done)
 {
     struct band band;
-
     (void)context;
     if (!page_wants_rows(done) || !band_look(tracer, &band))
         return;
