@@ -399,8 +399,6 @@ tells out '^error: unknown verb .stpe.; did you mean .step..$'
 ends 1 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 --samples 2
 tells err 'a pixel of this frame has 2 x 2 rays: only a pixel with one ray can be followed$'
 ends 2 "$build/rt205" render "$scene" -W 40 -H 30 --debug 40,15
-ends 2 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 -o never.png
-tells err '--debug cannot be combined with'
 ends 2 "$build/rt205" render "$scene" --no-picture -x pixel.lines
 # A queue of the pixel, clock by clock.
 for kind in svg kanata json; do

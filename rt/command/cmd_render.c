@@ -408,10 +408,11 @@ static int check_debug(const struct render_arguments *args)
 {
     const struct job_arguments *jobs = &args->jobs;
     if (args->shared.output || args->accounts || args->profile
-        || args->shared.results.path || jobs->resume.count > 0 || jobs->ranks > 1)
+        || args->shared.results.path || jobs->resume.count > 0
+        || jobs->job_set.parts > 0 || jobs->ranks > 1)
         return cmd_usage(args->shared.command,
                          "--debug cannot be combined with -o, --accounts, --profile, "
-                         "--json, --resume or --ranks");
+                         "--json, --resume, --part or --ranks");
     return cmd_check_pixel(&args->shared, &args->pixel);
 }
 
