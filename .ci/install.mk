@@ -14,7 +14,7 @@ asm_api = $(addprefix asm/,object/disassemble.h object/expectation.h object/obje
 	view/listing.h view/print.h view/state.h view/trap_report.h \
 	check/expect.h check/runtime_check.h) base/diagnostic.h base/sink.h
 rt_api = $(addprefix rt/,scene/raster.h scene/scene.h scene/image_map.h \
-	scene/language/scene_read.h shapes/primitive.h shapes/shapes.def \
+	scene/language/scene_read.h scene/patterns.def shapes/primitive.h shapes/shapes.def \
 	layout/layout.h layout/bounding.h jobs/job_set.h jobs/checkpoint_file.h jobs/ranks.h \
 	jobs/serialized_result.h picture/picture.h trace/band.h \
 	trace/observer.h trace/trace.h trace/vector_use.h) \

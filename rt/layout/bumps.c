@@ -133,7 +133,8 @@ static void put_pattern(struct record *record, const struct bump *bump,
     pattern_rows(&pattern, rows);
     pattern_numbers(&pattern.pattern, numbers);
     record_numbers(record, "BUMP_TO_LOCAL", rows, PATTERN_ROWS);
-    record_routine(record, "BUMP_FUNCTION", pattern_routine(&pattern.pattern));
+    record_routine(record, "BUMP_FUNCTION",
+                   pattern_rules[pattern.pattern.function].routine);
     if (wave)
         record_routine(record, "BUMP_WAVE", wave);
     record_numbers(record, "BUMP_NUMBERS", numbers, MAP_NUMBERS);
@@ -154,13 +155,13 @@ static void put_quilt(struct record *record, const struct bump *bump)
 static void put_corners(struct record *record, const struct bump *bump)
 {
     const struct pigment *pattern = &bump->pattern;
-    bool slanted = pattern->pattern.function == PATTERN_SLANTED;
+    bool gradient = pattern->pattern.function == PATTERN_GRADIENT;
     bool flat = pattern->kind == PIGMENT_COLOR;
     double push = flat ? 0 : -5 * bump->amount * .02 / bump->accuracy;
     double words[CORNERS * CORNER_WORDS] = { 0 };
     for (int i = 0; i < CORNERS; i++) {
         double *word = words + CORNER_WORDS * i;
-        if (slanted)
+        if (gradient)
             word[0] = dot3(corners[i], pattern->axis);
         else
             copy3(corners[i], word);

@@ -33,8 +33,8 @@ static void layout_sky_pattern(struct record_layout *layout, const struct pigmen
 {
     double numbers[MAP_NUMBERS];
     pattern_numbers(&sky->pattern, numbers);
-    put_sky_map(layout, sky, pattern_routine(&sky->pattern), pattern_wave(sky), numbers,
-                stops);
+    put_sky_map(layout, sky, pattern_rules[sky->pattern.function].routine,
+                pattern_wave(sky), numbers, stops);
 }
 
 /* Writes a sky that is an image. The image's address takes the place of the stops. */

@@ -37,7 +37,7 @@ bool scene_has_patterns(const struct scene *scene)
 void pattern_rows(const struct pigment *pigment, double words[PATTERN_ROWS])
 {
     memcpy(words, pigment->to_local.rows, PATTERN_ROWS * sizeof *words);
-    if (pigment->pattern.function == PATTERN_SLANTED)
+    if (pigment->pattern.function == PATTERN_GRADIENT)
         gradient_words(pigment, words);
 }
 
@@ -60,26 +60,8 @@ void pattern_numbers(const struct pattern *pattern, double numbers[MAP_NUMBERS])
     if (pattern->function != PATTERN_BRICK)
         return;
     for (int i = 0; i < 3; i++)
-        numbers[i] = 1 / pattern->brick_size[i];
-    numbers[3] = pattern->mortar;
-}
-
-const char *pattern_routine(const struct pattern *pattern)
-{
-    static const char *const routines[PATTERN_FUNCTIONS] = {
-        [PATTERN_PLANAR] = "pattern_planar",
-        [PATTERN_SPHERICAL] = "pattern_spherical",
-        [PATTERN_CYLINDRICAL] = "pattern_cylindrical",
-        [PATTERN_BOXED] = "pattern_boxed",
-        [PATTERN_ONION] = "pattern_onion",
-        [PATTERN_LEOPARD] = "pattern_leopard",
-        [PATTERN_RADIAL] = "pattern_radial",
-        [PATTERN_SLANTED] = "pattern_slanted",
-        [PATTERN_BRICK] = "pattern_brick",
-        [PATTERN_HEXAGON] = "pattern_hexagon",
-        [PATTERN_CHECKER] = "pattern_checker",
-    };
-    return routines[pattern->function];
+        numbers[i] = 1 / pattern->own.brick_size[i];
+    numbers[3] = pattern->own.mortar;
 }
 
 size_t stop_count(const struct pigment *pigment)

@@ -17,11 +17,9 @@ bool scene_has_patterns(const struct scene *scene);
 void gradient_words(const struct pigment *pigment, double words[GRADIENT_STOPS]);
 /* Computes the map from world points to points of the pattern's space. */
 void pattern_rows(const struct pigment *pigment, double words[PATTERN_ROWS]);
-/* Return the routine of the pattern's wave form (NULL: none), the parameters, and
- * the routine that computes the pattern's values. */
+/* Return the routine of the pattern's wave form (NULL: none), and the parameters. */
 const char *pattern_wave(const struct pigment *pigment);
 void pattern_numbers(const struct pattern *pattern, double numbers[MAP_NUMBERS]);
-const char *pattern_routine(const struct pattern *pattern);
 /* Return the number of stops of its map (the steps of a list count as stops), and
  * whether it has the same stops as another pigment. */
 size_t stop_count(const struct pigment *pigment);

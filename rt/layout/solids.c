@@ -185,7 +185,8 @@ static void put_pattern(struct record *record, const struct pigment *pigment,
     pattern_rows(pigment, words);
     pattern_numbers(&pigment->pattern, numbers);
     record_numbers(record, "P_PATTERN", words, PATTERN_ROWS);
-    record_routine(record, "P_MAP_FUNCTION", pattern_routine(&pigment->pattern));
+    record_routine(record, "P_MAP_FUNCTION",
+                   pattern_rules[pigment->pattern.function].routine);
     if (wave)
         record_routine(record, "P_MAP_WAVE", wave);
     record_numbers(record, "P_MAP_NUMBERS", numbers, MAP_NUMBERS);

@@ -8,6 +8,11 @@
 
 #define ROUND 1.00001 /* period of the frequency in POV-Ray, which is not exactly 1 */
 
+const struct pattern_rule pattern_rules[PATTERN_FUNCTIONS] = {
+#define PATTERN(KIND, name, pigment, ...) { .routine = "pattern_" #name, __VA_ARGS__ },
+#include "rt/scene/patterns.def"
+};
+
 bool pigment_has_map(const struct pigment *pigment)
 {
     return pigment->kind == PIGMENT_GRADIENT || pigment->kind == PIGMENT_PATTERN;
@@ -45,15 +50,10 @@ bool pigment_is_clear(const struct pigment *pigment)
 size_t pigment_list_count(const struct pigment *pigment)
 {
     if (pigment->kind == PIGMENT_CHECKER)
-        return 2;
+        return pattern_rules[PATTERN_CHECKER].listed;
     if (pigment->kind != PIGMENT_PATTERN)
         return 0;
-    switch (pigment->pattern.function) {
-    case PATTERN_BRICK: return 2;
-    case PATTERN_CHECKER: return 2;
-    case PATTERN_HEXAGON: return 3;
-    default: return 0;
-    }
+    return pattern_rules[pigment->pattern.function].listed;
 }
 
 /* The formulas are those of rt/kernels/light/pattern.s. */

@@ -106,20 +106,10 @@ struct color_map {
 };
 
 /* A pattern maps a point to a value, which a wave function then transforms; the
- * formulas are in rt/kernels/light/pattern.s. */
+ * formulas are in rt/scene/patterns.def and rt/kernels/light/pattern.s. */
 enum pattern_function {
-    PATTERN_PLANAR,
-    PATTERN_SPHERICAL,
-    PATTERN_CYLINDRICAL,
-    PATTERN_BOXED,
-    PATTERN_ONION,
-    PATTERN_LEOPARD,
-    PATTERN_RADIAL,
-    PATTERN_SLANTED, /* a gradient with a wave or another change */
-    PATTERN_BRICK,
-    PATTERN_HEXAGON,
-    PATTERN_CHECKER, /* only in bumps: the checker of a pigment is PIGMENT_CHECKER */
-    PATTERN_QUILTED, /* only in bumps; it has no heights */
+#define PATTERN(KIND, ...) PATTERN_##KIND,
+#include "rt/scene/patterns.def"
     PATTERN_FUNCTIONS
 };
 enum pattern_wave {
@@ -131,12 +121,26 @@ enum pattern_wave {
     WAVE_POLY,
     PATTERN_WAVES
 };
+/* Parameters of patterns other than the wave. */
+struct pattern_parameters {
+    double brick_size[3], mortar;
+};
 struct pattern {
     enum pattern_function function;
     enum pattern_wave wave;
     double frequency, phase, exponent;
-    double brick_size[3], mortar;
+    struct pattern_parameters own;
 };
+/* What a row of patterns.def states of its pattern. */
+enum { MAX_LISTED = 3 };
+struct pattern_rule {
+    const char *routine;           /* of the kernels; returns its value at a point */
+    bool round;                    /* the values 0 and 1 are at the same points */
+    size_t listed;                 /* number of colours in its list; 0: none */
+    double colors[MAX_LISTED][3];  /* defaults of the list */
+    struct pattern_parameters own; /* defaults */
+};
+extern const struct pattern_rule pattern_rules[PATTERN_FUNCTIONS];
 
 struct pigment {
     enum pigment_kind kind;
@@ -161,8 +165,7 @@ int pigment_cells(const struct pigment *pigment);
 bool pigment_makes_sky(const struct pigment *pigment);
 /* Returns true if at least one of its colours transmits light. */
 bool pigment_is_clear(const struct pigment *pigment);
-/* Returns the number of colours in the list of a checker, brick or hexagon pattern; 0
- * for all others. */
+/* Returns the number of colours in the list of the pattern; 0 if it has none. */
 size_t pigment_list_count(const struct pigment *pigment);
 /* Returns the value of the map at which colour i of the list is looked up: the wave
  * function of i, from 0. */

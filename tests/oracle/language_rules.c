@@ -9,6 +9,12 @@
     "$" in "[no_shadow\n|$]$" in "[$6[no_image off|no_image$]\n|$]$" in \
     "[no_reflection\n|$]"
 #define AFTER_TURNED "location <.021, .033, -8>\ndirection <.02, .01, ^31.2:2^>\n"
+/* Patterns with a map; the rules write out all others, which take arguments. */
+#define CHOICE_map(name) #name "|"
+#define CHOICE_gradient(name)
+#define CHOICE_list(name)
+#define CHOICE_checker(name)
+#define CHOICE_unsupported(name)
 
 const struct language_rule language_rules[] = {
     /* --- values --- */
@@ -77,8 +83,10 @@ const struct language_rule language_rules[] = {
       "$5[hexagon $4[|$color;$[, | $]$color;$[, | $]$color;$]\n"
       "|brick $4[|$color;$[, | $]$color;$]\n"
       "brick_size <^3.5:1.5^, ^3.3:1^, ^3.4:1.2^>\n$.mortar ^3.05:.2^\n"
-      "|$[planar|spherical|cylindrical|boxed|onion|leopard|radial|gradient x"
-      "|gradient <1, 1, .5>$]$6[\n|$map;$]$waves;$]$pattern_place;" },
+      "|$["
+#define PATTERN(KIND, name, pigment, ...) CHOICE_##pigment(name)
+#include "rt/scene/patterns.def"
+      "gradient x|gradient <1, 1, .5>$]$6[\n|$map;$]$waves;$]$pattern_place;" },
     { "mapped", NULL, "$2[$gradient;|$pattern;$]" },
     { "plain_color", write_plain_color, NULL },
     { "clear_color", NULL,
@@ -118,8 +126,10 @@ const struct language_rule language_rules[] = {
     /* Without the functions and streams of other numbers, so that the other random
      * choices do not depend on normals. */
     { "bump", NULL,
-      "$[gradient x|gradient <1, -1, .5>|onion|leopard|radial frequency 3|boxed|spherical"
-      "|cylindrical|planar|quilted$]"
+      "$[gradient x|gradient <1, -1, .5>|radial frequency 3|"
+#define PATTERN(KIND, name, pigment, ...) CHOICE_##pigment(name)
+#include "rt/scene/patterns.def"
+      "quilted$]"
       "$[| sine_wave| triangle_wave| scallop_wave| cubic_wave$] bump_size $steepness;"
       "$4[ phase ^30:1^|$] scale ^4.2:.6^" },
     { "steepness", write_steepness, NULL },

@@ -39,8 +39,8 @@ static bool in_joint(double at, double length, double mortar)
  * middle of bricks; in the other courses, those along z. */
 static double brick(const struct pattern *pattern, const double point[3])
 {
-    const double *size = pattern->brick_size;
-    double m = pattern->mortar, more = m + EARLIER;
+    const double *size = pattern->own.brick_size;
+    double m = pattern->own.mortar, more = m + EARLIER;
     double course = (point[1] + more) / (2 * size[1]);
     bool first = course - floor(course) <= .5;
     return !in_joint(point[1] + more, size[1], m)
@@ -77,15 +77,18 @@ static double value_at(const struct pigment *pigment, const double point[3])
     case PATTERN_ONION: return fmod(far, 1);
     case PATTERN_LEOPARD: return leopard(point);
     case PATTERN_RADIAL: return .25 + (atan2(x, z) + half_turn()) / (2 * half_turn());
-    case PATTERN_SLANTED:
+    case PATTERN_GRADIENT:
         along = x * pigment->axis[0] + y * pigment->axis[1] + z * pigment->axis[2];
         return along > 1 ? fmod(along, 1) : along;
     case PATTERN_BRICK: return brick(&pigment->pattern, point);
     case PATTERN_CHECKER:
         return fabs(
             fmod(floor(x + EARLIER) + floor(y + EARLIER) + floor(z + EARLIER), 2));
-    default: return hexagon(point);
+    case PATTERN_HEXAGON: return hexagon(point);
+    case PATTERN_QUILTED: /* has no values: plain_bump.c */
+    case PATTERN_FUNCTIONS: break;
     }
+    return NAN;
 }
 
 static double in_wave(const struct pattern *pattern, double at)

@@ -91,10 +91,10 @@ TEST(patterns)
     assert_close(pattern.frequency, 2, 0);
     assert_close(pattern.phase, .25, 0);
     pattern = pattern_of("brick brick_size <1, 2, 3> mortar .1");
-    assert_vector(pattern.brick_size, 1, 2, 3);
-    assert_close(pattern.mortar, .1, 0);
+    assert_vector(pattern.own.brick_size, 1, 2, 3);
+    assert_close(pattern.own.mortar, .1, 0);
     pattern = pattern_of("gradient y triangle_wave");
-    assert_int_equal(pattern.function, PATTERN_SLANTED);
+    assert_int_equal(pattern.function, PATTERN_GRADIENT);
 }
 
 /* Compares the colours of a list, which may have waves. */
@@ -143,7 +143,7 @@ TEST(waves_stay)
     assert_close(pattern.frequency, 3, 0);
     assert_close(pattern.phase, .5, 0);
     pattern = pattern_of("onion frequency 3 gradient x");
-    assert_int_equal(pattern.function, PATTERN_SLANTED);
+    assert_int_equal(pattern.function, PATTERN_GRADIENT);
     assert_close(pattern.frequency, 3, 0);
     pattern = pattern_of("hexagon onion phase .5");
     assert_close(pattern.frequency, 0, 0);
@@ -152,8 +152,8 @@ TEST(waves_stay)
     pattern = pattern_of("brick onion frequency 2");
     assert_close(pattern.frequency, 2, 0);
     pattern = pattern_of("brick mortar .1 brick_size 1 brick");
-    assert_close(pattern.mortar, .5, 0);
-    assert_vector(pattern.brick_size, 8, 3, 4.5);
+    assert_close(pattern.own.mortar, .5, 0);
+    assert_vector(pattern.own.brick_size, 8, 3, 4.5);
     SCOPED(scene) *scene = read_scene(
         "#declare H = pigment { hexagon rgb x rgb y rgb z frequency .5 }\n"
         "sphere { 0, 1 pigment { H gradient x } }\n"

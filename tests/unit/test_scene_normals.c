@@ -41,10 +41,10 @@ static void check_bump(const char *words, enum pattern_function function, double
 
 TEST(bumps)
 {
-    check_bump("gradient x", PATTERN_SLANTED, .5, .02);
-    check_bump("gradient x, 3", PATTERN_SLANTED, 3, .02);
-    check_bump("gradient <1, 2, 3> 3 bump_size 2", PATTERN_SLANTED, 2, .02);
-    check_bump("bump_size 2 gradient y", PATTERN_SLANTED, 2, .02);
+    check_bump("gradient x", PATTERN_GRADIENT, .5, .02);
+    check_bump("gradient x, 3", PATTERN_GRADIENT, 3, .02);
+    check_bump("gradient <1, 2, 3> 3 bump_size 2", PATTERN_GRADIENT, 2, .02);
+    check_bump("bump_size 2 gradient y", PATTERN_GRADIENT, 2, .02);
     check_bump("onion -1 accuracy .3", PATTERN_ONION, -1, .3);
     check_bump("onion accuracy .3 brick .7", PATTERN_BRICK, .7, .02);
     check_bump("checker .1", PATTERN_CHECKER, .1, .02);

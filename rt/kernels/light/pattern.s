@@ -1,24 +1,11 @@
-; pattern.s - the formulas of the patterns other than checkers and gradients,
-; for the scalar and the vector form (PATTERNS = 1).
+; pattern.s - the waves and series of patterns, for the scalar and the vector
+; form (PATTERNS = 1).
 ;
 ; A pattern has a value v at each point X of the pigment's space.  v is a
-; position between the stops of a map:
-;
-;   planar        max(1 - |y|, 0)
-;   spherical     max(1 - |X|, 0)
-;   cylindrical   max(1 - sqrt(x^2 + z^2), 0)
-;   boxed         max(1 - max(|x|, |y|, |z|), 0)
-;   onion         |X| - floor(|X|)
-;   leopard       ((sin x + sin y + sin z) / 3)^2
-;   radial        3/4 + the angle from z towards x, in turns from -1/2 to 1/2
-;   slanted       x - max(floor(x), 0); the pattern's x is along the axis: a
-;                 gradient with a wave
-;   brick         0 in the mortar, 1 in a brick
-;   hexagon       0, 1/2, 1 in hexagons along y, of edge 1
-;   checker       0, 1 where floor(x) + floor(y) + floor(z) is even, odd;
-;                 for bumps
-;
-; All but the last three are then transformed by a wave:
+; position between the stops of a map.  rt/scene/patterns.def has the formulas;
+; in that of a gradient, x is along its axis, and the floor is at least 0.  The
+; value of a list is the index of its colour divided by that of the last one.
+; All other values are then transformed by a wave:
 ;
 ;   w = frequency v + phase, reduced modulo 1.00001 towards 0; or v, if the
 ;       frequency is 0; w - floor(w) if that is below 0

@@ -180,7 +180,7 @@ pattern_onion:
         SQRT    y_0, y_0
         less_floor y_0, y_1
         BIM     0, inner_link
-pattern_slanted:
+pattern_gradient:
         FLR     q_x, y_1
         ADDN    y_1, r0, y_1
         not_below_0 y_1

@@ -168,7 +168,7 @@ pattern_onion:
         SQRTV   [v0], [v0]
         less_floor v0, v1
         BIM     0, link_inner
-pattern_slanted:
+pattern_gradient:
         VTOV    [v5], [v0]
         FLRV    [v0], [v1]
         ADDNV   [v1], r0, [v1]

@@ -37,6 +37,9 @@ static bool read_function(struct reader *reader, const struct item *item)
     struct bump_list *list = &reading->list;
     struct bump *bump = &list->bump;
     size_t count;
+    if (item->keyword->detail == PATTERN_GRADIENT
+        && !gradient_pattern_read(reader, item))
+        return false;
     pattern_begin(&bump->pattern, (enum pattern_function)item->keyword->detail);
     list->average = false;
     if (item->keyword->detail == PATTERN_QUILTED) {
@@ -52,11 +55,6 @@ static bool read_function(struct reader *reader, const struct item *item)
             return false;
     }
     return read_amount(reader, reading);
-}
-
-static bool read_gradient(struct reader *reader, const struct item *item)
-{
-    return gradient_read(reader, item) && read_function(reader, item);
 }
 
 static bool read_average(struct reader *reader, const struct item *item)
@@ -107,12 +105,10 @@ static bool read_accuracy(struct reader *reader, const struct item *item)
 #define OF(member) offsetof(struct normal_reading, member)
 
 static const struct keyword words[] = {
-    PATTERN_FUNCTION_WORDS(read_function),
-    { "checker", read_function, PATTERN_CHECKER },
-    { "gradient", read_gradient, PATTERN_SLANTED },
+#define PATTERN(KIND, name, ...) { #name, read_function, PATTERN_##KIND },
+#include "rt/scene/patterns.def"
     { "average", read_average, PATTERN_PLANAR },
-    { "quilted", read_function, PATTERN_QUILTED },
-    { "bump_map " PATTERN_WORDS, read_unsupported, 0 },
+    { "bump_map " UNSUPPORTED_PATTERNS, read_unsupported, 0 },
     { "accuracy", read_accuracy, OF(list.bump.accuracy) },
     { "bump_size", item_number, OF(list.bump.amount) },
     { "control0", item_number, OF(list.bump.controls[0]) },

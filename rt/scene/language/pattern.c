@@ -6,56 +6,44 @@
 
 enum { EXPONENT_LEAST = -100 }; /* keeps the powers of the kernels in range */
 
-/* POV-Ray's defaults: mortar and brick, two cubes, three hexagons. */
-static const double brick_size[3] = { 8, 3, 4.5 };
-static const struct numbers bricks[MAX_LISTED] = { { .n = { .5, .5, .5 } },
-                                                   { .n = { .6, .15, .15 } } };
-static const struct numbers checkers[MAX_LISTED] = { { .n = { 0, 0, 1 } },
-                                                     { .n = { 0, 1, 0 } } };
-static const struct numbers hexagons[MAX_LISTED] = { { .n = { 0, 0, 1 } },
-                                                     { .n = { 0, 1, 0 } },
-                                                     { .n = { 1, 0, 0 } } };
-
-static bool read_listed(struct reader *reader, struct pigment *pigment,
-                        const struct numbers *unless, size_t count)
-{
-    struct numbers colors[MAX_LISTED];
-    for (size_t i = 0; i < count; i++)
-        colors[i] = unless[i];
-    pigment->pattern.frequency = 0;
-    return pigment_colors(reader, colors, count)
-           && color_map_listed(reader, colors, count, &pigment->map);
-}
-
+/* As in POV-Ray a pigment keeps the wave and frequency of the pattern that it replaces. */
 void pattern_begin(struct pigment *pigment, enum pattern_function function)
 {
-    struct pattern *pattern = &pigment->pattern;
     pigment->kind = PIGMENT_PATTERN;
-    pattern->function = function;
-    if (function == PATTERN_BRICK) {
-        copy3(brick_size, pattern->brick_size);
-        pattern->mortar = .5;
-    }
+    pigment->pattern.function = function;
+    pigment->pattern.own = pattern_rules[function].own;
 }
 
-/* Reads a pattern. As in POV-Ray it keeps the wave and frequency of the pattern that it
- * replaces. A list sets the frequency to 0, which leaves its values unchanged. */
-bool pattern_read(struct reader *reader, const struct item *item)
+bool map_pattern_read(struct reader *reader, const struct item *item)
 {
-    struct pigment *pigment = item->subject;
-    pattern_begin(pigment, (enum pattern_function)item->keyword->detail);
-    switch (pigment->pattern.function) {
-    case PATTERN_BRICK: return read_listed(reader, pigment, bricks, 2);
-    case PATTERN_HEXAGON: return read_listed(reader, pigment, hexagons, 3);
-    default: return true;
-    }
+    (void)reader;
+    pattern_begin(item->subject, (enum pattern_function)item->keyword->detail);
+    return true;
 }
 
-bool checker_read(struct reader *reader, const struct item *item)
+/* Reads the colours of a list. The frequency 0 leaves its values unchanged. */
+static bool read_listed(struct reader *reader, const struct item *item)
+{
+    const struct pattern_rule *rule = &pattern_rules[item->keyword->detail];
+    struct pigment *pigment = item->subject;
+    struct numbers colors[MAX_LISTED] = { 0 };
+    for (size_t i = 0; i < rule->listed; i++)
+        copy3(rule->colors[i], colors[i].n);
+    pigment->pattern.frequency = 0;
+    return pigment_colors(reader, colors, rule->listed)
+           && color_map_listed(reader, colors, rule->listed, &pigment->map);
+}
+
+bool list_pattern_read(struct reader *reader, const struct item *item)
+{
+    return map_pattern_read(reader, item) && read_listed(reader, item);
+}
+
+bool checker_pattern_read(struct reader *reader, const struct item *item)
 {
     struct pigment *pigment = item->subject;
     pigment->kind = PIGMENT_CHECKER;
-    return read_listed(reader, pigment, checkers, 2);
+    return read_listed(reader, item);
 }
 
 static bool read_wave(struct reader *reader, const struct item *item)
@@ -73,7 +61,7 @@ static bool read_wave(struct reader *reader, const struct item *item)
 
 static bool read_brick_size(struct reader *reader, const struct item *item)
 {
-    double *size = ((struct pigment *)item->subject)->pattern.brick_size;
+    double *size = ((struct pigment *)item->subject)->pattern.own.brick_size;
     if (!read_vector(reader, size))
         return false;
     for (int i = 0; i < 3; i++)
@@ -85,7 +73,7 @@ static bool read_brick_size(struct reader *reader, const struct item *item)
 const struct keyword pattern_words[] = {
     { "frequency", item_number, offsetof(struct pigment, pattern.frequency) },
     { "phase", item_number, offsetof(struct pigment, pattern.phase) },
-    { "mortar", item_number, offsetof(struct pigment, pattern.mortar) },
+    { "mortar", item_number, offsetof(struct pigment, pattern.own.mortar) },
     { "brick_size", read_brick_size, 0 },
     { "ramp_wave", read_wave, WAVE_RAMP },
     { "triangle_wave", read_wave, WAVE_TRIANGLE },
@@ -120,7 +108,7 @@ bool pattern_finish(struct reader *reader, struct pigment *pigment,
     struct color_map *map = &pigment->map;
     struct pattern *pattern = &pigment->pattern;
     bool round = pigment->kind == PIGMENT_PATTERN
-                 && pattern->function == PATTERN_RADIAL;
+                 && pattern_rules[pattern->function].round;
     if (pigment->kind == PIGMENT_CHECKER)
         finish_checker(pigment);
     if (!pigment_has_map(pigment))
@@ -130,7 +118,7 @@ bool pattern_finish(struct reader *reader, struct pigment *pigment,
         *map = round ? color_map_round : color_map_gray;
     if (pigment->kind == PIGMENT_GRADIENT && is_changed(pattern)) {
         pigment->kind = PIGMENT_PATTERN;
-        pattern->function = PATTERN_SLANTED;
+        pattern->function = PATTERN_GRADIENT;
     }
     copy3(map->stops[0].color, pigment->color[0]);
     if (map->clear > 0)

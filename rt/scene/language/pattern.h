@@ -1,43 +1,33 @@
 /* pattern.h - the patterns of pigments and textures.
  *
- * Pigments support the patterns without noise, textures support checker only. For all
- * other patterns the first colour or the first texture is used.
+ * rt/scene/patterns.def lists the patterns that pigments and normals support. For all
+ * others, and in textures, the first colour or the first texture is used.
  */
 #ifndef RT_SCENE_PATTERN_H
 #define RT_SCENE_PATTERN_H
 
 #include "rt/scene/language/scene_statement.h"
 
-/* Patterns of pigments that are not supported. */
-#define PATTERN_WORDS \
+/* Patterns of POV-Ray that rt/scene/patterns.def does not have. */
+#define UNSUPPORTED_PATTERNS \
     "agate aoi average bozo bumps cells crackle cubic density_file dents facets " \
     "function granite image_pattern julia magnet mandel marble object pavement " \
-    "pigment_pattern quilted ripples slope spiral1 spiral2 spotted square tiling " \
+    "pigment_pattern ripples slope spiral1 spiral2 spotted square tiling " \
     "triangular waves wood wrinkles"
-/* clang-format off */
-/* Patterns of pigments that are supported. */
-#define PATTERN_FUNCTION_WORDS(read) \
-    { "boxed", read, PATTERN_BOXED }, { "brick", read, PATTERN_BRICK }, \
-    { "cylindrical", read, PATTERN_CYLINDRICAL }, \
-    { "hexagon", read, PATTERN_HEXAGON }, \
-    { "leopard", read, PATTERN_LEOPARD }, { "onion", read, PATTERN_ONION }, \
-    { "planar", read, PATTERN_PLANAR }, { "radial", read, PATTERN_RADIAL }, \
-    { "spherical", read, PATTERN_SPHERICAL }
-/* clang-format on */
 
-/* Sets a pigment to a pattern with the defaults of its word. */
+/* Sets a pigment to a pattern with its own defaults. */
 void pattern_begin(struct pigment *pigment, enum pattern_function function);
 /* These read a pattern and its modifiers into a pigment. */
-item_reader pattern_read, checker_read, gradient_read, image_map_read;
+item_reader map_pattern_read, list_pattern_read, checker_pattern_read,
+    gradient_pattern_read, image_map_read;
 extern const struct keyword pattern_words[];
 /* Completes a pigment that has been read. A gradient that was changed becomes a
- * PATTERN_SLANTED; a pattern without a map gets its default map; a checker gets its two
+ * PATTERN_GRADIENT; a pattern without a map gets its default map; a checker gets its two
  * colours. */
 bool pattern_finish(struct reader *reader, struct pigment *pigment,
                     const struct scene_token *at);
 /* Reads up to `count` colours after the word of a pattern. Colours that are not given
  * are left unchanged. */
-enum { MAX_LISTED = 3 };
 bool pigment_colors(struct reader *reader, struct numbers *colors, size_t count);
 
 /* Modifiers of patterns in pigments and textures that are ignored. */

@@ -85,7 +85,7 @@ bool pigment_colors(struct reader *reader, struct numbers *colors, size_t count)
     return done;
 }
 
-bool gradient_read(struct reader *reader, const struct item *item)
+bool gradient_pattern_read(struct reader *reader, const struct item *item)
 {
     struct pigment *pigment = item->subject;
     double length;
@@ -102,8 +102,8 @@ bool gradient_read(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Reads a pattern that is not supported; its first colour is used. */
-static bool read_pattern(struct reader *reader, const struct item *item)
+/* Reads a pattern whose first colour is used. */
+static bool unsupported_pattern_read(struct reader *reader, const struct item *item)
 {
     struct pigment *pigment = item->subject;
     struct pigment other;
@@ -141,14 +141,14 @@ static bool read_pigment_map(struct reader *reader, const struct item *item)
 }
 
 static const struct keyword words[] = {
+#define PATTERN(KIND, name, pigment, ...) \
+    { #name, pigment##_pattern_read, PATTERN_##KIND },
+#include "rt/scene/patterns.def"
     { COLOR_WORDS " filter transmit", read_color_word, 0 },
-    { "checker", checker_read, 0 },
-    { "gradient", gradient_read, 0 },
     { "image_map", image_map_read, 0 },
     { "color_map colour_map", item_statement, VALUE_COLOR_MAP },
     { "pigment_map", read_pigment_map, 0 },
-    PATTERN_FUNCTION_WORDS(pattern_read),
-    { PATTERN_WORDS, read_pattern, 0 },
+    { UNSUPPORTED_PATTERNS, unsupported_pattern_read, 0 },
     { NULL, NULL, 0 },
 };
 

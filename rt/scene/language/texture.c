@@ -178,8 +178,9 @@ static const struct keyword texture_words[] = {
     { "finish", item_texture_part, TEXTURE_FINISH },
     { "normal", item_texture_part, TEXTURE_NORMAL },
     { "no_bump_scale", item_flag, offsetof(struct texture, bumps.unscaled) },
-    PATTERN_FUNCTION_WORDS(read_pattern),
-    { "checker gradient image_map " PATTERN_WORDS, read_pattern, 0 },
+#define PATTERN(KIND, name, ...) { #name, read_pattern, 0 },
+#include "rt/scene/patterns.def"
+    { "image_map " UNSUPPORTED_PATTERNS, read_pattern, 0 },
     { "texture_map", item_statement, VALUE_TEXTURE_MAP },
     { "tiles", read_tiles, 0 },
     { "material_map", item_left_out, 0 },
