@@ -193,6 +193,16 @@ TEST(quilted)
     assert_int_equal(bump->stop_count, 0);
 }
 
+/* The layout writes the pattern of each entry. */
+TEST(quilted_without_effect)
+{
+    static const char text[] = "onion normal_map { [0 quilted bozo] [1 onion] }";
+    SCOPED(scene) *scene = scene_with(text, 1);
+    const struct bump *bump = &list_of(scene)->entries[0].bump;
+    assert_int_equal(bump->pattern.kind, PIGMENT_COLOR);
+    assert_int_equal(bump->pattern.pattern.function, PATTERN_PLANAR);
+}
+
 static const struct line_error errors[] = {
     { "sphere { 0, 1 normal { onion accuracy 0 } }", 30, "the accuracy must not be 0" },
     { "sphere { 0, 1 normal { average } }", 22, "'average' requires 'normal_map'" },

@@ -79,7 +79,8 @@ static void finish_quilted(struct reader *reader, struct bump_list *list,
     list->count = 0;
 }
 
-/* Ignores the whole normal. */
+/* Ignores the whole normal. An entry of a map is evaluated without effect, so its
+ * pattern becomes one with values. */
 static bool read_unsupported(struct reader *reader, const struct item *item)
 {
     struct normal_reading *reading = item->subject;
@@ -88,6 +89,7 @@ static bool read_unsupported(struct reader *reader, const struct item *item)
                   "a normal of the pattern '%.*s' is not supported and is ignored",
                   ITEM_WORD(item));
     list->bump.pattern.kind = PIGMENT_COLOR;
+    list->bump.pattern.pattern.function = PATTERN_PLANAR;
     list->average = false;
     list->bump.stop_count = list->count = 0;
     block_pass(reader, reading->block);
