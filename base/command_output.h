@@ -19,6 +19,7 @@
 #include "base/command.h"
 #include "base/json.h"
 #include "base/table.h"
+#include "vm/error.h"
 
 enum output_format {
     OUTPUT_TEXT = TABLE_PLAIN,
@@ -68,10 +69,7 @@ int output_close(struct command_output *results, int code);
 enum table_format output_table_format(const struct command_output *results);
 /* Prints lines of at most 1023 characters in all, each with its line end. */
 void output_printf(const struct command_output *results, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 2, 3)))
-#endif
-    ;
+    PRINTF_FORMAT(2, 3);
 /* Prints a blank line in text format; the headings of other formats make it
  * unnecessary. */
 void output_gap(const struct command_output *results);

@@ -9,6 +9,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "vm/error.h"
+
 struct sink {
     void (*put)(void *context, const char *text, size_t length);
     void *context;
@@ -16,11 +18,7 @@ struct sink {
 
 void sink_put(const struct sink *sink, const char *text);
 /* Formats at most 1023 bytes per call; longer text is cut. */
-void sink_print(const struct sink *sink, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 2, 3)))
-#endif
-    ;
+void sink_print(const struct sink *sink, const char *format, ...) PRINTF_FORMAT(2, 3);
 
 /* Must be zeroed before use. text is NUL-terminated, or NULL while it is empty. */
 struct text_buffer {

@@ -6,13 +6,17 @@
 
 #include <stdarg.h>
 
+/* Declares that a parameter is a format of printf, and which one is its first value. */
+#if defined(__GNUC__)
+#define PRINTF_FORMAT(format_at, first) \
+    __attribute__((format(printf, format_at, first)))
+#else
+#define PRINTF_FORMAT(format_at, first)
+#endif
+
 /* Formats a message like printf, cut to the size of the buffer. Always returns
  * false. */
-bool error_set(c205_error *error, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 2, 3)))
-#endif
-    ;
+bool error_set(c205_error *error, const char *format, ...) PRINTF_FORMAT(2, 3);
 bool error_set_list(c205_error *error, const char *format, va_list arguments);
 
 /* The digits of a macro, for a message about a limit: "at most " LIMIT_TEXT(MAX). */

@@ -65,10 +65,6 @@ void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
 struct site *runtime_site(struct runtime_checker *watch, const c205 *machine,
                           uint64_t pc);
 void runtime_report(struct runtime_checker *watch, const struct site *site,
-                    enum warning warning, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 4, 5)))
-#endif
-    ;
+                    enum warning warning, const char *format, ...) PRINTF_FORMAT(4, 5);
 
 #endif

@@ -97,11 +97,7 @@ bool dap_check(struct dap *dap, const char *owner, const struct json_value *obje
 
 /* Reports an error of one sentence and returns false. debugger_report returns the
  * reports. */
-bool dap_fault(struct dap *dap, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 2, 3)))
-#endif
-    ;
+bool dap_fault(struct dap *dap, const char *format, ...) PRINTF_FORMAT(2, 3);
 /* Writes the reports since the last call as a member. */
 void dap_put_said(struct dap *dap, struct json *json, const char *key);
 /* Returns a sink that appends to the reports. */

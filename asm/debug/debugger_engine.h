@@ -95,10 +95,7 @@ static inline uint64_t step_of(const struct debugger *debugger)
 
 /* Prints "error: ..." to the sink, counts the fault, and returns false. */
 bool debug_fault(struct debugger *debugger, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 2, 3)))
-#endif
-    ;
+    PRINTF_FORMAT(2, 3);
 
 /* ---- Reading a text (value.c) --------------------------------------------- */
 

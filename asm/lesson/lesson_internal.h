@@ -14,10 +14,7 @@ bool lesson_read_notes(struct lesson *lesson, struct lesson_test *test,
  * a buffer without the newlines at its end, and frees the buffer. If memory is
  * exhausted the arena is marked as failed. */
 void report_printf(struct lesson_report *report, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 2, 3)))
-#endif
-    ;
+    PRINTF_FORMAT(2, 3);
 void report_buffer(struct lesson_report *report, struct text_buffer *buffer);
 /* Returns a source line without leading blanks. */
 const char *lesson_source(const char *line);

@@ -233,18 +233,10 @@ struct assembler {
 /* error.c. `at` points into the line; if the whole line is meant, it is the start of
  * the line. All of them return false. */
 bool report(struct assembler *assembler, const struct line *line, const char *at,
-            const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 4, 5)))
-#endif
-    ;
+            const char *format, ...) PRINTF_FORMAT(4, 5);
 /* Records a warning, which is reported at the end unless it is disabled or declared. */
 void warn(struct assembler *assembler, enum warning warning, const struct line *line,
-          const char *at, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 5, 6)))
-#endif
-    ;
+          const char *at, const char *format, ...) PRINTF_FORMAT(5, 6);
 /* Reports the recorded warnings. Returns their set, including those not reported. */
 warning_set report_pending_warnings(struct assembler *assembler);
 bool report_file(struct diagnostics *diagnostics, const char *file,
