@@ -81,21 +81,13 @@ static bool read_line_stop(struct dap *dap, const struct json_value *wanted,
            && place_line(dap->debugger, file, line_of(dap, line), stop);
 }
 
-/* Returns the group of a file's breakpoints. Unknown files share one group, which stays
- * empty. */
-static size_t group_of(const struct dap *dap, const char *file)
-{
-    size_t i = 0;
-    while (i < dap->file_count && dap->files[i] != file)
-        i++;
-    return GROUP_FILES + i;
-}
-
+/* Unknown files share one group, which stays empty. */
 bool request_breakpoints(struct dap *dap, const struct json_value *arguments,
                          struct json *body)
 {
     const char *file = source_file(dap, json_member(arguments, "source"));
-    return replace(dap, arguments, body, file, group_of(dap, file), read_line_stop);
+    return replace(dap, arguments, body, file, GROUP_FILES + file_index(dap, file),
+                   read_line_stop);
 }
 
 static bool has_code(const struct dap *dap, const char *file, size_t number)

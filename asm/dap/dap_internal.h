@@ -68,6 +68,8 @@ typedef bool dap_request(struct dap *dap, const struct json_value *arguments,
 /* launch.c */
 dap_request request_initialize, request_launch, request_configuration_done,
     request_restart, request_terminate, request_disconnect;
+/* Frees the program, which need not be open completely. */
+void close_program(struct dap *dap);
 /* breakpoints.c */
 dap_request request_breakpoints, request_function_breakpoints,
     request_instruction_breakpoints, request_data_breakpoints,
@@ -103,19 +105,20 @@ void dap_put_said(struct dap *dap, struct json *json, const char *key);
 /* Returns a sink that appends to the reports. */
 struct sink dap_output_sink(struct dap *dap);
 
-/* The body of an event is written between event_begin and event_end. event_begin
+/* The body of an event, or of a response, is written between event_begin and event_end. event_begin
  * returns NULL if memory is exhausted; the session is then over. */
 struct json *event_begin(struct dap *dap, struct text_buffer *body);
 void event_end(struct dap *dap, const char *name, struct json *json,
                struct text_buffer *body);
-void event_bare(struct dap *dap, const char *name);
+/* Sends an event. body: JSON text, or NULL for an event without one. */
+void send_event(struct dap *dap, const char *name, const char *body);
 /* Sends the event output with a category, if the text is not empty. */
 void send_output(struct dap *dap, const char *category, const char *text);
 /* Sends the output of the program that was not sent yet. */
 void send_printed(struct dap *dap);
-/* Both answer a request. body: JSON text. */
-void send_response(struct dap *dap, const struct json_value *request, const char *body);
-void send_refusal(struct dap *dap, const struct json_value *request, const char *why);
+/* Answers a request. text: the body as JSON, or the reason of a failure. */
+void send_response(struct dap *dap, const struct json_value *request, bool success,
+                   const char *text);
 
 /* Handles the input of the client while a program runs, and returns whether the program
  * must stop (session.c). */
@@ -143,13 +146,15 @@ enum dap_group {
     GROUP_FUNCTIONS = 1,
     GROUP_INSTRUCTIONS,
     GROUP_DATA,
-    GROUP_FILES /* plus the number of the file */
+    GROUP_FILES /* plus the index of the file */
 };
 
 /* ---- Sources (frames.c) -------------------------------------------------- */
 
 /* Lists the source files of the object. Fails if memory is exhausted. */
 bool sources_find(struct dap *dap);
+/* Returns the index of a file by its name; file_count if it is NULL or not listed. */
+size_t file_index(const struct dap *dap, const char *file);
 /* Returns the file that a Source names, or NULL if the program has no such file. */
 const char *source_file(const struct dap *dap, const struct json_value *source);
 /* put_source writes the member source of an object, put_source_members only its

@@ -77,7 +77,7 @@ void dap_finish(struct dap *dap)
 {
     send_printed(dap);
     if (dap->state != DAP_ENDED)
-        event_bare(dap, "terminated");
+        send_event(dap, "terminated", NULL);
     dap->state = DAP_ENDED;
 }
 

@@ -12,17 +12,17 @@
 
 /* ---- Files --------------------------------------------------------------- */
 
-static bool is_known(const struct dap *dap, const char *file)
+size_t file_index(const struct dap *dap, const char *file)
 {
-    for (size_t i = dap->file_count; i-- > 0;)
-        if (strcmp(dap->files[i], file) == 0)
-            return true;
-    return false;
+    size_t i = 0;
+    while (i < dap->file_count && (!file || strcmp(dap->files[i], file) != 0))
+        i++;
+    return i;
 }
 
 static bool add_file(struct dap *dap, const char *file, size_t *capacity)
 {
-    return is_known(dap, file)
+    return file_index(dap, file) < dap->file_count
            || arena_add(&dap->launched, &dap->files, &dap->file_count, capacity, &file,
                         sizeof file);
 }
@@ -89,14 +89,6 @@ const char *source_file(const struct dap *dap, const struct json_value *source)
     return NULL;
 }
 
-static size_t member_number(const struct dap *dap, const char *file)
-{
-    size_t i = 0;
-    while (i < dap->file_count && strcmp(dap->files[i], file) != 0)
-        i++;
-    return i + 1;
-}
-
 void put_source_members(struct dap *dap, struct json *json, const char *file)
 {
     const char *slash = strrchr(file, '/');
@@ -105,7 +97,7 @@ void put_source_members(struct dap *dap, struct json *json, const char *file)
     if (path) {
         json_text(json, "path", path);
     } else {
-        json_count(json, "sourceReference", member_number(dap, file));
+        json_count(json, "sourceReference", file_index(dap, file) + 1);
         json_text(json, "origin", "the library of c205");
     }
     free(path);

@@ -150,8 +150,7 @@ static bool open_program(struct dap *dap, const struct json_value *launch)
            && (sources_find(dap) || dap_fault(dap, "out of memory"));
 }
 
-/* Frees a program that could not be opened completely. */
-static void close_program(struct dap *dap)
+void close_program(struct dap *dap)
 {
     debugger_free(dap->debugger);
     object_free(dap->object);
@@ -167,7 +166,7 @@ static void close_program(struct dap *dap)
  * program, so the event is sent only after the launch. */
 static void ask_configuration(struct dap *dap)
 {
-    event_bare(dap, "initialized");
+    send_event(dap, "initialized", NULL);
 }
 
 /* A launch with noDebug stops nowhere. */

@@ -79,6 +79,20 @@ static bool read_byte(const struct dap *dap, uint64_t address, unsigned char *by
     return true;
 }
 
+/* Returns the number of mapped bytes from an address on, and reads them unless bytes is
+ * NULL. */
+static size_t read_bytes(const struct dap *dap, uint64_t address, unsigned char *bytes,
+                         size_t count)
+{
+    unsigned char byte;
+    size_t there = 0;
+    while (
+        there < count
+        && read_byte(dap, address + 8 * (uint64_t)there, bytes ? &bytes[there] : &byte))
+        there++;
+    return there;
+}
+
 bool request_read_memory(struct dap *dap, const struct json_value *arguments,
                          struct json *body)
 {
@@ -87,7 +101,7 @@ bool request_read_memory(struct dap *dap, const struct json_value *arguments,
     unsigned char *bytes;
     uint64_t address;
     int64_t count = -1;
-    size_t there = 0;
+    size_t there;
     if (!read_place(dap, arguments, &address)
         || !dap_whole(dap, arguments, "count", &count))
         return false;
@@ -96,9 +110,7 @@ bool request_read_memory(struct dap *dap, const struct json_value *arguments,
     bytes = malloc((size_t)count + 1);
     if (!bytes)
         return dap_fault(dap, "out of memory");
-    while (there < (size_t)count
-           && read_byte(dap, address + 8 * (uint64_t)there, &bytes[there]))
-        there++;
+    there = read_bytes(dap, address, bytes, (size_t)count);
     dap_put_address(body, "address", address);
     if (there < (size_t)count)
         json_count(body, "unreadableBytes", (size_t)count - there);
@@ -107,15 +119,6 @@ bool request_read_memory(struct dap *dap, const struct json_value *arguments,
     text_buffer_free(&text);
     free(bytes);
     return true;
-}
-
-static size_t mapped_bytes(const struct dap *dap, uint64_t address, size_t count)
-{
-    unsigned char byte;
-    size_t there = 0;
-    while (there < count && read_byte(dap, address + 8 * (uint64_t)there, &byte))
-        there++;
-    return there;
 }
 
 /* Writes all bytes. With allowPartial, bytes before the first unmapped one are
@@ -127,7 +130,7 @@ static bool write_bytes(struct dap *dap, const struct json_value *arguments,
     size_t there;
     if (!read_place(dap, arguments, &address))
         return false;
-    there = mapped_bytes(dap, address, count);
+    there = read_bytes(dap, address, NULL, count);
     if (there < count && !json_member_truth(arguments, "allowPartial", false))
         return dap_fault(dap, "of %zu bytes only %zu are in memory", count, there);
     if (!debug_set_bytes(dap->debugger, address, bytes, there))

@@ -42,7 +42,7 @@ static void give_up(struct dap *dap, const char *why)
     dap->over = dap->failed = true;
 }
 
-static struct json *line_begin(struct dap *dap, struct text_buffer *line)
+struct json *event_begin(struct dap *dap, struct text_buffer *line)
 {
     struct json *json;
     *line = (struct text_buffer){ .text = NULL };
@@ -55,7 +55,7 @@ static struct json *line_begin(struct dap *dap, struct text_buffer *line)
 static struct json *message_begin(struct dap *dap, struct text_buffer *line,
                                   const char *type)
 {
-    struct json *json = line_begin(dap, line);
+    struct json *json = event_begin(dap, line);
     if (!json)
         return NULL;
     json_count(json, "seq", ++dap->sent);
@@ -74,36 +74,26 @@ static void message_end(struct dap *dap, struct json *json, struct text_buffer *
 
 /* ---- Events --------------------------------------------------------------------- */
 
-struct json *event_begin(struct dap *dap, struct text_buffer *body)
-{
-    return line_begin(dap, body);
-}
-
-void event_end(struct dap *dap, const char *name, struct json *json,
-               struct text_buffer *body)
-{
-    struct text_buffer line;
-    if (!json_close(json, dap->error)) {
-        dap->over = dap->failed = true;
-    } else {
-        json = message_begin(dap, &line, "event");
-        if (json) {
-            json_text(json, "event", name);
-            json_raw(json, "body", body->text);
-            message_end(dap, json, &line);
-        }
-    }
-    text_buffer_free(body);
-}
-
-void event_bare(struct dap *dap, const char *name)
+void send_event(struct dap *dap, const char *name, const char *body)
 {
     struct text_buffer line;
     struct json *json = message_begin(dap, &line, "event");
     if (!json)
         return;
     json_text(json, "event", name);
+    if (body)
+        json_raw(json, "body", body);
     message_end(dap, json, &line);
+}
+
+void event_end(struct dap *dap, const char *name, struct json *json,
+               struct text_buffer *body)
+{
+    if (json_close(json, dap->error))
+        send_event(dap, name, body->text);
+    else
+        dap->over = dap->failed = true;
+    text_buffer_free(body);
 }
 
 void send_output(struct dap *dap, const char *category, const char *text)
@@ -130,37 +120,19 @@ void send_printed(struct dap *dap)
 
 /* ---- Responses ----------------------------------------------------------- */
 
-static struct json *response_begin(struct dap *dap, struct text_buffer *line,
-                                   const struct json_value *request, bool success)
+void send_response(struct dap *dap, const struct json_value *request, bool success,
+                   const char *text)
 {
-    struct json *json = message_begin(dap, line, "response");
+    struct text_buffer line;
+    struct json *json = message_begin(dap, &line, "response");
     int64_t number = 0;
     if (!json)
-        return NULL;
+        return;
     json_member_whole(request, "seq", &number);
     json_number(json, "request_seq", (double)number);
     json_bool(json, "success", success);
     json_text(json, "command", json_member_text(request, "command"));
-    return json;
-}
-
-void send_response(struct dap *dap, const struct json_value *request, const char *body)
-{
-    struct text_buffer line;
-    struct json *json = response_begin(dap, &line, request, true);
-    if (!json)
-        return;
-    json_raw(json, "body", body);
-    message_end(dap, json, &line);
-}
-
-void send_refusal(struct dap *dap, const struct json_value *request, const char *why)
-{
-    struct text_buffer line;
-    struct json *json = response_begin(dap, &line, request, false);
-    if (!json)
-        return;
-    json_text(json, "message", why);
+    (success ? json_raw : json_text)(json, success ? "body" : "message", text);
     message_end(dap, json, &line);
 }
 

@@ -88,17 +88,15 @@ static bool answer(struct dap *dap, const struct json_value *request, struct jso
            && requests[i].answer(dap, arguments, body);
 }
 
-static void refuse(struct dap *dap, const struct json_value *request)
+/* Sends the response. The reports of a successful request are console output; those of
+ * a failed one are its reason. */
+static void respond(struct dap *dap, const struct json_value *request, bool good,
+                    const char *body)
 {
-    const char *why = debugger_report(&dap->said);
-    send_refusal(dap, request, *why ? why : "out of memory");
-}
-
-/* Sends the reports of a successful request as console output, then the response. */
-static void respond(struct dap *dap, const struct json_value *request, const char *body)
-{
-    send_output(dap, "console", debugger_report(&dap->said));
-    send_response(dap, request, body);
+    const char *said = debugger_report(&dap->said);
+    if (good)
+        send_output(dap, "console", said);
+    send_response(dap, request, good, good ? body : *said ? said : "out of memory");
 }
 
 /* Executes a request and responds. A request may arrive while an earlier one is
@@ -117,12 +115,10 @@ static void handle_request(struct dap *dap, const struct json_value *request)
         return;
     good = answer(dap, request, json);
     send_printed(dap);
-    if (good && json_close(json, dap->error))
-        respond(dap, request, body.text);
-    else if (!good)
-        json_discard(json);
     if (!good)
-        refuse(dap, request);
+        json_discard(json);
+    if (!good || json_close(json, dap->error))
+        respond(dap, request, good, body.text);
     text_buffer_free(&body);
     text_buffer_free(&dap->said);
     dap->said = outer;
@@ -207,10 +203,7 @@ bool dap_listen(void *given)
 
 static void end_session(struct dap *dap)
 {
-    debugger_free(dap->debugger);
-    object_free(dap->object);
-    c205_model_free(dap->model);
-    arena_free(&dap->launched);
+    close_program(dap);
     text_buffer_free(&dap->input);
     text_buffer_free(&dap->printed);
     text_buffer_free(&dap->said);
