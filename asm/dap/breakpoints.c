@@ -56,16 +56,14 @@ static void put_stop(struct dap *dap, struct json *body,
     json_end(body);
 }
 
-static bool replace(struct dap *dap, const struct json_value *arguments,
-                    struct json *body, const char *file, size_t group,
-                    stop_reader *read)
+static bool replace(struct dap *dap, const char *file, size_t group, stop_reader *read)
 {
-    const struct json_value *wanted = json_member_first(arguments, "breakpoints");
+    const struct json_value *wanted = json_member_first(dap->arguments, "breakpoints");
     breakpoints_forget(dap->debugger, group);
-    json_array(body, "breakpoints");
+    json_array(dap->body, "breakpoints");
     for (; wanted; wanted = wanted->next)
-        put_stop(dap, body, wanted, file, group, read);
-    json_end(body);
+        put_stop(dap, dap->body, wanted, file, group, read);
+    json_end(dap->body);
     return true;
 }
 
@@ -82,12 +80,10 @@ static bool read_line_stop(struct dap *dap, const struct json_value *wanted,
 }
 
 /* Unknown files share one group, which stays empty. */
-bool request_breakpoints(struct dap *dap, const struct json_value *arguments,
-                         struct json *body)
+bool request_breakpoints(struct dap *dap)
 {
-    const char *file = source_file(dap, json_member(arguments, "source"));
-    return replace(dap, arguments, body, file, GROUP_FILES + file_index(dap, file),
-                   read_line_stop);
+    const char *file = source_file(dap, json_member(dap->arguments, "source"));
+    return replace(dap, file, GROUP_FILES + file_index(dap, file), read_line_stop);
 }
 
 static bool has_code(const struct dap *dap, const char *file, size_t number)
@@ -102,27 +98,26 @@ static bool has_code(const struct dap *dap, const char *file, size_t number)
     return false;
 }
 
-bool request_breakpoint_locations(struct dap *dap, const struct json_value *arguments,
-                                  struct json *body)
+bool request_breakpoint_locations(struct dap *dap)
 {
     enum { MAX_LINES = 1000 };
-    const char *file = source_file(dap, json_member(arguments, "source"));
+    const char *file = source_file(dap, json_member(dap->arguments, "source"));
     int64_t line = 0, end;
-    if (!dap_whole(dap, arguments, "line", &line))
+    if (!dap_whole(dap, dap->arguments, "line", &line))
         return false;
     end = line;
-    if (!dap_whole(dap, arguments, "endLine", &end))
+    if (!dap_whole(dap, dap->arguments, "endLine", &end))
         return false;
     if (end - line >= MAX_LINES)
         return dap_fault(dap, "more than %d lines", MAX_LINES);
-    json_array(body, "breakpoints");
+    json_array(dap->body, "breakpoints");
     for (; file && line <= end; line++)
         if (has_code(dap, file, line_of(dap, line))) {
-            json_object(body, NULL);
-            json_number(body, "line", (double)line);
-            json_end(body);
+            json_object(dap->body, NULL);
+            json_number(dap->body, "line", (double)line);
+            json_end(dap->body);
         }
-    json_end(body);
+    json_end(dap->body);
     return true;
 }
 
@@ -156,10 +151,9 @@ static bool read_named_stop(struct dap *dap, const struct json_value *wanted,
            && text_cursor_finish(dap->debugger, &cursor);
 }
 
-bool request_function_breakpoints(struct dap *dap, const struct json_value *arguments,
-                                  struct json *body)
+bool request_function_breakpoints(struct dap *dap)
 {
-    return replace(dap, arguments, body, NULL, GROUP_FUNCTIONS, read_named_stop);
+    return replace(dap, NULL, GROUP_FUNCTIONS, read_named_stop);
 }
 
 /* ---- Instructions -------------------------------------------------------- */
@@ -177,12 +171,9 @@ static bool read_instruction_stop(struct dap *dap, const struct json_value *want
     return place_read(dap->debugger, &cursor, stop);
 }
 
-bool request_instruction_breakpoints(struct dap *dap,
-                                     const struct json_value *arguments,
-                                     struct json *body)
+bool request_instruction_breakpoints(struct dap *dap)
 {
-    return replace(dap, arguments, body, NULL, GROUP_INSTRUCTIONS,
-                   read_instruction_stop);
+    return replace(dap, NULL, GROUP_INSTRUCTIONS, read_instruction_stop);
 }
 
 /* ---- Data ---------------------------------------------------------------- */
@@ -201,22 +192,20 @@ static bool read_data_stop(struct dap *dap, const struct json_value *wanted,
            && text_cursor_finish(dap->debugger, &cursor);
 }
 
-bool request_data_breakpoints(struct dap *dap, const struct json_value *arguments,
-                              struct json *body)
+bool request_data_breakpoints(struct dap *dap)
 {
-    return replace(dap, arguments, body, NULL, GROUP_DATA, read_data_stop);
+    return replace(dap, NULL, GROUP_DATA, read_data_stop);
 }
 
 /* Finds the address of an element of a vector, or without a reference that of an
  * expression. */
-static bool find_address(struct dap *dap, const struct json_value *arguments,
-                         const char *name, uint64_t *address)
+static bool find_address(struct dap *dap, const char *name, uint64_t *address)
 {
     struct text_cursor cursor = { name };
     struct vector_view vector;
     int64_t reference = 0;
     size_t number;
-    if (!dap_whole(dap, arguments, "variablesReference", &reference))
+    if (!dap_whole(dap, dap->arguments, "variablesReference", &reference))
         return false;
     if (reference == 0)
         return debug_address(dap->debugger, &cursor, address)
@@ -243,23 +232,22 @@ static void put_data(struct json *body, uint64_t address, int64_t bytes)
 
 /* If the data cannot be watched the request succeeds, with a null identifier and the
  * reason. */
-bool request_data_breakpoint_info(struct dap *dap, const struct json_value *arguments,
-                                  struct json *body)
+bool request_data_breakpoint_info(struct dap *dap)
 {
-    const char *name = json_member_text(arguments, "name");
+    const char *name = json_member_text(dap->arguments, "name");
     int64_t bytes = 8;
     uint64_t address;
     const char *why;
-    if (!dap_whole(dap, arguments, "bytes", &bytes))
+    if (!dap_whole(dap, dap->arguments, "bytes", &bytes))
         return false;
     if (name && bytes > 0 && bytes <= 8 * WATCHED_WORDS
-        && find_address(dap, arguments, name, &address)) {
-        put_data(body, address, bytes);
+        && find_address(dap, name, &address)) {
+        put_data(dap->body, address, bytes);
         return true;
     }
     why = debugger_report(&dap->said);
-    json_null(body, "dataId");
-    json_text(body, "description",
+    json_null(dap->body, "dataId");
+    json_text(dap->body, "description",
               *why ? why : "only 1 to 64 words of memory can be watched");
     text_buffer_free(&dap->said);
     return true;
@@ -267,11 +255,9 @@ bool request_data_breakpoint_info(struct dap *dap, const struct json_value *argu
 
 /* ---- Traps --------------------------------------------------------------- */
 
-bool request_exception_breakpoints(struct dap *dap, const struct json_value *arguments,
-                                   struct json *body)
+bool request_exception_breakpoints(struct dap *dap)
 {
-    const struct json_value *filter = json_member_first(arguments, "filters");
-    (void)body;
+    const struct json_value *filter = json_member_first(dap->arguments, "filters");
     dap->stop_at_traps = false;
     for (; filter; filter = filter->next) {
         if (strcmp(filter->text, "trap") != 0)

@@ -1,6 +1,8 @@
 /* dap_internal.h - the internals of a session. Not public.
  *
- * A request is a function that reads its arguments and writes the body of its response.
+ * A request is a function that reads the arguments of the session and writes the body of
+ * its response. A request may come while an earlier one runs the program; after it the
+ * session has the arguments and the body of the earlier one again.
  * If it fails it reports the error by dap_fault or by a debug_fault of the engine, and
  * returns false. Work that must follow the response, such as an execution request, is
  * left in `then`.
@@ -51,6 +53,9 @@ struct dap {
     size_t file_count;
     const char **files; /* of the source lines, named as in the object */
 
+    const struct json_value *arguments; /* of the current request, or NULL */
+    struct json *body;                  /* of its response */
+
     bool stop_on_entry, stop_on_end, stop_at_traps;
     bool exit_reported;  /* the program has ended, and the client was notified */
     bool client_redraws; /* the client supports the event invalidated */
@@ -62,8 +67,7 @@ struct dap {
     void (*then)(struct dap *dap); /* called after the response; NULL: nothing */
 };
 
-typedef bool dap_request(struct dap *dap, const struct json_value *arguments,
-                         struct json *body);
+typedef bool dap_request(struct dap *dap);
 
 /* launch.c */
 dap_request request_initialize, request_launch, request_configuration_done,

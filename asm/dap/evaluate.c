@@ -80,30 +80,28 @@ static void obey_line(struct dap *dap, const char *text)
         dap->then = send_changed;
 }
 
-bool request_evaluate(struct dap *dap, const struct json_value *arguments,
-                      struct json *body)
+bool request_evaluate(struct dap *dap)
 {
-    const char *text = json_member_text(arguments, "expression");
-    const char *context = json_member_text(arguments, "context");
+    const char *text = json_member_text(dap->arguments, "expression");
+    const char *context = json_member_text(dap->arguments, "context");
     if (!text)
         return dap_fault(dap, "'expression' is missing");
     if (!context || strcmp(context, "repl") != 0)
-        return put_value(dap, body, text, "result");
+        return put_value(dap, dap->body, text, "result");
     if (dap->state != DAP_STANDING)
         return dap_fault(
             dap, "debugger commands are accepted only while the program is stopped");
     obey_line(dap, text);
-    dap_put_said(dap, body, "result");
-    json_number(body, "variablesReference", 0);
+    dap_put_said(dap, dap->body, "result");
+    json_number(dap->body, "variablesReference", 0);
     return true;
 }
 
 /* Executes EXPRESSION = VALUE by the debugger's set. */
-bool request_set_expression(struct dap *dap, const struct json_value *arguments,
-                            struct json *body)
+bool request_set_expression(struct dap *dap)
 {
-    const char *name = json_member_text(arguments, "expression");
-    const char *value = json_member_text(arguments, "value");
+    const char *name = json_member_text(dap->arguments, "expression");
+    const char *value = json_member_text(dap->arguments, "value");
     struct text_buffer line = { 0 };
     struct sink sink = text_buffer_sink(&line);
     struct text_cursor cursor;
@@ -115,7 +113,7 @@ bool request_set_expression(struct dap *dap, const struct json_value *arguments,
     sink_put(&sink, value);
     cursor.at = line.text;
     good = !line.failed && verb_set(dap->debugger, &cursor)
-           && put_value(dap, body, name, "value");
+           && put_value(dap, dap->body, name, "value");
     text_buffer_free(&line);
     return good;
 }

@@ -210,66 +210,48 @@ static enum execution_end step_back(struct debugger *debugger)
     return execution_back(debugger, 1);
 }
 
-bool request_continue(struct dap *dap, const struct json_value *arguments,
-                      struct json *body)
+bool request_continue(struct dap *dap)
 {
-    (void)arguments;
-    json_bool(body, "allThreadsContinued", true);
+    json_bool(dap->body, "allThreadsContinued", true);
     return move_by(dap, run_to_end);
 }
 
 /* By instructions a macro call is not skipped; by statements and lines it is one
  * step. */
-static bool by_instruction(const struct json_value *arguments)
+static bool by_instruction(const struct dap *dap)
 {
-    const char *unit = json_member_text(arguments, "granularity");
+    const char *unit = json_member_text(dap->arguments, "granularity");
     return unit && strcmp(unit, "instruction") == 0;
 }
 
-bool request_next(struct dap *dap, const struct json_value *arguments,
-                  struct json *body)
+bool request_next(struct dap *dap)
 {
-    (void)body;
-    return move_by(dap, by_instruction(arguments) ? execution_next : execution_line);
+    return move_by(dap, by_instruction(dap) ? execution_next : execution_line);
 }
 
-bool request_step_in(struct dap *dap, const struct json_value *arguments,
-                     struct json *body)
+bool request_step_in(struct dap *dap)
 {
-    (void)arguments;
-    (void)body;
     return move_by(dap, step);
 }
 
-bool request_step_out(struct dap *dap, const struct json_value *arguments,
-                      struct json *body)
+bool request_step_out(struct dap *dap)
 {
-    (void)arguments;
-    (void)body;
     return execution_can_go_out(dap->debugger) && move_by(dap, execution_out);
 }
 
-bool request_step_back(struct dap *dap, const struct json_value *arguments,
-                       struct json *body)
+bool request_step_back(struct dap *dap)
 {
-    (void)body;
-    return move_by(dap, by_instruction(arguments) ? step_back : execution_back_line);
+    return move_by(dap, by_instruction(dap) ? step_back : execution_back_line);
 }
 
-bool request_reverse_continue(struct dap *dap, const struct json_value *arguments,
-                              struct json *body)
+bool request_reverse_continue(struct dap *dap)
 {
-    (void)arguments;
-    (void)body;
     return move_by(dap, execution_back_to_stop);
 }
 
 /* Does nothing if the program is not running. */
-bool request_pause(struct dap *dap, const struct json_value *arguments,
-                   struct json *body)
+bool request_pause(struct dap *dap)
 {
-    (void)arguments;
-    (void)body;
     if (dap->state == DAP_RUNNING)
         dap->pending = PENDING_PAUSE;
     return true;
@@ -277,25 +259,24 @@ bool request_pause(struct dap *dap, const struct json_value *arguments,
 
 /* ---- Jump ---------------------------------------------------------------- */
 
-bool request_goto_targets(struct dap *dap, const struct json_value *arguments,
-                          struct json *body)
+bool request_goto_targets(struct dap *dap)
 {
-    const char *file = source_file(dap, json_member(arguments, "source"));
+    const char *file = source_file(dap, json_member(dap->arguments, "source"));
     struct breakpoint stop = { .number = 0 };
     int64_t line = 0;
     if (!file)
         return dap_fault(dap, "expected the path of a source file in 'source'");
-    if (!dap_whole(dap, arguments, "line", &line)
+    if (!dap_whole(dap, dap->arguments, "line", &line)
         || !place_line(dap->debugger, file, line_of(dap, line), &stop))
         return false;
-    json_array(body, "targets");
-    json_object(body, NULL);
-    json_count(body, "id", stop.address);
-    json_text(body, "label", stop.text);
-    put_line(dap, body, "line", stop.line);
-    dap_put_address(body, "instructionPointerReference", stop.address);
-    json_end(body);
-    json_end(body);
+    json_array(dap->body, "targets");
+    json_object(dap->body, NULL);
+    json_count(dap->body, "id", stop.address);
+    json_text(dap->body, "label", stop.text);
+    put_line(dap, dap->body, "line", stop.line);
+    dap_put_address(dap->body, "instructionPointerReference", stop.address);
+    json_end(dap->body);
+    json_end(dap->body);
     return true;
 }
 
@@ -305,26 +286,22 @@ static void send_goto(struct dap *dap)
 }
 
 /* The identifier of a target is its address. */
-bool request_goto(struct dap *dap, const struct json_value *arguments,
-                  struct json *body)
+bool request_goto(struct dap *dap)
 {
     int64_t target = -1;
-    (void)body;
     dap->then = send_goto;
-    return dap_whole(dap, arguments, "targetId", &target)
+    return dap_whole(dap, dap->arguments, "targetId", &target)
            && debug_jump(dap->debugger, (uint64_t)target);
 }
 
-bool request_exception_info(struct dap *dap, const struct json_value *arguments,
-                            struct json *body)
+bool request_exception_info(struct dap *dap)
 {
     const struct debugger *debugger = dap->debugger;
-    (void)arguments;
     if (!debugger->halted || debugger->halt.trap == C205_TRAP_NONE)
         return dap_fault(dap, "no trap has stopped the program");
     show_halt(dap->debugger);
-    json_text(body, "exceptionId", c205_trap_name(debugger->halt.trap));
-    dap_put_said(dap, body, "description");
-    json_text(body, "breakMode", "unhandled");
+    json_text(dap->body, "exceptionId", c205_trap_name(debugger->halt.trap));
+    dap_put_said(dap, dap->body, "description");
+    json_text(dap->body, "breakMode", "unhandled");
     return true;
 }

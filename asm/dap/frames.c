@@ -110,17 +110,15 @@ void put_source(struct dap *dap, struct json *json, const char *file)
     json_end(json);
 }
 
-bool request_loaded_sources(struct dap *dap, const struct json_value *arguments,
-                            struct json *body)
+bool request_loaded_sources(struct dap *dap)
 {
-    (void)arguments;
-    json_array(body, "sources");
+    json_array(dap->body, "sources");
     for (size_t i = 0; i < dap->file_count; i++) {
-        json_object(body, NULL);
-        put_source_members(dap, body, dap->files[i]);
-        json_end(body);
+        json_object(dap->body, NULL);
+        put_source_members(dap, dap->body, dap->files[i]);
+        json_end(dap->body);
     }
-    json_end(body);
+    json_end(dap->body);
     return true;
 }
 
@@ -146,19 +144,18 @@ static char *text_of(struct dap *dap, const char *file)
     return whole.text;
 }
 
-bool request_source(struct dap *dap, const struct json_value *arguments,
-                    struct json *body)
+bool request_source(struct dap *dap)
 {
-    const struct json_value *source = json_member(arguments, "source");
-    const char *file = source_file(dap, source ? source : arguments);
+    const struct json_value *source = json_member(dap->arguments, "source");
+    const char *file = source_file(dap, source ? source : dap->arguments);
     char *text;
     if (!file)
         return dap_fault(dap, "expected the path of a source file in 'source'");
     text = text_of(dap, file);
     if (!text)
         return false;
-    json_text(body, "content", text);
-    json_text(body, "mimeType", "text/x-c205");
+    json_text(dap->body, "content", text);
+    json_text(dap->body, "mimeType", "text/x-c205");
     free(text);
     return true;
 }
@@ -178,17 +175,15 @@ void put_line(const struct dap *dap, struct json *json, const char *key, size_t 
 
 /* ---- Frames -------------------------------------------------------------- */
 
-bool request_threads(struct dap *dap, const struct json_value *arguments,
-                     struct json *body)
+bool request_threads(struct dap *dap)
 {
     (void)dap;
-    (void)arguments;
-    json_array(body, "threads");
-    json_object(body, NULL);
-    json_number(body, "id", 1);
-    json_text(body, "name", "the machine");
-    json_end(body);
-    json_end(body);
+    json_array(dap->body, "threads");
+    json_object(dap->body, NULL);
+    json_number(dap->body, "id", 1);
+    json_text(dap->body, "name", "the machine");
+    json_end(dap->body);
+    json_end(dap->body);
     return true;
 }
 
@@ -297,21 +292,20 @@ static void put_frame(struct dap *dap, struct json *body, const struct frames *f
     json_end(body);
 }
 
-bool request_stack_trace(struct dap *dap, const struct json_value *arguments,
-                         struct json *body)
+bool request_stack_trace(struct dap *dap)
 {
     struct frames frames = find_frames(dap);
     int64_t from = 0, levels = 0;
-    if (!dap_whole(dap, arguments, "startFrame", &from)
-        || !dap_whole(dap, arguments, "levels", &levels))
+    if (!dap_whole(dap, dap->arguments, "startFrame", &from)
+        || !dap_whole(dap, dap->arguments, "levels", &levels))
         return false;
     if (from < 0 || levels < 0)
         return dap_fault(dap, "frame numbers must not be negative");
-    json_array(body, "stackFrames");
+    json_array(dap->body, "stackFrames");
     for (size_t i = 0; i < frames.count; i++)
         if (i >= (size_t)from && (levels == 0 || i - (size_t)from < (size_t)levels))
-            put_frame(dap, body, &frames, i);
-    json_end(body);
-    json_count(body, "totalFrames", frames.count);
+            put_frame(dap, dap->body, &frames, i);
+    json_end(dap->body);
+    json_count(dap->body, "totalFrames", frames.count);
     return true;
 }

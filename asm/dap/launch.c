@@ -44,20 +44,19 @@ static void put_trap_filter(struct json *body)
     json_end(body);
 }
 
-bool request_initialize(struct dap *dap, const struct json_value *arguments,
-                        struct json *body)
+bool request_initialize(struct dap *dap)
 {
-    const char *paths = json_member_text(arguments, "pathFormat");
+    const char *paths = json_member_text(dap->arguments, "pathFormat");
     if (paths && strcmp(paths, "path") != 0)
         return dap_fault(dap,
                          "the path format '%.40s' is not supported; expected 'path'",
                          paths);
     for (size_t i = 0; i < sizeof capabilities / sizeof *capabilities; i++)
-        json_bool(body, capabilities[i], true);
-    put_trap_filter(body);
-    dap->first_line = json_member_truth(arguments, "linesStartAt1", true);
-    dap->first_column = json_member_truth(arguments, "columnsStartAt1", true);
-    dap->client_redraws = json_member_truth(arguments, "supportsInvalidatedEvent",
+        json_bool(dap->body, capabilities[i], true);
+    put_trap_filter(dap->body);
+    dap->first_line = json_member_truth(dap->arguments, "linesStartAt1", true);
+    dap->first_column = json_member_truth(dap->arguments, "columnsStartAt1", true);
+    dap->client_redraws = json_member_truth(dap->arguments, "supportsInvalidatedEvent",
                                             false);
     dap->state = DAP_GREETED;
     return true;
@@ -72,10 +71,9 @@ static const char *copy_text(struct dap *dap, const char *text)
 }
 
 /* Reads the object { "N": 8 }. Returns NULL if memory is exhausted. */
-static const struct asm_define *read_defines(struct dap *dap,
-                                             const struct json_value *launch)
+static const struct asm_define *read_defines(struct dap *dap)
 {
-    const struct json_value *object = json_member(launch, "defines");
+    const struct json_value *object = json_member(dap->arguments, "defines");
     const struct json_value *item = object ? object->first : NULL;
     struct asm_define *defines = arena_take(&dap->launched, (json_length(object) + 1)
                                                                 * sizeof *defines);
@@ -87,9 +85,9 @@ static const struct asm_define *read_defines(struct dap *dap,
 }
 
 /* Reads the list [ "DIR", .. ]. */
-static const char *const *read_search(struct dap *dap, const struct json_value *launch)
+static const char *const *read_search(struct dap *dap)
 {
-    const struct json_value *list = json_member(launch, "include");
+    const struct json_value *list = json_member(dap->arguments, "include");
     const struct json_value *item = list ? list->first : NULL;
     const char **search = arena_take(&dap->launched,
                                      (json_length(list) + 1) * sizeof *search);
@@ -98,10 +96,9 @@ static const char *const *read_search(struct dap *dap, const struct json_value *
     return search;
 }
 
-static bool read_program(struct dap *dap, const struct json_value *launch,
-                         struct dap_program *program)
+static bool read_program(struct dap *dap, struct dap_program *program)
 {
-    const char *path = json_member_text(launch, "program");
+    const char *path = json_member_text(dap->arguments, "program");
     path = path ? path : dap->setup.program;
     if (!path)
         return dap_fault(dap, "'program' is missing");
@@ -109,9 +106,9 @@ static bool read_program(struct dap *dap, const struct json_value *launch,
         return dap_fault(
             dap, "the program cannot be read from stdin, which carries the requests");
     program->path = dap->path = copy_text(dap, path);
-    program->model = json_member_text(launch, "model");
-    program->defines = read_defines(dap, launch);
-    program->search = program->defines ? read_search(dap, launch) : NULL;
+    program->model = json_member_text(dap->arguments, "model");
+    program->defines = read_defines(dap);
+    program->search = program->defines ? read_search(dap) : NULL;
     return program->search;
 }
 
@@ -139,14 +136,15 @@ static bool make_debugger(struct dap *dap, bool warm)
     return dap->debugger || dap_fault(dap, "%s", error.message);
 }
 
-static bool open_program(struct dap *dap, const struct json_value *launch)
+static bool open_program(struct dap *dap)
 {
     struct dap_program program;
     struct sink report = dap_output_sink(dap);
-    return read_program(dap, launch, &program)
+    return read_program(dap, &program)
            && dap->setup.open(dap->setup.context, &program, &report, &dap->object,
                               &dap->model)
-           && make_debugger(dap, json_member_truth(launch, "warm", dap->setup.warm))
+           && make_debugger(dap,
+                            json_member_truth(dap->arguments, "warm", dap->setup.warm))
            && (sources_find(dap) || dap_fault(dap, "out of memory"));
 }
 
@@ -170,34 +168,30 @@ static void ask_configuration(struct dap *dap)
 }
 
 /* A launch with noDebug stops nowhere. */
-static void read_stops(struct dap *dap, const struct json_value *launch)
+static void read_stops(struct dap *dap)
 {
-    bool stops = !json_member_truth(launch, "noDebug", false);
+    bool stops = !json_member_truth(dap->arguments, "noDebug", false);
     dap->stop_at_traps = stops;
-    dap->stop_on_entry = stops && json_member_truth(launch, "stopOnEntry", false);
-    dap->stop_on_end = stops && json_member_truth(launch, "stopOnEnd", false);
+    dap->stop_on_entry = stops
+                         && json_member_truth(dap->arguments, "stopOnEntry", false);
+    dap->stop_on_end = stops && json_member_truth(dap->arguments, "stopOnEnd", false);
 }
 
-bool request_launch(struct dap *dap, const struct json_value *arguments,
-                    struct json *body)
+bool request_launch(struct dap *dap)
 {
-    (void)body;
-    if (!open_program(dap, arguments)) {
+    if (!open_program(dap)) {
         send_output(dap, "stderr", dap->said.text);
         close_program(dap);
         return false;
     }
-    read_stops(dap, arguments);
+    read_stops(dap);
     dap->state = DAP_LAUNCHED;
     dap->then = ask_configuration;
     return true;
 }
 
-bool request_configuration_done(struct dap *dap, const struct json_value *arguments,
-                                struct json *body)
+bool request_configuration_done(struct dap *dap)
 {
-    (void)arguments;
-    (void)body;
     dap->state = DAP_STANDING;
     dap->then = dap_begin;
     return true;
@@ -205,35 +199,29 @@ bool request_configuration_done(struct dap *dap, const struct json_value *argume
 
 /* ---- Restart and end ----------------------------------------------------- */
 
-bool request_restart(struct dap *dap, const struct json_value *arguments,
-                     struct json *body)
+/* Ends the current execution with a request, or else calls the function. */
+static bool end_execution(struct dap *dap, enum pending_request pending,
+                          void (*then)(struct dap *dap))
 {
-    (void)arguments;
-    (void)body;
     if (dap->state == DAP_RUNNING)
-        dap->pending = PENDING_RESTART;
+        dap->pending = pending;
     else
-        dap->then = dap_begin;
+        dap->then = then;
     return true;
 }
 
-bool request_terminate(struct dap *dap, const struct json_value *arguments,
-                       struct json *body)
+bool request_restart(struct dap *dap)
 {
-    (void)arguments;
-    (void)body;
-    if (dap->state == DAP_RUNNING)
-        dap->pending = PENDING_TERMINATE;
-    else
-        dap->then = dap_finish;
-    return true;
+    return end_execution(dap, PENDING_RESTART, dap_begin);
 }
 
-bool request_disconnect(struct dap *dap, const struct json_value *arguments,
-                        struct json *body)
+bool request_terminate(struct dap *dap)
 {
-    (void)arguments;
-    (void)body;
+    return end_execution(dap, PENDING_TERMINATE, dap_finish);
+}
+
+bool request_disconnect(struct dap *dap)
+{
     dap->over = true;
     return true;
 }

@@ -61,10 +61,9 @@ static bool read_base64(const char *text, unsigned char *bytes, size_t *count)
 
 enum { MAX_BYTES = 1 << 20 };
 
-static bool read_place(struct dap *dap, const struct json_value *arguments,
-                       uint64_t *address)
+static bool read_place(struct dap *dap, uint64_t *address)
 {
-    return dap_address(dap, arguments, "memoryReference", address)
+    return dap_address(dap, dap->arguments, "memoryReference", address)
            && (*address % 8 == 0 || dap_fault(dap, "no byte begins at this address"));
 }
 
@@ -93,8 +92,7 @@ static size_t read_bytes(const struct dap *dap, uint64_t address, unsigned char 
     return there;
 }
 
-bool request_read_memory(struct dap *dap, const struct json_value *arguments,
-                         struct json *body)
+bool request_read_memory(struct dap *dap)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
@@ -102,8 +100,7 @@ bool request_read_memory(struct dap *dap, const struct json_value *arguments,
     uint64_t address;
     int64_t count = -1;
     size_t there;
-    if (!read_place(dap, arguments, &address)
-        || !dap_whole(dap, arguments, "count", &count))
+    if (!read_place(dap, &address) || !dap_whole(dap, dap->arguments, "count", &count))
         return false;
     if (count < 0 || count > MAX_BYTES)
         return dap_fault(dap, "'count' must be between 0 and %d bytes", MAX_BYTES);
@@ -111,11 +108,11 @@ bool request_read_memory(struct dap *dap, const struct json_value *arguments,
     if (!bytes)
         return dap_fault(dap, "out of memory");
     there = read_bytes(dap, address, bytes, (size_t)count);
-    dap_put_address(body, "address", address);
+    dap_put_address(dap->body, "address", address);
     if (there < (size_t)count)
-        json_count(body, "unreadableBytes", (size_t)count - there);
+        json_count(dap->body, "unreadableBytes", (size_t)count - there);
     put_base64(&sink, bytes, there);
-    json_text(body, "data", text.text ? text.text : "");
+    json_text(dap->body, "data", text.text ? text.text : "");
     text_buffer_free(&text);
     free(bytes);
     return true;
@@ -123,27 +120,25 @@ bool request_read_memory(struct dap *dap, const struct json_value *arguments,
 
 /* Writes all bytes. With allowPartial, bytes before the first unmapped one are
  * enough. */
-static bool write_bytes(struct dap *dap, const struct json_value *arguments,
-                        struct json *body, const unsigned char *bytes, size_t count)
+static bool write_bytes(struct dap *dap, const unsigned char *bytes, size_t count)
 {
     uint64_t address;
     size_t there;
-    if (!read_place(dap, arguments, &address))
+    if (!read_place(dap, &address))
         return false;
     there = read_bytes(dap, address, NULL, count);
-    if (there < count && !json_member_truth(arguments, "allowPartial", false))
+    if (there < count && !json_member_truth(dap->arguments, "allowPartial", false))
         return dap_fault(dap, "of %zu bytes only %zu are in memory", count, there);
     if (!debug_set_bytes(dap->debugger, address, bytes, there))
         return false;
-    json_number(body, "offset", 0);
-    json_count(body, "bytesWritten", there);
+    json_number(dap->body, "offset", 0);
+    json_count(dap->body, "bytesWritten", there);
     return true;
 }
 
-bool request_write_memory(struct dap *dap, const struct json_value *arguments,
-                          struct json *body)
+bool request_write_memory(struct dap *dap)
 {
-    const char *text = json_member_text(arguments, "data");
+    const char *text = json_member_text(dap->arguments, "data");
     unsigned char *bytes;
     size_t count;
     bool good;
@@ -153,7 +148,7 @@ bool request_write_memory(struct dap *dap, const struct json_value *arguments,
     if (!bytes)
         return dap_fault(dap, "out of memory");
     good = (read_base64(text, bytes, &count) || dap_fault(dap, "'data' is not base64"))
-           && write_bytes(dap, arguments, body, bytes, count);
+           && write_bytes(dap, bytes, count);
     free(bytes);
     return good;
 }
@@ -216,15 +211,14 @@ static uint64_t put_instruction(struct dap *dap, struct json *body, uint64_t add
 
 /* Returns exactly the number of instructions that the client requests, also for
  * unmapped memory. */
-bool request_disassemble(struct dap *dap, const struct json_value *arguments,
-                         struct json *body)
+bool request_disassemble(struct dap *dap)
 {
     enum { MAX_INSTRUCTIONS = 10000 };
     int64_t from = 0, count = -1;
     uint64_t address;
-    if (!dap_address(dap, arguments, "memoryReference", &address)
-        || !dap_whole(dap, arguments, "instructionOffset", &from)
-        || !dap_whole(dap, arguments, "instructionCount", &count))
+    if (!dap_address(dap, dap->arguments, "memoryReference", &address)
+        || !dap_whole(dap, dap->arguments, "instructionOffset", &from)
+        || !dap_whole(dap, dap->arguments, "instructionCount", &count))
         return false;
     if (address % 32 != 0)
         return dap_fault(dap, "no instruction begins at this address");
@@ -233,9 +227,9 @@ bool request_disassemble(struct dap *dap, const struct json_value *arguments,
         return dap_fault(dap, "'instructionCount' must be between 0 and %d",
                          MAX_INSTRUCTIONS);
     address = move_address(dap, address, from);
-    json_array(body, "instructions");
+    json_array(dap->body, "instructions");
     for (; count > 0; count--)
-        address = put_instruction(dap, body, address);
-    json_end(body);
+        address = put_instruction(dap, dap->body, address);
+    json_end(dap->body);
     return true;
 }

@@ -75,17 +75,15 @@ static bool may_come(struct dap *dap, unsigned states)
     }
 }
 
-static bool answer(struct dap *dap, const struct json_value *request, struct json *body)
+static bool answer(struct dap *dap, const char *command)
 {
-    const struct json_value *arguments = json_member(request, "arguments");
-    const char *command = json_member_text(request, "command");
     size_t i = 0;
     while (i < REQUESTS && strcmp(requests[i].name, command) != 0)
         i++;
     if (i == REQUESTS)
         return dap_fault(dap, "unknown request '%.60s'", command);
-    return may_come(dap, requests[i].states) && dap_check(dap, command, arguments)
-           && requests[i].answer(dap, arguments, body);
+    return may_come(dap, requests[i].states) && dap_check(dap, command, dap->arguments)
+           && requests[i].answer(dap);
 }
 
 /* Sends the response. The reports of a successful request are console output; those of
@@ -100,20 +98,21 @@ static void respond(struct dap *dap, const struct json_value *request, bool good
 }
 
 /* Executes a request and responds. A request may arrive while an earlier one is
- * running the program. Its reports are collected separately, so the reports of the
- * earlier request are saved in `outer`. */
+ * running the program. The fields of the earlier request are saved in `outer`. */
 static void handle_request(struct dap *dap, const struct json_value *request)
 {
-    struct text_buffer body, outer = dap->said;
-    struct json *json;
+    struct text_buffer body;
+    struct dap outer = *dap;
+    struct json *json = event_begin(dap, &body);
     void (*then)(struct dap * dap);
     bool good;
-    dap->said = (struct text_buffer){ .text = NULL };
-    dap->then = NULL;
-    json = event_begin(dap, &body);
     if (!json)
         return;
-    good = answer(dap, request, json);
+    dap->said = (struct text_buffer){ .text = NULL };
+    dap->then = NULL;
+    dap->arguments = json_member(request, "arguments");
+    dap->body = json;
+    good = answer(dap, json_member_text(request, "command"));
     send_printed(dap);
     if (!good)
         json_discard(json);
@@ -121,7 +120,9 @@ static void handle_request(struct dap *dap, const struct json_value *request)
         respond(dap, request, good, body.text);
     text_buffer_free(&body);
     text_buffer_free(&dap->said);
-    dap->said = outer;
+    dap->said = outer.said;
+    dap->arguments = outer.arguments;
+    dap->body = outer.body;
     then = good ? dap->then : NULL;
     dap->then = NULL;
     if (then)

@@ -179,18 +179,16 @@ static void put_scope(struct json *body, const char *name, enum reference_kind k
     json_end(body);
 }
 
-bool request_scopes(struct dap *dap, const struct json_value *arguments,
-                    struct json *body)
+bool request_scopes(struct dap *dap)
 {
     (void)dap;
-    (void)arguments;
-    json_array(body, "scopes");
-    put_scope(body, "Registers", OF_NAMED, "registers");
-    put_scope(body, "Operands", OF_OPERANDS, NULL);
-    put_scope(body, "Vectors", OF_VECTORS, NULL);
-    put_scope(body, "All registers", OF_REGISTERS, "registers");
-    put_scope(body, "Time", OF_TIME, NULL);
-    json_end(body);
+    json_array(dap->body, "scopes");
+    put_scope(dap->body, "Registers", OF_NAMED, "registers");
+    put_scope(dap->body, "Operands", OF_OPERANDS, NULL);
+    put_scope(dap->body, "Vectors", OF_VECTORS, NULL);
+    put_scope(dap->body, "All registers", OF_REGISTERS, "registers");
+    put_scope(dap->body, "Time", OF_TIME, NULL);
+    json_end(dap->body);
     return true;
 }
 
@@ -200,12 +198,11 @@ static bool wants(const struct json_value *arguments, const char *kind)
     return !filter || strcmp(filter, kind) == 0;
 }
 
-static bool read_range(struct dap *dap, const struct json_value *arguments,
-                       size_t *first, size_t *count)
+static bool read_range(struct dap *dap, size_t *first, size_t *count)
 {
     int64_t start = 0, most = 0;
-    if (!dap_whole(dap, arguments, "start", &start)
-        || !dap_whole(dap, arguments, "count", &most))
+    if (!dap_whole(dap, dap->arguments, "start", &start)
+        || !dap_whole(dap, dap->arguments, "count", &most))
         return false;
     if (start < 0 || most < 0)
         return dap_fault(dap, "element numbers must not be negative");
@@ -214,41 +211,39 @@ static bool read_range(struct dap *dap, const struct json_value *arguments,
     return true;
 }
 
-static bool put_vector(struct dap *dap, const struct json_value *arguments,
-                       struct json *body, int64_t reference)
+static bool put_vector(struct dap *dap, int64_t reference)
 {
     struct vector_view vector;
     size_t first = 0, count = 0;
     if (!vector_of(dap, reference, &vector))
         return dap_fault(dap, "unknown variables reference %lld", (long long)reference);
-    if (!read_range(dap, arguments, &first, &count))
+    if (!read_range(dap, &first, &count))
         return false;
-    if (kind_of(reference) == OF_WORDS && wants(arguments, "named"))
-        put_other_ways(body, &vector, number_of(reference));
-    if (wants(arguments, "indexed"))
-        put_elements(dap, body, &vector, first, count);
+    if (kind_of(reference) == OF_WORDS && wants(dap->arguments, "named"))
+        put_other_ways(dap->body, &vector, number_of(reference));
+    if (wants(dap->arguments, "indexed"))
+        put_elements(dap, dap->body, &vector, first, count);
     return true;
 }
 
-bool request_variables(struct dap *dap, const struct json_value *arguments,
-                       struct json *body)
+bool request_variables(struct dap *dap)
 {
     int64_t reference = 0;
     bool good = true;
-    if (!dap_whole(dap, arguments, "variablesReference", &reference))
+    if (!dap_whole(dap, dap->arguments, "variablesReference", &reference))
         return false;
-    json_array(body, "variables");
+    json_array(dap->body, "variables");
     switch (kind_of(reference)) {
-    case OF_NAMED: put_named(dap, body); break;
-    case OF_OPERANDS: put_operands(dap, body); break;
-    case OF_VECTORS: put_vectors(dap, body); break;
-    case OF_REGISTERS: put_registers(dap, body); break;
-    case OF_TIME: put_time(dap, body); break;
-    case OF_LAST: put_last(dap, body); break;
-    case OF_REGION: put_region(dap, body, number_of(reference)); break;
-    default: good = put_vector(dap, arguments, body, reference);
+    case OF_NAMED: put_named(dap, dap->body); break;
+    case OF_OPERANDS: put_operands(dap, dap->body); break;
+    case OF_VECTORS: put_vectors(dap, dap->body); break;
+    case OF_REGISTERS: put_registers(dap, dap->body); break;
+    case OF_TIME: put_time(dap, dap->body); break;
+    case OF_LAST: put_last(dap, dap->body); break;
+    case OF_REGION: put_region(dap, dap->body, number_of(reference)); break;
+    default: good = put_vector(dap, reference);
     }
-    json_end(body);
+    json_end(dap->body);
     return good;
 }
 
@@ -309,21 +304,20 @@ static void put_new(struct dap *dap, struct json *body, int64_t reference,
     json_text(body, "value", text.text);
 }
 
-bool request_set_variable(struct dap *dap, const struct json_value *arguments,
-                          struct json *body)
+bool request_set_variable(struct dap *dap)
 {
-    const char *name = json_member_text(arguments, "name");
-    const char *text = json_member_text(arguments, "value");
+    const char *name = json_member_text(dap->arguments, "name");
+    const char *text = json_member_text(dap->arguments, "value");
     struct text_cursor cursor = { text };
     struct value_of value;
     int64_t reference = 0;
     if (!name || !text)
         return dap_fault(dap, "'name' or 'value' is missing");
-    if (!dap_whole(dap, arguments, "variablesReference", &reference)
+    if (!dap_whole(dap, dap->arguments, "variablesReference", &reference)
         || !debug_value(dap->debugger, &cursor, &value)
         || !text_cursor_finish(dap->debugger, &cursor)
         || !set(dap, reference, name, &value))
         return false;
-    put_new(dap, body, reference, name);
+    put_new(dap, dap->body, reference, name);
     return true;
 }
