@@ -1,5 +1,6 @@
 /* expect.c - compares the result of a run with the expectations of the program. */
 #include "asm/check/expect.h"
+#include "asm/view/operand_view.h"
 #include "asm/view/word_text.h"
 #include "base/plural.h"
 
@@ -81,35 +82,21 @@ static bool compare(const struct outcome *outcome,
     return false;
 }
 
-static bool compare_register(struct outcome *outcome,
-                             const struct asm_expectation *expectation, char letter,
-                             c205_word found)
-{
-    struct text_line place = { "", 0 };
-    struct sink sink = text_line_sink(&place);
-    sink_print(&sink, "%c%u", letter, expectation->number);
-    return compare(outcome, expectation, place.text, expectation->words[0], found);
-}
-
-static bool check_register(struct outcome *outcome,
-                           const struct asm_expectation *expectation)
-{
-    return compare_register(outcome, expectation, 'r',
-                            c205_register(outcome->machine, expectation->number));
-}
-
 /* Returns the half of a word that contains a bit, left-aligned. */
 static c205_word half_of(c205_word word, uint64_t bit)
 {
     return word << bit % WORD_BITS / HALF_BITS * HALF_BITS & ~(c205_word)UINT32_MAX;
 }
 
-static bool check_half_register(struct outcome *outcome,
-                                const struct asm_expectation *expectation)
+static bool check_register(struct outcome *outcome,
+                           const struct asm_expectation *expectation)
 {
-    c205_word pair = c205_register(outcome->machine, expectation->number / 2);
-    return compare_register(outcome, expectation, 'h',
-                            half_of(pair, HALF_BITS * expectation->number));
+    bool half = expectation->kind == EXPECT_HALF_REGISTER;
+    struct text_line place = { "", 0 };
+    struct sink sink = text_line_sink(&place);
+    sink_print(&sink, "%c%u", half ? 'h' : 'r', expectation->number);
+    return compare(outcome, expectation, place.text, expectation->words[0],
+                   view_register(outcome->machine, expectation->number, half));
 }
 
 static bool check_flags(struct outcome *outcome,
@@ -140,33 +127,19 @@ static bool compare_element(const struct outcome *outcome,
     return compare(outcome, expectation, place.text, expectation->words[i], found);
 }
 
-static bool check_words(struct outcome *outcome,
-                        const struct asm_expectation *expectation)
+static bool check_elements(struct outcome *outcome,
+                           const struct asm_expectation *expectation)
 {
-    bool good = true;
-    size_t i;
-    for (i = 0; i < expectation->count; i++) {
-        uint64_t address = expectation->address + WORD_BITS * (uint64_t)i;
+    bool half = expectation->kind == EXPECT_HALVES, good = true;
+    for (size_t i = 0; i < expectation->count; i++) {
+        uint64_t address = expectation->address
+                           + (half ? HALF_BITS : WORD_BITS) * (uint64_t)i;
         c205_word found;
-        if (!c205_read(outcome->machine, address, &found, 1))
+        if (!c205_read(outcome->machine, address - (half ? address % WORD_BITS : 0),
+                       &found, 1))
             return unmapped(outcome, expectation, address);
-        good = compare_element(outcome, expectation, "word", i, address, found) && good;
-    }
-    return good;
-}
-
-static bool check_halves(struct outcome *outcome,
-                         const struct asm_expectation *expectation)
-{
-    bool good = true;
-    size_t i;
-    for (i = 0; i < expectation->count; i++) {
-        uint64_t address = expectation->address + HALF_BITS * (uint64_t)i;
-        c205_word found;
-        if (!c205_read(outcome->machine, address / WORD_BITS * WORD_BITS, &found, 1))
-            return unmapped(outcome, expectation, address);
-        good = compare_element(outcome, expectation, "half", i, address,
-                               half_of(found, address))
+        good = compare_element(outcome, expectation, half ? "half" : "word", i, address,
+                               half ? half_of(found, address) : found)
                && good;
     }
     return good;
@@ -258,8 +231,8 @@ static bool check_model(struct outcome *outcome,
     return true;
 }
 
-static const struct asm_expectation *find_expectation(const struct object *object,
-                                                      enum expectation_kind kind)
+const struct asm_expectation *expect_find(const struct object *object,
+                                          enum expectation_kind kind)
 {
     size_t i;
     for (i = 0; i < object->expectation_count; i++)
@@ -283,26 +256,26 @@ warning_set expect_warnings(const struct object *object)
 
 bool expect_anything(const struct object *object)
 {
-    return object->expectation_count > (find_expectation(object, EXPECT_MODEL) != NULL);
+    return object->expectation_count > (expect_find(object, EXPECT_MODEL) != NULL);
 }
 
 const char *expect_model(const struct object *object)
 {
-    const struct asm_expectation *found = find_expectation(object, EXPECT_MODEL);
+    const struct asm_expectation *found = expect_find(object, EXPECT_MODEL);
     return found ? found->text : NULL;
 }
 
 bool expect_other_model(const struct object *object, const c205 *machine)
 {
     const char *named = expect_model(object);
-    return named && find_expectation(object, EXPECT_CLOCKS)
+    return named && expect_find(object, EXPECT_CLOCKS)
            && strcmp(named, c205_model_name(c205_machine_model(machine))) != 0;
 }
 
 static bool check_end(const struct outcome *outcome, const struct object *object)
 {
     c205_error found;
-    if (outcome->stop->trap == C205_TRAP_NONE || find_expectation(object, EXPECT_TRAP))
+    if (outcome->stop->trap == C205_TRAP_NONE || expect_find(object, EXPECT_TRAP))
         return true;
     c205_describe_stop(outcome->machine, outcome->stop, &found);
     sink_print(outcome->report, "expected the program to end with EXIT, found: %s\n",
@@ -314,7 +287,7 @@ static bool check_end(const struct outcome *outcome, const struct object *object
 static bool check_rest(const struct outcome *outcome, const struct object *object)
 {
     size_t length = strcspn(outcome->printed, "\n");
-    if (!*outcome->printed || !find_expectation(object, EXPECT_PRINT))
+    if (!*outcome->printed || !expect_find(object, EXPECT_PRINT))
         return true;
     sink_print(outcome->report,
                "expected the end of the output, found "
@@ -329,29 +302,21 @@ bool expect_check(const struct object *object, const c205 *machine,
 {
     static bool (*const checks[EXPECT_KINDS])(struct outcome *,
                                               const struct asm_expectation *) = {
-        [EXPECT_REGISTER] = check_register,
-        [EXPECT_HALF_REGISTER] = check_half_register,
-        [EXPECT_WORDS] = check_words,
-        [EXPECT_HALVES] = check_halves,
-        [EXPECT_BITS] = check_bits,
-        [EXPECT_FLAGS] = check_flags,
-        [EXPECT_CLOCKS] = check_clocks,
-        [EXPECT_TRAP] = check_trap,
-        [EXPECT_PRINT] = check_print,
-        [EXPECT_MODEL] = check_model,
+        [EXPECT_REGISTER] = check_register, [EXPECT_HALF_REGISTER] = check_register,
+        [EXPECT_WORDS] = check_elements,    [EXPECT_HALVES] = check_elements,
+        [EXPECT_BITS] = check_bits,         [EXPECT_FLAGS] = check_flags,
+        [EXPECT_CLOCKS] = check_clocks,     [EXPECT_TRAP] = check_trap,
+        [EXPECT_PRINT] = check_print,       [EXPECT_MODEL] = check_model,
         [EXPECT_WARNING] = check_warning
     };
-    struct outcome outcome;
-    bool good;
-    size_t i;
-    outcome.machine = machine;
-    outcome.stop = stop;
-    outcome.printed = printed;
-    outcome.warned = warned;
-    outcome.other_model = expect_other_model(object, machine);
-    outcome.report = report;
-    good = check_end(&outcome, object);
-    for (i = 0; i < object->expectation_count; i++) {
+    struct outcome outcome = { .machine = machine,
+                               .stop = stop,
+                               .printed = printed,
+                               .warned = warned,
+                               .other_model = expect_other_model(object, machine),
+                               .report = report };
+    bool good = check_end(&outcome, object);
+    for (size_t i = 0; i < object->expectation_count; i++) {
         const struct asm_expectation *expectation = &object->expectations[i];
         good = checks[expectation->kind](&outcome, expectation) && good;
     }

@@ -10,6 +10,10 @@
 /* Returns whether the program has an expectation other than the model. */
 bool expect_anything(const struct object *object);
 
+/* Returns the first expectation of a kind, or NULL if there is none. */
+const struct asm_expectation *expect_find(const struct object *object,
+                                          enum expectation_kind kind);
+
 /* Returns the model on which the expected clocks are valid, or NULL for any model. */
 const char *expect_model(const struct object *object);
 

@@ -171,14 +171,6 @@ static bool load_answer(struct sitting *sitting)
 
 /* ---- The run --------------------------------------------------------------- */
 
-static bool expects_trap(const struct object *test)
-{
-    for (size_t i = 0; i < test->expectation_count; i++)
-        if (test->expectations[i].kind == EXPECT_TRAP)
-            return true;
-    return false;
-}
-
 static void print_endless(struct sitting *sitting, const c205_stop *stop)
 {
     const struct asm_line *line = object_line(sitting->answer, stop->pc);
@@ -211,7 +203,7 @@ static bool check_stop(struct sitting *sitting, const c205_stop *stop)
         report_printf(&sitting->trial->report,
                       "It printed more than %d characters, and was stopped.",
                       MAX_PRINTED);
-    else if (stop->trap != C205_TRAP_NONE && !expects_trap(sitting->test))
+    else if (stop->trap != C205_TRAP_NONE && !expect_find(sitting->test, EXPECT_TRAP))
         print_trap(sitting, stop);
     else if (stop->status != 0)
         report_printf(&sitting->trial->report,

@@ -222,7 +222,8 @@ void line_profile_listen(void *context, const c205 *machine, const c205_event *e
 
 /* ---- Tables --------------------------------------------------------------- */
 
-/* The first column is omitted if regions are not shown. */
+/* The first column is omitted if regions are not shown. The columns before `source` are
+ * also those before the causes of a table that has a column for each. */
 static const struct table_column in_words[] = {
     { "region", "region", TABLE_TEXT, 0 },
     { "line", "line", TABLE_TEXT, 0 },
@@ -233,18 +234,7 @@ static const struct table_column in_words[] = {
     { "source", "source", TABLE_TEXT, 0 },
     { "causes", "mostly", TABLE_TEXT, 0 },
 };
-static const struct table_column before[] = {
-    { "region", "region", TABLE_TEXT, 0 },
-    { "line", "line", TABLE_TEXT, 0 },
-    { "clocks", "clocks", TABLE_COUNT, 0 },
-    { "percent", "%", TABLE_NUMBER, 1 },
-    { "executions", "times", TABLE_COUNT, 0 },
-    { "elements", "elements", TABLE_COUNT, 0 },
-};
-enum {
-    COLUMNS_IN_WORDS = sizeof in_words / sizeof *in_words,
-    BEFORE = sizeof before / sizeof *before
-};
+enum { COLUMNS_IN_WORDS = sizeof in_words / sizeof *in_words, BEFORE = 6 };
 
 static uint64_t row_clocks(const struct profile_row *row)
 {
@@ -307,10 +297,9 @@ static void put_causes(struct table *table, const struct profile_row *row)
 static struct table *new_columns(size_t first)
 {
     struct table_column columns[BEFORE + C205_CAUSES + 1];
-    memcpy(columns, before, sizeof before);
+    memcpy(columns, in_words, BEFORE * sizeof *in_words);
     memcpy(columns + BEFORE, accounts_cause_columns, sizeof accounts_cause_columns);
-    columns[BEFORE + C205_CAUSES] = (struct table_column){ "source", "source",
-                                                           TABLE_TEXT, 0 };
+    columns[BEFORE + C205_CAUSES] = in_words[BEFORE];
     return table_new(columns + first, BEFORE + C205_CAUSES + 1 - first);
 }
 
