@@ -87,3 +87,17 @@ bool text_stream_next(struct text_stream *stream)
         return false;
     return (length > 0 || add_byte(stream, 0, '\0')) && check_line(stream, length);
 }
+
+const struct text *text_find(const struct text *table, const char *name)
+{
+    for (; table->name; table++)
+        if (strcmp(table->name, name) == 0)
+            return table;
+    return NULL;
+}
+
+void text_put(const struct text *text, const struct sink *sink)
+{
+    for (const char *const *line = text->lines; *line; line++)
+        sink_put(sink, *line);
+}

@@ -7,6 +7,8 @@
 #include <stdio.h>
 
 #include "base/file.h"
+#include "base/sink.h"
+#include "vm/text.h"
 
 /* Reads a file like file_read, converted so that its lines end with "\n" only. */
 char *text_file_read(const char *path, size_t largest, size_t *length,
@@ -14,6 +16,11 @@ char *text_file_read(const char *path, size_t largest, size_t *length,
 /* Converts a text in memory in place, followed by a NUL. Returns false with the reason
  * in the error if it is not a text. */
 bool text_clean(char *text, size_t *length, c205_error *error);
+
+/* Returns the text of a name in a table of the program's own texts, or NULL. */
+const struct text *text_find(const struct text *table, const char *name);
+/* Writes the lines of such a text. */
+void text_put(const struct text *text, const struct sink *sink);
 
 /* A text that is read line by line, also from a pipe or a terminal. It must be zeroed
  * before use, and the caller frees line. */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "asm/command/cmd_isa.h"
+#include "base/text_file.h"
 
 /* Longer operands may extend beyond their column. */
 enum { MAX_OPERANDS = 14 };
@@ -23,11 +24,8 @@ enum { SIGNS = sizeof signs / sizeof *signs };
 
 static void put_text(const char *name)
 {
-    const struct text *text = card_texts;
-    while (strcmp(text->name, name))
-        text++;
-    for (const char *const *line = text->lines; *line; line++)
-        fputs(*line, stdout);
+    struct sink sink = stream_sink(stdout);
+    text_put(text_find(card_texts, name), &sink);
 }
 
 /* Returns the sign for the start of a text and the length of the text that it replaces.

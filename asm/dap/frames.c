@@ -42,10 +42,7 @@ bool sources_find(struct dap *dap)
  * path. */
 static const struct text *carried(const char *file)
 {
-    const struct text *text = library_texts;
-    while (text->name && strcmp(text->name, file) != 0)
-        text++;
-    return text->name ? text : NULL;
+    return text_find(library_texts, file);
 }
 
 static bool has_folder(const struct dap *dap, const char *file)
@@ -139,8 +136,7 @@ static char *text_of(struct dap *dap, const char *file)
         free(path);
         return read;
     }
-    for (const char *const *line = text->lines; *line; line++)
-        sink_put(&sink, *line);
+    text_put(text, &sink);
     return whole.text;
 }
 

@@ -204,16 +204,10 @@ bool breakpoints_watch(struct debugger *debugger, struct text_cursor *cursor,
     stop->kind = BREAK_WATCH;
     text_cursor_skip(cursor);
     from = cursor->at;
-    if (*cursor->at == '*')
-        cursor->at++;
-    if (!debug_address(debugger, cursor, &stop->address))
+    text_cursor_sign(cursor, "*");
+    if (!debug_address(debugger, cursor, &stop->address)
+        || (text_cursor_sign(cursor, ",") && !debug_count(debugger, cursor, &count)))
         return false;
-    text_cursor_skip(cursor);
-    if (*cursor->at == ',') {
-        cursor->at++;
-        if (!debug_count(debugger, cursor, &count))
-            return false;
-    }
     if (count < 1 || count > WATCHED_WORDS)
         return debug_fault(debugger, "a watchpoint must cover between 1 and %d words",
                            WATCHED_WORDS);

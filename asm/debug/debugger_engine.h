@@ -105,6 +105,8 @@ bool text_cursor_end(struct text_cursor *cursor);
  * text_cursor_begin, is a prefix of it. Returns true if there was one. */
 bool text_cursor_take(struct text_cursor *cursor, const char *word);
 bool text_cursor_begin(struct text_cursor *cursor, const char *word);
+/* Skips a sign such as "=". Returns true if there was one. */
+bool text_cursor_sign(struct text_cursor *cursor, const char *sign);
 /* Fails if any text is left. */
 bool text_cursor_finish(struct debugger *debugger, struct text_cursor *cursor);
 /* Copies the text from `from` to the cursor, truncated to the size, without trailing

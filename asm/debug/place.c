@@ -147,12 +147,7 @@ bool place_address(struct debugger *debugger, struct text_cursor *cursor,
 {
     struct line_place found = { .file = NULL };
     bool good;
-    text_cursor_skip(cursor);
-    if (*cursor->at == '*') {
-        cursor->at++;
-        return debug_address(debugger, cursor, address);
-    }
-    if (!read_line(debugger, cursor, &found, &good))
+    if (text_cursor_sign(cursor, "*") || !read_line(debugger, cursor, &found, &good))
         return debug_address(debugger, cursor, address);
     *address = found.address;
     return good;

@@ -123,10 +123,8 @@ static bool put_elements(struct debugger *debugger, const struct element_look *l
 static bool read_format(struct debugger *debugger, struct text_cursor *cursor,
                         struct element_look *look, uint64_t *count)
 {
-    text_cursor_skip(cursor);
-    if (*cursor->at != '/')
+    if (!text_cursor_sign(cursor, "/"))
         return true;
-    cursor->at++;
     for (; *cursor->at && !isspace((unsigned char)*cursor->at); cursor->at++) {
         char c = *cursor->at;
         if (isdigit((unsigned char)c) && *count != UINT64_MAX
@@ -153,10 +151,8 @@ static bool read_control(struct debugger *debugger, struct text_cursor *cursor,
                          struct element_look *look)
 {
     struct register_of named;
-    text_cursor_skip(cursor);
-    if (*cursor->at != '?')
+    if (!text_cursor_sign(cursor, "?"))
         return text_cursor_finish(debugger, cursor);
-    cursor->at++;
     if (!debug_register(debugger, cursor, &named))
         return debug_fault(debugger,
                            "expected the register of a control vector after ?");

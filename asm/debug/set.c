@@ -93,10 +93,8 @@ bool debug_jump(struct debugger *debugger, uint64_t address)
 static bool read_new(struct debugger *debugger, struct text_cursor *cursor,
                      struct value_of *value)
 {
-    text_cursor_skip(cursor);
-    if (*cursor->at != '=')
+    if (!text_cursor_sign(cursor, "="))
         return debug_fault(debugger, "expected REGISTER = VALUE or [ADDRESS] = VALUE");
-    cursor->at++;
     return debug_value(debugger, cursor, value) && text_cursor_finish(debugger, cursor);
 }
 
@@ -107,10 +105,8 @@ static bool set_memory(struct debugger *debugger, struct text_cursor *cursor)
     c205_word word;
     if (!debug_address(debugger, cursor, &address))
         return false;
-    text_cursor_skip(cursor);
-    if (*cursor->at != ']')
+    if (!text_cursor_sign(cursor, "]"))
         return debug_fault(debugger, "expected ']'");
-    cursor->at++;
     if (!read_new(debugger, cursor, &value)
         || !debug_word(debugger, &value, false, &word))
         return false;
@@ -123,11 +119,8 @@ bool verb_set(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct register_of named;
     struct value_of value;
-    text_cursor_skip(cursor);
-    if (*cursor->at == '[') {
-        cursor->at++;
+    if (text_cursor_sign(cursor, "["))
         return set_memory(debugger, cursor);
-    }
     if (!debug_register(debugger, cursor, &named))
         return debug_fault(debugger, "expected REGISTER = VALUE or [ADDRESS] = VALUE");
     return read_new(debugger, cursor, &value)

@@ -90,11 +90,8 @@ static bool read_start(struct debugger *debugger, struct text_cursor *cursor,
 static bool read_count(struct debugger *debugger, struct text_cursor *cursor,
                        uint64_t *count)
 {
-    text_cursor_skip(cursor);
-    if (*cursor->at != ',')
-        return text_cursor_finish(debugger, cursor);
-    cursor->at++;
-    return debug_count(debugger, cursor, count) && text_cursor_finish(debugger, cursor);
+    return (!text_cursor_sign(cursor, ",") || debug_count(debugger, cursor, count))
+           && text_cursor_finish(debugger, cursor);
 }
 
 /* Shows instructions: disassemble [PLACE] [, COUNT] */

@@ -88,6 +88,16 @@ bool text_cursor_take(struct text_cursor *cursor, const char *word)
     return name_length(cursor->at) == strlen(word) && text_cursor_begin(cursor, word);
 }
 
+bool text_cursor_sign(struct text_cursor *cursor, const char *sign)
+{
+    size_t length = strlen(sign);
+    text_cursor_skip(cursor);
+    if (strncmp(cursor->at, sign, length) != 0)
+        return false;
+    cursor->at += length;
+    return true;
+}
+
 void text_cursor_text(const char *from, const struct text_cursor *cursor,
                       char text[MAX_TEXT])
 {
@@ -177,16 +187,6 @@ bool debug_is_true(const struct value_of *value)
     return value->real != 0;
 }
 
-static bool take_sign(struct reading *reading, const char *sign)
-{
-    size_t length = strlen(sign);
-    text_cursor_skip(reading->cursor);
-    if (strncmp(reading->cursor->at, sign, length) != 0)
-        return false;
-    reading->cursor->at += length;
-    return true;
-}
-
 static bool read_any(struct reading *reading, struct value_of *value);
 
 /* ---- Names ---------------------------------------------------------------- */
@@ -257,9 +257,9 @@ c205_word debug_register_word(const struct debugger *debugger, struct register_o
 /* Reads ".i", the low 48 bits as an integer, or ".length", the high 16 bits. */
 static void take_part(struct reading *reading, struct value_of *value)
 {
-    if (take_sign(reading, ".length"))
+    if (text_cursor_sign(reading->cursor, ".length"))
         *value = of_integer((int64_t)c205_descriptor_length(value->word));
-    else if (take_sign(reading, ".i"))
+    else if (text_cursor_sign(reading->cursor, ".i"))
         *value = of_integer(value->integer);
 }
 
@@ -397,7 +397,7 @@ static bool read_memory(struct reading *reading, struct value_of *value)
     uint64_t address;
     if (!read_address(reading->debugger, reading, value, &address))
         return false;
-    if (!take_sign(reading, "]"))
+    if (!text_cursor_sign(reading->cursor, "]"))
         return debug_fault(reading->debugger, "expected ']'");
     if (!c205_read(machine_of(reading->debugger), address, &word, 1)
         && !reading->grammar)
@@ -413,11 +413,11 @@ static bool read_first(struct reading *reading, struct value_of *value)
     const char *at;
     text_cursor_skip(reading->cursor);
     at = reading->cursor->at;
-    if (take_sign(reading, "("))
+    if (text_cursor_sign(reading->cursor, "("))
         return read_any(reading, value)
-               && (take_sign(reading, ")")
+               && (text_cursor_sign(reading->cursor, ")")
                    || debug_fault(reading->debugger, "expected ')'"));
-    if (take_sign(reading, "["))
+    if (text_cursor_sign(reading->cursor, "["))
         return read_memory(reading, value);
     if (at[0] == 'X' && at[1] == '\'')
         return read_hex(reading, value);

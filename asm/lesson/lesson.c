@@ -8,6 +8,7 @@
 
 #include "asm/lesson/lesson_internal.h"
 #include "vm/error.h"
+#include "base/text_file.h"
 #include "base/spelling.h"
 #include "vm/text.h"
 
@@ -121,22 +122,17 @@ bool lesson_is_named(const struct lesson *lesson, const char *name)
 
 /* ---- The lessons of the library ------------------------------------------ */
 
-static bool join_lines(const char *const *lines, struct text_buffer *buffer)
-{
-    struct sink sink = text_buffer_sink(buffer);
-    for (; *lines; lines++)
-        sink_put(&sink, *lines);
-    return !buffer->failed;
-}
-
 /* The texts are named "folder/file"; those of a folder are consecutive. */
 static bool take_text(struct lesson *lesson, const struct text *text, c205_error *error)
 {
     struct text_buffer joined = { 0 };
-    bool good = join_lines(text->lines, &joined)
-                    ? lesson_take(lesson, strchr(text->name, '/') + 1,
-                                  joined.text ? joined.text : "", joined.length, error)
-                    : error_set(error, "out of memory");
+    struct sink sink = text_buffer_sink(&joined);
+    bool good;
+    text_put(text, &sink);
+    good = !joined.failed
+               ? lesson_take(lesson, strchr(text->name, '/') + 1,
+                             joined.text ? joined.text : "", joined.length, error)
+               : error_set(error, "out of memory");
     text_buffer_free(&joined);
     return good;
 }

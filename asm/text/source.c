@@ -15,9 +15,7 @@ static bool join_lines(struct assembler *assembler, const struct text *text,
 {
     struct text_buffer buffer = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&buffer);
-    const char *const *line;
-    for (line = text->lines; *line; line++)
-        sink_put(&sink, *line);
+    text_put(text, &sink);
     source->name = text->name;
     source->text = buffer.failed
                        ? NULL
@@ -28,22 +26,14 @@ static bool join_lines(struct assembler *assembler, const struct text *text,
     return source->text != NULL;
 }
 
-static const struct text *find_text(const struct text *table, const char *name)
-{
-    for (; table->name; table++)
-        if (strcmp(table->name, name) == 0)
-            return table;
-    return NULL;
-}
-
 static const struct text *find_carried(const struct asm_options *options,
                                        const char *name)
 {
     const struct text *const *table = options ? options->texts : NULL;
     const struct text *found = NULL;
     for (; table && *table && !found; table++)
-        found = find_text(*table, name);
-    return found ? found : find_text(library_texts, name);
+        found = text_find(*table, name);
+    return found ? found : text_find(library_texts, name);
 }
 
 static bool is_missing(int reason)
