@@ -117,12 +117,12 @@ static void check_indices(struct runtime_checker *watch, const c205 *machine,
     bool scatters = site->view.insn->operands[0] == 'l'
                     && tolower((unsigned char)site->view.insn->operands[2]) == 'x';
     c205_word words[CHUNK];
-    size_t first, n, i;
+    size_t first, n;
     for (first = 0; first < list->length; first += n) {
         n = min_size(CHUNK, list->length - first);
         if (!view_read(machine, list->address, list->width, first, n, words))
             return;
-        for (i = 0; i < n; i++) {
+        for (size_t i = 0; i < n; i++) {
             struct text_line which = { "", 0 };
             struct sink sink = text_line_sink(&which);
             if (is_float(words[i])) {
@@ -196,10 +196,9 @@ static bool check_pair(struct runtime_checker *watch, const struct site *site,
 static bool fetch(const c205 *machine, const struct operand_view *source, size_t first,
                   size_t n, c205_word *words)
 {
-    size_t i;
     if (source && source->is_vector)
         return view_read(machine, source->address, source->width, first, n, words);
-    for (i = 0; i < n; i++)
+    for (size_t i = 0; i < n; i++)
         words[i] = source ? source->word : 0;
     return true;
 }
@@ -253,8 +252,8 @@ static void check_integers(struct runtime_checker *watch, const c205 *machine,
 static size_t find_numbers(const struct instruction_view *view,
                            const struct operand_view *sources[2])
 {
-    size_t i, count = 0;
-    for (i = 0; i < view->count && count < 2; i++)
+    size_t count = 0;
+    for (size_t i = 0; i < view->count && count < 2; i++)
         if (strchr("fFvV", view->operands[i].letter))
             sources[count++] = &view->operands[i];
     return count;
@@ -299,9 +298,8 @@ static void before_vector(struct runtime_checker *watch, const c205 *machine,
                           struct site *site)
 {
     bool due = should_sample(site);
-    size_t i;
     view_fill(&site->view, machine);
-    for (i = 0; i < site->view.count; i++) {
+    for (size_t i = 0; i < site->view.count; i++) {
         const struct operand_view *operand = &site->view.operands[i];
         bool result = operand->field != 'Z' && strchr("dDeq", operand->letter);
         if (!operand->is_vector || operand->is_bad
@@ -325,9 +323,8 @@ static void before_vector(struct runtime_checker *watch, const c205 *machine,
 static void after_vector(struct runtime_checker *watch, const c205 *machine,
                          struct site *site)
 {
-    size_t i;
     view_fill(&site->view, machine);
-    for (i = 0; i < site->view.count; i++)
+    for (size_t i = 0; i < site->view.count; i++)
         if (strchr("cCo", site->view.operands[i].letter)
             && !site->view.operands[i].is_bad)
             check_storage(watch, site, &site->view.operands[i]);

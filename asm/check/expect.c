@@ -148,8 +148,7 @@ static bool check_elements(struct outcome *outcome,
 static bool check_bits(struct outcome *outcome,
                        const struct asm_expectation *expectation)
 {
-    size_t i;
-    for (i = 0; i < expectation->count; i++) {
+    for (size_t i = 0; i < expectation->count; i++) {
         uint64_t address = expectation->address + i;
         c205_word word;
         unsigned wanted, found;
@@ -234,8 +233,7 @@ static bool check_model(struct outcome *outcome,
 const struct asm_expectation *expect_find(const struct object *object,
                                           enum expectation_kind kind)
 {
-    size_t i;
-    for (i = 0; i < object->expectation_count; i++)
+    for (size_t i = 0; i < object->expectation_count; i++)
         if (object->expectations[i].kind == kind)
             return &object->expectations[i];
     return NULL;
@@ -244,8 +242,7 @@ const struct asm_expectation *expect_find(const struct object *object,
 warning_set expect_warnings(const struct object *object)
 {
     warning_set set = 0;
-    size_t i;
-    for (i = 0; i < object->expectation_count; i++) {
+    for (size_t i = 0; i < object->expectation_count; i++) {
         const struct asm_expectation *expectation = &object->expectations[i];
         if (expectation->kind == EXPECT_WARNING
             && warning_named(expectation->text) < WARNINGS)

@@ -20,8 +20,7 @@ static const struct {
 
 enum precision_rule precision_rule(const c205_insn *insn)
 {
-    size_t i;
-    for (i = 0; i < sizeof rules / sizeof *rules; i++) {
+    for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
         size_t length = strlen(rules[i].stem);
         const char *rest = insn->mnemonic + length;
         if (strncmp(insn->mnemonic, rules[i].stem, length) == 0

@@ -54,8 +54,7 @@ size_t runtime_errors(const struct runtime_checker *watch)
 /* Returns whether the warning is new for its line. */
 static bool is_new(struct runtime_checker *watch, struct reported reported)
 {
-    size_t i;
-    for (i = 0; i < watch->reported_count; i++)
+    for (size_t i = 0; i < watch->reported_count; i++)
         if (watch->reported[i].number == reported.number
             && watch->reported[i].warning == reported.warning
             && strcmp(watch->reported[i].file, reported.file) == 0)
@@ -189,8 +188,7 @@ void runtime_listen(void *context, const c205 *machine, const c205_event *event)
 static void note_writes(struct runtime_checker *watch,
                         const struct instruction_view *view)
 {
-    size_t i;
-    for (i = 0; i < view->count; i++) {
+    for (size_t i = 0; i < view->count; i++) {
         const struct operand_view *operand = &view->operands[i];
         unsigned r = operand->number;
         if (!strchr("wpmkco", tolower((unsigned char)operand->letter)))
@@ -210,9 +208,8 @@ void runtime_begin(struct runtime_checker *watch, const c205 *machine)
     const struct object *object = watch->object;
     bool blind = object->line_count == 0;
     struct instruction_view view;
-    size_t i;
     memset(watch->is_written, blind, sizeof watch->is_written);
-    for (i = 0; i < object->line_count; i++) {
+    for (size_t i = 0; i < object->line_count; i++) {
         const struct asm_line *line = &object->lines[i];
         uint64_t at = line->address, end = at + 32 * line->halves;
         for (; at < end && end - at <= 32 * (uint64_t)4096;

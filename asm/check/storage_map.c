@@ -34,8 +34,7 @@ static bool segment_contains(const c205_segment *segment, uint64_t address)
 static uint64_t end_of_data(const c205_program *program, uint64_t address)
 {
     uint64_t end = 0;
-    size_t i;
-    for (i = 0; i < program->segment_count; i++) {
+    for (size_t i = 0; i < program->segment_count; i++) {
         const c205_segment *segment = &program->segments[i];
         if (!segment_contains(segment, end ? end : address))
             continue;
@@ -50,11 +49,10 @@ struct storage_map *storage_map_new(const struct object *object)
 {
     struct storage_map *map = malloc(sizeof *map
                                      + (object->symbol_count + 1) * sizeof *map->spans);
-    size_t i;
     if (!map)
         return NULL;
     map->count = 0;
-    for (i = 0; i < object->symbol_count; i++) {
+    for (size_t i = 0; i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
         struct storage_span *span = &map->spans[map->count];
         span->begin = (uint64_t)symbol->value;
@@ -62,7 +60,7 @@ struct storage_map *storage_map_new(const struct object *object)
         map->count += symbol->is_label;
     }
     qsort(map->spans, map->count, sizeof *map->spans, compare);
-    for (i = 0; i < map->count; i++) {
+    for (size_t i = 0; i < map->count; i++) {
         struct storage_span *span = &map->spans[i];
         uint64_t end = end_of_data(&object->program, span->begin);
         span->end = i + 1 < map->count && span[1].begin < end ? span[1].begin : end;

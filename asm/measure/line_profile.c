@@ -53,8 +53,8 @@ static bool is_same_call(const struct called_line *a, const struct called_line *
 /* Finds the first line with the same call, for each line. */
 static void find_firsts(const struct called_line *places, size_t count, size_t *first)
 {
-    size_t i, begin = 0;
-    for (i = 0; i < count; i++) {
+    size_t begin = 0;
+    for (size_t i = 0; i < count; i++) {
         if (!is_same_call(&places[i], &places[begin]))
             begin = i;
         first[places[i].index] = places[begin].index;
@@ -66,11 +66,11 @@ static void find_firsts(const struct called_line *places, size_t count, size_t *
  * the first one leads. */
 static bool sort_places(const struct object *object, size_t *first)
 {
-    size_t i, count = object->line_count;
+    size_t count = object->line_count;
     struct called_line *places = malloc((count + 1) * sizeof *places);
     if (!places)
         return false;
-    for (i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++) {
         places[i].line = &object->lines[i];
         places[i].region = object_region(object, object->lines[i].address);
         places[i].index = i;
@@ -85,8 +85,7 @@ static bool sort_places(const struct object *object, size_t *first)
  * precedes its other lines, so its row exists when they are reached. */
 static void make_rows(struct line_profile *profile)
 {
-    size_t i;
-    for (i = 0; i < profile->object->line_count; i++) {
+    for (size_t i = 0; i < profile->object->line_count; i++) {
         const struct asm_line *line = &profile->object->lines[i];
         struct profile_row *row = &profile->rows[profile->row_count];
         if (profile->row_of[i] < i) {
@@ -169,8 +168,7 @@ static struct profile_row *row_at(struct line_profile *profile, uint64_t address
 
 static void add_pieces(struct line_profile *profile, const c205_times *times)
 {
-    size_t i;
-    for (i = 0; i < times->piece_count; i++) {
+    for (size_t i = 0; i < times->piece_count; i++) {
         const c205_piece *piece = &times->piece[i];
         row_at(profile, piece->pc)->clocks[piece->cause] += piece->clocks;
     }
@@ -182,13 +180,11 @@ static void add_pieces(struct line_profile *profile, const c205_times *times)
 static void add_end(struct line_profile *profile, const c205 *machine)
 {
     struct profile_row *end = &profile->rows[profile->row_count + ROW_END];
-    size_t i;
-    int cause;
-    for (cause = 0; cause < C205_CAUSES; cause++) {
+    for (int cause = 0; cause < C205_CAUSES; cause++) {
         uint64_t clocks = 0;
-        for (i = 0; i < c205_account_count(machine); i++)
+        for (size_t i = 0; i < c205_account_count(machine); i++)
             clocks += c205_account_at(machine, i)->clocks[cause];
-        for (i = 0; i <= profile->row_count; i++)
+        for (size_t i = 0; i <= profile->row_count; i++)
             clocks -= profile->rows[i].clocks[cause];
         end->clocks[cause] = clocks;
     }
@@ -239,8 +235,7 @@ enum { COLUMNS_IN_WORDS = sizeof in_words / sizeof *in_words, BEFORE = 6 };
 static uint64_t row_clocks(const struct profile_row *row)
 {
     uint64_t sum = 0;
-    int cause;
-    for (cause = 0; cause < C205_CAUSES; cause++)
+    for (int cause = 0; cause < C205_CAUSES; cause++)
         sum += row->clocks[cause];
     return sum;
 }
@@ -274,10 +269,9 @@ static void put_causes(struct table *table, const struct profile_row *row)
     uint64_t all = row_clocks(row);
     bool reported[C205_CAUSES] = { false };
     size_t used = 0;
-    int i, cause;
-    for (i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++) {
         int found = -1;
-        for (cause = 0; cause < C205_CAUSES; cause++)
+        for (int cause = 0; cause < C205_CAUSES; cause++)
             if (!reported[cause] && row->clocks[cause] > 0
                 && row->clocks[cause] * 10 >= all
                 && (found < 0 || row->clocks[cause] > row->clocks[found]))
@@ -306,13 +300,12 @@ static struct table *new_columns(size_t first)
 static void put_profile_row(struct table *table, const struct line_profile *profile,
                             const struct profile_row *row, uint64_t all, bool words)
 {
-    int cause;
     put_name(table, profile, row);
     table_count(table, row_clocks(row));
     table_number(table, all > 0 ? 100 * (double)row_clocks(row) / (double)all : 0);
     table_count(table, row->executions);
     table_count(table, row->elements);
-    for (cause = 0; !words && cause < C205_CAUSES; cause++)
+    for (int cause = 0; !words && cause < C205_CAUSES; cause++)
         table_count(table, row->clocks[cause]);
     put_source(table, row);
     if (words)

@@ -89,10 +89,9 @@ static uint64_t next_stop(const c205_program *program, const c205_segment *segme
                           uint64_t address)
 {
     uint64_t stop = end_of(segment);
-    size_t i;
     if (program->entry > address && program->entry < stop)
         stop = program->entry;
-    for (i = 0; i < program->region_count; i++) {
+    for (size_t i = 0; i < program->region_count; i++) {
         const c205_region *region = &program->regions[i];
         if (region->begin > address && region->begin < stop)
             stop = region->begin;
@@ -176,12 +175,11 @@ static void turn_region(struct disassembler *disassembler, const c205_segment *s
                         uint64_t address)
 {
     const c205_program *program = disassembler->program;
-    size_t i;
     if (disassembler->region && disassembler->region->end == address) {
         sink_print(disassembler->sink, "%s.endkernel\n", indent);
         disassembler->region = NULL;
     }
-    for (i = 0; i < program->region_count && !disassembler->region; i++) {
+    for (size_t i = 0; i < program->region_count && !disassembler->region; i++) {
         const c205_region *region = &program->regions[i];
         if (region->begin == address && address < end_of(segment)
             && region->end > address && region->end <= end_of(segment) && *region->name)
@@ -296,10 +294,10 @@ static int compare_labels(const void *a, const void *b)
 /* Keeps one label for each address. */
 static void sort_labels(struct labels *labels)
 {
-    size_t i, count = 0;
+    size_t count = 0;
     if (labels->count > 0)
         qsort(labels->items, labels->count, sizeof *labels->items, compare_labels);
-    for (i = 0; i < labels->count; i++)
+    for (size_t i = 0; i < labels->count; i++)
         if (count == 0 || labels->items[i].address != labels->items[count - 1].address)
             labels->items[count++] = labels->items[i];
     labels->count = count;
@@ -309,8 +307,7 @@ static void sort_labels(struct labels *labels)
 static bool can_be_labelled(const struct disassembler *disassembler, uint64_t address)
 {
     const c205_program *program = disassembler->program;
-    size_t i;
-    for (i = 0; i < program->segment_count; i++)
+    for (size_t i = 0; i < program->segment_count; i++)
         if (lies_in(address, &program->segments[i]))
             return object_is_code(disassembler->object, &program->segments[i])
                        ? addresses_hold(&disassembler->boundaries, address)
@@ -337,16 +334,15 @@ static bool has_own_name(const struct disassembler *disassembler, size_t i)
 static void collect(struct disassembler *disassembler)
 {
     const c205_program *program = disassembler->program;
-    size_t i;
-    for (i = 0; i < program->segment_count; i++)
+    for (size_t i = 0; i < program->segment_count; i++)
         if (object_is_code(disassembler->object, &program->segments[i]))
             walk(disassembler, &program->segments[i], note);
     add_address(disassembler, &disassembler->targets, program->entry);
     sort(&disassembler->boundaries);
-    for (i = 0; i < disassembler->targets.count; i++)
+    for (size_t i = 0; i < disassembler->targets.count; i++)
         if (addresses_hold(&disassembler->boundaries, disassembler->targets.items[i]))
             add_label(disassembler, disassembler->targets.items[i], NULL);
-    for (i = 0; i < disassembler->object->symbol_count; i++)
+    for (size_t i = 0; i < disassembler->object->symbol_count; i++)
         if (has_own_name(disassembler, i))
             add_label(disassembler, (uint64_t)disassembler->object->symbols[i].value,
                       disassembler->object->symbols[i].name);
@@ -369,7 +365,6 @@ bool disassemble(const struct object *object, const struct sink *sink)
 {
     static const struct disassembler empty;
     struct disassembler disassembler = empty;
-    size_t i;
     disassembler.object = object;
     disassembler.program = &object->program;
     disassembler.sink = sink;
@@ -379,7 +374,7 @@ bool disassemble(const struct object *object, const struct sink *sink)
     sink_put(sink, "\n");
     if (object->program.warm)
         sink_print(sink, "%s.warm\n", indent);
-    for (i = 0; i < object->program.segment_count; i++)
+    for (size_t i = 0; i < object->program.segment_count; i++)
         if (object->program.segments[i].length > 0)
             show_segment(&disassembler, &object->program.segments[i]);
     free(disassembler.boundaries.items);

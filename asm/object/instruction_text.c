@@ -158,7 +158,7 @@ static bool write_instruction(struct writer *writer, const c205_insn *insn,
                               c205_word word)
 {
     struct operand operands[MAX_OPERANDS];
-    size_t i, blamed, count;
+    size_t blamed, count;
     bool half;
     writer->fields = c205_decode(insn, word);
     writer->written.f = insn->opcode;
@@ -166,7 +166,7 @@ static bool write_instruction(struct writer *writer, const c205_insn *insn,
     half = insn->flags & C205_INSN_HALF && print_bit(writer, C205_G_HALF);
     count = syntax_operands(insn, half, operands);
     sink_print(&writer->sink, "%s%s", insn->mnemonic, half ? SYNTAX_HALF : "");
-    for (i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++) {
         if (is_absent(writer, &operands[i]))
             continue;
         if (print_bit(writer, operands[i].given))
@@ -208,13 +208,13 @@ bool instruction_address(c205_word word, uint64_t address, uint64_t *target)
     struct operand operands[MAX_OPERANDS];
     const c205_insn *insn;
     c205_fields fields;
-    size_t i, count;
+    size_t count;
     insn = c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48));
     if (!insn)
         return false;
     fields = c205_decode(insn, word);
     count = syntax_operands(insn, false, operands);
-    for (i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++) {
         *target = (uint64_t)fields.immediate;
         if (holds_address(&operands[i]) && fields.immediate >= 0)
             return true;

@@ -35,8 +35,7 @@ static void put_name(const struct sink *sink, const char *name)
 
 static void write_words(const struct sink *sink, const c205_word *words, size_t count)
 {
-    size_t i;
-    for (i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++)
         sink_print(sink, "%016" PRIX64 "\n", words[i]);
 }
 
@@ -78,20 +77,19 @@ static void write_expectation(const struct sink *sink,
 void object_write(const struct object *object, const struct sink *sink)
 {
     const c205_program *program = &object->program;
-    size_t i;
     sink_print(sink, "c205-object 1\nentry %" PRIX64 "\n", program->entry);
     if (program->warm)
         sink_put(sink, "warm\n");
-    for (i = 0; i < program->segment_count; i++)
+    for (size_t i = 0; i < program->segment_count; i++)
         write_segment(sink, &program->segments[i]);
-    for (i = 0; i < program->region_count; i++) {
+    for (size_t i = 0; i < program->region_count; i++) {
         const c205_region *region = &program->regions[i];
         sink_print(sink, "region %" PRIX64 " %" PRIX64 " ", region->begin, region->end);
         put_name(sink, region->name);
     }
-    for (i = 0; i < object->symbol_count; i++)
+    for (size_t i = 0; i < object->symbol_count; i++)
         write_symbol(sink, &object->symbols[i]);
-    for (i = 0; i < object->expectation_count; i++)
+    for (size_t i = 0; i < object->expectation_count; i++)
         write_expectation(sink, &object->expectations[i]);
     sink_put(sink, "end\n");
 }

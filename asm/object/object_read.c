@@ -119,13 +119,12 @@ static const c205_word *take_words(struct object_reader *reader, size_t count)
 {
     enum { LINE = 17 };
     c205_word *words;
-    size_t i;
     if (count > (size_t)(reader->end - reader->at) / LINE) {
         wrong(reader, "the file ends before its last word");
         return NULL;
     }
     words = arena_take(&reader->storage->arena, count * sizeof *words);
-    for (i = 0; words && i < count; i++)
+    for (size_t i = 0; words && i < count; i++)
         if (!next_line(reader) || !take_hex(reader, &words[i]))
             return NULL;
     return words;
@@ -215,8 +214,7 @@ static bool read_expected_word(struct object_reader *reader)
 
 static bool take_kind(struct object_reader *reader, enum expectation_kind *kind)
 {
-    unsigned i;
-    for (i = 0; i < EXPECT_KINDS; i++) {
+    for (unsigned i = 0; i < EXPECT_KINDS; i++) {
         *kind = (enum expectation_kind)i;
         if (take_keyword(reader, expectation_name(*kind)))
             return true;
@@ -303,8 +301,7 @@ static bool read_line(struct object_reader *reader)
                   { "region", read_region },     { "label", read_label },
                   { "integer", read_integer },   { "word", read_expected_word },
                   { "expect", read_expectation } };
-    size_t i;
-    for (i = 0; i < sizeof kinds / sizeof *kinds; i++)
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (take_keyword(reader, kinds[i].keyword))
             return kinds[i].read(reader);
     return wrong(reader, "unknown keyword");

@@ -74,8 +74,7 @@ static const struct format_rule {
 
 static const struct format_rule *find_rule(c205_format format)
 {
-    size_t i;
-    for (i = 0; i < sizeof format_rules / sizeof *format_rules; i++)
+    for (size_t i = 0; i < sizeof format_rules / sizeof *format_rules; i++)
         if (format_rules[i].format == format)
             return &format_rules[i];
     return NULL;
@@ -172,7 +171,7 @@ size_t syntax_operands(const c205_insn *insn, bool half,
     const char *at = c205_format_syntax(insn->format);
     const char *letter = insn->operands;
     const struct format_rule *rule = find_rule(insn->format);
-    size_t count = 0, i;
+    size_t count = 0;
     while (*at && count < MAX_OPERANDS) {
         char first = *letter;
         if (*at == ' ' || *at == ',') {
@@ -187,7 +186,7 @@ size_t syntax_operands(const c205_insn *insn, bool half,
         count++;
         letter += *letter != '\0';
     }
-    for (i = 0; rule && i < rule->left_out && i < count; i++)
+    for (size_t i = 0; rule && i < rule->left_out && i < count; i++)
         operands[count - 1 - i].may_be_left_out = true;
     return count;
 }
@@ -216,8 +215,7 @@ const char *syntax_refusal(const c205_insn *insn, const struct operand *operands
     const struct format_rule *rule = find_rule(insn->format);
     bool vector = !rule || !rule->needs_vector;
     const char *problem = NULL;
-    size_t i;
-    for (i = 0; i < count && !problem; i++) {
+    for (size_t i = 0; i < count && !problem; i++) {
         *blamed = i;
         problem = refuse_one(&operands[i], fields);
         vector |= operands[i].kind == OPERAND_SOURCE

@@ -15,8 +15,7 @@ static char *store_text(struct storage *storage, const char *text)
 
 static bool add_regions(struct assembler *assembler, struct storage *storage)
 {
-    size_t i;
-    for (i = 0; i < assembler->region_count; i++) {
+    for (size_t i = 0; i < assembler->region_count; i++) {
         c205_region *region = storage_add_region(storage);
         if (!region)
             return false;
@@ -50,8 +49,7 @@ static bool add_symbols(struct assembler *assembler, struct storage *storage)
 {
     const struct symbol *symbol;
     struct asm_symbol *symbols;
-    size_t i;
-    for (i = 0; i < SYMBOL_BUCKETS; i++)
+    for (size_t i = 0; i < SYMBOL_BUCKETS; i++)
         for (symbol = assembler->symbols.buckets[i]; symbol; symbol = symbol->next)
             if (!add_symbol(storage, symbol))
                 return false;
@@ -110,8 +108,8 @@ static bool add_line(struct storage *storage, const struct layout_item *item)
 static bool add_lines(struct assembler *assembler, struct storage *storage)
 {
     const struct layout_item *items = assembler->items;
-    size_t i, next;
-    for (i = 0; i < assembler->item_count; i = next) {
+    size_t next;
+    for (size_t i = 0; i < assembler->item_count; i = next) {
         struct layout_item whole = items[i];
         for (next = i + 1;
              next < assembler->item_count && items[next].line == whole.line
@@ -126,8 +124,7 @@ static bool add_lines(struct assembler *assembler, struct storage *storage)
 
 static bool add_registers(struct assembler *assembler, struct storage *storage)
 {
-    size_t i;
-    for (i = 0; i < assembler->registers.count; i++) {
+    for (size_t i = 0; i < assembler->registers.count; i++) {
         const struct naming *naming = &assembler->registers.namings[i];
         struct asm_register *kept = storage_add_register(storage);
         if (!kept)
@@ -145,11 +142,10 @@ static bool add_registers(struct assembler *assembler, struct storage *storage)
 static bool add_mentions(struct assembler *assembler, struct storage *storage)
 {
     const struct layout_item *item = assembler->items;
-    size_t i, j;
-    for (i = 0; i < assembler->item_count; i++, item++) {
+    for (size_t i = 0; i < assembler->item_count; i++, item++) {
         if (item->kind != ITEM_INSTRUCTION)
             continue;
-        for (j = 0; j < item->of.instruction->mentions; j++) {
+        for (size_t j = 0; j < item->of.instruction->mentions; j++) {
             struct asm_mention *kept = storage_add_mention(storage);
             if (!kept)
                 return false;
@@ -210,8 +206,7 @@ static bool grant(struct assembler *assembler, struct storage *storage,
 
 static bool add_expectations(struct assembler *assembler, struct storage *storage)
 {
-    size_t i;
-    for (i = 0; i < assembler->expectation_count; i++)
+    for (size_t i = 0; i < assembler->expectation_count; i++)
         if (!grant(assembler, storage, &assembler->expectations[i]))
             return false;
     return true;
@@ -220,13 +215,14 @@ static bool add_expectations(struct assembler *assembler, struct storage *storag
 static void set_entry(struct assembler *assembler, struct storage *storage)
 {
     uint64_t entry = CODE_ORIGIN;
-    size_t i, first = assembler->item_count;
+    size_t first = assembler->item_count;
     if (assembler->entry) {
         evaluate_address(assembler, assembler->entry_line, assembler->entry, &entry);
         storage->object.program.entry = entry;
         return;
     }
-    for (i = 0; i < assembler->item_count; i++) /* the first in the order of the text */
+    for (size_t i = 0; i < assembler->item_count;
+         i++) /* the first in the order of the text */
         if (assembler->items[i].kind == ITEM_INSTRUCTION
             && (first == assembler->item_count
                 || assembler->items[i].order < assembler->items[first].order))

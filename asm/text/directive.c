@@ -273,11 +273,11 @@ static bool set_bits(struct cursor *cursor, c205_word *words, uint64_t size,
                      uint64_t *count)
 {
     const char *begin = cursor->token.begin, *text;
-    size_t length, i;
+    size_t length;
     text = expect_string(cursor, &length);
     if (!text)
         return false;
-    for (i = 0; i < length; i++) {
+    for (size_t i = 0; i < length; i++) {
         if (text[i] == ' ')
             continue;
         if (text[i] != '0' && text[i] != '1')
@@ -317,7 +317,7 @@ static bool parse_bitvector(struct cursor *cursor)
 static bool parse_text(struct cursor *cursor)
 {
     uint64_t count;
-    size_t length, i;
+    size_t length;
     c205_word *words;
     const char *text;
     layout_align(cursor->assembler, WORD_BITS);
@@ -328,7 +328,7 @@ static bool parse_text(struct cursor *cursor)
     words = arena_take(cursor->assembler->arena, (size_t)count * sizeof *words);
     if (!words)
         return false;
-    for (i = 0; i < length; i++)
+    for (size_t i = 0; i < length; i++)
         words[i / 8] |= (c205_word)(unsigned char)text[i]
                         << (WORD_BITS - 8 - i % 8 * 8);
     return layout_known(cursor, words, count);
@@ -380,8 +380,7 @@ const char *directive_name(size_t i)
 
 const struct directive *find_directive(const struct token *token)
 {
-    size_t i;
-    for (i = 0; i < sizeof directives / sizeof *directives; i++)
+    for (size_t i = 0; i < sizeof directives / sizeof *directives; i++)
         if (token_is(token, directives[i].name))
             return &directives[i];
     return NULL;

@@ -139,11 +139,11 @@ static void encode_item(struct assembler *assembler, const struct layout_item *i
 static bool check_overlap(struct assembler *assembler)
 {
     const struct layout_item *items = assembler->items;
-    size_t i, last = 0, before = assembler->diagnostics->errors;
+    size_t last = 0, before = assembler->diagnostics->errors;
     const struct layout_item *run = NULL; /* the last overlap, which is
                                            * reported at its first item */
 
-    for (i = 1; i < assembler->item_count; i++) {
+    for (size_t i = 1; i < assembler->item_count; i++) {
         if (items[i].address < layout_end(&items[last])) {
             if (!run || items[i].order != run->order + 1
                 || items[i].address != layout_end(run))
@@ -188,7 +188,6 @@ static bool add_segment(struct assembler *assembler, struct storage *storage,
     uint64_t end = layout_end(&items[count - 1]);
     c205_segment *segment = storage_add_segment(storage);
     c205_word *words = NULL;
-    size_t i;
     if (!segment)
         return false;
     segment->address = begin;
@@ -198,7 +197,7 @@ static bool add_segment(struct assembler *assembler, struct storage *storage,
         if (!words)
             return false;
     }
-    for (i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++)
         encode_item(assembler, &items[i], words, begin);
     segment->words = words;
     return true;
@@ -206,10 +205,10 @@ static bool add_segment(struct assembler *assembler, struct storage *storage,
 
 bool encode_segments(struct assembler *assembler, struct storage *storage)
 {
-    size_t i, count;
+    size_t count;
     if (!check_overlap(assembler))
         return false;
-    for (i = 0; i < assembler->item_count; i += count) {
+    for (size_t i = 0; i < assembler->item_count; i += count) {
         count = count_together(&assembler->items[i], assembler->item_count - i);
         if (!add_segment(assembler, storage, &assembler->items[i], count))
             return false;

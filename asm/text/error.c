@@ -98,8 +98,7 @@ void warn(struct assembler *assembler, enum warning warning, const struct line *
 static warning_set meant(const struct assembler *assembler)
 {
     warning_set set = 0;
-    size_t i;
-    for (i = 0; i < assembler->expectation_count; i++)
+    for (size_t i = 0; i < assembler->expectation_count; i++)
         if (assembler->expectations[i].kind == EXPECT_WARNING)
             set |= WARNING_BIT(warning_named(assembler->expectations[i].text));
     return set;
@@ -111,8 +110,7 @@ warning_set report_pending_warnings(struct assembler *assembler)
     const struct asm_options *options = assembler->options;
     const struct warning_choice *choice = options ? &options->warnings : &all;
     warning_set silent = choice->off | meant(assembler), found = 0;
-    size_t i;
-    for (i = 0; i < assembler->pending_count; i++) {
+    for (size_t i = 0; i < assembler->pending_count; i++) {
         const struct pending_warning *pending = &assembler->pending_warnings[i];
         warning_set bit = WARNING_BIT(pending->warning);
         found |= bit;

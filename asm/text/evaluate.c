@@ -146,8 +146,7 @@ static const struct number_operator {
 
 static const struct number_operator *number_operator(int code)
 {
-    size_t i;
-    for (i = 0; i < sizeof number_operators / sizeof *number_operators; i++)
+    for (size_t i = 0; i < sizeof number_operators / sizeof *number_operators; i++)
         if (number_operators[i].code == code)
             return &number_operators[i];
     return NULL;

@@ -242,10 +242,9 @@ static void include(struct expander *expander, struct cursor *cursor)
     c205_error error;
     size_t length;
     char *name = expect_string(cursor, &length);
-    unsigned i;
     if (!name || !expect_end(cursor))
         return;
-    for (i = 0; i < expander->depth; i++)
+    for (unsigned i = 0; i < expander->depth; i++)
         if (expander->frames[i].kind == FRAME_FILE)
             from = expander->frames[i].name;
     if (source_find(expander->assembler, name, from, &source, &error))
@@ -294,8 +293,7 @@ const char *expand_name(size_t i)
 
 static directive *find_directive(const struct token *token)
 {
-    size_t i;
-    for (i = 0; i < sizeof directives / sizeof *directives; i++)
+    for (size_t i = 0; i < sizeof directives / sizeof *directives; i++)
         if (token->kind == TOKEN_DIRECTIVE && token_is(token, directives[i].name))
             return directives[i].obey;
     return NULL;

@@ -128,8 +128,7 @@ static bool parse_warning(struct cursor *cursor, struct expectation *expectation
 static bool parse_model(struct cursor *cursor, struct expectation *expectation)
 {
     const struct assembler *assembler = cursor->assembler;
-    size_t i;
-    for (i = 0; i < assembler->expectation_count; i++)
+    for (size_t i = 0; i < assembler->expectation_count; i++)
         if (assembler->expectations[i].kind == EXPECT_MODEL)
             return report(cursor->assembler, cursor->line, cursor->token.begin,
                           "expect-model is already defined, in %s:%zu",
@@ -159,12 +158,11 @@ static bool parse_named(struct cursor *cursor, const char *name, size_t length,
     static const struct expectation empty;
     struct assembler *assembler = cursor->assembler;
     struct line *line = arena_take(assembler->arena, sizeof *line);
-    size_t i;
     if (!line)
         return false;
     *line = *cursor->line;
     line->begin = rest;
-    for (i = 0; i < sizeof expectations / sizeof *expectations; i++) {
+    for (size_t i = 0; i < sizeof expectations / sizeof *expectations; i++) {
         struct cursor inside = cursor_start(assembler, line);
         struct expectation expectation = empty;
         if (strlen(expectations[i].name) != length

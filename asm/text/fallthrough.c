@@ -30,8 +30,7 @@ static bool goes_on_with(const struct layout_item *next, const struct layout_ite
 
 static bool expects_trap(const struct assembler *assembler)
 {
-    size_t i;
-    for (i = 0; i < assembler->expectation_count; i++)
+    for (size_t i = 0; i < assembler->expectation_count; i++)
         if (assembler->expectations[i].kind == EXPECT_TRAP)
             return true;
     return false;
@@ -41,8 +40,8 @@ static bool expects_trap(const struct assembler *assembler)
 void check_ends(struct assembler *assembler)
 {
     const struct layout_item *items = assembler->items;
-    size_t i, count = assembler->item_count;
-    for (i = 0; i < count && !expects_trap(assembler); i++)
+    size_t count = assembler->item_count;
+    for (size_t i = 0; i < count && !expects_trap(assembler); i++)
         if (items[i].kind == ITEM_INSTRUCTION
             && !always_branches(items[i].of.instruction->insn)
             && !(i + 1 < count && goes_on_with(&items[i + 1], &items[i]))

@@ -73,10 +73,9 @@ struct layout_item *layout_add(struct cursor *cursor, enum item_kind kind,
 void layout_align(struct assembler *assembler, uint64_t bits)
 {
     uint64_t at = assembler->section->at;
-    size_t i;
     at = (at + bits - 1) / bits * bits;
     assembler->section->at = at;
-    for (i = 0; i < assembler->waiting_count; i++)
+    for (size_t i = 0; i < assembler->waiting_count; i++)
         assembler->waiting[i]->value.bits = at;
 }
 

@@ -113,8 +113,7 @@ bool macro_add_line(struct assembler *assembler, struct macro *macro,
 static bool fill_defaults(struct cursor *cursor, const struct macro *macro,
                           struct span *arguments)
 {
-    size_t i;
-    for (i = 0; i < macro->parameter_count; i++) {
+    for (size_t i = 0; i < macro->parameter_count; i++) {
         const struct parameter *parameter = &macro->parameters[i];
         if (arguments[i].begin < arguments[i].end)
             continue;
@@ -177,8 +176,7 @@ static const struct span *find_argument(const struct substitution *substitution,
                                         const char *name, size_t length)
 {
     const struct macro *macro = substitution->macro;
-    size_t i;
-    for (i = 0; macro && i < macro->parameter_count; i++) {
+    for (size_t i = 0; macro && i < macro->parameter_count; i++) {
         const struct span *known = &macro->parameters[i].name;
         if ((size_t)(known->end - known->begin) == length
             && memcmp(known->begin, name, length) == 0)

@@ -19,8 +19,7 @@ static void try_symbols(const struct assembler *assembler, enum suggestion kind,
                         struct spelling *nearest)
 {
     const struct symbol *symbol;
-    size_t i;
-    for (i = 0; i < SYMBOL_BUCKETS; i++)
+    for (size_t i = 0; i < SYMBOL_BUCKETS; i++)
         for (symbol = assembler->symbols.buckets[i]; symbol; symbol = symbol->next)
             if (is_kind(symbol, kind))
                 spelling_try(nearest, symbol->name);
@@ -47,13 +46,12 @@ const char *suggest(struct assembler *assembler, enum suggestion kind, const cha
                     size_t length)
 {
     struct spelling nearest = { .word = arena_text(assembler->arena, name, length) };
-    size_t i;
     if (!nearest.word)
         return NULL;
     if (kind == SUGGEST_MNEMONIC)
-        for (i = 0; i < c205_insn_count; i++)
+        for (size_t i = 0; i < c205_insn_count; i++)
             spelling_try(&nearest, c205_insns[i].mnemonic);
-    for (i = 0; kind == SUGGEST_DIRECTIVE && asm_directive(i); i++)
+    for (size_t i = 0; kind == SUGGEST_DIRECTIVE && asm_directive(i); i++)
         spelling_try(&nearest, asm_directive(i));
     try_symbols(assembler, kind, &nearest);
     return nearest.name;

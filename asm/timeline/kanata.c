@@ -68,8 +68,7 @@ static bool add_insn(struct log *log, const struct timeline *timeline, size_t i)
     const struct timed_insn *insn = &timeline->insns[i];
     bool good = add_event(log, insn->arrived, i, APPEARS, NULL)
                 && add_stage(log, i, insn->arrived, insn->issued, "W");
-    size_t k;
-    for (k = 0; good && k < insn->phase_count; k++) {
+    for (size_t k = 0; good && k < insn->phase_count; k++) {
         const struct timed_piece *phase = &timeline->phases[insn->first_phase + k];
         good = add_stage(log, i, phase->begin, phase->end, stage_of(phase->cause));
     }
@@ -112,14 +111,14 @@ bool timeline_kanata(const struct timeline *timeline, const struct sink *sink)
     struct log log = { .arena = &arena };
     bool good = true;
     uint64_t clock;
-    size_t i, retired = 0;
-    for (i = 0; good && i < timeline->insn_count; i++)
+    size_t retired = 0;
+    for (size_t i = 0; good && i < timeline->insn_count; i++)
         good = !timeline->insns[i].insn || add_insn(&log, timeline, i);
     if (good && log.count > 0)
         qsort(log.items, log.count, sizeof *log.items, compare);
     clock = good && log.count > 0 ? log.items[0].clock : timeline->from;
     sink_print(sink, "Kanata\t0004\nC=\t%" PRIu64 "\n", clock);
-    for (i = 0; good && i < log.count; i++) {
+    for (size_t i = 0; good && i < log.count; i++) {
         if (log.items[i].clock > clock)
             sink_print(sink, "C\t%" PRIu64 "\n", log.items[i].clock - clock);
         clock = log.items[i].clock;

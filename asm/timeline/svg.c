@@ -54,8 +54,7 @@ static double x_of(const struct timeline_picture *picture, uint64_t clock)
 static void place_lanes(struct timeline_picture *picture)
 {
     unsigned at = TOP;
-    int lane;
-    for (lane = 0; lane < LANES; lane++) {
+    for (int lane = 0; lane < LANES; lane++) {
         picture->top[lane] = at;
         if (picture->lanes.rows[lane] > 0)
             at += picture->lanes.rows[lane] * ROW + GAP;
@@ -81,8 +80,7 @@ static void put_axis(const struct timeline_picture *picture)
 
 static void put_names(const struct timeline_picture *picture)
 {
-    int lane;
-    for (lane = 0; lane < LANES; lane++)
+    for (int lane = 0; lane < LANES; lane++)
         if (picture->lanes.rows[lane] > 0)
             sink_print(picture->sink,
                        "<text x=\"%d\" y=\"%u\" class=\"lane\">%s</text>\n", LEFT - 8,
@@ -92,8 +90,8 @@ static void put_names(const struct timeline_picture *picture)
 static void put_key(const struct timeline_picture *picture)
 {
     unsigned y = picture->bottom + 6;
-    int x = LEFT, i;
-    for (i = 0; i < C205_CAUSES; i++) {
+    int x = LEFT;
+    for (int i = 0; i < C205_CAUSES; i++) {
         const char *name = c205_cause_name((c205_cause)i);
         int wide = 24 + LETTER * (int)strlen(name) + 12;
         if (x + wide > LEFT + WIDTH) {
@@ -177,13 +175,12 @@ bool timeline_svg(const struct timeline *timeline, const char *title,
     struct arena arena = { NULL, false };
     struct timeline_picture picture = { .timeline = timeline, .sink = sink };
     bool good = lanes_make(timeline, &arena, &picture.lanes);
-    size_t i;
     picture.scale = WIDTH / (double)(timeline->to - timeline->from);
     place_lanes(&picture);
     put_head(&picture, title);
     put_axis(&picture);
     put_names(&picture);
-    for (i = 0; good && i < picture.lanes.count; i++)
+    for (size_t i = 0; good && i < picture.lanes.count; i++)
         put_span(&picture, &picture.lanes.spans[i]);
     put_key(&picture);
     svg_end(sink);

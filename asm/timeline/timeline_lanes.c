@@ -55,8 +55,7 @@ static bool add_span(struct making *making, struct timed_span span)
 
 static bool add_pieces(struct making *making, const struct timed_insn *insn)
 {
-    size_t i;
-    for (i = 0; i < insn->piece_count; i++) {
+    for (size_t i = 0; i < insn->piece_count; i++) {
         const struct timed_piece *piece = &making->timeline
                                                ->pieces[insn->first_piece + i];
         if (!add_span(making, (struct timed_span){ piece->begin, piece->end,
@@ -68,8 +67,7 @@ static bool add_pieces(struct making *making, const struct timed_insn *insn)
 
 static bool add_phases(struct making *making, const struct timed_insn *insn)
 {
-    size_t i;
-    for (i = 0; i < insn->phase_count; i++) {
+    for (size_t i = 0; i < insn->phase_count; i++) {
         const struct timed_piece *phase = &making->timeline
                                                ->phases[insn->first_phase + i];
         enum lane lane = phase->cause == C205_VECTOR_STREAM ? LANE_STREAM
@@ -102,13 +100,12 @@ bool lanes_make(const struct timeline *timeline, struct arena *arena,
 {
     struct making *making = arena_take(arena, sizeof *making);
     bool good = making != NULL;
-    size_t i;
     if (!good)
         return false;
     making->timeline = timeline;
     making->arena = arena;
     making->lanes = lanes;
-    for (i = 0; good && i < timeline->insn_count; i++)
+    for (size_t i = 0; good && i < timeline->insn_count; i++)
         good = add_insn(making, &timeline->insns[i]);
     return good;
 }

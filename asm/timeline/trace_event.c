@@ -26,18 +26,15 @@ static void put_escaped(const struct sink *sink, const char *text)
 static unsigned thread_of(const struct lanes *lanes, enum lane lane, unsigned row)
 {
     unsigned number = 1 + row;
-    int i;
-    for (i = 0; i < (int)lane; i++)
+    for (int i = 0; i < (int)lane; i++)
         number += lanes->rows[i];
     return number;
 }
 
 static void put_threads(const struct lanes *lanes, const struct sink *sink)
 {
-    unsigned row;
-    int lane;
-    for (lane = 0; lane < LANES; lane++)
-        for (row = 0; row < lanes->rows[lane]; row++) {
+    for (int lane = 0; lane < LANES; lane++)
+        for (unsigned row = 0; row < lanes->rows[lane]; row++) {
             unsigned thread = thread_of(lanes, (enum lane)lane, row);
             sink_print(sink,
                        "{\"name\":\"thread_name\",\"ph\":\"M\",\"pid\":1,"
@@ -71,13 +68,12 @@ bool timeline_trace_events(const struct timeline *timeline, const struct sink *s
     struct arena arena = { NULL, false };
     struct lanes lanes = { 0 };
     bool good = lanes_make(timeline, &arena, &lanes);
-    size_t i;
     sink_put(sink, "{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n");
     if (good)
         put_threads(&lanes, sink);
     sink_put(sink, "{\"name\":\"process_name\",\"ph\":\"M\",\"pid\":1,"
                    "\"args\":{\"name\":\"c205\"}}");
-    for (i = 0; good && i < lanes.count; i++) {
+    for (size_t i = 0; good && i < lanes.count; i++) {
         sink_put(sink, ",\n");
         put_span(&lanes, &lanes.spans[i], sink);
     }

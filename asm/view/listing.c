@@ -42,8 +42,7 @@ static void put_line(const struct object *object, const struct asm_line *line,
 void listing(const struct object *object, const struct sink *sink)
 {
     const char *file = "";
-    size_t i;
-    for (i = 0; i < object->line_count; i++) {
+    for (size_t i = 0; i < object->line_count; i++) {
         const struct asm_line *line = &object->lines[i];
         const char *a = file, *b = line->file;
         while (*a && *a == *b)

@@ -147,8 +147,7 @@ static bool reads_zero(const struct operand_view *operand)
 
 void view_fill(struct instruction_view *view, const c205 *machine)
 {
-    size_t i;
-    for (i = 0; i < view->count; i++) {
+    for (size_t i = 0; i < view->count; i++) {
         struct operand_view *operand = &view->operands[i];
         if (!operand->field)
             continue;
@@ -163,7 +162,7 @@ void view_fill(struct instruction_view *view, const c205 *machine)
 size_t view_at(struct instruction_view views[VIEW_LINKED], const c205 *machine,
                uint64_t pc)
 {
-    size_t count = 1, i;
+    size_t count = 1;
     view_decode(&views[0], machine, pc);
     if (views[0].insn && views[0].insn->timing == C205_TIMING_vlink) {
         count = VIEW_LINKED;
@@ -172,7 +171,7 @@ size_t view_at(struct instruction_view views[VIEW_LINKED], const c205 *machine,
         pc += HALF_BITS * (uint64_t)views[0].halves;
         view_decode(&views[1], machine, pc);
     }
-    for (i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++)
         if (views[i].insn)
             view_fill(&views[i], machine);
     return count;
@@ -181,8 +180,7 @@ size_t view_at(struct instruction_view views[VIEW_LINKED], const c205 *machine,
 const struct operand_view *view_find(const struct instruction_view *view,
                                      const char *letters)
 {
-    size_t i;
-    for (i = 0; i < view->count; i++)
+    for (size_t i = 0; i < view->count; i++)
         if (strchr(letters, view->operands[i].letter))
             return &view->operands[i];
     return NULL;

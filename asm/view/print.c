@@ -77,10 +77,9 @@ static void print_hex(const struct printer *printer, const c205 *machine,
 static void print_text(const struct printer *printer, const c205 *machine,
                        const c205_event *event)
 {
-    unsigned i;
     c205_word byte;
     char c;
-    for (i = 0; i < c205_descriptor_length(event->r); i++) {
+    for (unsigned i = 0; i < c205_descriptor_length(event->r); i++) {
         if (!fetch(printer, machine, event->r, i, 8, &byte))
             return;
         c = (char)byte;
@@ -100,9 +99,8 @@ static void print_vector(const struct printer *printer, const c205 *machine,
                          const c205_event *event)
 {
     struct number_columns columns = columns_of(event->s);
-    unsigned i;
     c205_word word;
-    for (i = 0; i < c205_descriptor_length(event->r); i++) {
+    for (unsigned i = 0; i < c205_descriptor_length(event->r); i++) {
         if (i > 0)
             sink_put(&printer->sink,
                      columns.in_line && i % columns.in_line == 0 ? "\n" : " ");
@@ -115,9 +113,8 @@ static void print_vector(const struct printer *printer, const c205 *machine,
 static void print_bits(const struct printer *printer, const c205 *machine,
                        const c205_event *event)
 {
-    unsigned i;
     c205_word bit;
-    for (i = 0; i < c205_descriptor_length(event->r); i++) {
+    for (unsigned i = 0; i < c205_descriptor_length(event->r); i++) {
         if (!fetch(printer, machine, event->r, i, 1, &bit))
             return;
         sink_put(&printer->sink, bit ? "1" : "0");
