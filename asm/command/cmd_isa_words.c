@@ -1,10 +1,10 @@
 /* cmd_isa_words.c - the texts of cmd_isa.h: meanings of letters and
  * flags, rules of formats. */
 #include <ctype.h>
-#include <stddef.h>
 #include <string.h>
 
 #include "asm/command/cmd_isa.h"
+#include "asm/object/syntax.h"
 
 /* The meaning of a letter in insn.def. */
 struct meaning {
@@ -103,18 +103,6 @@ void isa_code(const c205_insn *insn, char text[ISA_CODE])
 
 enum { WORD_BITS = 64, HALF_BITS = 32, BYTE_BITS = 8 };
 
-static const struct {
-    char letter;
-    size_t offset;
-} byte_fields[] = {
-    { 'G', offsetof(c205_fields, g) }, { 'X', offsetof(c205_fields, x) },
-    { 'A', offsetof(c205_fields, a) }, { 'Y', offsetof(c205_fields, y) },
-    { 'B', offsetof(c205_fields, b) }, { 'Z', offsetof(c205_fields, z) },
-    { 'C', offsetof(c205_fields, c) }, { 'R', offsetof(c205_fields, r) },
-    { 'S', offsetof(c205_fields, s) }, { 'T', offsetof(c205_fields, t) },
-};
-enum { BYTE_FIELDS = sizeof byte_fields / sizeof *byte_fields };
-
 /* Writes the letter at each bit of the mask. */
 static void mark(char letter, c205_word mask, char owners[WORD_BITS])
 {
@@ -133,10 +121,10 @@ static void probe_format(const c205_insn *insn, char owners[WORD_BITS])
     memset(owners, '-', WORD_BITS);
     memset(owners, 'F', BYTE_BITS);
     mark('G', (c205_word)insn->subop_mask << (WORD_BITS - 2 * BYTE_BITS), owners);
-    for (size_t i = 0; i < BYTE_FIELDS; i++) {
-        unsigned char *byte = (unsigned char *)&fields + byte_fields[i].offset;
+    for (const char *letter = "GXAYBZCRST"; *letter; letter++) {
+        uint8_t *byte = *letter == 'G' ? &fields.g : syntax_field(&fields, *letter);
         *byte = 0xFF;
-        mark(byte_fields[i].letter, c205_encode(insn, &fields) ^ empty, owners);
+        mark(*letter, c205_encode(insn, &fields) ^ empty, owners);
         *byte = 0;
     }
     fields.g = C205_G_RELATIVE;

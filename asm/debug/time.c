@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "asm/debug/debug_internal.h"
+#include "base/accounts.h"
 #include "base/plural.h"
 
 /* ---- The last instruction ------------------------------------------------- */
@@ -114,9 +115,7 @@ bool verb_why(struct debugger *debugger, struct text_cursor *cursor)
 
 static void put_account(const struct debugger *debugger, const c205_account *account)
 {
-    uint64_t sum = 0;
-    for (int i = 0; i < C205_CAUSES; i++)
-        sum += account->clocks[i];
+    uint64_t sum = accounts_clocks(account);
     if (sum == 0 && account->instructions == 0)
         return;
     sink_print(&debugger->out,

@@ -108,14 +108,6 @@ static void print_scalar(const c205_account *all, struct lesson_report *report)
 
 /* ---- The lines ------------------------------------------------------------- */
 
-static uint64_t cause_clocks(const struct profile_row *row)
-{
-    uint64_t sum = 0;
-    for (int cause = 0; cause < C205_CAUSES; cause++)
-        sum += row->clocks[cause];
-    return sum;
-}
-
 /* Returns the line with the most clocks after the line `before` in descending order; of
  * equal lines the first comes first. Returns NULL if no line is left. */
 static const struct profile_row *next_line(const struct line_profile *profile,
@@ -124,10 +116,10 @@ static const struct profile_row *next_line(const struct line_profile *profile,
     const struct profile_row *found = NULL;
     for (size_t i = 0; i < line_profile_count(profile); i++) {
         const struct profile_row *row = line_profile_row(profile, i);
-        uint64_t clocks = cause_clocks(row);
-        if (row->file && clocks > (found ? cause_clocks(found) : 0)
-            && (!before || clocks < cause_clocks(before)
-                || (clocks == cause_clocks(before) && row > before)))
+        uint64_t clocks = line_profile_clocks(row);
+        if (row->file && clocks > (found ? line_profile_clocks(found) : 0)
+            && (!before || clocks < line_profile_clocks(before)
+                || (clocks == line_profile_clocks(before) && row > before)))
             found = row;
     }
     return found;
@@ -146,7 +138,7 @@ static void print_line(const struct lesson_trial *trial, const struct profile_ro
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
-    uint64_t clocks = cause_clocks(row);
+    uint64_t clocks = line_profile_clocks(row);
     bool link = is_link(row);
     sink_print(&sink, "Line %zu took %" PRIu64 " clock%s, %d %%, in %" PRIu64 " %s%s:",
                row->number, clocks, plural(clocks), percent_of(clocks, trial->clocks),
@@ -167,7 +159,7 @@ static void print_lines(const struct lesson_trial *trial,
 {
     const struct profile_row *row = NULL;
     for (int i = 0; i < LINES_TOLD && (row = next_line(profile, row)); i++) {
-        if (i > 0 && 10 * cause_clocks(row) < trial->clocks)
+        if (i > 0 && 10 * line_profile_clocks(row) < trial->clocks)
             return;
         print_line(trial, row, report);
     }

@@ -232,7 +232,7 @@ static const struct table_column in_words[] = {
 };
 enum { COLUMNS_IN_WORDS = sizeof in_words / sizeof *in_words, BEFORE = 6 };
 
-static uint64_t row_clocks(const struct profile_row *row)
+uint64_t line_profile_clocks(const struct profile_row *row)
 {
     uint64_t sum = 0;
     for (int cause = 0; cause < C205_CAUSES; cause++)
@@ -266,7 +266,7 @@ static void put_source(struct table *table, const struct profile_row *row)
 static void put_causes(struct table *table, const struct profile_row *row)
 {
     char text[160] = "";
-    uint64_t all = row_clocks(row);
+    uint64_t all = line_profile_clocks(row);
     bool reported[C205_CAUSES] = { false };
     size_t used = 0;
     for (int i = 0; i < 3; i++) {
@@ -301,8 +301,9 @@ static void put_profile_row(struct table *table, const struct line_profile *prof
                             const struct profile_row *row, uint64_t all, bool words)
 {
     put_name(table, profile, row);
-    table_count(table, row_clocks(row));
-    table_number(table, all > 0 ? 100 * (double)row_clocks(row) / (double)all : 0);
+    table_count(table, line_profile_clocks(row));
+    table_number(table,
+                 all > 0 ? 100 * (double)line_profile_clocks(row) / (double)all : 0);
     table_count(table, row->executions);
     table_count(table, row->elements);
     for (int cause = 0; !words && cause < C205_CAUSES; cause++)
@@ -333,7 +334,7 @@ static bool choose_rows(const struct line_profile *profile, struct shown_rows *s
     *shown = (struct shown_rows){ .rows = malloc(count * sizeof *shown->rows) };
     for (size_t i = 0; shown->rows && i < count; i++) {
         const struct profile_row *row = &profile->rows[i];
-        uint64_t clocks = row_clocks(row);
+        uint64_t clocks = line_profile_clocks(row);
         if (row->executions == 0 && clocks == 0)
             continue;
         shown->rows[shown->count++] = (struct shown_row){ row, clocks, 0 };

@@ -41,6 +41,9 @@ size_t line_profile_count(const struct line_profile *profile);
 const struct profile_row *line_profile_row(const struct line_profile *profile,
                                            size_t i);
 
+/* Returns the clocks of all causes of a row. */
+uint64_t line_profile_clocks(const struct profile_row *row);
+
 /* Only rows with clocks are shown: the ones with the most clocks first, or in
  * the order of addresses. */
 enum profile_order { PROFILE_HOTTEST, PROFILE_AS_WRITTEN };

@@ -17,55 +17,22 @@ void object_free(struct object *object)
     free(storage);
 }
 
-c205_segment *storage_add_segment(struct storage *storage)
-{
-    c205_program *program = &storage->object.program;
-    return arena_add(&storage->arena, &program->segments, &program->segment_count,
-                     &storage->segment_capacity, NULL, sizeof *program->segments);
-}
+/* Defines the function that adds an element of zeros to a list of the object. */
+#define STORAGE_ADD(element, owner, type) \
+    type *storage_add_##element(struct storage *storage) \
+    { \
+        return arena_add(&storage->arena, &storage->owner.element##s, \
+                         &storage->owner.element##_count, \
+                         &storage->element##_capacity, NULL, sizeof(type)); \
+    }
 
-c205_region *storage_add_region(struct storage *storage)
-{
-    c205_program *program = &storage->object.program;
-    return arena_add(&storage->arena, &program->regions, &program->region_count,
-                     &storage->region_capacity, NULL, sizeof *program->regions);
-}
-
-struct asm_symbol *storage_add_symbol(struct storage *storage)
-{
-    struct object *object = &storage->object;
-    return arena_add(&storage->arena, &object->symbols, &object->symbol_count,
-                     &storage->symbol_capacity, NULL, sizeof *object->symbols);
-}
-
-struct asm_line *storage_add_line(struct storage *storage)
-{
-    struct object *object = &storage->object;
-    return arena_add(&storage->arena, &object->lines, &object->line_count,
-                     &storage->line_capacity, NULL, sizeof *object->lines);
-}
-
-struct asm_register *storage_add_register(struct storage *storage)
-{
-    struct object *object = &storage->object;
-    return arena_add(&storage->arena, &object->registers, &object->register_count,
-                     &storage->register_capacity, NULL, sizeof *object->registers);
-}
-
-struct asm_mention *storage_add_mention(struct storage *storage)
-{
-    struct object *object = &storage->object;
-    return arena_add(&storage->arena, &object->mentions, &object->mention_count,
-                     &storage->mention_capacity, NULL, sizeof *object->mentions);
-}
-
-struct asm_expectation *storage_add_expectation(struct storage *storage)
-{
-    struct object *object = &storage->object;
-    return arena_add(&storage->arena, &object->expectations, &object->expectation_count,
-                     &storage->expectation_capacity, NULL,
-                     sizeof *object->expectations);
-}
+STORAGE_ADD(segment, object.program, c205_segment)
+STORAGE_ADD(region, object.program, c205_region)
+STORAGE_ADD(symbol, object, struct asm_symbol)
+STORAGE_ADD(line, object, struct asm_line)
+STORAGE_ADD(register, object, struct asm_register)
+STORAGE_ADD(mention, object, struct asm_mention)
+STORAGE_ADD(expectation, object, struct asm_expectation)
 
 static int compare_symbols(const void *a, const void *b)
 {

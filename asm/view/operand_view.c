@@ -4,6 +4,8 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "asm/object/syntax.h"
+
 enum { WORD_BITS = 64, HALF_BITS = 32 };
 
 c205_word view_word_at(const c205 *machine, uint64_t address)
@@ -26,17 +28,7 @@ c205_word view_register(const c205 *machine, unsigned number, bool half)
 
 static uint8_t field_of(const c205_fields *fields, char field)
 {
-    switch (field) {
-    case 'X': return fields->x;
-    case 'A': return fields->a;
-    case 'Y': return fields->y;
-    case 'B': return fields->b;
-    case 'Z': return fields->z;
-    case 'C': return fields->c;
-    case 'R': return fields->r;
-    case 'S': return fields->s;
-    default: return fields->t;
-    }
+    return *syntax_field((c205_fields *)(uintptr_t)fields, field);
 }
 
 static bool is_broadcast(const c205_fields *fields, char field)
