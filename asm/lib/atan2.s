@@ -17,7 +17,7 @@
         .ifndef atan2.s
         .equ    atan2.s, 1
 
-        .include "formula.s"
+        .include "functions.s"
 
         .share  functions
         .regs   r232, atan_eighth, atan_minus_one, atan_quarter, atan_low_of_one
@@ -46,8 +46,8 @@ atan2.polynomial:
         load_constants atan2, ATAN2_CONSTANTS
         \form\()_normal \x, f_0
         \form\()_normal \y, f_1
-        \form\()_magnitude f_0, f_2
-        \form\()_magnitude f_1, f_3
+        \form\()_absolute f_0, f_2
+        \form\()_absolute f_1, f_3
         \form\()_copy f_2, f_4                          ; n
         \form\()_copy f_3, f_5                          ; d
         \form\()_if_above f_2, f_3, atan_steep\@
@@ -63,7 +63,7 @@ atan2.polynomial:
         \form\()_then_copy f_8, f_5
         \form\()_then_set atan_quarter, f_9
         \form\()_end_if atan_near\@
-        \form\()_over f_4, f_5, f_4                     ; t
+        \form\()_quotient f_4, f_5, f_4                     ; t
         \form\()_times f_4, f_4, f_5
         \form\()_line f_5, atan_9, atan_8, f_6
         \form\()_step f_5, atan_7, f_6
@@ -81,11 +81,11 @@ atan2.polynomial:
         \form\()_plus f_6, f_9, \r                      ; b
         \form\()_if_above f_2, f_3, atan_turned\@
         \form\()_then_from atan_half_low, \r, \r
-        \form\()_then_shift \r, atan_half, \r
+        \form\()_then_raise \r, atan_half, \r
         \form\()_end_if atan_turned\@
         \form\()_if_below_number f_1, r0, atan_left\@
         \form\()_then_from atan_pi_low, \r, \r
-        \form\()_then_shift \r, atan_pi, \r
+        \form\()_then_raise \r, atan_pi, \r
         \form\()_end_if atan_left\@
         \form\()_if_below_number f_0, r0, atan_below\@
         \form\()_then_negate \r, \r

@@ -13,7 +13,7 @@
         .ifndef divide.s
         .equ    divide.s, 1
 
-        .include "formula.s"
+        .include "functions.s"
 
         .share  functions
         .regs   r232, divide_zero, divide_most, divide_indefinite
@@ -29,15 +29,15 @@ divide.constants:
         load_constants divide, DIVIDE_CONSTANTS
         \form\()_normal \x, f_0
         \form\()_normal \y, f_1
-        \form\()_magnitude f_0, f_8
-        \form\()_magnitude f_1, f_9
+        \form\()_absolute f_0, f_8
+        \form\()_absolute f_1, f_9
         \form\()_truncate f_8, f_5
         \form\()_truncate f_9, f_6
         \form\()_pack_all divide_zero, f_5, f_5         ; integers, also where it is machine zero
         \form\()_pack_all divide_zero, f_6, f_6
         \form\()_normal f_5, f_2
         \form\()_normal f_6, f_3
-        \form\()_over f_2, f_3, f_4
+        \form\()_quotient f_2, f_3, f_4
         \form\()_truncate f_4, f_4
         \form\()_pack_all divide_zero, f_4, f_4         ; q
         \form\()_low_product f_4, f_6, f_6

@@ -16,7 +16,7 @@
         .ifndef exp.s
         .equ    exp.s, 1
 
-        .include "formula.s"
+        .include "functions.s"
 
         .share  functions
         .regs   r232, exp_least, exp_most, exp_per_ln2, exp_half, exp_ln2_high, exp_ln2_low
@@ -70,10 +70,10 @@ exp.polynomial:
         \form\()_times f_2, f_0, f_2
         \form\()_times f_2, f_0, f_2
         \form\()_plus f_2, f_0, f_2
-        \form\()_shift f_2, exp_one, f_2                ; e^r
+        \form\()_raise f_2, exp_one, f_2                ; e^r
         \form\()_exponent f_2, f_3
         \form\()_add_index f_3, f_1, f_3
-        \form\()_pack f_3, f_2, f_3
+        \form\()_pack_each f_3, f_2, f_3
         \form\()_normal f_3, \r
         .endm
 

@@ -15,7 +15,7 @@
         .ifndef log.s
         .equ    log.s, 1
 
-        .include "formula.s"
+        .include "functions.s"
 
         .share  functions
         .regs   r232, log_47, log_minus_47, log_minus_1, log_root_half, log_one, log_minus_one
@@ -42,15 +42,15 @@ log.polynomial:
         load_constants log, LOG_CONSTANTS
         \form\()_normal \x, f_0
         \form\()_exponent f_0, f_1
-        \form\()_shift_index f_1, log_47, f_1           ; k
+        \form\()_raise_index f_1, log_47, f_1           ; k
         \form\()_pack_all log_minus_47, f_0, f_2        ; f, from 1/2 to 1
         \form\()_if_below_number f_2, log_root_half, log_low\@
         \form\()_then_plus f_2, f_2, f_2
-        \form\()_then_shift_index f_1, log_minus_1, f_1
+        \form\()_then_raise_index f_1, log_minus_1, f_1
         \form\()_end_if log_low\@
-        \form\()_shift f_2, log_minus_one, f_3          ; g
-        \form\()_shift f_2, log_one, f_4
-        \form\()_over f_3, f_4, f_4                     ; s
+        \form\()_raise f_2, log_minus_one, f_3          ; g
+        \form\()_raise f_2, log_one, f_4
+        \form\()_quotient f_3, f_4, f_4                     ; s
         \form\()_times f_4, f_4, f_5
         \form\()_line f_5, log_5, log_4, f_6
         \form\()_step f_5, log_3, f_6

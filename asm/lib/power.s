@@ -83,9 +83,9 @@ power.low:
         load_constants power, POWER_CONSTANTS
         \form\()_normal \x, f_8
         \form\()_normal \y, f_9
-        \form\()_magnitude f_8, f_2
+        \form\()_absolute f_8, f_2
         \form\()_exponent f_2, f_1
-        \form\()_shift_index f_1, power_46, f_1         ; k
+        \form\()_raise_index f_1, power_46, f_1         ; k
         \form\()_pack_all power_minus_46, f_2, f_2
         \form\()_if_below_number f_2, power_one, power_zero\@
         \form\()_then_set power_one, f_2
@@ -100,7 +100,7 @@ power.low:
         \form\()_pick f_3, power_table, f_6
         \form\()_upper_product f_2, f_4, f_7
         \form\()_low_product f_2, f_4, f_4
-        \form\()_shift f_7, power_minus_one, f_7
+        \form\()_raise f_7, power_minus_one, f_7
         \form\()_plus f_7, f_4, f_7                     ; q
         \form\()_line f_7, power_6, power_5, f_2
         \form\()_step f_7, power_4, f_2
@@ -118,7 +118,7 @@ power.low:
         \form\()_low_product f_9, f_1, f_4
         \form\()_times f_9, f_2, f_2
         \form\()_plus f_3, f_2, f_5                     ; z
-        \form\()_shift f_5, power_half, f_1
+        \form\()_raise f_5, power_half, f_1
         \form\()_if_above_number f_1, power_most, power_most\@
         \form\()_then_set power_most, f_1
         \form\()_end_if power_most\@

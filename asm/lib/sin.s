@@ -20,7 +20,7 @@
         .ifndef sin.s
         .equ    sin.s, 1
 
-        .include "formula.s"
+        .include "functions.s"
 
         .share  functions
         .regs   r232, sin_most, sin_indefinite, sin_two_over_pi, sin_half
@@ -104,7 +104,7 @@ cos.polynomial:
 
         .macro  cos_formula form, x, y, r, s
         quarter_turns \form, \x
-        \form\()_shift_index f_1, sin_1, f_1
+        \form\()_raise_index f_1, sin_1, f_1
         sine_of_quarter \form, \r
         .endm
 

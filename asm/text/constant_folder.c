@@ -7,7 +7,7 @@
 
 #include "asm/text/assemble.h"
 
-/* The registers f_x, f_y and f_r of asm/lib/formula.s. */
+/* The registers f_x, f_y and f_r of asm/lib/functions.s. */
 enum { X = 210, Y, RESULT };
 
 static const struct constant_folder_function functions[] = {

@@ -1,0 +1,497 @@
+; forms.s - operations that are written once and assembled in two forms: on
+; numbers in registers, and on vectors.
+;
+; A program says which form it has, and then writes operations:
+;
+;       scalar_form prefix, scratch, second, third
+;       vector_form prefix, bits
+;
+; prefix begins the name of each operation and is empty by default: times,
+; plus. Code for both forms in one program is a macro with an argument form,
+; in which operations are written \form\()_times; asm/lib/exp.s is an example.
+; scratch, second and third are registers that the scalar form changes; bits has
+; the descriptor of the control vector.
+;
+; Both forms perform the same operations in the same order, so their results are
+; equal, bit for bit. The vector form links two operations into one stream
+; where possible. It stores by control vector, where the scalar form branches.
+;
+; In the list a, b, c are registers with numbers, or descriptors of vectors of
+; the same length; k and l are numbers in both forms.
+;
+;       times a, b, c           c = a b           plus a, b, c        c = a + b
+;       minus a, b, c           c = a - b         quotient a, b, c    c = a / b
+;       scale a, k, c           c = a k           raise a, k, c       c = a + k
+;       lower a, k, c           c = a - k         from k, a, c        c = k - a
+;       into k, a, c            c = k / a         root a, c           c = sqrt a
+;       absolute a, c           c = |a|           copy a, c           c = a
+;       set k, c                c = k             clear c             c = 0
+;       normal a, c             c = a, normalised
+;       floor a, c              c = the largest integer not above a, exponent 0
+;       truncate a, c           c = the integer part of a, exponent 0
+;       sign a, k, l, c         c = k, or l if a is below 0
+;
+;       line a, k, l, c         c = a k + l
+;       step x, k, c            c = c x + k, a step of Horner's rule
+;       add_scaled a, k, c      c = c + a k       a is not c
+;       scaled_plus a, k, b, c  c = b + a k       a is not b
+;       scaled_lower a, k, l, c c = (a - k) l
+;
+; Several at a time, which the scalar form interleaves, because a result takes
+; five clocks:
+;
+;       add_scaled_two x, k, s, l, t          s = s + x k,  t = t + x l
+;       add_scaled_three x, k, s, l, t, m, u  also u = u + x m
+;       step_four x, p, k, q, l, r, m, s, n   p = p x + k, likewise q, r and s
+;
+; Integers, exponents and tables:
+;
+;       exponent a, c           c = the exponent of a, an integer
+;       add_index a, b, c       c = a + b of integers
+;       raise_index a, k, c     c = a + k of integers
+;       minus_index a, b, c     c = a - b of integers
+;       upper_product a, b, c   c = the first 47 digits of a b
+;       low_product a, b, c     c = the other digits of a b; for integers
+;                               below 2^47 these are all digits
+;       pick i, at, c           c = word i of a table; at: register with its
+;                               address
+;       pack_each e, a, c        c = the exponent e with the coefficient of a
+;       pack_all k, a, c        the same with one exponent k for all elements
+;
+; Conditions: for a vector, all operations between the condition and end_if
+; label are computed for all elements. Operations then_.. are stored only for
+; elements for which the condition is true. For an indefinite a it is false.
+;
+;       if_above a, b, label            is a > b?
+;       if_above_number a, k, label     is a > k?
+;       if_below_number a, k, label     is a < k?
+;       if_equal_number a, k, label     is a = k?
+;       if_beyond_number a, k, label    is |a| > k?
+;       if_bit a, k, label              has the integer a the bit of k?
+;       unless_above_number a, k, label is a > k false?
+;       otherwise end, label            from here to end_if end: elements for
+;                                       which the condition is false
+;       then_set k, c      then_copy a, c            then_plus a, b, c
+;       then_from k, a, c  then_raise a, k, c        then_raise_index a, k, c
+;       then_negate a, c   then_negate_index a, c    then_clear c
+;       otherwise_set k, c       if the condition is false
+;       otherwise_copy a, c      if the condition is false
+;
+; These have one branch in the scalar form. Their operands are never indefinite.
+;
+;       if_less a, b, label             is a < b?
+;       if_less_number a, k, label      is a < k?
+;       if_not_less a, b, label         is a >= b?
+
+        .ifndef forms.s
+        .equ    forms.s, 1
+
+; ---- On numbers --------------------------------------------------------------
+
+        .macro  scalar_form prefix=, scratch=, second=, third=
+        .macro  \prefix\()times a, b, c
+        MPYS    \a, \b, \c
+        .endm
+        .macro  \prefix\()plus a, b, c
+        ADDN    \a, \b, \c
+        .endm
+        .macro  \prefix\()minus a, b, c
+        SUBN    \a, \b, \c
+        .endm
+        .macro  \prefix\()quotient a, b, c
+        DIVS    \a, \b, \c
+        .endm
+        .macro  \prefix\()scale a, k, c
+        MPYS    \a, \k, \c
+        .endm
+        .macro  \prefix\()raise a, k, c
+        ADDN    \a, \k, \c
+        .endm
+        .macro  \prefix\()lower a, k, c
+        SUBN    \a, \k, \c
+        .endm
+        .macro  \prefix\()from k, a, c
+        SUBN    \k, \a, \c
+        .endm
+        .macro  \prefix\()into k, a, c
+        DIVS    \k, \a, \c
+        .endm
+        .macro  \prefix\()root a, c
+        SQRT    \a, \c
+        .endm
+        .macro  \prefix\()absolute a, c
+        ABS     \a, \c
+        .endm
+        .macro  \prefix\()copy a, c
+        RTOR    \a, \c
+        .endm
+        .macro  \prefix\()set k, c
+        RTOR    \k, \c
+        .endm
+        .macro  \prefix\()clear c
+        ADDN    r0, r0, \c
+        .endm
+        .macro  \prefix\()normal a, c
+        ADDN    \a, r0, \c
+        .endm
+        .macro  \prefix\()floor a, c
+        FLR     \a, \c
+        .endm
+        .macro  \prefix\()truncate a, c
+        TRU     \a, \c
+        .endm
+        .macro  \prefix\()sign a, k, l, c
+        RTOR    \k, \c
+        CFPGE   \a, r0, sign\@
+        RTOR    \l, \c
+sign\@:
+        .endm
+        .macro  \prefix\()line a, k, l, c
+        MPYS    \a, \k, \c
+        ADDN    \c, \l, \c
+        .endm
+        .macro  \prefix\()step x, k, c
+        MPYS    \c, \x, \c
+        ADDN    \c, \k, \c
+        .endm
+        .macro  \prefix\()add_scaled a, k, c
+        MPYS    \a, \k, \scratch
+        ADDN    \scratch, \c, \c
+        .endm
+        .macro  \prefix\()scaled_plus a, k, b, c
+        MPYS    \a, \k, \scratch
+        ADDN    \scratch, \b, \c
+        .endm
+        .macro  \prefix\()scaled_lower a, k, l, c
+        SUBN    \a, \k, \c
+        MPYS    \c, \l, \c
+        .endm
+        .macro  \prefix\()add_scaled_two x, k, s, l, t
+        MPYS    \x, \k, \scratch
+        MPYS    \x, \l, \second
+        ADDN    \scratch, \s, \s
+        ADDN    \second, \t, \t
+        .endm
+        .macro  \prefix\()add_scaled_three x, k, s, l, t, m, u
+        MPYS    \x, \k, \scratch
+        MPYS    \x, \l, \second
+        MPYS    \x, \m, \third
+        ADDN    \scratch, \s, \s
+        ADDN    \second, \t, \t
+        ADDN    \third, \u, \u
+        .endm
+        .macro  \prefix\()step_four x, p, k, q, l, r, m, s, n
+        MPYS    \p, \x, \p
+        MPYS    \q, \x, \q
+        MPYS    \r, \x, \r
+        MPYS    \s, \x, \s
+        ADDN    \p, \k, \p
+        ADDN    \q, \l, \q
+        ADDN    \r, \m, \r
+        ADDN    \s, \n, \s
+        .endm
+        .macro  \prefix\()exponent a, c
+        EXP     \a, \c
+        .endm
+        .macro  \prefix\()add_index a, b, c
+        ADDX    \a, \b, \c
+        .endm
+        .macro  \prefix\()raise_index a, k, c
+        ADDX    \a, \k, \c
+        .endm
+        .macro  \prefix\()minus_index a, b, c
+        SUBX    \a, \b, \c
+        .endm
+        .macro  \prefix\()upper_product a, b, c
+        MPYU    \a, \b, \c
+        .endm
+        .macro  \prefix\()low_product a, b, c
+        MPYL    \a, \b, \c
+        .endm
+        .macro  \prefix\()pick i, at, c
+        LOD     [\at, \i], \c
+        .endm
+        .macro  \prefix\()pack_each e, a, c
+        PACK    \e, \a, \c
+        .endm
+        .macro  \prefix\()pack_all k, a, c
+        PACK    \k, \a, \c
+        .endm
+        .macro  \prefix\()if_above a, b, label
+        CFPLE   \a, \b, \label
+        CFPNE   \a, \a, \label
+        .endm
+        .macro  \prefix\()if_above_number a, k, label
+        CFPLE   \a, \k, \label
+        CFPNE   \a, \a, \label
+        .endm
+        .macro  \prefix\()if_below_number a, k, label
+        CFPGE   \a, \k, \label
+        CFPNE   \a, \a, \label
+        .endm
+        .macro  \prefix\()if_equal_number a, k, label
+        CFPNE   \a, \k, \label
+        .endm
+        .macro  \prefix\()if_beyond_number a, k, label
+        ABS     \a, \scratch
+        CFPLE   \scratch, \k, \label
+        CFPNE   \scratch, \scratch, \label
+        .endm
+        .macro  \prefix\()if_bit a, k, label
+        AND     \a, \k, \scratch
+        CFPEQ   \scratch, r0, \label
+        .endm
+        .macro  \prefix\()unless_above_number a, k, label
+        CFPGT   \a, \k, \label
+        .endm
+        .macro  \prefix\()if_less a, b, label
+        CFPGE   \a, \b, \label
+        .endm
+        .macro  \prefix\()if_less_number a, k, label
+        CFPGE   \a, \k, \label
+        .endm
+        .macro  \prefix\()if_not_less a, b, label
+        CFPLT   \a, \b, \label
+        .endm
+        .macro  \prefix\()otherwise end, label
+        BIM     \end
+\label:
+        .endm
+        .macro  \prefix\()end_if label
+\label:
+        .endm
+        .macro  \prefix\()then_set k, c
+        RTOR    \k, \c
+        .endm
+        .macro  \prefix\()then_clear c
+        ADDN    r0, r0, \c
+        .endm
+        .macro  \prefix\()then_copy a, c
+        RTOR    \a, \c
+        .endm
+        .macro  \prefix\()then_plus a, b, c
+        ADDN    \a, \b, \c
+        .endm
+        .macro  \prefix\()then_raise a, k, c
+        ADDN    \a, \k, \c
+        .endm
+        .macro  \prefix\()then_from k, a, c
+        SUBN    \k, \a, \c
+        .endm
+        .macro  \prefix\()then_raise_index a, k, c
+        ADDX    \a, \k, \c
+        .endm
+        .macro  \prefix\()then_negate a, c
+        SUBN    r0, \a, \c
+        .endm
+        .macro  \prefix\()then_negate_index a, c
+        SUBU    r0, \a, \c
+        .endm
+        .macro  \prefix\()otherwise_set k, c
+        RTOR    \k, \c
+        .endm
+        .macro  \prefix\()otherwise_copy a, c
+        RTOR    \a, \c
+        .endm
+        .endm
+
+; ---- On vectors --------------------------------------------------------------
+
+; The first operation of a link names a vector of its length, a source or the
+; result, which it does not change.
+        .macro  vector_form prefix=, bits=
+        .macro  \prefix\()times a, b, c
+        MPYSV   [\a], [\b], [\c]
+        .endm
+        .macro  \prefix\()plus a, b, c
+        ADDNV   [\a], [\b], [\c]
+        .endm
+        .macro  \prefix\()minus a, b, c
+        SUBNV   [\a], [\b], [\c]
+        .endm
+        .macro  \prefix\()quotient a, b, c
+        DIVSV   [\a], [\b], [\c]
+        .endm
+        .macro  \prefix\()scale a, k, c
+        MPYSV   [\a], \k, [\c]
+        .endm
+        .macro  \prefix\()raise a, k, c
+        ADDNV   [\a], \k, [\c]
+        .endm
+        .macro  \prefix\()lower a, k, c
+        SUBNV   [\a], \k, [\c]
+        .endm
+        .macro  \prefix\()from k, a, c
+        SUBNV   \k, [\a], [\c]
+        .endm
+        .macro  \prefix\()into k, a, c
+        DIVSV   \k, [\a], [\c]
+        .endm
+        .macro  \prefix\()root a, c
+        SQRTV   [\a], [\c]
+        .endm
+        .macro  \prefix\()absolute a, c
+        ABSV    [\a], [\c]
+        .endm
+        .macro  \prefix\()copy a, c
+        VTOV    [\a], [\c]
+        .endm
+        .macro  \prefix\()set k, c
+        VTOV    \k, [\c]
+        .endm
+        .macro  \prefix\()clear c
+        VTOV    r0, [\c]
+        .endm
+        .macro  \prefix\()normal a, c
+        ADDNV   [\a], r0, [\c]
+        .endm
+        .macro  \prefix\()floor a, c
+        FLRV    [\a], [\c]
+        .endm
+        .macro  \prefix\()truncate a, c
+        TRUV    [\a], [\c]
+        .endm
+        .macro  \prefix\()sign a, k, l, c
+        CMPLTV  [\a], r0, [\bits]
+        VTOV    \k, [\c]
+        VTOV    \l, [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()line a, k, l, c
+        LINKV
+        MPYSV   [\a], \k, [\c]
+        ADDNV   [\c], \l, [\c]
+        .endm
+        .macro  \prefix\()step x, k, c
+        LINKV
+        MPYSV   [\c], [\x], [\c]
+        ADDNV   [\c], \k, [\c]
+        .endm
+        .macro  \prefix\()add_scaled a, k, c
+        LINKV
+        MPYSV   [\a], \k, [\a]
+        ADDNV   [\a], [\c], [\c]
+        .endm
+        .macro  \prefix\()scaled_plus a, k, b, c
+        LINKV
+        MPYSV   [\a], \k, [\a]
+        ADDNV   [\a], [\b], [\c]
+        .endm
+        .macro  \prefix\()scaled_lower a, k, l, c
+        LINKV
+        SUBNV   [\a], \k, [\c]
+        MPYSV   [\c], \l, [\c]
+        .endm
+        .macro  \prefix\()add_scaled_two x, k, s, l, t
+        \prefix\()add_scaled \x, \k, \s
+        \prefix\()add_scaled \x, \l, \t
+        .endm
+        .macro  \prefix\()add_scaled_three x, k, s, l, t, m, u
+        \prefix\()add_scaled \x, \k, \s
+        \prefix\()add_scaled \x, \l, \t
+        \prefix\()add_scaled \x, \m, \u
+        .endm
+        .macro  \prefix\()step_four x, p, k, q, l, r, m, s, n
+        \prefix\()step \x, \k, \p
+        \prefix\()step \x, \l, \q
+        \prefix\()step \x, \m, \r
+        \prefix\()step \x, \n, \s
+        .endm
+        .macro  \prefix\()exponent a, c
+        EXPV    [\a], [\c]
+        .endm
+        .macro  \prefix\()add_index a, b, c
+        ADDXV   [\a], [\b], [\c]
+        .endm
+        .macro  \prefix\()raise_index a, k, c
+        ADDXV   [\a], \k, [\c]
+        .endm
+        .macro  \prefix\()minus_index a, b, c
+        SUBXV   [\a], [\b], [\c]
+        .endm
+        .macro  \prefix\()upper_product a, b, c
+        MPYUV   [\a], [\b], [\c]
+        .endm
+        .macro  \prefix\()low_product a, b, c
+        MPYLV   [\a], [\b], [\c]
+        .endm
+        .macro  \prefix\()pick i, at, c
+        VXTOV   [\i], [\at], [\c]
+        .endm
+        .macro  \prefix\()pack_each e, a, c
+        PACKV   [\e], [\a], [\c]
+        .endm
+        .macro  \prefix\()pack_all k, a, c
+        PACKV   \k, [\a], [\c]
+        .endm
+        .macro  \prefix\()if_above a, b, label
+        CMPLTV  [\b], [\a], [\bits]
+        .endm
+        .macro  \prefix\()if_above_number a, k, label
+        CMPLTV  \k, [\a], [\bits]
+        .endm
+        .macro  \prefix\()if_below_number a, k, label
+        CMPLTV  [\a], \k, [\bits]
+        .endm
+        .macro  \prefix\()if_equal_number a, k, label
+        CMPEQV  [\a], \k, [\bits]
+        .endm
+        .macro  \prefix\()if_beyond_number a, k, label
+        CMPLTV  \k, |[\a]|, [\bits]
+        .endm
+        .macro  \prefix\()if_bit a, k, label
+        LINKV
+        ANDV    [\a], \k, [\a]
+        CMPNEV  [\a], r0, [\bits]
+        .endm
+        .macro  \prefix\()unless_above_number a, k, label
+        CMPLTV  \k, [\a], [\bits]
+        .endm
+        .macro  \prefix\()if_less a, b, label
+        CMPLTV  [\a], [\b], [\bits]
+        .endm
+        .macro  \prefix\()if_less_number a, k, label
+        CMPLTV  [\a], \k, [\bits]
+        .endm
+        .macro  \prefix\()if_not_less a, b, label
+        CMPGEV  [\a], [\b], [\bits]
+        .endm
+        .macro  \prefix\()otherwise end, label
+        .endm
+        .macro  \prefix\()end_if label
+        .endm
+        .macro  \prefix\()then_set k, c
+        VTOV    \k, [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()then_clear c
+        VTOV    r0, [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()then_copy a, c
+        VTOV    [\a], [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()then_plus a, b, c
+        ADDNV   [\a], [\b], [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()then_raise a, k, c
+        ADDNV   [\a], \k, [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()then_from k, a, c
+        SUBNV   \k, [\a], [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()then_raise_index a, k, c
+        ADDXV   [\a], \k, [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()then_negate a, c
+        SUBNV   r0, [\a], [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()then_negate_index a, c
+        SUBUV   r0, [\a], [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()otherwise_set k, c
+        VTOV    \k, [\c] ?! [\bits]
+        .endm
+        .macro  \prefix\()otherwise_copy a, c
+        VTOV    [\a], [\c] ?! [\bits]
+        .endm
+        .endm
+
+        .endif
