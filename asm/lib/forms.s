@@ -43,6 +43,8 @@
 ;       add_scaled_two x, k, s, l, t          s = s + x k,  t = t + x l
 ;       add_scaled_three x, k, s, l, t, m, u  also u = u + x m
 ;       step_four x, p, k, q, l, r, m, s, n   p = p x + k, likewise q, r and s
+;       scaled_lower_three a, k, s, b, l, t, c, m, u, n
+;               s = (a - k) n, likewise t = (b - l) n and u = (c - m) n
 ;
 ; Integers, exponents and tables:
 ;
@@ -189,6 +191,14 @@ sign\@:
         ADDN    \q, \l, \q
         ADDN    \r, \m, \r
         ADDN    \s, \n, \s
+        .endm
+        .macro  \prefix\()scaled_lower_three a, k, s, b, l, t, c, m, u, n
+        SUBN    \a, \k, \s
+        SUBN    \b, \l, \t
+        SUBN    \c, \m, \u
+        MPYS    \s, \n, \s
+        MPYS    \t, \n, \t
+        MPYS    \u, \n, \u
         .endm
         .macro  \prefix\()exponent a, c
         EXP     \a, \c
@@ -395,6 +405,11 @@ sign\@:
         \prefix\()step \x, \l, \q
         \prefix\()step \x, \m, \r
         \prefix\()step \x, \n, \s
+        .endm
+        .macro  \prefix\()scaled_lower_three a, k, s, b, l, t, c, m, u, n
+        \prefix\()scaled_lower \a, \k, \n, \s
+        \prefix\()scaled_lower \b, \l, \n, \t
+        \prefix\()scaled_lower \c, \m, \n, \u
         .endm
         .macro  \prefix\()exponent a, c
         EXPV    [\a], [\c]

@@ -145,8 +145,7 @@ const char *shape_empty(struct primitive *primitive, const char *reason);
  *
  *   shapes/every_scalar.s         shapes/NAME_scalar.s of each row of shapes.def
  *   shapes/every_vector.s         shapes/NAME_vector.s
- *   shapes/every_normal_scalar.s  shapes/normal_NAME_scalar.s
- *   shapes/every_normal_vector.s  shapes/normal_NAME_vector.s
+ *   shapes/every_normal.s         shapes/normal_NAME.s, for both forms
  *
  * A row without its kernels therefore fails to assemble.
  */

@@ -56,14 +56,8 @@ static const char *const vector[] = {
     NULL
 };
 
-static const char *const normal_scalar[] = {
-#define SHAPE(KIND, name, ...) INCLUDE("normal_" #name "_scalar.s")
-#include "rt/shapes/shapes.def"
-    NULL
-};
-
-static const char *const normal_vector[] = {
-#define SHAPE(KIND, name, ...) INCLUDE("normal_" #name "_vector.s")
+static const char *const normals[] = {
+#define SHAPE(KIND, name, ...) INCLUDE("normal_" #name ".s")
 #include "rt/shapes/shapes.def"
     NULL
 };
@@ -71,7 +65,6 @@ static const char *const normal_vector[] = {
 const struct text shape_texts[] = {
     { "shapes/every_scalar.s", scalar },
     { "shapes/every_vector.s", vector },
-    { "shapes/every_normal_scalar.s", normal_scalar },
-    { "shapes/every_normal_vector.s", normal_vector },
+    { "shapes/every_normal.s", normals },
     { NULL, NULL },
 };

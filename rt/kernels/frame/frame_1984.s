@@ -64,7 +64,7 @@ frame:
         .include "light/sky_scalar.s"
         .include "light/surface_scalar.s"
         .include "shapes/normal_scalar.s"
-        .include "shapes/every_normal_scalar.s"
+        .include "shapes/every_normal.s"
         .include "light/light_scalar.s"
         .include "frame/hits_1984.s"
         .include "light/spawn_scalar.s"

@@ -46,7 +46,7 @@
         .include "light/sky_scalar.s"
         .include "light/surface_scalar.s"
         .include "shapes/normal_scalar.s"
-        .include "shapes/every_normal_scalar.s"
+        .include "shapes/every_normal.s"
         .include "light/light_scalar.s"
         .include "light/shade_scalar.s"
         .include "light/spawn_scalar.s"

@@ -62,7 +62,7 @@ frame:
         .include "frame/generate_vector.s"
         .include "frame/order_vector.s"
         .include "shapes/normal_vector.s"
-        .include "shapes/every_normal_vector.s"
+        .include "shapes/every_normal.s"
         .include "light/shade_vector.s"
         .include "light/pigment_vector.s"
         .include "light/light_vector.s"

@@ -50,7 +50,7 @@ query_next:
         .include "light/pigment_scalar.s"
         .include "light/surface_scalar.s"
         .include "shapes/normal_scalar.s"
-        .include "shapes/every_normal_scalar.s"
+        .include "shapes/every_normal.s"
         .include "query/crossing_scalar.s"
         .include "query/ray_hits_1984.s"
         .if     DEPTHS

@@ -30,7 +30,7 @@
         .include "light/pigment_scalar.s"
         .include "light/surface_scalar.s"
         .include "shapes/normal_scalar.s"
-        .include "shapes/every_normal_scalar.s"
+        .include "shapes/every_normal.s"
         .include "query/ray_hits_scalar.s"
         .include "solids/invisible_scalar.s"
 

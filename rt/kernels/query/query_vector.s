@@ -42,7 +42,7 @@ query_next:
         .include "solids/visible_every_vector.s"
         .include "light/hits_vector.s"
         .include "shapes/normal_vector.s"
-        .include "shapes/every_normal_vector.s"
+        .include "shapes/every_normal.s"
         .include "light/surface_vector.s"
         .include "query/ray_hits_vector.s"
         .include "query/sort_vector.s"

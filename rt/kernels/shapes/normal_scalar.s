@@ -1,11 +1,32 @@
-; normal_scalar.s - the macro that all normal_.._scalar.s files share.  They are
-; parts of the subroutine SHADE, which branches to them with normal_link.  The
-; point is in qx, qy, qz, the normal in nx, ny, nz; t0-t6 change
-; (normal_vector.s).
+; normal_scalar.s - the scalar form of the normals: the macros that all
+; normal_NAME.s files share.  They are parts of the subroutine SHADE, which
+; branches to them with normal_link.  The point is in qx, qy, qz, the normal in
+; nx, ny, nz; t0-t6 change (normal_vector.s).
 
         .macro  load_shape number
         RTOR    a_primitive, t0
         IX      t0, 64 * P_SHAPE
         ELEN    t0, \number
         SWAP    [t0], sh0, [r0]
+        .endm
+
+; The operations of the normals that are written once (forms.s).
+        .include "forms.s"
+        scalar_form , third
+
+        .macro  dot_product x0, x1, x2, y0, y1, y2, sum, work
+        dot     \x0, \x1, \x2, \y0, \y1, \y2, \sum, \work
+        .endm
+
+        .macro  matrix_times x0, x1, x2, y0, y1, y2
+        matrix_rows \x0, \x1, \x2, \y0, \y1, \y2, t3, t4, t5, t6
+        .endm
+
+        .macro  leave_normal
+        BIM     0, normal_link
+        .endm
+
+; A normal that is written by hand in each form.
+        .macro  by_hand shape
+        .include "shapes/normal_\shape\()_scalar.s"
         .endm

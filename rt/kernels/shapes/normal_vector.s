@@ -1,5 +1,5 @@
 ; normal_vector.s - computes the normals at m points of one primitive: the part
-; that all normal_.._vector.s files share.
+; that all normal_NAME.s files share.
 ;
 ; In:  [qx] [qy] [qz], the points in the shape's own space; the record.
 ; Out: [nx] [ny] [nz], in that space, of length one, pointing outwards.
@@ -14,4 +14,36 @@
         RTOR    \x0, qx
         RTOR    \x1, qy
         RTOR    \x2, qz
+        .endm
+
+; The operations of the normals that are written once (forms.s), with the names
+; of their registers in the scalar form.
+        .include "forms.s"
+        vector_form , hits0
+        .share  normals
+        .regs   v0, t0, t1, t2, t3, t4, t5, t6, t7
+        .reg    m_zero, r0
+        .reg    m_one, one
+        .reg    m_minus_one, minus_one
+        .endshare
+
+        .macro  load_shape number
+        load_record P_SHAPE, \number, sh0
+        .endm
+
+        .macro  dot_product x0, x1, x2, y0, y1, y2, sum, work
+        dot_vectors \x0, \x1, \x2, \y0, \y1, \y2, \sum, \work
+        .endm
+
+        .macro  matrix_times x0, x1, x2, y0, y1, y2
+        quadric_rows \x0, \x1, \x2, \y0, \y1, \y2, v3
+        .endm
+
+        .macro  leave_normal
+        BIM     0, link_kernel
+        .endm
+
+; A normal that is written by hand in each form.
+        .macro  by_hand shape
+        .include "shapes/normal_\shape\()_vector.s"
         .endm

@@ -82,7 +82,7 @@ term_none\@:
 term_none\@:
         .endm
 
-        .macro  times o, d, degree, c0, c1, c2, c3, c4
+        .macro  multiply o, d, degree, c0, c1, c2, c3, c4
         MPYS    \c0, \d, b0
         .if     \degree >= 2
         MPYS    \c1, \d, b1
@@ -120,12 +120,12 @@ term_none\@:
 
         .macro  times_y degree
         IBXEQ   used_terms, r0, r0, times_none\@
-        times   t1, dy, \degree, a0, a1, a2, a3, a4
+        multiply t1, dy, \degree, a0, a1, a2, a3, a4
 times_none\@:
         .endm
 
         .macro  times_x degree
-        times   t0, dx, \degree, k0, k1, k2, k3, k4
+        multiply t0, dx, \degree, k0, k1, k2, k3, k4
         .endm
 
         .macro  clear_group degree

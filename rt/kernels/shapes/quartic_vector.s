@@ -85,7 +85,7 @@ term_none\@:
         ADDNV   [term_work], [\c], [\c]
         .endm
 
-        .macro  times o, d, degree, c0, c1, c2, c3, c4
+        .macro  multiply o, d, degree, c0, c1, c2, c3, c4
         .if     \degree == 4
         MPYSV   [\c3], [\d], [\c4]
         times_inner \o, \d, \c3, \c2
@@ -110,12 +110,12 @@ term_none\@:
 
         .macro  times_y degree
         IBXEQ   used_terms, r0, r0, times_none\@
-        times   w1, dy, \degree, a0, a1, a2, a3, a4
+        multiply w1, dy, \degree, a0, a1, a2, a3, a4
 times_none\@:
         .endm
 
         .macro  times_x degree
-        times   w0, dx, \degree, k0, k1, k2, k3, k4
+        multiply w0, dx, \degree, k0, k1, k2, k3, k4
         .endm
 
         .macro  clear_group degree

@@ -1,0 +1,3 @@
+; normal_cone.s - the normal of a cone, by hand in each form.
+
+        by_hand cone
