@@ -21,6 +21,10 @@
 #define OPTION_FLAG(option, place, text) \
     { .name = option, .kind = COMMAND_FLAG, .offset = place, .help = text }
 /* In braces, with other members of the row. */
+#define OPERAND_ROW(form, type, place, text) \
+    .value = form, .kind = type, .offset = place, .help = text
+#define OPTION_ROW(option, form, type, place, text) \
+    .name = option, OPERAND_ROW(form, type, place, text)
 #define OPTION_COUNT(option, place, first, last, usual, text) \
     .name = option, .value = "N", .kind = COMMAND_COUNT, .offset = place, \
     .least = first, .most = (double)(last), .preset = usual, .help = text

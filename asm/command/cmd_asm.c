@@ -40,12 +40,11 @@ static const struct command_option options[] = {
     CMD_INCLUDE(PLACE(source)),
     COMMAND_END
 };
-static const struct command_option operands[] = { { .value = "FILE",
-                                                    .kind = COMMAND_INPUT,
-                                                    .optional = true,
-                                                    .offset = PLACE(file),
-                                                    .help = "a program text" },
-                                                  COMMAND_END };
+static const struct command_option operands[] = {
+    { OPERAND_ROW("FILE", COMMAND_INPUT, PLACE(file), "a program text"),
+      .optional = true },
+    COMMAND_END
+};
 
 const struct command asm_command = {
     .name = "asm",

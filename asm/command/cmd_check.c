@@ -158,27 +158,20 @@ static const struct command_option options[] = {
     OPTION_FLAG("hints", PLACE(hints), "print the lesson with its hints"),
     OPTION_FLAG("start", PLACE(start), "write the lesson's program to complete"),
     OPTION_OUTPUT(PLACE(output), "write the program to FILE (-)"),
-    { .name = "folder",
-      .value = "DIR",
-      .kind = COMMAND_FOLDER,
-      .offset = PLACE(folder),
-      .help = "grade all hand-ins: DIR/STUDENT/LESSON.s, DIR/LESSON.s, "
-              "or DIR/STUDENT.s of one lesson" },
+    { OPTION_ROW("folder", "DIR", COMMAND_FOLDER, PLACE(folder),
+                 "grade all hand-ins: DIR/STUDENT/LESSON.s, DIR/LESSON.s, "
+                 "or DIR/STUDENT.s of one lesson") },
     CMD_RESULTS,
     COMMAND_END
 };
 static const struct command_option operands[] = {
-    { .value = "LESSON",
-      .kind = COMMAND_TEXT,
-      .optional = true,
-      .offset = PLACE(lesson),
-      .help = "the name, number or folder of a lesson; without it, all lessons are "
-              "listed" },
-    { .value = "ANSWER",
-      .kind = COMMAND_INPUT,
-      .optional = true,
-      .offset = PLACE(answer),
-      .help = "a program text to grade; without it, the lesson is printed" },
+    { OPERAND_ROW("LESSON", COMMAND_TEXT, PLACE(lesson),
+                  "the name, number or folder of a lesson; without it, all lessons are "
+                  "listed"),
+      .optional = true },
+    { OPERAND_ROW("ANSWER", COMMAND_INPUT, PLACE(answer),
+                  "a program text to grade; without it, the lesson is printed"),
+      .optional = true },
     COMMAND_END
 };
 static const struct command_example examples[] = {

@@ -149,31 +149,24 @@ static int cmd_compare(void *given)
 
 static const struct command_option options[] = {
     CMD_MODEL,
-    { .name = "other-model",
-      .value = "NAME|FILE",
-      .kind = COMMAND_INPUT,
-      .offset = PLACE(other_model),
-      .choice = command_model_choice,
-      .help = "machine model of the second program" },
+    { OPTION_ROW("other-model", "NAME|FILE", COMMAND_INPUT, PLACE(other_model),
+                 "machine model of the second program"),
+      .choice = command_model_choice },
     CMD_DEFINE(PLACE(source)),
-    { .name = "other-define",
-      .value = "NAME=VALUE",
-      .kind = COMMAND_CUSTOM,
-      .offset = PLACE(other_defines),
+    { OPTION_ROW(
+          "other-define", "NAME=VALUE", COMMAND_CUSTOM, PLACE(other_defines),
+          "define an integer for the second program, which then ignores --define"),
       .take = cmd_take_define,
-      .wants = "NAME=VALUE, a name and an integer, each name once",
-      .help = "define an integer for the second program, which then ignores --define" },
+      .wants = "NAME=VALUE, a name and an integer, each name once" },
     OPTION_FLAG("warm", PLACE(warm), "all pages are in memory when the programs begin"),
     CMD_INCLUDE(PLACE(source)),
     CMD_FIGURES,
     COMMAND_END
 };
 static const struct command_option operands[] = {
-    { .value = "FILE",
-      .kind = COMMAND_INPUT,
-      .many = true,
-      .offset = PLACE(files),
-      .help = "two programs, or one to run with two settings" },
+    { OPERAND_ROW("FILE", COMMAND_INPUT, PLACE(files),
+                  "two programs, or one to run with two settings"),
+      .many = true },
     COMMAND_END
 };
 static const struct command_example examples[] = {

@@ -153,14 +153,11 @@ static int cmd_debug(void *given)
 #define PLACE(member) offsetof(struct debug_arguments, member)
 
 static const struct command_option options[] = {
-    { .name = "script",
-      .letter = 'x',
-      .value = "FILE",
-      .kind = COMMAND_INPUT,
-      .many = true,
-      .offset = PLACE(scripts),
-      .help = "read lines from FILE; the exit status is 1 if one of them fails, such "
-              "as an assert" },
+    { OPTION_ROW(
+          "script", "FILE", COMMAND_INPUT, PLACE(scripts),
+          "read lines from FILE; the exit status is 1 if one of them fails, such "
+          "as an assert"),
+      .letter = 'x', .many = true },
     CMD_MODEL,
     CMD_WARN(PLACE(source)),
     OPTION_FLAG("dap", PLACE(dap),
@@ -172,12 +169,10 @@ static const struct command_option options[] = {
     COMMAND_END
 };
 static const struct command_option operands[] = {
-    { .value = "FILE",
-      .kind = COMMAND_INPUT,
-      .optional = true,
-      .offset = PLACE(file),
-      .help = "a program text, or an object of c205 asm; with --dap the "
-              "editor may name it" },
+    { OPERAND_ROW("FILE", COMMAND_INPUT, PLACE(file),
+                  "a program text, or an object of c205 asm; with --dap the "
+                  "editor may name it"),
+      .optional = true },
     COMMAND_END
 };
 static const struct command_example examples[] = {

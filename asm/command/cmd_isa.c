@@ -251,13 +251,8 @@ static const struct command_option options[] = {
     COMMAND_END
 };
 static const struct command_option operands[] = {
-    { .value = "MNEMONIC",
-      .kind = COMMAND_TEXT,
-      .many = true,
-      .optional = true,
-      .offset = PLACE(names),
-      .choice = mnemonic_choice,
-      .help = "describe this instruction" },
+    { OPERAND_ROW("MNEMONIC", COMMAND_TEXT, PLACE(names), "describe this instruction"),
+      .many = true, .optional = true, .choice = mnemonic_choice },
     COMMAND_END
 };
 

@@ -72,12 +72,9 @@ static int cmd_model(void *given)
 
 static const struct command_option options[] = { CMD_RESULTS, COMMAND_END };
 static const struct command_option operands[] = {
-    { .value = "NAME|FILE",
-      .kind = COMMAND_INPUT,
-      .optional = true,
-      .offset = offsetof(struct model_arguments, name),
-      .choice = command_model_choice,
-      .help = "a model whose constants are printed" },
+    { OPERAND_ROW("NAME|FILE", COMMAND_INPUT, offsetof(struct model_arguments, name),
+                  "a model whose constants are printed"),
+      .optional = true, .choice = command_model_choice },
     COMMAND_END
 };
 

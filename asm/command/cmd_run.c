@@ -316,33 +316,21 @@ static int cmd_run(void *given)
 static const struct command_option options[] = {
     OPTION_FLAG("check", PLACE(check),
                 "run test programs and print PASS or FAIL for each"),
-    { .name = "model",
-      .value = "NAME|FILE",
-      .kind = COMMAND_INPUT,
-      .offset = PLACE(shared.model),
-      .choice = command_model_choice,
-      .help = "machine model (" C205_DEFAULT_MODEL
-              "; with --check that of the program)" },
-    { .name = "limit",
-      .value = "CLOCKS",
-      .kind = COMMAND_CLOCKS,
-      .offset = PLACE(limit),
-      .preset = -1,
-      .help =
-          "stop the program after this number of clocks (1000000000, then it fails)" },
+    { OPTION_ROW("model", "NAME|FILE", COMMAND_INPUT, PLACE(shared.model),
+                 "machine model (" C205_DEFAULT_MODEL
+                 "; with --check that of the program)"),
+      .choice = command_model_choice },
+    { OPTION_ROW(
+          "limit", "CLOCKS", COMMAND_CLOCKS, PLACE(limit),
+          "stop the program after this number of clocks (1000000000, then it fails)"),
+      .preset = -1 },
     OPTION_FLAG("no-limit", PLACE(no_limit), "run without a limit"),
     OPTION_FLAG("exit-status", PLACE(exit_status),
                 "exit with the low 8 bits of the program's status"),
-    { .name = "save",
-      .value = "STATE",
-      .kind = COMMAND_OUTPUT,
-      .offset = PLACE(save),
-      .help = "save the machine when the limit stops it" },
-    { .name = "restore",
-      .value = "STATE",
-      .kind = COMMAND_INPUT,
-      .offset = PLACE(restore),
-      .help = "continue a saved program; a FILE must be that program" },
+    { OPTION_ROW("save", "STATE", COMMAND_OUTPUT, PLACE(save),
+                 "save the machine when the limit stops it") },
+    { OPTION_ROW("restore", "STATE", COMMAND_INPUT, PLACE(restore),
+                 "continue a saved program; a FILE must be that program") },
     CMD_WARN(PLACE(source)),
     CMD_DEFINE(PLACE(source)),
     CMD_INCLUDE(PLACE(source)),
@@ -358,13 +346,10 @@ static const struct command_option options[] = {
     COMMAND_END
 };
 static const struct command_option operands[] = {
-    { .value = "FILE",
-      .kind = COMMAND_INPUT,
-      .many = true,
-      .optional = true,
-      .offset = PLACE(files),
-      .help = "a program text, or an object of c205 asm; several with "
-              "--check" },
+    { OPERAND_ROW("FILE", COMMAND_INPUT, PLACE(files),
+                  "a program text, or an object of c205 asm; several with "
+                  "--check"),
+      .many = true, .optional = true },
     COMMAND_END
 };
 static const struct command_example examples[] = {

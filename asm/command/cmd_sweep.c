@@ -292,23 +292,15 @@ static int cmd_sweep(void *given)
 #define PLACE(member) offsetof(struct program_sweep_arguments, member)
 
 static const struct command_option options[] = {
-    { .name = "define",
-      .value = "NAME=RANGE|VALUE",
-      .kind = COMMAND_CUSTOM,
-      .offset = PLACE(swept),
+    { OPTION_ROW(
+          "define", "NAME=RANGE|VALUE", COMMAND_CUSTOM, PLACE(swept),
+          "the constant and its range, FROM:TO[:STEP|:xFACTOR]; or a fixed integer"),
       .take = take_swept,
       .wants = "NAME=FROM:TO, FROM:TO:STEP, FROM:TO:xFACTOR, from 1 on and "
-               "rising; or NAME=VALUE, an integer",
-      .help =
-          "the constant and its range, FROM:TO[:STEP|:xFACTOR]; or a fixed integer" },
-    { .name = "points",
-      .value = "NUMBER",
-      .kind = COMMAND_COUNT,
-      .offset = PLACE(point_count),
-      .least = 2,
-      .most = MAX_SWEPT_POINTS,
-      .preset_text = "8 per octave, at most 25",
-      .help = "number of values in FROM:TO, at a constant ratio" },
+               "rising; or NAME=VALUE, an integer" },
+    { OPTION_ROW("points", "NUMBER", COMMAND_COUNT, PLACE(point_count),
+                 "number of values in FROM:TO, at a constant ratio"),
+      .least = 2, .most = MAX_SWEPT_POINTS, .preset_text = "8 per octave, at most 25" },
     OPTION_OUTPUT(PLACE(output), "draw a picture, .svg"),
     CMD_MODEL,
     OPTION_FLAG("warm", PLACE(warm), "all pages are in memory when the programs begin"),
@@ -317,11 +309,8 @@ static const struct command_option options[] = {
     COMMAND_END
 };
 static const struct command_option operands[] = {
-    { .value = "FILE",
-      .kind = COMMAND_INPUT,
-      .many = true,
-      .offset = PLACE(files),
-      .help = "one or two program texts" },
+    { OPERAND_ROW("FILE", COMMAND_INPUT, PLACE(files), "one or two program texts"),
+      .many = true },
     COMMAND_END
 };
 static const struct command_example examples[] = {

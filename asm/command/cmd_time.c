@@ -284,14 +284,11 @@ static const struct command_option options[] = {
     CMD_FIGURES, COMMAND_END
 };
 static const struct command_option operands[] = {
-    { .value = "MNEMONIC",
-      .kind = COMMAND_TEXT,
-      .many = true,
-      .optional = true,
-      .offset = PLACE(names),
-      .choice = measured_choice,
-      .help = "a vector instruction, or TRIAD, the linked triad B + s A; ,H after a "
-              "name: on 32-bit operands" },
+    { OPERAND_ROW(
+          "MNEMONIC", COMMAND_TEXT, PLACE(names),
+          "a vector instruction, or TRIAD, the linked triad B + s A; ,H after a "
+          "name: on 32-bit operands"),
+      .many = true, .optional = true, .choice = measured_choice },
     COMMAND_END
 };
 

@@ -346,24 +346,18 @@ static const struct command_option options[] = {
     OPTION_FLAG("first", PLACE(first), "only the first root of each polynomial"),
     CMD_MODE(cmd_form_choice, "form of the program"),
     CMD_QUEUE("polynomials in the vector queue"),
-    { .name = "falsi",
-      .value = "RULE",
-      .kind = COMMAND_CHOICE,
-      .offset = PLACE(falsi),
-      .choice = falsi_choice,
-      .preset = FALSI_DEFAULT,
-      .help = "rule of the root solver; all: compare the clocks of all rules" },
+    { OPTION_ROW("falsi", "RULE", COMMAND_CHOICE, PLACE(falsi),
+                 "rule of the root solver; all: compare the clocks of all rules"),
+      .choice = falsi_choice, .preset = FALSI_DEFAULT },
     CMD_MODEL,
     CMD_JOBS("rules compared at a time"),
     CMD_RESULTS,
     COMMAND_END
 };
 static const struct command_option operands[] = {
-    { .value = "FILE",
-      .kind = COMMAND_INPUT,
-      .offset = PLACE(file),
-      .help =
-          "a file of polynomials: lines c4,c3,c2,c1,c0 with an optional bound (0)" },
+    { OPERAND_ROW(
+        "FILE", COMMAND_INPUT, PLACE(file),
+        "a file of polynomials: lines c4,c3,c2,c1,c0 with an optional bound (0)") },
     COMMAND_END
 };
 

@@ -498,14 +498,11 @@ static const struct command_option options[] = {
     OPTION_FLAG("half", PLACE(half), "16-bit colours in an .exr"),
     CMD_PIXEL("debug", PLACE(pixel),
               "start a debugger for the band of this pixel; write no picture"),
-    { .name = "script",
-      .letter = 'x',
-      .value = "FILE",
-      .kind = COMMAND_INPUT,
-      .many = true,
-      .offset = PLACE(scripts),
-      .help = "commands for the debugger; the exit status is 1 if one fails, such as "
-              "an assert" },
+    { OPTION_ROW(
+          "script", "FILE", COMMAND_INPUT, PLACE(scripts),
+          "commands for the debugger; the exit status is 1 if one fails, such as "
+          "an assert"),
+      .letter = 'x', .many = true },
     CMD_READ(PLACE(scene)),
     CMD_RESULTS,
     COMMAND_END

@@ -255,14 +255,10 @@ static const char *row_choice(size_t number)
 }
 
 static const struct command_option operands[] = {
-    { .value = "ROW",
-      .kind = COMMAND_TEXT,
-      .many = true,
-      .optional = true,
-      .offset = PLACE(rows),
-      .choice = row_choice,
-      .help = "a primitive of the table, with or without the text after its comma; "
-              "default: all" },
+    { OPERAND_ROW("ROW", COMMAND_TEXT, PLACE(rows),
+                  "a primitive of the table, with or without the text after its comma; "
+                  "default: all"),
+      .many = true, .optional = true, .choice = row_choice },
     COMMAND_END
 };
 

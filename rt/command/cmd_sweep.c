@@ -283,20 +283,14 @@ static bool take_points(char *text, void *value)
 #define PLACE(member) offsetof(struct sweep_arguments, member)
 
 static const struct command_option options[] = {
-    { .name = "output",
-      .letter = 'o',
-      .value = "FILE",
-      .kind = COMMAND_FILE,
-      .offset = CMD_SHARED(output),
-      .help =
-          "draw a plot, .svg or .png; a .png also has a .svg, and needs rsvg-convert" },
-    { .name = "points",
-      .value = "N,N,..",
-      .kind = COMMAND_CUSTOM,
-      .offset = PLACE(points),
+    { OPTION_ROW(
+          "output", "FILE", COMMAND_FILE, CMD_SHARED(output),
+          "draw a plot, .svg or .png; a .png also has a .svg, and needs rsvg-convert"),
+      .letter = 'o' },
+    { OPTION_ROW("points", "N,N,..", COMMAND_CUSTOM, PLACE(points),
+                 "lengths for queue and length (1, 2, 4 .. 65535, 2000)"),
       .take = take_points,
-      .wants = "ascending numbers up to 65535, separated by commas",
-      .help = "lengths for queue and length (1, 2, 4 .. 65535, 2000)" },
+      .wants = "ascending numbers up to 65535, separated by commas" },
     CMD_SIZE(256, 256),
     CMD_VIEW(PLACE(view), 0, "10; hits: 37"),
     CMD_MODE(queue_mode_choice, "form of the queues; kernels is that of 1984"),
@@ -310,15 +304,10 @@ static const struct command_option options[] = {
     COMMAND_END
 };
 static const struct command_option operands[] = {
-    { .value = "WHAT",
-      .kind = COMMAND_CHOICE,
-      .offset = PLACE(sweep),
-      .choice = kind_choice,
-      .help = "the quantity that changes" },
-    { .value = "SCENE|PRIMITIVE",
-      .kind = COMMAND_INPUT,
-      .offset = PLACE(scene.path),
-      .help = "a scene file or a primitive" },
+    { OPERAND_ROW("WHAT", COMMAND_CHOICE, PLACE(sweep), "the quantity that changes"),
+      .choice = kind_choice },
+    { OPERAND_ROW("SCENE|PRIMITIVE", COMMAND_INPUT, PLACE(scene.path),
+                  "a scene file or a primitive") },
     COMMAND_END
 };
 static const struct command_example examples[] = {
