@@ -28,6 +28,10 @@
 #define OPTION_COUNT(option, place, first, last, usual, text) \
     .name = option, .value = "N", .kind = COMMAND_COUNT, .offset = place, \
     .least = first, .most = (double)(last), .preset = usual, .help = text
+/* The common members of a command, whose file has the lists options and operands. */
+#define COMMAND_ROW(command, work, arguments, text) \
+    .name = command, .summary = text, .function = work, \
+    .arguments_size = sizeof(arguments), .options = options, .operands = operands
 /* clang-format on */
 
 #endif

@@ -47,12 +47,7 @@ static const struct command_option operands[] = {
 };
 
 const struct command asm_command = {
-    .name = "asm",
-    .summary = "assemble a program",
-    .function = cmd_asm,
-    .arguments_size = sizeof(struct asm_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("asm", cmd_asm, struct asm_arguments, "assemble a program"),
     .details =
         "Checks a program for errors. Nothing is written without -o or --listing.",
 };

@@ -182,11 +182,7 @@ static const struct command_example examples[] = {
 };
 
 const struct command check_command = {
-    .name = "check",
-    .summary = "print lessons and grade answers to their exercises",
-    .function = cmd_check,
-    .arguments_size = sizeof(struct check_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("check", cmd_check, struct check_arguments,
+                "print lessons and grade answers to their exercises"),
     .examples = examples,
 };

@@ -156,8 +156,7 @@ static const struct command_option options[] = {
     { OPTION_ROW(
           "other-define", "NAME=VALUE", COMMAND_CUSTOM, PLACE(other_defines),
           "define an integer for the second program, which then ignores --define"),
-      .take = cmd_take_define,
-      .wants = "NAME=VALUE, a name and an integer, each name once" },
+      .take = cmd_take_define, .wants = CMD_DEFINE_WANTS },
     OPTION_FLAG("warm", PLACE(warm), "all pages are in memory when the programs begin"),
     CMD_INCLUDE(PLACE(source)),
     CMD_FIGURES,
@@ -177,11 +176,7 @@ static const struct command_example examples[] = {
 };
 
 const struct command compare_command = {
-    .name = "compare",
-    .summary = "compare two programs and show the cause of the difference",
-    .function = cmd_compare,
-    .arguments_size = sizeof(struct compare_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("compare", cmd_compare, struct compare_arguments,
+                "compare two programs and show the cause of the difference"),
     .examples = examples,
 };

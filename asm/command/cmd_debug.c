@@ -183,12 +183,8 @@ static const struct command_example examples[] = {
 };
 
 const struct command debug_command = {
-    .name = "debug",
-    .summary = "step through a program, forward and back",
-    .function = cmd_debug,
-    .arguments_size = sizeof(struct debug_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("debug", cmd_debug, struct debug_arguments,
+                "step through a program, forward and back"),
     .examples = examples,
     .details =
         "On a terminal libedit, if it is installed, provides history and completion. "

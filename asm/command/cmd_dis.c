@@ -31,10 +31,5 @@ static const struct command_option operands[] = { CMD_PROGRAM(PLACE(file)),
                                                   COMMAND_END };
 
 const struct command dis_command = {
-    .name = "dis",
-    .summary = "disassemble a program",
-    .function = cmd_dis,
-    .arguments_size = sizeof(struct dis_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("dis", cmd_dis, struct dis_arguments, "disassemble a program"),
 };

@@ -257,11 +257,7 @@ static const struct command_option operands[] = {
 };
 
 const struct command isa_command = {
-    .name = "isa",
-    .summary = "list or describe the instructions",
-    .function = cmd_isa,
-    .arguments_size = sizeof(struct isa_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("isa", cmd_isa, struct isa_arguments,
+                "list or describe the instructions"),
     .details = "Without a MNEMONIC: all instructions, one line each.",
 };

@@ -79,12 +79,8 @@ static const struct command_option operands[] = {
 };
 
 const struct command model_command = {
-    .name = "model",
-    .summary = "list machine models and their constants",
-    .function = cmd_model,
-    .arguments_size = sizeof(struct model_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("model", cmd_model, struct model_arguments,
+                "list machine models and their constants"),
     .details =
         "Lists the built-in models. With an argument: the constants of that model, "
         "each with its unit and source.",

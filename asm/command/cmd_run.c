@@ -360,11 +360,7 @@ static const struct command_example examples[] = {
 };
 
 const struct command run_command = {
-    .name = "run",
-    .summary = "run a program and account for its clocks",
-    .function = cmd_run,
-    .arguments_size = sizeof(struct run_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("run", cmd_run, struct run_arguments,
+                "run a program and account for its clocks"),
     .examples = examples,
 };

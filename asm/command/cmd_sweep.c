@@ -322,12 +322,8 @@ static const struct command_example examples[] = {
 };
 
 const struct command sweep_command = {
-    .name = "sweep",
-    .summary = "measure one or two programs over a range of a constant",
-    .function = cmd_sweep,
-    .arguments_size = sizeof(struct program_sweep_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("sweep", cmd_sweep, struct program_sweep_arguments,
+                "measure one or two programs over a range of a constant"),
     .examples = examples,
     .details =
         "A program can give NAME a value of its own between .ifndef NAME and .endif. "

@@ -293,12 +293,8 @@ static const struct command_option operands[] = {
 };
 
 const struct command time_command = {
-    .name = "time",
-    .summary = "measure the vector instructions",
-    .function = cmd_time,
-    .arguments_size = sizeof(struct time_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("time", cmd_time, struct time_arguments,
+                "measure the vector instructions"),
     .details =
         "Prints the start-up (in clocks), clocks per element, r-infinity and n-half "
         "of these instructions. Without MNEMONIC: of all, with one line for those of "

@@ -158,11 +158,7 @@ static const struct command_example examples[] = {
 };
 
 const struct command timeline_command = {
-    .name = "timeline",
-    .summary = "draw when each instruction was active",
-    .function = cmd_timeline,
-    .arguments_size = sizeof(struct program_timeline_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("timeline", cmd_timeline, struct program_timeline_arguments,
+                "draw when each instruction was active"),
     .examples = examples,
 };

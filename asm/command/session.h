@@ -76,12 +76,12 @@ command_take cmd_take_warning;
 /* These take the offset of the struct source_arguments. */
 #define CMD_INCLUDE(source) \
     OPTION_INCLUDE((source) + offsetof(struct source_arguments, folders))
+#define CMD_DEFINE_WANTS "NAME=VALUE, a name and an integer, each name once"
 #define CMD_DEFINE(source) \
-    { .name = "define", .value = "NAME=VALUE", .kind = COMMAND_CUSTOM, \
-      .offset = (source) + offsetof(struct source_arguments, defines), \
-      .take = cmd_take_define, \
-      .wants = "NAME=VALUE, a name and an integer, each name once", \
-      .help = "define an integer for the program text, like .equ" }
+    { OPTION_ROW("define", "NAME=VALUE", COMMAND_CUSTOM, \
+                 (source) + offsetof(struct source_arguments, defines), \
+                 "define an integer for the program text, like .equ"), \
+      .take = cmd_take_define, .wants = CMD_DEFINE_WANTS }
 #define CMD_WARN(source) \
     { .name = "warn", .letter = 'W', .value = "NAME|no-NAME", \
       .kind = COMMAND_CUSTOM, \
@@ -92,8 +92,8 @@ command_take cmd_take_warning;
       .help = "report a warning, or with no- suppress it: -Wno-run-off; all; " \
               "error: warnings are errors; list: print the names" }
 #define CMD_PROGRAM(file) \
-    { .value = "FILE", .kind = COMMAND_INPUT, .offset = file, \
-      .help = "a program text, or an object of c205 asm" }
+    { OPERAND_ROW("FILE", COMMAND_INPUT, file, \
+                  "a program text, or an object of c205 asm") }
 /* clang-format on */
 
 /* ---- Session ------------------------------------------------------------- */

@@ -401,12 +401,8 @@ static const struct command_example examples[] = {
 };
 
 const struct command heat_command = {
-    .name = "heat",
-    .summary = "shape factors between the surfaces of a scene",
-    .function = cmd_heat,
-    .arguments_size = sizeof(struct heat_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("heat", cmd_heat, struct heat_arguments,
+                "shape factors between the surfaces of a scene"),
     .examples = examples,
     .details = "Each primitive radiates from the visible part of its outward side; "
                "the first surface on a ray receives it. Errors are standard errors. "

@@ -352,12 +352,8 @@ static const struct command_example examples[] = {
 };
 
 const struct command mass_command = {
-    .name = "mass",
-    .summary = "volume, area, mass, centroid and inertia of solids",
-    .function = cmd_mass,
-    .arguments_size = sizeof(struct mass_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("mass", cmd_mass, struct mass_arguments,
+                "volume, area, mass, centroid and inertia of solids"),
     .examples = examples,
     .details = "A part has the name of the #declare that defines it, a material that "
                "of its texture. A float NAME_Density in the scene sets the density "

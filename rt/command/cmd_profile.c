@@ -110,12 +110,8 @@ static const struct command_option operands[] = { CMD_SCENE(PLACE(scene)),
                                                   COMMAND_END };
 
 const struct command profile_command = {
-    .name = "profile",
-    .summary = "clocks of each part of a frame, in three stages",
-    .function = cmd_profile,
-    .arguments_size = sizeof(struct profile_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("profile", cmd_profile, struct profile_arguments,
+                "clocks of each part of a frame, in three stages"),
     .details = "Traces the frame three times: scalar; kernels, as in 1984 "
                "(vector intersection, all else serial); vector. The frames "
                "must be equal. Prints clocks part by part, speedups, Amdahl's "

@@ -362,12 +362,8 @@ static const struct command_option operands[] = {
 };
 
 const struct command quartic_command = {
-    .name = "quartic",
-    .summary = "real roots of polynomials, and their clocks",
-    .function = cmd_quartic,
-    .arguments_size = sizeof(struct quartic_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("quartic", cmd_quartic, struct quartic_arguments,
+                "real roots of polynomials, and their clocks"),
     .details = "Prints index: root root .., the real roots above the bound, "
                "nearest first; then the clocks.",
 };

@@ -520,12 +520,8 @@ static const struct command_example examples[] = {
 };
 
 const struct command render_command = {
-    .name = "render",
-    .summary = "trace a scene, write a picture",
-    .function = cmd_render,
-    .arguments_size = sizeof(struct render_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("render", cmd_render, struct render_arguments,
+                "trace a scene, write a picture"),
     .examples = examples,
     .details = "The debugger is that of c205 debug, with the additional commands "
                "seek and lane for the pixel. Its command help lists all commands.",

@@ -263,12 +263,8 @@ static const struct command_option operands[] = {
 };
 
 const struct command speedup_command = {
-    .name = "speedup",
-    .summary = "scalar against vector, kernel by kernel",
-    .function = cmd_speedup,
-    .arguments_size = sizeof(struct speedup_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("speedup", cmd_speedup, struct speedup_arguments,
+                "scalar against vector, kernel by kernel"),
     .details =
         "Compares the paper's Table 1 with the emulator: 100,000 rays against a "
         "sphere, a cylinder, a Steiner patch, and more. Checks that the scalar and "

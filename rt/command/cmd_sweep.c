@@ -320,12 +320,8 @@ static const struct command_example examples[] = {
 };
 
 const struct command sweep_command = {
-    .name = "sweep",
-    .summary = "clocks per ray against one quantity, as table and plot",
-    .function = cmd_sweep,
-    .arguments_size = sizeof(struct sweep_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("sweep", cmd_sweep, struct sweep_arguments,
+                "clocks per ray against one quantity, as table and plot"),
     .details = "A primitive is sphere, cylinder, Steiner, 'Steiner, ours' or torus; "
                "its kernel and calls count. A scene is a name with a /, or ending in "
                ".pov, or -; all of its frame counts. Scalar and vector frames must be "

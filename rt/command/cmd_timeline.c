@@ -183,12 +183,8 @@ static const struct command_example examples[] = {
 };
 
 const struct command timeline_command = {
-    .name = "timeline",
-    .summary = "a queue of a frame clock by clock, as a picture",
-    .function = cmd_timeline,
-    .arguments_size = sizeof(struct timeline_arguments),
-    .options = options,
-    .operands = operands,
+    COMMAND_ROW("timeline", cmd_timeline, struct timeline_arguments,
+                "a queue of a frame clock by clock, as a picture"),
     .examples = examples,
     .details = "The timeline of a queue begins where its rays are generated and ends "
                "where their colours are stored. In serial form it shows one pixel, "
