@@ -1,7 +1,7 @@
 /* command_output.c - prints results in the chosen format and to a JSON file. */
 #include "base/command_output.h"
+#include "vm/error.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -95,12 +95,9 @@ static void put_line(const struct command_output *results, const char *line,
 void output_printf(const struct command_output *results, const char *format, ...)
 {
     char text[1024];
-    va_list arguments;
     if (!results->file)
         return;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
+    PRINTF_TEXT(text, format);
     for (const char *line = text; *line;) {
         size_t length = strcspn(line, "\n");
         put_line(results, line, length);

@@ -1,8 +1,7 @@
 /* sink.c - sinks for buffers, lines and streams. */
 #include "base/sink.h"
+#include "vm/error.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,10 +13,7 @@ void sink_put(const struct sink *sink, const char *text)
 void sink_print(const struct sink *sink, const char *format, ...)
 {
     char text[1024];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
+    PRINTF_TEXT(text, format);
     sink_put(sink, text);
 }
 

@@ -5,6 +5,7 @@
 #include "vm/c205.h"
 
 #include <stdarg.h>
+#include <stdio.h>
 
 /* Declares that a parameter is a format of printf, and which one is its first value. */
 #if defined(__GNUC__)
@@ -13,6 +14,15 @@
 #else
 #define PRINTF_FORMAT(format_at, first)
 #endif
+
+/* Formats the arguments after the parameter `format` of a function into an array. */
+#define PRINTF_TEXT(array, format) \
+    do { \
+        va_list printf_list; \
+        va_start(printf_list, format); \
+        vsnprintf(array, sizeof(array), format, printf_list); \
+        va_end(printf_list); \
+    } while (0)
 
 /* Formats a message like printf, cut to the size of the buffer. Always returns
  * false. */

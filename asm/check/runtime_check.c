@@ -1,10 +1,10 @@
 /* runtime_check.c - the runtime checks: finds the check site of each instruction,
  * reports once for a line. */
 #include "asm/check/runtime_check.h"
+#include "vm/error.h"
 
 #include <ctype.h>
 #include <inttypes.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -93,7 +93,6 @@ void runtime_report(struct runtime_checker *watch, const struct site *site,
     struct reported reported = { "", site->view.pc, warning };
     struct position position = { .file = NULL };
     char message[500];
-    va_list arguments;
     watch->warned |= WARNING_BIT(warning);
     if ((watch->meant | watch->choice->off) & WARNING_BIT(warning))
         return;
@@ -104,9 +103,7 @@ void runtime_report(struct runtime_checker *watch, const struct site *site,
     }
     if (!is_new(watch, reported))
         return;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
+    PRINTF_TEXT(message, format);
     if (line)
         put(watch, warning, &position, message);
     else

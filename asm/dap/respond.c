@@ -1,6 +1,5 @@
 /* respond.c - writes responses, events and reports. */
 #include <inttypes.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,10 +19,7 @@ bool dap_fault(struct dap *dap, const char *format, ...)
 {
     struct sink sink = dap_output_sink(dap);
     char text[512];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
+    PRINTF_TEXT(text, format);
     sink_put(&sink, text);
     return false;
 }

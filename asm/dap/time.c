@@ -1,20 +1,16 @@
 /* time.c - the clocks of regions and of the last instruction as variables. */
 #include <inttypes.h>
-#include <stdarg.h>
-#include <stdio.h>
 
 #include "asm/dap/variables.h"
 #include "base/plural.h"
+#include "vm/error.h"
 
 PRINTF_FORMAT(4, 5)
 static void put_plain(struct json *json, const char *name, int64_t reference,
                       const char *format, ...)
 {
     char text[200];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
+    PRINTF_TEXT(text, format);
     put_variable(json, name, text, reference);
     json_end(json);
 }

@@ -11,7 +11,6 @@
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +19,7 @@
 #include "asm/text/operators.h"
 #include "asm/view/operand_view.h"
 #include "base/visible_text.h"
+#include "vm/error.h"
 
 enum { MAX_DEPTH = 100, HALF_DIGITS = 8 };
 
@@ -27,10 +27,7 @@ bool debug_fault(struct debugger *debugger, const char *format, ...)
 {
     char text[512];
     unsigned long code;
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
+    PRINTF_TEXT(text, format);
     line_tracker_close(&debugger->printed);
     sink_print(&debugger->out, "error: %s", text);
     if (invisible_find(text, &code)) {

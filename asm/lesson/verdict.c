@@ -1,13 +1,13 @@
 /* verdict.c - prints a verdict as text and as JSON. */
 #include <ctype.h>
 #include <inttypes.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "asm/lesson/lesson_internal.h"
 #include "base/word_wrap.h"
 #include "base/plural.h"
+#include "vm/error.h"
 
 /* ---- Sentences ------------------------------------------------------------- */
 
@@ -36,10 +36,7 @@ void report_printf(struct lesson_report *report, const char *format, ...)
 {
     enum { SIZE = 1024 };
     char text[SIZE];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
+    PRINTF_TEXT(text, format);
     report_text(report, text);
 }
 

@@ -1,7 +1,7 @@
 /* error.c - reports errors, and records warnings until the end of an assembly. */
 #include "asm/text/assembler.h"
+#include "vm/error.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -58,12 +58,9 @@ bool report(struct assembler *assembler, const struct line *line, const char *at
 {
     char message[512];
     struct position position = position_of(line, at);
-    va_list arguments;
     if (too_many_errors(assembler))
         return false;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
+    PRINTF_TEXT(message, format);
     print_form(message, sizeof message, assembler);
     print_caller(message, sizeof message, line);
     diagnostics_add(assembler->diagnostics, SEVERITY_ERROR, &position, message);
@@ -80,12 +77,9 @@ void warn(struct assembler *assembler, enum warning warning, const struct line *
 {
     char message[512];
     struct pending_warning pending = { warning, position_of(line, at), NULL };
-    va_list arguments;
     if (assembler->pending_count >= MAX_ERRORS)
         return;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
+    PRINTF_TEXT(message, format);
     print_caller(message, sizeof message, line);
     pending.message = arena_text(assembler->arena, message, strlen(message));
     if (pending.message)
