@@ -65,7 +65,7 @@ static size_t plain_length(const char *text)
     return length;
 }
 
-static void put_string(const struct sink *sink, const char *text)
+void json_string(const struct sink *sink, const char *text)
 {
     sink_put(sink, "\"");
     for (;;) {
@@ -97,7 +97,7 @@ static void introduce(struct json *json, const char *key)
     json->level[json->depth - 1].filled = true;
     new_line(json);
     if (key) {
-        put_string(&json->sink, key);
+        json_string(&json->sink, key);
         sink_put(&json->sink, ": ");
     }
 }
@@ -201,7 +201,7 @@ void json_end(struct json *json)
 void json_text(struct json *json, const char *key, const char *text)
 {
     introduce(json, key);
-    put_string(&json->sink, text);
+    json_string(&json->sink, text);
 }
 
 void json_digits(char text[JSON_NUMBER_SIZE], double value)

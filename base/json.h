@@ -21,6 +21,7 @@
 enum { JSON_NUMBER_SIZE = 32 };
 
 struct json;
+struct sink;
 struct text_buffer;
 
 /* Opens a document in a file, which is written completely at the close. NULL: the file
@@ -46,6 +47,9 @@ void json_bool(struct json *json, const char *key, bool value);
 void json_null(struct json *json, const char *key);
 /* Writes a value that is JSON already. */
 void json_raw(struct json *json, const char *key, const char *text);
+
+/* Writes a text as a string of JSON, with its quotes. */
+void json_string(const struct sink *sink, const char *text);
 
 /* Writes the shortest of 15 or 17 digits that reads back as the same finite double:
  * 0.1. */

@@ -5,22 +5,7 @@
 #include <inttypes.h>
 
 #include "asm/timeline/timeline_lanes.h"
-
-static void put_escaped(const struct sink *sink, const char *text)
-{
-    char letter[8];
-    for (; *text; text++) {
-        if (*text == '"' || *text == '\\')
-            sink_print(sink, "\\%c", *text);
-        else if ((unsigned char)*text < ' ')
-            sink_print(sink, "\\u%04x", (unsigned)*text);
-        else {
-            letter[0] = *text;
-            letter[1] = '\0';
-            sink_put(sink, letter);
-        }
-    }
-}
+#include "base/json.h"
 
 /* Threads are numbered consecutively through the rows of all lanes. */
 static unsigned thread_of(const struct lanes *lanes, enum lane lane, unsigned row)
@@ -51,16 +36,16 @@ static void put_span(const struct lanes *lanes, const struct timed_span *span,
                      const struct sink *sink)
 {
     const char *cause = span->piece ? c205_cause_name(span->piece->cause) : "work";
-    sink_put(sink, "{\"name\":\"");
-    put_escaped(sink, span->lane == LANE_CHARGED ? cause : span->insn->insn->mnemonic);
+    sink_put(sink, "{\"name\":");
+    json_string(sink, span->lane == LANE_CHARGED ? cause : span->insn->insn->mnemonic);
     sink_print(sink,
-               "\",\"cat\":\"%s\",\"ph\":\"X\",\"pid\":1,\"tid\":%u,"
+               ",\"cat\":\"%s\",\"ph\":\"X\",\"pid\":1,\"tid\":%u,"
                "\"ts\":%" PRIu64 ",\"dur\":%" PRIu64 ",\"args\":{\"pc\":\"%" PRIX64
-               "\",\"elements\":%zu,\"instruction\":\"",
+               "\",\"elements\":%zu,\"instruction\":",
                cause, thread_of(lanes, span->lane, span->row), span->begin,
                span->end - span->begin, span->insn->pc, span->insn->elements);
-    put_escaped(sink, span->insn->text);
-    sink_put(sink, "\"}}");
+    json_string(sink, span->insn->text);
+    sink_put(sink, "}}");
 }
 
 bool timeline_trace_events(const struct timeline *timeline, const struct sink *sink)
