@@ -344,26 +344,22 @@ void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
 {
     const struct instruction_view *view = &site->view;
     const struct operand_view *read = NULL, *written;
+    struct text_line source = { "", 0 };
+    struct sink sink = text_line_sink(&source);
     view_fill(&site->view, machine);
     written = view_find(view, "dDe");
     for (size_t i = 0; written && i < view->count; i++)
         if (recurs(&view->operands[i], written))
             read = &view->operands[i];
-    if (read)
-        runtime_report(watch, site, WARNING_RECURRENCE,
-                       "%zu element%s of [r%u] %s of this instruction,"
-                       " and %s; the result on the real machine is undefined",
-                       elements, plural(elements), read->number,
-                       elements == 1 ? "is a result" : "are results",
-                       elements == 1 ? "waits for it" : "wait for them one by one");
-    else
-        runtime_report(watch, site, WARNING_RECURRENCE,
-                       "%zu element%s of a source %s of this %s, and"
-                       " %s; the result on the real machine is undefined",
-                       elements, plural(elements),
-                       elements == 1 ? "is a result" : "are results",
-                       view->insn->timing == C205_TIMING_vlink ? "pair" : "instruction",
-                       elements == 1 ? "waits for it" : "wait for them one by one");
+    sink_print(&sink, read ? "[r%u]" : "a source", read ? read->number : 0);
+    runtime_report(watch, site, WARNING_RECURRENCE,
+                   "%zu element%s of %s %s of this %s, and %s; the result on the real "
+                   "machine is undefined",
+                   elements, plural(elements), source.text,
+                   elements == 1 ? "is a result" : "are results",
+                   !read && view->insn->timing == C205_TIMING_vlink ? "pair"
+                                                                    : "instruction",
+                   elements == 1 ? "waits for it" : "wait for them one by one");
 }
 
 /* The two instructions after the prefix run as one stream. */
@@ -416,14 +412,6 @@ static void before_length(struct runtime_checker *watch, const c205 *machine,
     watch->is_entered[r] = false;
 }
 
-static bool is_named(const c205_insn *insn, const char *names)
-{
-    const char *found = strstr(names, insn->mnemonic);
-    size_t length = strlen(insn->mnemonic);
-    return found && (found == names || found[-1] == ' ')
-           && (found[length] == ' ' || found[length] == '\0');
-}
-
 /* Chooses the checks of an instruction. A SPARSE instruction combines the elements
  * that its order vectors select; the checks do not determine which these are, so
  * precision is not checked. */
@@ -440,9 +428,9 @@ void site_choose(struct site *site)
         site->before = before_scalar;
     else if (insn->format == C205_FORMAT_MEMORY)
         site->before = before_memory;
-    else if (is_named(insn, "ES EX"))
+    else if (strcmp(insn->mnemonic, "ES") == 0 || strcmp(insn->mnemonic, "EX") == 0)
         site->before = before_enter;
-    else if (is_named(insn, "ELEN"))
+    else if (strcmp(insn->mnemonic, "ELEN") == 0)
         site->before = before_length;
     if (c205_unit_is_vector(insn->unit) && view_find(&site->view, "cCo"))
         site->after = after_vector;
