@@ -52,8 +52,8 @@ static void open(struct expander *expander, struct cursor *cursor,
     bool outside = !condition_skips(expander);
     struct asm_condition *condition;
     if (expander->condition_depth == MAX_CONDITIONS) {
-        report(expander->assembler, cursor->line, cursor->line->begin,
-               "more than %u nested conditions", MAX_CONDITIONS);
+        report_at(cursor, cursor->line->begin, "more than %u nested conditions",
+                  MAX_CONDITIONS);
         expander->halted = true;
         return;
     }
@@ -71,8 +71,8 @@ static struct asm_condition *innermost(struct expander *expander, struct cursor 
     const struct expansion *frame = &expander->frames[expander->depth - 1];
     if (expander->condition_depth > frame->conditions)
         return &expander->conditions[expander->condition_depth - 1];
-    report(expander->assembler, cursor->line, cursor->line->begin,
-           "expected an .if before this line, in the same text");
+    report_at(cursor, cursor->line->begin,
+              "expected an .if before this line, in the same text");
     return NULL;
 }
 
@@ -83,8 +83,7 @@ static void obey_else(struct expander *expander, struct cursor *cursor,
     if (!condition)
         return;
     if (condition->last)
-        report(expander->assembler, cursor->line, cursor->line->begin,
-               "expected .endif after .else");
+        report_at(cursor, cursor->line->begin, "expected .endif after .else");
     condition->last = !test;
     condition->active = condition->outside && !condition->decided
                         && (test ? test(cursor) : expect_end(cursor));

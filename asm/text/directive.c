@@ -48,11 +48,9 @@ static bool parse_org(struct cursor *cursor)
                        &address))
         return false;
     if (address % HALF_BITS)
-        return report(assembler, cursor->line, at, "expected a multiple of %d",
-                      HALF_BITS);
+        return report_at(cursor, at, "expected a multiple of %d", HALF_BITS);
     if (assembler->open_region.line && assembler->region_section == assembler->section)
-        return report(assembler, cursor->line, at,
-                      ".org cannot be used inside a .kernel");
+        return report_at(cursor, at, ".org cannot be used inside a .kernel");
     assembler->section->at = (uint64_t)address;
     assembler->section->moved = true;
     assembler->section->full = false;
@@ -67,8 +65,7 @@ static bool parse_align(struct cursor *cursor)
                        "a number of bits", &bits))
         return false;
     if (bits % HALF_BITS)
-        return report(cursor->assembler, cursor->line, at, "expected a multiple of %d",
-                      HALF_BITS);
+        return report_at(cursor, at, "expected a multiple of %d", HALF_BITS);
     layout_align(cursor->assembler, (uint64_t)bits);
     return true;
 }
@@ -77,9 +74,9 @@ static bool parse_entry(struct cursor *cursor)
 {
     struct assembler *assembler = cursor->assembler;
     if (assembler->entry)
-        return report(assembler, cursor->line, cursor->line->begin,
-                      ".entry is already defined, in %s:%zu",
-                      assembler->entry_line->file, assembler->entry_line->number);
+        return report_at(cursor, cursor->line->begin,
+                         ".entry is already defined, in %s:%zu",
+                         assembler->entry_line->file, assembler->entry_line->number);
     assembler->entry = parse_expression(cursor);
     assembler->entry_line = cursor->line;
     return assembler->entry != NULL;
@@ -101,7 +98,7 @@ static const char *parse_region_name(struct cursor *cursor)
         const char *at = cursor->token.begin;
         name = expect_string(cursor, &length);
         if (name && !*name)
-            report(cursor->assembler, cursor->line, at, "a kernel must have a name");
+            report_at(cursor, at, "a kernel must have a name");
         return name && *name ? name : NULL;
     }
     if (!expect_name(cursor, "the kernel's name", &name, &length))
@@ -114,9 +111,9 @@ static bool parse_kernel(struct cursor *cursor)
     struct assembler *assembler = cursor->assembler;
     struct asm_region *open = &assembler->open_region;
     if (open->line)
-        return report(assembler, cursor->line, cursor->line->begin,
-                      "expected .endkernel first, for the .kernel in %s:%zu",
-                      open->line->file, open->line->number);
+        return report_at(cursor, cursor->line->begin,
+                         "expected .endkernel first, for the .kernel in %s:%zu",
+                         open->line->file, open->line->number);
     open->name = parse_region_name(cursor);
     if (!open->name)
         return false;
@@ -131,8 +128,7 @@ static bool parse_endkernel(struct cursor *cursor)
     struct assembler *assembler = cursor->assembler;
     struct asm_region *open = &assembler->open_region, region = *open;
     if (!open->line)
-        return report(assembler, cursor->line, cursor->line->begin,
-                      ".endkernel without a .kernel");
+        return report_at(cursor, cursor->line->begin, ".endkernel without a .kernel");
     open->line = NULL;
     region.end = assembler->region_section->at;
     return region.begin == region.end
@@ -248,9 +244,8 @@ static bool parse_elements(struct cursor *cursor, enum item_kind kind, uint64_t 
         return false;
     *rest = (uint64_t)length - given;
     return given <= (uint64_t)length
-           || report(cursor->assembler, cursor->line, at,
-                     "%lu value%s, but the vector holds only %lu", (unsigned long)given,
-                     plural(given), (unsigned long)length);
+           || report_at(cursor, at, "%lu value%s, but the vector holds only %lu",
+                        (unsigned long)given, plural(given), (unsigned long)length);
 }
 
 static bool parse_vector(struct cursor *cursor)
@@ -281,11 +276,9 @@ static bool set_bits(struct cursor *cursor, c205_word *words, uint64_t size,
         if (text[i] == ' ')
             continue;
         if (text[i] != '0' && text[i] != '1')
-            return report(cursor->assembler, cursor->line, begin,
-                          "expected a string of the digits 0 and 1");
+            return report_at(cursor, begin, "expected a string of the digits 0 and 1");
         if (*count == size)
-            return report(cursor->assembler, cursor->line, begin,
-                          "more bits than the vector holds");
+            return report_at(cursor, begin, "more bits than the vector holds");
         words[*count / WORD_BITS] |= (c205_word)(text[i] == '1')
                                      << (WORD_BITS - 1 - *count % WORD_BITS);
         ++*count;
@@ -338,8 +331,7 @@ static bool parse_error(struct cursor *cursor)
 {
     size_t length;
     const char *text = expect_string(cursor, &length);
-    return text
-           && report(cursor->assembler, cursor->line, cursor->line->begin, "%s", text);
+    return text && report_at(cursor, cursor->line->begin, "%s", text);
 }
 
 static const struct directive directives[] = {

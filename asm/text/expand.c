@@ -210,8 +210,7 @@ static void define_macro(struct expander *expander, struct cursor *cursor)
         return;
     symbol = symbol_intern(expander->assembler, macro->name, strlen(macro->name));
     if (symbol && symbol->macro)
-        report(expander->assembler, cursor->line, at, "macro '%s' is already defined",
-               symbol->name);
+        report_at(cursor, at, "macro '%s' is already defined", symbol->name);
     else if (symbol)
         symbol->macro = macro;
 }
@@ -250,14 +249,14 @@ static void include(struct expander *expander, struct cursor *cursor)
     if (source_find(expander->assembler, name, from, &source, &error))
         push_source(expander, cursor->line, &source);
     else
-        report(expander->assembler, cursor->line, at, "cannot read '%.200s': %.200s",
-               name, error.message);
+        report_at(cursor, at, "cannot read '%.200s': %.200s", name, error.message);
 }
 
 static void stray(struct expander *expander, struct cursor *cursor)
 {
-    report(expander->assembler, cursor->line, cursor->line->begin,
-           ".endm without .macro, or .endr without .rept");
+    (void)expander;
+    report_at(cursor, cursor->line->begin,
+              ".endm without .macro, or .endr without .rept");
 }
 
 static void call(struct expander *expander, struct cursor *cursor,

@@ -49,8 +49,8 @@ static bool parse_expect(struct cursor *cursor, struct expectation *expectation)
     expectation->kind = named.half ? EXPECT_HALF_REGISTER : EXPECT_REGISTER;
     expectation->number = named.number;
     return expectation->count == 1
-           || report(cursor->assembler, cursor->line, cursor->line->begin,
-                     "expected one value for a register");
+           || report_at(cursor, cursor->line->begin,
+                        "expected one value for a register");
 }
 
 /* Parses [label] = 1011 0010. */
@@ -71,8 +71,7 @@ static bool parse_bits(struct cursor *cursor, struct expectation *expectation)
         if (isspace((unsigned char)*at))
             continue;
         if (*at != '0' && *at != '1')
-            return report(cursor->assembler, cursor->line, at,
-                          "expected the digits 0 and 1");
+            return report_at(cursor, at, "expected the digits 0 and 1");
         bits[expectation->count / 64] |= (c205_word)(*at == '1')
                                          << (63 - expectation->count % 64);
         expectation->count++;
@@ -110,18 +109,18 @@ static bool parse_trap(struct cursor *cursor, struct expectation *expectation)
     for (trap = C205_TRAP_NONE + 1; trap < C205_TRAP_PAUSED; trap++)
         if (strcmp(c205_trap_name((c205_trap)trap), expectation->text) == 0)
             return true;
-    return report(cursor->assembler, cursor->line, cursor->token.begin,
-                  "expected the name of a trap, found '%s'", expectation->text);
+    return report_at(cursor, cursor->token.begin,
+                     "expected the name of a trap, found '%s'", expectation->text);
 }
 
 static bool parse_warning(struct cursor *cursor, struct expectation *expectation)
 {
     return parse_rest(cursor, expectation)
            && (warning_named(expectation->text) != WARNINGS
-               || report(cursor->assembler, cursor->line, cursor->token.begin,
-                         "expected the name of a warning, found '%s';"
-                         " c205 asm -W list prints them",
-                         expectation->text));
+               || report_at(cursor, cursor->token.begin,
+                            "expected the name of a warning, found '%s';"
+                            " c205 asm -W list prints them",
+                            expectation->text));
 }
 
 /* A program may name at most one model. */
@@ -130,10 +129,10 @@ static bool parse_model(struct cursor *cursor, struct expectation *expectation)
     const struct assembler *assembler = cursor->assembler;
     for (size_t i = 0; i < assembler->expectation_count; i++)
         if (assembler->expectations[i].kind == EXPECT_MODEL)
-            return report(cursor->assembler, cursor->line, cursor->token.begin,
-                          "expect-model is already defined, in %s:%zu",
-                          assembler->expectations[i].line->file,
-                          assembler->expectations[i].line->number);
+            return report_at(cursor, cursor->token.begin,
+                             "expect-model is already defined, in %s:%zu",
+                             assembler->expectations[i].line->file,
+                             assembler->expectations[i].line->number);
     if (cursor_at_end(cursor))
         return expected(cursor, "the name of a model");
     return parse_rest(cursor, expectation);
@@ -176,9 +175,9 @@ static bool parse_named(struct cursor *cursor, const char *name, size_t length,
                             &assembler->expectation_capacity, &expectation,
                             sizeof expectation);
     }
-    return report(cursor->assembler, cursor->line, name,
-                  "expected expect: or expect-halves: -bits: -flags: -clocks:"
-                  " -trap: -print: -model: -warning:");
+    return report_at(cursor, name,
+                     "expected expect: or expect-halves: -bits: -flags: -clocks:"
+                     " -trap: -print: -model: -warning:");
 }
 
 /* ---- Misspelled expectations  */

@@ -54,8 +54,8 @@ static struct expression *join_nodes(struct cursor *cursor, struct expression *n
         node->depth = 1 + right->depth;
     fold(node);
     if (node->depth > MAX_EXPRESSION_DEPTH) {
-        report(cursor->assembler, cursor->line, node->at,
-               "the expression has more than %u nested levels", MAX_EXPRESSION_DEPTH);
+        report_at(cursor, node->at, "the expression has more than %u nested levels",
+                  MAX_EXPRESSION_DEPTH);
         return NULL;
     }
     return node;
@@ -212,8 +212,8 @@ static const struct expression *parse_negative_number(struct cursor *cursor,
     if (!node)
         return NULL;
     if (length > sizeof text - 2) {
-        report(cursor->assembler, cursor->line, at,
-               "a negative number has at most %zu characters", sizeof text - 2);
+        report_at(cursor, at, "a negative number has at most %zu characters",
+                  sizeof text - 2);
         return NULL;
     }
     memcpy(text + 1, cursor->token.begin, length);
@@ -263,8 +263,9 @@ static const struct expression *parse_binary(struct cursor *cursor, int level)
 {
     const struct expression *result;
     if (cursor->depth >= MAX_EXPRESSION_DEPTH) {
-        report(cursor->assembler, cursor->line, cursor->token.begin,
-               "the expression has more than %u nested levels", MAX_EXPRESSION_DEPTH);
+        report_at(cursor, cursor->token.begin,
+                  "the expression has more than %u nested levels",
+                  MAX_EXPRESSION_DEPTH);
         return NULL;
     }
     cursor->depth++;

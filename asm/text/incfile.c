@@ -211,8 +211,7 @@ static bool read_column(struct number_file *file)
     size_t length;
     int64_t column;
     if (file->wanted || file->column > 0)
-        return report(cursor->assembler, cursor->line, cursor->token.begin,
-                      "at most one column is allowed");
+        return report_at(cursor, cursor->token.begin, "at most one column is allowed");
     if (cursor->token.kind == TOKEN_STRING) {
         file->wanted = expect_string(cursor, &length);
         return file->wanted != NULL;
@@ -250,7 +249,7 @@ bool parse_incfile(struct cursor *cursor)
     if (!name || !read_expectations(&file))
         return false;
     if (!source_find(cursor->assembler, name, file_of(cursor->line), &source, &error))
-        return report(cursor->assembler, cursor->line, at,
-                      "cannot read '%.200s': %.200s", name, error.message);
+        return report_at(cursor, at, "cannot read '%.200s': %.200s", name,
+                         error.message);
     return read_lines(&file, &source) && layout_known(cursor, file.words, file.count);
 }

@@ -12,7 +12,7 @@ static bool report_full(struct cursor *cursor, const char *message)
 {
     struct section *section = cursor->assembler->section;
     if (!section->full)
-        report(cursor->assembler, cursor->line, cursor->line->begin, "%s", message);
+        report_at(cursor, cursor->line->begin, "%s", message);
     section->full = true;
     return false;
 }

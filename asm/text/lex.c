@@ -243,14 +243,12 @@ bool expected(struct cursor *cursor, const char *what)
     const struct token *token = &cursor->token;
     int length = (int)(token->end - token->begin);
     if (token->kind == TOKEN_BAD)
-        return report(cursor->assembler, cursor->line, token->begin, "%s",
-                      token->problem);
+        return report_at(cursor, token->begin, "%s", token->problem);
     if (token->kind == TOKEN_END)
-        return report(cursor->assembler, cursor->line, token->begin,
-                      "expected %s, found the end of the statement", what);
-    return report(cursor->assembler, cursor->line, token->begin,
-                  "expected %s, found '%.*s'", what, length < 40 ? length : 40,
-                  token->begin);
+        return report_at(cursor, token->begin,
+                         "expected %s, found the end of the statement", what);
+    return report_at(cursor, token->begin, "expected %s, found '%.*s'", what,
+                     length < 40 ? length : 40, token->begin);
 }
 
 bool expect_operator(struct cursor *cursor, int code, const char *what)
@@ -305,8 +303,7 @@ char *expect_string(struct cursor *cursor, size_t *length)
     while (bytes && at < end) {
         int byte = (unsigned char)*at++;
         if (byte == '\\' && (byte = unescape(&at)) < 0) {
-            report(cursor->assembler, cursor->line, at - 1,
-                   "expected one of \\n \\t \\\\ \\\" \\0 \\xHH");
+            report_at(cursor, at - 1, "expected one of \\n \\t \\\\ \\\" \\0 \\xHH");
             return NULL;
         }
         bytes[(*length)++] = (char)byte;

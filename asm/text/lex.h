@@ -31,6 +31,9 @@ struct cursor {
     unsigned depth; /* of the expression being parsed */
 };
 
+/* Reports an error at a position of the cursor's line, like report. Returns false. */
+#define report_at(cursor, ...) report((cursor)->assembler, (cursor)->line, __VA_ARGS__)
+
 struct cursor cursor_start(struct assembler *assembler, const struct line *line);
 void cursor_next(struct cursor *cursor);
 bool cursor_at(const struct cursor *cursor, int code);

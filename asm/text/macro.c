@@ -85,8 +85,7 @@ struct macro *macro_parse(struct cursor *cursor)
     if (!macro || !expect_name(cursor, "the macro's name", &name, &length))
         return NULL;
     if (c205_insn_named(name, length)) {
-        report(cursor->assembler, cursor->line, name, "'%.*s' is an instruction",
-               (int)length, name);
+        report_at(cursor, name, "'%.*s' is an instruction", (int)length, name);
         return NULL;
     }
     macro->name = arena_text(cursor->assembler->arena, name, length);
@@ -119,10 +118,10 @@ static bool fill_defaults(struct cursor *cursor, const struct macro *macro,
             continue;
         arguments[i] = parameter->otherwise;
         if (!parameter->otherwise.begin)
-            return report(cursor->assembler, cursor->line, cursor->token.begin,
-                          "expected argument '%.*s' of macro %s",
-                          (int)(parameter->name.end - parameter->name.begin),
-                          parameter->name.begin, macro->name);
+            return report_at(cursor, cursor->token.begin,
+                             "expected argument '%.*s' of macro %s",
+                             (int)(parameter->name.end - parameter->name.begin),
+                             parameter->name.begin, macro->name);
     }
     return true;
 }
@@ -137,9 +136,9 @@ const struct span *macro_arguments(struct cursor *cursor, const struct macro *ma
         return NULL;
     while (!cursor_at_end(cursor)) {
         if (i == macro->parameter_count) {
-            report(cursor->assembler, cursor->line, cursor->token.begin,
-                   "too many arguments: macro %s has %zu parameter%s", macro->name, i,
-                   plural(i));
+            report_at(cursor, cursor->token.begin,
+                      "too many arguments: macro %s has %zu parameter%s", macro->name,
+                      i, plural(i));
             return NULL;
         }
         arguments[i++] = take_argument(cursor);

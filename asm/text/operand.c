@@ -58,12 +58,12 @@ static bool parse_sized(struct cursor *cursor, bool half, uint8_t *number)
     *number = found.number;
     if (found.half == half)
         return mention_register(cursor->assembler, found);
-    return report(cursor->assembler, cursor->line, at,
-                  half ? "expected a half register, h0 .. h255, found the"
-                         " whole register r%u"
-                       : "expected a whole register, r0 .. r255, found the"
-                         " half register h%u",
-                  found.number);
+    return report_at(cursor, at,
+                     half ? "expected a half register, h0 .. h255, found the"
+                            " whole register r%u"
+                          : "expected a whole register, r0 .. r255, found the"
+                            " half register h%u",
+                     found.number);
 }
 
 bool parse_register(struct cursor *cursor, uint8_t *number)
@@ -90,10 +90,10 @@ static bool parse_second(struct cursor *cursor, const struct operand *operand,
     }
     fields->g |= C205_G_OFFSET;
     if (first < C205_REGISTERS - 1 && second != first + 1)
-        return report(cursor->assembler, cursor->line, at,
-                      "expected r%u: the offset of a result is in the"
-                      " register after it",
-                      first + 1u);
+        return report_at(cursor, at,
+                         "expected r%u: the offset of a result is in the"
+                         " register after it",
+                         first + 1u);
     return true;
 }
 
@@ -126,12 +126,12 @@ static bool parse_signed(struct cursor *cursor, const struct operand *operand,
 {
     bool magnitude;
     if (cursor_at(cursor, '-') && !operand->negate)
-        return report(cursor->assembler, cursor->line, cursor->token.begin,
-                      operand->magnitude ? "only the first source can be negated"
-                                         : "this operand has no sign control");
+        return report_at(cursor, cursor->token.begin,
+                         operand->magnitude ? "only the first source can be negated"
+                                            : "this operand has no sign control");
     if (cursor_at(cursor, '|') && !operand->magnitude)
-        return report(cursor->assembler, cursor->line, cursor->token.begin,
-                      "this operand has no sign control");
+        return report_at(cursor, cursor->token.begin,
+                         "this operand has no sign control");
     if (cursor_take(cursor, '-'))
         fields->g |= operand->negate;
     magnitude = cursor_take(cursor, '|');
@@ -168,9 +168,7 @@ static bool parse_control(struct cursor *cursor, const struct operand *operand,
     at = cursor->token.begin;
     if (!parse_bracket(cursor, operand, fields))
         return false;
-    return fields->z != 0
-           || report(cursor->assembler, cursor->line, at,
-                     "r0 cannot be a control vector");
+    return fields->z != 0 || report_at(cursor, at, "r0 cannot be a control vector");
 }
 
 static bool parse_operand(struct cursor *cursor, const struct operand *operand,
@@ -193,8 +191,7 @@ static bool check_operands(struct cursor *cursor, struct instruction *instructio
     size_t blamed;
     const char *problem = syntax_refusal(instruction->insn, operands, count,
                                          &instruction->fields, &blamed);
-    return !problem
-           || report(cursor->assembler, cursor->line, at[blamed], "%s", problem);
+    return !problem || report_at(cursor, at[blamed], "%s", problem);
 }
 
 /* Parses the separator before an operand that is not the first. */
@@ -254,8 +251,8 @@ static bool parse_size(struct cursor *cursor, struct instruction *instruction)
     if (!token_is(&cursor->token, "H"))
         return expected(cursor, "H, for 32-bit operands");
     if (!(instruction->insn->flags & C205_INSN_HALF))
-        return report(cursor->assembler, cursor->line, at,
-                      "%s has no form with " SYNTAX_HALF, instruction->insn->mnemonic);
+        return report_at(cursor, at, "%s has no form with " SYNTAX_HALF,
+                         instruction->insn->mnemonic);
     instruction->fields.g |= C205_G_HALF;
     cursor_next(cursor);
     return true;

@@ -10,8 +10,8 @@
 static bool is_in_record(struct cursor *cursor)
 {
     return cursor->assembler->record.line
-           || report(cursor->assembler, cursor->line, cursor->line->begin,
-                     "expected .record before this line");
+           || report_at(cursor, cursor->line->begin,
+                        "expected .record before this line");
 }
 
 static bool define_place(struct cursor *cursor, const char *at, const char *name,
@@ -37,9 +37,9 @@ bool parse_record(struct cursor *cursor)
     const char *name;
     size_t length;
     if (open->line)
-        return report(assembler, cursor->line, cursor->line->begin,
-                      "expected .endrecord first, for the .record in %s:%zu",
-                      open->line->file, open->line->number);
+        return report_at(cursor, cursor->line->begin,
+                         "expected .endrecord first, for the .record in %s:%zu",
+                         open->line->file, open->line->number);
     memset(open, 0, sizeof *open);
     if (!expect_name(cursor, "the record's name", &name, &length))
         return false;

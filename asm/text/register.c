@@ -190,8 +190,8 @@ bool parse_regs(struct cursor *cursor)
         if (!expect_name(cursor, "a name", &name, &length))
             return false;
         if (number >= C205_REGISTERS)
-            return report(cursor->assembler, cursor->line, name,
-                          "there is no register after %c255", named.half ? 'h' : 'r');
+            return report_at(cursor, name, "there is no register after %c255",
+                             named.half ? 'h' : 'r');
         named.number = (uint8_t)number;
         if (!name_register(cursor, name, length, named))
             return false;
@@ -214,8 +214,8 @@ bool parse_share(struct cursor *cursor)
     share->outer = registers->share;
     share->depth = share->outer ? share->outer->depth + 1 : 1;
     if (share->depth > MAX_SHARES)
-        return report(cursor->assembler, cursor->line, cursor->line->begin,
-                      "more than %u nested .share", MAX_SHARES);
+        return report_at(cursor, cursor->line->begin, "more than %u nested .share",
+                         MAX_SHARES);
     registers->share = share;
     if (cursor_at_end(cursor))
         return true;
@@ -230,8 +230,7 @@ bool parse_endshare(struct cursor *cursor)
 {
     struct registers *registers = &cursor->assembler->registers;
     if (!registers->share)
-        return report(cursor->assembler, cursor->line, cursor->line->begin,
-                      ".endshare without .share");
+        return report_at(cursor, cursor->line->begin, ".endshare without .share");
     registers->share = registers->share->outer;
     return true;
 }

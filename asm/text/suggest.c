@@ -66,7 +66,7 @@ bool expected_name(struct cursor *cursor, const char *what, enum suggestion kind
         meant = suggest(cursor->assembler, kind, token->begin, length);
     if (!meant)
         return expected(cursor, what);
-    return report(cursor->assembler, cursor->line, token->begin,
-                  "expected %s, found '%.*s'; did you mean %s?", what,
-                  length < 40 ? (int)length : 40, token->begin, meant);
+    return report_at(cursor, token->begin,
+                     "expected %s, found '%.*s'; did you mean %s?", what,
+                     length < 40 ? (int)length : 40, token->begin, meant);
 }
