@@ -22,9 +22,9 @@ enum {
     LETTER = 7, /* the width of most letters, a little more than many need */
     ABOVE = 40, /* the base line of the small print, below the title */
     LINE = 16,
-    BELOW = 58,     /* labels and title of the x axis */
-    BESIDE = 52,    /* title of the y axis, without its labels */
-    KEY_LEAST = 90, /* room on the right, for labels of marks as well */
+    BELOW = 58,   /* labels and title of the x axis */
+    BESIDE = 52,  /* title of the y axis, without its labels */
+    MIN_KEY = 90, /* room on the right, for labels of marks as well */
     MAX_KEY = 320,
     KEY_SAMPLE = 48,
     KEY_ROW = 22
@@ -178,7 +178,7 @@ static double key_width(const struct plot *plot)
         widest = fmax(widest, text_width(plot->curves[i].title));
     for (size_t i = 0; i < plot->level_count; i++)
         widest = fmax(widest, text_width(plot->levels[i].label));
-    return fmax(KEY_LEAST, fmin(MAX_KEY, KEY_SAMPLE + widest));
+    return fmax(MIN_KEY, fmin(MAX_KEY, KEY_SAMPLE + widest));
 }
 
 static double across(const struct plot_picture *picture, double x)

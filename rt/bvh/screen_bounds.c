@@ -31,9 +31,9 @@ enum {
 /* Relative to the greatest coordinate. Windows are enlarged by MARGIN, measured at the
  * depth of their corners. That is eight times the rounding error of a ray that starts
  * within MAX_FAR, and of a triangle that it hits. For a viewpoint closer than
- * NEAR_LEAST this margin would be most of the window. */
+ * MIN_NEAR this margin would be most of the window. */
 #define MARGIN 0x1p-31
-#define NEAR_LEAST 0x1p-20
+#define MIN_NEAR 0x1p-20
 enum { MAX_FAR = 512 };
 /* The limit of the slope of points relative to the view axis. */
 enum { MAX_SLOPE = 64 };
@@ -72,7 +72,7 @@ static bool viewpoint_find(const double place[3], const struct box *whole,
     }
     viewpoint->size = fmax(greatest3(place),
                            fmax(greatest3(whole->low), greatest3(whole->high)));
-    return viewpoint->near > NEAR_LEAST * viewpoint->size
+    return viewpoint->near > MIN_NEAR * viewpoint->size
            && greatest_side(whole, place) <= MAX_SLOPE * viewpoint->near
            && isfinite(MAX_FAR * viewpoint->size);
 }

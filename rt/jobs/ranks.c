@@ -73,12 +73,13 @@ bool ranks_receive(const struct ranks *ranks, size_t *from,
 
 void ranks_wait(struct ranks_pause *pause)
 {
-    enum { LEAST = 50000, MAX = 4000000 }; /* nanoseconds */
-    struct timespec moment = { 0, LEAST };
+    enum { MIN_MOMENT = 50000, MAX_MOMENT = 4000000 }; /* nanoseconds */
+    struct timespec moment = { 0, MIN_MOMENT };
     if (pause->nanoseconds > 0)
         moment.tv_nsec = pause->nanoseconds;
     nanosleep(&moment, NULL);
-    pause->nanoseconds = 2 * moment.tv_nsec < MAX ? 2 * moment.tv_nsec : MAX;
+    pause->nanoseconds = 2 * moment.tv_nsec < MAX_MOMENT ? 2 * moment.tv_nsec
+                                                         : MAX_MOMENT;
 }
 
 enum rank_message ranks_await(struct ranks *ranks, uint64_t *word)

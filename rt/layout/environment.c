@@ -84,7 +84,7 @@ static void put_fog(struct record *record, const struct fog *fog)
     for (size_t i = 0; i < 3; i++)
         pass[i] = 1 - fog->filter + fog->filter * fog->color[i];
     record_numbers(record, "FOG_SCALE", &scale, 1);
-    record_numbers(record, "FOG_LEAST", &fog->transmit, 1);
+    record_numbers(record, "FOG_MIN", &fog->transmit, 1);
     record_numbers(record, "FOG_COLOR", fog->color, 3);
     record_numbers(record, "FOG_PASS", pass, 3);
     record_write(record);

@@ -5,7 +5,7 @@
 #include "rt/scene/vector3.h"
 
 /* A narrower edge is sharp; it is drawn with this width. */
-#define EDGE_LEAST 1e-9
+#define MIN_EDGE 1e-9
 
 static bool fades(const struct light *light)
 {
@@ -148,7 +148,7 @@ static void put_edge(struct record *record, const struct light *light)
         soft = light->radius > 0;
     }
     if (soft) {
-        edge[0] = fmin(low, high - EDGE_LEAST);
+        edge[0] = fmin(low, high - MIN_EDGE);
         edge[1] = 1 / (high - edge[0]);
     }
     record_numbers(record, "BEAM_EDGE", edge, 2);

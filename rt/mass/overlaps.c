@@ -278,7 +278,7 @@ static void give_level(struct tables *tables, struct record *record, size_t part
     size_t partners = list_partners(tables, part, own);
     record_integer(record, "LEVEL_MASK", mask << field->shift);
     record_integer(record, "LEVEL_REACHED", least << field->shift);
-    record_integer(record, "LEVEL_LEAST", least);
+    record_integer(record, "LEVEL_MIN", least);
     record_integer(record, "LEVEL_ON", 0);
     record_table(record, "LEVEL_PARTNERS", tables->words, 2 * partners);
     record_integer(record, "LEVEL_PAIRS", partners);

@@ -7,7 +7,7 @@
 
 #include "rt/scene/vector3.h"
 
-enum { POINTS_LEAST = 5 };
+enum { MIN_POINTS = 5 };
 
 static const struct shape_field fields[] = {
     { TAKES_NUMBER, SHAPE_AT(quadratic_prism, low), NULL, 0, NULL },
@@ -73,7 +73,7 @@ static const char *make_parabolas(struct outline *path)
 {
     struct spline_points spline = { (const double(*)[2])path->points + path->count,
                                     path->count, 0, 0 };
-    if (path->count < POINTS_LEAST)
+    if (path->count < MIN_POINTS)
         return "a quadratic spline must have at least five points";
     memcpy(path->points + path->count, path->points,
            path->count * sizeof *path->points);

@@ -5,7 +5,7 @@
 #include "arithmetic_oracle.h"
 
 #define MAX_ERROR 1e-10
-#define CLUSTER_LEAST 1e-5
+#define MIN_CLUSTER 1e-5
 
 /* ---- One side of zero --------------------------------------------------- */
 
@@ -151,7 +151,7 @@ static int most_roots(struct half *half, const struct island *island,
 {
     int more = facts->knots - (facts->roots - 1 + facts->multiple);
     int pairs = more > 0 ? (more + 1) / 2 : 0;
-    if (pairs == 0 && facts->bends > 0 && !is_narrower(half, island, CLUSTER_LEAST))
+    if (pairs == 0 && facts->bends > 0 && !is_narrower(half, island, MIN_CLUSTER))
         pairs = 1;
     return facts->roots + pairs;
 }

@@ -214,13 +214,13 @@ static digits shortest(word_format f, int64_t c, int32_t exponent)
 /* Writes plain notation if the point is near the digits, otherwise an exponent. */
 static void write_decimal(char *text, bool negative, digits d)
 {
-    enum { LEAST = -4, GREATEST = 16 };
+    enum { MIN_PLACES = -4, MAX_PLACES = 16 };
     char number[24];
     int length = snprintf(number, sizeof number, "%llu", (unsigned long long)d.number);
     int places = length + d.power; /* digits before the point */
     const char *sign = negative ? "-" : "";
     const char *point = length > 1 ? "." : "";
-    if (places < LEAST || places > GREATEST)
+    if (places < MIN_PLACES || places > MAX_PLACES)
         snprintf(text, C205_TEXT_SIZE, "%s%.1s%s%se%d", sign, number, point, number + 1,
                  places - 1);
     else if (places <= 0)

@@ -9,11 +9,11 @@
 
 #include "vm/number/word.h"
 
-#define LEAST_NUMBER UINT64_C(0x9000000000000000)
+#define MIN_NUMBER UINT64_C(0x9000000000000000)
 
 static inline bool is_zero(c205_word w)
 {
-    return (int64_t)w < (int64_t)LEAST_NUMBER;
+    return (int64_t)w < (int64_t)MIN_NUMBER;
 }
 
 /* The word that is larger as an integer has an exponent at least as large as the
@@ -39,7 +39,7 @@ static inline c205_word min_word(c205_word a, c205_word b)
  * there borrows. */
 static inline uint64_t zero(c205_word w)
 {
-    return w & (w - LEAST_NUMBER);
+    return w & (w - MIN_NUMBER);
 }
 
 /* An indefinite word has 7 in its first four bits: its sign bit is 0, and adding 1

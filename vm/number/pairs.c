@@ -45,9 +45,8 @@ enum constants { NO_CONSTANT, CONSTANT_A, CONSTANT_B };
 static inline bool may_be_done(pair_operand a, pair_operand b, const c205_word *d,
                                size_t n)
 {
-    return n >= ROUND_DOWN_LEAST && n <= PAIR_LENGTH
-           && !(a.is_constant && b.is_constant) && moderate_pair(a.words[0], b.words[0])
-           && moderate_pair(d[0], d[0]);
+    return n >= MIN_ROUND_DOWN && n <= PAIR_LENGTH && !(a.is_constant && b.is_constant)
+           && moderate_pair(a.words[0], b.words[0]) && moderate_pair(d[0], d[0]);
 }
 
 static inline bool pair_meets(const c205_word *c, pair_operand operand, size_t n)

@@ -122,7 +122,7 @@ static inline round_down round_down_multiply(double x, double y)
 /* ---- Blocks -------------------------------------------------------------- */
 
 /* Changing the rounding mode costs time; a shorter block does not gain from it. */
-enum { ROUND_DOWN_LEAST = 32 };
+enum { MIN_ROUND_DOWN = 32 };
 
 /* Facts about a block that are known only after the whole block is computed. */
 typedef struct round_down_block {
@@ -169,7 +169,7 @@ static inline bool round_down_end(const round_down_block *block, uint64_t *flags
     { \
         round_down_block block = round_down_begin; \
         host_rounding before; \
-        if (n < ROUND_DOWN_LEAST || !moderate_pair(a[0], b[0]) \
+        if (n < MIN_ROUND_DOWN || !moderate_pair(a[0], b[0]) \
             || !host_round_down(&before)) \
             return false; \
         EACH_LANE({ \

@@ -68,14 +68,14 @@ EXPONENT(halves_exponent, half_words)
  * unchanged. */
 static inline c205_word zero_as_number(c205_word w)
 {
-    return max_word(w, LEAST_NUMBER);
+    return max_word(w, MIN_NUMBER);
 }
 
 /* First bit 1: the number is not normalised. */
 static inline uint64_t unnormalised(word_format f, c205_word number)
 {
     uint64_t digits = number << f.exponent_bits;
-    return number == LEAST_NUMBER ? 0 : ~(digits ^ digits << 1);
+    return number == MIN_NUMBER ? 0 : ~(digits ^ digits << 1);
 }
 
 /* Returns a word that is ordered as an integer. Normalised numbers of one sign have the
@@ -110,7 +110,7 @@ static inline int64_t coefficient_bits(word_format f, c205_word w)
 /* Returns 0 for a number with exponent 0 and for a zero that zero_as_number() made. */
 static inline uint64_t exponent_bits(word_format f, c205_word w)
 {
-    return w == LEAST_NUMBER ? 0 : w & ~format_coefficient_mask(f);
+    return w == MIN_NUMBER ? 0 : w & ~format_coefficient_mask(f);
 }
 
 /* x and y are the words, f their format. */
@@ -169,7 +169,7 @@ static inline uint64_t copied(uint64_t bit)
         for (size_t i = 0; i < n; i += BITS) { \
             size_t length = min_size(n - i, BITS); \
             uint64_t word = 0, odd = 0; \
-            c205_word most = LEAST_NUMBER; \
+            c205_word most = MIN_NUMBER; \
             for (size_t j = 0; j < length; j++) { \
                 c205_word x = zero_as_number(a[i + j]); \
                 c205_word y = zero_as_number(b[i + j]); \

@@ -13,7 +13,7 @@
 ; An adiabatic surface has the emissivity 0: it reflects its whole irradiation.
 ;
 ; Elimination (elimination.s) solves (I - (1 - e) F) J = b. A diagonal below
-; LEAST occurs if an exchange has no solution: adiabatic surfaces that see only
+; MIN_DIAGONAL occurs if an exchange has no solution: adiabatic surfaces that see only
 ; each other.
 ;
 ; Sums are formed by halves: of m words, the last m / 2 are added to the first.
@@ -36,7 +36,7 @@ exchange_matrix: .word 0                ; address of n columns, b and a column
 exchange_results: .word 0               ; address of the results
 exchange_outside: .word 0.0             ; T_e
                 .word 5.670374419e-8    ; sigma
-                .word 1.0, 1e-12         ; 1, LEAST
+                .word 1.0, 1e-12         ; 1, MIN_DIAGONAL
                 .word 1, -1
                 .equ    EXCHANGE_ARGUMENTS, 13
         .code

@@ -19,7 +19,7 @@
 ;   d_i = v_i1 + .. + v_in + v_ie
 ;
 ; If d_i is 0 it is replaced by 1, so no flow of i is changed. Elimination
-; (elimination.s) solves the equations. A diagonal below LEAST occurs for
+; (elimination.s) solves the equations. A diagonal below MIN_DIAGONAL occurs for
 ; surfaces that alternately see only each other, if their areas admit no
 ; solution.
 ;
@@ -40,7 +40,7 @@ smooth_variances: .word 0               ; address of n + 1 columns v_1j .. v_nj
 smooth_areas:   .word 0                 ; address of the plane A
 smooth_matrix:  .word 0                 ; address of n columns, b, two planes
 smooth_results: .word 0                 ; address of the results
-                .word 1.0, 1e-12         ; 1, LEAST
+                .word 1.0, 1e-12         ; 1, MIN_DIAGONAL
                 .word 1, -1
                 .equ    SMOOTH_ARGUMENTS, 10
         .code

@@ -14,7 +14,7 @@
 
         .record FOG
         .field  FOG_SCALE               ; -1 / (distance ln 2)
-        .field  FOG_LEAST               ; transmit
+        .field  FOG_MIN               ; transmit
         .field  FOG_COLOR, 3
         .field  FOG_PASS, 3             ; 1 - filter + filter fog
         .endrecord

@@ -85,7 +85,7 @@
 ; A new ray, in the order of the registers from sp_ox on.
         .record CHILD
         .field  CHILD_RAY, 6            ; O, D
-        .field  CHILD_LEAST, 2          ; lower limit; the same, to be scaled
+        .field  CHILD_MIN, 2          ; lower limit; the same, to be scaled
         .if     INTERIORS
         .field  CHILD_PASSED            ; rank of the region whose
                                 ; transparent surface it passed, or 0

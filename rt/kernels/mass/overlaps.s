@@ -2,7 +2,7 @@
 ;
 ; This is the common part of the two forms. A ray enters a part with the first
 ; of its objects and leaves it with the last. Level l of a part is on while the
-; ray is in at least LEVEL_LEAST of the part's objects. A pair of levels is on
+; ray is in at least LEVEL_MIN of the part's objects. A pair of levels is on
 ; while both are on. A pair of the first levels of two parts measures their
 ; overlap. Level 2 of one part, paired with itself, measures the overlap of the
 ; part's own objects. Where a pair turns on at s0 and off at s1, its volume
@@ -34,8 +34,8 @@
 
         .record LEVEL                   ; in the order of groups
         .field  LEVEL_MASK              ; the part's field
-        .field  LEVEL_REACHED           ; LEVEL_LEAST in the field
-        .field  LEVEL_LEAST             ; number of objects
+        .field  LEVEL_REACHED           ; LEVEL_MIN in the field
+        .field  LEVEL_MIN             ; number of objects
         .field  LEVEL_ON                ; 1: it is on; scalar form from here on
         .field  LEVEL_PARTNERS          ; address of its pairs
         .field  LEVEL_PAIRS             ; number of its pairs

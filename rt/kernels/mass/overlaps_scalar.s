@@ -38,7 +38,7 @@ partner_off\@:
 ; Turns levels of the part on (1) after an entry, or off (0) after an exit.
         .macro  change_levels enters
 level_next\@:
-        load_fields ovl_level, LEVEL_LEAST, 4, ovl_least
+        load_fields ovl_level, LEVEL_MIN, 4, ovl_least
         IBXNE   ovl_count, r0, ovl_least, level_done\@
         RTOR    ovl_level, ovl_at
         IX      ovl_at, 64 * LEVEL_ON

@@ -15,7 +15,7 @@
 
         .record LEVEL
         .field  L_RAY, 6                ; O, D
-        .field  L_LEAST, 2              ; least distance, to be scaled
+        .field  L_MIN, 2              ; least distance, to be scaled
         .if     INTERIORS
         .field  L_PASSED                ; CHILD_PASSED
         .field  L_INSIDE                ; bodies that contain the ray
@@ -136,7 +136,7 @@ levels_next:
         IX      level, 64 * LEVEL_SIZE
         IBXNE   levels_left, m_index_minus_one, r0, levels_next, levels_left
         RTOR    first_level, level
-        of_level L_LEAST
+        of_level L_MIN
         EX      main_t, k_lower
         LOD     [main_t], main_t
         STO     [main_at], m_tmin

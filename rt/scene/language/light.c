@@ -8,7 +8,7 @@
 
 /* A negative tightness brightens a beam towards its edge; the limit keeps the powers of
  * the kernels in range. */
-enum { TIGHTNESS_LEAST = -100 };
+enum { MIN_TIGHTNESS = -100 };
 
 /* Sets a member of all lights of the subject; detail: its offset. */
 static void set_member(const struct item *item, const void *value, size_t size)
@@ -186,9 +186,9 @@ static bool check_beams(struct reader *reader, const struct scene_object *object
         if ((light->beam != BEAM_NONE || light->parallel) && !(length3(way) > 0))
             return reader_fault(reader, at,
                                 "the location and point_at of the light are the same");
-        if (light->tightness < TIGHTNESS_LEAST)
+        if (light->tightness < MIN_TIGHTNESS)
             return reader_fault(reader, at, "the tightness must be at least %d",
-                                TIGHTNESS_LEAST);
+                                MIN_TIGHTNESS);
         if (light->beam == BEAM_CYLINDER && !(light->falloff > 0))
             return reader_fault(reader, at,
                                 "the falloff of a cylinder light must be above 0");

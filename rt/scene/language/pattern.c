@@ -4,7 +4,7 @@
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/vector3.h"
 
-enum { EXPONENT_LEAST = -100 }; /* keeps the powers of the kernels in range */
+enum { MIN_EXPONENT = -100 }; /* keeps the powers of the kernels in range */
 
 /* As in POV-Ray a pigment keeps the wave and frequency of the pattern that it replaces. */
 void pattern_begin(struct pigment *pigment, enum pattern_function function)
@@ -54,9 +54,9 @@ static bool read_wave(struct reader *reader, const struct item *item)
         return true;
     if (!read_number(reader, &pattern->exponent))
         return false;
-    return pattern->exponent >= EXPONENT_LEAST
+    return pattern->exponent >= MIN_EXPONENT
            || reader_fault(reader, &item->at, "the exponent must be at least %d",
-                           EXPONENT_LEAST);
+                           MIN_EXPONENT);
 }
 
 static bool read_brick_size(struct reader *reader, const struct item *item)

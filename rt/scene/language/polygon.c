@@ -28,7 +28,7 @@
 #define ROUNDING 1e-14
 
 /* CROSSING_COST limits the memory for crossings. */
-enum { POINTS_LEAST = 3, MAX_POINTS = 100000, CROSSING_COST = 256 };
+enum { MIN_POINTS = 3, MAX_POINTS = 100000, CROSSING_COST = 256 };
 
 /* An edge, directed upwards. Horizontal edges are dropped. */
 struct polygon_edge {
@@ -79,7 +79,7 @@ static bool read_count(struct polygon *polygon)
     double number;
     if (!read_number(reader, &number))
         return false;
-    if (number < POINTS_LEAST)
+    if (number < MIN_POINTS)
         return reader_fault(reader, &at, "a polygon must have at least three points");
     if (number >= MAX_POINTS + 1)
         return reader_fault(reader, &at, "more than %d points in one polygon",

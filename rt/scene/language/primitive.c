@@ -201,7 +201,7 @@ bool primitive_read(struct reader *reader, enum primitive_kind kind,
 
 /* ---- Polynomials --------------------------------------------------------- */
 
-enum { ORDER_LEAST = 2, MAX_ORDER = 4 };
+enum { MIN_ORDER = 2, MAX_ORDER = 4 };
 
 static bool read_order(struct reader *reader, int *order)
 {
@@ -210,11 +210,11 @@ static bool read_order(struct reader *reader, int *order)
     if (!read_number(reader, &number))
         return false;
     reader_comma(reader);
-    if (number < ORDER_LEAST || number >= MAX_ORDER + 1)
+    if (number < MIN_ORDER || number >= MAX_ORDER + 1)
         return reader_fault(reader, &at,
                             "a polynomial of order %g is not supported; the "
                             "order must be between %d and %d",
-                            number, ORDER_LEAST, MAX_ORDER);
+                            number, MIN_ORDER, MAX_ORDER);
     *order = (int)number;
     return true;
 }

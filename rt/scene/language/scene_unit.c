@@ -2,7 +2,7 @@
  *
  * Rays start 1e-6 from their surface and shadow rays 1e-3, and nothing beyond 1e12 is
  * visible (rt/kernels/frame/records.s). These lengths suit a scene whose objects are at
- * distances from ORDINARY_LEAST to MAX_ORDINARY. The lengths of any other scene are
+ * distances from MIN_ORDINARY to MAX_ORDINARY. The lengths of any other scene are
  * divided by a power of two that brings the median of the distances between 4 and 8.
  * Dividing by a power of two does not round.
  *
@@ -19,7 +19,7 @@
 #include "rt/shapes/shape.h"
 #include "rt/shapes/terms.h"
 
-#define ORDINARY_LEAST 0x1p-1
+#define MIN_ORDINARY 0x1p-1
 #define MAX_ORDINARY 0x1p22
 /* An object farther than this many radii counts as small for its distance. */
 #define SIGHT 64
@@ -134,7 +134,7 @@ static int unit_of(const struct reach *size)
     int log;
     if (length > MAX_ORDINARY)
         length = fmax(fmin(length, SIGHT * size->radius), 1);
-    if (!(length > 0) || (length >= ORDINARY_LEAST && length <= MAX_ORDINARY))
+    if (!(length > 0) || (length >= MIN_ORDINARY && length <= MAX_ORDINARY))
         return 0;
     frexp(length, &log);
     return log - 3 < -MAX_UNIT_LOG  ? -MAX_UNIT_LOG
