@@ -3,7 +3,7 @@
 
 import { $, count } from "./dom.js";
 
-const SELDOM = 500; // milliseconds between two reports of progress
+const PROGRESS_INTERVAL = 500; // milliseconds between two reports of progress
 // Maps the id of each button to the value of "how" in the request "go".
 const WAYS = { run: "end", reset: "start", step: "step", back: "back", on: "continue",
   before: "reverse-continue" };
@@ -20,7 +20,7 @@ export function say(words, mood = "") {
 const sentence = (words) => words && words[0].toUpperCase() + words.slice(1).replace(/[.\n]*$/, ".");
 
 // Reports how a run or a step ended.
-function told(reply) {
+function reportRun(reply) {
   if (!reply.ok) return say(reply.error, "bad");
   if (reply.stopped) return say("Stopped by you.");
   say(sentence(reply.message) || WHY[reply.why] || `Step ${count(reply.step)}, clock ${count(reply.clock)}.`,
@@ -28,7 +28,7 @@ function told(reply) {
 }
 
 // Updates buttons, slider and output from a view; null: no program is loaded.
-function settle(view) {
+function update(view) {
   const { step = 0, steps = 0, ended = false, clock = 0, printed = "", printed_cut: cut = false } = view ?? {};
   const slider = $("slider");
   slider.max = Math.max(steps, step);
@@ -63,12 +63,12 @@ export function makeBar(session) {
   for (const [id, how] of Object.entries(WAYS)) $(id).addEventListener("click", () => session.go(how));
   $("stop").addEventListener("click", () => session.stop());
   $("slider").addEventListener("input", () => { place(); session.slide(Number($("slider").value)); });
-  session.on("loaded", (reply) => { if (!reply.ok) settle(null); });
-  session.on("view", settle);
+  session.on("loaded", (reply) => { if (!reply.ok) update(null); });
+  session.on("view", update);
   session.on("busy", busy);
-  session.on("moved", told);
+  session.on("moved", reportRun);
   session.on("progress", ({ step, clock }) => {
-    if (performance.now() - last < SELDOM) return;
+    if (performance.now() - last < PROGRESS_INTERVAL) return;
     last = performance.now();
     say(`Running: step ${count(step)}, clock ${count(clock)} ..`);
   });

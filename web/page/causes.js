@@ -23,10 +23,10 @@ const figure = (value, what) => el("span", {}, el("b", {}, value), ` ${what}`);
 
 export function makeCauses(panel, session) {
   session.on("view", ({ accounts }) => fill(panel, heading("causes", "Where the clocks went"),
-    accounts.clocks === 0 ? el("p", { class: "empty" }, "No clock has passed yet.") : told(accounts)));
+    accounts.clocks === 0 ? el("p", { class: "empty" }, "No clock has passed yet.") : accountTables(accounts)));
 }
 
-function told({ causes, regions, clocks, mflops, mean_length: meanLength }) {
+function accountTables({ causes, regions, clocks, mflops, mean_length: meanLength }) {
   return [
     bar(causes),
     table("Clocks by cause", [["cause"], ["clocks", "number"], ["%", "number"]], [

@@ -46,13 +46,13 @@ export function makeCompare(panel, session, others) {
     const chosen = [first, second].map(({ value }) => list.find((one) => one.value === value));
     const reply = await session.longer({ do: "compare", ...session.setting,
       texts: chosen.map(({ title, text }) => ({ name: title, text })) });
-    fill(result, reply.ok && !reply.stopped ? told(reply, chosen)
+    fill(result, reply.ok && !reply.stopped ? resultElements(reply, chosen)
       : el("p", { class: "fault" }, reply.error ?? "Stopped."));
   }
 
-  function told(reply, chosen) {
+  function resultElements(reply, chosen) {
     const titles = [...chosen.map(({ title }) => title), "second - first", "first / second"];
-    const beside = (caption, key, rows, name = String) => table(caption,
+    const comparisonTable = (caption, key, rows, name = String) => table(caption,
       [[key], ...titles.map((title) => [title, "number"])],
       rows.map((row) => ({ class: row[key] === "all" ? "sum" : null, cells: [name(row[key]),
         figure(row.first, row[key]), figure(row.second, row[key]), row.difference === undefined ? "" : count(row.difference),
@@ -60,10 +60,10 @@ export function makeCompare(panel, session, others) {
     return [
       el("p", { class: "verdict-words" }, reply.sentence),
       el("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Tables" },
-        beside("Clocks by cause", "cause", reply.causes.filter((row) => row.first || row.second),
+        comparisonTable("Clocks by cause", "cause", reply.causes.filter((row) => row.first || row.second),
           (cause) => cause === "all" ? cause : named(cause)),
-        reply.regions.length > 1 && beside("Clocks by region", "region", reply.regions),
-        beside("Figures", "figure", reply.figures)),
+        reply.regions.length > 1 && comparisonTable("Clocks by region", "region", reply.regions),
+        comparisonTable("Figures", "figure", reply.figures)),
     ];
   }
 

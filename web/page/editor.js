@@ -195,9 +195,9 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
   const tooltip = hoverTooltip((view, position) => {
     const found = wordAt(view.state, position);
     if (!found || position < found.from || position > found.to) return null;
-    const told = explain(about, found.word);
-    return told && { pos: found.from, end: found.to, create: () => ({
-      dom: el("div", { class: "effect" }, el("code", {}, told.name), " ", told.effect) }) };
+    const explanation = explain(about, found.word);
+    return explanation && { pos: found.from, end: found.to, create: () => ({
+      dom: el("div", { class: "effect" }, el("code", {}, explanation.name), " ", explanation.effect) }) };
   });
 
   const extensions = [
@@ -278,7 +278,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
       view.focus();
     },
     /** Marks errors and warnings: {severity, line, column, length, message}. */
-    tell(diagnostics) {
+    showDiagnostics(diagnostics) {
       const { doc } = view.state;
       view.dispatch(setDiagnostics(view.state, diagnostics.filter((one) => one.line).map((one) => {
         const { from, to } = doc.line(Math.min(one.line, doc.lines));

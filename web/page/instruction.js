@@ -16,7 +16,7 @@ export function makeInstruction(panel, session) {
   session.on("view", ({ last, next }) => fill(panel,
     heading("instruction", "This instruction",
       last && `arrived at clock ${count(last.arrived)}, issued at ${count(last.issued)}`),
-    last ? told(last, sourceLine(session.text, last.line))
+    last ? lastInstruction(last, sourceLine(session.text, last.line))
       : el("p", { class: "empty" }, "No instruction has been executed yet."),
     next && el("p", { class: "next" }, "Next: ", el("code", {}, next))));
 }
@@ -31,7 +31,7 @@ function sum(parts, waits = true) {
 // Returns a line of the program without its comment.
 const sourceLine = (text, line) => text.split("\n")[line - 1]?.replace(/;.*/, "").trim().replace(/\s+/g, " ");
 
-function told(last, written) {
+function lastInstruction(last, written) {
   const phases = last.phases.map(({ begin, end, cause }) => ({ clocks: end - begin, cause }));
   const work = last.phases.length > 0 && last.phases.at(-1).end - last.phases[0].begin;
   return [

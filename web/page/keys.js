@@ -24,7 +24,7 @@ const ELSEWHERE = [
   ["↑ ↓", "in the console: earlier commands"],
 ];
 
-function tell() {
+function showKeys() {
   const rows = [...KEYS.map(([key, , what]) => [key, what]), ...ELSEWHERE];
   $("keys-table").tBodies[0].append(...rows.map(([key, what]) => el("tr", {},
     el("th", { scope: "row" }, key.split(" ").map((one) => [el("kbd", {}, one), " "])),
@@ -37,7 +37,7 @@ function tell() {
 
 /** Makes each key click its button if the button is enabled. */
 export function makeKeys() {
-  tell();
+  showKeys();
   addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || $("keys-dialog").open) return;
     const pressed = `${event.shiftKey ? "Shift " : ""}${event.altKey ? "Alt " : ""}${event.key}`;

@@ -8,7 +8,7 @@ const POINTS = 25;
 const WIDTH = 720, HEIGHT = 300, LEFT = 56, RIGHT = 96, TOP = 16, BOTTOM = 40;
 
 export function makeLaboratory(panel, session, others) {
-  let told = null;
+  let sweep = null;
   let names = [];
   let at = 0; // index of the point at the slider
 
@@ -64,41 +64,41 @@ export function makeLaboratory(panel, session, others) {
       return;
     }
     progress.textContent = "";
-    told = reply;
+    sweep = reply;
     names = chosen.map(({ title }) => title);
     at = Math.floor(reply.points.length / 2);
     show();
   }
 
   // Returns true if any point has a rate.
-  const rated = () => told.points.some((point) => series().some((one) => point[`${one}mflops`] > 0));
-  const steady = () => told.points.length > 1
-    && series().every((one) => new Set(told.points.map((point) => point[`${one}clocks`])).size === 1);
+  const rated = () => sweep.points.some((point) => series().some((one) => point[`${one}mflops`] > 0));
+  const steady = () => sweep.points.length > 1
+    && series().every((one) => new Set(sweep.points.map((point) => point[`${one}clocks`])).size === 1);
 
   // Prefixes of the figures, as in c205 sweep: "first_" and "second_" if there are two programs.
   const series = () => names.length > 1 ? ["first_", "second_"] : [""];
 
   function show() {
-    const slider = el("input", { type: "range", id: "lab-at", min: 0, max: told.points.length - 1, value: at,
+    const slider = el("input", { type: "range", id: "lab-at", min: 0, max: sweep.points.length - 1, value: at,
       input: () => { at = Number(slider.value); mark(); } });
     const said = el("output", { for: "lab-at", class: "said-at" });
     const chart = el("div", { class: "chart" });
     const mark = () => {
       fill(chart, drawing());
-      const point = told.points[at];
-      fill(said, el("b", {}, `${told.constant} = ${count(point.value)}`), ...series().map((one, i) =>
+      const point = sweep.points[at];
+      fill(said, el("b", {}, `${sweep.constant} = ${count(point.value)}`), ...series().map((one, i) =>
         el("span", {}, el("i", { class: `patch series-${i}`, "aria-hidden": "true" }),
           some(point[`${one}clocks`], "clock"),
           rated() && `, ${fixed(point[`${one}mflops`], 1)} Mflop/s`)));
-      slider.setAttribute("aria-valuetext", `${told.constant} = ${point.value}`);
+      slider.setAttribute("aria-valuetext", `${sweep.constant} = ${point.value}`);
     };
     fill(result,
       el("p", { class: "legend" }, names.map((name, i) => el("span", {},
         el("i", { class: `patch series-${i}`, "aria-hidden": "true" }), name))),
-      chart, el("div", { class: "field slide" }, el("label", { for: "lab-at" }, told.constant), slider), said,
-      steady() && el("p", { class: "steady" }, `The clocks are the same for every ${told.constant}: `
+      chart, el("div", { class: "field slide" }, el("label", { for: "lab-at" }, sweep.constant), slider), said,
+      steady() && el("p", { class: "steady" }, `The clocks are the same for every ${sweep.constant}: `
         + "check that the program uses this constant."),
-      ...(told.crossings ?? []).map(crossing), lines(),
+      ...(sweep.crossings ?? []).map(crossing), lines(),
       el("details", {}, el("summary", {}, "All points"), points()));
     mark();
   }
@@ -106,30 +106,30 @@ export function makeLaboratory(panel, session, others) {
   // Names the program that is faster from a value of the constant on.
   function crossing({ value, faster, first_clocks: a, second_clocks: b }) {
     const [mine, other] = faster === "first" ? [0, 1] : [1, 0];
-    return el("p", {}, `From ${told.constant} = ${count(value)} on ${names[mine]} is faster: `
+    return el("p", {}, `From ${sweep.constant} = ${count(value)} on ${names[mine]} is faster: `
       + `${some([a, b][mine], "clock")}, and ${names[other]} ${count([a, b][other])}.`);
   }
 
   function lines() {
     return table("The straight line through the clocks",
-      [["program"], ["start-up, clk", "number"], [`clk/${told.constant}`, "number"],
+      [["program"], ["start-up, clk", "number"], [`clk/${sweep.constant}`, "number"],
         ...(rated() ? [["r∞, Mflop/s", "number"]] : []), ["n½", "number"], ["off, %", "number"]],
-      told.lines.map((line, i) => ({ cells: [
+      sweep.lines.map((line, i) => ({ cells: [
         [el("i", { class: `patch series-${i}`, "aria-hidden": "true" }), names[i]], fixed(line.startup, 1),
         fixed(line.per_element, 4), ...(rated() ? [fixed(line.mflops, 2)] : []), fixed(line.n_half, 1),
         fixed(line.off_percent, 2)] })));
   }
 
   function points() {
-    return table("All points", [[told.constant, "number"],
+    return table("All points", [[sweep.constant, "number"],
       ...names.flatMap((name) => [[`${name}, clk`, "number"], ...(rated() ? [["Mflop/s", "number"]] : [])])],
-    told.points.map((point) => ({ cells: [count(point.value), ...series().flatMap((one) =>
+    sweep.points.map((point) => ({ cells: [count(point.value), ...series().flatMap((one) =>
       [count(point[`${one}clocks`]), ...(rated() ? [fixed(point[`${one}mflops`], 2)] : [])])] })));
   }
 
   // Draws Mflop/s, or clocks, as a function of the constant. The axis of the constant is logarithmic.
   function drawing() {
-    const { points } = told;
+    const { points } = sweep;
     const [low, high] = [points[0].value, points.at(-1).value];
     const [key, unit] = rated() ? ["mflops", "Mflop/s"] : ["clocks", "clocks"];
     const heights = points.flatMap((point) => series().map((one) => point[`${one}${key}`]));
@@ -138,7 +138,7 @@ export function makeLaboratory(panel, session, others) {
     const y = (rate) => HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * rate / top;
     const text = (px, py, kind, words) => draw("text", { x: px, y: py, class: kind }, words);
     const svg = draw("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img",
-      "aria-label": `${unit} of ${names.join(" and ")} against ${told.constant}` });
+      "aria-label": `${unit} of ${names.join(" and ")} against ${sweep.constant}` });
 
     for (let power = 1; power <= high; power *= 10)
       for (const n of [power, 2 * power, 5 * power].filter((one) => one >= low && one <= high))
@@ -149,7 +149,7 @@ export function makeLaboratory(panel, session, others) {
     for (let rate = 0; rate <= top; rate += step)
       svg.append(draw("line", { x1: LEFT, x2: WIDTH - RIGHT, y1: y(rate), y2: y(rate), class: "tick" }),
         text(LEFT - 8, y(rate) + 4, "lane", count(Number(rate.toPrecision(6)))));
-    svg.append(text(LEFT, HEIGHT - 6, "axis", `${told.constant} →`),
+    svg.append(text(LEFT, HEIGHT - 6, "axis", `${sweep.constant} →`),
       text(LEFT + 6, TOP + 2, "axis", unit));
 
     const here = points[at].value;
@@ -159,10 +159,10 @@ export function makeLaboratory(panel, session, others) {
       svg.append(draw("polyline", { class: `curve curve-${i}`,
         points: points.map((point) => `${x(point.value)},${y(rate(point))}`).join(" ") }),
       draw("circle", { cx: x(here), cy: y(rate(points[at])), r: 4, class: `dot dot-${i}` }));
-      const half = told.lines[i]?.n_half;
+      const half = sweep.lines[i]?.n_half;
       if (rated() && half > low && half < high)
-        svg.append(draw("line", { x1: x(half), x2: x(half), y1: y(told.lines[i].mflops / 2), y2: HEIGHT - BOTTOM, class: `half half-${i}` }),
-          text(x(half) + 6, y(told.lines[i].mflops / 2) + 14, "half-name", `n½ = ${fixed(half, 0)}`));
+        svg.append(draw("line", { x1: x(half), x2: x(half), y1: y(sweep.lines[i].mflops / 2), y2: HEIGHT - BOTTOM, class: `half half-${i}` }),
+          text(x(half) + 6, y(sweep.lines[i].mflops / 2) + 14, "half-name", `n½ = ${fixed(half, 0)}`));
     });
     return svg;
   }

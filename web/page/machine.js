@@ -7,7 +7,7 @@ const PATIENCE = 3000, AT_ONCE = 250;
 
 export class Machine {
   #source; #wasm; #worker; #ready;
-  #asked = new Map();
+  #pending = new Map();
   #next = 1;
   #watch = 0;
 
@@ -28,21 +28,21 @@ export class Machine {
       worker.onmessage = ({ data }) => {
         if (data.ready) resolve();
         else if (data.failed) reject(new Error(data.failed));
-        else this.#told(data);
+        else this.#receive(data);
       };
       worker.onerror = (event) => { reject(new Error(event.message)); this.#lose(event.message); };
     });
     this.#wasm.then((wasm) => worker.postMessage({ wasm }));
   }
 
-  #told({ id, reply, progress, lost }) {
-    const asked = this.#asked.get(id);
-    if (!asked) return;
-    if (progress) return void asked.progress?.(progress);
-    this.#asked.delete(id);
+  #receive({ id, reply, progress, lost }) {
+    const pending = this.#pending.get(id);
+    if (!pending) return;
+    if (progress) return void pending.progress?.(progress);
+    this.#pending.delete(id);
     clearTimeout(this.#watch);
-    if (lost === undefined) return asked.resolve(reply);
-    asked.resolve({ ok: false, error: `The engine has failed: ${lost}.` });
+    if (lost === undefined) return pending.resolve(reply);
+    pending.resolve({ ok: false, error: `The engine has failed: ${lost}.` });
     this.#lose("it was started again");
   }
 
@@ -50,9 +50,9 @@ export class Machine {
   #lose(why, stopped = false) {
     this.lost = true;
     this.#worker.terminate();
-    for (const { resolve } of this.#asked.values())
+    for (const { resolve } of this.#pending.values())
       resolve({ ok: false, stopped, error: `The engine has stopped: ${why}.` });
-    this.#asked.clear();
+    this.#pending.clear();
     this.#start();
   }
 
@@ -61,22 +61,22 @@ export class Machine {
     await this.#ready;
     return new Promise((resolve) => {
       const id = this.#next++;
-      this.#asked.set(id, { resolve, progress, whole: request.do === "grade" });
+      this.#pending.set(id, { resolve, progress, whole: request.do === "grade" });
       this.#worker.postMessage({ id, request });
     });
   }
 
   /** True if every request was answered. */
   get idle() {
-    return this.#asked.size === 0;
+    return this.#pending.size === 0;
   }
 
   /** Stops the current request. Its reply has the result so far. */
   stop() {
     this.#worker.postMessage({ stop: true });
     clearTimeout(this.#watch);
-    if (this.#asked.size === 0) return;
-    const whole = [...this.#asked.values()].some((one) => one.whole);
+    if (this.#pending.size === 0) return;
+    const whole = [...this.#pending.values()].some((one) => one.whole);
     this.#watch = setTimeout(() => this.#lose("it did not answer in time", whole), whole ? AT_ONCE : PATIENCE);
   }
 }

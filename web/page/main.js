@@ -48,7 +48,7 @@ const editor = makeEditor($("source"), about, {
   breaks: (lines) => session.setBreaks(lines),
   tooLong: (length) => say(`The text was rejected: the program would have ${some(length, "character")}, `
     + `and the limit is ${count(MAX_PROGRAM)}.`, "bad"),
-  at: (told) => fill($("source-note"), told && [el("code", {}, told.name), ` ${told.effect}`]),
+  at: (explanation) => fill($("source-note"), explanation && [el("code", {}, explanation.name), ` ${explanation.effect}`]),
 });
 makeBar(session);
 makeSplit();
@@ -83,12 +83,12 @@ function others() {
 // --- Text: errors, the current line, clocks of lines ---------------------------------
 
 session.on("loaded", (reply) => {
-  const told = reply.diagnostics ?? [];
-  const errors = told.filter(({ severity }) => severity === "error").length;
-  editor.tell(told.filter(({ file }) => file === session.name));
+  const diagnostics = reply.diagnostics ?? [];
+  const errors = diagnostics.filter(({ severity }) => severity === "error").length;
+  editor.showDiagnostics(diagnostics.filter(({ file }) => file === session.name));
   editor.stand(0);
-  $("faults").hidden = told.length === 0;
-  fill($("faults"), told.map(fault));
+  $("faults").hidden = diagnostics.length === 0;
+  fill($("faults"), diagnostics.map(fault));
   $("machine").classList.toggle("lost", !reply.ok);
   if (reply.ok) say("Ready. Run it, or go step by step.");
   else say(errors > 0 ? `${some(errors, "error")}: the program cannot run yet.` : reply.error, "bad");

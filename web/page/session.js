@@ -30,7 +30,7 @@ export class Session {
     (this.#listeners[kind] ??= []).push(listener);
   }
 
-  #tell(kind, what) {
+  #notify(kind, what) {
     for (const listener of this.#listeners[kind] ?? []) listener(what);
   }
 
@@ -49,7 +49,7 @@ export class Session {
 
   #occupy(busy) {
     this.busy = busy;
-    this.#tell("busy", busy);
+    this.#notify("busy", busy);
   }
 
   keep() {
@@ -77,7 +77,7 @@ export class Session {
     this.loaded = reply;
     this.view = null;
     this.elements = ELEMENTS;
-    this.#tell("loaded", reply);
+    this.#notify("loaded", reply);
     if (!reply.ok) return;
     await this.setBreaks(this.breaks);
     await this.look();
@@ -89,7 +89,7 @@ export class Session {
     if (!this.loaded?.ok) return;
     const reply = await this.machine.ask({ do: "breaks", lines });
     if (reply.ok) this.breaks = reply.lines.filter(({ line }) => line).map(({ line }) => line);
-    this.#tell("breaks", this.breaks);
+    this.#notify("breaks", this.breaks);
   }
 
   async look() {
@@ -97,7 +97,7 @@ export class Session {
     const view = await this.machine.ask({ do: "view", elements: this.elements });
     if (turn !== this.#turn || !view.ok) return;
     this.view = view;
-    this.#tell("view", view);
+    this.#notify("view", view);
     this.#lookAtLines(view);
   }
 
@@ -106,7 +106,7 @@ export class Session {
     const profile = await this.machine.ask({ do: "profile", idle: true });
     if (view !== this.view || !profile.ok || profile.stopped) return;
     const start = `${this.name}:`;
-    this.#tell("profile", profile.lines.filter(({ line }) => line.startsWith(start))
+    this.#notify("profile", profile.lines.filter(({ line }) => line.startsWith(start))
       .map((row) => ({ ...row, line: Number(row.line.slice(start.length)) })));
   }
 
@@ -123,17 +123,17 @@ export class Session {
     if (!this.loaded?.ok) return;
     const turn = this.#turn;
     const reply = await this.longer({ do: "go", how, ...(n !== undefined && { n }) },
-      (progress) => this.#tell("progress", progress));
+      (progress) => this.#notify("progress", progress));
     if (turn !== this.#turn) return;
     await this.look();
-    this.#tell("moved", reply);
+    this.#notify("moved", reply);
   }
 
   /** Sends a command to the debugger. */
   async say(line) {
     const reply = await this.machine.ask({ do: "say", line, ms: PATIENCE });
     await this.look();
-    if (reply.ok) this.#tell("moved", reply);
+    if (reply.ok) this.#notify("moved", reply);
     return reply;
   }
 

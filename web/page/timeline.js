@@ -14,7 +14,7 @@ export function makeTimeline(panel, session) {
   let from = 0;
   let to = FIRST;
   let whole = true; // the user has selected no range: a short run is shown from its start to its end
-  let told = null; // the engine's reply
+  let timeline = null; // the engine's reply
   let turn = 0;
 
   const aside = el("p", { class: "aside" });
@@ -80,7 +80,7 @@ export function makeTimeline(panel, session) {
     const mine = ++turn;
     const reply = await session.machine.ask({ do: "timeline", from, to, most: MAX, idle: true });
     if (mine !== turn || !reply.ok || reply.stopped) return;
-    told = reply;
+    timeline = reply;
     show();
   }
 
@@ -89,13 +89,13 @@ export function makeTimeline(panel, session) {
   }
 
   function show() {
-    if (!told) return picture.replaceChildren();
+    if (!timeline) return picture.replaceChildren();
     picture.setAttribute("aria-label",
-      `${some(told.insns.length, "instruction")} from clock ${count(from)} to ${count(to)}`);
+      `${some(timeline.insns.length, "instruction")} from clock ${count(from)} to ${count(to)}`);
     picture.replaceChildren(drawing());
-    const causes = new Set(told.spans.map(({ cause }) => cause).filter(Boolean));
+    const causes = new Set(timeline.spans.map(({ cause }) => cause).filter(Boolean));
     fill(legend, ...[...causes].map((cause) => el("li", {}, named(cause))));
-    note.hidden = !told.full;
+    note.hidden = !timeline.full;
     note.textContent = `The first ${MAX} instructions are drawn; zoom in to see all.`;
   }
 
@@ -103,7 +103,7 @@ export function makeTimeline(panel, session) {
     const width = Math.max(picture.clientWidth, 320);
     const tops = [];
     let height = TOP;
-    for (const { rows } of told.lanes) {
+    for (const { rows } of timeline.lanes) {
       tops.push(height);
       height += Math.max(rows, 1) * (BOX + 2) + GAP;
     }
@@ -114,10 +114,10 @@ export function makeTimeline(panel, session) {
 
     for (const at of ticks(from, to, (width - LEFT) / 70))
       svg.append(upright(at, "tick"), draw("text", { x: x(at), y: TOP - 9, class: "clock" }, count(at)));
-    told.lanes.forEach(({ name }, i) => svg.append(
+    timeline.lanes.forEach(({ name }, i) => svg.append(
       draw("text", { x: LEFT - 10, y: tops[i] + BOX - 4, class: "lane" }, name)));
-    for (const span of told.spans) {
-      const insn = told.insns[span.insn];
+    for (const span of timeline.spans) {
+      const insn = timeline.insns[span.insn];
       const mnemonic = insn.text.split(/\s/)[0];
       const y = tops[span.lane] + span.row * (BOX + 2);
       const wide = x(span.end) - x(span.begin);
@@ -132,9 +132,9 @@ export function makeTimeline(panel, session) {
     return svg;
   }
 
-  session.on("loaded", () => { whole = true; from = 0; to = FIRST; told = null; show(); });
+  session.on("loaded", () => { whole = true; from = 0; to = FIRST; timeline = null; show(); });
   session.on("view", () => { follow(); sayClock(); ask(); });
-  new ResizeObserver(() => { if (told && picture.clientWidth > 0) show(); }).observe(picture);
+  new ResizeObserver(() => { if (timeline && picture.clientWidth > 0) show(); }).observe(picture);
 }
 
 // The tooltip of a box.

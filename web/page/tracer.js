@@ -26,9 +26,9 @@ class Tracer {
     this.#wasm = wasm;
   }
 
-  /** Returns { code, files, stdout, stderr }, { stopped } or { lost }. TOLD receives all messages
+  /** Returns { code, files, stdout, stderr }, { stopped } or { lost }. ONMESSAGE receives all messages
    * before the end. */
-  async run(args, files, told) {
+  async run(args, files, onMessage) {
     const wasm = await (this.#bytes ??= this.#wasm());
     return new Promise((resolve) => {
       this.#end = resolve;
@@ -39,7 +39,7 @@ class Tracer {
       this.#worker.onmessage = ({ data }) => {
         if (data.ended) resolve(data.ended);
         else if (data.lost) this.stop({ lost: data.lost });
-        else told(data);
+        else onMessage(data);
       };
       this.#worker.onerror = ({ message }) => this.stop({ lost: message });
       this.#worker.postMessage({ args, files });

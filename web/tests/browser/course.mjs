@@ -12,19 +12,19 @@ async function verdict(visit, native, { name }, answer) {
   await visit.write(answer);
   await visit.press("check");
   await visit.page.waitForFunction("!document.getElementById('verdict').hidden");
-  const told = native.json(["check", name, `${name}.s`], { [`${name}.s`]: answer });
+  const expected = native.json(["check", name, `${name}.s`], { [`${name}.s`]: answer });
   const words = await visit.page.$$eval("#verdict p:not(.tries)", (list) => list.map((p) => p.textContent));
-  assert.deepEqual(words, [...told.report, ...told.tests.flatMap(({ report }) => report)], name);
+  assert.deepEqual(words, [...expected.report, ...expected.tests.flatMap(({ report }) => report)], name);
   const clocks = await visit.page.$$eval("#verdict h4 small", (list) =>
     list.map((small) => parseInt(small.textContent.replaceAll(",", ""), 10)));
   const ran = (list) => list.filter((n) => n > 0);
-  assert.deepEqual(ran(clocks), ran(told.tests.map((test) => test.clocks)), name);
+  assert.deepEqual(ran(clocks), ran(expected.tests.map((test) => test.clocks)), name);
   const passed = await visit.page.$eval("#verdict", (node) => node.classList.contains("passed"));
-  assert.equal(passed, told.passed, name);
+  assert.equal(passed, expected.passed, name);
   const reply = await visit.ask({ do: "grade", lesson: name, name: `${name}.s`, text: answer });
-  for (const [key, value] of Object.entries(told))
+  for (const [key, value] of Object.entries(expected))
     if (!["status", "answer"].includes(key)) assert.deepEqual(reply[key], value, `${name}: ${key}`);
-  return told;
+  return expected;
 }
 
 export const tests = {
@@ -44,8 +44,8 @@ export const tests = {
     }
     // An answer that cannot be assembled, and one that does not solve the exercise.
     for (const answer of [WRONG, SUM]) {
-      const told = await verdict(visit, native, native.lessons.at(-1), answer);
-      assert.equal(told.passed, false);
+      const verdictOfC205 = await verdict(visit, native, native.lessons.at(-1), answer);
+      assert.equal(verdictOfC205.passed, false);
     }
     const titles = await visit.page.$$eval("#lesson optgroup[label=Course] option", (options) =>
       options.map(({ textContent }) => textContent));

@@ -37,13 +37,13 @@ export const tests = {
     const server = await serve(site);
     const visit = await Visit.open(browser, server.address);
     await runs(visit);
-    const asked = server.asked.length;
+    const requested = server.requested.length;
     await server.end();
     await visit.write(PRINTS.replace("42", "43"));
     await visit.press("run");
     assert.equal(await visit.text("#output"), "43\n");
     await visit.press("back");
-    assert.equal(server.asked.length, asked);
+    assert.equal(server.requested.length, requested);
     await visit.close();
   },
 

@@ -209,7 +209,7 @@ export const tests = {
     await visit.close();
   },
 
-  async "at 200 % there is room for the program, and for what is written when errors are told"({ browser, page }) {
+  async "at 200 % the program and the line that is typed are visible, also with reported errors"({ browser, page }) {
     // At 200 % the page has half of the pixels of a large screen or of a laptop.
     for (const size of [{ width: 960, height: 540 }, { width: 640, height: 360 }, { width: 1280, height: 600 }]) {
       const visit = await Visit.open(browser, page, size);

@@ -211,15 +211,15 @@ export const tests = {
       await visit.page.click("#share");
       await visit.page.waitForFunction(
         "/^The (link is in|program is too long)/.test(document.getElementById('status').textContent)");
-      const told = await visit.text("#status"), address = visit.page.url();
+      const status = await visit.text("#status"), address = visit.page.url();
       await visit.close();
-      if (told.startsWith("The link is in")) {
+      if (status.startsWith("The link is in")) {
         const other = await Visit.open(world.browser, address);
         assert.ok(await other.look("editor.text") === text);
         await other.close();
         made++;
       } else {
-        assert.match(told, /too long for a link: the limit is (1,048,576 bytes|524,288 characters in the link)\.$/);
+        assert.match(status, /too long for a link: the limit is (1,048,576 bytes|524,288 characters in the link)\.$/);
         assert.ok(!address.includes("#"));
         refused++;
       }
@@ -249,18 +249,18 @@ export const tests = {
     await visit.close();
   },
 
-  async "a link that is spoilt is told, and does no harm"({ browser, page }) {
+  async "a damaged link is reported and does no harm"({ browser, page }) {
     const packed = (bytes) => deflateRawSync(bytes).toString("base64url");
     const mine = "        EXIT    ; a text of mine\n";
-    const SPOILT = "The link is damaged: it contains no program.";
+    const DAMAGED = "The link is damaged: it contains no program.";
     const ABSENT = "The link names an unknown lesson.";
-    for (const [link, told, text] of [
-      ["model=x&program=!!", SPOILT], ["program=", SPOILT], [`program=${"A".repeat(100000)}`, SPOILT],
+    for (const [link, message, text] of [
+      ["model=x&program=!!", DAMAGED], ["program=", DAMAGED], [`program=${"A".repeat(100000)}`, DAMAGED],
       [`program=${packed(Buffer.alloc(1 << 27, "; much\n"))}`, /^The link cannot be opened: .* limit is 1,048,576 bytes\.$/],
       ["lesson=%3Cimg%20src=x%3E", ABSENT], ["lesson=__proto__", ABSENT],
       [`lesson=none&model=none&pages=none&program=${packed(mine)}`, ABSENT, mine], ["%E0%A4%A", /^Ready/]]) {
       const visit = await Visit.open(browser, `${page}#${link}`);
-      assert.match(await visit.text("#status"), told instanceof RegExp ? told : new RegExp(`^${told}$`), link.slice(0, 40));
+      assert.match(await visit.text("#status"), message instanceof RegExp ? message : new RegExp(`^${message}$`), link.slice(0, 40));
       assert.equal(await visit.look("editor.text"), text ?? await visit.look("about.lessons[0].start"));
       assert.equal(await visit.page.$eval("#lesson", ({ value }) => value),
         text ? "own" : `lesson:${await visit.look("about.lessons[0].name")}`);

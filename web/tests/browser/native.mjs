@@ -16,12 +16,12 @@ export class Native {
     process.on("exit", () => rmSync(this.#folder, { recursive: true, force: true }));
   }
 
-  /** Runs a command in a folder with FILES. Returns {status, out, told}; told: text of stderr. */
+  /** Runs a command in a folder with FILES. Returns {status, out, err}: the texts of stdout and stderr. */
   run(command, args, files = {}) {
     for (const [name, text] of Object.entries(files)) writeFileSync(join(this.#folder, name), text);
     const { status, stdout, stderr } = spawnSync(join(this.build, command), args,
       { cwd: this.#folder, encoding: "utf8", maxBuffer: 1 << 28 });
-    return { status, out: stdout, told: stderr };
+    return { status, out: stdout, err: stderr };
   }
 
   c205(args, files) {

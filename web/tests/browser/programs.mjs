@@ -39,16 +39,16 @@ export const tests = {
     await visit.page.waitForSelector("#laboratory .chart svg");
     const text = await visit.look("editor.text");
     const other = await visit.look("window.c205.example('saxpy_scalar.s')");
-    const told = native.json(["sweep", "--warm", ...PLAIN, "a.s", "b.s", "--define", "n=1:1000",
+    const expected = native.json(["sweep", "--warm", ...PLAIN, "a.s", "b.s", "--define", "n=1:1000",
       "--points", "25"], { "a.s": text, "b.s": other });
     const rows = await visit.page.$$eval("#laboratory details tbody tr", (list) => list.map((row) =>
       [...row.children].map((cell) => cell.textContent.replaceAll(",", ""))));
     assert.deepEqual(rows.map(([n, first, , second]) => [n, first, second].map(Number)),
-      told.points.map((point) => [point.value, point.first_clocks, point.second_clocks]));
+      expected.points.map((point) => [point.value, point.first_clocks, point.second_clocks]));
     const lines = await visit.page.$$eval("#laboratory .result > table tbody tr", (list) => list.map((row) =>
       [...row.children].slice(1).map((cell) => Number(cell.textContent.replaceAll(",", "").replace("−", "-")))));
     const to = (places, value) => Number(value.toFixed(places)) || 0;
-    assert.deepEqual(lines, told.lines.map((line) => [to(1, line.startup), to(4, line.per_element),
+    assert.deepEqual(lines, expected.lines.map((line) => [to(1, line.startup), to(4, line.per_element),
       to(2, line.mflops), to(1, line.n_half), to(2, line.off_percent)]));
     await visit.close();
   },
@@ -75,9 +75,9 @@ export const tests = {
     await visit.press("tab-laboratory");
     await visit.press("laboratory button[type=submit]");
     await visit.page.waitForSelector("#laboratory .chart svg");
-    const told = await visit.text("#laboratory .result");
-    assert.ok(!told.includes("Mflop/s"), told);
-    assert.ok(!told.includes("check that the program uses"));
+    const result = await visit.text("#laboratory .result");
+    assert.ok(!result.includes("Mflop/s"), result);
+    assert.ok(!result.includes("check that the program uses"));
     // It reports when nothing depends on the constant, which the program must use.
     await visit.write(COUNTS.replace("        EXIT", "        .ifdef other\n        ES      r60, other\n        .endif\n        EXIT"));
     await visit.page.$eval("#lab-constant", (input) => { input.value = "other"; });

@@ -11,12 +11,12 @@ const POLICY = ["default-src 'none'", "script-src 'self' 'wasm-unsafe-eval'", "w
   "style-src 'self' 'unsafe-inline'", "img-src data: blob:", "connect-src 'self'", "base-uri 'none'",
   "form-action 'none'"].join("; ");
 
-/** Starts the server. Returns {address, asked, end}; asked: the paths requested so far. */
+/** Starts the server. Returns {address, requested, end}; requested: the paths requested so far. */
 export async function serve(folder) {
-  const asked = [];
+  const requested = [];
   const server = createServer(async ({ url }, response) => {
     const path = normalize(decodeURIComponent(new URL(url, "http://localhost").pathname));
-    asked.push(path);
+    requested.push(path);
     try {
       const bytes = await readFile(join(folder, path.endsWith("/") ? `${path}index.html` : path));
       response.writeHead(200, { "content-type": TYPES[extname(path)] ?? TYPES[".html"],
@@ -27,7 +27,7 @@ export async function serve(folder) {
   });
   await new Promise((resolve) => { server.listen(0, "127.0.0.1", resolve); });
   return {
-    address: `http://127.0.0.1:${server.address().port}/`, asked,
+    address: `http://127.0.0.1:${server.address().port}/`, requested,
     end: () => new Promise((resolve) => { server.close(resolve); server.closeAllConnections(); }),
   };
 }

@@ -78,10 +78,10 @@ export const tests = {
   async "causes and regions are the accounts"(world) {
     const visit = await open(world);
     await eachStep(visit, async ({ accounts }) => {
-      const told = accounts.causes.map(({ cause, clocks, percent }) => [cause, clocks, percent.toFixed(1)]);
+      const expected = accounts.causes.map(({ cause, clocks, percent }) => [cause, clocks, percent.toFixed(1)]);
       const shown = (await rows(visit, "#causes table:nth-of-type(1)"))
         .map(([cause, clocks, percent]) => [cause, number(clocks), percent]);
-      assert.deepEqual(shown, [...told, ["all", accounts.clocks, "100.0"]]);
+      assert.deepEqual(shown, [...expected, ["all", accounts.clocks, "100.0"]]);
     });
     const { accounts } = await visit.view();
     const regions = (await rows(visit, "#causes table:nth-of-type(2)"))

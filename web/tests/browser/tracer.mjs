@@ -8,8 +8,8 @@ const PATIENCE = 120000; // milliseconds, limit for a run
 
 /** Returns what rt205 prints, stderr first. */
 function rt205(native, args, files) {
-  const { out, told } = native.rt205([...args, "--jobs", "1"], files);
-  return told + out;
+  const { out, err } = native.rt205([...args, "--jobs", "1"], files);
+  return err + out;
 }
 
 const scene = `camera { location <0, 1, -4> look_at 0 }
@@ -71,7 +71,7 @@ export const tests = {
     await visit.close();
   },
 
-  async "a scene with a fault is told, and a run can be stopped"({ browser, page, native }) {
+  async "a scene with a fault is reported, and a run can be stopped"({ browser, page, native }) {
     const visit = await openTracer(browser, page);
     const broken = scene.replace("sphere", "spere");
     await write(visit, broken);

@@ -35,7 +35,7 @@ const filesOf = (folder, names = /./) => Object.fromEntries(
     .filter((name) => fs.statSync(name).isFile())
     .map((name) => [name, fs.readFileSync(name)]));
 
-const given = {
+const inputFiles = {
   ...filesOf("scenes"), ...filesOf("tests/scenes"), ...filesOf(drawn),
   [path.join(out, "folder")]: "",
 };
@@ -82,7 +82,7 @@ function native(args) {
 
 function inPage(args, more = {}) {
   const printed = { stdout: "", stderr: "" };
-  const ended = run([...args, "--jobs", "1"], { ...given, ...more }, {
+  const ended = run([...args, "--jobs", "1"], { ...inputFiles, ...more }, {
     stdout: (text) => printed.stdout += text,
     stderr: (text) => printed.stderr += text,
   });
@@ -138,12 +138,12 @@ const draw = (most) => { // 0 .. most - 1; a linear congruential generator of Kn
 };
 const one = (list) => list[draw(list.length)];
 
-const ways = [
+const methods = [
   [], ["--flat"], ["--no-bounds"], ["--order", "rows"], ["--order", "tiles"],
   ["--samples", "2"], ["--samples", "2", "--threshold", "0.1"], ["--visible", "every"],
   ["--visible", "stepping"], ["--historical"],
 ];
-const asked = [
+const reportOptions = [
   [], ["--accounts"], ["--profile"], ["--profile", "--in-order"],
   ["--accounts", "--format", "csv"], ["--accounts", "--format", "json"],
   ["--format", "md"], ["--provenance"],
@@ -153,20 +153,20 @@ const models = [
   "cyber205-2pipe-32bit", "cyber205-2pipe-small", "cyber205-4pipe-prior", "eta10g",
 ];
 const size = () => ["-W", `${1 + draw(24)}`, "-H", `${1 + draw(18)}`];
-const anyWay = () => [
+const randomOptions = () => [
   "--mode", one(["scalar", "vector", "vector", "kernels"]),
   "--queue", `${one([1, 2, 7, 64, 77, 500, 2000, 65535])}`,
-  "--model", one(models), ...one(ways), ...one(asked), ...size(),
+  "--model", one(models), ...one(methods), ...one(reportOptions), ...size(),
 ];
 
 // ---- The runs --------------------------------------------------------------
 
-const scenes = Object.keys(given).filter((name) => name.endsWith(".pov"));
+const scenes = Object.keys(inputFiles).filter((name) => name.endsWith(".pov"));
 // Runs every third scene, or all if THOROUGH is set.
 const part = process.env.THOROUGH ? 1 : 3;
 for (const scene of scenes.filter((name, i) => i % part === 0))
   check(["render", scene, ...draw(4) === 0 ? ["-o", path.join(out, "a.png")] : ["--no-picture"],
-    "--json", path.join(out, "a.json"), ...anyWay()]);
+    "--json", path.join(out, "a.json"), ...randomOptions()]);
 
 const json = ["--json", path.join(out, "a.json")];
 const small = ["-W", "24", "-H", "16"];
@@ -221,7 +221,7 @@ function damaged(text) {
 }
 const broken = path.join(drawn, "broken.pov");
 for (let i = 0; i < 60 / part; i++) {
-  const text = damaged(given[one(scenes)].toString());
+  const text = damaged(inputFiles[one(scenes)].toString());
   fs.writeFileSync(broken, text);
   check(["render", broken, "--no-picture", "-W", "6", "-H", "5"], { [broken]: text });
 }
@@ -263,7 +263,7 @@ function watch(scene, width, height) {
   const begin = performance.now();
   let stdout = "", views = 0, last;
   const { files } = run(["render", scene, "-o", "a.png", "--format", "json", "-W", `${width}`,
-    "-H", `${height}`], given, {
+    "-H", `${height}`], inputFiles, {
     stdout: (text) => { stdout += text; },
     rows: (view) => {
       views++;

@@ -20,37 +20,37 @@ writeFileSync(script, "run\ninfo registers\n");
 
 let passed = 0, failed = 0;
 
-function verdict(good, ...told) {
+function verdict(good, ...description) {
   if (good) {
     passed++;
   } else {
     failed++;
-    console.log("FAIL", ...told);
+    console.log("FAIL", ...description);
   }
 }
 
-function same(a, b, ...told) {
+function same(a, b, ...description) {
   const one = typeof a === "string" ? a : JSON.stringify(a);
   const two = typeof b === "string" ? b : JSON.stringify(b);
   let at = 0;
   if (one !== two) while (one?.[at] === two?.[at]) at++;
   const around = (text) => text?.slice(Math.max(0, at - 40), at + 80);
-  verdict(one === two, ...told, "\n    c205:   ", around(one), "\n    engine: ", around(two));
+  verdict(one === two, ...description, "\n    c205:   ", around(one), "\n    engine: ", around(two));
 }
 
 // ---- c205
 
 function native(...args) {
   const run = spawnSync(c205, args, { encoding: "utf8", maxBuffer: 1 << 28 });
-  return { out: run.stdout, said: run.stderr, json: run.stdout.startsWith("{") ? JSON.parse(run.stdout) : null };
+  return { out: run.stdout, stderr: run.stderr, json: run.stdout.startsWith("{") ? JSON.parse(run.stdout) : null };
 }
 
 // ---- The engine
 
 /** Sends a request and continues it in slices until it is done. */
-function finish(asked, request) {
-  let reply = asked.answer(request);
-  while (reply.ok && reply.done === false) reply = asked.answer({ do: "more", ms: 20 });
+function finish(instance, request) {
+  let reply = instance.answer(request);
+  while (reply.ok && reply.done === false) reply = instance.answer({ do: "more", ms: 20 });
   return reply;
 }
 
@@ -81,8 +81,8 @@ const below = (() => {
 })();
 
 /** Returns the complete view without the number of known steps. */
-function seen(asked) {
-  const view = asked.answer({ do: "view", "all-registers": true });
+function seen(instance) {
+  const view = instance.answer({ do: "view", "all-registers": true });
   delete view.steps;
   return view;
 }
@@ -102,18 +102,18 @@ function checkWalk(path, program, steps) {
 
 function checkRegisters(path, model) {
   const lines = native("debug", path, "-x", script, "--model", model).out;
-  const told = lines.slice(lines.indexOf("info registers\n") + "info registers\n".length);
-  same(told.trimEnd(), engine.answer({ do: "say", line: "info registers" }).text.trimEnd(), `${path}: registers`);
+  const printed = lines.slice(lines.indexOf("info registers\n") + "info registers\n".length);
+  same(printed.trimEnd(), engine.answer({ do: "say", line: "info registers" }).text.trimEnd(), `${path}: registers`);
 }
 
 function checkTimeline(path, model) {
   for (const ending of ["json", "kanata", "svg"]) {
     const file = join(scratch, `x.${ending}`);
     rmSync(file, { force: true });
-    const { said } = native("timeline", path, "--model", model, "-o", file);
+    const { stderr } = native("timeline", path, "--model", model, "-o", file);
     const reply = finish(engine, { do: "timeline", file: `x.${ending}`, most: 50000, ms: 20 });
     if (existsSync(file)) same(readFileSync(file, "utf8"), reply.file, `${path}: timeline as ${ending}`);
-    else verdict(reply.full || said.includes("no instruction is active in this range"), `${path}: only the engine has a timeline`);
+    else verdict(reply.full || stderr.includes("no instruction is active in this range"), `${path}: only the engine has a timeline`);
   }
 }
 
@@ -123,7 +123,7 @@ function checkProgram(path) {
   if (!loaded.ok) return verdict(!native("run", path, "--json", "-").json, path, loaded.error);
   const { model } = loaded;
   const end = finish(engine, { do: "go", how: "end", ms: 20 });
-  const { json, said } = native("run", path, "--model", model, "--profile", "--json", "-", "-Wno-all");
+  const { json, stderr } = native("run", path, "--model", model, "--profile", "--json", "-", "-Wno-all");
   const view = engine.answer({ do: "view" });
   const accounts = engine.answer({ do: "accounts" });
 
@@ -132,8 +132,8 @@ function checkProgram(path) {
   same(json.clocks, view.clock, `${path}: clocks`);
   same(json.causes, accounts.causes, `${path}: causes`);
   same(json.regions, accounts.regions, `${path}: regions`);
-  same(said.slice(0, view.printed.length), view.printed, `${path}: printed`);
-  if (view.trap === "none" && view.status === 0) same(said, view.printed, `${path}: printed`);
+  same(stderr.slice(0, view.printed.length), view.printed, `${path}: printed`);
+  if (view.trap === "none" && view.status === 0) same(stderr, view.printed, `${path}: printed`);
   same(json.lines, finish(engine, { do: "profile", ms: 20 }).lines, `${path}: profile`);
   checkRegisters(path, model);
   checkTimeline(path, model);
@@ -161,10 +161,10 @@ function checkSideBySide() {
 }
 
 function checkAnswer(path, lesson) {
-  const told = native("check", lesson, path, "--format", "json").json;
+  const expected = native("check", lesson, path, "--format", "json").json;
   const { ok, words, ...graded } = finish(engine, { do: "grade", lesson, name: path, text: readFileSync(path, "utf8") });
-  if (!told) return verdict(!ok, `${path}: only the engine grades it`);
-  for (const key of Object.keys(told)) same(told[key], graded[key], `${path}: ${key} of the verdict`);
+  if (!expected) return verdict(!ok, `${path}: only the engine grades it`);
+  for (const key of Object.keys(expected)) same(expected[key], graded[key], `${path}: ${key} of the verdict`);
 }
 
 // ---- All programs
