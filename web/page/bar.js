@@ -5,15 +5,15 @@ import { $, count } from "./dom.js";
 
 const PROGRESS_INTERVAL = 500; // milliseconds between two reports of progress
 // Maps the id of each button to the value of "how" in the request "go".
-const WAYS = { run: "end", reset: "start", step: "step", back: "back", on: "continue",
+const RUN_COMMANDS = { run: "end", reset: "start", step: "step", back: "back", on: "continue",
   before: "reverse-continue" };
-const WHY = { end: "The program has ended.", breakpoint: "Stopped at a breakpoint.",
+const STOP_REASONS = { end: "The program has ended.", breakpoint: "Stopped at a breakpoint.",
   limit: "Stopped after a very long run. Run continues it.", start: "At the beginning." };
-const MOOD = { trap: "bad", limit: "bad", end: "good" };
+const STATUS_CLASS = { trap: "bad", limit: "bad", end: "good" };
 
-export function say(words, mood = "") {
+export function setStatus(words, kind = "") {
   $("status").textContent = words;
-  $("status").className = `status ${mood}`;
+  $("status").className = `status ${kind}`;
 }
 
 // Returns a message of the debugger as a sentence.
@@ -21,10 +21,10 @@ const sentence = (words) => words && words[0].toUpperCase() + words.slice(1).rep
 
 // Reports how a run or a step ended.
 function reportRun(reply) {
-  if (!reply.ok) return say(reply.error, "bad");
-  if (reply.stopped) return say("Stopped by you.");
-  say(sentence(reply.message) || WHY[reply.why] || `Step ${count(reply.step)}, clock ${count(reply.clock)}.`,
-    MOOD[reply.why]);
+  if (!reply.ok) return setStatus(reply.error, "bad");
+  if (reply.stopped) return setStatus("Stopped by you.");
+  setStatus(sentence(reply.message) || STOP_REASONS[reply.why] || `Step ${count(reply.step)}, clock ${count(reply.clock)}.`,
+    STATUS_CLASS[reply.why]);
 }
 
 // Updates buttons, slider and output from a view; null: no program is loaded.
@@ -60,7 +60,7 @@ function busy(so) {
 
 export function makeBar(session) {
   let last = 0;
-  for (const [id, how] of Object.entries(WAYS)) $(id).addEventListener("click", () => session.go(how));
+  for (const [id, how] of Object.entries(RUN_COMMANDS)) $(id).addEventListener("click", () => session.go(how));
   $("stop").addEventListener("click", () => session.stop());
   $("slider").addEventListener("input", () => { place(); session.slide(Number($("slider").value)); });
   session.on("loaded", (reply) => { if (!reply.ok) update(null); });
@@ -70,6 +70,6 @@ export function makeBar(session) {
   session.on("progress", ({ step, clock }) => {
     if (performance.now() - last < PROGRESS_INTERVAL) return;
     last = performance.now();
-    say(`Running: step ${count(step)}, clock ${count(clock)} ..`);
+    setStatus(`Running: step ${count(step)}, clock ${count(clock)} ..`);
   });
 }

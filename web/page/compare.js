@@ -44,7 +44,7 @@ export function makeCompare(panel, session, others) {
     offer();
     const list = others();
     const chosen = [first, second].map(({ value }) => list.find((one) => one.value === value));
-    const reply = await session.longer({ do: "compare", ...session.setting,
+    const reply = await session.runRequest({ do: "compare", ...session.setting,
       texts: chosen.map(({ title, text }) => ({ name: title, text })) });
     fill(result, reply.ok && !reply.stopped ? resultElements(reply, chosen)
       : el("p", { class: "fault" }, reply.error ?? "Stopped."));

@@ -2,16 +2,16 @@
 
 import { el, fill, heading } from "./dom.js";
 
-const KEEP = 400; // commands that the transcript shows
+const MAX_COMMANDS = 400; // commands that the transcript shows
 
 export function makeConsole(panel, session) {
-  const said = [];
+  const commands = [];
   let at = 0;
   const transcript = el("div", { class: "transcript", role: "log", tabindex: 0,
     "aria-label": "Output of the debugger" });
   const line = el("input", { id: "console-line", type: "text", spellcheck: "false",
     autocomplete: "off", autocapitalize: "off", keydown: recall });
-  const form = el("form", { class: "prompt", submit: say },
+  const form = el("form", { class: "prompt", submit: submit },
     el("label", { for: "console-line" }, "(c205)"), line,
     el("button", { type: "submit" }, "Send"));
 
@@ -24,13 +24,13 @@ export function makeConsole(panel, session) {
 
   function recall(event) {
     const by = { ArrowUp: -1, ArrowDown: 1 }[event.key];
-    if (!by || said.length === 0) return;
+    if (!by || commands.length === 0) return;
     event.preventDefault();
-    at = Math.min(Math.max(at + by, 0), said.length);
-    line.value = said[at] ?? "";
+    at = Math.min(Math.max(at + by, 0), commands.length);
+    line.value = commands[at] ?? "";
   }
 
-  function say(event) {
+  function submit(event) {
     event.preventDefault();
     const words = line.value.trim();
     line.value = "";
@@ -38,14 +38,14 @@ export function makeConsole(panel, session) {
   }
 
   async function send(words) {
-    if (said.at(-1) !== words) said.push(words);
-    at = said.length;
-    const reply = await session.say(words);
+    if (commands.at(-1) !== words) commands.push(words);
+    at = commands.length;
+    const reply = await session.command(words);
     transcript.append(
-      el("p", { class: "said" }, `(c205) ${words}`),
+      el("p", { class: "command" }, `(c205) ${words}`),
       el("pre", { class: reply.ok ? null : "fault" },
         reply.ok ? reply.text : reply.error));
-    while (transcript.childElementCount > 2 * KEEP) transcript.firstChild.remove();
+    while (transcript.childElementCount > 2 * MAX_COMMANDS) transcript.firstChild.remove();
     transcript.scrollTop = transcript.scrollHeight;
   }
 }

@@ -263,7 +263,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
       view.dispatch({ effects: setBreaks.of(list) });
     },
     /** Marks the current line and scrolls to it; 0 removes the mark. */
-    stand(line) {
+    markLine(line) {
       view.dispatch({ effects: setHere.of(line) });
       if (line) bringIntoSight(lineStart(view.state.doc, line), MARGIN);
     },

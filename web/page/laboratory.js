@@ -52,7 +52,7 @@ export function makeLaboratory(panel, session, others) {
     start.hidden = true;
     stop.hidden = false;
     progress.textContent = "Measuring ..";
-    const reply = await session.longer({ do: "sweep", text: chosen[0].text,
+    const reply = await session.runRequest({ do: "sweep", text: chosen[0].text,
       ...(chosen[1] && { other: chosen[1].text }), constant: constant.value.trim(),
       from: Number(from.value), to: Number(to.value), points: POINTS, model: session.model,
       warm: warm.checked },
@@ -81,12 +81,12 @@ export function makeLaboratory(panel, session, others) {
   function show() {
     const slider = el("input", { type: "range", id: "lab-at", min: 0, max: sweep.points.length - 1, value: at,
       input: () => { at = Number(slider.value); mark(); } });
-    const said = el("output", { for: "lab-at", class: "said-at" });
+    const reading = el("output", { for: "lab-at", class: "reading" });
     const chart = el("div", { class: "chart" });
     const mark = () => {
       fill(chart, drawing());
       const point = sweep.points[at];
-      fill(said, el("b", {}, `${sweep.constant} = ${count(point.value)}`), ...series().map((one, i) =>
+      fill(reading, el("b", {}, `${sweep.constant} = ${count(point.value)}`), ...series().map((one, i) =>
         el("span", {}, el("i", { class: `patch series-${i}`, "aria-hidden": "true" }),
           some(point[`${one}clocks`], "clock"),
           rated() && `, ${fixed(point[`${one}mflops`], 1)} Mflop/s`)));
@@ -95,7 +95,7 @@ export function makeLaboratory(panel, session, others) {
     fill(result,
       el("p", { class: "legend" }, names.map((name, i) => el("span", {},
         el("i", { class: `patch series-${i}`, "aria-hidden": "true" }), name))),
-      chart, el("div", { class: "field slide" }, el("label", { for: "lab-at" }, sweep.constant), slider), said,
+      chart, el("div", { class: "field slide" }, el("label", { for: "lab-at" }, sweep.constant), slider), reading,
       steady() && el("p", { class: "steady" }, `The clocks are the same for every ${sweep.constant}: `
         + "check that the program uses this constant."),
       ...(sweep.crossings ?? []).map(crossing), lines(),

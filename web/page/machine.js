@@ -1,9 +1,9 @@
 // machine.js - the page's side of the worker: sends requests to the engine, and starts a new
 // engine if the old one does not answer.
 
-// Milliseconds from a stop to the end of the worker. AT_ONCE is for a request that the engine cannot
+// Milliseconds from a stop to the end of the worker. GRADE_STOP_TIMEOUT is for a request that the engine cannot
 // interrupt.
-const PATIENCE = 3000, AT_ONCE = 250;
+const STOP_TIMEOUT = 3000, GRADE_STOP_TIMEOUT = 250;
 
 export class Machine {
   #source; #wasm; #worker; #ready;
@@ -57,12 +57,12 @@ export class Machine {
   }
 
   /** Returns the engine's reply. PROGRESS receives reports if the request takes more than a slice. */
-  async ask(request, progress) {
+  async request(message, progress) {
     await this.#ready;
     return new Promise((resolve) => {
       const id = this.#next++;
-      this.#pending.set(id, { resolve, progress, whole: request.do === "grade" });
-      this.#worker.postMessage({ id, request });
+      this.#pending.set(id, { resolve, progress, whole: message.do === "grade" });
+      this.#worker.postMessage({ id, request: message });
     });
   }
 
@@ -77,6 +77,6 @@ export class Machine {
     clearTimeout(this.#watch);
     if (this.#pending.size === 0) return;
     const whole = [...this.#pending.values()].some((one) => one.whole);
-    this.#watch = setTimeout(() => this.#lose("it did not answer in time", whole), whole ? AT_ONCE : PATIENCE);
+    this.#watch = setTimeout(() => this.#lose("it did not answer in time", whole), whole ? GRADE_STOP_TIMEOUT : STOP_TIMEOUT);
   }
 }

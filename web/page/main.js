@@ -1,6 +1,6 @@
 // main.js - the page: creates the panels and connects them with the bar and the keys.
 
-import { makeBar, say } from "./bar.js";
+import { makeBar, setStatus } from "./bar.js";
 import { makeCauses } from "./causes.js";
 import { makeCompare } from "./compare.js";
 import { makeConsole } from "./console.js";
@@ -26,12 +26,12 @@ import { makeVectors } from "./vectors.js";
 const PAUSE = 300; // milliseconds of no typing before the text is assembled
 
 const session = new Session(new Machine(workerSource(), engineBytes()));
-const [about, carried] = await Promise.all([session.machine.ask({ do: "about" }), course()])
+const [about, courseData] = await Promise.all([session.machine.request({ do: "about" }), course()])
   .catch((fault) => {
-    say(`The engine cannot start in this browser: ${fault.message}`, "bad");
+    setStatus(`The engine cannot start in this browser: ${fault.message}`, "bad");
     throw fault;
   });
-const programs = new Programs(about, carried);
+const programs = new Programs(about, courseData);
 
 // --- Panels --------------------------------------------------------------------
 
@@ -46,7 +46,7 @@ const editor = makeEditor($("source"), about, {
     typing = setTimeout(() => { typing = 0; session.load(); }, PAUSE);
   },
   breaks: (lines) => session.setBreaks(lines),
-  tooLong: (length) => say(`The text was rejected: the program would have ${some(length, "character")}, `
+  tooLong: (length) => setStatus(`The text was rejected: the program would have ${some(length, "character")}, `
     + `and the limit is ${count(MAX_PROGRAM)}.`, "bad"),
   at: (explanation) => fill($("source-note"), explanation && [el("code", {}, explanation.name), ` ${explanation.effect}`]),
 });
@@ -86,12 +86,12 @@ session.on("loaded", (reply) => {
   const diagnostics = reply.diagnostics ?? [];
   const errors = diagnostics.filter(({ severity }) => severity === "error").length;
   editor.showDiagnostics(diagnostics.filter(({ file }) => file === session.name));
-  editor.stand(0);
+  editor.markLine(0);
   $("faults").hidden = diagnostics.length === 0;
   fill($("faults"), diagnostics.map(fault));
   $("machine").classList.toggle("lost", !reply.ok);
-  if (reply.ok) say("Ready. Run it, or go step by step.");
-  else say(errors > 0 ? `${some(errors, "error")}: the program cannot run yet.` : reply.error, "bad");
+  if (reply.ok) setStatus("Ready. Run it, or go step by step.");
+  else setStatus(errors > 0 ? `${some(errors, "error")}: the program cannot run yet.` : reply.error, "bad");
 });
 
 const fault = ({ severity, file, line, column, message }) => el("li", { class: severity },
@@ -99,7 +99,7 @@ const fault = ({ severity, file, line, column, message }) => el("li", { class: s
     ? el("button", { type: "button", click: () => editor.toLine(line, column) }, `line ${line}`)
     : ` ${file}:${line}`, " ", message);
 
-session.on("view", ({ ended, line }) => editor.stand(ended ? 0 : line));
+session.on("view", ({ ended, line }) => editor.markLine(ended ? 0 : line));
 session.on("profile", (rows) => editor.charge(rows));
 session.on("breaks", (lines) => editor.setBreaks(lines));
 
@@ -124,15 +124,15 @@ function open(key, text, warm) {
 
 async function check() {
   if (!programs.exercise || session.busy) return;
-  say("Checking the answer ..");
-  const reply = await session.longer({ do: "grade", lesson: programs.lesson.name,
+  setStatus("Checking the answer ..");
+  const reply = await session.runRequest({ do: "grade", lesson: programs.lesson.name,
     name: programs.name, text: editor.text });
   if (session.machine.lost) await session.load();
-  if (!reply.ok || reply.stopped) return say(reply.stopped ? "Stopped by you." : reply.error, "bad");
+  if (!reply.ok || reply.stopped) return setStatus(reply.stopped ? "Stopped by you." : reply.error, "bad");
   showVerdict(reply);
   programs.offer();
-  if (reply.passed) say(`Passed${reply.medal ? `: ${reply.medal}` : ""}.`, "good");
-  else say("Not passed. The verdict gives the reason.", "bad");
+  if (reply.passed) setStatus(`Passed${reply.medal ? `: ${reply.medal}` : ""}.`, "good");
+  else setStatus("Not passed. The verdict gives the reason.", "bad");
 }
 
 async function share() {
@@ -142,14 +142,14 @@ async function share() {
     history.replaceState(null, "", await toHash({ text: editor.text, model, warm, lesson }));
   } catch (fault) {
     forgetLink();
-    return say(fault instanceof RangeError ? `The program ${fault.message}`
+    return setStatus(fault instanceof RangeError ? `The program ${fault.message}`
       : `This browser cannot make a link: ${fault.message}`, "bad");
   }
   try {
     await navigator.clipboard.writeText(location.href);
-    say("The link is in the clipboard; it contains the whole program.");
+    setStatus("The link is in the clipboard; it contains the whole program.");
   } catch {
-    say("The link is in the address bar; it contains the whole program.");
+    setStatus("The link is in the address bar; it contains the whole program.");
   }
 }
 
@@ -179,7 +179,7 @@ async function openLink(otherwise) {
       session.kept = programs.written ?? "";
     }
   } else if (otherwise !== undefined) await open(otherwise);
-  if (fault) say(fault, "bad");
+  if (fault) setStatus(fault, "bad");
 }
 
 // --- Buttons and lists ------------------------------------------------------------------
@@ -219,6 +219,6 @@ await openLink(kept.get("at"));
 document.body.classList.add("ready");
 
 // For tests, and for users of the browser's console.
-window.c205 = { session, editor, about, ask: (request) => session.machine.ask(request),
-  example: (name) => carried.examples.find((one) => one.name === name)?.text,
+window.c205 = { session, editor, about, request: (request) => session.machine.request(request),
+  example: (name) => courseData.examples.find((one) => one.name === name)?.text,
   quiet: () => typing === 0 && !session.busy && session.machine.idle };

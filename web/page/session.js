@@ -2,7 +2,7 @@
 // (the engine's reply), "view" (the data of all panels), "profile" (clocks by line),
 // "moved" (how a run or a step ended), "busy", "progress" and "breaks".
 
-const PATIENCE = 2000; // milliseconds, limit for a command of the debugger
+const COMMAND_TIMEOUT = 2000; // milliseconds, limit for a command of the debugger
 const ELEMENTS = 64, MAX_ELEMENTS = 4096; // of each vector in a view
 
 export class Session {
@@ -40,14 +40,14 @@ export class Session {
   }
 
   /** Sends a request that may take long. The session is busy until the reply arrives. */
-  async longer(request, progress) {
-    this.#occupy(true);
-    const reply = await this.machine.ask(request, progress);
-    this.#occupy(false);
+  async runRequest(request, progress) {
+    this.#setBusy(true);
+    const reply = await this.machine.request(request, progress);
+    this.#setBusy(false);
     return reply;
   }
 
-  #occupy(busy) {
+  #setBusy(busy) {
     this.busy = busy;
     this.#notify("busy", busy);
   }
@@ -71,7 +71,7 @@ export class Session {
     const turn = ++this.#turn;
     if (this.busy) this.stop();
     this.#stale = this.machine.lost = false;
-    const reply = await this.machine.ask(
+    const reply = await this.machine.request(
       { do: "load", name: this.name, text: this.text, ...this.setting });
     if (turn !== this.#turn) return;
     this.loaded = reply;
@@ -80,30 +80,30 @@ export class Session {
     this.#notify("loaded", reply);
     if (!reply.ok) return;
     await this.setBreaks(this.breaks);
-    await this.look();
+    await this.updateView();
   }
 
   /** Sets breakpoints at lines of the text. The engine returns the lines that can have one. */
   async setBreaks(lines) {
     this.breaks = lines;
     if (!this.loaded?.ok) return;
-    const reply = await this.machine.ask({ do: "breaks", lines });
+    const reply = await this.machine.request({ do: "breaks", lines });
     if (reply.ok) this.breaks = reply.lines.filter(({ line }) => line).map(({ line }) => line);
     this.#notify("breaks", this.breaks);
   }
 
-  async look() {
+  async updateView() {
     const turn = this.#turn;
-    const view = await this.machine.ask({ do: "view", elements: this.elements });
+    const view = await this.machine.request({ do: "view", elements: this.elements });
     if (turn !== this.#turn || !view.ok) return;
     this.view = view;
     this.#notify("view", view);
-    this.#lookAtLines(view);
+    this.#updateProfile(view);
   }
 
   // Reports the clocks of the lines of the text itself. "program.s:12" is its line 12.
-  async #lookAtLines(view) {
-    const profile = await this.machine.ask({ do: "profile", idle: true });
+  async #updateProfile(view) {
+    const profile = await this.machine.request({ do: "profile", idle: true });
     if (view !== this.view || !profile.ok || profile.stopped) return;
     const start = `${this.name}:`;
     this.#notify("profile", profile.lines.filter(({ line }) => line.startsWith(start))
@@ -111,9 +111,9 @@ export class Session {
   }
 
   /** Requests four times as many elements of each vector, up to a limit. */
-  lookFurther() {
+  showMoreElements() {
     this.elements = Math.min(4 * this.elements, MAX_ELEMENTS);
-    return this.look();
+    return this.updateView();
   }
 
   /** Runs or steps as HOW states: "end", "step", "back" and so on, or "step-to" with N. */
@@ -122,17 +122,17 @@ export class Session {
     if (this.#stale || this.machine.lost) await this.load();
     if (!this.loaded?.ok) return;
     const turn = this.#turn;
-    const reply = await this.longer({ do: "go", how, ...(n !== undefined && { n }) },
+    const reply = await this.runRequest({ do: "go", how, ...(n !== undefined && { n }) },
       (progress) => this.#notify("progress", progress));
     if (turn !== this.#turn) return;
-    await this.look();
+    await this.updateView();
     this.#notify("moved", reply);
   }
 
   /** Sends a command to the debugger. */
-  async say(line) {
-    const reply = await this.machine.ask({ do: "say", line, ms: PATIENCE });
-    await this.look();
+  async command(line) {
+    const reply = await this.machine.request({ do: "say", line, ms: COMMAND_TIMEOUT });
+    await this.updateView();
     if (reply.ok) this.#notify("moved", reply);
     return reply;
   }

@@ -54,14 +54,14 @@ export function makeTimeline(panel, session) {
     whole = false;
     from = Math.max(begin, 0);
     to = from + length;
-    ask();
+    update();
   }
 
   function all() {
     whole = true;
     from = 0;
     to = Math.max(clock(), NEAREST);
-    ask();
+    update();
   }
 
   // Moves the range so that it contains the current clock.
@@ -76,15 +76,15 @@ export function makeTimeline(panel, session) {
     }
   }
 
-  async function ask() {
+  async function update() {
     const mine = ++turn;
-    const reply = await session.machine.ask({ do: "timeline", from, to, most: MAX, idle: true });
+    const reply = await session.machine.request({ do: "timeline", from, to, most: MAX, idle: true });
     if (mine !== turn || !reply.ok || reply.stopped) return;
     timeline = reply;
     show();
   }
 
-  function sayClock() {
+  function showClock() {
     aside.textContent = `${some(clock(), "clock")} = ${duration(session.view?.microseconds ?? 0)}`;
   }
 
@@ -133,7 +133,7 @@ export function makeTimeline(panel, session) {
   }
 
   session.on("loaded", () => { whole = true; from = 0; to = FIRST; timeline = null; show(); });
-  session.on("view", () => { follow(); sayClock(); ask(); });
+  session.on("view", () => { follow(); showClock(); update(); });
   new ResizeObserver(() => { if (timeline && picture.clientWidth > 0) show(); }).observe(picture);
 }
 

@@ -9,7 +9,7 @@ const SCENE = "scenes/bracket.pov";
 const SIZES = [[80, 60], [160, 120], [320, 240], [640, 480]];
 const STAGES = [["vector", "vector: a queue of rays at a time"], ["scalar", "scalar: ray by ray"],
   ["kernels", "kernels: as in the paper of 1984"]];
-const QUEUE = 2000, LONGEST = 65535; // rays
+const QUEUE = 2000, MAX_QUEUE = 65535; // rays
 const MODEL = "cyber205-2pipe";
 const PAPER = [400, 250], SMALL = [80, 50]; // rays of Table 1: as in the paper, and for two queues
 const ALL = "all";
@@ -66,14 +66,14 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
   const field = (id, label, input) => el("div", { class: "field" }, el("label", { for: id }, label), input);
   const scene = el("select", { id: "tracer-scene", change: () => show(scene.value) });
   const stage = el("select", { id: "tracer-stage", change: () => { queue.disabled = stage.value === "scalar"; } });
-  const queue = el("input", { id: "tracer-queue", type: "number", min: 1, max: LONGEST, value: QUEUE, required: true });
+  const queue = el("input", { id: "tracer-queue", type: "number", min: 1, max: MAX_QUEUE, value: QUEUE, required: true });
   const model = el("select", { id: "tracer-model" });
   const size = el("select", { id: "tracer-size" });
   // The start and stop buttons, the status text and the progress bar of a run.
   const work = (words, kind, name) => ({
     start: el("button", { type: "submit", class: kind }, words),
     stop: el("button", { type: "button", hidden: true, click: () => tracer.stop() }, "Stop"),
-    said: el("p", { class: "note", role: "status" }),
+    status: el("p", { class: "note", role: "status" }),
     part: el("progress", { max: 1, value: 0, "aria-label": name }) });
   const drawing = work("Draw", "main", "Finished part of the picture");
   const measuring = work("Measure", null, "Finished part of the table");
@@ -107,7 +107,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
       field("tracer-size", "size", size),
       el("div", { class: "field" }, drawing.start, drawing.stop)),
     el("details", {}, el("summary", {}, "Text of the scene"), text),
-    drawing.said,
+    drawing.status,
     el("div", { class: "pair" },
       el("div", { class: "drawn" }, canvas, drawing.part, el("p", {}, save)), clocks),
     output,
@@ -116,7 +116,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
       `all rows together with ${count(SMALL[0] * SMALL[1])}; with the queue and the model above.`),
     el("form", { class: "fields", submit: measure }, field("tracer-row", "Row", row),
       el("div", { class: "field" }, measuring.start, measuring.stop)),
-    measuring.said, measuring.part, result));
+    measuring.status, measuring.part, result));
   measuring.part.hidden = true;
 
   function show(path) {
@@ -128,29 +128,29 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
   const options = () => ["--model", model.value, ...(stage.value === "scalar" ? [] : ["--queue", queue.value])];
 
   // Runs rt205 to its end. Returns null if another run is active.
-  async function run({ start, stop, said, part }, args, files, words, rows) {
+  async function run({ start, stop, status, part }, args, files, words, rows) {
     if (busy) return null;
     const others = [drawing.start, measuring.start].filter((one) => one !== start);
-    const settle = (so) => {
+    const setBusy = (so) => {
       busy = start.hidden = so;
       stop.hidden = !so;
       part.hidden = false;
       for (const other of others) other.disabled = so;
     };
     const focused = document.activeElement;
-    settle(true);
+    setBusy(true);
     if (focused === start) stop.focus();
-    said.textContent = words;
+    status.textContent = words;
     part.value = 0;
     const ended = await tracer.run([...args, "--jobs", "1"], files, ({ view, part: done }) => {
       if (view) rows?.(view);
       else part.value = done;
     });
     const last = document.activeElement;
-    settle(false);
+    setBusy(false);
     if (last === stop) start.focus();
     if (ended.code === 0) part.value = 1;
-    said.textContent = ended.lost ? `rt205 has failed: ${ended.lost}.` : ended.stopped ? "Stopped."
+    status.textContent = ended.lost ? `rt205 has failed: ${ended.lost}.` : ended.stopped ? "Stopped."
       : ended.code === 0 ? "Done." : "rt205 failed. Its output gives the reason.";
     return ended;
   }
@@ -161,7 +161,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
     const path = scene.value === OWN ? "my.pov" : scene.value;
     clear(Number(across), Number(down));
     const ended = await run(drawing, ["render", path, "-o", "picture.png", "-W", across, "-H", down, "--accounts",
-      "--mode", stage.value, ...options()], { ...scenes.files, [path]: text.value }, "Drawing ..", look);
+      "--mode", stage.value, ...options()], { ...scenes.files, [path]: text.value }, "Drawing ..", showRows);
     if (!ended) return;
     output.textContent = (ended.stderr ?? "") + (ended.stdout ?? "");
     output.hidden = output.textContent === "";
@@ -175,7 +175,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
     fill(clocks);
   }
 
-  function look({ width, rows, first, rgba, clocks: sum, seconds, causes }) {
+  function showRows({ width, rows, first, rgba, clocks: sum, seconds, causes }) {
     const list = Object.entries(causes).map(([cause, of]) => ({ cause, clocks: of }));
     canvas.getContext("2d").putImageData(new ImageData(rgba, width, rows), 0, first);
     fill(clocks, el("p", { class: "figures" }, el("span", {}, el("b", {}, count(sum)), sum === 1 ? " clock," : " clocks,"),

@@ -27,7 +27,7 @@ export function makeVectors(panel, session) {
       shown.length === 0 ? el("p", { class: "empty" }, "The program declares no data.")
         : el("div", { class: "vectors scroll", tabindex: 0, role: "group",
           "aria-label": "Labels and their elements" },
-          shown.map((one) => row(one, control(), () => session.lookFurther()))));
+          shown.map((one) => row(one, control(), () => session.showMoreElements()))));
     const scroll = panel.querySelector(".vectors");
     if (scroll) scroll.scrollTop = top;
   }
@@ -39,10 +39,10 @@ export function makeVectors(panel, session) {
 // One label: its name, its length, its elements, and a button that calls MORE.
 function row(vector, control, more) {
   const { label, kind, count: length, first, values, stored } = vector;
-  const beside = control && kind !== "bits" && control.count === length ? control.values : "";
+  const controlBits = control && kind !== "bits" && control.count === length ? control.values : "";
   const changed = (i) => stored.some(({ first: from, count: n }) => i >= from && i < from + n);
   const cells = [...values].map((value, i) => {
-    const bit = beside[i];
+    const bit = controlBits[i];
     const kinds = [changed(first + i) && "changed", bit === "0" && "masked"].filter(Boolean);
     return el("li", { class: kinds.join(" ") || null, title: `${label}, element ${first + i}` },
       bit && el("span", { class: `bit bit-${bit}` }, el("span", { class: "unseen" }, "control bit "), bit),

@@ -21,21 +21,21 @@ async function verdict(visit, native, { name }, answer) {
   assert.deepEqual(ran(clocks), ran(expected.tests.map((test) => test.clocks)), name);
   const passed = await visit.page.$eval("#verdict", (node) => node.classList.contains("passed"));
   assert.equal(passed, expected.passed, name);
-  const reply = await visit.ask({ do: "grade", lesson: name, name: `${name}.s`, text: answer });
+  const reply = await visit.request({ do: "grade", lesson: name, name: `${name}.s`, text: answer });
   for (const [key, value] of Object.entries(expected))
     if (!["status", "answer"].includes(key)) assert.deepEqual(reply[key], value, `${name}: ${key}`);
   return expected;
 }
 
 export const tests = {
-  async "every lesson: solution and start are graded as by c205 check"({ browser, page, native, say }) {
+  async "every lesson: solution and start are graded as by c205 check"({ browser, page, native, print }) {
     const visit = await Visit.open(browser, page);
     const offered = await visit.page.$$eval("#lesson optgroup[label=Course] option",
       (options) => options.map(({ value }) => value.slice("lesson:".length)));
     assert.deepEqual(offered, native.lessons.map(({ name }) => name));
     for (const lesson of native.lessons) {
       await visit.choose("lesson", `lesson:${lesson.name}`);
-      assert.equal(await visit.look("editor.text"), lesson.start, lesson.name);
+      assert.equal(await visit.evaluate("editor.text"), lesson.start, lesson.name);
       assert.ok((await visit.page.$$("#lesson-text details")).length >= 3, `${lesson.name}: hints`);
       const begun = await verdict(visit, native, lesson, lesson.start);
       assert.equal(begun.passed, false, lesson.name);
@@ -50,7 +50,7 @@ export const tests = {
     const titles = await visit.page.$$eval("#lesson optgroup[label=Course] option", (options) =>
       options.map(({ textContent }) => textContent));
     for (const title of titles) assert.match(title, /✓/);
-    say(`${titles.length} lessons`);
+    print(`${titles.length} lessons`);
     await visit.close();
   },
 
@@ -82,12 +82,12 @@ export const tests = {
     await visit.page.reload();
     await visit.page.waitForSelector("body.ready");
     await visit.quiet();
-    assert.equal(await visit.text("#lesson-heading"), await visit.look(
+    assert.equal(await visit.text("#lesson-heading"), await visit.evaluate(
       `((l) => l.number + ' ' + l.title)(about.lessons.find(({ name }) => name === '${second.name}'))`));
     await visit.choose("lesson", `lesson:${first.name}`);
-    assert.equal(await visit.look("editor.text"), `${first.start}; mine\n`);
+    assert.equal(await visit.evaluate("editor.text"), `${first.start}; mine\n`);
     await visit.press("again");
-    assert.equal(await visit.look("editor.text"), first.start);
+    assert.equal(await visit.evaluate("editor.text"), first.start);
     await visit.close();
   },
 
@@ -130,10 +130,10 @@ export const tests = {
       await visit.page.waitForSelector("body.ready");
       await visit.quiet();
       await visit.choose("lesson", `lesson:${name}`);
-      assert.equal(await visit.look("editor.text"), start, value);
+      assert.equal(await visit.evaluate("editor.text"), start, value);
       assert.ok(!(await visit.text("#lesson")).includes("✓"), value);
       await visit.choose("lesson", "own");
-      assert.equal(typeof await visit.look("editor.text"), "string", value);
+      assert.equal(typeof await visit.evaluate("editor.text"), "string", value);
     }
     await visit.close();
   },
@@ -142,7 +142,7 @@ export const tests = {
     const visit = await Visit.open(browser, page);
     for (const { name } of native.lessons) {
       await visit.choose("lesson", `lesson:${name}`);
-      const warm = await visit.look(`about.lessons.find((one) => one.name === "${name}").tests.every((test) => test.warm)`);
+      const warm = await visit.evaluate(`about.lessons.find((one) => one.name === "${name}").tests.every((test) => test.warm)`);
       assert.equal(await visit.page.$eval("#warm", ({ value }) => value), warm ? "warm" : "", name);
       await visit.press("run");
       const faults = (await visit.view()).accounts.causes.find(({ cause }) => cause === "page fault");
@@ -151,9 +151,9 @@ export const tests = {
     // The choice is valid until another program is opened. "" leaves it to a program of no lesson.
     await visit.choose("warm", "cold");
     await visit.press("run");
-    assert.equal(await visit.look("session.warm"), "cold");
+    assert.equal(await visit.evaluate("session.warm"), "cold");
     await visit.choose("lesson", "example:saxpy_vector.s");
-    assert.equal(await visit.look("session.warm"), "");
+    assert.equal(await visit.evaluate("session.warm"), "");
     await visit.close();
   },
 
@@ -165,13 +165,13 @@ export const tests = {
       assert.ok(examples.length > 0, name);
       await visit.page.click("[data-example]");
       await visit.quiet();
-      assert.equal(await visit.look("session.name"), examples[0]);
+      assert.equal(await visit.evaluate("session.name"), examples[0]);
       assert.equal(await visit.page.$eval("#check", ({ disabled }) => disabled), true);
       assert.equal(await visit.shown("#lesson-panel"), true);
       await visit.press("run");
       assert.equal((await visit.view()).ended, true, `${name}: ${examples[0]}`);
       await visit.press("exercise");
-      assert.equal(await visit.look("editor.text"), start);
+      assert.equal(await visit.evaluate("editor.text"), start);
       assert.equal(await visit.shown("#exercise"), false);
     }
     assert.ok(!(await visit.page.$eval("#lesson-text", ({ textContent }) => textContent)).includes("@example-"));

@@ -17,7 +17,7 @@ async function runs(visit) {
 }
 
 export const tests = {
-  async "the one file, from a file: address"({ browser, page, say }) {
+  async "the one file, from a file: address"({ browser, page, print }) {
     const visit = await Visit.open(browser, page);
     await runs(visit);
     // Measures a second load of the page, with its first run.
@@ -28,7 +28,7 @@ export const tests = {
     await visit.quiet();
     const time = await visit.page.evaluate("performance.now()");
     assert.equal((await visit.view()).ended, true);
-    say(`first run ${Math.round(time)} ms after loading began, at most ${FIRST_RUN} wanted`);
+    print(`first run ${Math.round(time)} ms after loading began, at most ${FIRST_RUN} wanted`);
     assert.ok(time < SHARED * FIRST_RUN, `${time} ms`);
     await visit.close();
   },

@@ -41,32 +41,32 @@ export const tests = {
         const visit = await Visit.open(browser, page, { ...size, scheme });
         if (visit.scheme === "dark") await visit.press("theme");
         await visit.page.evaluate(axe);
-        const look = async (where) =>
+        const checkView = async (where) =>
           assert.deepEqual(await faults(visit), [], `${scheme}, ${size.width}: ${where}`);
-        await look("a lesson");
+        await checkView("a lesson");
         if (await visit.page.$eval("#check", (button) => !button.disabled)) {
           await visit.press("check");
-          await look("a verdict");
+          await checkView("a verdict");
         }
         await visit.choose("lesson", "example:saxpy_vector.s");
         await visit.press("run");
-        await look("a run");
+        await checkView("a run");
         await visit.press("tab-laboratory");
         await visit.press("laboratory button[type=submit]");
-        await look("the laboratory");
+        await checkView("the laboratory");
         await visit.press("to-compare");
-        await look("a comparison");
+        await checkView("a comparison");
         await visit.press("tab-console");
         await visit.page.type("#console-line", "info registers\n");
         await visit.quiet();
-        await look("the console");
+        await checkView("the console");
         await visit.press("tab-tracer");
-        await look("the ray tracer");
+        await checkView("the ray tracer");
         await visit.press("tab-machine");
         await visit.write(WRONG);
-        await look("errors");
+        await checkView("errors");
         await visit.press("keys");
-        await look("the keys");
+        await checkView("the keys");
         await visit.close();
       }
   },
@@ -216,7 +216,7 @@ export const tests = {
       assert.deepEqual(await beyond(visit), []);
       const height = () => visit.page.$eval(".cm-scroller", (box) => box.clientHeight);
       assert.ok(await height() >= 100, `${size.width}: ${await height()}`);
-      await visit.look(`editor.toLine(editor.text.split("\\n").length)`);
+      await visit.evaluate(`editor.toLine(editor.text.split("\\n").length)`);
       await visit.page.keyboard.type("\n        FOO\n        BAR");
       await visit.quiet();
       assert.equal(await visit.shown("#faults"), true);

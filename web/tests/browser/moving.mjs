@@ -59,7 +59,7 @@ export const tests = {
     const visit = await open(world);
     const seed = Math.floor(Math.random() * 2 ** 31);
     const random = dice(seed);
-    await visit.look(`editor.toLine(${SUM_LOOP})`);
+    await visit.evaluate(`editor.toLine(${SUM_LOOP})`);
     await visit.key("F9");
     const seen = [];
     for (let ended = false; !ended; { ended } = await visit.view()) {
@@ -117,7 +117,7 @@ export const tests = {
     assert.ok(second.step > first.step);
     await visit.press("before");
     assert.equal((await visit.view()).step, first.step);
-    await visit.look(`editor.toLine(${SUM_LOOP})`);
+    await visit.evaluate(`editor.toLine(${SUM_LOOP})`);
     await visit.key("F9");
     assert.equal((await visit.page.$$(".mark-break")).length, 0);
     await visit.press("on");
@@ -169,13 +169,13 @@ export const tests = {
     await visit.close();
   },
 
-  async "errors stand where they are"(world) {
+  async "errors are shown at their lines"(world) {
     const visit = await open(world, WRONG);
     assert.match(await visit.text("#status"), /^2 errors/);
     assert.equal((await visit.page.$$("#faults .error")).length, 2);
     assert.equal(await visit.page.$eval("#run", (button) => button.disabled), true);
     await visit.page.click("#faults li:nth-child(2) button");
-    const line = await visit.look(
+    const line = await visit.evaluate(
       "(({ doc, selection }) => doc.lineAt(selection.main.head).number)(editor.view.state)");
     assert.equal(line, 3);
     await visit.write(SUM);
@@ -190,13 +190,13 @@ export const tests = {
     await visit.page.click("#share");
     await visit.page.waitForFunction("location.hash.length > 1");
     const address = visit.page.url();
-    const text = await visit.look("editor.text");
+    const text = await visit.evaluate("editor.text");
     await visit.close();
 
     const other = await Visit.open(world.browser, address);
-    assert.equal(await other.look("editor.text"), text);
-    assert.equal(await other.look("session.model"), "cyber205-4pipe");
-    assert.equal(await other.look("session.warm"), "cold");
+    assert.equal(await other.evaluate("editor.text"), text);
+    assert.equal(await other.evaluate("session.model"), "cyber205-4pipe");
+    assert.equal(await other.evaluate("session.warm"), "cold");
     await other.close();
   },
 
@@ -215,7 +215,7 @@ export const tests = {
       await visit.close();
       if (status.startsWith("The link is in")) {
         const other = await Visit.open(world.browser, address);
-        assert.ok(await other.look("editor.text") === text);
+        assert.ok(await other.evaluate("editor.text") === text);
         await other.close();
         made++;
       } else {
@@ -237,10 +237,10 @@ export const tests = {
         new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
     });
     assert.match(await visit.text("#status"), limit);
-    assert.equal(await visit.look("editor.text"), SUM);
+    assert.equal(await visit.evaluate("editor.text"), SUM);
     await visit.page.evaluate("window.c205.editor.type('x'.repeat(1 << 20))");
     await visit.quiet();
-    assert.equal(await visit.look("editor.text.length"), 1 << 20);
+    assert.equal(await visit.evaluate("editor.text.length"), 1 << 20);
     await visit.page.evaluate("window.c205.editor.type('x'.repeat(1 + (1 << 20)))");
     assert.match(await visit.text("#status"), /^The text was rejected/);
     await visit.write(SUM);
@@ -261,9 +261,9 @@ export const tests = {
       [`lesson=none&model=none&pages=none&program=${packed(mine)}`, ABSENT, mine], ["%E0%A4%A", /^Ready/]]) {
       const visit = await Visit.open(browser, `${page}#${link}`);
       assert.match(await visit.text("#status"), message instanceof RegExp ? message : new RegExp(`^${message}$`), link.slice(0, 40));
-      assert.equal(await visit.look("editor.text"), text ?? await visit.look("about.lessons[0].start"));
+      assert.equal(await visit.evaluate("editor.text"), text ?? await visit.evaluate("about.lessons[0].start"));
       assert.equal(await visit.page.$eval("#lesson", ({ value }) => value),
-        text ? "own" : `lesson:${await visit.look("about.lessons[0].name")}`);
+        text ? "own" : `lesson:${await visit.evaluate("about.lessons[0].name")}`);
       await visit.close();
     }
     const visit = await Visit.open(browser, page);

@@ -9,7 +9,7 @@ import { Visit } from "./visit.mjs";
 const PLAIN = ["--model", "cyber205-2pipe"];
 
 export const tests = {
-  async "examples print and take what they do natively"({ browser, page, native, say }) {
+  async "examples print and take what they do natively"({ browser, page, native, print }) {
     const visit = await Visit.open(browser, page);
     const examples = await visit.page.$$eval("#lesson optgroup[label=Examples] option",
       (options) => options.map(({ value }) => value));
@@ -17,7 +17,7 @@ export const tests = {
     for (const example of examples) {
       await visit.choose("lesson", example);
       await visit.press("run");
-      const text = await visit.look("editor.text");
+      const text = await visit.evaluate("editor.text");
       const { out } = native.c205(["run", ...PLAIN, "example.s"], { "example.s": text });
       const view = await visit.view();
       const printed = await visit.text("#output");
@@ -25,7 +25,7 @@ export const tests = {
       assert.equal(out.slice(0, printed.length), printed, example);
       assert.equal(view.clock, Number(clocks), example);
     }
-    say(`${examples.length} programs`);
+    print(`${examples.length} programs`);
     await visit.close();
   },
 
@@ -37,8 +37,8 @@ export const tests = {
     await visit.page.select("#lab-second", "example:saxpy_scalar.s");
     await visit.press("laboratory button[type=submit]");
     await visit.page.waitForSelector("#laboratory .chart svg");
-    const text = await visit.look("editor.text");
-    const other = await visit.look("window.c205.example('saxpy_scalar.s')");
+    const text = await visit.evaluate("editor.text");
+    const other = await visit.evaluate("window.c205.example('saxpy_scalar.s')");
     const expected = native.json(["sweep", "--warm", ...PLAIN, "a.s", "b.s", "--define", "n=1:1000",
       "--points", "25"], { "a.s": text, "b.s": other });
     const rows = await visit.page.$$eval("#laboratory details tbody tr", (list) => list.map((row) =>
@@ -63,8 +63,8 @@ export const tests = {
     await visit.press("compare button[type=submit]");
     await visit.page.waitForSelector("#compare .verdict-words");
     const { out } = native.c205(["compare", ...PLAIN, "a.s", "b.s"], {
-      "a.s": await visit.look("window.c205.example('saxpy_vector.s')"),
-      "b.s": await visit.look("editor.text") });
+      "a.s": await visit.evaluate("window.c205.example('saxpy_vector.s')"),
+      "b.s": await visit.evaluate("editor.text") });
     assert.equal(await visit.text("#compare .verdict-words"), /^The second .*$/m.exec(out)[0]);
     await visit.close();
   },

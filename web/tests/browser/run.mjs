@@ -26,7 +26,7 @@ for (const kind of browsers.split(" ")) {
   const { browser, end } = await startBrowser(kind);
   const world = { browser, kind, native, site: resolve(build, "web/site"),
     page: pathToFileURL(resolve(build, "web/c205.html")).href,
-    say: (words) => console.log(`    ${kind}: ${words}`) };
+    print: (words) => console.log(`    ${kind}: ${words}`) };
   for (const [name, test] of Object.entries(all)) {
     if (!name.includes(only)) continue;
     const begun = performance.now();

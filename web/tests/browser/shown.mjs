@@ -42,12 +42,12 @@ const number = (text) => Number(text.replaceAll(",", ""));
 const rows = (visit, selector) => visit.page.$$eval(`${selector} tbody tr`, (list) => list.map((row) =>
   [...row.children].map((cell) => cell.textContent)));
 
-// Executes the program step by step and passes the engine's view after each step to LOOK.
-async function eachStep(visit, look) {
+// Executes the program step by step and passes the engine's view after each step to CHECK.
+async function eachStep(visit, check) {
   for (let ended = false; !ended;) {
     await visit.press("step");
     const view = await visit.view();
-    await look(view);
+    await check(view);
     ({ ended } = view);
   }
 }
@@ -91,7 +91,7 @@ export const tests = {
     await visit.close();
   },
 
-  async "control bits stand beside the elements that they let through"(world) {
+  async "control bits are shown next to the elements that they select"(world) {
     const visit = await open(world);
     const marked = [];
     await eachStep(visit, async ({ vectors }) => {
@@ -102,10 +102,10 @@ export const tests = {
       assert.deepEqual(Object.keys(shown), vectors.map(({ label }) => label));
       const control = [...vectors.find(({ label }) => label === "z").values];
       for (const { label, kind, values, first, stored } of vectors) {
-        const beside = kind !== "bits" && label !== "a";
+        const controlled = kind !== "bits" && label !== "a";
         const changed = (i) => stored.some(({ first: from, count }) => i >= from && i < from + count);
         assert.deepEqual(shown[label], [...values].map((value, i) => ({ value,
-          bit: beside ? control[i] : "", masked: beside && control[i] === "0",
+          bit: controlled ? control[i] : "", masked: controlled && control[i] === "0",
           changed: changed(first + i) })), label);
         if (shown[label].some((cell) => cell.changed)) marked.push(label);
       }
@@ -122,17 +122,17 @@ export const tests = {
       if (button) await visit.page.click(`#timeline button[aria-label="${button}"]`);
       await visit.quiet();
       // The scale from clocks to pixels comes from two ticks and the clocks written above them.
-      const { boxes, ticks, width: all, stretch } = await visit.page.$eval("#timeline svg", (svg) => ({
+      const { boxes, ticks, width: all, range } = await visit.page.$eval("#timeline svg", (svg) => ({
         boxes: [...svg.querySelectorAll("g.insn rect")].map((rect) => ({
           x: Number(rect.getAttribute("x")), width: Number(rect.getAttribute("width")),
           title: rect.textContent })),
         ticks: [...svg.querySelectorAll("text.clock")].map((text) => [Number(text.getAttribute("x")),
           Number(text.textContent.replaceAll(",", ""))]),
-        width: svg.clientWidth, stretch: svg.parentNode.getAttribute("aria-label") }));
+        width: svg.clientWidth, range: svg.parentNode.getAttribute("aria-label") }));
       const [[x0, clock0], [x1, clock1]] = [ticks[0], ticks.at(-1)];
       const x = (clock) => x0 + (x1 - x0) * (clock - clock0) / (clock1 - clock0);
-      const end = number(/to (\S+)$/.exec(stretch)[1]);
-      assert.ok(x(end) > 0.95 * all && x(end) <= all, `${button}: the stretch fills the picture`);
+      const end = number(/to (\S+)$/.exec(range)[1]);
+      assert.ok(x(end) > 0.95 * all && x(end) <= all, `${button}: the range fills the picture`);
       const whole = boxes.map((box) => ({ ...box, clocks: /, (\d+) \.\. (\d+)\n/.exec(box.title).slice(1).map(Number) }))
         .filter(({ clocks: [begin, end] }) => x(begin) >= x0 && x(end) <= x1 && x(end) - x(begin) > 2);
       assert.ok(whole.length > 0, button);

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { Visit } from "./visit.mjs";
 
-const PATIENCE = 120000; // milliseconds, limit for a run
+const RUN_TIMEOUT = 120000; // milliseconds, limit for a run
 
 /** Returns what rt205 prints, stderr first. */
 function rt205(native, args, files) {
@@ -26,9 +26,9 @@ async function openTracer(browser, page) {
 }
 
 // Waits for a status text. WHICH: 0 for the picture, 1 for the table.
-const said = (visit, words, which = 0) => visit.page.waitForFunction(
+const waitForStatus = (visit, words, which = 0) => visit.page.waitForFunction(
   `document.querySelectorAll("#tracer [role=status]")[${which}].textContent === ${JSON.stringify(words)}`,
-  { timeout: PATIENCE });
+  { timeout: RUN_TIMEOUT });
 
 async function write(visit, text) {
   await visit.page.$eval("#tracer-text", (area, words) => {
@@ -59,7 +59,7 @@ export const tests = {
       await visit.page.select("#tracer-stage", stage);
       await write(visit, scene);
       await visit.page.click("#tracer button[type=submit]");
-      await said(visit, "Done.");
+      await waitForStatus(visit, "Done.");
       const queue = stage === "scalar" ? [] : ["--queue", "2000"];
       assert.equal(await visit.text("#tracer pre"), rt205(native, ["render", "my.pov", "-o", "picture.png",
         "-W", "80", "-H", "60", "--accounts", "--mode", stage, "--model", "cyber205-2pipe", ...queue],
@@ -76,18 +76,18 @@ export const tests = {
     const broken = scene.replace("sphere", "spere");
     await write(visit, broken);
     await visit.page.click("#tracer button[type=submit]");
-    await said(visit, "rt205 failed. Its output gives the reason.");
+    await waitForStatus(visit, "rt205 failed. Its output gives the reason.");
     assert.equal(await visit.text("#tracer pre"), rt205(native, ["render", "my.pov", "--no-picture"],
       { "my.pov": broken }));
     await visit.page.select("#tracer-scene", "scenes/bracket.pov");
     await visit.page.select("#tracer-size", "640x480");
     await visit.page.click("#tracer button[type=submit]");
-    await visit.page.waitForSelector("#tracer .clocks table", { timeout: PATIENCE });
+    await visit.page.waitForSelector("#tracer .clocks table", { timeout: RUN_TIMEOUT });
     await visit.page.click("#tracer form button[type=button]");
-    await said(visit, "Stopped.");
+    await waitForStatus(visit, "Stopped.");
     await visit.page.select("#tracer-size", "80x60");
     await visit.page.click("#tracer button[type=submit]");
-    await said(visit, "Done.");
+    await waitForStatus(visit, "Done.");
     await visit.close();
   },
 
@@ -103,7 +103,7 @@ export const tests = {
       await visit.page.select("#tracer-row", choice);
       await visit.page.click("form:has(#tracer-row) button");
       await visit.page.waitForFunction("document.querySelector('form:has(#tracer-row) button').hidden");
-      await said(visit, "Done.", 1);
+      await waitForStatus(visit, "Done.", 1);
       const rows = await visit.page.$$eval("#tracer .result tbody tr", (list) =>
         list.map((row) => [...row.cells].map((cell) => cell.textContent)));
       const printed = rt205(native, ["speedup", ...args, "--queue", "500", "--format", "md"]).split("\n")

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 
-const PATIENCE = 20000; // milliseconds
+const PAGE_TIMEOUT = 20000; // milliseconds
 
 export class Visit {
   faults = [];
@@ -11,7 +11,7 @@ export class Visit {
 
   constructor(page) {
     this.page = page;
-    page.setDefaultTimeout(PATIENCE);
+    page.setDefaultTimeout(PAGE_TIMEOUT);
     page.on("pageerror", (error) => this.faults.push(error.message));
     page.on("console", (message) => {
       if (["error", "warn"].includes(message.type())) this.faults.push(message.text());
@@ -24,7 +24,7 @@ export class Visit {
     const visit = new Visit(await context.newPage());
     visit.context = context;
     await visit.page.setViewport({ width, height });
-    await visit.like(scheme);
+    await visit.setScheme(scheme);
     await visit.page.goto(address);
     await visit.page.waitForSelector("body.ready");
     await visit.quiet();
@@ -32,7 +32,7 @@ export class Visit {
   }
 
   /** Sets the system's colour scheme. If the browser cannot, the test uses the page's own switch. */
-  async like(scheme) {
+  async setScheme(scheme) {
     try {
       await this.page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
     } catch {
@@ -48,17 +48,17 @@ export class Visit {
   }
 
   /** Evaluates an expression of the objects in window.c205. */
-  look(what) {
-    return this.page.evaluate(`(async ({ session, editor, about, ask }) => ${what})(window.c205)`);
+  evaluate(expression) {
+    return this.page.evaluate(`(async ({ session, editor, about, request }) => ${expression})(window.c205)`);
   }
 
   /** Sends a request to the engine and returns its reply. */
-  ask(request) {
-    return this.look(`ask(${JSON.stringify(request)})`);
+  request(message) {
+    return this.evaluate(`request(${JSON.stringify(message)})`);
   }
 
   view() {
-    return this.ask({ do: "view" });
+    return this.request({ do: "view" });
   }
 
   /** Waits until no operation is active. */
