@@ -59,9 +59,9 @@ const course = Buffer.from(JSON.stringify({
 }));
 
 const licences = notice(web, [...worker.inputs, ...script.inputs]);
-const kept = join(web, "NOTICE.md");
-if (flag === "--write") writeFileSync(kept, licences);
-else if (readFileSync(kept, "utf8") !== licences) {
+const stored = join(web, "NOTICE.md");
+if (flag === "--write") writeFileSync(stored, licences);
+else if (readFileSync(stored, "utf8") !== licences) {
   console.error("web/NOTICE.md is not what is in the page: node web/build.mjs BUILD --write");
   process.exit(1);
 }

@@ -14,18 +14,18 @@ export function makeCompare(panel, session, others) {
       el("div", { class: "field" }, el("label", { for: "compare-first" }, "First"), first),
       el("div", { class: "field" }, el("label", { for: "compare-second" }, "second"), second),
       el("div", { class: "field" }, el("button", { type: "submit", class: "main" }, "Compare"),
-        el("button", { type: "button", click: keep }, "Keep my program for later"))),
+        el("button", { type: "button", click: saveText }, "Keep my program for later"))),
     result));
 
   /** Clears both lists and the result, after another program was opened. */
-  function renew() {
+  function reset() {
     fill(first);
     fill(second);
-    offer();
+    updateLists();
   }
 
   // Fills both lists. The default compares the starting text with the program in the editor.
-  function offer() {
+  function updateLists() {
     const [mine, ...list] = others();
     const chosen = first.value;
     choices(first, [...list, mine]);
@@ -33,15 +33,15 @@ export function makeCompare(panel, session, others) {
     if (chosen !== first.value) fill(result);
   }
 
-  function keep() {
-    session.keep();
-    offer();
+  function saveText() {
+    session.saveText();
+    updateLists();
     fill(result, el("p", {}, "Your program is kept. Both lists show it as “kept”."));
   }
 
   async function run() {
     if (session.busy) return;
-    offer();
+    updateLists();
     const list = others();
     const chosen = [first, second].map(({ value }) => list.find((one) => one.value === value));
     const reply = await session.runRequest({ do: "compare", ...session.setting,
@@ -71,5 +71,5 @@ export function makeCompare(panel, session, others) {
   const decimals = { milliseconds: 3, "mean vector length": 1, "Mflop/s": 2 };
   const figure = (x, name) => x == null ? "-" : fixed(x, decimals[name] ?? 0);
 
-  return { offer, renew, run };
+  return { updateLists, reset, run };
 }

@@ -2,32 +2,32 @@
 
 export const $ = (id) => document.getElementById(id);
 
-const there = (children) => children.flat(Infinity).filter((child) => child != null && child !== false);
+const present = (children) => children.flat(Infinity).filter((child) => child != null && child !== false);
 
-function furnish(node, attributes, children) {
+function setUp(node, attributes, children) {
   for (const [name, value] of Object.entries(attributes)) {
     if (typeof value === "function") node.addEventListener(name, value);
     else if (value === true) node.setAttribute(name, "");
     else if (value !== false && value != null) node.setAttribute(name, value);
   }
-  node.append(...there(children));
+  node.append(...present(children));
   return node;
 }
 
 /** Replaces the children of a node. */
 export function fill(node, ...children) {
-  node.replaceChildren(...there(children));
+  node.replaceChildren(...present(children));
 }
 
 /** Creates an element. An attribute whose value is a function becomes an event listener; children
  * that are null or false are skipped. */
 export function el(name, attributes = {}, ...children) {
-  return furnish(document.createElement(name), attributes, children);
+  return setUp(document.createElement(name), attributes, children);
 }
 
 /** Creates an SVG element, with attributes and children as in el. */
 export function draw(name, attributes = {}, ...children) {
-  return furnish(document.createElementNS("http://www.w3.org/2000/svg", name), attributes, children);
+  return setUp(document.createElementNS("http://www.w3.org/2000/svg", name), attributes, children);
 }
 
 export function icon(name) {
@@ -92,13 +92,13 @@ function report() {
 /** Values that are stored between visits. The page reports a value that cannot be stored. A value
  * that is read may have any type, because other versions of the page, and other pages of the same
  * origin, write to the same storage. */
-export const kept = {
+export const storage = {
   get(name) {
     try { return JSON.parse(localStorage.getItem(`c205.${name}`)); } catch { return null; }
   },
   /** Returns the value if it is a text, or else null. */
   text(name) {
-    const value = kept.get(name);
+    const value = storage.get(name);
     return typeof value === "string" ? value : null;
   },
   set(name, value) {

@@ -35,14 +35,14 @@ export function makeLaboratory(panel, session, others) {
       field("lab-warm", "pages in memory", warm), el("div", { class: "field" }, start, stop)),
     progress, result));
 
-  function offer() {
+  function updateLists() {
     choices(first, others());
     choices(second, [{ value: "", title: "no second program" }, ...others()]);
   }
   panel.addEventListener("focusin", (event) => {
-    if (event.target === first || event.target === second) offer();
+    if (event.target === first || event.target === second) updateLists();
   });
-  offer();
+  updateLists();
 
   async function measure(event) {
     event.preventDefault();
@@ -167,5 +167,5 @@ export function makeLaboratory(panel, session, others) {
     return svg;
   }
 
-  return { offer };
+  return { updateLists };
 }

@@ -1,17 +1,17 @@
 // lesson.js - the text of a lesson, its goals, the verdict, and the progress of the learner,
 // which is stored in the browser.
 
-import { $, count, el, fill, kept, some } from "./dom.js";
+import { $, count, el, fill, storage, some } from "./dom.js";
 
 const MEDALS = ["", "bronze", "silver", "gold"];
 
 /** Returns the stored progress of a lesson: {text, medal, passed}. Values of a wrong type are dropped. */
 export function progress(name) {
-  const { text, medal, passed } = kept.get(`lesson.${name}`) ?? {};
+  const { text, medal, passed } = storage.get(`lesson.${name}`) ?? {};
   return { ...(typeof text === "string" && { text }),
     ...(passed === true && { passed, medal: MEDALS.includes(medal) ? medal : "" }) };
 }
-export const note = (name, more) => kept.set(`lesson.${name}`, { ...progress(name), ...more });
+export const note = (name, more) => storage.set(`lesson.${name}`, { ...progress(name), ...more });
 
 /** Returns number and title of a lesson, like "3 First vector", with a mark for the best result. */
 export function title({ number, title: words, name }) {

@@ -4,7 +4,7 @@ import { makeBar, setStatus } from "./bar.js";
 import { makeCauses } from "./causes.js";
 import { makeCompare } from "./compare.js";
 import { makeConsole } from "./console.js";
-import { $, choices, count, el, fill, kept, some } from "./dom.js";
+import { $, choices, count, el, fill, storage, some } from "./dom.js";
 import { makeEditor } from "./editor.js";
 import { makeInstruction } from "./instruction.js";
 import { makeKeys } from "./keys.js";
@@ -61,8 +61,8 @@ makeConsole($("console"), session);
 const laboratory = makeLaboratory($("laboratory"), session, others);
 const comparison = makeCompare($("compare"), session, others);
 const showTab = makeTabs(document.querySelector("[role=tablist]"), (name) => {
-  if (name === "laboratory") laboratory.offer();
-  if (name === "compare") comparison.offer();
+  if (name === "laboratory") laboratory.updateLists();
+  if (name === "compare") comparison.updateLists();
   if (name === "tracer") openTracer();
 });
 
@@ -76,7 +76,7 @@ async function openTracer() {
 /** Returns the program in the editor and all programs that it can be compared with. */
 function others() {
   return [{ value: "mine", title: "my program", text: editor.text },
-    ...(session.kept ? [{ value: "kept", title: "kept", text: session.kept }] : []),
+    ...(session.savedText ? [{ value: "kept", title: "kept", text: session.savedText }] : []),
     ...programs.others];
 }
 
@@ -111,8 +111,8 @@ session.on("breaks", (lines) => editor.setBreaks(lines));
  */
 function open(key, text, warm) {
   programs.choose(key);
-  programs.offer();
-  comparison.renew();
+  programs.updateLists();
+  comparison.reset();
   showLesson(programs.lesson, programs.exercise);
   session.warm = $("warm").value = warm ?? programs.warm;
   session.name = programs.name;
@@ -130,7 +130,7 @@ async function check() {
   if (session.machine.lost) await session.load();
   if (!reply.ok || reply.stopped) return setStatus(reply.stopped ? "Stopped by you." : reply.error, "bad");
   showVerdict(reply);
-  programs.offer();
+  programs.updateLists();
   if (reply.passed) setStatus(`Passed${reply.medal ? `: ${reply.medal}` : ""}.`, "good");
   else setStatus("Not passed. The verdict gives the reason.", "bad");
 }
@@ -176,7 +176,7 @@ async function openLink(otherwise) {
     if (shared.text === undefined) await open(known ? wanted : otherwise ?? programs.key);
     else {
       await open(known ? wanted : OWN, shared.text, warm);
-      session.kept = programs.written ?? "";
+      session.savedText = programs.written ?? "";
     }
   } else if (otherwise !== undefined) await open(otherwise);
   if (fault) setStatus(fault, "bad");
@@ -215,7 +215,7 @@ addEventListener("hashchange", () => openLink());
 
 choices($("model"), about.models.map(({ name, title }) => ({ value: name, title })));
 session.model = $("model").value = about.model;
-await openLink(kept.get("at"));
+await openLink(storage.get("at"));
 document.body.classList.add("ready");
 
 // For tests, and for users of the browser's console.

@@ -1,7 +1,7 @@
 // programs.js - the list of programs: lessons with their exercises and examples, other
 // examples, and the learner's own program.
 
-import { $, choices, kept } from "./dom.js";
+import { $, choices, storage } from "./dom.js";
 import { note, progress, title } from "./lesson.js";
 
 export const OWN = "own";
@@ -31,7 +31,7 @@ export class Programs {
   choose(key) {
     this.key = this.#list.has(key) ? key : this.#list.keys().next().value;
     Object.assign(this, { lesson: undefined, exercise: false }, this.#list.get(this.key));
-    kept.set("at", this.key);
+    storage.set("at", this.key);
   }
 
   /** "warm" if the pages are in memory in all tests of the lesson; "": as the program states. */
@@ -49,7 +49,7 @@ export class Programs {
   }
 
   /** Fills the list of programs. The examples of a lesson are in it while the lesson is open. */
-  offer() {
+  updateLists() {
     const groups = [
       { group: "Course", choices: this.#of("lesson:", ({ lesson }) => title(lesson)) },
       { group: "Examples of this lesson", choices: this.#parts },
@@ -63,12 +63,12 @@ export class Programs {
   /** The text that the learner wrote for this program; null: none. */
   get written() {
     if (this.exercise) return progress(this.lesson.name).text ?? null;
-    return this.key === OWN ? kept.text("own") : null;
+    return this.key === OWN ? storage.text("own") : null;
   }
 
   write(text) {
     if (this.exercise) note(this.lesson.name, { text });
-    else if (this.key === OWN) kept.set("own", text);
+    else if (this.key === OWN) storage.set("own", text);
   }
 
   /** The programs that the current one can be compared with. */

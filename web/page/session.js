@@ -20,7 +20,7 @@ export class Session {
   view = null;
   busy = false;
   elements = ELEMENTS;
-  kept = ""; // a program that was stored for a comparison
+  savedText = ""; // a program that was stored for a comparison
 
   constructor(machine) {
     this.machine = machine;
@@ -52,8 +52,8 @@ export class Session {
     this.#notify("busy", busy);
   }
 
-  keep() {
-    this.kept = this.text;
+  saveText() {
+    this.savedText = this.text;
   }
 
   stop() {

@@ -8,18 +8,18 @@ import { count } from "./dom.js";
 export const MAX_PROGRAM = 1 << 20;
 const MAX_LINK = 1 << 19;
 
-const tooLong = (most, what) => new RangeError(`is too long for a link: the limit is ${count(most)} ${what}.`);
+const tooLong = (limit, what) => new RangeError(`is too long for a link: the limit is ${count(limit)} ${what}.`);
 
-async function through(stream, bytes, most = Infinity) {
+async function through(stream, bytes, limit = Infinity) {
   const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
   const parts = [];
   let length = 0;
   for (let part = await reader.read(); !part.done; part = await reader.read()) {
     parts.push(part.value);
     length += part.value.length;
-    if (length > most) {
+    if (length > limit) {
       await reader.cancel();
-      throw tooLong(most, "bytes");
+      throw tooLong(limit, "bytes");
     }
   }
   return new Uint8Array(await new Blob(parts).arrayBuffer());
@@ -34,8 +34,8 @@ function toText(bytes) {
 const toBytes = (text) => Uint8Array.from(
   atob(text.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
 
-function check(length, most, what) {
-  if (length > most) throw tooLong(most, what);
+function check(length, limit, what) {
+  if (length > limit) throw tooLong(limit, what);
 }
 
 /** Returns the fragment for {text, model, warm, lesson}. Throws a RangeError if it is too long. */

@@ -1,22 +1,22 @@
 // split.js - the bar between the lesson and the program below it. It is moved by pointer or
 // keys, and its position is stored.
 
-import { $, kept } from "./dom.js";
+import { $, storage } from "./dom.js";
 
-const LEAST = 15, MAX = 85, STEP = 5; // percent of the height, for the lesson
-const USUAL = 50;
+const MIN = 15, MAX = 85, STEP = 5; // percent of the height, for the lesson
+const DEFAULT = 50;
 
 export function makeSplit() {
   const bar = $("split");
   const main = document.querySelector("main");
 
   function set(percent) {
-    const share = Math.round(Math.min(Math.max(percent, LEAST), MAX));
+    const share = Math.round(Math.min(Math.max(percent, MIN), MAX));
     main.style.setProperty("--lesson", `${share}%`);
     bar.setAttribute("aria-valuenow", String(share));
     return share;
   }
-  const keep = (percent) => kept.set("split", set(percent));
+  const setAndStore = (percent) => storage.set("split", set(percent));
 
   bar.addEventListener("pointerdown", (event) => {
     event.preventDefault();
@@ -25,17 +25,17 @@ export function makeSplit() {
   bar.addEventListener("pointermove", (event) => {
     if (!bar.hasPointerCapture(event.pointerId)) return;
     const { top, height } = main.getBoundingClientRect();
-    keep(100 * (event.clientY - top) / height);
+    setAndStore(100 * (event.clientY - top) / height);
   });
-  bar.addEventListener("dblclick", () => keep(USUAL));
+  bar.addEventListener("dblclick", () => setAndStore(DEFAULT));
   bar.addEventListener("keydown", (event) => {
     const now = Number(bar.getAttribute("aria-valuenow"));
-    const to = { ArrowUp: now - STEP, ArrowDown: now + STEP, Home: LEAST, End: MAX }[event.key];
+    const to = { ArrowUp: now - STEP, ArrowDown: now + STEP, Home: MIN, End: MAX }[event.key];
     if (to === undefined) return;
     event.preventDefault();
-    keep(to);
+    setAndStore(to);
   });
-  bar.setAttribute("aria-valuemin", String(LEAST));
+  bar.setAttribute("aria-valuemin", String(MIN));
   bar.setAttribute("aria-valuemax", String(MAX));
-  set(Number(kept.get("split")) || USUAL);
+  set(Number(storage.get("split")) || DEFAULT);
 }

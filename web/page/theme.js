@@ -1,10 +1,10 @@
 // theme.js - light and dark colours: those of the system until the user selects others.
 
-import { $, kept } from "./dom.js";
+import { $, storage } from "./dom.js";
 
-const liked = matchMedia("(prefers-color-scheme: dark)");
+const systemDark = matchMedia("(prefers-color-scheme: dark)");
 const root = document.documentElement;
-const dark = () => root.dataset.theme ? root.dataset.theme === "dark" : liked.matches;
+const dark = () => root.dataset.theme ? root.dataset.theme === "dark" : systemDark.matches;
 
 // Labels the switch with the theme that it selects.
 function name() {
@@ -13,10 +13,10 @@ function name() {
 
 export function switchTheme() {
   root.dataset.theme = dark() ? "light" : "dark";
-  kept.set("theme", root.dataset.theme);
+  storage.set("theme", root.dataset.theme);
   name();
 }
 
-if (["light", "dark"].includes(kept.get("theme"))) root.dataset.theme = kept.get("theme");
-liked.addEventListener("change", name);
+if (["light", "dark"].includes(storage.get("theme"))) root.dataset.theme = storage.get("theme");
+systemDark.addEventListener("change", name);
 name();

@@ -8,7 +8,7 @@ import { named } from "./causes.js";
 const MAX = 600; // instructions in the drawing
 const BOX = 17, GAP = 6, TOP = 22, LEFT = 116; // pixels
 const FIRST = 240; // clocks, initial range
-const NEAREST = 16; // clocks, shortest range
+const MIN_RANGE = 16; // clocks, shortest range
 
 export function makeTimeline(panel, session) {
   let from = 0;
@@ -42,15 +42,15 @@ export function makeTimeline(panel, session) {
   const clock = () => session.view?.clock ?? 0;
 
   function zoom(by) {
-    const length = Math.max(Math.round((to - from) * by), NEAREST);
+    const length = Math.max(Math.round((to - from) * by), MIN_RANGE);
     const middle = clock() >= from && clock() <= to ? clock() : (from + to) / 2;
     const share = (middle - from) / (to - from);
-    stretch(Math.round(middle - share * length), length);
+    setRange(Math.round(middle - share * length), length);
   }
 
-  const shift = (by) => stretch(from + Math.round((to - from) * by), to - from);
+  const shift = (by) => setRange(from + Math.round((to - from) * by), to - from);
 
-  function stretch(begin, length) {
+  function setRange(begin, length) {
     whole = false;
     from = Math.max(begin, 0);
     to = from + length;
@@ -60,7 +60,7 @@ export function makeTimeline(panel, session) {
   function all() {
     whole = true;
     from = 0;
-    to = Math.max(clock(), NEAREST);
+    to = Math.max(clock(), MIN_RANGE);
     update();
   }
 
@@ -68,7 +68,7 @@ export function makeTimeline(panel, session) {
   function follow() {
     if (whole && clock() <= 2 * FIRST) {
       from = 0;
-      to = Math.max(clock(), 2 * NEAREST);
+      to = Math.max(clock(), 2 * MIN_RANGE);
     } else if (clock() > to || clock() < from || (whole && to - from > 2 * FIRST)) {
       const length = whole ? FIRST : to - from;
       from = Math.max(Math.round(clock() - 0.9 * length), 0);
@@ -142,11 +142,11 @@ const words = ({ cause = "active", begin, end }, { text, arrived, issued, ready 
   [`${cause}: ${some(end - begin, "clock")}, ${begin} .. ${end}`, text,
     `arrived ${arrived}, issued ${issued}, result ${ready}`].join("\n");
 
-// Returns round numbers between two clocks, at most about MOST of them.
-function ticks(from, to, most) {
-  const least = (to - from) / Math.max(most, 2);
-  const power = 10 ** Math.floor(Math.log10(Math.max(least, 1)));
-  const step = [1, 2, 5, 10].map((by) => by * power).find((by) => by >= least) ?? power;
+// Returns round numbers between two clocks, at most about MAX_COUNT of them.
+function ticks(from, to, maxCount) {
+  const minStep = (to - from) / Math.max(maxCount, 2);
+  const power = 10 ** Math.floor(Math.log10(Math.max(minStep, 1)));
+  const step = [1, 2, 5, 10].map((by) => by * power).find((by) => by >= minStep) ?? power;
   const found = [];
   for (let at = Math.ceil(from / step) * step; at <= to; at += step) found.push(at);
   return found;

@@ -165,7 +165,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
     if (!ended) return;
     output.textContent = (ended.stderr ?? "") + (ended.stdout ?? "");
     output.hidden = output.textContent === "";
-    if (ended.code === 0) offer(ended.files["picture.png"]);
+    if (ended.code === 0) setDownload(ended.files["picture.png"]);
   }
 
   function clear(across, down) {
@@ -185,7 +185,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
       list.map(({ cause, clocks: of }) => ({ cells: [named(cause), count(of), fixed(100 * of / sum, 1)] }))));
   }
 
-  function offer(bytes) {
+  function setDownload(bytes) {
     URL.revokeObjectURL(picture);
     picture = URL.createObjectURL(new Blob([bytes], { type: "image/png" }));
     save.href = picture;

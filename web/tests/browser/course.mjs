@@ -73,7 +73,7 @@ export const tests = {
     await visit.close();
   },
 
-  async "what was written is kept"({ browser, page, native }) {
+  async "an edited text is stored"({ browser, page, native }) {
     const visit = await Visit.open(browser, page);
     const [first, second] = native.lessons;
     await visit.choose("lesson", `lesson:${first.name}`);
@@ -91,7 +91,7 @@ export const tests = {
     await visit.close();
   },
 
-  async "whoever writes where nothing is stored is warned"({ browser, page }) {
+  async "a text that cannot be stored causes a warning"({ browser, page }) {
     const visit = await Visit.open(browser, page);
     assert.equal(await visit.shown("#unstored"), false);
     await visit.page.evaluate(() => {

@@ -184,7 +184,7 @@ export const tests = {
     await visit.close();
   },
 
-  async "the height of the lesson is chosen by pointer and by keys, and kept"({ browser, page }) {
+  async "the height of the lesson is chosen by pointer and by keys, and stored"({ browser, page }) {
     const visit = await Visit.open(browser, page, { width: 1280, height: 720 });
     const height = () => visit.page.$eval("#lesson-panel", (panel) => panel.getBoundingClientRect().height);
     const before = await height();

@@ -132,9 +132,9 @@ function check(args, more) {
 // ---- Random cases -------------------------------------------------------------
 
 let state = 205;
-const draw = (most) => { // 0 .. most - 1; a linear congruential generator of Knuth's, modulus 2^31
+const draw = (count) => { // 0 .. count - 1; a linear congruential generator of Knuth's, modulus 2^31
   state = (Math.imul(state, 1103515245) + 12345) & 0x7fffffff;
-  return (state >>> 8) % most;
+  return (state >>> 8) % count;
 };
 const one = (list) => list[draw(list.length)];
 
