@@ -43,7 +43,7 @@ export function heading(panel, title, ...aside) {
 /** Returns a table. columns: [title, class]; rows: {cells}, whose cells are texts or elements. */
 export function table(caption, columns, rows) {
   return el("table", {},
-    el("caption", { class: "unseen" }, caption),
+    el("caption", { class: "visually-hidden" }, caption),
     el("thead", {}, el("tr", {},
       columns.map(([title, kind]) => el("th", { scope: "col", class: kind }, title)))),
     el("tbody", {}, rows.map(({ cells, ...attributes }) => el("tr", attributes,

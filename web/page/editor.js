@@ -67,7 +67,7 @@ const colours = HighlightStyle.define([
 // --- Gutter: breakpoints and the current line ----------------------------------
 
 const setBreaks = StateEffect.define();
-const setHere = StateEffect.define();
+const setCurrentLine = StateEffect.define();
 
 class Mark extends GutterMarker {
   constructor(kind, title) { super(); this.kind = kind; this.title = title; }
@@ -75,7 +75,7 @@ class Mark extends GutterMarker {
   toDOM() { return el("span", { class: `mark-${this.kind}`, title: this.title }); }
 }
 const BREAK = new Mark("break", "a breakpoint");
-const HERE = new Mark("here", "the next instruction");
+const CURRENT_LINE = new Mark("current-line", "the next instruction");
 const ROOM = new Mark("room", "");
 
 // The clocks of a line. The background is darker for a larger share of the run.
@@ -120,22 +120,22 @@ const clocks = StateField.define({
   },
 });
 
-const here = StateField.define({
+const currentLine = StateField.define({
   create: () => 0,
   update(line, change) {
-    for (const effect of change.effects) if (effect.is(setHere)) return effect.value;
+    for (const effect of change.effects) if (effect.is(setCurrentLine)) return effect.value;
     return change.docChanged ? 0 : line;
   },
   provide: (field) => [
     EditorView.decorations.from(field, (line) => (view) => line
-      ? Decoration.set(Decoration.line({ class: "here" }).range(lineStart(view.state.doc, line)))
+      ? Decoration.set(Decoration.line({ class: "current-line" }).range(lineStart(view.state.doc, line)))
       : Decoration.none),
   ],
 });
 
-function hereMarks(view) {
-  const line = view.state.field(here);
-  return line ? RangeSet.of(HERE.range(lineStart(view.state.doc, line))) : RangeSet.empty;
+function currentLineMarks(view) {
+  const line = view.state.field(currentLine);
+  return line ? RangeSet.of(CURRENT_LINE.range(lineStart(view.state.doc, line))) : RangeSet.empty;
 }
 
 // --- Editor ---------------------------------------------------------------------
@@ -201,11 +201,11 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
   });
 
   const extensions = [
-    limit, breaks, here, clocks,
+    limit, breaks, currentLine, clocks,
     gutter({
       class: "cm-breaks",
-      markers: (editor) => [editor.state.field(breaks), hereMarks(editor)],
-      lineMarkerChange: (update) => update.startState.field(here) !== update.state.field(here),
+      markers: (editor) => [editor.state.field(breaks), currentLineMarks(editor)],
+      lineMarkerChange: (update) => update.startState.field(currentLine) !== update.state.field(currentLine),
       initialSpacer: () => ROOM,
       domEventHandlers: { mousedown: (editor, block) => toggle(editor, block.from) },
     }),
@@ -264,7 +264,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
     },
     /** Marks the current line and scrolls to it; 0 removes the mark. */
     markLine(line) {
-      view.dispatch({ effects: setHere.of(line) });
+      view.dispatch({ effects: setCurrentLine.of(line) });
       if (line) bringIntoSight(lineStart(view.state.doc, line), MARGIN);
     },
     /** Shows clocks next to lines: {line, clocks, percent, executions}. */

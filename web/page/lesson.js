@@ -20,7 +20,7 @@ export function title({ number, title: words, name }) {
 }
 
 // Returns the clock limits of a test for each medal: "gold 95, silver 110".
-const wanted = ({ goals }) => Object.entries(goals)
+const clockLimits = ({ goals }) => Object.entries(goals)
   .map(([medal, clocks]) => `${medal} ${count(clocks)}`).join(", ");
 
 let shown = null;
@@ -39,7 +39,7 @@ export function showLesson(lesson, exercise) {
   $("lesson-heading").textContent = `${lesson.number} ${lesson.title}`;
   $("lesson-text").innerHTML = lesson.html ?? "";
   $("lesson-text").scrollTop = 0;
-  $("goals").textContent = lesson.tests.filter((test) => test.goals).map(wanted).join("; ");
+  $("goals").textContent = lesson.tests.filter((test) => test.goals).map(clockLimits).join("; ");
 }
 
 export function setFolded(folded) {
@@ -49,12 +49,12 @@ export function setFolded(folded) {
 }
 
 // Shows the verdict in place of the text of the lesson, or the text.
-function judged(so) {
+function showGraded(so) {
   $("verdict").hidden = !so;
-  $("lesson-panel").classList.toggle("judged", so);
+  $("lesson-panel").classList.toggle("graded", so);
 }
 
-export const hideVerdict = () => judged(false);
+export const hideVerdict = () => showGraded(false);
 
 /** Shows the verdict of the engine and stores the best result. */
 export function showVerdict(reply) {
@@ -63,7 +63,7 @@ export function showVerdict(reply) {
   if (reply.passed && (!best.passed || better)) note(reply.lesson, { passed: true, medal: reply.medal });
   const verdict = $("verdict");
   setFolded(false);
-  judged(true);
+  showGraded(true);
   verdict.className = `verdict ${reply.passed ? `passed ${reply.medal || "plain"}` : "failed"}`;
   fill(verdict,
     el("h3", {}, reply.passed ? "Passed" : "Not passed",

@@ -23,7 +23,7 @@ export function makeRegisters(panel, session) {
 
 const title = ({ number, name, changed }) => [
   el("code", {}, `r${number}`), name && el("b", {}, ` ${name}`),
-  changed && el("span", { class: "unseen" }, " changed")];
+  changed && el("span", { class: "visually-hidden" }, " changed")];
 
 // Formats a descriptor as such, named halves with their names, and any other word as a number.
 function meaning({ text, descriptor, left, right }) {

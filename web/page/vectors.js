@@ -45,7 +45,7 @@ function row(vector, control, more) {
     const bit = controlBits[i];
     const kinds = [changed(first + i) && "changed", bit === "0" && "masked"].filter(Boolean);
     return el("li", { class: kinds.join(" ") || null, title: `${label}, element ${first + i}` },
-      bit && el("span", { class: `bit bit-${bit}` }, el("span", { class: "unseen" }, "control bit "), bit),
+      bit && el("span", { class: `bit bit-${bit}` }, el("span", { class: "visually-hidden" }, "control bit "), bit),
       value);
   });
   const left = length - first - values.length;

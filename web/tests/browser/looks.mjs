@@ -28,7 +28,7 @@ const beyond = (visit) => visit.page.evaluate(() => {
   return [document.documentElement.scrollWidth > width && "the page scrolls sideways",
     ...[...document.querySelectorAll("button, select, h2, h3, label, p, input")]
       .filter((node) => node.checkVisibility()
-        && !node.closest(".unseen, .scroll, pre, .cm-editor, .skip, .source .aside"))
+        && !node.closest(".visually-hidden, .scroll, pre, .cm-editor, .skip, .source .aside"))
       .map((node) => ({ node, box: node.getBoundingClientRect() }))
       .filter(({ box }) => box.left < -1 || box.right > width + 1)
       .map(({ node }) => node.outerHTML.slice(0, 120))].filter(Boolean);
@@ -162,7 +162,7 @@ export const tests = {
     await visit.choose("lesson", `lesson:${native.lessons[2].name}`);
     assert.equal(await top(), 0);
     // The current line is nevertheless visible inside the editor.
-    assert.ok(await visit.page.$eval(".cm-line.here", (line) => {
+    assert.ok(await visit.page.$eval(".cm-line.current-line", (line) => {
       const { top: above, bottom } = line.getBoundingClientRect();
       const box = line.closest(".cm-scroller").getBoundingClientRect();
       return above >= box.top && bottom <= box.bottom;
