@@ -4,109 +4,109 @@
 
 import assert from "node:assert/strict";
 import { COUNTS, PRINTS_MUCH } from "./texts.mjs";
-import { Visit } from "./visit.mjs";
+import { PageDriver } from "./page_driver.mjs";
 
 const PLAIN = ["--model", "cyber205-2pipe"];
 
 export const tests = {
   async "examples print and take what they do natively"({ browser, page, native, print }) {
-    const visit = await Visit.open(browser, page);
-    const examples = await visit.page.$$eval("#lesson optgroup[label=Examples] option",
+    const driver = await PageDriver.open(browser, page);
+    const examples = await driver.page.$$eval("#lesson optgroup[label=Examples] option",
       (options) => options.map(({ value }) => value));
     assert.ok(examples.length > 5);
     for (const example of examples) {
-      await visit.choose("lesson", example);
-      await visit.press("run");
-      const text = await visit.evaluate("editor.text");
+      await driver.choose("lesson", example);
+      await driver.press("run");
+      const text = await driver.evaluate("editor.text");
       const { out } = native.c205(["run", ...PLAIN, "example.s"], { "example.s": text });
-      const view = await visit.view();
-      const printed = await visit.text("#output");
+      const view = await driver.view();
+      const printed = await driver.text("#output");
       const clocks = /^(\d+) clocks/m.exec(out.slice(printed.length))[1];
       assert.equal(out.slice(0, printed.length), printed, example);
       assert.equal(view.clock, Number(clocks), example);
     }
     print(`${examples.length} programs`);
-    await visit.close();
+    await driver.close();
   },
 
   async "the laboratory shows the figures of c205 sweep"({ browser, page, native }) {
-    const visit = await Visit.open(browser, page);
-    await visit.choose("lesson", "example:saxpy_vector.s");
-    await visit.press("tab-laboratory");
-    await visit.page.focus("#lab-second");
-    await visit.page.select("#lab-second", "example:saxpy_scalar.s");
-    await visit.press("laboratory button[type=submit]");
-    await visit.page.waitForSelector("#laboratory .chart svg");
-    const text = await visit.evaluate("editor.text");
-    const other = await visit.evaluate("window.c205.example('saxpy_scalar.s')");
+    const driver = await PageDriver.open(browser, page);
+    await driver.choose("lesson", "example:saxpy_vector.s");
+    await driver.press("tab-laboratory");
+    await driver.page.focus("#lab-second");
+    await driver.page.select("#lab-second", "example:saxpy_scalar.s");
+    await driver.press("laboratory button[type=submit]");
+    await driver.page.waitForSelector("#laboratory .chart svg");
+    const text = await driver.evaluate("editor.text");
+    const other = await driver.evaluate("window.c205.example('saxpy_scalar.s')");
     const expected = native.json(["sweep", "--warm", ...PLAIN, "a.s", "b.s", "--define", "n=1:1000",
       "--points", "25"], { "a.s": text, "b.s": other });
-    const rows = await visit.page.$$eval("#laboratory details tbody tr", (list) => list.map((row) =>
+    const rows = await driver.page.$$eval("#laboratory details tbody tr", (list) => list.map((row) =>
       [...row.children].map((cell) => cell.textContent.replaceAll(",", ""))));
     assert.deepEqual(rows.map(([n, first, , second]) => [n, first, second].map(Number)),
       expected.points.map((point) => [point.value, point.first_clocks, point.second_clocks]));
-    const lines = await visit.page.$$eval("#laboratory .result > table tbody tr", (list) => list.map((row) =>
+    const lines = await driver.page.$$eval("#laboratory .result > table tbody tr", (list) => list.map((row) =>
       [...row.children].slice(1).map((cell) => Number(cell.textContent.replaceAll(",", "").replace("−", "-")))));
     const to = (places, value) => Number(value.toFixed(places)) || 0;
     assert.deepEqual(lines, expected.lines.map((line) => [to(1, line.startup), to(4, line.per_element),
       to(2, line.mflops), to(1, line.n_half), to(2, line.off_percent)]));
-    await visit.close();
+    await driver.close();
   },
 
   async "the comparison says what c205 compare says"({ browser, page, native }) {
-    const visit = await Visit.open(browser, page);
-    await visit.choose("lesson", "example:saxpy_linked.s");
-    await visit.press("tab-compare");
-    await visit.page.focus("#compare-first");
-    await visit.page.select("#compare-first", "example:saxpy_vector.s");
-    await visit.page.select("#compare-second", "mine");
-    await visit.press("compare button[type=submit]");
-    await visit.page.waitForSelector("#compare .verdict-words");
+    const driver = await PageDriver.open(browser, page);
+    await driver.choose("lesson", "example:saxpy_linked.s");
+    await driver.press("tab-compare");
+    await driver.page.focus("#compare-first");
+    await driver.page.select("#compare-first", "example:saxpy_vector.s");
+    await driver.page.select("#compare-second", "mine");
+    await driver.press("compare button[type=submit]");
+    await driver.page.waitForSelector("#compare .verdict-words");
     const { out } = native.c205(["compare", ...PLAIN, "a.s", "b.s"], {
-      "a.s": await visit.evaluate("window.c205.example('saxpy_vector.s')"),
-      "b.s": await visit.evaluate("editor.text") });
-    assert.equal(await visit.text("#compare .verdict-words"), /^The second .*$/m.exec(out)[0]);
-    await visit.close();
+      "a.s": await driver.evaluate("window.c205.example('saxpy_vector.s')"),
+      "b.s": await driver.evaluate("editor.text") });
+    assert.equal(await driver.text("#compare .verdict-words"), /^The second .*$/m.exec(out)[0]);
+    await driver.close();
   },
 
   async "the laboratory shows clocks of what has no rate"({ browser, page }) {
-    const visit = await Visit.open(browser, page);
-    await visit.write(COUNTS);
-    await visit.press("tab-laboratory");
-    await visit.press("laboratory button[type=submit]");
-    await visit.page.waitForSelector("#laboratory .chart svg");
-    const result = await visit.text("#laboratory .result");
+    const driver = await PageDriver.open(browser, page);
+    await driver.write(COUNTS);
+    await driver.press("tab-laboratory");
+    await driver.press("laboratory button[type=submit]");
+    await driver.page.waitForSelector("#laboratory .chart svg");
+    const result = await driver.text("#laboratory .result");
     assert.ok(!result.includes("Mflop/s"), result);
     assert.ok(!result.includes("check that the program uses"));
     // It reports when nothing depends on the constant, which the program must use.
-    await visit.write(COUNTS.replace("        EXIT", "        .ifdef other\n        ES      r60, other\n        .endif\n        EXIT"));
-    await visit.page.$eval("#lab-constant", (input) => { input.value = "other"; });
-    await visit.press("laboratory button[type=submit]");
-    await visit.page.waitForSelector("#laboratory .steady");
-    await visit.close();
+    await driver.write(COUNTS.replace("        EXIT", "        .ifdef other\n        ES      r60, other\n        .endif\n        EXIT"));
+    await driver.page.$eval("#lab-constant", (input) => { input.value = "other"; });
+    await driver.press("laboratory button[type=submit]");
+    await driver.page.waitForSelector("#laboratory .steady");
+    await driver.close();
   },
 
   async "a program that was opened is the second of a comparison, what it began with the first"({ browser, page, native }) {
-    const visit = await Visit.open(browser, page);
-    await visit.choose("lesson", "example:saxpy_vector.s");
-    await visit.choose("lesson", `lesson:${native.lessons[1].name}`);
-    await visit.press("to-compare");
-    assert.deepEqual(await visit.page.$$eval("#compare select", (list) => list.map(({ value }) => value)), ["start", "mine"]);
-    assert.match(await visit.text("#compare .verdict-words"), /^Both take/);
-    await visit.close();
+    const driver = await PageDriver.open(browser, page);
+    await driver.choose("lesson", "example:saxpy_vector.s");
+    await driver.choose("lesson", `lesson:${native.lessons[1].name}`);
+    await driver.press("to-compare");
+    assert.deepEqual(await driver.page.$$eval("#compare select", (list) => list.map(({ value }) => value)), ["start", "mine"]);
+    assert.match(await driver.text("#compare .verdict-words"), /^Both take/);
+    await driver.close();
   },
 
   async "what is printed is text, and very much of it is cut and said to be"({ browser, page }) {
-    const visit = await Visit.open(browser, page);
+    const driver = await PageDriver.open(browser, page);
     const html = "<script>window.bad = 1</script><img src=x onerror='window.bad = 1'>";
-    await visit.write(PRINTS_MUCH.replace("TEXT", html));
-    await visit.press("run");
-    const printed = await visit.text("#output");
+    await driver.write(PRINTS_MUCH.replace("TEXT", html));
+    await driver.press("run");
+    const printed = await driver.text("#output");
     assert.ok(printed.startsWith(`${html}${html}`), printed.slice(0, 200));
     assert.ok(printed.length > 1e6 && printed.length < 1.1e6);
-    assert.match(await visit.text("#ending"), /only a part of the output is kept/);
-    await visit.press("back");
-    assert.equal(await visit.page.evaluate("window.bad"), undefined);
-    await visit.close();
+    assert.match(await driver.text("#ending"), /only a part of the output is kept/);
+    await driver.press("back");
+    assert.equal(await driver.page.evaluate("window.bad"), undefined);
+    await driver.close();
   },
 };

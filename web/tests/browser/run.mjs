@@ -7,10 +7,10 @@ import { startBrowser } from "./browsers.mjs";
 import { Native } from "./native.mjs";
 import { tests as course } from "./course.mjs";
 import { tests as loading } from "./loading.mjs";
-import { tests as looks } from "./looks.mjs";
-import { tests as moving } from "./moving.mjs";
+import { tests as layout } from "./layout.mjs";
+import { tests as stepping } from "./stepping.mjs";
 import { tests as programs } from "./programs.mjs";
-import { tests as shown } from "./shown.mjs";
+import { tests as panels } from "./panels.mjs";
 import { tests as tracer } from "./tracer.mjs";
 
 const [build, browsers = "chromium firefox", only = ""] = process.argv.slice(2);
@@ -18,7 +18,7 @@ if (!build) {
   console.error("usage: node web/tests/browser/run.mjs BUILD [BROWSERS [TEXT]]");
   process.exit(2);
 }
-const all = { ...loading, ...moving, ...programs, ...shown, ...course, ...looks, ...tracer };
+const all = { ...loading, ...stepping, ...programs, ...panels, ...course, ...layout, ...tracer };
 const native = new Native(resolve(build));
 let passed = 0, failed = 0;
 

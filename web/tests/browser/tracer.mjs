@@ -2,7 +2,7 @@
 // an error, and Table 1. A failure means that the page passes other options or shows other figures.
 
 import assert from "node:assert/strict";
-import { Visit } from "./visit.mjs";
+import { PageDriver } from "./page_driver.mjs";
 
 const RUN_TIMEOUT = 120000; // milliseconds, limit for a run
 
@@ -19,26 +19,26 @@ plane { y, -1 pigment { checker rgb .2, rgb .9 } }
 `;
 
 async function openTracer(browser, page) {
-  const visit = await Visit.open(browser, page);
-  await visit.press("tab-tracer");
-  await visit.page.waitForSelector("#tracer form");
-  return visit;
+  const driver = await PageDriver.open(browser, page);
+  await driver.press("tab-tracer");
+  await driver.page.waitForSelector("#tracer form");
+  return driver;
 }
 
 // Waits for a status text. WHICH: 0 for the picture, 1 for the table.
-const waitForStatus = (visit, words, which = 0) => visit.page.waitForFunction(
+const waitForStatus = (driver, words, which = 0) => driver.page.waitForFunction(
   `document.querySelectorAll("#tracer [role=status]")[${which}].textContent === ${JSON.stringify(words)}`,
   { timeout: RUN_TIMEOUT });
 
-async function write(visit, text) {
-  await visit.page.$eval("#tracer-text", (area, words) => {
+async function write(driver, text) {
+  await driver.page.$eval("#tracer-text", (area, words) => {
     area.value = words;
     area.dispatchEvent(new Event("input"));
   }, text);
 }
 
 /** Returns the number of colours of the picture, and whether the file to download has the same pixels. */
-const picture = (visit) => visit.page.evaluate(async () => {
+const picture = (driver) => driver.page.evaluate(async () => {
   const pixels = async (image) => {
     const bitmap = await createImageBitmap(image);
     const canvas = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
@@ -53,64 +53,64 @@ const picture = (visit) => visit.page.evaluate(async () => {
 
 export const tests = {
   async "a picture is drawn, with what rt205 prints"({ browser, page, native }) {
-    const visit = await openTracer(browser, page);
+    const driver = await openTracer(browser, page);
     for (const stage of ["vector", "scalar"]) {
-      await visit.page.select("#tracer-size", "80x60");
-      await visit.page.select("#tracer-stage", stage);
-      await write(visit, scene);
-      await visit.page.click("#tracer button[type=submit]");
-      await waitForStatus(visit, "Done.");
+      await driver.page.select("#tracer-size", "80x60");
+      await driver.page.select("#tracer-stage", stage);
+      await write(driver, scene);
+      await driver.page.click("#tracer button[type=submit]");
+      await waitForStatus(driver, "Done.");
       const queue = stage === "scalar" ? [] : ["--queue", "2000"];
-      assert.equal(await visit.text("#tracer pre"), rt205(native, ["render", "my.pov", "-o", "picture.png",
+      assert.equal(await driver.text("#tracer pre"), rt205(native, ["render", "my.pov", "-o", "picture.png",
         "-W", "80", "-H", "60", "--accounts", "--mode", stage, "--model", "cyber205-2pipe", ...queue],
       { "my.pov": scene }));
-      const { colours, same } = await picture(visit);
+      const { colours, same } = await picture(driver);
       assert.ok(colours > 50, `${colours} colours`);
       assert.ok(same, "the picture to download is another one");
     }
-    await visit.close();
+    await driver.close();
   },
 
   async "a scene with a fault is reported, and a run can be stopped"({ browser, page, native }) {
-    const visit = await openTracer(browser, page);
+    const driver = await openTracer(browser, page);
     const broken = scene.replace("sphere", "spere");
-    await write(visit, broken);
-    await visit.page.click("#tracer button[type=submit]");
-    await waitForStatus(visit, "rt205 failed. Its output gives the reason.");
-    assert.equal(await visit.text("#tracer pre"), rt205(native, ["render", "my.pov", "--no-picture"],
+    await write(driver, broken);
+    await driver.page.click("#tracer button[type=submit]");
+    await waitForStatus(driver, "rt205 failed. Its output gives the reason.");
+    assert.equal(await driver.text("#tracer pre"), rt205(native, ["render", "my.pov", "--no-picture"],
       { "my.pov": broken }));
-    await visit.page.select("#tracer-scene", "scenes/bracket.pov");
-    await visit.page.select("#tracer-size", "640x480");
-    await visit.page.click("#tracer button[type=submit]");
-    await visit.page.waitForSelector("#tracer .clocks table", { timeout: RUN_TIMEOUT });
-    await visit.page.click("#tracer form button[type=button]");
-    await waitForStatus(visit, "Stopped.");
-    await visit.page.select("#tracer-size", "80x60");
-    await visit.page.click("#tracer button[type=submit]");
-    await waitForStatus(visit, "Done.");
-    await visit.close();
+    await driver.page.select("#tracer-scene", "scenes/bracket.pov");
+    await driver.page.select("#tracer-size", "640x480");
+    await driver.page.click("#tracer button[type=submit]");
+    await driver.page.waitForSelector("#tracer .clocks table", { timeout: RUN_TIMEOUT });
+    await driver.page.click("#tracer form button[type=button]");
+    await waitForStatus(driver, "Stopped.");
+    await driver.page.select("#tracer-size", "80x60");
+    await driver.page.click("#tracer button[type=submit]");
+    await waitForStatus(driver, "Done.");
+    await driver.close();
   },
 
   async "Table 1 is that of rt205"({ browser, page, native }) {
-    const visit = await openTracer(browser, page);
-    await visit.page.$eval("#tracer-queue", (input) => { input.value = "500"; });
+    const driver = await openTracer(browser, page);
+    await driver.page.$eval("#tracer-queue", (input) => { input.value = "500"; });
     // A single row, with the paper's rays, follows from the objects of the scene; all rows use few rays.
-    await write(visit, "torus { 1, 0.2 } torus { 2, 0.2 } sphere { 0, 1 }");
-    assert.equal(await visit.page.$eval("#tracer-row", ({ value }) => value), "torus");
-    await write(visit, scene);
-    assert.equal(await visit.page.$eval("#tracer-row", ({ value }) => value), "sphere");
+    await write(driver, "torus { 1, 0.2 } torus { 2, 0.2 } sphere { 0, 1 }");
+    assert.equal(await driver.page.$eval("#tracer-row", ({ value }) => value), "torus");
+    await write(driver, scene);
+    assert.equal(await driver.page.$eval("#tracer-row", ({ value }) => value), "sphere");
     for (const [choice, args] of [["sphere", ["sphere"]], ["all", ["-W", "80", "-H", "50"]]]) {
-      await visit.page.select("#tracer-row", choice);
-      await visit.page.click("form:has(#tracer-row) button");
-      await visit.page.waitForFunction("document.querySelector('form:has(#tracer-row) button').hidden");
-      await waitForStatus(visit, "Done.", 1);
-      const rows = await visit.page.$$eval("#tracer .result tbody tr", (list) =>
+      await driver.page.select("#tracer-row", choice);
+      await driver.page.click("form:has(#tracer-row) button");
+      await driver.page.waitForFunction("document.querySelector('form:has(#tracer-row) button').hidden");
+      await waitForStatus(driver, "Done.", 1);
+      const rows = await driver.page.$$eval("#tracer .result tbody tr", (list) =>
         list.map((row) => [...row.cells].map((cell) => cell.textContent)));
       const printed = rt205(native, ["speedup", ...args, "--queue", "500", "--format", "md"]).split("\n")
         .filter((line) => /^\| .*\| (ours|paper|error %) *\|/.test(line))
         .map((line) => line.slice(1, -1).split("|").map((cell) => cell.trim() || "-"));
       assert.deepEqual(rows, printed);
     }
-    await visit.close();
+    await driver.close();
   },
 };

@@ -1,17 +1,17 @@
-// looks.mjs - checks layout and accessibility: axe finds no violation in any view, nothing is
+// layout.mjs - checks layout and accessibility: axe finds no violation in any view, nothing is
 // cut off at widths from 320 to 1920 pixels, and all controls are reached by keys. A failure means
 // that some users cannot see or reach a part of the page.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { Visit } from "./visit.mjs";
+import { PageDriver } from "./page_driver.mjs";
 import { PRINTS, WRONG } from "./texts.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
-async function faults(visit) {
-  const found = await visit.page.evaluate(async () => {
+async function faults(driver) {
+  const found = await driver.page.evaluate(async () => {
     const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
     return violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3)
       .map(({ html, any }) => `${html.slice(0, 160)} ${any[0]?.message ?? ""}`).join(" | ")}`);
@@ -23,7 +23,7 @@ const wide = { width: 1440, height: 900 };
 const narrow = { width: 390, height: 844 };
 
 // Returns the elements that reach beyond the width of the page.
-const beyond = (visit) => visit.page.evaluate(() => {
+const beyond = (driver) => driver.page.evaluate(() => {
   const width = document.documentElement.clientWidth;
   return [document.documentElement.scrollWidth > width && "the page scrolls sideways",
     ...[...document.querySelectorAll("button, select, h2, h3, label, p, input")]
@@ -38,87 +38,87 @@ export const tests = {
   async "axe finds nothing, in light and dark, wide and narrow, in each view"({ browser, page }) {
     for (const scheme of ["light", "dark"])
       for (const size of [wide, narrow]) {
-        const visit = await Visit.open(browser, page, { ...size, scheme });
-        if (visit.scheme === "dark") await visit.press("theme");
-        await visit.page.evaluate(axe);
+        const driver = await PageDriver.open(browser, page, { ...size, scheme });
+        if (driver.scheme === "dark") await driver.press("theme");
+        await driver.page.evaluate(axe);
         const checkView = async (where) =>
-          assert.deepEqual(await faults(visit), [], `${scheme}, ${size.width}: ${where}`);
+          assert.deepEqual(await faults(driver), [], `${scheme}, ${size.width}: ${where}`);
         await checkView("a lesson");
-        if (await visit.page.$eval("#check", (button) => !button.disabled)) {
-          await visit.press("check");
+        if (await driver.page.$eval("#check", (button) => !button.disabled)) {
+          await driver.press("check");
           await checkView("a verdict");
         }
-        await visit.choose("lesson", "example:saxpy_vector.s");
-        await visit.press("run");
+        await driver.choose("lesson", "example:saxpy_vector.s");
+        await driver.press("run");
         await checkView("a run");
-        await visit.press("tab-laboratory");
-        await visit.press("laboratory button[type=submit]");
+        await driver.press("tab-laboratory");
+        await driver.press("laboratory button[type=submit]");
         await checkView("the laboratory");
-        await visit.press("to-compare");
+        await driver.press("to-compare");
         await checkView("a comparison");
-        await visit.press("tab-console");
-        await visit.page.type("#console-line", "info registers\n");
-        await visit.quiet();
+        await driver.press("tab-console");
+        await driver.page.type("#console-line", "info registers\n");
+        await driver.quiet();
         await checkView("the console");
-        await visit.press("tab-tracer");
+        await driver.press("tab-tracer");
         await checkView("the ray tracer");
-        await visit.press("tab-machine");
-        await visit.write(WRONG);
+        await driver.press("tab-machine");
+        await driver.write(WRONG);
         await checkView("errors");
-        await visit.press("keys");
+        await driver.press("keys");
         await checkView("the keys");
-        await visit.close();
+        await driver.close();
       }
   },
 
   async "nothing is cut off on narrow and wide screens"({ browser, page }) {
     for (const width of [320, 390, 600, 800, 960, 1100, 1440, 1920]) {
-      const visit = await Visit.open(browser, page, { width, height: 800 });
-      assert.deepEqual(await beyond(visit), [], `${width}: a lesson`);
-      await visit.choose("lesson", "example:saxpy_vector.s");
-      await visit.press("run");
-      assert.deepEqual(await beyond(visit), [], `${width}: a run`);
+      const driver = await PageDriver.open(browser, page, { width, height: 800 });
+      assert.deepEqual(await beyond(driver), [], `${width}: a lesson`);
+      await driver.choose("lesson", "example:saxpy_vector.s");
+      await driver.press("run");
+      assert.deepEqual(await beyond(driver), [], `${width}: a run`);
       for (const view of ["laboratory", "compare", "console", "tracer"]) {
-        await visit.press(`tab-${view}`);
-        assert.deepEqual(await beyond(visit), [], `${width}: ${view}`);
+        await driver.press(`tab-${view}`);
+        assert.deepEqual(await beyond(driver), [], `${width}: ${view}`);
       }
-      await visit.close();
+      await driver.close();
     }
   },
 
   async "a wide page never scrolls, and has all of its bars in sight"({ browser, page }) {
     for (const size of [wide, { width: 1920, height: 1080 }, { width: 1280, height: 600 }]) {
-      const visit = await Visit.open(browser, page, size);
-      const still = async (where) => assert.deepEqual(await visit.page.evaluate(() => [
+      const driver = await PageDriver.open(browser, page, size);
+      const still = async (where) => assert.deepEqual(await driver.page.evaluate(() => [
         document.documentElement.scrollHeight - innerHeight, window.scrollY]), [0, 0], `${size.width}: ${where}`);
       await still("a lesson");
-      await visit.press("check");
+      await driver.press("check");
       await still("a verdict");
       for (const example of ["example:calls.s", "example:saxpy_vector.s"]) {
-        await visit.choose("lesson", example);
-        await visit.press("run");
+        await driver.choose("lesson", example);
+        await driver.press("run");
         await still(example);
       }
       for (const view of ["laboratory", "compare", "console", "tracer"]) {
-        await visit.press(`tab-${view}`);
-        if (["laboratory", "compare"].includes(view)) await visit.press(`${view} button[type=submit]`);
+        await driver.press(`tab-${view}`);
+        if (["laboratory", "compare"].includes(view)) await driver.press(`${view} button[type=submit]`);
         await still(view);
       }
-      await visit.close();
+      await driver.close();
     }
   },
 
   async "by keys alone: everything is reached, and seen to be"({ browser, page }) {
-    const visit = await Visit.open(browser, page);
-    await visit.write(PRINTS);
-    await visit.key("F4");
+    const driver = await PageDriver.open(browser, page);
+    await driver.write(PRINTS);
+    await driver.key("F4");
     const reached = [];
     for (let i = 0; i < 80; i++) {
       // Tab indents the text of the program unless Escape was pressed before it.
-      if (await visit.page.evaluate("document.activeElement.classList.contains('cm-content')"))
-        await visit.page.keyboard.press("Escape");
-      await visit.page.keyboard.press("Tab");
-      const { name, seen } = await visit.page.evaluate(() => {
+      if (await driver.page.evaluate("document.activeElement.classList.contains('cm-content')"))
+        await driver.page.keyboard.press("Escape");
+      await driver.page.keyboard.press("Tab");
+      const { name, seen } = await driver.page.evaluate(() => {
         const node = document.activeElement;
         const { outlineStyle, outlineWidth } = getComputedStyle(node);
         return { name: node.id || node.className || node.tagName,
@@ -134,98 +134,98 @@ export const tests = {
       "tab-machine", "machine"])
       assert.ok(reached.some((one) => one.split(" ").includes(name)), `${name} is not reached: ${reached}`);
     // Arrow keys select tabs.
-    await visit.page.focus("#tab-machine");
-    await visit.key("ArrowRight");
-    assert.equal(await visit.shown("#laboratory"), true);
-    await visit.key("End");
-    assert.equal(await visit.shown("#tracer"), true);
-    await visit.close();
+    await driver.page.focus("#tab-machine");
+    await driver.key("ArrowRight");
+    assert.equal(await driver.shown("#laboratory"), true);
+    await driver.key("End");
+    assert.equal(await driver.shown("#tracer"), true);
+    await driver.close();
   },
 
   async "light and dark, by the system and by the switch"({ browser, page }) {
-    const visit = await Visit.open(browser, page, { scheme: "dark" });
-    const paper = () => visit.page.evaluate("getComputedStyle(document.body).backgroundColor");
+    const driver = await PageDriver.open(browser, page, { scheme: "dark" });
+    const paper = () => driver.page.evaluate("getComputedStyle(document.body).backgroundColor");
     const first = await paper();
-    await visit.press("theme");
+    await driver.press("theme");
     const second = await paper();
     assert.notEqual(first, second);
-    await visit.page.reload();
-    await visit.page.waitForSelector("body.ready");
+    await driver.page.reload();
+    await driver.page.waitForSelector("body.ready");
     assert.equal(await paper(), second);
-    await visit.close();
+    await driver.close();
   },
 
   async "a narrow page stays where it is while the program moves"({ browser, page, native }) {
-    const visit = await Visit.open(browser, page, narrow);
-    const top = () => visit.page.evaluate("window.scrollY");
+    const driver = await PageDriver.open(browser, page, narrow);
+    const top = () => driver.page.evaluate("window.scrollY");
     assert.equal(await top(), 0);
-    await visit.choose("lesson", `lesson:${native.lessons[2].name}`);
+    await driver.choose("lesson", `lesson:${native.lessons[2].name}`);
     assert.equal(await top(), 0);
     // The current line is nevertheless visible inside the editor.
-    assert.ok(await visit.page.$eval(".cm-line.current-line", (line) => {
+    assert.ok(await driver.page.$eval(".cm-line.current-line", (line) => {
       const { top: above, bottom } = line.getBoundingClientRect();
       const box = line.closest(".cm-scroller").getBoundingClientRect();
       return above >= box.top && bottom <= box.bottom;
     }));
-    await visit.page.evaluate("document.getElementById('vectors').scrollIntoView()");
+    await driver.page.evaluate("document.getElementById('vectors').scrollIntoView()");
     const low = await top();
     assert.ok(low > 1000);
     for (const id of ["step", "step", "back", "run", "reset"]) {
-      await visit.press(id);
+      await driver.press(id);
       assert.ok(Math.abs(await top() - low) < 100, `${id}: from ${low} to ${await top()}`);
     }
     // The status line is always visible, and a verdict is shown from its first line.
-    assert.ok(await visit.page.$eval("#status", (node) => node.getBoundingClientRect().top >= 0));
-    await visit.press("check");
-    assert.ok(await visit.page.$eval("#verdict h3", (node) => {
+    assert.ok(await driver.page.$eval("#status", (node) => node.getBoundingClientRect().top >= 0));
+    await driver.press("check");
+    assert.ok(await driver.page.$eval("#verdict h3", (node) => {
       const { bottom } = document.getElementById("status").getBoundingClientRect();
       return node.getBoundingClientRect().top >= bottom && node.getBoundingClientRect().bottom < innerHeight;
     }));
-    await visit.close();
+    await driver.close();
   },
 
   async "the height of the lesson is chosen by pointer and by keys, and stored"({ browser, page }) {
-    const visit = await Visit.open(browser, page, { width: 1280, height: 720 });
-    const height = () => visit.page.$eval("#lesson-panel", (panel) => panel.getBoundingClientRect().height);
+    const driver = await PageDriver.open(browser, page, { width: 1280, height: 720 });
+    const height = () => driver.page.$eval("#lesson-panel", (panel) => panel.getBoundingClientRect().height);
     const before = await height();
-    await visit.page.focus("#split");
-    await visit.key("ArrowDown");
+    await driver.page.focus("#split");
+    await driver.key("ArrowDown");
     const after = await height();
     assert.ok(after > before + 10);
-    const { x, y } = await visit.page.$eval("#split", (bar) => {
+    const { x, y } = await driver.page.$eval("#split", (bar) => {
       const box = bar.getBoundingClientRect();
       return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
     });
-    await visit.page.mouse.move(x, y);
-    await visit.page.mouse.down();
-    await visit.page.mouse.move(x, y - 150, { steps: 4 });
-    await visit.page.mouse.up();
+    await driver.page.mouse.move(x, y);
+    await driver.page.mouse.down();
+    await driver.page.mouse.move(x, y - 150, { steps: 4 });
+    await driver.page.mouse.up();
     const drawn = await height();
     assert.ok(Math.abs(after - 150 - drawn) < 12, `${after} ${drawn}`);
-    await visit.page.reload();
-    await visit.page.waitForSelector("body.ready");
-    await visit.quiet();
+    await driver.page.reload();
+    await driver.page.waitForSelector("body.ready");
+    await driver.quiet();
     assert.ok(Math.abs(await height() - drawn) < 1);
-    await visit.close();
+    await driver.close();
   },
 
   async "at 200 % the program and the line that is typed are visible, also with reported errors"({ browser, page }) {
     // At 200 % the page has half of the pixels of a large screen or of a laptop.
     for (const size of [{ width: 960, height: 540 }, { width: 640, height: 360 }, { width: 1280, height: 600 }]) {
-      const visit = await Visit.open(browser, page, size);
-      assert.deepEqual(await beyond(visit), []);
-      const height = () => visit.page.$eval(".cm-scroller", (box) => box.clientHeight);
+      const driver = await PageDriver.open(browser, page, size);
+      assert.deepEqual(await beyond(driver), []);
+      const height = () => driver.page.$eval(".cm-scroller", (box) => box.clientHeight);
       assert.ok(await height() >= 100, `${size.width}: ${await height()}`);
-      await visit.evaluate(`editor.toLine(editor.text.split("\\n").length)`);
-      await visit.page.keyboard.type("\n        FOO\n        BAR");
-      await visit.quiet();
-      assert.equal(await visit.shown("#faults"), true);
-      assert.ok(await visit.page.$eval(".cm-activeLine", (line) => {
+      await driver.evaluate(`editor.toLine(editor.text.split("\\n").length)`);
+      await driver.page.keyboard.type("\n        FOO\n        BAR");
+      await driver.quiet();
+      assert.equal(await driver.shown("#faults"), true);
+      assert.ok(await driver.page.$eval(".cm-activeLine", (line) => {
         const { top, bottom } = line.getBoundingClientRect();
         const box = line.closest(".cm-scroller").getBoundingClientRect();
         return top >= box.top - 1 && bottom <= box.bottom + 1;
       }), `${size.width}: the line is out of sight`);
-      await visit.close();
+      await driver.close();
     }
   },
 };

@@ -1,9 +1,9 @@
-// shown.mjs - compares the panels with the engine's view after every instruction of a program:
+// panels.mjs - compares the panels with the engine's view after every instruction of a program:
 // terms of the time, causes, regions, control bits, and the boxes of the time line. A failure means
 // that a panel shows other figures than the engine computed.
 
 import assert from "node:assert/strict";
-import { Visit } from "./visit.mjs";
+import { PageDriver } from "./page_driver.mjs";
 
 // The program has control bits, a link, a scalar that waits for a load, and a region.
 const PROGRAM = `        .include "vectors.s"
@@ -33,69 +33,69 @@ a:      .word   2.5
 const BITS = "10101";
 
 const open = async ({ browser, page }) => {
-  const visit = await Visit.open(browser, page);
-  await visit.write(PROGRAM);
-  return visit;
+  const driver = await PageDriver.open(browser, page);
+  await driver.write(PROGRAM);
+  return driver;
 };
 
 const number = (text) => Number(text.replaceAll(",", ""));
-const rows = (visit, selector) => visit.page.$$eval(`${selector} tbody tr`, (list) => list.map((row) =>
+const rows = (driver, selector) => driver.page.$$eval(`${selector} tbody tr`, (list) => list.map((row) =>
   [...row.children].map((cell) => cell.textContent)));
 
 // Executes the program step by step and passes the engine's view after each step to CHECK.
-async function eachStep(visit, check) {
+async function eachStep(driver, check) {
   for (let ended = false; !ended;) {
-    await visit.press("step");
-    const view = await visit.view();
+    await driver.press("step");
+    const view = await driver.view();
     await check(view);
     ({ ended } = view);
   }
 }
 
 // Returns the clocks of the terms of the N-th formula, such as "3 memory wait + 1 issue".
-const terms = (visit, n) => visit.page.$$eval("#instruction .formula", (list, which) =>
+const terms = (driver, n) => driver.page.$$eval("#instruction .formula", (list, which) =>
   [...list[which]?.querySelectorAll(".term b") ?? []].map((one) => one.textContent), n);
 
 export const tests = {
   async "an instruction's time is the sum of its pieces, and of its phases"(world) {
-    const visit = await open(world);
+    const driver = await open(world);
     let vectors = 0;
-    await eachStep(visit, async ({ last }) => {
-      const pieces = (await terms(visit, 0)).map(number);
+    await eachStep(driver, async ({ last }) => {
+      const pieces = (await terms(driver, 0)).map(number);
       assert.deepEqual(pieces, last.pieces.map(({ clocks }) => clocks), last.text);
       assert.equal(pieces.reduce((sum, clocks) => sum + clocks, 0), last.clocks, last.text);
       if (last.phases.length === 0) return;
       vectors++;
-      const phases = (await terms(visit, 1)).map(number);
+      const phases = (await terms(driver, 1)).map(number);
       assert.deepEqual(phases, last.phases.map(({ begin, end }) => end - begin), last.text);
-      assert.match(await visit.text("#instruction .formula:nth-of-type(3)"),
+      assert.match(await driver.text("#instruction .formula:nth-of-type(3)"),
         new RegExp(`works for ${phases.reduce((sum, clocks) => sum + clocks, 0)} clocks`));
     });
     assert.ok(vectors >= 3);
-    await visit.close();
+    await driver.close();
   },
 
   async "causes and regions are the accounts"(world) {
-    const visit = await open(world);
-    await eachStep(visit, async ({ accounts }) => {
+    const driver = await open(world);
+    await eachStep(driver, async ({ accounts }) => {
       const expected = accounts.causes.map(({ cause, clocks, percent }) => [cause, clocks, percent.toFixed(1)]);
-      const shown = (await rows(visit, "#causes table:nth-of-type(1)"))
+      const shown = (await rows(driver, "#causes table:nth-of-type(1)"))
         .map(([cause, clocks, percent]) => [cause, number(clocks), percent]);
       assert.deepEqual(shown, [...expected, ["all", accounts.clocks, "100.0"]]);
     });
-    const { accounts } = await visit.view();
-    const regions = (await rows(visit, "#causes table:nth-of-type(2)"))
+    const { accounts } = await driver.view();
+    const regions = (await rows(driver, "#causes table:nth-of-type(2)"))
       .map(([region, ...figures]) => [region, ...figures.map(number)]);
     assert.deepEqual(regions, accounts.regions.map((row) =>
       [row.region, row.instructions, row.vector, row.elements, row.clocks]));
-    await visit.close();
+    await driver.close();
   },
 
   async "control bits are shown next to the elements that they select"(world) {
-    const visit = await open(world);
+    const driver = await open(world);
     const marked = [];
-    await eachStep(visit, async ({ vectors }) => {
-      const shown = await visit.page.$$eval("#vectors .vector", (list) => Object.fromEntries(list.map((row) =>
+    await eachStep(driver, async ({ vectors }) => {
+      const shown = await driver.page.$$eval("#vectors .vector", (list) => Object.fromEntries(list.map((row) =>
         [row.querySelector("code").textContent, [...row.querySelectorAll("li")].map((cell) => ({
           value: cell.lastChild.textContent, bit: cell.querySelector(".bit")?.lastChild.textContent ?? "",
           masked: cell.classList.contains("masked"), changed: cell.classList.contains("changed") }))])));
@@ -111,18 +111,18 @@ export const tests = {
       }
     });
     assert.deepEqual(marked, ["z", "y", "y"]);
-    assert.equal((await visit.view()).vectors.find(({ label }) => label === "z").values, BITS);
-    await visit.close();
+    assert.equal((await driver.view()).vectors.find(({ label }) => label === "z").values, BITS);
+    await driver.close();
   },
 
   async "boxes of the time line are as long as their clocks"(world) {
-    const visit = await open(world);
-    await visit.press("run");
+    const driver = await open(world);
+    await driver.press("run");
     for (const button of [null, "Zoom in", "Later", "Earlier", "Zoom out", "All of the run"]) {
-      if (button) await visit.page.click(`#timeline button[aria-label="${button}"]`);
-      await visit.quiet();
+      if (button) await driver.page.click(`#timeline button[aria-label="${button}"]`);
+      await driver.quiet();
       // The scale from clocks to pixels comes from two ticks and the clocks written above them.
-      const { boxes, ticks, width: all, range } = await visit.page.$eval("#timeline svg", (svg) => ({
+      const { boxes, ticks, width: all, range } = await driver.page.$eval("#timeline svg", (svg) => ({
         boxes: [...svg.querySelectorAll("g.insn rect")].map((rect) => ({
           x: Number(rect.getAttribute("x")), width: Number(rect.getAttribute("width")),
           title: rect.textContent })),
@@ -141,6 +141,6 @@ export const tests = {
         assert.ok(Math.abs(width - (x(end) - x(begin))) < 0.5, `${button}: ${title}`);
       }
     }
-    await visit.close();
+    await driver.close();
   },
 };

@@ -1,11 +1,11 @@
-// visit.mjs - a visit to the page: opens it and operates it like a learner. Each visit has its own
-// browser context, so nothing is stored from one visit to the next.
+// page_driver.mjs - opens the page and operates it like a learner. Each driver has its own browser
+// context, so nothing is stored from one driver to the next.
 
 import assert from "node:assert/strict";
 
 const PAGE_TIMEOUT = 20000; // milliseconds
 
-export class Visit {
+export class PageDriver {
   faults = [];
   requests = [];
 
@@ -21,14 +21,14 @@ export class Visit {
 
   static async open(browser, address, { width = 1280, height = 900, scheme = "light" } = {}) {
     const context = await browser.createBrowserContext();
-    const visit = new Visit(await context.newPage());
-    visit.context = context;
-    await visit.page.setViewport({ width, height });
-    await visit.setScheme(scheme);
-    await visit.page.goto(address);
-    await visit.page.waitForSelector("body.ready");
-    await visit.quiet();
-    return visit;
+    const driver = new PageDriver(await context.newPage());
+    driver.context = context;
+    await driver.page.setViewport({ width, height });
+    await driver.setScheme(scheme);
+    await driver.page.goto(address);
+    await driver.page.waitForSelector("body.ready");
+    await driver.quiet();
+    return driver;
   }
 
   /** Sets the system's colour scheme. If the browser cannot, the test uses the page's own switch. */
