@@ -50,12 +50,12 @@ function place() {
   $("where").textContent = `${count(Number(value))} of ${count(Number(max))}`;
 }
 
-function busy(so) {
-  document.body.classList.toggle("busy", so);
-  $("run").hidden = so;
-  $("stop").hidden = !so;
-  if (so && document.activeElement === $("run")) $("stop").focus();
-  if (!so && document.activeElement === $("stop")) $("run").focus();
+function showBusy(isBusy) {
+  document.body.classList.toggle("busy", isBusy);
+  $("run").hidden = isBusy;
+  $("stop").hidden = !isBusy;
+  if (isBusy && document.activeElement === $("run")) $("stop").focus();
+  if (!isBusy && document.activeElement === $("stop")) $("run").focus();
 }
 
 export function makeBar(session) {
@@ -65,7 +65,7 @@ export function makeBar(session) {
   $("slider").addEventListener("input", () => { place(); session.slide(Number($("slider").value)); });
   session.on("loaded", (reply) => { if (!reply.ok) update(null); });
   session.on("view", update);
-  session.on("busy", busy);
+  session.on("busy", showBusy);
   session.on("moved", reportRun);
   session.on("progress", ({ step, clock }) => {
     if (performance.now() - last < PROGRESS_INTERVAL) return;

@@ -4,7 +4,7 @@
 import { choices, count, el, fill, fixed, heading, table } from "./dom.js";
 import { named } from "./causes.js";
 
-export function makeCompare(panel, session, others) {
+export function makeCompare(panel, session, comparablePrograms) {
   const first = el("select", { id: "compare-first" });
   const second = el("select", { id: "compare-second" });
   const result = el("div", { class: "result", role: "group", "aria-live": "polite", "aria-label": "Result" });
@@ -26,7 +26,7 @@ export function makeCompare(panel, session, others) {
 
   // Fills both lists. The default compares the starting text with the program in the editor.
   function updateLists() {
-    const [mine, ...list] = others();
+    const [mine, ...list] = comparablePrograms();
     const chosen = first.value;
     choices(first, [...list, mine]);
     choices(second, [mine, ...list]);
@@ -42,7 +42,7 @@ export function makeCompare(panel, session, others) {
   async function run() {
     if (session.busy) return;
     updateLists();
-    const list = others();
+    const list = comparablePrograms();
     const chosen = [first, second].map(({ value }) => list.find((one) => one.value === value));
     const reply = await session.runRequest({ do: "compare", ...session.setting,
       texts: chosen.map(({ title, text }) => ({ name: title, text })) });

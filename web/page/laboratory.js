@@ -7,7 +7,7 @@ import { choices, count, draw, el, fill, fixed, heading, some, table } from "./d
 const POINTS = 25;
 const WIDTH = 720, HEIGHT = 300, LEFT = 56, RIGHT = 96, TOP = 16, BOTTOM = 40;
 
-export function makeLaboratory(panel, session, others) {
+export function makeLaboratory(panel, session, comparablePrograms) {
   let sweep = null;
   let names = [];
   let at = 0; // index of the point at the slider
@@ -36,8 +36,8 @@ export function makeLaboratory(panel, session, others) {
     progress, result));
 
   function updateLists() {
-    choices(first, others());
-    choices(second, [{ value: "", title: "no second program" }, ...others()]);
+    choices(first, comparablePrograms());
+    choices(second, [{ value: "", title: "no second program" }, ...comparablePrograms()]);
   }
   panel.addEventListener("focusin", (event) => {
     if (event.target === first || event.target === second) updateLists();
@@ -47,7 +47,7 @@ export function makeLaboratory(panel, session, others) {
   async function measure(event) {
     event.preventDefault();
     if (session.busy) return;
-    const pick = (value) => others().find((one) => one.value === value);
+    const pick = (value) => comparablePrograms().find((one) => one.value === value);
     const chosen = [pick(first.value), pick(second.value)].filter(Boolean);
     start.hidden = true;
     stop.hidden = false;

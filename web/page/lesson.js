@@ -49,9 +49,9 @@ export function setFolded(folded) {
 }
 
 // Shows the verdict in place of the text of the lesson, or the text.
-function showGraded(so) {
-  $("verdict").hidden = !so;
-  $("lesson-panel").classList.toggle("graded", so);
+function showGraded(isGraded) {
+  $("verdict").hidden = !isGraded;
+  $("lesson-panel").classList.toggle("graded", isGraded);
 }
 
 export const hideVerdict = () => showGraded(false);

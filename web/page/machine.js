@@ -1,8 +1,8 @@
 // machine.js - the page's side of the worker: sends requests to the engine, and starts a new
 // engine if the old one does not answer.
 
-// Milliseconds from a stop to the end of the worker. GRADE_STOP_TIMEOUT is for a request that the engine cannot
-// interrupt.
+// Milliseconds from a stop to the end of the worker. GRADE_STOP_TIMEOUT is for a request that the
+// engine cannot interrupt.
 const STOP_TIMEOUT = 3000, GRADE_STOP_TIMEOUT = 250;
 
 export class Machine {
@@ -61,7 +61,7 @@ export class Machine {
     await this.#ready;
     return new Promise((resolve) => {
       const id = this.#next++;
-      this.#pending.set(id, { resolve, progress, whole: message.do === "grade" });
+      this.#pending.set(id, { resolve, progress, uninterruptible: message.do === "grade" });
       this.#worker.postMessage({ id, request: message });
     });
   }
@@ -76,7 +76,8 @@ export class Machine {
     this.#worker.postMessage({ stop: true });
     clearTimeout(this.#watch);
     if (this.#pending.size === 0) return;
-    const whole = [...this.#pending.values()].some((one) => one.whole);
-    this.#watch = setTimeout(() => this.#lose("it did not answer in time", whole), whole ? GRADE_STOP_TIMEOUT : STOP_TIMEOUT);
+    const uninterruptible = [...this.#pending.values()].some((one) => one.uninterruptible);
+    this.#watch = setTimeout(() => this.#lose("it did not answer in time", uninterruptible),
+      uninterruptible ? GRADE_STOP_TIMEOUT : STOP_TIMEOUT);
   }
 }

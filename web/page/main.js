@@ -58,8 +58,8 @@ makeCauses($("causes"), session);
 makeRegisters($("registers"), session);
 makeVectors($("vectors"), session);
 makeConsole($("console"), session);
-const laboratory = makeLaboratory($("laboratory"), session, others);
-const comparison = makeCompare($("compare"), session, others);
+const laboratory = makeLaboratory($("laboratory"), session, comparablePrograms);
+const comparison = makeCompare($("compare"), session, comparablePrograms);
 const showTab = makeTabs(document.querySelector("[role=tablist]"), (name) => {
   if (name === "laboratory") laboratory.updateLists();
   if (name === "compare") comparison.updateLists();
@@ -74,10 +74,10 @@ async function openTracer() {
 }
 
 /** Returns the program in the editor and all programs that it can be compared with. */
-function others() {
+function comparablePrograms() {
   return [{ value: "mine", title: "my program", text: editor.text },
     ...(session.savedText ? [{ value: "kept", title: "kept", text: session.savedText }] : []),
-    ...programs.others];
+    ...programs.comparable];
 }
 
 // --- Text: errors, the current line, clocks of lines ---------------------------------
@@ -168,14 +168,14 @@ async function openLink(otherwise) {
       : "The link is damaged: it contains no program.";
   }
   if (shared) {
-    const wanted = shared.lesson ? `lesson:${shared.lesson}` : OWN;
-    const known = programs.has(wanted);
+    const key = shared.lesson ? `lesson:${shared.lesson}` : OWN;
+    const known = programs.has(key);
     if (!known) fault = "The link names an unknown lesson.";
     if (about.models.some(({ name }) => name === shared.model)) session.model = $("model").value = shared.model;
     const warm = ["warm", "cold"].includes(shared.warm) ? shared.warm : "";
-    if (shared.text === undefined) await open(known ? wanted : otherwise ?? programs.key);
+    if (shared.text === undefined) await open(known ? key : otherwise ?? programs.key);
     else {
-      await open(known ? wanted : OWN, shared.text, warm);
+      await open(known ? key : OWN, shared.text, warm);
       session.savedText = programs.written ?? "";
     }
   } else if (otherwise !== undefined) await open(otherwise);

@@ -39,9 +39,9 @@ export class Programs {
     return this.lesson?.tests.every(({ warm }) => warm) ? "warm" : "";
   }
 
-  #of(kind, titled = ({ name }) => name) {
+  #of(kind, titleOf = ({ name }) => name) {
     return [...this.#list].filter(([key]) => key.startsWith(kind))
-      .map(([value, program]) => ({ value, title: titled(program), text: program.text }));
+      .map(([value, program]) => ({ value, title: titleOf(program), text: program.text }));
   }
 
   get #parts() {
@@ -72,7 +72,7 @@ export class Programs {
   }
 
   /** The programs that the current one can be compared with. */
-  get others() {
+  get comparable() {
     const start = { value: "start", title: "the starting text", text: this.text };
     return [...(this.exercise ? [start] : []), ...this.#parts, ...this.#of("example:")];
   }

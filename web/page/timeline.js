@@ -13,7 +13,7 @@ const MIN_RANGE = 16; // clocks, shortest range
 export function makeTimeline(panel, session) {
   let from = 0;
   let to = FIRST;
-  let whole = true; // the user has selected no range: a short run is shown from its start to its end
+  let automatic = true; // the user has selected no range: a short run is shown from its start to its end
   let timeline = null; // the engine's reply
   let turn = 0;
 
@@ -51,14 +51,14 @@ export function makeTimeline(panel, session) {
   const shift = (by) => setRange(from + Math.round((to - from) * by), to - from);
 
   function setRange(begin, length) {
-    whole = false;
+    automatic = false;
     from = Math.max(begin, 0);
     to = from + length;
     update();
   }
 
   function all() {
-    whole = true;
+    automatic = true;
     from = 0;
     to = Math.max(clock(), MIN_RANGE);
     update();
@@ -66,11 +66,11 @@ export function makeTimeline(panel, session) {
 
   // Moves the range so that it contains the current clock.
   function follow() {
-    if (whole && clock() <= 2 * FIRST) {
+    if (automatic && clock() <= 2 * FIRST) {
       from = 0;
       to = Math.max(clock(), 2 * MIN_RANGE);
-    } else if (clock() > to || clock() < from || (whole && to - from > 2 * FIRST)) {
-      const length = whole ? FIRST : to - from;
+    } else if (clock() > to || clock() < from || (automatic && to - from > 2 * FIRST)) {
+      const length = automatic ? FIRST : to - from;
       from = Math.max(Math.round(clock() - 0.9 * length), 0);
       to = from + length;
     }
@@ -132,7 +132,7 @@ export function makeTimeline(panel, session) {
     return svg;
   }
 
-  session.on("loaded", () => { whole = true; from = 0; to = FIRST; timeline = null; show(); });
+  session.on("loaded", () => { automatic = true; from = 0; to = FIRST; timeline = null; show(); });
   session.on("view", () => { follow(); showClock(); update(); });
   new ResizeObserver(() => { if (timeline && picture.clientWidth > 0) show(); }).observe(picture);
 }

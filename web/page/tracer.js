@@ -130,12 +130,12 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
   // Runs rt205 to its end. Returns null if another run is active.
   async function run({ start, stop, status, part }, args, files, words, rows) {
     if (busy) return null;
-    const others = [drawing.start, measuring.start].filter((one) => one !== start);
-    const setBusy = (so) => {
-      busy = start.hidden = so;
-      stop.hidden = !so;
+    const otherButtons = [drawing.start, measuring.start].filter((one) => one !== start);
+    const setBusy = (isBusy) => {
+      busy = start.hidden = isBusy;
+      stop.hidden = !isBusy;
       part.hidden = false;
-      for (const other of others) other.disabled = so;
+      for (const other of otherButtons) other.disabled = isBusy;
     };
     const focused = document.activeElement;
     setBusy(true);

@@ -12,9 +12,9 @@ let stopped = false;
 // pause() lets the worker receive the messages that have arrived: it posts a message to itself,
 // which is delivered after them.
 const turn = new MessageChannel();
-let goOn = null;
-turn.port1.onmessage = () => goOn();
-const pause = () => new Promise((resolve) => { goOn = resolve; turn.port2.postMessage(0); });
+let resume = null;
+turn.port1.onmessage = () => resume();
+const pause = () => new Promise((resolve) => { resume = resolve; turn.port2.postMessage(0); });
 
 async function answer({ id, request }) {
   stopped = false;

@@ -7,8 +7,8 @@
 // Source: the interface wasi_snapshot_preview1 (github.com/WebAssembly/WASI).
 
 const errors = {
-  none: 0, badFile: 8, exists: 20, invalid: 28, isFolder: 31, notThere: 44,
-  notOffered: 52, noFolder: 54, noSeek: 70,
+  none: 0, badFile: 8, exists: 20, invalid: 28, isFolder: 31, notFound: 44,
+  unsupported: 52, notFolder: 54, notSeekable: 70,
 };
 const kinds = { unknown: 0, folder: 3, file: 4 };
 const opening = { create: 1, folder: 2, exclusive: 4, truncate: 8 };
@@ -36,42 +36,42 @@ const plain = (path) => {
 /** A file: bytes in a buffer that grows. */
 class Bytes {
   constructor(bytes = new Uint8Array()) {
-    this.room = bytes;
+    this.buffer = bytes;
     this.length = bytes.length;
     this.written = false; // until it is true, the bytes belong to the caller
   }
   get all() {
-    return this.room.subarray(0, this.length);
+    return this.buffer.subarray(0, this.length);
   }
   resize(length) {
-    if (length > this.room.length || !this.written) {
-      const room = new Uint8Array(Math.max(length, 2 * this.room.length));
-      room.set(this.all.subarray(0, room.length));
-      this.room = room;
+    if (length > this.buffer.length || !this.written) {
+      const buffer = new Uint8Array(Math.max(length, 2 * this.buffer.length));
+      buffer.set(this.all.subarray(0, buffer.length));
+      this.buffer = buffer;
     }
-    this.room.fill(0, Math.min(length, this.length), this.length);
+    this.buffer.fill(0, Math.min(length, this.length), this.length);
     this.length = length;
     this.written = true;
   }
   put(at, bytes) {
     if (at + bytes.length > this.length || !this.written)
       this.resize(Math.max(at + bytes.length, this.length));
-    this.room.set(bytes, at);
+    this.buffer.set(bytes, at);
   }
 }
 
 /**
  * The imports of a program.
- * words: its name and arguments. given: its files, as bytes or text by path.
+ * words: its name and arguments. files: its files, as bytes or text by path.
  * streams: functions that receive the bytes of stdout and stderr.
  * The caller must set .memory when the program has one. .written() returns the files
  * that the program wrote, by path.
  */
 export class System {
-  constructor(words, given, streams) {
+  constructor(words, files, streams) {
     this.words = words.map((word) => new TextEncoder().encode(word + "\0"));
     this.files = new Map();
-    for (const [path, text] of Object.entries(given))
+    for (const [path, text] of Object.entries(files))
       this.files.set(plain(path), new Bytes(typeof text === "string"
         ? new TextEncoder().encode(text) : text));
     this.open = [{ file: new Bytes(), at: 0 }, { put: streams.stdout },
@@ -156,7 +156,7 @@ export class System {
       return this.status(to, kinds.file, file.length,
         1 + [...this.files.values()].indexOf(file));
     return this.isFolder(path) ? this.status(to, kinds.folder, 0, 0)
-      : errors.notThere;
+      : errors.notFound;
   }
   openPath(path, how) {
     let file = this.files.get(path);
@@ -165,11 +165,11 @@ export class System {
     if (!file && this.isFolder(path))
       return how & opening.create ? errors.isFolder : { folder: path };
     if (file && how & opening.folder)
-      return errors.noFolder;
+      return errors.notFolder;
     if (!file) {
       if (!(how & opening.create)
         || !this.isFolder(path.split("/").slice(0, -1).join("/")))
-        return errors.notThere;
+        return errors.notFound;
       file = new Bytes();
       this.files.set(path, file);
     }
@@ -205,7 +205,7 @@ export class System {
       proc_exit: (code) => {
         throw new Exit(code);
       },
-      poll_oneoff: () => errors.notOffered,
+      poll_oneoff: () => errors.unsupported,
 
       fd_prestat_get: (number, to) => number !== root ? errors.badFile
         : (this.number(to, 0), this.number(to + 4, 1)),
@@ -223,7 +223,7 @@ export class System {
       },
       fd_fdstat_set_flags: () => errors.none,
       fd_sync: () => errors.none,
-      fd_renumber: () => errors.notOffered,
+      fd_renumber: () => errors.unsupported,
       fd_filestat_get: (number, to) => {
         const open = at(number);
         if (!open)
@@ -293,7 +293,7 @@ export class System {
       fd_seek: (number, by, from, to) => {
         const open = at(number);
         if (!open?.file)
-          return open ? errors.noSeek : errors.badFile;
+          return open ? errors.notSeekable : errors.badFile;
         const place = [0, open.at, open.file.length][from] + Number(by);
         if (!(place >= 0))
           return errors.invalid;
@@ -316,15 +316,15 @@ export class System {
         const path = this.pathAt(from, length);
         const file = this.files.get(path);
         if (!file)
-          return errors.notThere;
+          return errors.notFound;
         this.files.delete(path);
         this.files.set(this.pathAt(to, toLength), file);
         return errors.none;
       },
       path_unlink_file: (folder, path, length) =>
         this.files.delete(this.pathAt(path, length)) ? errors.none
-          : errors.notThere,
-      path_remove_directory: () => errors.noFolder,
+          : errors.notFound,
+      path_remove_directory: () => errors.notFolder,
     };
   }
 }

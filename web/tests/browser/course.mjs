@@ -44,8 +44,8 @@ export const tests = {
     }
     // An answer that cannot be assembled, and one that does not solve the exercise.
     for (const answer of [WRONG, SUM]) {
-      const verdictOfC205 = await verdict(driver, native, native.lessons.at(-1), answer);
-      assert.equal(verdictOfC205.passed, false);
+      const graded = await verdict(driver, native, native.lessons.at(-1), answer);
+      assert.equal(graded.passed, false);
     }
     const titles = await driver.page.$$eval("#lesson optgroup[label=Course] option", (options) =>
       options.map(({ textContent }) => textContent));
@@ -178,7 +178,7 @@ export const tests = {
     await driver.close();
   },
 
-  async "a check that takes long is stopped at once, and the page goes on"({ browser, page, native }) {
+  async "a check that takes long is stopped at once, and the page continues"({ browser, page, native }) {
     const driver = await PageDriver.open(browser, page);
     await driver.write(native.lessons[0].start.replace(/^ +EXIT/m, "again:  BIM     again"));
     await driver.page.click("#check");

@@ -9,7 +9,7 @@ import { PageDriver } from "./page_driver.mjs";
 const PLAIN = ["--model", "cyber205-2pipe"];
 
 export const tests = {
-  async "examples print and take what they do natively"({ browser, page, native, print }) {
+  async "examples have the output and clocks of c205 run"({ browser, page, native, print }) {
     const driver = await PageDriver.open(browser, page);
     const examples = await driver.page.$$eval("#lesson optgroup[label=Examples] option",
       (options) => options.map(({ value }) => value));
@@ -53,7 +53,7 @@ export const tests = {
     await driver.close();
   },
 
-  async "the comparison says what c205 compare says"({ browser, page, native }) {
+  async "the comparison shows the sentence of c205 compare"({ browser, page, native }) {
     const driver = await PageDriver.open(browser, page);
     await driver.choose("lesson", "example:saxpy_linked.s");
     await driver.press("tab-compare");
@@ -69,7 +69,7 @@ export const tests = {
     await driver.close();
   },
 
-  async "the laboratory shows clocks of what has no rate"({ browser, page }) {
+  async "the laboratory shows clocks of a program without a rate"({ browser, page }) {
     const driver = await PageDriver.open(browser, page);
     await driver.write(COUNTS);
     await driver.press("tab-laboratory");
@@ -86,7 +86,7 @@ export const tests = {
     await driver.close();
   },
 
-  async "a program that was opened is the second of a comparison, what it began with the first"({ browser, page, native }) {
+  async "a comparison begins with the starting text and the opened program"({ browser, page, native }) {
     const driver = await PageDriver.open(browser, page);
     await driver.choose("lesson", "example:saxpy_vector.s");
     await driver.choose("lesson", `lesson:${native.lessons[1].name}`);
@@ -96,7 +96,7 @@ export const tests = {
     await driver.close();
   },
 
-  async "what is printed is text, and very much of it is cut and said to be"({ browser, page }) {
+  async "output is shown as text, and long output is cut with a message"({ browser, page }) {
     const driver = await PageDriver.open(browser, page);
     const html = "<script>window.bad = 1</script><img src=x onerror='window.bad = 1'>";
     await driver.write(PRINTS_MUCH.replace("TEXT", html));

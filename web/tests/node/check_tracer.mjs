@@ -114,7 +114,7 @@ function check(args, more) {
     const other = inPage(args, more);
     if (cannotRead.test(other.stderr)) {
       unread++;
-      why = other.code === 1 && other.stdout === "" ? "" : "it goes on without a file";
+      why = other.code === 1 && other.stdout === "" ? "" : "it continues without a file";
     } else {
       why = difference(native(args), other);
     }

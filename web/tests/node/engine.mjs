@@ -81,7 +81,7 @@ const below = (() => {
 })();
 
 /** Returns the complete view without the number of known steps. */
-function seen(instance) {
+function completeView(instance) {
   const view = instance.answer({ do: "view", "all-registers": true });
   delete view.steps;
   return view;
@@ -96,7 +96,7 @@ function checkWalk(path, program, steps) {
     const { step: here, ended } = engine.answer({ do: "view" });
     other.answer({ do: "load", ...program });
     finish(other, { do: "go", how: "step", n: here + (ended ? 1 : 0) });
-    same(seen(other), seen(engine), `${path}: at step ${here}`);
+    same(completeView(other), completeView(engine), `${path}: at step ${here}`);
   }
 }
 
