@@ -69,29 +69,58 @@ struct dap {
 
 typedef bool dap_request(struct dap *dap);
 
-/* launch.c */
-dap_request request_initialize, request_launch, request_configuration_done,
-    request_restart, request_terminate, request_disconnect;
-/* Frees the program, which need not be open completely. */
+enum {
+    ALWAYS = DAP_NEW | DAP_GREETED | DAP_LAUNCHED | DAP_STANDING | DAP_RUNNING
+             | DAP_ENDED,
+    WITH_PROGRAM = DAP_LAUNCHED | DAP_STANDING | DAP_RUNNING | DAP_ENDED,
+    NOT_RUNNING = DAP_LAUNCHED | DAP_STANDING | DAP_ENDED
+};
+
+/* The requests, with the states in which each is allowed. */
+/* clang-format off */
+#define DAP_REQUESTS(ROW) \
+    ROW("initialize", request_initialize, DAP_NEW) \
+    ROW("launch", request_launch, DAP_GREETED) \
+    ROW("configurationDone", request_configuration_done, DAP_LAUNCHED) \
+    ROW("restart", request_restart, DAP_STANDING | DAP_RUNNING | DAP_ENDED) \
+    ROW("terminate", request_terminate, WITH_PROGRAM) \
+    ROW("disconnect", request_disconnect, ALWAYS) \
+    ROW("setBreakpoints", request_breakpoints, WITH_PROGRAM) \
+    ROW("setFunctionBreakpoints", request_function_breakpoints, WITH_PROGRAM) \
+    ROW("setInstructionBreakpoints", request_instruction_breakpoints, WITH_PROGRAM) \
+    ROW("setDataBreakpoints", request_data_breakpoints, WITH_PROGRAM) \
+    ROW("setExceptionBreakpoints", request_exception_breakpoints, WITH_PROGRAM) \
+    ROW("dataBreakpointInfo", request_data_breakpoint_info, NOT_RUNNING) \
+    ROW("breakpointLocations", request_breakpoint_locations, WITH_PROGRAM) \
+    ROW("continue", request_continue, DAP_STANDING) \
+    ROW("next", request_next, DAP_STANDING) \
+    ROW("stepIn", request_step_in, DAP_STANDING) \
+    ROW("stepOut", request_step_out, DAP_STANDING) \
+    ROW("stepBack", request_step_back, DAP_STANDING) \
+    ROW("reverseContinue", request_reverse_continue, DAP_STANDING) \
+    ROW("pause", request_pause, DAP_STANDING | DAP_RUNNING) \
+    ROW("goto", request_goto, DAP_STANDING) \
+    ROW("gotoTargets", request_goto_targets, WITH_PROGRAM) \
+    ROW("exceptionInfo", request_exception_info, NOT_RUNNING) \
+    ROW("threads", request_threads, WITH_PROGRAM) \
+    ROW("stackTrace", request_stack_trace, NOT_RUNNING) \
+    ROW("source", request_source, WITH_PROGRAM) \
+    ROW("loadedSources", request_loaded_sources, WITH_PROGRAM) \
+    ROW("scopes", request_scopes, NOT_RUNNING) \
+    ROW("variables", request_variables, NOT_RUNNING) \
+    ROW("setVariable", request_set_variable, NOT_RUNNING) \
+    ROW("evaluate", request_evaluate, NOT_RUNNING) \
+    ROW("setExpression", request_set_expression, NOT_RUNNING) \
+    ROW("readMemory", request_read_memory, NOT_RUNNING) \
+    ROW("writeMemory", request_write_memory, NOT_RUNNING) \
+    ROW("disassemble", request_disassemble, NOT_RUNNING)
+/* clang-format on */
+#define DECLARE(name, answer, states) dap_request answer;
+DAP_REQUESTS(DECLARE)
+#undef DECLARE
+
+/* Frees the program, which need not be open completely (launch.c). */
 void close_program(struct dap *dap);
-/* breakpoints.c */
-dap_request request_breakpoints, request_function_breakpoints,
-    request_instruction_breakpoints, request_data_breakpoints,
-    request_data_breakpoint_info, request_exception_breakpoints,
-    request_breakpoint_locations;
-/* execution.c */
-dap_request request_continue, request_next, request_step_in, request_step_out,
-    request_step_back, request_reverse_continue, request_pause, request_goto,
-    request_goto_targets, request_exception_info;
-/* frames.c */
-dap_request request_threads, request_stack_trace, request_source,
-    request_loaded_sources;
-/* variables.c, elements.c */
-dap_request request_scopes, request_variables, request_set_variable;
-/* evaluate.c */
-dap_request request_evaluate, request_set_expression;
-/* memory.c */
-dap_request request_read_memory, request_write_memory, request_disassemble;
 
 /* ---- Arguments (arguments.c) --------------------------------------------- */
 

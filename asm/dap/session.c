@@ -9,54 +9,12 @@
 
 /* ---- Requests ----------------------------------------------------------------- */
 
-enum {
-    ALWAYS = DAP_NEW | DAP_GREETED | DAP_LAUNCHED | DAP_STANDING | DAP_RUNNING
-             | DAP_ENDED,
-    WITH_PROGRAM = DAP_LAUNCHED | DAP_STANDING | DAP_RUNNING | DAP_ENDED,
-    NOT_RUNNING = DAP_LAUNCHED | DAP_STANDING | DAP_ENDED
-};
-
+#define ROW(name, answer, states) { name, answer, states },
 static const struct {
     const char *name;
     dap_request *answer;
     unsigned states; /* bits of the states in which it is allowed */
-} requests[] = {
-    { "initialize", request_initialize, DAP_NEW },
-    { "launch", request_launch, DAP_GREETED },
-    { "configurationDone", request_configuration_done, DAP_LAUNCHED },
-    { "restart", request_restart, DAP_STANDING | DAP_RUNNING | DAP_ENDED },
-    { "terminate", request_terminate, WITH_PROGRAM },
-    { "disconnect", request_disconnect, ALWAYS },
-    { "setBreakpoints", request_breakpoints, WITH_PROGRAM },
-    { "setFunctionBreakpoints", request_function_breakpoints, WITH_PROGRAM },
-    { "setInstructionBreakpoints", request_instruction_breakpoints, WITH_PROGRAM },
-    { "setDataBreakpoints", request_data_breakpoints, WITH_PROGRAM },
-    { "setExceptionBreakpoints", request_exception_breakpoints, WITH_PROGRAM },
-    { "dataBreakpointInfo", request_data_breakpoint_info, NOT_RUNNING },
-    { "breakpointLocations", request_breakpoint_locations, WITH_PROGRAM },
-    { "continue", request_continue, DAP_STANDING },
-    { "next", request_next, DAP_STANDING },
-    { "stepIn", request_step_in, DAP_STANDING },
-    { "stepOut", request_step_out, DAP_STANDING },
-    { "stepBack", request_step_back, DAP_STANDING },
-    { "reverseContinue", request_reverse_continue, DAP_STANDING },
-    { "pause", request_pause, DAP_STANDING | DAP_RUNNING },
-    { "goto", request_goto, DAP_STANDING },
-    { "gotoTargets", request_goto_targets, WITH_PROGRAM },
-    { "exceptionInfo", request_exception_info, NOT_RUNNING },
-    { "threads", request_threads, WITH_PROGRAM },
-    { "stackTrace", request_stack_trace, NOT_RUNNING },
-    { "source", request_source, WITH_PROGRAM },
-    { "loadedSources", request_loaded_sources, WITH_PROGRAM },
-    { "scopes", request_scopes, NOT_RUNNING },
-    { "variables", request_variables, NOT_RUNNING },
-    { "setVariable", request_set_variable, NOT_RUNNING },
-    { "evaluate", request_evaluate, NOT_RUNNING },
-    { "setExpression", request_set_expression, NOT_RUNNING },
-    { "readMemory", request_read_memory, NOT_RUNNING },
-    { "writeMemory", request_write_memory, NOT_RUNNING },
-    { "disassemble", request_disassemble, NOT_RUNNING },
-};
+} requests[] = { DAP_REQUESTS(ROW) };
 enum { REQUESTS = sizeof requests / sizeof *requests };
 
 static bool may_come(struct dap *dap, unsigned states)
