@@ -48,11 +48,6 @@ bool put_buffer(struct json *reply, const char *key, struct text_buffer *text,
     return good || error_set(error, "out of memory");
 }
 
-bool needs_program(const struct engine *engine, c205_error *error)
-{
-    return engine->debugger || error_set(error, "no program is loaded");
-}
-
 char *copy_of(const char *text)
 {
     char *copy = malloc(strlen(text) + 1);
@@ -188,20 +183,21 @@ static const struct {
     const char *name;
     engine_request *answer;
     enum keeps keeps;
+    bool needs_program;
 } requests[] = {
-    { "about", answer_about, KEEPS_ALL },
-    { "load", answer_load, KEEPS_NOTHING },
-    { "breaks", answer_breaks, KEEPS_NOTHING },
-    { "go", answer_go, KEEPS_NOTHING },
-    { "view", answer_view, KEEPS_MOVEMENT },
-    { "timeline", answer_timeline, KEEPS_NOTHING },
-    { "profile", answer_profile, KEEPS_NOTHING },
-    { "accounts", answer_accounts, KEEPS_MOVEMENT },
-    { "say", answer_printf, KEEPS_NOTHING },
-    { "sweep", answer_sweep, KEEPS_NOTHING },
-    { "compare", answer_compare, KEEPS_NOTHING },
-    { "grade", answer_grade, KEEPS_ALL },
-    { "more", answer_more, KEEPS_ALL },
+    { "about", answer_about, KEEPS_ALL, false },
+    { "load", answer_load, KEEPS_NOTHING, false },
+    { "breaks", answer_breaks, KEEPS_NOTHING, true },
+    { "go", answer_go, KEEPS_NOTHING, true },
+    { "view", answer_view, KEEPS_MOVEMENT, true },
+    { "timeline", answer_timeline, KEEPS_NOTHING, true },
+    { "profile", answer_profile, KEEPS_NOTHING, true },
+    { "accounts", answer_accounts, KEEPS_MOVEMENT, true },
+    { "say", answer_printf, KEEPS_NOTHING, true },
+    { "sweep", answer_sweep, KEEPS_NOTHING, false },
+    { "compare", answer_compare, KEEPS_NOTHING, false },
+    { "grade", answer_grade, KEEPS_ALL, false },
+    { "more", answer_more, KEEPS_ALL, false },
 };
 enum { REQUESTS = sizeof requests / sizeof *requests };
 
@@ -221,6 +217,8 @@ static bool answer(struct engine *engine, const struct json_value *request,
     if (requests[i].keeps == KEEPS_NOTHING
         || (requests[i].keeps == KEEPS_MOVEMENT && engine->replay.begun))
         drop_work(engine);
+    if (requests[i].needs_program && !engine->debugger)
+        return error_set(error, "no program is loaded");
     return requests[i].answer(engine, request, reply, error);
 }
 

@@ -148,7 +148,6 @@ bool put_buffer(struct json *reply, const char *key, struct text_buffer *text,
 void put_clocks(struct json *reply, uint64_t begin, uint64_t end, c205_cause cause);
 /* Returns NULL if memory is exhausted. */
 char *copy_of(const char *text);
-bool needs_program(const struct engine *engine, c205_error *error);
 
 /* ---- Programs (program.c) ------------------------------------------------ */
 

@@ -164,8 +164,7 @@ static bool take_movement(struct engine *engine, const struct json_value *reques
 bool answer_go(struct engine *engine, const struct json_value *request,
                struct json *reply, c205_error *error)
 {
-    return needs_program(engine, error) && take_slice(engine, request, error)
-           && take_movement(engine, request, error)
+    return take_slice(engine, request, error) && take_movement(engine, request, error)
            && continue_walk(engine, reply, error);
 }
 
@@ -178,7 +177,7 @@ bool answer_printf(struct engine *engine, const struct json_value *request,
 {
     const char *line;
     uint64_t limit = ENGINE_LIMIT;
-    if (!needs_program(engine, error) || !take_slice(engine, request, error)
+    if (!take_slice(engine, request, error)
         || !take_limit(engine, request, &limit, error)
         || !take_text(request, "line", &line, error))
         return false;

@@ -417,8 +417,6 @@ bool answer_breaks(struct engine *engine, const struct json_value *request,
 {
     const struct json_value *lines = json_member(request, "lines");
     bool good = true;
-    if (!needs_program(engine, error))
-        return false;
     if (!lines || lines->kind != JSON_ARRAY)
         return error_set(error, "\"lines\" must be a list of line numbers");
     for (const struct json_value *line = lines->first; line; line = line->next)

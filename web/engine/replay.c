@@ -136,7 +136,7 @@ bool answer_profile(struct engine *engine, const struct json_value *request,
 {
     struct replay *replay = &engine->replay;
     bool in_order = false;
-    if (!needs_program(engine, error) || !take_slice(engine, request, error)
+    if (!take_slice(engine, request, error)
         || !take_truth(request, "in-order", &in_order, error)
         || !replay_begin(engine, line_profile_new(engine->object), NULL,
                          debugger_step(engine->debugger), error))

@@ -144,7 +144,7 @@ bool answer_timeline(struct engine *engine, const struct json_value *request,
     struct timeline *timeline = &engine->timeline;
     uint64_t most = 2000;
     const struct timeline_form *form;
-    if (!needs_program(engine, error) || !take_slice(engine, request, error))
+    if (!take_slice(engine, request, error))
         return false;
     *timeline = (struct timeline){ .to = UINT64_MAX };
     if (!take_count(request, "from", &timeline->from, error)

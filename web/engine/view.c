@@ -88,8 +88,6 @@ bool answer_accounts(struct engine *engine, const struct json_value *request,
     struct accounts accounts = { .model = engine->model };
     bool good;
     (void)request;
-    if (!needs_program(engine, error))
-        return false;
     json_count(reply, "clocks", c205_clock(engine_machine(engine)));
     good = accounts_add(&accounts, engine_machine(engine))
                ? put_table(accounts_by_cause(&accounts), "causes", reply, error)
@@ -141,8 +139,7 @@ bool answer_view(struct engine *engine, const struct json_value *request,
                  struct json *reply, c205_error *error)
 {
     bool all = false;
-    if (!needs_program(engine, error)
-        || !take_truth(request, "all-registers", &all, error))
+    if (!take_truth(request, "all-registers", &all, error))
         return false;
     put_place(engine, reply);
     put_next_insn(engine, reply);
