@@ -6,7 +6,7 @@
 #include "rt/scene/vector3.h"
 
 /* Beyond this distance squares of sums are not accurate enough. */
-#define GREATEST 1e12
+#define MAX_BOUND 1e12
 
 const struct bound bound_none = {
     { 0, 0, 0 },
@@ -22,7 +22,7 @@ bool bound_is_none(const struct bound *bound)
 
 static bool is_sound(const struct bound *bound)
 {
-    return bound->radius <= GREATEST && length3(bound->center) <= GREATEST;
+    return bound->radius <= MAX_BOUND && length3(bound->center) <= MAX_BOUND;
 }
 
 /* ---- Bounds of bounds ---------------------------------------------------- */

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LEAST 1e-6 /* k_tmin: nearer hits are ignored */
+#define MIN_DISTANCE 1e-6 /* k_tmin: nearer hits are ignored */
 enum { ROUNDED_EACH = 50 };
 
 /* ---- Lines --------------------------------------------------------------- */
@@ -171,7 +171,7 @@ static struct ray ray_of(const struct scene_ray *line)
 static bool begins_inside(const struct along *along, const struct region *region)
 {
     struct ray ray = ray_of(along->line);
-    return plain_is_inside(along->scene, region, &ray, LEAST - along->behind);
+    return plain_is_inside(along->scene, region, &ray, MIN_DISTANCE - along->behind);
 }
 
 /* Returns whether a bounded region contains distant points: it is a complement. */
@@ -288,7 +288,8 @@ static bool is_plain_line(const struct along *along, bool certain)
     FREED struct plain_crossing *plain = calloc(room, sizeof *plain);
     struct ray ray = ray_of(along->line);
     need(plain);
-    bool same = plain_line(along->scene, &ray, LEAST - along->behind, plain, room)
+    bool same = plain_line(along->scene, &ray, MIN_DISTANCE - along->behind, plain,
+                           room)
                 == along->count;
     for (size_t k = 0; same && k < along->count; k++)
         same = is_plain(&along->list[k], &plain[k], certain);

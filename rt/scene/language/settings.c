@@ -17,14 +17,15 @@ static bool read_gamma(struct reader *reader, const struct item *item)
 
 static bool read_trace_level(struct reader *reader, const struct item *item)
 {
-    enum { LEAST = 1, MAX = 256 };
+    enum { MIN_LEVEL = 1, MAX_LEVEL = 256 };
     struct scene *scene = item->subject;
     double level;
     if (!read_number(reader, &level))
         return false;
-    if (level < LEAST || level > MAX)
+    if (level < MIN_LEVEL || level > MAX_LEVEL)
         return reader_fault(reader, &item->at,
-                            "max_trace_level must be between %d and %d", LEAST, MAX);
+                            "max_trace_level must be between %d and %d", MIN_LEVEL,
+                            MAX_LEVEL);
     scene->max_trace_level = (int)level;
     return true;
 }

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NAME, MACHINE, MEMBERS, SOURCE, LEAST, MAX, WHY, FIELDS };
+enum { NAME, MACHINE, MEMBERS, SOURCE, MIN, MAX, WHY, FIELDS };
 static const char *const columns[FIELDS] = { "name",  "machine", "constants", "source",
                                              "least", "most",    "why" };
 
@@ -103,7 +103,7 @@ static bool read_row(struct constants *constants, const struct csv_row *row,
     constants->count++;
     constant->name = row->fields[NAME];
     constant->machine = row->fields[MACHINE];
-    return csv_positive(file, row, LEAST, &constant->least, diagnostics)
+    return csv_positive(file, row, MIN, &constant->least, diagnostics)
            && csv_positive(file, row, MAX, &constant->most, diagnostics)
            && (set_width(constant, row->fields[SOURCE], &error)
                || csv_wrong(file, row, SOURCE, error.message, diagnostics))

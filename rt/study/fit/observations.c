@@ -220,7 +220,7 @@ static bool read_range(const struct csv *file, const struct csv_row *row,
         item->most = strtod(end + strlen(between), &end);
     item->value = (item->least + item->most) / 2;
     return (*end == '\0' && item->least > 0 && item->most >= item->least)
-           || csv_wrong(file, row, VALUE, "expected a positive number, or LEAST to MAX",
+           || csv_wrong(file, row, VALUE, "expected a positive number, or MIN to MAX",
                         diagnostics);
 }
 

@@ -13,7 +13,7 @@
  *             Melements/s  ELEMENTS of the program, divided by its time
  *             %          the region's share of the program
  *             ratio      the first region's or machine's time over the second's
- *   value     a number; for a range "LEAST to MAX", or a number
+ *   value     a number; for a range "MIN to MAX", or a number
  *   uncertainty   relative: one standard deviation; empty for a range
  *   shared    the same, for the error that all rows of a group share
  *   use       fit; compare; or range: a value that is known as a range, or
