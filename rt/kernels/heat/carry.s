@@ -14,29 +14,29 @@
 ; Source: textbook.
 
         .macro  transform_rows x, y, z, k00, k01, k02, k10, k11, k12, k20, k21, k22, to0, to1, to2
-        each_scale \x, \k00, \to0
-        each_scale \x, \k10, \to1
-        each_scale \x, \k20, \to2
-        each_add_three \y, \k01, \to0, \k11, \to1, \k21, \to2
-        each_add_three \z, \k02, \to0, \k12, \to1, \k22, \to2
+        scale   \x, \k00, \to0
+        scale   \x, \k10, \to1
+        scale   \x, \k20, \to2
+        add_scaled_three \y, \k01, \to0, \k11, \to1, \k21, \to2
+        add_scaled_three \z, \k02, \to0, \k12, \to1, \k22, \to2
         .endm
 
         .kernel carry
 emission_transform:
         transform_rows local_face_x, local_face_y, local_face_z, to_face0, to_face1, to_face2, to_face3, to_face4, to_face5, to_face6, to_face7, to_face8, face_x, face_y, face_z
-        each_times face_x, face_x, temp0
-        each_times face_y, face_y, temp1
-        each_times face_z, face_z, temp2
-        each_plus temp0, temp1, temp0
-        each_plus temp0, temp2, temp0
-        each_root temp0, temp0                        ; N|
+        times   face_x, face_x, temp0
+        times   face_y, face_y, temp1
+        times   face_z, face_z, temp2
+        plus    temp0, temp1, temp0
+        plus    temp0, temp2, temp0
+        root    temp0, temp0                    ; N|
         transform_rows local_spot_x, local_spot_y, local_spot_z, to_world0, to_world1, to_world2, to_world4, to_world5, to_world6, to_world8, to_world9, to_world10, spot_x, spot_y, spot_z
-        each_shift spot_x, to_world3, spot_x
-        each_shift spot_y, to_world7, spot_y
-        each_shift spot_z, to_world11, spot_z
-        each_reciprocal temp0, temp1
-        each_times weight, temp0, weight
-        each_times face_x, temp1, face_x
-        each_times face_y, temp1, face_y
-        each_times face_z, temp1, face_z
+        raise   spot_x, to_world3, spot_x
+        raise   spot_y, to_world7, spot_y
+        raise   spot_z, to_world11, spot_z
+        into    one, temp0, temp1
+        times   weight, temp0, weight
+        times   face_x, temp1, face_x
+        times   face_y, temp1, face_y
+        times   face_z, temp1, face_z
         .endkernel

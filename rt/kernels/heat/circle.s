@@ -32,44 +32,44 @@ circle_constants:
         .equ    CIRCLE_CONSTANTS, 23
         .code
 
-        .regs   r67, each_half, each_one, each_minus_one
+        .regs   r67, half, one, minus_one
         .regs   r70, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9
         .regs   r80, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9
 
         .macro  circle_load scratch
         EX      \scratch, circle_constants
         ELEN    \scratch, CIRCLE_CONSTANTS
-        SWAP    [\scratch], each_half, [r0]
+        SWAP    [\scratch], half, [r0]
         .endm
 
         .macro  circle_step even, odd, sine, cosine, odd_sine, odd_cosine, fourth
-        each_horner \fourth, \sine, sine_\even, \odd_sine, sine_\odd, \cosine, cosine_\even, \odd_cosine, cosine_\odd
+        step_four \fourth, \sine, sine_\even, \odd_sine, sine_\odd, \cosine, cosine_\even, \odd_cosine, cosine_\odd
         .endm
 
 ; Splits both polynomials into those of even and odd powers of v^2, which are
 ; polynomials in v^4. work0 .. work4 are scratch.
         .macro  circle turn, sine, cosine, work0, work1, work2, work3, work4
-        each_from each_half, \turn, \work0          ; v
-        each_times \work0, \work0, \work1             ; v^2
-        each_times \work1, \work1, \work2
-        each_scale \work2, sine_8, \sine
-        each_scale \work2, sine_9, \work3
-        each_scale \work2, cosine_8, \cosine
-        each_scale \work2, cosine_9, \work4
-        each_shift \sine, sine_6, \sine
-        each_shift \work3, sine_7, \work3
-        each_shift \cosine, cosine_6, \cosine
-        each_shift \work4, cosine_7, \work4
+        from    half, \turn, \work0             ; v
+        times   \work0, \work0, \work1          ; v^2
+        times   \work1, \work1, \work2
+        scale   \work2, sine_8, \sine
+        scale   \work2, sine_9, \work3
+        scale   \work2, cosine_8, \cosine
+        scale   \work2, cosine_9, \work4
+        raise   \sine, sine_6, \sine
+        raise   \work3, sine_7, \work3
+        raise   \cosine, cosine_6, \cosine
+        raise   \work4, cosine_7, \work4
         circle_step 4, 5, \sine, \cosine, \work3, \work4, \work2
         circle_step 2, 3, \sine, \cosine, \work3, \work4, \work2
         circle_step 0, 1, \sine, \cosine, \work3, \work4, \work2
-        each_times \work3, \work1, \work3
-        each_times \work4, \work1, \work4
-        each_plus \sine, \work3, \sine
-        each_plus \cosine, \work4, \cosine            ; c
-        each_times \work0, \sine, \work0              ; s
-        each_plus \work0, \work0, \work1
-        each_times \work1, \cosine, \sine
-        each_times \work1, \work0, \cosine
-        each_shift \cosine, each_minus_one, \cosine
+        times   \work3, \work1, \work3
+        times   \work4, \work1, \work4
+        plus    \sine, \work3, \sine
+        plus    \cosine, \work4, \cosine        ; c
+        times   \work0, \sine, \work0           ; s
+        plus    \work0, \work0, \work1
+        times   \work1, \cosine, \sine
+        times   \work1, \work0, \cosine
+        raise   \cosine, minus_one, \cosine
         .endm

@@ -20,25 +20,25 @@
 
         .kernel direction
 emission_direction:
-        each_root draw2, temp5                        ; r
-        each_from each_one, draw2, temp6
+        root    draw2, temp5                    ; r
+        from    one, draw2, temp6
         circle  draw3, ray_y, ray_x, temp0, temp1, temp2, temp3, temp4
-        each_root temp6, temp6                        ; z
-        each_times temp5, ray_x, ray_x
-        each_times temp5, ray_y, ray_y
-        each_sign face_z, temp2
-        each_times ray_x, face_x, temp3
-        each_times ray_y, face_y, temp4
-        each_plus temp2, face_z, temp0
-        each_times temp2, ray_x, ray_x
-        each_times temp2, ray_y, ray_y
-        each_plus temp3, temp4, temp3                 ; q
-        each_over temp3, temp0, temp0
-        each_times temp6, face_z, ray_z
-        each_minus ray_z, temp3, ray_z
-        each_minus temp6, temp0, temp6                ; g
-        each_times temp6, face_x, temp3
-        each_times temp6, face_y, temp4
-        each_plus ray_x, temp3, ray_x
-        each_plus ray_y, temp4, ray_y
+        root    temp6, temp6                    ; z
+        times   temp5, ray_x, ray_x
+        times   temp5, ray_y, ray_y
+        sign    face_z, one, minus_one, temp2
+        times   ray_x, face_x, temp3
+        times   ray_y, face_y, temp4
+        plus    temp2, face_z, temp0
+        times   temp2, ray_x, ray_x
+        times   temp2, ray_y, ray_y
+        plus    temp3, temp4, temp3             ; q
+        quotient temp3, temp0, temp0
+        times   temp6, face_z, ray_z
+        minus   ray_z, temp3, ray_z
+        minus   temp6, temp0, temp6             ; g
+        times   temp6, face_x, temp3
+        times   temp6, face_y, temp4
+        plus    ray_x, temp3, ray_x
+        plus    ray_y, temp4, ray_y
         .endkernel

@@ -36,8 +36,7 @@
         .include "heat/emitted.s"
 
 ; Columns: registers of numbers, or of descriptors.
-        .equ    EMISSION_WORK, 28
-        .reg    each_linked, r91
+        .equ    EMISSION_WORK, 27
         .regs   r92, local_spot_x, local_spot_y, local_spot_z, local_face_x, local_face_y, local_face_z
         .regs   r98, temp0, temp1, temp2, temp3, temp4, temp5, temp6, temp7, temp8
         .regs   r107, piece0, piece1, piece2, piece3, piece4, piece5, piece6, piece7, piece8, piece9, piece10, piece11

@@ -4,7 +4,10 @@
         .endm
         .include "points/points_scalar.s"
         .include "heat/emission_program.s"
-        .include "heat/operations_scalar.s"
+        .include "forms.s"
+
+        .regs   r191, first, second, third
+        scalar_form , first, second, third
 
         .kernel begin
         emission_begin

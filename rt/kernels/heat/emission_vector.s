@@ -4,10 +4,11 @@
         .endm
         .include "points/points_vector.s"
         .include "heat/emission_program.s"
-        .include "heat/operations_vector.s"
+        .include "forms.s"
 
-        .regs   r90, each_bits
+        .reg    emission_mask, r90
         .regs   r191, emission_now, emission_high
+        vector_form , emission_mask
 
         .data
 emission_bases:
@@ -51,9 +52,9 @@ emission_full:
         EX      piece_at, emission_descriptors
         ELEN    piece_at, EMISSION_WORK
         ORV     [emission_plane], emission_high, [piece_at]
-        SWAP    [piece_at], each_linked, [r0]
-        EX      each_bits, emission_bits
-        ADDLEN  each_bits, emission_now, each_bits
+        SWAP    [piece_at], local_spot_x, [r0]
+        EX      emission_mask, emission_bits
+        ADDLEN  emission_mask, emission_now, emission_mask
         emission_planes points_results, STREAM_DRAWS, draw\+
         emission_planes emission_results, EMITTED_SIZE, emitted\+
         BSAVE   emission_link, [emission_kernel]

@@ -20,24 +20,24 @@
         .kernel emit
 emit_frustum:
         pick_piece 6
-        each_times piece2, piece2, temp0
-        each_times piece3, piece3, temp1
-        each_plus piece2, piece3, temp5
-        each_minus temp1, temp0, temp1
-        each_times draw0, temp5, temp5
-        each_times draw0, temp1, temp1
-        each_plus temp1, temp0, temp1
-        each_root temp1, temp6                        ; r
+        times   piece2, piece2, temp0
+        times   piece3, piece3, temp1
+        plus    piece2, piece3, temp5
+        minus   temp1, temp0, temp1
+        times   draw0, temp5, temp5
+        times   draw0, temp1, temp1
+        plus    temp1, temp0, temp1
+        root    temp1, temp6                    ; r
         circle  draw1, local_face_z, local_face_x, temp0, temp1, temp2, temp3, temp4
-        each_plus piece2, temp6, temp0
-        each_over temp5, temp0, temp5                 ; l
-        each_times temp6, local_face_x, local_spot_x
-        each_times temp6, local_face_z, local_spot_z
-        each_times piece4, local_face_x, local_face_x
-        each_times piece4, local_face_z, local_face_z
-        each_copy piece5, local_face_y
-        each_same emission_area, weight
-        each_times temp5, piece1, piece1
-        each_plus piece1, piece0, local_spot_y
+        plus    piece2, temp6, temp0
+        quotient temp5, temp0, temp5            ; l
+        times   temp6, local_face_x, local_spot_x
+        times   temp6, local_face_z, local_spot_z
+        times   piece4, local_face_x, local_face_x
+        times   piece4, local_face_z, local_face_z
+        copy    piece5, local_face_y
+        set     emission_area, weight
+        times   temp5, piece1, piece1
+        plus    piece1, piece0, local_spot_y
         BIM     emission_transform
         .endkernel

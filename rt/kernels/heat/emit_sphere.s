@@ -10,17 +10,17 @@
 
         .kernel emit
 emit_sphere:
-        each_from each_one, draw0, temp0
-        each_times draw0, temp0, temp5
-        each_minus temp0, draw0, local_spot_y
-        each_root temp5, temp5
+        from    one, draw0, temp0
+        times   draw0, temp0, temp5
+        minus   temp0, draw0, local_spot_y
+        root    temp5, temp5
         circle  draw1, local_spot_z, local_spot_x, temp0, temp1, temp2, temp3, temp4
-        each_plus temp5, temp5, temp5                 ; r
-        each_times temp5, local_spot_x, local_spot_x
-        each_times temp5, local_spot_z, local_spot_z
-        each_copy local_spot_x, local_face_x
-        each_copy local_spot_y, local_face_y
-        each_copy local_spot_z, local_face_z
-        each_same emission_area, weight
+        plus    temp5, temp5, temp5             ; r
+        times   temp5, local_spot_x, local_spot_x
+        times   temp5, local_spot_z, local_spot_z
+        copy    local_spot_x, local_face_x
+        copy    local_spot_y, local_face_y
+        copy    local_spot_z, local_face_z
+        set     emission_area, weight
         BIM     emission_transform
         .endkernel

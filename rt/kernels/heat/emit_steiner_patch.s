@@ -20,54 +20,54 @@
 ; Computes the polynomial, and its derivatives by p in `along`, by q in
 ; `across`.
         .macro  patch_polynomial k0, k1, k2, k3, k4, k5, value, along, across
-        each_scale temp0, \k3, \along
-        each_scale temp0, \k4, \across
-        each_shift \along, \k1, \along
-        each_shift \across, \k2, \across
-        each_add_two temp1, \k4, \along, \k5, \across   ; X_p, X_q
-        each_shift \along, \k1, temp2
-        each_shift \across, \k2, temp3
-        each_times temp2, temp0, temp2
-        each_times temp3, temp1, temp3
-        each_plus temp2, temp3, temp2
-        each_scale temp2, each_half, temp2
-        each_shift temp2, \k0, \value
+        scale   temp0, \k3, \along
+        scale   temp0, \k4, \across
+        raise   \along, \k1, \along
+        raise   \across, \k2, \across
+        add_scaled_two temp1, \k4, \along, \k5, \across   ; X_p, X_q
+        raise   \along, \k1, temp2
+        raise   \across, \k2, temp3
+        times   temp2, temp0, temp2
+        times   temp3, temp1, temp3
+        plus    temp2, temp3, temp2
+        scale   temp2, half, temp2
+        raise   temp2, \k0, \value
         .endm
 
 ; Computes the coordinate of the point from `value`, and W times its derivatives
 ; in `along` and `across`.
         .macro  patch_divided value, along, across
-        each_times \value, piece9, \value
-        each_times \value, piece10, temp0
-        each_times \value, piece11, temp1
-        each_minus \along, temp0, \along
-        each_minus \across, temp1, \across
+        times   \value, piece9, \value
+        times   \value, piece10, temp0
+        times   \value, piece11, temp1
+        minus   \along, temp0, \along
+        minus   \across, temp1, \across
         .endm
 
         .macro  patch_normal a0, b1, a1, b0, normal
-        each_times \a0, \b1, \normal
-        each_times \a1, \b0, temp0
-        each_minus \normal, temp0, \normal
-        each_times \normal, temp1, \normal
+        times   \a0, \b1, \normal
+        times   \a1, \b0, temp0
+        minus   \normal, temp0, \normal
+        times   \normal, temp1, \normal
         .endm
 
         .kernel emit
 emit_steiner_patch:
-        each_root draw0, temp0
-        each_times temp0, draw1, temp1                ; q
-        each_minus temp0, temp1, temp0                ; p
+        root    draw0, temp0
+        times   temp0, draw1, temp1             ; q
+        minus   temp0, temp1, temp0             ; p
         patch_polynomial form0, form1, form2, form3, form4, form5, local_spot_x, piece0, piece1
         patch_polynomial form6, form7, form8, form9, form10, form11, local_spot_y, piece2, piece3
         patch_polynomial form12, form13, form14, form15, form16, form17, local_spot_z, piece4, piece5
         patch_polynomial form18, form19, form20, form21, form22, form23, piece9, piece10, piece11
-        each_reciprocal piece9, piece9
+        into    one, piece9, piece9
         patch_divided local_spot_x, piece0, piece1
         patch_divided local_spot_y, piece2, piece3
         patch_divided local_spot_z, piece4, piece5
-        each_times piece9, piece9, temp1
+        times   piece9, piece9, temp1
         patch_normal piece2, piece5, piece4, piece3, local_face_x
         patch_normal piece4, piece1, piece0, piece5, local_face_y
         patch_normal piece0, piece3, piece2, piece1, local_face_z
-        each_same emission_area, weight
+        set     emission_area, weight
         BIM     emission_transform
         .endkernel

@@ -20,15 +20,15 @@
 emit_torus:
         circle  draw0, local_face_y, local_spot_y, temp0, temp1, temp2, temp3, temp4
         circle  draw1, local_face_z, local_face_x, temp0, temp1, temp2, temp3, temp4
-        each_scale local_spot_y, form1, temp0
-        each_scale local_spot_y, form2, temp1
-        each_scale local_face_y, form2, local_spot_y
-        each_scale local_face_y, form1, local_face_y
-        each_shift temp0, form0, temp0                ; rho
-        each_times temp0, local_face_x, local_spot_x
-        each_times temp0, local_face_z, local_spot_z
-        each_times temp1, local_face_x, local_face_x
-        each_times temp1, local_face_z, local_face_z
-        each_scale temp0, emission_area, weight
+        scale   local_spot_y, form1, temp0
+        scale   local_spot_y, form2, temp1
+        scale   local_face_y, form2, local_spot_y
+        scale   local_face_y, form1, local_face_y
+        raise   temp0, form0, temp0             ; rho
+        times   temp0, local_face_x, local_spot_x
+        times   temp0, local_face_z, local_spot_z
+        times   temp1, local_face_x, local_face_x
+        times   temp1, local_face_z, local_face_z
+        scale   temp0, emission_area, weight
         BIM     emission_transform
         .endkernel

@@ -10,22 +10,22 @@
 ; (1990).
 
         .macro  triangle_axis corner, first, second, normal, axis
-        each_times temp0, \first, \first
-        each_times temp1, \second, \second
-        each_plus \first, \corner, \first
-        each_plus \first, \second, local_spot_\axis
-        each_copy \normal, local_face_\axis
+        times   temp0, \first, \first
+        times   temp1, \second, \second
+        plus    \first, \corner, \first
+        plus    \first, \second, local_spot_\axis
+        copy    \normal, local_face_\axis
         .endm
 
         .kernel emit
 emit_triangle:
         pick_piece 12
-        each_root draw0, temp0                        ; s
-        each_times temp0, draw1, temp1
-        each_minus temp0, temp1, temp0
+        root    draw0, temp0                    ; s
+        times   temp0, draw1, temp1
+        minus   temp0, temp1, temp0
         triangle_axis piece0, piece3, piece6, piece9, x
         triangle_axis piece1, piece4, piece7, piece10, y
         triangle_axis piece2, piece5, piece8, piece11, z
-        each_same emission_area, weight
+        set     emission_area, weight
         BIM     emission_transform
         .endkernel

@@ -12,18 +12,20 @@
 ; variables with general distributions" (1977).
 
         .macro  piece_word into
-        each_pick temp1, piece_at, \into
+        pick    temp1, piece_at, \into
         ADDX    piece_at, piece_stride, piece_at
         .endm
 
         .macro  pick_piece count
         RTOR    emission_table, piece_at
-        each_scale draw4, emission_pieces, temp0
-        each_floor temp0, temp1
-        each_minus temp0, temp1, temp0
+        scale   draw4, emission_pieces, temp0
+        floor   temp0, temp1
+        minus   temp0, temp1, temp0
         piece_word temp2
         piece_word temp3
-        each_choose temp0, temp2, temp1, temp3
+        if_not_less temp0, temp2, choose\@
+        then_copy temp3, temp1
+        end_if  choose\@
         .rept   \count
         piece_word piece\+
         .endr
