@@ -43,6 +43,7 @@
 ;       add_scaled_two x, k, s, l, t          s = s + x k,  t = t + x l
 ;       add_scaled_three x, k, s, l, t, m, u  also u = u + x m
 ;       step_four x, p, k, q, l, r, m, s, n   p = p x + k, likewise q, r and s
+;       scaled_sum_two x, y, k, l, s, m, n, t  s = x k + y l,  t = x m + y n
 ;       scaled_lower_three a, k, s, b, l, t, c, m, u, n
 ;               s = (a - k) n, likewise t = (b - l) n and u = (c - m) n
 ;
@@ -83,6 +84,7 @@
 ;
 ;       if_less a, b, label             is a < b?
 ;       if_less_number a, k, label      is a < k?
+;       if_number_less k, a, label      is k < a?
 ;       if_not_less a, b, label         is a >= b?
 
         .ifndef forms.s
@@ -192,6 +194,14 @@ sign\@:
         ADDN    \r, \m, \r
         ADDN    \s, \n, \s
         .endm
+        .macro  \prefix\()scaled_sum_two x, y, k, l, s, m, n, t
+        MPYS    \x, \k, \s
+        MPYS    \y, \l, \scratch
+        MPYS    \x, \m, \t
+        MPYS    \y, \n, \second
+        ADDN    \scratch, \s, \s
+        ADDN    \second, \t, \t
+        .endm
         .macro  \prefix\()scaled_lower_three a, k, s, b, l, t, c, m, u, n
         SUBN    \a, \k, \s
         SUBN    \b, \l, \t
@@ -259,6 +269,9 @@ sign\@:
         .endm
         .macro  \prefix\()if_less_number a, k, label
         CFPGE   \a, \k, \label
+        .endm
+        .macro  \prefix\()if_number_less k, a, label
+        CFPGE   \k, \a, \label
         .endm
         .macro  \prefix\()if_not_less a, b, label
         CFPLT   \a, \b, \label
@@ -406,6 +419,12 @@ sign\@:
         \prefix\()step \x, \m, \r
         \prefix\()step \x, \n, \s
         .endm
+        .macro  \prefix\()scaled_sum_two x, y, k, l, s, m, n, t
+        \prefix\()scale \x, \k, \s
+        \prefix\()add_scaled \y, \l, \s
+        \prefix\()scale \x, \m, \t
+        \prefix\()add_scaled \y, \n, \t
+        .endm
         .macro  \prefix\()scaled_lower_three a, k, s, b, l, t, c, m, u, n
         \prefix\()scaled_lower \a, \k, \n, \s
         \prefix\()scaled_lower \b, \l, \n, \t
@@ -466,6 +485,9 @@ sign\@:
         .endm
         .macro  \prefix\()if_less_number a, k, label
         CMPLTV  [\a], \k, [\bits]
+        .endm
+        .macro  \prefix\()if_number_less k, a, label
+        CMPLTV  \k, [\a], [\bits]
         .endm
         .macro  \prefix\()if_not_less a, b, label
         CMPGEV  [\a], [\b], [\bits]

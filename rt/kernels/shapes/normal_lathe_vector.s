@@ -1,7 +1,7 @@
 ; normal_lathe_vector.s - computes the normals of lathes (normal_vector.s).
 ;
 ; A point at distance rho from the axis belongs to the segment that is nearest
-; in r and y, as in normal_prism_vector.s.  A segment goes from a corner (r, y)
+; in r and y, as in normal_prism.s.  A segment goes from a corner (r, y)
 ; back to the previous one.  With its direction u, length l and outward normal
 ; n:
 ;
@@ -23,7 +23,7 @@
 
 ; [v0] = the smallest square of a distance so far, [v6] = rho, [v7] = Y.
         .macro  take_segment
-        nearest_edge v6, v7, foot_radius, foot_height, back_r, back_y, back_length, outward_r, outward_y
+        nearest_edge v6, v7, foot_radius, foot_height, back_r, back_y, back_length, outward_r, outward_y, none
         VTOV    outward_r, [nx] ? [hits0]
         VTOV    outward_y, [ny] ? [hits0]
         .endm

@@ -12,7 +12,8 @@
 
 ; The operations of the normals that are written once (forms.s).
         .include "forms.s"
-        scalar_form , third
+        scalar_form , third, fourth
+        .reg    table, here
 
         .macro  dot_product x0, x1, x2, y0, y1, y2, sum, work
         dot     \x0, \x1, \x2, \y0, \y1, \y2, \sum, \work
@@ -20,6 +21,17 @@
 
         .macro  matrix_times x0, x1, x2, y0, y1, y2
         matrix_rows \x0, \x1, \x2, \y0, \y1, \y2, t3, t4, t5, t6
+        .endm
+
+; table = the address of the primitive's table.
+        .macro  load_table
+        get_field P_TABLE, table
+        .endm
+
+; a = the greatest number, at the start of a search for the smallest.
+        .macro  set_big a
+        EX      \a, k_big
+        LOD     [\a], \a
         .endm
 
         .macro  leave_normal

@@ -23,6 +23,7 @@
         .share  normals
         .regs   v0, t0, t1, t2, t3, t4, t5, t6, t7
         .reg    m_zero, r0
+        .reg    table, s1
         .reg    m_one, one
         .reg    m_minus_one, minus_one
         .endshare
@@ -37,6 +38,14 @@
 
         .macro  matrix_times x0, x1, x2, y0, y1, y2
         quadric_rows \x0, \x1, \x2, \y0, \y1, \y2, v3
+        .endm
+
+        .macro  load_table
+        load_field P_TABLE, table
+        .endm
+
+        .macro  set_big a
+        set     big, \a
         .endm
 
         .macro  leave_normal

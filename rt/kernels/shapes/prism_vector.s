@@ -26,7 +26,7 @@
 ;
 ; In:  ox oy oz dx dy dz lower, near long; the primitive's record and table,
 ;      rows of x, z, 1 if a loop begins there, and the data of its normal
-;      (normal_prism_vector.s).
+;      (normal_prism.s).
 ; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
 ;      prism_solid: P_SEGMENTS segments in successive vectors from tin on;
 ;      open_prism_sides: the crossings with the sides between the caps, in the
