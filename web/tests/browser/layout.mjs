@@ -108,7 +108,7 @@ export const tests = {
     }
   },
 
-  async "by keys alone: everything is reached, and seen to be"({ browser, page }) {
+  async "by keys alone: everything is reached and shows that it has the focus"({ browser, page }) {
     const driver = await PageDriver.open(browser, page);
     await driver.write(PRINTS);
     await driver.key("F4");
@@ -118,15 +118,15 @@ export const tests = {
       if (await driver.page.evaluate("document.activeElement.classList.contains('cm-content')"))
         await driver.page.keyboard.press("Escape");
       await driver.page.keyboard.press("Tab");
-      const { name, seen } = await driver.page.evaluate(() => {
+      const { name, outlined } = await driver.page.evaluate(() => {
         const node = document.activeElement;
         const { outlineStyle, outlineWidth } = getComputedStyle(node);
         return { name: node.id || node.className || node.tagName,
-          seen: node === document.body || node.closest("#source") !== null
+          outlined: node === document.body || node.closest("#source") !== null
             || (outlineStyle !== "none" && parseFloat(outlineWidth) >= 1) };
       });
       if (name === "BODY" || name === reached[0]) break;
-      assert.ok(seen, `${name} has the focus, and it is not seen`);
+      assert.ok(outlined, `${name} has the focus and no outline`);
       reached.push(name);
     }
     for (const name of ["lesson", "model", "warm", "share", "keys", "theme", "run", "reset", "before", "back",

@@ -39,40 +39,40 @@ function dice(seed) {
 export const tests = {
   async "steps forth and back show the same"(world) {
     const driver = await open(world);
-    const seen = [];
+    const recorded = [];
     for (let i = 0; i < 12; i++) {
-      seen.push(await shown(driver));
+      recorded.push(await shown(driver));
       await driver.press("step");
     }
     for (let i = 11; i >= 0; i--) {
       await driver.press("back");
       // PANELS[0] differs: it shows the number of known steps.
       const now = await shown(driver);
-      assert.deepEqual(now.slice(1), seen[i].slice(1));
+      assert.deepEqual(now.slice(1), recorded[i].slice(1));
       assert.equal((await driver.view()).step, i);
     }
     assert.equal(await driver.page.$eval("#back", (button) => button.disabled), true);
     await driver.close();
   },
 
-  async "a random walk shows each step as the way there did"(world) {
+  async "a random walk shows each step as the first run did"(world) {
     const driver = await open(world);
     const seed = Math.floor(Math.random() * 2 ** 31);
     const random = dice(seed);
     await driver.evaluate(`editor.toLine(${SUM_LOOP})`);
     await driver.key("F9");
-    const seen = [];
+    const recorded = [];
     for (let ended = false; !ended; { ended } = await driver.view()) {
-      seen.push(await shown(driver));
+      recorded.push(await shown(driver));
       await driver.press("step");
     }
-    seen.push(await shown(driver));
+    recorded.push(await shown(driver));
     for (let i = 0; i < 60; i++) {
       const way = ["run", "reset", "before", "back", "step", "on", "slider"][random(7)];
-      if (way === "slider") await slide(driver, random(seen.length));
+      if (way === "slider") await slide(driver, random(recorded.length));
       else if (await driver.page.$eval(`#${way}`, (button) => !button.disabled)) await driver.press(way);
       const { step } = await driver.view();
-      assert.deepEqual((await shown(driver)).slice(1), seen[step].slice(1),
+      assert.deepEqual((await shown(driver)).slice(1), recorded[step].slice(1),
         `seed ${seed}, move ${i}, ${way}: step ${step}`);
     }
     await driver.close();
