@@ -42,7 +42,7 @@ function update(view) {
   $("output").textContent = printed;
   $("output").classList.toggle("nothing", printed === "");
   $("ending").textContent = [ended && `ended at clock ${count(clock)}`,
-    cut && "only a part of the output is kept"].filter(Boolean).join("; ");
+    cut && "only a part of the output is stored"].filter(Boolean).join("; ");
 }
 
 function place() {

@@ -14,7 +14,7 @@ export function makeCompare(panel, session, comparablePrograms) {
       el("div", { class: "field" }, el("label", { for: "compare-first" }, "First"), first),
       el("div", { class: "field" }, el("label", { for: "compare-second" }, "second"), second),
       el("div", { class: "field" }, el("button", { type: "submit", class: "main" }, "Compare"),
-        el("button", { type: "button", click: saveText }, "Keep my program for later"))),
+        el("button", { type: "button", click: saveText }, "Save my program for later"))),
     result));
 
   /** Clears both lists and the result, after another program was opened. */
@@ -36,7 +36,7 @@ export function makeCompare(panel, session, comparablePrograms) {
   function saveText() {
     session.saveText();
     updateLists();
-    fill(result, el("p", {}, "Your program is kept. Both lists show it as “kept”."));
+    fill(result, el("p", {}, "Your program is saved. Both lists show it as “saved”."));
   }
 
   async function run() {

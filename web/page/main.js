@@ -76,7 +76,7 @@ async function openTracer() {
 /** Returns the program in the editor and all programs that it can be compared with. */
 function comparablePrograms() {
   return [{ value: "mine", title: "my program", text: editor.text },
-    ...(session.savedText ? [{ value: "kept", title: "kept", text: session.savedText }] : []),
+    ...(session.savedText ? [{ value: "saved", title: "saved", text: session.savedText }] : []),
     ...programs.comparable];
 }
 

@@ -104,7 +104,7 @@ export const tests = {
     const printed = await driver.text("#output");
     assert.ok(printed.startsWith(`${html}${html}`), printed.slice(0, 200));
     assert.ok(printed.length > 1e6 && printed.length < 1.1e6);
-    assert.match(await driver.text("#ending"), /only a part of the output is kept/);
+    assert.match(await driver.text("#ending"), /only a part of the output is stored/);
     await driver.press("back");
     assert.equal(await driver.page.evaluate("window.bad"), undefined);
     await driver.close();
