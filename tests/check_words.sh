@@ -2,9 +2,10 @@
 # check_words.sh - checks that no comment, page or name contains a word that
 # tests/words.txt replaces.
 #
-# Comments are those of C files, programs, scenes, scripts, models and observations;
-# identifiers are those of C files; pages are the text of README.md and docs outside of
-# code blocks. A fault of each kind is planted in a copy and must be found.
+# Comments are those of C files, JavaScript, CSS, programs, scenes, scripts, models and
+# observations; identifiers are those of C files and of the web page: names in JavaScript,
+# names in CSS, and the ids and classes of HTML. Pages are the text of README.md and docs
+# outside of code blocks. A fault of each kind is planted in a copy and must be found.
 set -u
 . "$(dirname "$0")/count.sh"
 cd "$(dirname "$0")/.." || exit 1
@@ -28,7 +29,10 @@ faults() { # FILE ..
     FNR == 1 {
         page = FILENAME ~ /[.]md$/
         # The start of a comment up to the end of its line; "": C comments.
-        mark = FILENAME ~ /[.]([ch]|css|js)$/ ? "" : "#"
+        mark = FILENAME ~ /[.]([ch]|css|m?js)$/ ? "" : "#"
+        script = FILENAME ~ /[.]m?js$/
+        html = FILENAME ~ /[.]html$/
+        web = script || html || FILENAME ~ /[.]css$/
         if (FILENAME ~ /[.](s|inc)$/)
             mark = ";"
         if (FILENAME ~ /[.](cc|pov|suppressions)$|(scenes|library)\/[^\/]*[.]inc$/)
@@ -42,6 +46,13 @@ faults() { # FILE ..
                 block = !block
             if (!block && !/^(    |<!--|\|)/)
                 prose = $0
+        } else if (html) {
+            rest = $0
+            while (match(rest, /(id|class)="[^"]*"/)) {
+                names = names " " substr(rest, RSTART, RLENGTH)
+                rest = substr(rest, RSTART + RLENGTH)
+            }
+            gsub(/(id|class)=|"/, " ", names)
         } else if (mark != "") {
             if (match($0, "(^|[ \t])" mark))
                 prose = substr($0, RSTART)
@@ -60,9 +71,14 @@ faults() { # FILE ..
                     comment = begin > 0
                 }
             gsub(/"([^"\\]|\\.)*"/, "\"\"", names)
+            if (script && match(names, /(^|[ \t])\/\//)) {
+                prose = prose " " substr(names, RSTART)
+                names = substr(names, 1, RSTART)
+            }
         }
         for (i = 1; i <= n; i++) {
-            text = place[i] == "[names]" ? names : tolower(prose)
+            text = place[i] == "[names]" || (place[i] == "[names of the page]" && web) ? names \
+                : place[i] == "[comments and pages]" ? tolower(prose) : ""
             if (text != "" && match(" " text " ", "[^A-Za-z0-9_](" pattern[i] ")[^A-Za-z0-9_]"))
                 printf "%s:%d: \"%s\": write: %s\n", FILENAME, FNR,
                     substr(" " text " ", RSTART + 1, RLENGTH - 2), instead[i]
@@ -70,11 +86,13 @@ faults() { # FILE ..
     }' tests/words.txt "$@"
 }
 
-find vm base asm rt scenes web/engine web/tracer/platform tests docs .ci README.md Makefile \
-    -type f \( -path '.ci/*' -o -path 'docs/s*/*.*' -o -name Makefile -o -name '*.[chs]' \
+find vm base asm rt scenes web tests docs .ci README.md Makefile \
+    -name node_modules -prune -o -type f \( -path '.ci/*' -o -path 'docs/s*/*.*' \
+    -o -name Makefile -o -name '*.[chs]' -o -name '*.js' -o -name '*.mjs' -o -name '*.css' \
+    -o -name '*.html' \
     -o -name '*.cc' -o -name '*.md' -o -name '*.inc' -o -name '*.pov' -o -name '*.sh' \
     -o -name '*.awk' -o -name '*.mk' -o -name '*.csv' -o -name '*.model' -o -name '*.txt' \) \
-    ! -name isa.md ! -name words.txt >"$work/files"
+    ! -name isa.md ! -name words.txt ! -name NOTICE.md -print >"$work/files"
 # The names contain no blanks.
 # shellcheck disable=SC2046
 faults $(cat "$work/files") >"$work/faults"
@@ -102,5 +120,13 @@ planted README.md 'That is told later.' told
 planted tests/programs/keep.inc '; A word that goes on.' 'goes on'
 planted vm/models/cyber720.model '# The load stands before it.' 'stands before'
 planted scenes/first.pov 'sphere { 0, 1 } // told' told
+planted web/page/bar.js 'const told = 1;' told
+planted web/page/bar.js 'class Bar { #asked = "a // b"; }' asked
+planted web/page/bar.js 'const PATIENCE = 3;' PATIENCE
+planted web/page/bar.js 'sayClock(); // the clock' sayClock
+planted web/page/bar.js 'run(); // The run goes on.' 'goes on'
+planted web/tests/browser/run.mjs 'const kept = 1;' kept
+planted web/page/page.css '.said-at { top: 0; }' said-at
+planted web/page/index.html '<p id="told">A text that is kept</p>' told
 planted docs/site/lay.sh 'echo told \0043 anew' anew
 counted
