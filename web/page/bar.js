@@ -5,8 +5,8 @@ import { $, count } from "./dom.js";
 
 const PROGRESS_INTERVAL = 500; // milliseconds between two reports of progress
 // Maps the id of each button to the value of "how" in the request "go".
-const RUN_COMMANDS = { run: "end", reset: "start", step: "step", back: "back", on: "continue",
-  before: "reverse-continue" };
+const RUN_COMMANDS = { run: "end", reset: "start", step: "step", back: "back", continue: "continue",
+  "reverse-continue": "reverse-continue" };
 const STOP_REASONS = { end: "The program has ended.", breakpoint: "Stopped at a breakpoint.",
   limit: "Stopped after a very long run. Run continues it.", start: "At the beginning." };
 const STATUS_CLASS = { trap: "bad", limit: "bad", end: "good" };
@@ -36,8 +36,8 @@ function update(view) {
   slider.disabled = slider.max === "0";
   slider.setAttribute("aria-valuetext", `step ${step} of ${slider.max}`);
   place();
-  $("back").disabled = $("before").disabled = $("reset").disabled = step === 0;
-  $("step").disabled = $("on").disabled = !view || ended;
+  $("back").disabled = $("reverse-continue").disabled = $("reset").disabled = step === 0;
+  $("step").disabled = $("continue").disabled = !view || ended;
   $("run").disabled = !view;
   $("output").textContent = printed;
   $("output").classList.toggle("nothing", printed === "");

@@ -189,7 +189,7 @@ const acts = {
   "to-compare": () => { showTab("compare"); comparison.run(); },
   keys: () => $("keys-dialog").showModal(),
   exercise: () => open(`lesson:${programs.lesson.name}`),
-  again: () => editor.type(programs.text),
+  restore: () => editor.type(programs.text),
   fold: () => setFolded(!$("lesson-panel").classList.contains("folded")),
 };
 for (const [id, act] of Object.entries(acts)) $(id).addEventListener("click", act);

@@ -86,7 +86,7 @@ export const tests = {
       `((l) => l.number + ' ' + l.title)(about.lessons.find(({ name }) => name === '${second.name}'))`));
     await driver.choose("lesson", `lesson:${first.name}`);
     assert.equal(await driver.evaluate("editor.text"), `${first.start}; mine\n`);
-    await driver.press("again");
+    await driver.press("restore");
     assert.equal(await driver.evaluate("editor.text"), first.start);
     await driver.close();
   },

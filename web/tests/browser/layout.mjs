@@ -129,8 +129,8 @@ export const tests = {
       assert.ok(outlined, `${name} has the focus and no outline`);
       reached.push(name);
     }
-    for (const name of ["lesson", "model", "warm", "share", "keys", "theme", "run", "reset", "before", "back",
-      "step", "on", "slider", "check", "to-compare", "fold", "lesson-text", "again", "cm-content", "output",
+    for (const name of ["lesson", "model", "warm", "share", "keys", "theme", "run", "reset", "reverse-continue", "back",
+      "step", "continue", "slider", "check", "to-compare", "fold", "lesson-text", "restore", "cm-content", "output",
       "tab-machine", "machine"])
       assert.ok(reached.some((one) => one.split(" ").includes(name)), `${name} is not reached: ${reached}`);
     // Arrow keys select tabs.

@@ -68,7 +68,7 @@ export const tests = {
     }
     recorded.push(await shown(driver));
     for (let i = 0; i < 60; i++) {
-      const way = ["run", "reset", "before", "back", "step", "on", "slider"][random(7)];
+      const way = ["run", "reset", "reverse-continue", "back", "step", "continue", "slider"][random(7)];
       if (way === "slider") await slide(driver, random(recorded.length));
       else if (await driver.page.$eval(`#${way}`, (button) => !button.disabled)) await driver.press(way);
       const { step } = await driver.view();
@@ -108,19 +108,19 @@ export const tests = {
       if (await line.evaluate((node) => node.textContent) === String(SUM_LOOP)) await line.click();
     await driver.quiet();
     assert.equal((await driver.page.$$(".mark-break")).length, 1);
-    await driver.press("on");
+    await driver.press("continue");
     const first = await driver.view();
     assert.equal(first.line, SUM_LOOP);
-    await driver.press("on");
+    await driver.press("continue");
     const second = await driver.view();
     assert.equal(second.line, SUM_LOOP);
     assert.ok(second.step > first.step);
-    await driver.press("before");
+    await driver.press("reverse-continue");
     assert.equal((await driver.view()).step, first.step);
     await driver.evaluate(`editor.toLine(${SUM_LOOP})`);
     await driver.key("F9");
     assert.equal((await driver.page.$$(".mark-break")).length, 0);
-    await driver.press("on");
+    await driver.press("continue");
     assert.equal((await driver.view()).ended, true);
     await driver.close();
   },
