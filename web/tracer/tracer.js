@@ -5,7 +5,7 @@
 // its worker.
 import { Exit, System } from "./wasi.js";
 
-const between = 100; // ms between two views of a growing picture
+const VIEW_INTERVAL = 100; // ms between two views of a growing picture
 
 /**
  * Compiles the bytes of rt205.wasm and returns the function
@@ -53,7 +53,7 @@ function watching(system, on) {
   return {
     progress: (done, all) => on.progress?.(done, all) !== false,
     wants_rows: (done) => on.rows !== undefined
-      && (done || performance.now() - shown >= between),
+      && (done || performance.now() - shown >= VIEW_INTERVAL),
     rows: (width, height, first, rows, rgba, clocks, length) => {
       on.rows({
         width, height, first, rows,
