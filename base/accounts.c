@@ -70,6 +70,15 @@ uint64_t accounts_clocks(const c205_account *account)
     return clocks;
 }
 
+bool accounts_whole(const c205 *machine, c205_account *sum)
+{
+    struct accounts accounts = { .model = c205_machine_model(machine) };
+    bool good = accounts_add(&accounts, machine);
+    *sum = accounts_together(&accounts);
+    accounts_free(&accounts);
+    return good;
+}
+
 double accounts_rate(const c205_model *model, const c205_account *account)
 {
     double operations = account->operations > 0 ? (double)account->operations : NAN;

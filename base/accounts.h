@@ -37,6 +37,8 @@ const char *accounts_region(const c205_account *account);
 size_t accounts_regions(const struct accounts *accounts);
 /* Returns the sum of all regions, with the name "all". */
 c205_account accounts_together(const struct accounts *accounts);
+/* Sets the sum of the accounts of a machine. Returns false if memory is exhausted. */
+bool accounts_whole(const c205 *machine, c205_account *sum);
 
 /* One column for the clocks of each cause. */
 extern const struct table_column accounts_cause_columns[C205_CAUSES];

@@ -169,12 +169,9 @@ void performance_hint_report(const struct lesson_trial *trial, const c205 *machi
                              const struct line_profile *profile,
                              struct lesson_report *report)
 {
-    struct accounts accounts = { .model = c205_machine_model(machine) };
     c205_account all;
-    if (!accounts_add(&accounts, machine))
+    if (!accounts_whole(machine, &all))
         report->kept->failed = true;
-    all = accounts_together(&accounts);
-    accounts_free(&accounts);
     print_goal(trial, report);
     print_cause(trial, &all, report);
     print_lines(trial, profile, report);

@@ -77,18 +77,6 @@ static c205_stop run_slices(const struct program_sweep *sweep, c205 *machine)
     return stop;
 }
 
-/* Adds the accounts of all regions. */
-static bool take_account(const struct program_sweep *sweep, const c205 *machine,
-                         c205_account *account, c205_error *error)
-{
-    struct accounts accounts = { .model = sweep->model };
-    bool good = accounts_add(&accounts, machine);
-    *account = accounts_together(&accounts);
-    accounts_free(&accounts);
-    error_set(error, "out of memory");
-    return good;
-}
-
 static bool run_object(const struct program_sweep *sweep, const struct object *object,
                        c205_account *account, c205_error *error)
 {
@@ -103,7 +91,8 @@ static bool run_object(const struct program_sweep *sweep, const struct object *o
         stop = run_slices(sweep, machine);
         good = stop.trap == C205_TRAP_NONE && stop.status == 0;
         if (good)
-            good = take_account(sweep, machine, account, error);
+            good = accounts_whole(machine, account)
+                   || error_set(error, "out of memory");
         else if (stop.trap != C205_TRAP_NONE)
             c205_describe_stop(machine, &stop, error);
         else
