@@ -204,8 +204,9 @@ void put_line(const struct dap *dap, struct json *json, const char *key, size_t 
 void dap_begin(struct dap *dap);
 /* Sends the event terminated. */
 void dap_finish(struct dap *dap);
-/* Sends the event stopped. */
-void dap_stopped(struct dap *dap, const char *reason);
+/* Sends the event stopped, with the reports of the engine as its description. met: the
+ * breakpoints that are met stopped the program. */
+void dap_stopped(struct dap *dap, const char *reason, bool met);
 
 /* ---- Elements (elements.c) ----------------------------------------------- */
 

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "asm/dap/dap_internal.h"
+#include "asm/dap/variables.h"
 #include "asm/view/word_text.h"
 
 void put_bits(c205_word word, unsigned width, const struct sink *sink)
@@ -32,17 +32,14 @@ static void put_element(struct dap *dap, struct json *json,
     struct sink sink = text_line_sink(&text);
     char name[DAP_ADDRESS_SIZE];
     c205_word word;
-    json_object(json, NULL);
     snprintf(name, sizeof name, "[%zu]", i);
-    json_text(json, "name", name);
     if (vector_get(machine_of(dap->debugger), vector, i, 1, &word)) {
         put_bits(word, vector->width, &sink);
         put_control(dap, vector, i, &sink);
     } else {
         sink_put(&sink, "no memory is mapped there");
     }
-    json_text(json, "value", text.text);
-    json_number(json, "variablesReference", 0);
+    put_variable(json, name, text.text, 0);
     if (vector->width == 64) {
         snprintf(name, sizeof name, "[0x%llX]", (unsigned long long)address);
         json_text(json, "evaluateName", name);

@@ -44,7 +44,7 @@ static bool has_moved(struct debug_location a, struct debug_location b)
 static void send_moved(struct dap *dap)
 {
     dap->exit_reported = dap->debugger->halted;
-    dap_stopped(dap, "goto");
+    dap_stopped(dap, "goto", false);
 }
 
 /* Requests a redraw: a command may have changed registers or memory. */

@@ -39,8 +39,7 @@ static void put_met(const struct dap *dap, struct json *body)
     json_end(body);
 }
 
-/* Sends the event stopped, with the reports of the engine as its description. */
-static void send_stopped(struct dap *dap, const char *reason, bool met)
+void dap_stopped(struct dap *dap, const char *reason, bool met)
 {
     struct text_buffer text;
     struct json *body;
@@ -64,11 +63,6 @@ static void send_stopped(struct dap *dap, const char *reason, bool met)
     }
     text_buffer_free(&dap->said);
     event_end(dap, "stopped", body, &text);
-}
-
-void dap_stopped(struct dap *dap, const char *reason)
-{
-    send_stopped(dap, reason, false);
 }
 
 /* ---- The program has ended ----------------------------------------------- */
@@ -98,7 +92,7 @@ static void send_trap(struct dap *dap)
 {
     show_halt(dap->debugger);
     if (dap->stop_at_traps) {
-        dap_stopped(dap, "exception");
+        dap_stopped(dap, "exception", false);
         return;
     }
     send_printed(dap);
@@ -114,7 +108,7 @@ static void send_halt(struct dap *dap)
         send_trap(dap);
     } else if (dap->stop_on_end && !dap->exit_reported) {
         show_halt(dap->debugger);
-        dap_stopped(dap, "end");
+        dap_stopped(dap, "end", false);
         dap->exit_reported = true;
     } else {
         send_exit(dap, stop->status);
@@ -129,19 +123,19 @@ static void arrive(struct dap *dap, enum execution_end ended)
     if (ended != EXECUTION_HALTED)
         dap->exit_reported = false;
     switch (ended) {
-    case EXECUTION_AT_STOP: send_stopped(dap, met_reason(dap), true); break;
+    case EXECUTION_AT_STOP: dap_stopped(dap, met_reason(dap), true); break;
     case EXECUTION_HALTED: send_halt(dap); break;
     case EXECUTION_AT_START:
         sink_put(&output, "at the beginning of the program");
-        dap_stopped(dap, "entry");
+        dap_stopped(dap, "entry", false);
         break;
-    case EXECUTION_INTERRUPTED: dap_stopped(dap, "pause"); break;
+    case EXECUTION_INTERRUPTED: dap_stopped(dap, "pause", false); break;
     case EXECUTION_OUT_OF_RANGE:
         sink_print(&output, "stopped after %" PRIu64 " clock%s", dap->setup.clocks_most,
                    plural(dap->setup.clocks_most));
-        dap_stopped(dap, "pause");
+        dap_stopped(dap, "pause", false);
         break;
-    default: dap_stopped(dap, dap->reason);
+    default: dap_stopped(dap, dap->reason, false);
     }
 }
 
@@ -282,7 +276,7 @@ bool request_goto_targets(struct dap *dap)
 
 static void send_goto(struct dap *dap)
 {
-    dap_stopped(dap, "goto");
+    dap_stopped(dap, "goto", false);
 }
 
 /* The identifier of a target is its address. */
