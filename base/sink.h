@@ -9,8 +9,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "vm/error.h"
-
 struct sink {
     void (*put)(void *context, const char *text, size_t length);
     void *context;
@@ -18,7 +16,11 @@ struct sink {
 
 void sink_put(const struct sink *sink, const char *text);
 /* Formats at most 1023 bytes per call; longer text is cut. */
-void sink_print(const struct sink *sink, const char *format, ...) PRINTF_FORMAT(2, 3);
+void sink_print(const struct sink *sink, const char *format, ...)
+#if defined(__GNUC__) /* this header is installed without vm/error.h */
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
 
 /* Must be zeroed before use. text is NUL-terminated, or NULL while it is empty. */
 struct text_buffer {

@@ -6,6 +6,7 @@
 #include "asm/check/runtime_check.h"
 #include "asm/check/storage_map.h"
 #include "asm/view/operand_view.h"
+#include "vm/error.h"
 
 struct site;
 typedef void site_check(struct runtime_checker *watch, const c205 *machine,

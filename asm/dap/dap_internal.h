@@ -15,6 +15,7 @@
 #include "asm/view/vector_view.h"
 #include "base/json.h"
 #include "base/json_read.h"
+#include "vm/error.h"
 
 /* The states of a session, in order. They are bits, for sets of states. */
 enum dap_state {

@@ -10,6 +10,7 @@
 #include "asm/debug/debugger_state.h"
 #include "asm/debug/execution_control.h"
 #include "asm/view/print.h"
+#include "vm/error.h"
 
 /* ---- Values (value.c) ---------------------------------------------------- */
 

@@ -5,6 +5,7 @@
 
 #include "asm/lesson/lesson.h"
 #include "asm/measure/line_profile.h"
+#include "vm/error.h"
 
 /* Reads the comments of a test, whose name and text are set (notes.c). */
 bool lesson_read_notes(struct lesson *lesson, struct lesson_test *test,

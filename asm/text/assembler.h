@@ -15,6 +15,7 @@
 #include "asm/object/expectation.h"
 #include "asm/text/assemble.h"
 #include "base/arena.h"
+#include "vm/error.h"
 
 /* Limits, so that no text makes an assembly endless or exhausts memory. */
 #define MAX_EXPANSION ((uint64_t)1 << 26) /* bytes made by .macro and .rept */
