@@ -192,7 +192,7 @@ bool place_is_called(const struct asm_line *line);
 /* Returns the address of the instruction before an address, by the program's lines. */
 uint64_t place_before(const struct debugger *debugger, uint64_t address);
 
-/* ---- Stops (stops.c) -------------------------------------------------------- */
+/* ---- Stops (breakpoints.c) -------------------------------------------------- */
 
 /* Parses ADDRESS [, WORDS] of a watchpoint. */
 bool breakpoints_watch(struct debugger *debugger, struct text_cursor *cursor,
