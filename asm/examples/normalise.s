@@ -1,4 +1,4 @@
-; forms.s - a kernel that is written once, and runs in two forms.
+; normalise.s - a kernel that is written once, and runs in two forms.
 ;
 ; It normalises n vectors (x, y). A vector of length 0 becomes (1, 0). The loop
 ; runs the kernel on numbers, the second part runs it once on whole vectors
