@@ -146,7 +146,7 @@ void event_end(struct dap *dap, const char *name, struct json *json,
                struct text_buffer *body);
 /* Sends an event. body: JSON text, or NULL for an event without one. */
 void send_event(struct dap *dap, const char *name, const char *body);
-/* Sends the event output with a category, if the text is not empty. */
+/* Sends an `output` event with a category, unless the text is empty. */
 void send_output(struct dap *dap, const char *category, const char *text);
 /* Sends the output of the program that was not sent yet. */
 void send_printed(struct dap *dap);

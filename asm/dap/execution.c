@@ -210,8 +210,8 @@ bool request_continue(struct dap *dap)
     return move_by(dap, run_to_end);
 }
 
-/* By instructions a macro call is not skipped; by statements and lines it is one
- * step. */
+/* Returns whether the client steps by instruction. Such a step enters a macro call; a
+ * step by statement or line executes the whole call. */
 static bool by_instruction(const struct dap *dap)
 {
     const char *unit = json_member_text(dap->arguments, "granularity");

@@ -1,5 +1,5 @@
-/* debugger_engine.h - the internals of a debugger, for its verbs and for the debug adapter of
- * editors (asm/dap). Not public.
+/* debugger_engine.h - the internals of a debugger, for its verbs and for the debug
+ * adapter of editors (asm/dap). Not public.
  *
  * Each error is reported once, by debug_fault. A function that has failed then returns
  * false; a function that executes the program returns EXECUTION_FAILED.
@@ -174,8 +174,8 @@ bool place_read(struct debugger *debugger, struct text_cursor *cursor,
 /* Does the same for a source line, or the next line that has code. */
 bool place_line(struct debugger *debugger, const char *file, size_t number,
                 struct breakpoint *stop);
-/* place_address reads an address, place_code one at which an instruction of the program
- * begins. */
+/* place_address reads any address. place_code reads an address at which an instruction
+ * of the program begins. */
 bool place_address(struct debugger *debugger, struct text_cursor *cursor,
                    uint64_t *address);
 bool place_code(struct debugger *debugger, struct text_cursor *cursor,

@@ -1,5 +1,5 @@
-/* debugger_state.h - the state of a debugger's program: its step, its last instruction
- * and the reason of its halt, for callers that show them in their own form. */
+/* debugger_state.h - the state of the debugged program (its step, its last instruction
+ * and the reason for its halt), for callers that format it themselves. */
 #ifndef ASM_DEBUG_DEBUGGER_STATE_H
 #define ASM_DEBUG_DEBUGGER_STATE_H
 

@@ -195,7 +195,8 @@ static bool add_space(struct cursor *cursor, uint64_t halves)
     return halves == 0 || layout_add(cursor, ITEM_SPACE, halves);
 }
 
-/* Adds zeros from any half word on. The whole words among them are one item. */
+/* Adds zeros, which may begin and end in the middle of a word. Their whole words are
+ * one item. */
 static bool add_half_space(struct cursor *cursor, uint64_t halves)
 {
     uint64_t odd = cursor->assembler->section->at % WORD_BITS != 0;

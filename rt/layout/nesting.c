@@ -137,8 +137,8 @@ static void put_all(struct nesting *nesting, const struct part_list *parts)
         put_some(nesting, parts, 0, parts->count);
 }
 
-/* Writes count parts of a node: those of a union as its children, and the solids
- * that are taken away as the complement of a union. */
+/* Writes `count` parts of a node. The parts of a union become its children. The solids
+ * that a difference subtracts become the complement of their union. */
 static void nest_parts(struct nesting *nesting, size_t node, size_t count)
 {
     struct part_list parts = { .count = count };

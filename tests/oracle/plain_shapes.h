@@ -15,7 +15,7 @@ struct ray {
     double origin[3], direction[3]; /* of any length but 0 */
 };
 
-/* A crossing of a ray with a surface, at origin + distance direction. */
+/* A crossing of a ray with a surface, at origin + distance * direction. */
 struct crossing {
     double distance;
     double normal[3]; /* of any length and either orientation */

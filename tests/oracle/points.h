@@ -47,7 +47,7 @@ struct point_maker;
 /* Returns NULL after an error. */
 struct point_maker *point_maker_new(const struct point_kind *kind, c205_error *error);
 void point_maker_free(struct point_maker *maker);
-/* Computes the points; coordinate j of all points starts at words + j points. */
+/* Computes the points; coordinate j of all points starts at words + j * n. */
 bool point_maker_run(struct point_maker *maker, const struct point_choice *choice,
                      c205_word *words, c205_error *error);
 const struct object *point_maker_program(const struct point_maker *maker);

@@ -23,8 +23,8 @@ static void free_memory_at(struct memory **memory)
     free(*memory);
 }
 
-/* Compares the trap of an access and the address of its fault; it is 1 if none is
- * set. */
+/* Checks that an access gives the expected trap and fault address. The expected address
+ * is 1 if the access sets none. */
 static void assert_check(const struct memory *memory, uint64_t address, uint64_t count,
                          bool stores, c205_trap trap, uint64_t expected)
 {

@@ -46,8 +46,8 @@ static inline lane lane_subtract_lower(c205_word a, c205_word b)
 
 /* ---- Multiply ----------------------------------------------------------- */
 
-/* Returns the number of significant bits of the less significant coefficient, at least
- * 1. */
+/* Returns the number of significant bits of the coefficient that has fewer of them, but
+ * at least 1. */
 static inline int64_t least_significance(int64_t ca, int64_t cb)
 {
     int64_t ma = ca ^ ca >> 63, mb = cb ^ cb >> 63;

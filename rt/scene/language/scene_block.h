@@ -55,7 +55,8 @@ const struct keyword *keyword_find(const struct keyword *table,
                                    const struct scene_token *token);
 const struct keyword *grammar_find(const struct grammar *grammar,
                                    const struct scene_token *token);
-/* Looks up the current token. Without a row of it, item.keyword is NULL. */
+/* Looks up the current token. If the grammar has no row for it, item.keyword is NULL.
+ */
 struct item item_find(const struct reader *reader, const struct grammar *grammar,
                       void *subject);
 
