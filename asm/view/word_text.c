@@ -5,7 +5,7 @@ enum { HALF_DIGITS = 9 }; /* 8, and the blank between them */
 
 struct word_text word_text(c205_word word, bool half)
 {
-    struct word_text text;
+    struct word_text text = { .hex = "" };
     (half ? c205_half_to_text : c205_to_text)(word, text.number);
     c205_to_hex(word, text.hex);
     if (half)
