@@ -121,14 +121,7 @@ static int debug(const struct session *session, const struct debug_arguments *ar
                                      .prompt = "(c205) ",
                                      .verb = debugger_verb,
                                      .scripts = &args->scripts };
-    c205_error error;
-    struct debugger *debugger = debugger_new(&setup, &error);
-    int code;
-    if (!debugger)
-        return cmd_failed(args->shared.command, "%s", error.message);
-    code = repl_hold(&repl, debugger);
-    debugger_free(debugger);
-    return code;
+    return repl_run(&repl, &setup);
 }
 
 static int cmd_debug(void *given)

@@ -61,7 +61,7 @@ static bool is_good(const struct repl *repl)
            || (!repl->interrupted && debugger_faults(repl->debugger) == 0);
 }
 
-int repl_hold(const struct repl_setup *setup, struct debugger *debugger)
+static int run_lines(const struct repl_setup *setup, struct debugger *debugger)
 {
     const struct command_texts *scripts = setup->scripts;
     struct repl repl = { .setup = setup, .debugger = debugger };
@@ -79,6 +79,17 @@ int repl_hold(const struct repl_setup *setup, struct debugger *debugger)
     if (fault)
         return cmd_failed(setup->command, "cannot read %s: %s", unread, fault);
     return is_good(&repl) ? CMD_DONE : CMD_FAILED;
+}
+
+int repl_run(const struct repl_setup *setup, const struct debugger_setup *of_debugger)
+{
+    c205_error error;
+    struct debugger *debugger = debugger_new(of_debugger, &error);
+    if (!debugger)
+        return cmd_failed(setup->command, "%s", error.message);
+    int code = run_lines(setup, debugger);
+    debugger_free(debugger);
+    return code;
 }
 
 bool repl_interrupted(void *asked)

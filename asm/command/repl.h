@@ -12,10 +12,10 @@ struct repl_setup {
     const struct command_texts *scripts; /* files; none: read stdin */
 };
 
-/* Executes lines until the input ends or a line is quit. Ctrl-C is caught. Returns the
- * exit code: CMD_FAILED if a line of a script or a pipe failed. Errors of a user at a
- * terminal do not count. */
-int repl_hold(const struct repl_setup *setup, struct debugger *debugger);
+/* Makes a debugger and executes lines until the input ends or a line is quit. Ctrl-C is
+ * caught. Returns the exit code: CMD_FAILED if the debugger cannot be made, or a line of
+ * a script or a pipe failed. Errors of a user at a terminal do not count. */
+int repl_run(const struct repl_setup *setup, const struct debugger_setup *of_debugger);
 /* The setup's interrupted: returns whether Ctrl-C was pressed. */
 bool repl_interrupted(void *asked);
 

@@ -355,7 +355,7 @@ static int render(struct trace_session *session, const struct render_arguments *
 
 /* ---- The debugger -------------------------------------------------------- */
 
-static int hold_debugger(const struct render_arguments *args, struct frame_pixel *pixel)
+static int run_debugger(const struct render_arguments *args, struct frame_pixel *pixel)
 {
     const struct trace_options *options = &args->shared.trace;
     const struct debugger_setup setup = { .object = trace_program(pixel->trace),
@@ -372,14 +372,7 @@ static int hold_debugger(const struct render_arguments *args, struct frame_pixel
                                      .prompt = "(rt205) ",
                                      .verb = pixel_verb,
                                      .scripts = &args->scripts };
-    c205_error error;
-    struct debugger *debugger = debugger_new(&setup, &error);
-    int code;
-    if (!debugger)
-        return cmd_failed(args->shared.command, "%s", error.message);
-    code = repl_hold(&repl, debugger);
-    debugger_free(debugger);
-    return code;
+    return repl_run(&repl, &setup);
 }
 
 /* Debugs the program of the frame, in the band that contains the pixel. */
@@ -394,7 +387,7 @@ static int debug(struct trace_session *session, const struct render_arguments *a
         return CMD_FAILED;
     trace = trace_new(scene, &args->shared.trace, &error);
     if (trace && frame_pixel_find(&pixel, trace, args->pixel.x, args->pixel.y, &error))
-        code = hold_debugger(args, &pixel);
+        code = run_debugger(args, &pixel);
     else
         code = cmd_failed(args->shared.command, "%s", error.message);
     trace_free(trace);
