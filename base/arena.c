@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/array.h"
+
 union widest {
     long double number;
     void *pointer;
@@ -87,23 +89,13 @@ static void *grow(struct arena *arena, void *items, size_t count, size_t *capaci
     return moved;
 }
 
-/* The pointer to the array has the type of its items, so its bytes are copied. */
 void *arena_add(struct arena *arena, void *items, size_t *count, size_t *capacity,
                 const void *item, size_t size)
 {
     void *array;
-    char *added;
     memcpy(&array, items, sizeof array);
     array = grow(arena, array, *count, capacity, size);
-    if (!array)
-        return NULL;
-    memcpy(items, &array, sizeof array);
-    added = (char *)array + (*count)++ * size;
-    if (item)
-        memcpy(added, item, size);
-    else
-        memset(added, 0, size);
-    return added;
+    return array_store(items, array, count, item, size);
 }
 
 void arena_free(struct arena *arena)

@@ -16,12 +16,10 @@ static void *grow(void *items, size_t count, size_t size)
 }
 
 /* The pointer to the array has the type of its items, so its bytes are copied. */
-void *array_add(void *items, size_t *count, const void *item, size_t size)
+void *array_store(void *items, void *array, size_t *count, const void *item,
+                  size_t size)
 {
-    void *array;
     char *added;
-    memcpy(&array, items, sizeof array);
-    array = grow(array, *count, size);
     if (!array)
         return NULL;
     memcpy(items, &array, sizeof array);
@@ -31,4 +29,11 @@ void *array_add(void *items, size_t *count, const void *item, size_t size)
     else
         memset(added, 0, size);
     return added;
+}
+
+void *array_add(void *items, size_t *count, const void *item, size_t size)
+{
+    void *array;
+    memcpy(&array, items, sizeof array);
+    return array_store(items, grow(array, *count, size), count, item, size);
 }

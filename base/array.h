@@ -11,4 +11,9 @@
  * through this function. The owner frees the array. */
 void *array_add(void *items, size_t *count, const void *item, size_t size);
 
+/* Stores an array that has room for one more item in *items, and adds the item as
+ * array_add does. Returns NULL if array is NULL. */
+void *array_store(void *items, void *array, size_t *count, const void *item,
+                  size_t size);
+
 #endif
