@@ -76,14 +76,14 @@ static int judge(const struct program_timeline_arguments *args, c205 *machine,
     return code != CMD_DONE ? code : print_trap(args, machine, &ending);
 }
 
-/* Runs until an instruction arrives at that clock or later, or the
- * default limit is reached. */
-static struct ending run_to(c205 *machine, uint64_t clock)
+/* Runs until an instruction arrives at the end of the timeline or later, the timeline is
+ * full, or the default limit is reached. */
+static struct ending run_to_end(c205 *machine, const struct timeline *timeline)
 {
-    uint64_t end = clock < CMD_LIMIT ? clock : CMD_LIMIT;
+    uint64_t end = timeline->to < CMD_LIMIT ? timeline->to : CMD_LIMIT;
     struct ending ending = { .ended = false };
     bool goes_on = true;
-    while (goes_on && c205_clock(machine) < end)
+    while (goes_on && !timeline->full && c205_clock(machine) < end)
         goes_on = c205_step(machine, &ending.stop);
     ending.ended = !goes_on;
     return ending;
@@ -99,7 +99,8 @@ static int run_program(struct session *session,
     if (!session_load(session, args->warm, &error))
         return cmd_failed(session->command, "%s", error.message);
     c205_listen(session->machine, timeline_listen, &timeline);
-    code = judge(args, session->machine, run_to(session->machine, args->to), &timeline);
+    code = judge(args, session->machine, run_to_end(session->machine, &timeline),
+                 &timeline);
     timeline_free(&timeline);
     return code;
 }
