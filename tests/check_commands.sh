@@ -560,7 +560,7 @@ several speedup -W 16 -H 10 --format json
 several speedup -W 16 -H 10 --formulations
 several sweep queue torus -W 16 -H 12 --format json
 several sweep hits sphere -W 16 -H 12
-several sweep length "$scene" --points 1,2,8,64
+several sweep length "$scene" --points 1,2,8
 several profile "$scene" -W 40 -H 30
 several quartic good.csv --falsi all
 several mass parts.pov --density default=1 --rays 512

@@ -3,8 +3,9 @@
 # sums the counts of the parts: their lines "N passed, N failed", and those of cmocka. A
 # part that fails without counts is one failure.
 #
-# JOBS parts run concurrently, with one job each, and print their output when they end.
-# Those after -- run one after another, with all jobs.
+# JOBS + 1 parts run concurrently, with one job each, because some of them wait for
+# signals, POV-Ray or MPI; they print their output when they end. Parts after -- run one
+# after another, with all jobs.
 set -u
 make=$1 jobs=$2
 shift 2
@@ -36,7 +37,7 @@ done
 [ $# -eq 0 ] || shift
 # shellcheck disable=SC2086
 {
-    run_parts "$jobs" 1 $together
+    run_parts $((jobs + 1)) 1 $together
     [ $# -eq 0 ] || run_parts 1 "$jobs" "$@"
 } | tee "$work/log"
 

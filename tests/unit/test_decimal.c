@@ -83,7 +83,7 @@ static void check(c205_word word, c205_notation notation, unsigned digits)
 
 TEST(digits)
 {
-    for (int i = 0; i < TRIES; i++)
+    for (int i = 0; i < (int)share_of(TRIES); i++)
         check(draw(), xorshift(&state) & 1 ? C205_FIXED : C205_SCIENTIFIC,
               (unsigned)xorshift_between(&state, 0, 20));
 }
