@@ -1,12 +1,12 @@
 /* bits.c - instructions on bit strings. Strings are read and stored as 64 bits per
- * word, so the bitwise loops of lanes.h serve them too.
+ * word, so the bitwise loops of lanes.h apply.
  */
 #include "vm/direct.h"
 #include "vm/vector.h"
 
 enum { STRING_BITS = C205_MAX_LENGTH + 1, STRING_WORDS = STRING_BITS / 64 };
 
-/* A string that is too short continues with zeros. */
+/* Reads n bits from first on. Missing bits at the end of a short string are zero. */
 static void read_string(const struct c205 *machine, const struct vector *string,
                         size_t first, size_t n, uint64_t *bits)
 {
@@ -104,8 +104,8 @@ static void set_bit(uint64_t *bits, size_t i, bool value)
     bits[i / 64] = value ? bits[i / 64] | one : bits[i / 64] & ~one;
 }
 
-/* As in move.c for words: mask takes the bit at the same index, merge the next bit of
- * the source. */
+/* Mask takes the bit at the same index of the selected source. Merge takes the next bit
+ * of that source (see move.c for words). */
 struct bit_choice {
     struct c205 *machine;
     struct vector a, b, c;
@@ -208,7 +208,7 @@ struct bit_sieve {
     struct vector a, c;
     struct control control;
     size_t n;    /* bits scanned */
-    size_t kept; /* number so far */
+    size_t kept; /* bits kept so far */
     struct turn turn;
 };
 
@@ -225,8 +225,8 @@ static size_t keep_bits(const struct bit_sieve *sieve, size_t first, size_t n,
     return count;
 }
 
-/* The result has as many bits as are kept. If it may overwrite bits that are still to
- * be read, there must be room for all n. */
+/* The result has as many bits as the sieve keeps. It must have room for all n bits if
+ * it may overwrite unread operands. */
 static c205_trap claim_sieve(struct bit_sieve *sieve, bool ahead)
 {
     struct c205 *machine = sieve->machine;
@@ -337,8 +337,8 @@ static size_t leading_alike(const uint64_t *bits, size_t n)
 
 typedef size_t count(const uint64_t *bits, size_t n);
 
-/* Nothing is stored before the end, so a resumed instruction counts the whole string
- * again. */
+/* Counts the whole string again after an interruption, because nothing is stored before
+ * the end. */
 static c205_trap count_string(struct c205 *machine, const struct decoded *decoded,
                               count *counted)
 {

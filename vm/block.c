@@ -9,8 +9,8 @@
 
 /* ---- Instructions that a block may contain ------------------------------ */
 
-/* Returns true if the semantics read the clock, which must then be charged up to this
- * instruction; see machine_clocks. */
+/* Returns true for an instruction that reads the clock. The clock must then be charged
+ * up to this instruction (machine_clocks). */
 static bool asks_for_the_time(const struct decoded *decoded)
 {
     static semantics *const functions[] = {
@@ -30,10 +30,10 @@ static bool goes_by_itself(const struct decoded *decoded)
            || asks_for_the_time(decoded);
 }
 
-/* Returns true if a block may continue after this instruction. It may continue only
- * after conditional forward branches, because the words after other branches may not be
- * code. In a program that has changed decoded code, it ends at every branch. The cost
- * of SWAP depends on its operands, so it ends the block. */
+/* Returns true if a block may continue after this instruction. The words after an
+ * unconditional or backward branch may not be code, so only a conditional forward
+ * branch may be within a block. A program that has changed decoded code has no branch
+ * within a block. The cost of SWAP depends on its operands, so SWAP ends its block. */
 static bool may_go_on(const struct c205 *machine, const struct decoded *decoded)
 {
     const c205_fields *fields = &decoded->fields;
@@ -68,8 +68,8 @@ static void make_room_for_block(struct blocks *blocks)
 }
 
 /* Adds the next instruction if the block may contain it. Returns true if the block may
- * continue. An instruction that cannot be decoded traps later, when control reaches
- * it. */
+ * continue. An instruction that cannot be decoded ends the block, and traps when
+ * control reaches it. */
 static bool take_in(struct c205 *machine, struct code_block *block)
 {
     struct decoded *decoded = &block->insn[block->count];
@@ -112,8 +112,8 @@ static struct code_block *block_make(struct c205 *machine, uint64_t pc)
 
 /* ---- Execution ---------------------------------------------------------- */
 
-/* Returns the number of executed instructions, less than all after a trap or a change
- * of code. */
+/* Returns the number of executed instructions. It is below the block's count after a
+ * trap or a change of code. */
 static inline unsigned execute_block(struct c205 *machine,
                                      const struct code_block *block, c205_trap *trap)
 {
@@ -145,8 +145,8 @@ static inline c205_trap run_block(struct c205 *machine, struct code_block *block
     return trap;
 }
 
-/* Returns the block at the program counter. NULL: the instruction there must run alone,
- * or the block may reach the limit. */
+/* Returns the block at the program counter. Returns NULL if the instruction there must
+ * run alone, or if the block may reach the limit. */
 static inline struct code_block *next_block(struct c205 *machine, uint64_t limit)
 {
     uint64_t pc = machine->pc;

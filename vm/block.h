@@ -20,13 +20,14 @@ struct code_block {
     uint64_t version;     /* memory.code_changes when it was made */
     uint64_t next;        /* the address after its last instruction */
     unsigned count;       /* 0: the instruction at pc must run alone */
-    uint32_t region;      /* of all its instructions */
+    uint32_t region;      /* the region of all its instructions */
     struct decoded *insn; /* count decoded instructions */
     /* Cache of the clock (vm/time/schedule.h): */
     struct schedule *schedules;
-    uint64_t generation; /* of the schedules */
+    uint64_t generation; /* the clock's generation of the schedules */
     unsigned schedule_count;
-    uint64_t longest; /* clocks, without waits for the state in flight before it */
+    uint64_t longest; /* upper bound of its clocks, without waits for earlier
+                         instructions */
 };
 
 enum {
@@ -45,9 +46,9 @@ struct blocks {
  * of memory. */
 struct blocks *blocks_new(void);
 
-/* Executes blocks from the program counter on, without listeners, until an instruction
- * must run alone or a block may reach the limit. Returns the trap that ended it before,
- * and sets *insn to the instruction that trapped. */
+/* Executes blocks from the program counter on, without listeners. Stops before an
+ * instruction that must run alone and before a block that may reach the limit. Returns
+ * the trap that stopped it, and sets *insn to the instruction that trapped. */
 c205_trap blocks_run(struct c205 *machine, uint64_t limit, const c205_insn **insn);
 
 #endif

@@ -37,7 +37,7 @@ static c205_trap go_to(struct c205 *machine, uint64_t target)
     BRANCH_IF_HALF(branch_half_##name, half_##name)
 #include "vm/arith.def"
 
-/* Returns T + 32 S. */
+/* Returns the bit address T + 32 S. */
 static uint64_t item_target(const struct c205 *machine, const struct decoded *decoded)
 {
     return machine->slot[decoded->c] + machine->slot[decoded->b] * INSTRUCTION_STEP;
@@ -85,11 +85,13 @@ c205_trap execute_branch_immediate(struct c205 *machine, const struct decoded *d
 
 enum { CONDITION_SHIFT = 2, ALTERATION_MASK = 3 };
 
-/* The high half of I4: branch never, always, on a one, on a zero. */
+/* Whether the branch is taken for a zero bit and for a one bit, by the high half of I4:
+ * never, always, on a one, on a zero. */
 static const bool branches[4][2] = {
     { false, false }, { true, true }, { false, true }, { true, false }
 };
-/* The low half of I4: leave the bit, invert it, set it to zero, set it to one. */
+/* The new value of a zero bit and of a one bit, by the low half of I4: unchanged,
+ * inverted, zero, one. */
 static const bool altered[4][2] = {
     { false, true }, { true, false }, { false, false }, { true, true }
 };
@@ -130,7 +132,7 @@ c205_trap execute_alter_flag(struct c205 *machine, const struct decoded *decoded
     return trap;
 }
 
-/* A bit that is not altered may be in read-only memory. */
+/* Read-only memory permits a bit that is not altered. */
 c205_trap execute_alter_memory_bit(struct c205 *machine, const struct decoded *decoded)
 {
     struct memory *memory = &machine->memory;
@@ -205,9 +207,9 @@ FLOAT_BRANCH_IF(float_branch_greater, greater)
 
 /* ---- The monitor ------------------------------------------------------- */
 
-/* The width in bits of an element of the vector that R describes for each request; 0: R
- * is not a vector. Request 0 ends the program, 1-3 print R, 4 prints bytes, 5 a
- * newline, 6 words, 7 bits. */
+/* The width in bits of the vector elements that each request prints. Operand R is a
+ * descriptor if the width is not 0. Request 0 ends the program, 1-3 print R, 4 prints
+ * bytes, 5 a newline, 6 words, 7 bits. */
 static const unsigned request_width[REQUESTS] = { 0, 0, 0, 0, 8, 0, 64, 1 };
 
 static c205_trap check_request(struct c205 *machine, unsigned request, c205_word r)

@@ -29,7 +29,7 @@ void machine_free_breakpoints(struct machine_breakpoints *breakpoints)
     free(breakpoints);
 }
 
-/* Makes room for one more element. Returns false if memory is out. */
+/* Makes room for one more element. Returns false if the host is out of memory. */
 static bool grow_array(void *array, size_t count, size_t size)
 {
     void *grown = realloc(*(void **)array, (count + 1) * size);
@@ -135,8 +135,8 @@ void machine_sample_watchpoints(struct c205 *machine)
                   breakpoints->watches[i].held, breakpoints->watches[i].words);
 }
 
-/* Compares memory with the copy. A change ends the run, and every run begins with a new
- * copy. */
+/* Compares memory with the copy. A copy is valid for one run: a change ends the run,
+ * and the next run takes a new copy. */
 static bool is_changed(const struct c205 *machine, const struct watched *watched)
 {
     for (size_t i = 0; i < watched->words; i++) {

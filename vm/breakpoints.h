@@ -4,10 +4,10 @@
 
 #include "vm/machine.h"
 
-/* Samples the watched words. Later changes are relative to these values. */
+/* Copies the watched words. Later checks compare memory with these copies. */
 void machine_sample_watchpoints(struct c205 *machine);
-/* Checks after an instruction. Returns NONE, or the trap of a breakpoint or watchpoint
- * and sets its *address. */
+/* Checks for breakpoints and watchpoints after an instruction. Returns C205_TRAP_NONE,
+ * or the trap with its *address. */
 c205_trap machine_hits_breakpoint(struct c205 *machine, uint64_t *address);
 void machine_free_breakpoints(struct machine_breakpoints *breakpoints);
 

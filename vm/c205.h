@@ -15,7 +15,7 @@
  * fill its message, and return false or NULL. A machine may be used by one thread at a
  * time. Different machines share no mutable state.
  *
- * Users include only this header.
+ * Programs that use the library include only this header.
  */
 #ifndef C205_H
 #define C205_H
@@ -28,11 +28,11 @@
 extern "C" {
 #endif
 
-/* The release, and the default model of the programs. */
+/* The release of the library, and the model that programs use by default. */
 #define C205_VERSION "0.7.0"
 #define C205_DEFAULT_MODEL "cyber205-2pipe"
 
-/* The parts of the interface, from the bottom up. */
+/* The headers of the interface. Each may use the earlier ones. */
 #include "c205_word.h"
 #include "c205_model.h"
 #include "c205_machine.h"

@@ -12,8 +12,8 @@ typedef struct c205_segment {
     const c205_word *words; /* NULL: zeros, mapped as C205_WHEN_TOUCHED */
 } c205_segment;
 
-/* The code between two addresses belongs to a named region of the accounts. Several
- * ranges may have one name; they share one account. */
+/* The code between two addresses belongs to a named region of the accounts. Ranges with
+ * the same name share one account. */
 typedef struct c205_region {
     const char *name;
     uint64_t begin, end;
@@ -25,7 +25,7 @@ typedef struct c205_program {
     const c205_segment *segments;
     size_t region_count;
     const c205_region *regions;
-    bool warm; /* starts with its pages in use already: c205_warm */
+    bool warm; /* the run starts as after c205_warm */
 } c205_program;
 
 /* Returns a hash of entry, segments and regions that identifies a program. */
@@ -37,8 +37,10 @@ typedef struct c205 c205;
 
 enum { C205_REGISTERS = 256 };
 #define C205_NO_LIMIT UINT64_MAX
-#define C205_PAGE_WORDS 65536u /* large page (source P); the unit of storage */
-#define C205_MAX_LENGTH 65535u /* of a vector (source P) */
+#define C205_PAGE_WORDS \
+    65536u                     /* size of a large page (primary source), and unit of
+                                  storage */
+#define C205_MAX_LENGTH 65535u /* of a vector (primary source) */
 
 c205 *c205_new(const c205_model *model, c205_error *error);
 void c205_free(c205 *machine);
@@ -47,7 +49,7 @@ const c205_model *c205_machine_model(const c205 *machine);
 /* Zeroes registers, clock and accounts, unmaps all memory, maps and fills the segments
  * of the program, and sets the program counter to its entry. */
 bool c205_load(c205 *machine, const c205_program *program, c205_error *error);
-/* Returns the hash of the program last loaded; 0: none. */
+/* Returns the hash of the last loaded program, or 0. */
 uint64_t c205_loaded_program(const c205 *machine);
 
 /* ---- Memory (vm/inspect.c, shared.c) ------------------------------------- */
@@ -56,40 +58,42 @@ typedef enum c205_access {
     C205_READ_ONLY,
     C205_READ_WRITE,
     C205_WHEN_TOUCHED /* may be read and written; the host allocates a page on first
-                         use, and if it cannot, the page counts as unmapped */
+                         use, and the page counts as unmapped if the allocation fails */
 } c205_access;
 /* Maps the pages of a range of words that starts at a bit address. Pages that were not
  * mapped before are zeroed. */
 bool c205_map(c205 *machine, uint64_t address, size_t words, c205_access access,
               c205_error *error);
 
-/* Words that machines in any threads share. A page is copied for a machine before that
- * machine first writes to it. The words must exist as long as any of these machines
- * runs or is inspected. A machine may still be freed, or load another program, after
+/* Words that several machines share, in any threads. A machine that writes to a shared
+ * page gets its own copy of the page first. The words must exist while any of these
+ * machines runs or is inspected. A machine may be freed or load another program after
  * the words are freed. */
 typedef struct c205_shared c205_shared;
-/* The words are followed by zeros to the end of the last page. NULL: out of memory. */
+/* Adds zeros after the words up to the end of the last page. NULL: out of memory. */
 c205_shared *c205_shared_new(const c205_word *words, size_t count);
 void c205_shared_free(c205_shared *shared);
-/* Maps the words from the address of a page on. No page may be mapped there. */
+/* Maps the words at consecutive addresses from the start of a page on. No page may be
+ * mapped there. */
 bool c205_map_shared(c205 *machine, uint64_t address, const c205_shared *shared,
                      c205_error *error);
 
-/* Finds the first mapped page from an address on. Sets whether it may be written, and
- * whether a C205_WHEN_TOUCHED page has been used. Returns false if there is none. */
+/* Finds the first mapped page from an address on, and returns false if there is none.
+ * Sets whether the page may be written, and whether it has been used if it is a
+ * C205_WHEN_TOUCHED page. */
 typedef struct c205_page {
     uint64_t address;
     bool writable, touched;
 } c205_page;
 bool c205_next_page(const c205 *machine, uint64_t from, c205_page *page);
 
-/* Puts all mapped pages into real memory and the associative registers as far as there
- * is room, with preference for the highest addresses, as if the program had used them
- * before. Takes no clocks. */
+/* Makes mapped pages resident in real memory and in the associative registers, as if
+ * the program had used them before. The highest addresses come first if there is no
+ * room for all pages. Takes no clocks. */
 void c205_warm(c205 *machine);
 
-/* Copy between the host and the machine's memory; take no clocks. Fail without effect
- * if a page is not mapped. */
+/* Copy words between the host and the machine's memory. They take no clocks. They fail
+ * without effect if a page is not mapped. */
 bool c205_read(const c205 *machine, uint64_t address, c205_word *words, size_t count);
 bool c205_write(c205 *machine, uint64_t address, const c205_word *words, size_t count);
 
@@ -100,39 +104,40 @@ typedef enum c205_trap {
     C205_TRAP_UNDEFINED_INSTRUCTION, /* no such opcode or G bits */
     C205_TRAP_UNMAPPED_ADDRESS,
     C205_TRAP_PROTECTED_ADDRESS,  /* write to read-only memory */
-    C205_TRAP_BAD_DESCRIPTOR,     /* negative offset, missing vector, ... */
+    C205_TRAP_BAD_DESCRIPTOR,     /* negative offset, missing vector and similar
+                                     errors */
     C205_TRAP_MISALIGNED_OPERAND, /* for example a word vector that does not start at a
                                      word */
     C205_TRAP_BAD_LINK,           /* the pair after LINKV cannot be linked */
     C205_TRAP_BAD_REQUEST,        /* no such monitor request */
     C205_TRAP_CLOCK_LIMIT,
     C205_TRAP_NO_MEMORY, /* the host is out of memory */
-    C205_TRAP_PAUSED,    /* by c205_pause, or after a given number of instructions */
+    C205_TRAP_PAUSED,    /* c205_pause, or the maximum number of instructions */
     C205_TRAP_BREAKPOINT,
-    C205_TRAP_WATCHPOINT, /* address: of the watched words */
+    C205_TRAP_WATCHPOINT, /* address: the first watched word */
     C205_TRAPS
 } c205_trap;
 const char *c205_trap_name(c205_trap trap); /* for example "undefined-instruction" */
 
 /* The end of a run. */
 typedef struct c205_stop {
-    c205_trap trap;        /* NONE: the program ended itself with EXIT */
+    c205_trap trap;        /* NONE: the program executed EXIT */
     uint64_t pc;           /* bit address of the instruction that stopped */
-    uint64_t address;      /* the operand address at fault, or 0 */
-    const char *rule;      /* the broken rule, a sentence; NULL: none */
+    uint64_t address;      /* the operand address of a trap, or 0 */
+    const char *rule;      /* the rule that was broken, as a sentence, or NULL */
     const c205_insn *insn; /* NULL: undefined */
     int64_t status;        /* operand R of EXIT */
 } c205_stop;
 
 /* Runs until the program ends, a trap occurs, or the clock has reached limit. The limit
- * may stop the run between two instructions or within a vector instruction. In the
- * latter case its first elements are stored, and the program counter stays at it. The
- * next run continues there, and its results, clocks and accounts are those of a run
- * without a stop. Nothing happens if the clock has already reached the limit. */
+ * may stop the run within a vector instruction. Its first elements are then stored, and
+ * the program counter remains at this instruction. The next run continues there. A stop
+ * does not change the results, clocks and accounts. Nothing happens if the clock has
+ * already reached the limit. */
 c205_stop c205_run(c205 *machine, uint64_t limit);
-/* Executes one instruction, or the rest of an interrupted one. A linked pair with its
- * prefix counts as one. Returns true if the program continues; otherwise *stop states
- * the reason. */
+/* Executes one instruction, or the rest of an interrupted instruction. A linked pair
+ * and its prefix count as one instruction. Returns true if the program continues;
+ * otherwise *stop states the reason. */
 bool c205_step(c205 *machine, c205_stop *stop);
 /* Runs at most count instructions, then stops with PAUSED; otherwise like c205_run. */
 c205_stop c205_run_steps(c205 *machine, uint64_t count, uint64_t limit);
@@ -145,8 +150,8 @@ void c205_describe_stop(const c205 *machine, const c205_stop *stop, c205_error *
 c205_word c205_register(const c205 *machine, unsigned number);
 void c205_set_register(c205 *machine, unsigned number, c205_word word);
 uint64_t c205_pc(const c205 *machine);
-/* Sets the program counter and abandons an interrupted vector instruction: its stored
- * elements remain, its other results are lost, and its clocks so far are charged. */
+/* Sets the program counter and abandons an interrupted vector instruction. Its stored
+ * elements remain, its other results are lost, and the elapsed clocks are charged. */
 void c205_set_pc(c205 *machine, uint64_t address);
 c205_word c205_data_flags(const c205 *machine);
 
@@ -175,23 +180,23 @@ typedef struct c205_event {
     c205_fields fields;
     size_t region;            /* index into the accounts */
     uint64_t issued;          /* the clock at which it issued */
-    uint64_t clocks;          /* by which it advanced the clock */
-    const c205_times *record; /* its times; after an end or a trap only the pieces of
-                                 the wait for everything in flight; NULL: none */
+    uint64_t clocks;          /* increase of the clock */
+    const c205_times *record; /* its times; only the wait for everything in flight after
+                                 an end or a trap; NULL: none */
     size_t elements;          /* vector length, 0 for scalar instructions */
     size_t recurrent;         /* elements that waited for the result of an earlier
-                                 one */
-    bool taken;               /* branches */
-    /* The changes: register r that it wrote is bit r % 64 of written[r / 64], and store
-     * lists the ranges of memory that it stored into. With a control vector it stored
-     * only parts of them. For a list of indices, the range is the smallest one that
-     * contains all of its elements. */
+                                 element */
+    bool taken;               /* a branch was taken */
+    /* Bit r % 64 of written[r / 64] is set if the instruction wrote register r. store
+     * lists the ranges of memory that it stored into. A control vector may select only
+     * parts of a range. A list of indices has the smallest range that contains all of
+     * its elements. */
     uint64_t written[C205_REGISTERS / 64];
     size_t store_count;
     c205_range store[C205_STORES];
     /* For C205_EVENT_REQUEST: */
     unsigned request;
-    c205_word r, s; /* its operands */
+    c205_word r, s; /* operands of the request */
     c205_trap trap;
 } c205_event;
 
@@ -203,20 +208,21 @@ bool c205_listen(c205 *machine, c205_listener *listener, void *context);
 
 /* ---- Breakpoints and watchpoints (vm/breakpoints.c) ------------------------------
  *
- * They end a run after an instruction with a trap of their own, of which listeners are
- * notified like of others. The next run continues there as if it had not been stopped.
- * Loading a program keeps them. Saving a machine omits them.
+ * They end a run with their own trap between two instructions. Listeners are notified
+ * of it. The next run continues as if the run had not been stopped. Breakpoints and
+ * watchpoints remain when a program is loaded, and are not saved with a machine.
  */
 
-/* For a listener: stops the run with PAUSED after the current instruction. */
+/* Stops the run with PAUSED after the current instruction. A listener calls this. */
 void c205_pause(c205 *machine);
 /* Stops a run with BREAKPOINT before the instruction at an address, unless the run
- * begins there. set: add or remove. Returns false if memory is exhausted. */
+ * begins there. set: true adds the breakpoint, false removes it. Returns false if the
+ * host is out of memory. */
 bool c205_break(c205 *machine, uint64_t address, bool set);
 /* Stops a run with WATCHPOINT after an instruction that changed one of these words.
- * Writes by the host between two runs do not count, except within a vector instruction
- * that a limit interrupted. set: add or remove. Returns false if memory is exhausted or
- * nothing is mapped there. */
+ * Writes by the host between two runs count only while a vector instruction is
+ * interrupted. set: true adds the words, false removes them. Returns false if the host
+ * is out of memory or the address is not mapped. */
 bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set);
 
 #endif

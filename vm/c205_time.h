@@ -29,15 +29,16 @@ typedef struct c205_account {
     uint64_t clocks[C205_CAUSES];
     uint64_t instructions; /* all issued instructions */
     uint64_t vector_instructions;
-    uint64_t elements;   /* of vector results or scanned operands */
+    uint64_t elements;   /* vector results, or scanned operands */
     uint64_t operations; /* floating-point operations, scalar or on elements */
     uint64_t entries;    /* number of times that control entered the region */
 } c205_account;
 
-/* Returns the clocks charged so far: the sum of all accounts. After the end of a
- * program or a trap, everything in flight is included. At the clock limit it is not.
- * Within a vector instruction the clock equals the limit, and the accounts include the
- * clocks of that instruction up to there. The instruction is counted when it is done.
+/* Returns the clocks charged so far: the sum of all accounts. It includes the wait for
+ * everything in flight after the end of a program or a trap, but not at the clock
+ * limit. Within a vector instruction the clock equals the limit, and the accounts
+ * include the clocks of that instruction up to there. The instruction is counted when
+ * it is done.
  *
  * After a trap or at the limit, a run may continue as if it had not been stopped, from
  * the clock at which the instruction at the program counter issues. If a missing page
@@ -50,48 +51,48 @@ size_t c205_account_count(const c205 *machine);
 const c205_account *c205_account_at(const c205 *machine, size_t i);
 /* Sets clock and accounts to zero and empties the pipes. Memory, registers, resident
  * pages and the remaining time of the job interval timer are unchanged. An interrupted
- * instruction remains interrupted, and is charged as a whole when it is done. */
+ * instruction is charged completely when it is done. */
 void c205_reset_clock(c205 *machine);
 
 /* ---- The times of an instruction ----------------------------------------- */
 
-/* The object of a wait. */
+/* What an instruction waits for. */
 typedef enum c205_wait {
     C205_WAIT_NONE,     /* no wait: work of the instruction itself */
-    C205_WAIT_REGISTER, /* a register by number: a source that was not ready, or a
-                           pending result */
-    C205_WAIT_UNIT,     /* a unit by number of c205_unit: it was busy */
-    C205_WAIT_LOADS,    /* all loads in flight, or the oldest if the maximum is in
+    C205_WAIT_REGISTER, /* a register by number: its source is not ready, or its result
+                           is pending */
+    C205_WAIT_UNIT,     /* a busy unit, by number of c205_unit */
+    C205_WAIT_LOADS,    /* all loads in flight, or the oldest load if the maximum is in
                            flight */
     C205_WAIT_RESULTS,  /* all results in flight */
-    C205_WAIT_VECTOR,   /* the vector unit was busy */
+    C205_WAIT_VECTOR,   /* the busy vector unit */
     C205_WAITS
 } c205_wait;
 
 typedef struct c205_piece {
     uint64_t clocks;
     c205_cause cause;
-    size_t region; /* whose account is charged */
-    uint64_t pc;   /* the instruction that does the work; a vector instruction continues
-                      while others wait */
+    size_t region; /* the region that is charged */
+    uint64_t pc;   /* the instruction that does the work; it may be a vector instruction
+                      during which others wait */
     c205_wait wait;
     unsigned number; /* of the register or unit, or 0 */
 } c205_piece;
 
-/* The times of one instruction, recorded by the clock. The pieces, in the order of
- * time, sum to the clocks by which the instruction advanced the clock. A vector
- * instruction continues after that. Its phases follow each other from its issue to its
- * end; phases of zero length are omitted. */
+/* The times of one instruction, as recorded by the clock. The pieces are in the order
+ * of time. They sum to the increase of the clock. The phases of a vector instruction
+ * cover the time from its issue to its end, which may be later; phases of zero length
+ * are omitted. */
 enum { C205_PIECES = 40, C205_PHASES = 5 };
 struct c205_times {
     uint64_t pc;
     uint64_t arrived;   /* the clock before it */
     uint64_t issued;    /* the clock at which it issued */
     uint64_t ready;     /* the clock at which its results are ready */
-    uint64_t unit_free; /* the clock at which its unit accepts the next instruction; for
-                           a vector instruction, one whose start-up does not overlap */
-    uint64_t misses;    /* pages not in the associative registers */
-    uint64_t faults;    /* those of them not in real memory */
+    uint64_t unit_free; /* the clock at which its unit accepts the next instruction; a
+                           vector unit accepts one whose start-up does not overlap */
+    uint64_t misses;    /* pages that the associative registers lack */
+    uint64_t faults;    /* pages that real memory lacks; these are misses too */
     size_t piece_count, phase_count;
     c205_piece piece[C205_PIECES];
     struct {
@@ -114,14 +115,14 @@ void c205_projection_free(c205_projection *projection);
 c205_listener c205_project;
 /* Returns the clocks of that machine for a region, numbered as in the accounts. */
 uint64_t c205_projected_clocks(const c205_projection *projection, size_t region);
-/* Returns false if there were vector instructions or memory ran out. */
+/* Returns false if the run had vector instructions or the host ran out of memory. */
 bool c205_projection_holds(const c205_projection *projection, c205_error *error);
 
 /* ---- Other constants for the same run (vm/time/recording.c) ----------------
  *
- * A listener that records the input of the clock during a run, and computes the time of
- * the same run with other constants, by the machine's own clock or by a projection. The
- * result is exact as long as the program does not read the clock.
+ * A recording is a listener that stores the input of the clock during a run. It
+ * computes the time of the same run with other constants, by the machine's own clock or
+ * by a projection. The result is exact if the program does not read the clock.
  */
 typedef struct c205_recording c205_recording;
 c205_recording *c205_recording_new(c205_error *error);
@@ -129,10 +130,10 @@ void c205_recording_free(c205_recording *recording);
 /* The listener; its context is the recording of one run from its start. */
 c205_listener c205_record;
 
-/* Sets the clocks of each region, numbered as in the accounts; 0 for regions that did
- * not run. The settings replace constants of the model. Time advances in ticks, of
- * which a clock has the given number (1: as in the machine). By a projection: NaN for
- * regions with vector instructions. */
+/* Sets the clocks of each region, numbered as in the accounts; regions that did not run
+ * have 0. The settings replace constants of the model. A clock has the given number of
+ * ticks, the steps of time (1: as in the machine). A projection gives NaN for regions
+ * with vector instructions. */
 bool c205_retime(const c205_recording *recording, const c205_model *model,
                  const c205_setting *settings, size_t count, unsigned ticks,
                  double *clocks, size_t regions, c205_error *error);

@@ -1,5 +1,5 @@
-/* decode.c - decodes the word of an instruction to slots and sources, by the syntax and
- * the operand letters of its row in insn.def.
+/* decode.c - decodes the word of an instruction to slots and sources, as the syntax and
+ * the operand letters of its row in insn.def specify.
  */
 #include "vm/machine.h"
 
@@ -16,7 +16,7 @@ static semantics *const functions[] = {
 
 /* ---- Fetch -------------------------------------------------------------- */
 
-/* Returns a half word of code. An interrupted instruction is taken from its saved
+/* Returns a half word of code. The code of an interrupted instruction is its saved
  * copy. */
 static c205_trap fetch_half(struct c205 *machine, uint64_t address, c205_word *half)
 {
@@ -34,7 +34,7 @@ static c205_trap fetch_half(struct c205 *machine, uint64_t address, c205_word *h
     return C205_TRAP_NONE;
 }
 
-/* Returns the word of the instruction in the form that c205_decode takes. */
+/* Returns the word of the instruction in the form that c205_decode expects. */
 static c205_trap fetch(struct c205 *machine, uint64_t pc, const c205_insn **insn,
                        c205_word *word)
 {
@@ -85,13 +85,14 @@ static char result_letter(const c205_insn *insn)
     return insn->operands[commas];
 }
 
-/* Returns true if Z may be given or made. */
+/* Returns true if Z of this instruction may be an input or a result. */
 static bool may_be_given(const c205_insn *insn)
 {
     return has_letter(insn->operands, "g");
 }
 
-/* The G bit of an offset means a given Z for instructions that may have one. */
+/* Returns true if the result may have an offset. The same G bit means a given Z for
+ * some instructions. */
 static bool may_have_offset(const c205_insn *insn)
 {
     char letter = result_letter(insn);
@@ -252,8 +253,8 @@ static void bind(struct decoded *decoded, char field, char letter)
     }
 }
 
-/* Walks over the syntax and the operand letters in parallel. An offset after a plus has
- * no letter of its own. */
+/* Walks over the syntax and the operand letters in parallel. An offset (+X) has no
+ * operand letter. */
 static void bind_all(struct decoded *decoded)
 {
     const c205_insn *insn = decoded->insn;
@@ -267,8 +268,8 @@ static void bind_all(struct decoded *decoded)
         add_source(decoded, decoded->fields.c + 1u);
 }
 
-/* Returns true for an instruction on words without offsets and sign control, as
- * vm/direct.h requires. */
+/* Returns true for an instruction on words without offsets and without sign control,
+ * which vm/direct.h can execute. */
 static bool is_plain(const struct decoded *decoded)
 {
     const c205_insn *insn = decoded->insn;

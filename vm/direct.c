@@ -11,7 +11,7 @@ struct direct_result {
     struct c205 *machine;
     size_t n;
     c205_word *words;        /* NULL: the result is bits */
-    struct direct_bits bits; /* of a comparison */
+    struct direct_bits bits; /* the bits of a comparison */
     struct direct_bits control;
     bool controlled;
     uint64_t blocked; /* as in struct control */
@@ -19,8 +19,8 @@ struct direct_result {
 
 /* ---- Operands ------------------------------------------------------------ */
 
-/* A source: element i is words[i * step]. A broadcast word, or the chunk that the first
- * of a pair hands over, has step 0 and is used for all chunks. */
+/* A source: element i is words[i * step]. A broadcast word has step 0. So has the
+ * result of the first instruction of a pair, which is replaced for each chunk. */
 struct place {
     const c205_word *words;
     size_t step;
@@ -31,10 +31,10 @@ struct place {
 struct direct_sources {
     const struct operation *operation;
     struct place a, b;
-    c205_word space_a[CHUNK], space_b[CHUNK]; /* for broadcast words */
+    c205_word space_a[CHUNK], space_b[CHUNK]; /* copies of broadcast words */
 };
 
-/* Returns false if the source must be read by operand.h. */
+/* Returns false if operand.h must read the source. */
 static inline bool find_source(struct place *place, struct c205 *machine,
                                bool broadcast, uint16_t slot, c205_word *space,
                                size_t n)
@@ -47,7 +47,8 @@ static inline bool find_source(struct place *place, struct c205 *machine,
     return place->words;
 }
 
-/* handed_a, handed_b: chunks to read in place of A and B, or NULL. */
+/* Finds both sources. handed_a and handed_b are chunks that replace A and B, or
+ * NULL. */
 static inline bool find_sources(struct direct_sources *sources, struct c205 *machine,
                                 const struct decoded *decoded,
                                 const struct operation *operation, size_t n,
@@ -91,8 +92,8 @@ static inline bool find_result(struct direct_result *result, struct c205 *machin
            && !(result->controlled && !result->control.word);
 }
 
-/* These return true if no store changes the control vector or a source before it is
- * read. */
+/* These functions return true if no store changes the control vector or a source before
+ * it is read. */
 static inline bool keeps_control(const struct direct_result *result)
 {
     size_t n = result->n;
@@ -166,7 +167,7 @@ static inline void compare_chunk(const struct direct_result *result,
                       n);
 }
 
-/* Computes n elements, all permitted. */
+/* Computes n elements, which are all permitted. */
 static inline void operate_all(struct c205 *machine, const struct operation *operation,
                                c205_word *c, const c205_word *a, const c205_word *b,
                                size_t n)
@@ -210,11 +211,11 @@ static inline void take_chunk(const struct direct_result *result,
         compare_chunk(result, sources->operation, a, b, first, n);
 }
 
-/* Both instructions of a pair. */
+/* The state of a linked pair. */
 struct direct_both {
     struct direct_sources one, two;
-    c205_word handed[CHUNK]; /* by the first to the second */
-    lanes_pair *in_one_pass; /* or NULL */
+    c205_word handed[CHUNK]; /* results of the first, which the second reads */
+    lanes_pair *in_one_pass; /* function for both in one pass, or NULL */
 };
 
 static inline pair_operand operand_at(struct place place, size_t first)
@@ -223,7 +224,7 @@ static inline pair_operand operand_at(struct place place, size_t first)
     return operand;
 }
 
-/* Returns false if the two operations must run one after the other. */
+/* Returns false if the two operations must run separately. */
 static inline bool take_in_one_pass(const struct direct_result *result,
                                     const struct direct_both *pair, size_t first,
                                     size_t n)

@@ -3,10 +3,9 @@
  * Most instructions are simple. They work on words without offsets and sign control,
  * and complete in one turn. Each operand is within one page, except the table of a
  * gather. No store changes an operand that is read later. The direct_NAME functions
- * below return whether an operand meets these conditions, with all checks done. If one
- * does not, nothing has happened yet, and the instruction uses operand.h, which handles
- * all cases and all traps. Both ways have the same results and report the same effect
- * to the clock.
+ * below check these conditions and change nothing. If a condition does not hold, the
+ * instruction uses operand.h, which handles all cases and all traps. Both methods have
+ * the same results and report the same effect to the clock.
  *
  * The pointers are valid until the end of the instruction, because no page is mapped,
  * unmapped or changes its access in between.
@@ -29,13 +28,14 @@ static inline size_t direct_length(c205_word descriptor)
     return (size_t)(descriptor >> LENGTH_SHIFT);
 }
 
-/* Returns true if the instruction is in its first turn and will complete in it. */
+/* Returns true if the instruction starts in this turn and completes in it. */
 static inline bool direct_turn(const struct c205 *machine, size_t n)
 {
     return n > 0 && n <= machine->allowed && machine->resume.first == 0;
 }
 
-/* NULL: not aligned, not mapped, not in one page, or not writable in this way. */
+/* Returns NULL if the range is not aligned, not mapped, not within one page, or not
+ * writable although it must be. */
 static inline c205_word *direct_place(struct memory *memory, uint64_t address, size_t n,
                                       bool write)
 {
@@ -47,7 +47,7 @@ static inline c205_word *direct_place(struct memory *memory, uint64_t address, s
     return page->word + index;
 }
 
-/* Returns n words of a descriptor. NULL: the caller must use operand.h. */
+/* Returns the n words of a descriptor. NULL: the caller must use operand.h. */
 static inline const c205_word *direct_read(struct c205 *machine, c205_word descriptor,
                                            size_t n)
 {
@@ -56,8 +56,8 @@ static inline const c205_word *direct_read(struct c205 *machine, c205_word descr
     return direct_place(&machine->memory, LOW(descriptor), n, false);
 }
 
-/* Returns n words of a descriptor for writing, whatever its length. NULL: as for
- * direct_read. */
+/* Returns n words at the address of a descriptor for writing; its length is not used.
+ * NULL: the caller must use operand.h. */
 static inline c205_word *direct_write(struct c205 *machine, c205_word descriptor,
                                       size_t n)
 {
@@ -85,8 +85,8 @@ static inline bool direct_meets(const void *one, size_t bytes, const void *other
     return a < b + other_bytes && b < a + bytes;
 }
 
-/* Returns true if a result of n words begins above its source and overlaps it, so that
- * some elements depend on earlier results. */
+/* Returns true if a result of n words begins above its source and overlaps it, so some
+ * elements depend on earlier results. */
 static inline bool direct_recurs(const c205_word *result, const c205_word *source,
                                  size_t n)
 {
@@ -108,7 +108,7 @@ static inline uint64_t leading_bits(size_t n)
     return UINT64_MAX << (WORD_BITS - n);
 }
 
-/* Reads n bits from first on, a multiple of 64. Unused bits are zero. */
+/* Reads n bits from position first, a multiple of 64. Unused bits are zero. */
 static inline void direct_read_bits(struct direct_bits string, size_t first,
                                     uint64_t *bits, size_t n)
 {
@@ -139,7 +139,7 @@ static inline void direct_merge(c205_word *word, uint64_t bits, uint64_t mask)
     *word ^= (*word ^ bits) & mask;
 }
 
-/* Writes n bits from first on, under a mask (NULL: all). */
+/* Writes n bits from position first, under a mask (NULL: all). */
 static inline void direct_write_bits(struct direct_bits string, size_t first,
                                      const uint64_t *bits, const uint64_t *permitted,
                                      size_t n)
@@ -164,8 +164,8 @@ struct operation;
 /* Executes the instruction. Returns false, without effect, if it is not simple. */
 bool direct_elementwise(struct c205 *machine, const struct decoded *decoded,
                         const struct operation *operation);
-/* Executes a pair whose instructions can be linked. The result of the first is A
- * (hand_a), B (hand_b) or both of the second. */
+/* Executes a linked pair. The result of the first instruction is A (hand_a), B (hand_b)
+ * or both of the second. */
 bool direct_pair(struct c205 *machine, const struct decoded *const *linked, bool hand_a,
                  bool hand_b);
 

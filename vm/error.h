@@ -7,7 +7,8 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-/* Declares that a parameter is a format of printf, and which one is its first value. */
+/* Declares that a parameter is a printf format, and gives the number of its first
+ * value. */
 #if defined(__GNUC__)
 #define PRINTF_FORMAT(format_at, first) \
     __attribute__((format(printf, format_at, first)))
@@ -24,12 +25,13 @@
         va_end(printf_list); \
     } while (0)
 
-/* Formats a message like printf, cut to the size of the buffer. Always returns
+/* Formats a message like printf, truncated to the size of the buffer. Always returns
  * false. */
 bool error_set(c205_error *error, const char *format, ...) PRINTF_FORMAT(2, 3);
 bool error_set_list(c205_error *error, const char *format, va_list arguments);
 
-/* The digits of a macro, for a message about a limit: "at most " LIMIT_TEXT(MAX). */
+/* The digits of a macro's value, for a message about a limit: "at most "
+ * LIMIT_TEXT(MAX). */
 #define LIMIT_TEXT(macro) LIMIT_DIGITS(macro)
 #define LIMIT_DIGITS(digits) #digits
 

@@ -4,11 +4,11 @@
 
 #include "vm/machine.h"
 
-/* Notifies them of an executed instruction. before: the clock before it. */
+/* Notifies the listeners of an executed instruction. before: the clock before it. */
 void machine_notify_instruction(struct c205 *machine, const struct decoded *decoded,
                                 uint64_t before);
-/* Notifies them of the end of a run that was charged up to clock before. drained: the
- * wait for everything in flight is included. */
+/* Notifies the listeners of the end of a run. before: the clock up to which the run was
+ * charged. drained: the wait for everything in flight is included. */
 void machine_notify_stop(struct c205 *machine, const c205_stop *stop, uint64_t before,
                          bool drained);
 

@@ -1,5 +1,5 @@
-/* gather.c - gather and scatter: elements at the addresses of an index list, or at a
- * constant distance.
+/* gather.c - gather and scatter: copies between a vector and table elements, which an
+ * index list or a constant distance selects.
  */
 #include "vm/direct.h"
 #include "vm/number/host.h"
@@ -13,9 +13,9 @@ struct transfer {
     bool gather, periodic;
     c205_word period;    /* modulo 2^48, like addresses */
     struct vector table; /* its length is unknown */
-    c205_word *indices;  /* the permitted ones, packed */
-    size_t count;        /* number of them */
-    size_t used;         /* number of them used before this turn */
+    c205_word *indices;  /* the permitted indices, packed */
+    size_t count;        /* number of permitted indices */
+    size_t used;         /* number of indices used before this turn */
 };
 
 static uint64_t table_address(const struct transfer *transfer, c205_word index)
@@ -25,7 +25,8 @@ static uint64_t table_address(const struct transfer *transfer, c205_word index)
 
 /* ---- The index list ----------------------------------------------------- */
 
-/* Returns n indices. Those of a period are not in memory: 0, A, 2A, ... */
+/* Returns n indices. A constant distance A has the indices 0, A, 2A, ..., which are not
+ * in memory. */
 static const c205_word *read_indices(struct transfer *transfer, size_t first, size_t n)
 {
     struct source *a = &transfer->stream.a;
@@ -36,8 +37,8 @@ static const c205_word *read_indices(struct transfer *transfer, size_t first, si
     return a->space;
 }
 
-/* Collects the permitted indices. Those used before an interruption were saved, because
- * the list may have been overwritten since. */
+/* Collects the permitted indices. Indices that were used before an interruption come
+ * from the saved copy, because the list may have been overwritten since. */
 static void collect_indices(struct transfer *transfer)
 {
     struct stream *stream = &transfer->stream;
@@ -53,7 +54,7 @@ static void collect_indices(struct transfer *transfer)
     }
 }
 
-/* The range from the lowest element of the list to the end of the highest. */
+/* The memory from the lowest element of the list to the end of the highest element. */
 struct extent {
     uint64_t low, end;
 };
@@ -169,8 +170,8 @@ static c205_trap transfer_chunks(struct transfer *transfer)
 
 /* ---- One element at a time ---------------------------------------------- */
 
-/* The overwritten words, which are restored if a later element traps or is beyond the
- * turn. */
+/* The overwritten words. They are restored if a later element traps or belongs to a
+ * later turn. */
 struct undo {
     c205_word *old;
     c205_word *address;
@@ -210,8 +211,8 @@ static void put_back(struct transfer *transfer, const struct undo *undo, size_t 
                       undo->old[transfer->count - 1]);
 }
 
-/* Transfers all elements, so that a trap of any element is found before the instruction
- * has an effect. The elements beyond the turn are then restored. */
+/* Transfers all elements, so a trap of any element occurs before the instruction has an
+ * effect. The elements of later turns are then restored. */
 static c205_trap transfer_one_by_one(struct transfer *transfer)
 {
     struct stream *stream = &transfer->stream;
@@ -246,12 +247,13 @@ static struct vector describe_table(const struct c205 *machine,
 
 /* ---- Operands in pages of the host -------------------------------------- */
 
-/* The elements that a list refers to; all numbers count words. */
+/* The table elements that a list refers to. All numbers are counts of words. */
 struct table_place {
-    uint64_t base;             /* of the table, from address 0 */
+    uint64_t base;             /* start of the table, from address 0 */
     uint64_t low, high;        /* the lowest and the highest element */
-    struct page *page;         /* the page of all elements; NULL: there are several */
-    struct page *const *pages; /* in that case: all pages of a directory */
+    struct page *page;         /* the page of all elements; NULL: there are several
+                                  pages */
+    struct page *const *pages; /* all pages of a directory, if there are several */
 };
 
 #define FIND_ENDS_PARAMETERS \
@@ -282,8 +284,8 @@ static inline bool has_page(const struct table_place *table, uint64_t word)
     return page && !memory_is_untouched(page);
 }
 
-/* Returns true if all pages from the lowest to the highest are mapped and allocated, or
- * at least those of the list. */
+/* Returns true if all pages of the range are mapped and allocated, or at least the
+ * pages that the list refers to. */
 static bool has_pages(const struct table_place *table, const c205_word *indices,
                       size_t n)
 {
@@ -357,8 +359,8 @@ static void gather_words(c205_word *c, const struct table_place *table,
 }
 
 /* Returns false if the case is not simple (direct.h). The clock reads the list after
- * the execution, so the result must not overlap it. It may overlap the table, because
- * the elements are moved in order. */
+ * the execution, so the result must not overlap the list. It may overlap the table,
+ * because the elements are moved in order. */
 static bool gather_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word list = machine->slot[decoded->a];
@@ -442,7 +444,7 @@ static c205_trap execute_scatter(struct transfer *transfer)
     return trap == C205_TRAP_NONE ? run_transfer(transfer) : trap;
 }
 
-/* B is the table and not a stream. */
+/* Describes the operands of a gather, in which B is a table and not a stream. */
 static c205_trap describe_gather(struct transfer *transfer, struct c205 *machine,
                                  const struct decoded *decoded)
 {
@@ -464,7 +466,7 @@ static c205_trap describe_scatter(struct transfer *transfer, struct c205 *machin
     return trap;
 }
 
-/* A is the period and not a list. */
+/* Takes A as the distance, if it is not a list. */
 static void take_period(struct transfer *transfer, const struct decoded *decoded)
 {
     struct stream *stream = &transfer->stream;

@@ -1,8 +1,8 @@
-/* history.c - a machine that can go back: snapshots, and running forward again.
+/* history.c - returns a machine to earlier steps by snapshots and repeated execution.
  *
  * A machine that is restored from a saved state repeats the same execution. The history
- * therefore stores only snapshots, at distances in instructions and clocks. To go back,
- * it restores the last snapshot before the target and runs from there.
+ * therefore stores only snapshots. To go back, it restores the last snapshot before the
+ * target and runs from there.
  */
 #include "vm/breakpoints.h"
 #include "vm/error.h"
@@ -10,9 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A snapshot is taken after this many instructions or clocks. The limit in clocks
- * serves vector instructions, which are long. Running from a snapshot to the next takes
- * some milliseconds. */
+/* A snapshot is taken after this number of instructions or clocks. The limit in clocks
+ * is for long vector instructions. Running from a snapshot to the next takes some
+ * milliseconds. */
 enum { STEPS_APART = 512, CLOCKS_APART = 1 << 20 };
 /* The distances are doubled up to this limit. */
 #define MAX_STEPS_APART (UINT64_C(1) << 50)
@@ -20,7 +20,7 @@ enum { STEPS_APART = 512, CLOCKS_APART = 1 << 20 };
 struct snapshot {
     uint64_t step, clock;
     bool changed; /* modified by the host; a run that reaches this step continues from
-                     here */
+                     this state */
     size_t size;
     unsigned char *bytes;
 };
@@ -32,9 +32,9 @@ struct c205_history {
     bool ended;             /* the program ended after the last known step */
     c205_stop end;          /* how it ended */
     size_t budget, held;    /* bytes of snapshots: maximum, current */
-    uint64_t steps, clocks; /* distances of the next snapshot */
+    uint64_t steps, clocks; /* instructions and clocks between snapshots */
     size_t count, capacity;
-    struct snapshot *list; /* by step */
+    struct snapshot *list; /* in the order of steps */
 };
 
 /* ---- Snapshots ----------------------------------------------------------- */
@@ -89,9 +89,9 @@ static void double_distances(struct c205_history *history)
     history->clocks *= 2;
 }
 
-/* Drops every second snapshot. It keeps the first one, and those after a change by the
- * host, because no earlier snapshot leads to them. If it dropped any, it doubles the
- * distances. */
+/* Drops every second snapshot and doubles the distances if it dropped any. It keeps the
+ * first snapshot and snapshots after a change by the host, because a run cannot
+ * reproduce them. */
 static void thin(struct c205_history *history)
 {
     size_t kept = 0, before = history->count;
@@ -115,7 +115,7 @@ static bool save_state(const struct c205_history *history, struct saved *saved,
     return error_set(error, "out of memory");
 }
 
-/* Appends a snapshot. The list must have room. */
+/* Appends a snapshot. The list must have room for it. */
 static void append(struct c205_history *history, struct saved saved, bool changed)
 {
     unsigned char *shrunk;
@@ -249,7 +249,7 @@ static c205 *restore(const struct c205_history *history, const struct snapshot *
     return c205_restore(from->bytes, from->size, history->machine->model, error);
 }
 
-/* If the host changed the machine at this step, restores the changed state. */
+/* Restores the changed state if the host changed the machine at this step. */
 static bool take_change(struct c205_history *history)
 {
     const struct snapshot *here = &history->list[find_snapshot(history, history->step)];
@@ -265,7 +265,7 @@ static bool take_change(struct c205_history *history)
 
 /* ---- Forward ------------------------------------------------------------ */
 
-/* Executes one step. A step that was executed before has the same result again. */
+/* Executes one step. A step that is repeated has the same result. */
 static bool forward(struct c205_history *history, c205_stop *stop)
 {
     bool goes_on;
@@ -300,7 +300,7 @@ bool c205_history_forward(c205_history *history, c205_stop *stop)
 
 /* ---- Back ---------------------------------------------------------------- */
 
-/* Runs to a step. The listeners are notified of the last instruction only. */
+/* Runs to a step. The listeners are notified only of the last instruction. */
 static bool go_from(struct c205_history *history, c205 *machine, uint64_t first,
                     uint64_t step)
 {

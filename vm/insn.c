@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* Names that the rows of the table use in their column of flags. */
+/* Names of the flags in the table. */
 enum {
     SIGN = C205_INSN_SIGN,
     PADZ = C205_INSN_PADZ,
@@ -56,7 +56,7 @@ static const uint8_t specials_flops[SPECIALS_RULES] = {
 #include "vm/arith.def"
 };
 
-/* The rule of special values of each operation. */
+/* The rule for special values in each operation. */
 static const uint8_t specials[C205_OPERATIONS] = {
 #define OPERATION(name, specials) SPECIALS_##specials,
 #include "vm/arith.def"
@@ -157,8 +157,8 @@ const c205_insn *c205_insn_coded(uint8_t opcode, uint8_t g)
 
 /* ---- Positions of the fields -------------------------------------------- */
 
-/* Each byte field: its letter, its distance from the right end of the word, and its
- * offset in c205_fields. */
+/* The byte fields: letter, distance in bits from the right end of the word, and offset
+ * in c205_fields. */
 static const struct field_place {
     char letter;
     unsigned shift;
@@ -174,8 +174,8 @@ enum { PLACES = sizeof places / sizeof places[0], OPCODE_SHIFT = 56 };
 
 enum immediate { NO_IMMEDIATE, SIGNED, UNSIGNED, IF_RELATIVE };
 
-/* The byte fields and the immediate of each format. The immediate of a branch with
- * C205_G_RELATIVE overlaps its fields Y and B, and is signed. */
+/* The byte fields and the immediate of each format. A branch with C205_G_RELATIVE has a
+ * signed immediate in the place of Y and B. */
 static const struct format_layout {
     const char *letters;
     enum immediate immediate;

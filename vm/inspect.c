@@ -70,7 +70,7 @@ c205_word c205_register(const c205 *machine, unsigned number)
     return number < C205_REGISTERS ? machine->slot[number] : 0;
 }
 
-/* Register 0 cannot be changed. */
+/* Sets a register other than register 0, which is constant. */
 void c205_set_register(c205 *machine, unsigned number, c205_word word)
 {
     if (number > 0 && number < C205_REGISTERS)

@@ -1,4 +1,4 @@
-/* link.c - the link prefix: two vector instructions as one stream.
+/* link.c - the link prefix, which runs two vector instructions as one stream.
  *
  * The result of the first instruction goes to the second without passing through
  * memory. Memory has two read paths, so at most two of the three other sources may be
@@ -40,7 +40,7 @@ static bool makes_bits(const struct decoded *decoded)
     return decoded->width[OPERAND_C] == 1;
 }
 
-/* Returns the first broken rule, or RULE_NONE. */
+/* Returns the first rule that the pair breaks, or RULE_NONE. */
 static enum rule rule_against(const struct decoded *first, const struct decoded *second)
 {
     bool a = is_linked_a(first, second), b = is_linked_b(first, second);
@@ -66,7 +66,7 @@ static enum rule rule_against(const struct decoded *first, const struct decoded 
 struct pair {
     struct stream first, second;
     const struct operation *operation_first, *operation_second;
-    c205_word handed[CHUNK]; /* results of the first */
+    c205_word handed[CHUNK]; /* results of the first instruction */
 };
 
 static void hand_over(struct source *source, const c205_word *words)

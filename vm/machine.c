@@ -18,8 +18,8 @@ static void clear_registers(struct c205 *machine)
     machine->request = NO_REQUEST;
 }
 
-/* The interrupted instruction was decoded from its saved copy, which may differ from
- * memory, so the decode cache is invalidated. */
+/* Discards the state of an interrupted instruction. It was decoded from its saved copy,
+ * which may differ from memory, so the decode cache is invalidated. */
 void machine_clear_resume(struct c205 *machine)
 {
     if (!machine->resume.interrupted)
@@ -144,8 +144,8 @@ static bool stop_at_limit(struct c205 *machine, c205_stop *stop)
     return stop_between(machine, C205_TRAP_CLOCK_LIMIT, 0, stop);
 }
 
-/* Stops at an instruction that cannot begin. The clock shows the time when everything
- * in flight is done. */
+/* Stops before an instruction that cannot begin. The clock includes the wait for
+ * everything in flight. */
 static bool stop_before(struct c205 *machine, c205_trap trap, const c205_insn *insn,
                         c205_stop *stop)
 {
@@ -156,8 +156,8 @@ static bool stop_before(struct c205 *machine, c205_trap trap, const c205_insn *i
     return false;
 }
 
-/* Stops within a vector instruction: at the limit, or at a trap when an interrupted
- * instruction was to continue. */
+/* Stops within a vector instruction. The cause is the limit, or a trap before an
+ * interrupted instruction could continue. */
 static bool stop_within(struct c205 *machine, c205_trap trap,
                         const struct decoded *decoded, uint64_t limit, c205_stop *stop)
 {
@@ -174,8 +174,7 @@ static bool stop_within(struct c205 *machine, c205_trap trap,
     return false;
 }
 
-/* Returns false if a breakpoint or watchpoint was reached or a listener requested a
- * stop. */
+/* Returns false after a breakpoint, a watchpoint or the request of a listener. */
 static bool go_past_stops(struct c205 *machine, c205_stop *stop)
 {
     uint64_t address = 0;
@@ -220,7 +219,8 @@ static inline void clear_effect(struct effect *effect)
     effect->swapped = effect->saved = 0;
 }
 
-/* Limits a vector instruction to the elements that stream before the limit. */
+/* Limits a vector instruction to the elements that can be processed before the
+ * limit. */
 static void limit_elements(struct c205 *machine, const struct decoded *decoded,
                            uint64_t limit)
 {
@@ -269,7 +269,8 @@ static inline bool continue_run(struct c205 *machine, uint64_t limit, c205_stop 
     return step(machine, limit, stop);
 }
 
-/* The first step continues at the point where the previous run stopped. */
+/* Executes the first step of a run. It continues at the point where the previous run
+ * stopped. */
 static bool first_step(struct c205 *machine, uint64_t limit, c205_stop *stop)
 {
     machine->pausing = false;

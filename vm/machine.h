@@ -10,7 +10,7 @@
 #include "vm/memory.h"
 #include "vm/resume_state.h"
 
-/* The code from begin to end belongs to a region of the accounts. */
+/* A range of code that belongs to a region of the accounts. */
 struct region_range {
     uint64_t begin, end;
     uint32_t region;
@@ -27,10 +27,11 @@ enum scratch {
     SCRATCHES
 };
 
-/* The flag of an expired job interval timer (R). arith.h defines the other flags. */
+/* The flag of an expired job interval timer (reconstructed). arith.h defines the other
+ * flags. */
 #define FLAG_TIMER (UINT64_C(1) << (63 - 36))
 
-/* The rules whose breach is a trap (rules.def). */
+/* The rules of rules.def. A broken rule is a trap. */
 enum rule {
     RULE_NONE,
 #define RULE(name, trap, text) RULE_##name,
@@ -52,15 +53,17 @@ struct c205 {
     struct blocks *blocks;
     const c205_model *model;
     struct effect effect;           /* of the current instruction */
-    const struct decoded *executed; /* the instruction that listeners are notified of */
-    c205_times record;              /* its times */
-    struct resume_state resume;     /* of an interrupted instruction */
-    size_t allowed;                 /* elements of this instruction before the clock
-                                       limit; SIZE_MAX: no limit */
-    uint64_t resumed_at;            /* the clock shown when the run began */
-    uint64_t fault;                 /* operand address of a trap */
-    enum rule rule;                 /* the broken rule, if known */
-    unsigned request;               /* of the EXIT just executed, or NO_REQUEST */
+    const struct decoded *executed; /* the instruction of which listeners are
+                                       notified */
+    c205_times record;              /* times of that instruction */
+    struct resume_state resume;     /* state of an interrupted instruction */
+    size_t allowed;                 /* elements of the current instruction before the
+                                       clock limit; SIZE_MAX: no limit */
+    uint64_t resumed_at;            /* the clock when the run began */
+    uint64_t fault;                 /* the operand address of a trap */
+    enum rule rule;                 /* the rule that was broken, or RULE_NONE */
+    unsigned request;               /* number of the EXIT just executed, or
+                                       NO_REQUEST */
     bool eventful; /* EXIT was executed, or there are listeners, breakpoints or
                       watchpoints */
     bool pausing;  /* a listener requested the end of the run */
@@ -71,14 +74,14 @@ struct c205 {
         c205_listener *call;
         void *context;
     } listener[C205_LISTENERS];
-    size_t range_count; /* code ranges of regions, by address */
+    size_t range_count; /* code ranges of regions, in the order of addresses */
     struct region_range *ranges;
     c205_word *scratch[SCRATCHES]; /* allocated on first use */
     struct memory memory;
 };
 
-/* A descriptor has a length in its high 16 bits and an address in the low 48. Indices
- * and integers are in the low 48 bits too. */
+/* A descriptor has a length in its high 16 bits and an address in the low 48. An index
+ * or an integer is in the low 48 bits, too. */
 enum { LENGTH_SHIFT = 48 };
 #define HIGH(word) ((word) & ~ADDRESS_MASK)
 #define LOW(word) ((word)&ADDRESS_MASK)
@@ -129,7 +132,7 @@ static inline void machine_set_half(struct c205 *machine, uint16_t slot, uint8_t
     machine->slot[slot] = (machine->slot[slot] & other) | half >> shift;
 }
 
-/* Stores a result in C, a register or a half register. */
+/* Stores a result in C, which is a register or a half register. */
 static inline void machine_deliver(struct c205 *machine, const struct decoded *decoded,
                                    c205_word number)
 {
@@ -155,8 +158,8 @@ static inline void machine_deliver_parts(struct c205 *machine,
     }
 }
 
-/* Returns the elements of n to process now: from the interruption, if any, up to
- * element allowed. */
+/* Returns the part of n elements to process now. It begins at the point of the
+ * interruption, if any, and ends at element `allowed`. */
 static inline struct turn machine_turn(const struct c205 *machine, size_t n,
                                        size_t allowed)
 {
@@ -170,7 +173,7 @@ static inline struct turn machine_turn(const struct c205 *machine, size_t n,
     return turn;
 }
 
-/* Ends a turn. Returns CLOCK_LIMIT if elements are left. The caller must then store its
+/* Ends a turn. Returns CLOCK_LIMIT if elements are left; the caller must then store its
  * loop state in machine->resume. */
 static inline c205_trap machine_end_turn(struct c205 *machine, const struct turn *turn)
 {
@@ -227,14 +230,14 @@ static inline c205_trap machine_fault(struct c205 *machine, c205_trap trap,
     return trap;
 }
 
-/* Returns the recorded rule, or the first rule of the trap, as a sentence; NULL: the trap
- * has no rule (vm/stop_text.c). */
+/* Returns the recorded rule, or else the first rule of the trap, as a sentence. NULL:
+ * the trap has no rule (vm/stop_text.c). */
 const char *machine_broken_rule(const struct c205 *machine, c205_trap trap);
 
 /* Discards an interrupted instruction. */
 void machine_clear_resume(struct c205 *machine);
 
-/* The functions named in insn.def. */
+/* The functions that execute the instructions of insn.def. */
 #define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, flags, \
              function, operation, provenance, effect) \
     semantics execute_##function;

@@ -32,7 +32,8 @@ void memory_init(struct memory *memory)
     memory->code_changes = 1;
 }
 
-/* Shared pages are not accessed, because they may have been freed already. */
+/* Clears the memory without reading shared pages, because they may have been freed
+ * already. */
 void memory_clear(struct memory *memory)
 {
     forget_near(memory);
@@ -92,8 +93,8 @@ static struct page *new_page(struct memory *memory)
 
 const uint64_t memory_untouched = 0;
 
-/* The memory is const here because allocating a page of zeros changes no value that can
- * be read. */
+/* Allocates the page on first use. The memory is const because this changes no value
+ * that can be read. */
 struct page *memory_touch(const struct memory *memory, uint64_t address)
 {
     struct memory *owner = (struct memory *)memory;
@@ -159,7 +160,8 @@ bool memory_map_shared(struct memory *memory, uint64_t address, struct page *pag
     return true;
 }
 
-/* The memory is const here because copying a page changes no value that can be read. */
+/* Copies a shared page. The memory is const because this changes no value that can be
+ * read. */
 struct page *memory_own(const struct memory *memory, uint64_t address)
 {
     struct memory *owner = (struct memory *)memory;
@@ -340,8 +342,8 @@ c205_trap memory_store_half(struct memory *memory, uint64_t address, c205_word h
     return memory_store(memory, place, word);
 }
 
-/* Returns how many of count half words from address on are in a span of words that
- * begins with the word of the address. */
+/* Returns how many of count half words from an address on are in a span of words. The
+ * span begins with the word at the address. */
 static size_t halves_in(size_t words, uint64_t address, size_t count)
 {
     size_t halves = words * WORD_HALVES - shift_at(address) / HALF_BITS;
@@ -411,7 +413,8 @@ void memory_read_bits(const struct memory *memory, uint64_t address, uint64_t *b
     }
 }
 
-/* Returns 64 bits from any position of a string of count bits, followed by zeros. */
+/* Returns 64 bits from any position of a string of count bits. Bits after its end are
+ * zero. */
 static uint64_t bits_from(const uint64_t *bits, size_t place, size_t count)
 {
     size_t word = place / WORD_BITS, skip = place % WORD_BITS;

@@ -13,7 +13,7 @@
 enum {
     WORD_BITS = 64,
     HALF_BITS = 32,
-    PAGE_SHIFT = 22,      /* bits of an address within a page */
+    PAGE_SHIFT = 22,      /* log2 of the bits of a page */
     DIRECTORY_SHIFT = 35, /* bits of an address within the pages of a directory */
     DIRECTORY_PAGES = 1 << (DIRECTORY_SHIFT - PAGE_SHIFT),
     DIRECTORIES = 1 << (48 - DIRECTORY_SHIFT)
@@ -27,17 +27,17 @@ enum {
 struct page {
     struct page *next; /* in the list of own or spare pages */
     c205_word word[C205_PAGE_WORDS];
-    /* The words that hold decoded code: bit i % 64, counted from the right, of code[i /
-     * 64]. */
+    /* The marks of words that hold decoded code. The mark of word i is bit i % 64 of
+     * code[i / 64], counted from the right. */
     uint64_t code[C205_PAGE_WORDS / 64];
-    bool holds_code; /* some bit of code was set */
+    bool holds_code; /* some mark has been set */
     bool writable;
-    bool shared; /* by machines that have not written it; belongs to none of them */
+    bool shared; /* shared by several machines; no machine owns it */
 };
 
-/* A cache entry of a page: its number, the address of its words, and whether they may
- * be stored and hold no code. The cache is cleared whenever a page is mapped, unmapped
- * or changes in these properties. */
+/* A cached page: its number, the address of its words, and whether stores need no
+ * further checks, because the page is writable and holds no code. The cache is cleared
+ * if a page is mapped, unmapped or changes in these properties. */
 struct near_page {
     uint64_t number;
     c205_word *word;
@@ -47,17 +47,19 @@ enum { NEAR_PAGES = 16 };
 
 struct memory {
     struct page **directory[DIRECTORIES];
-    struct near_page near_page[NEAR_PAGES]; /* by the last bits of the page number */
-    struct page *own;                       /* mapped pages except the shared ones */
+    struct near_page near_page[NEAR_PAGES]; /* indexed by the low bits of the page
+                                               number */
+    struct page *own;                       /* list of mapped pages except shared
+                                               pages */
     struct page *spare;                     /* free pages for reuse */
-    uint64_t code_changes; /* 1 + the number of changes of words that held decoded code;
-                              the decode cache compares it */
-    bool rewritten;        /* such a word changed since everything was unmapped */
+    uint64_t code_changes; /* 1 + number of changes of words that held decoded code; the
+                              decode cache compares it */
+    bool rewritten;        /* such a word changed since the memory was cleared */
 };
 
-/* Initialises the memory of a machine, which must be zeroed. */
+/* Initialises the memory of a machine. The struct must be zeroed. */
 void memory_init(struct memory *memory);
-/* Unmaps everything; counts as a change of code. */
+/* Unmaps everything. Decoded code becomes invalid. */
 void memory_clear(struct memory *memory);
 /* Unmaps everything and frees the spare pages. */
 void memory_free(struct memory *memory);
@@ -65,7 +67,7 @@ void memory_free(struct memory *memory);
 bool memory_map(struct memory *memory, uint64_t address, size_t words,
                 c205_access access, c205_error *error);
 
-/* Maps count shared pages at consecutive addresses, where nothing may be mapped. Each
+/* Maps count shared pages at consecutive addresses. No page may be mapped there. Each
  * page is copied before it is written, and the copy may be read and written. */
 bool memory_map_shared(struct memory *memory, uint64_t address, struct page *pages,
                        size_t count, c205_error *error);
@@ -79,25 +81,26 @@ c205_trap memory_check(const struct memory *memory, uint64_t address, uint64_t b
                        bool write, uint64_t *fault);
 
 /* Returns a pointer to the word at a word-aligned address. Reduces *count to the number
- * of contiguous words from there. NULL: the first word is not mapped. Writing marks
- * code as changed. */
+ * of contiguous words from there. Writing marks code as changed. NULL: the first word
+ * is not mapped. */
 const c205_word *memory_read_span(const struct memory *memory, uint64_t address,
                                   size_t *count);
 c205_word *memory_write_span(struct memory *memory, uint64_t address, size_t *count);
 
-/* These copy ranges across pages; memory_check must have succeeded. */
+/* These functions copy ranges across pages. memory_check must have succeeded for the
+ * range. */
 void memory_read_words(const struct memory *memory, uint64_t address, c205_word *words,
                        size_t count);
 void memory_write_words(struct memory *memory, uint64_t address, const c205_word *words,
                         size_t count);
-/* Half words, each in the left half of a word. */
+/* Copy half words. Each is in the left half of a word. */
 void memory_read_halves(const struct memory *memory, uint64_t address,
                         c205_word *halves, size_t count);
 void memory_write_halves(struct memory *memory, uint64_t address,
                          const c205_word *halves, size_t count);
-/* Bit strings from any bit address. Bit i is bit i % 64, counted from the left, of
- * bits[i / 64]. Unused bits of the last word are zero on reading and ignored on
- * writing. */
+/* Copy bit strings from or to any bit address. Bit i is bit i % 64 of bits[i / 64],
+ * counted from the left. Unused bits of the last word are zero after reading and
+ * ignored when writing. */
 void memory_read_bits(const struct memory *memory, uint64_t address, uint64_t *bits,
                       size_t count);
 void memory_write_bits(struct memory *memory, uint64_t address, const uint64_t *bits,
@@ -105,7 +108,7 @@ void memory_write_bits(struct memory *memory, uint64_t address, const uint64_t *
 
 /* Records that the word at an address holds decoded code. */
 void memory_mark_code(struct memory *memory, uint64_t address);
-/* Must be called before words of a page that may hold decoded code are written. */
+/* Must be called before a change of words of a page that holds decoded code. */
 void memory_change_code(struct memory *memory, struct page *page, size_t first,
                         size_t count);
 
@@ -126,8 +129,8 @@ static inline const struct near_page *memory_near(struct memory *memory,
 
 #define MEMORY_NO_PAGE "out of memory for a page of the machine"
 
-/* The address of this constant marks a mapped, writable page of zeros that is not
- * allocated before its first use. */
+/* The address of this constant marks a mapped, writable page of zeros that is allocated
+ * on first use. */
 extern const uint64_t memory_untouched;
 
 static inline bool memory_is_untouched(const struct page *page)
@@ -157,7 +160,8 @@ static inline struct page *memory_page(const struct memory *memory, uint64_t add
     return memory_is_untouched(page) ? memory_touch(memory, address) : page;
 }
 
-/* Returns the page for writing by this machine; NULL as above. */
+/* Returns the page and makes it writable for this machine. NULL: not mapped, or out of
+ * memory. */
 static inline struct page *memory_own_page(const struct memory *memory,
                                            uint64_t address)
 {
@@ -170,7 +174,7 @@ static inline size_t memory_word_index(uint64_t address)
     return address / WORD_BITS % C205_PAGE_WORDS;
 }
 
-/* Loads or stores one word, with checks. */
+/* Load or store one word, with checks. */
 static inline c205_trap memory_load(const struct memory *memory, uint64_t address,
                                     c205_word *word)
 {
@@ -200,7 +204,7 @@ static inline c205_trap memory_store(struct memory *memory, uint64_t address,
     return C205_TRAP_NONE;
 }
 
-/* Loads or stores one half word, in the left half of a word, with checks. */
+/* Load or store one half word, in the left half of a word, with checks. */
 c205_trap memory_load_half(const struct memory *memory, uint64_t address,
                            c205_word *half);
 c205_trap memory_store_half(struct memory *memory, uint64_t address, c205_word half);

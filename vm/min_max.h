@@ -1,4 +1,4 @@
-/* min_max.h - the smaller and the larger of two numbers, by type. */
+/* min_max.h - the smaller and the larger of two numbers, for several types. */
 #ifndef C205_MIN_MAX_H
 #define C205_MIN_MAX_H
 

@@ -34,7 +34,8 @@ c205_trap execute_vector_reverse(struct c205 *machine, const struct decoded *dec
 /* ---- Mask, merge -------------------------------------------------------- */
 
 /* The control vector selects the source of each element, and all elements are stored.
- * Mask takes the element at the same index, merge the next element of that source. */
+ * Mask takes the element at the same index of that source. Merge takes its next
+ * element. */
 struct choice {
     struct stream stream;
     size_t next_a, next_b;
@@ -137,8 +138,8 @@ c205_trap execute_vector_mask(struct c205 *machine, const struct decoded *decode
     return trap == C205_TRAP_NONE ? store_chosen(&choice, mask_words) : trap;
 }
 
-/* The sources advance more slowly than the result, so overlapping operands are
- * processed one element at a time. */
+/* Executes a merge. Its sources advance more slowly than its result, so overlapping
+ * operands are processed one element at a time. */
 c205_trap execute_vector_merge(struct c205 *machine, const struct decoded *decoded)
 {
     struct choice choice;
@@ -154,13 +155,14 @@ c205_trap execute_vector_merge(struct c205 *machine, const struct decoded *decod
 
 /* ---- Compress ----------------------------------------------------------- */
 
-/* A sieve keeps elements by the control vector, or by a comparison with B whose result
- * is stored as well. */
+/* The state of a compress instruction. The control vector, or a comparison with B,
+ * selects the elements that are kept. The result of the comparison is stored as
+ * well. */
 struct sieve {
     struct stream stream;
-    lanes_compare *comparison; /* NULL: the control vector */
+    lanes_compare *comparison; /* NULL: the control vector selects */
     struct vector order;       /* destination of the comparison bits */
-    size_t kept;               /* number so far */
+    size_t kept;               /* elements kept so far */
 };
 
 static const c205_word *sieve_words(struct sieve *sieve, size_t first, size_t n,
@@ -175,8 +177,7 @@ static const c205_word *sieve_words(struct sieve *sieve, size_t first, size_t n,
     return a;
 }
 
-/* Returns the number of elements kept before this turn plus those that this turn and
- * later ones keep. */
+/* Returns the number of elements that all turns of the instruction keep. */
 static size_t count_kept(struct sieve *sieve)
 {
     const struct turn *turn = &sieve->stream.turn;
@@ -220,8 +221,8 @@ static bool all_ahead(const struct sieve *sieve)
 }
 
 /* Claims the result, which has as many elements as are kept. They are counted only if
- * there is no room for all n. If the result overlaps operands that are still to be
- * read, they cannot be counted in advance, and there must be room for all n. */
+ * there is no room for all n. They cannot be counted in advance if the result overlaps
+ * unread operands, so there must be room for all n in this case. */
 static c205_trap claim_kept(struct sieve *sieve)
 {
     struct stream *stream = &sieve->stream;

@@ -25,7 +25,7 @@ static struct vector describe(c205_word descriptor, unsigned width)
     return vector;
 }
 
-/* An offset advances the address and shortens the length (source R). */
+/* Adds an offset: it advances the address and shortens the length (reconstructed). */
 static c205_trap advance(struct vector *vector, c205_word offset)
 {
     int64_t elements = c205_to_integer(offset);
@@ -50,7 +50,7 @@ c205_trap describe_string(struct vector *string, const struct c205 *machine,
     return offset ? advance(string, machine->slot[offset]) : C205_TRAP_NONE;
 }
 
-/* Returns the value with which a source that is too short continues. */
+/* Returns the value that pads a short source. */
 static c205_word padding_of(const c205_insn *insn, unsigned width)
 {
     if (insn->flags & C205_INSN_PADO)
@@ -59,7 +59,7 @@ static c205_word padding_of(const c205_insn *insn, unsigned width)
 }
 
 /* Applies the sign control: first the magnitude, then the complement. The signs change
- * on the way to the pipe and not by an operation, so no data flags are set. */
+ * on the path to the pipe and not by an operation, so no data flags are set. */
 static void control_sign(const struct source *source, c205_word *words, size_t n)
 {
     bool half = source->vector.width == HALF_BITS;
@@ -174,9 +174,10 @@ bool operands_overlap(const struct vector *one, const struct vector *other)
            && other->address < vector_at(one, one->length);
 }
 
-/* If the result begins k elements above the source, the first k elements are still
- * unchanged at the first store. If it begins at the source or below, it overwrites only
- * elements that have been read. */
+/* Returns the number of elements that may be read before the first store. If the result
+ * begins k elements above the source, the first store changes none of the first k
+ * elements. If it begins at the source or below, it overwrites only elements that have
+ * been read. */
 size_t operand_lead(const struct vector *read, const struct vector *written,
                     size_t most)
 {
@@ -198,9 +199,8 @@ bool operand_recurs(const struct vector *read, size_t i, const struct vector *wr
            && vector_at(written, 0) < vector_at(read, i + 1);
 }
 
-/* The elements of the result come from the same index of the source or from a higher
- * one. A result at or below its source therefore overwrites only elements that have
- * been read. */
+/* Elements move to the same index or a lower index. A result that begins at its source
+ * or below therefore overwrites only elements that have been read. */
 bool operand_is_ahead(const struct vector *read, const struct vector *written)
 {
     return !operands_overlap(read, written)
@@ -345,7 +345,8 @@ void result_store_bits(struct c205 *machine, const struct vector *result,
 
 /* ---- Elements and their bits -------------------------------------------- */
 
-/* Words of all ones and of all zeros are frequent. */
+/* Compresses words. All ones and all zeros in the mask are frequent and have their own
+ * code. */
 size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits, size_t n)
 {
     size_t count = 0;
@@ -364,8 +365,8 @@ size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits, si
     return count;
 }
 
-/* Counts by pairs, fours and bytes. The product leaves the sum of the bytes in the
- * first byte. */
+/* Counts the ones in pairs, in groups of four and in bytes. The product has the sum of
+ * the bytes in its first byte. */
 static size_t ones_in(uint64_t word)
 {
     uint64_t pairs = UINT64_MAX / 3, fours = UINT64_MAX / 5;

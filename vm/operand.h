@@ -30,21 +30,21 @@ struct vector {
 struct source {
     const struct memory *memory;
     struct vector vector;
-    const c205_word *handed; /* the chunk from a linked instruction; NULL: read
-                                memory */
+    const c205_word *handed; /* the chunk from the first of a linked pair; NULL: memory
+                                is read */
     c205_word padding;
-    uint8_t sign; /* bits C205_G_NEGATE_A, C205_G_MAGNITUDE_A */
+    uint8_t sign; /* C205_G_NEGATE_A, C205_G_MAGNITUDE_A */
     bool broadcast;
-    size_t padded; /* words of space that are padding */
+    size_t padded; /* number of words of space that contain padding */
     c205_word space[CHUNK];
 };
 
-/* The control vector: the permitted elements. */
+/* The control vector, which selects the permitted elements. */
 struct control {
     const struct memory *memory;
-    struct vector vector; /* its length is not used */
+    struct vector vector; /* the length is not used */
     bool present;
-    uint64_t blocked; /* all ones if a one bit blocks its element, else 0 */
+    uint64_t blocked; /* all ones if a one bit blocks its element, 0 otherwise */
 };
 
 /* ---- Describe ----------------------------------------------------------- */
@@ -53,23 +53,22 @@ c205_trap describe_a(struct source *source, const struct c205 *machine,
                      const struct decoded *decoded);
 c205_trap describe_b(struct source *source, const struct c205 *machine,
                      const struct decoded *decoded);
-/* Describes C, and Z with the offset of C if it has one. */
+/* Describes C and Z. An offset of C applies to both. */
 c205_trap describe_result(struct vector *result, struct control *control,
                           const struct c205 *machine, const struct decoded *decoded);
-/* Returns a vector of bits in a register, without offset. */
+/* Returns the bit vector of a descriptor, without offset. */
 struct vector describe_bits(c205_word descriptor);
-/* Describes a vector of bits in a register, with an offset if the slot of the offset is
- * not 0. */
+/* Describes a bit vector. It has an offset if the slot of the offset is not 0. */
 c205_trap describe_string(struct vector *string, const struct c205 *machine,
                           uint16_t slot, uint16_t offset);
-/* Describes Z if C is not a vector. */
+/* Describes Z of an instruction whose C is not a vector. */
 void describe_control(struct control *control, const struct c205 *machine,
                       const struct decoded *decoded);
 
 /* ---- Claim -------------------------------------------------------------- */
 
 /* Claims the first count elements for reading or writing, or the whole vector if it is
- * shorter. */
+ * shorter. Traps if they are not accessible. */
 c205_trap claim_vector(struct c205 *machine, struct vector *vector, size_t count,
                        bool write);
 c205_trap claim_source(struct c205 *machine, struct source *source, size_t count);
@@ -80,31 +79,32 @@ c205_trap claim_control(struct c205 *machine, struct control *control, size_t co
 size_t operand_lead(const struct vector *read, const struct vector *written,
                     size_t most);
 bool operands_overlap(const struct vector *one, const struct vector *other);
-/* Returns true if element i of read overlaps the first elements of written, stored of
- * them. */
+/* Returns true if element i of read overlaps one of the first `stored` elements of
+ * written. */
 bool operand_recurs(const struct vector *read, size_t i, const struct vector *written,
                     size_t stored);
-/* Returns true if a whole chunk may be read before it is stored, provided that no
- * element moves to a higher index. */
+/* Returns true if a whole chunk may be read before it is stored. No element may move to
+ * a higher index. */
 bool operand_is_ahead(const struct vector *read, const struct vector *written);
 
 /* ---- Read and store ----------------------------------------------------- */
 
-/* Returns n <= CHUNK elements from first on. They are valid until the next read. */
+/* Returns n elements from position first, n <= CHUNK. They are valid until the next
+ * read. */
 const c205_word *source_read(struct source *source, size_t first, size_t n);
 /* Sets bit i of permitted to 1 if element first + i is permitted. */
 void control_read(const struct control *control, size_t first, size_t n,
                   uint64_t *permitted);
-/* These copy n elements from first on. Half words are in the left half of a word. */
+/* Copy n elements from position first. Half words are in the left half of a word. */
 void vector_read(const struct memory *memory, const struct vector *vector, size_t first,
                  c205_word *words, size_t n);
 void vector_write(struct memory *memory, const struct vector *vector, size_t first,
                   const c205_word *words, size_t n);
-/* Returns the address of n elements from first on, for writing. NULL: they are not
- * words, or not contiguous. */
+/* Returns the address of n elements from position first, for writing. Returns NULL if
+ * they are not words or not contiguous. */
 c205_word *vector_span(struct memory *memory, const struct vector *vector, size_t first,
                        size_t n);
-/* These store n elements, or only the permitted ones under a control vector. */
+/* Store n elements, or only the elements that a control vector permits. */
 void result_store(struct c205 *machine, const struct vector *result,
                   const struct control *control, size_t first, const c205_word *words,
                   size_t n);
@@ -112,8 +112,8 @@ void result_store_bits(struct c205 *machine, const struct vector *result,
                        const struct control *control, size_t first,
                        const uint64_t *bits, size_t n);
 
-/* compress_words packs the elements whose bit is 1 into c, which has room for n, and
- * returns their number. */
+/* Packs the elements whose bit is 1 into c, which has room for n. Returns their
+ * number. */
 size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits, size_t n);
 size_t count_ones(const uint64_t *bits, size_t n);
 /* Returns the index of the first one bit, or n. */

@@ -8,9 +8,9 @@ static bool starts_with(const char *text, size_t length, const char *mark)
     return length >= strlen(mark) && !memcmp(text, mark, strlen(mark));
 }
 
-/* Detects UTF-16. Most characters are ASCII or Latin-1, so one byte of their pair is
- * NUL. It suffices that a quarter of the pairs has a NUL in one place and that hardly
- * any has one in the other. */
+/* Detects UTF-16. Most characters are ASCII or Latin-1, so one byte of each pair is
+ * NUL. The test requires a NUL in the same byte in at least a quarter of the pairs, and
+ * almost none in the other byte. */
 static bool has_pairs_with_nul(const char *text, size_t length)
 {
     enum { EXAMINED = 4096 };

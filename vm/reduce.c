@@ -1,5 +1,5 @@
-/* reduce.c - vector instructions that reduce a vector to one number, in one register or
- * two.
+/* reduce.c - vector instructions that reduce a vector to one number. It takes one or
+ * two registers.
  */
 #include "vm/vector.h"
 
@@ -12,13 +12,13 @@ static c205_trap open_sources(struct stream *stream, struct c205 *machine,
 
 /* ---- Sum, product, dot -------------------------------------------------- */
 
-/* The result so far in two parts, neither normalised. A product uses the upper part
- * only. */
+/* The intermediate result in two parts, which are not normalised. A product uses the
+ * upper part only. */
 struct parts {
     c205_word upper, lower;
 };
 
-/* The arithmetic functions of one size. */
+/* The arithmetic functions for words or for half words. */
 struct arithmetic {
     c205_word one;
     arith_binary *add_upper, *add_lower;
@@ -42,8 +42,8 @@ typedef void folding(const struct arithmetic *arithmetic, struct parts *parts,
 struct reduction {
     const struct arithmetic *arithmetic;
     folding *fold;
-    struct parts start; /* the result for no elements */
-    bool of_pairs;      /* B is read */
+    struct parts start; /* the result if there are no elements */
+    bool of_pairs;      /* the reduction reads B, too */
 };
 
 static void fold_sum(const struct arithmetic *arithmetic, struct parts *parts,
@@ -59,8 +59,8 @@ static void fold_sum(const struct arithmetic *arithmetic, struct parts *parts,
     *parts = sum;
 }
 
-/* For each product, its upper part is added to the sum. Its lower part is then added to
- * the lower part of the sum. */
+/* Adds the upper part of each product to the sum, then its lower part to the lower part
+ * of the sum. */
 static void fold_dot(const struct arithmetic *arithmetic, struct parts *parts,
                      const c205_word *a, const c205_word *b, size_t n, uint64_t *flags)
 {
@@ -81,7 +81,7 @@ static void fold_product(const struct arithmetic *arithmetic, struct parts *part
     arithmetic->product(&parts->upper, a, n, flags);
 }
 
-/* The elements that the control vector permits, in order. */
+/* The elements that the control vector permits, in their order. */
 struct some {
     c205_word a[CHUNK], b[CHUNK];
 };
@@ -103,8 +103,8 @@ static size_t take_permitted(const struct stream *stream, size_t first, size_t n
     return n;
 }
 
-/* Runs from the start value, or from the saved parts of an interrupted instruction.
- * Saves the parts if the turn ends early. */
+/* Runs from the start value or from the saved parts of an interrupted instruction.
+ * Saves the parts if the turn ends before the last element. */
 static c205_trap run_reduction(struct stream *stream, const struct reduction *reduction,
                                struct parts *parts)
 {
@@ -175,13 +175,13 @@ c205_trap execute_vector_product(struct c205 *machine, const struct decoded *dec
 
 /* ---- Maximum, minimum --------------------------------------------------- */
 
-/* The best element so far; the first of equal ones. An indefinite element cannot be
- * compared, so the first indefinite one is the result. */
+/* The extreme element so far. Of equal elements the first counts. The first indefinite
+ * element is the result, because it cannot be compared. */
 struct best {
     c205_word word;
     size_t index;
     bool found, indefinite;
-    bool greatest; /* find the maximum; else the minimum */
+    bool greatest; /* true: maximum; false: minimum */
     arith_relation *less;
 };
 

@@ -18,7 +18,8 @@ static void keep_instruction(struct resume_state *resume, const struct decoded *
         resume->half[resume->halves++] = (uint32_t)word;
 }
 
-/* If the instruction was interrupted before, decoded is the saved instruction. */
+/* Saves the instruction. decoded is already the saved instruction if it was interrupted
+ * before. */
 void resume_interrupt(struct resume_state *resume, const struct decoded *decoded)
 {
     resume->interrupted = true;
@@ -61,8 +62,8 @@ static void walk_flag(bool *flag, struct serializer *serializer)
     *flag = size == 1;
 }
 
-/* Any numbers are accepted within these bounds, because the loops stay within the
- * claimed ranges. */
+/* Accepts any numbers within these bounds. The loops remain within the claimed
+ * ranges. */
 void resume_walk(struct resume_state *resume, struct serializer *serializer)
 {
     walk_flag(&resume->interrupted, serializer);

@@ -6,10 +6,9 @@
 
 #include <stdio.h>
 
-/* The format of a saved machine, in words: magic, version, the model's name and the
- * hash of its constants, the hash of the program, registers, regions, memory, clock,
- * the progress of an interrupted instruction, and the hash of all these. It does not
- * depend on the host. */
+/* The format of a saved machine, in words: magic, version, name and hash of the model,
+ * hash of the program, registers, regions, memory, clock, progress of an interrupted
+ * instruction, and hash of all previous words. It does not depend on the host. */
 
 #define SAVE_MAGIC UINT64_C(0x4332303553415645) /* "C205SAVE" */
 /* Must be increased with each change of the saved fields or their order. */
@@ -17,7 +16,8 @@ enum { SAVE_VERSION = 5 };
 
 /* ---- Hashes -------------------------------------------------------------- */
 
-/* Titles, sources and remarks do not affect the clock and are not hashed. */
+/* Hashes the constants of a model. Titles, sources and remarks do not affect the
+ * clock. */
 static uint64_t model_hash(const c205_model *model)
 {
     uint64_t hash = HASH_BEGIN;
@@ -58,13 +58,13 @@ uint64_t c205_program_hash(const c205_program *program)
 
 /* ---- Memory -------------------------------------------------------------- */
 
-/* A run of zero words, followed by other words. */
+/* A run of zero words and the run of other words after it. */
 struct zero_run {
     size_t zeros, words;
 };
 
-/* Finds a run from a word of a page on. It extends up to the next two zeros, because
- * storing a single zero costs no more than starting another run. */
+/* Finds the run at a word of a page. It ends before the next two zeros, because a
+ * single zero takes no more space than the start of a new run. */
 static struct zero_run find_run(const c205_word *word, size_t left)
 {
     size_t begin = 0;
@@ -77,7 +77,7 @@ static struct zero_run find_run(const c205_word *word, size_t left)
     return run;
 }
 
-/* When reading, the page is new and all zeros. */
+/* Serializes the words of a page. A page that is read is new and contains zeros. */
 static void walk_words(c205_word *words, struct serializer *serializer)
 {
     for (size_t i = 0; i < C205_PAGE_WORDS;) {
@@ -95,7 +95,7 @@ static void walk_words(c205_word *words, struct serializer *serializer)
     }
 }
 
-/* A page that was never used is saved like a page of zeros and is not allocated. */
+/* Saves a page that was never used as a page of zeros, without allocating it. */
 static void save_untouched(struct serializer *serializer)
 {
     size_t access = C205_READ_WRITE, zeros = C205_PAGE_WORDS, words = 0;
@@ -122,8 +122,8 @@ static void walk_page(struct memory *memory, uint64_t address,
         walk_words(memory_page(memory, address)->word, serializer);
 }
 
-/* Pages are saved by increasing address. The end of the address space terminates the
- * list. */
+/* Serializes the pages by increasing address. The end of the address space terminates
+ * the list. */
 static void walk_memory(struct memory *memory, struct serializer *serializer)
 {
     uint64_t address = 0;
@@ -208,7 +208,7 @@ static void walk(struct c205 *machine, struct serializer *serializer)
     serializer_end(serializer);
 }
 
-/* The machine is const because writing changes nothing. */
+/* Saves a machine. The machine is const because writing changes nothing. */
 bool c205_save(const c205 *machine, c205_writer *write, void *context,
                c205_error *error)
 {

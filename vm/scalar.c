@@ -1,12 +1,12 @@
 /* scalar.c - arithmetic on registers, loads, stores and the register swap. Register 0
- * needs no special case: see SLOT_MACHINE_ZERO and SLOT_SINK.
+ * needs no special case (see SLOT_MACHINE_ZERO and SLOT_SINK).
  */
 #include "vm/machine.h"
 #include "vm/number/fast_path.h"
 
 #include <string.h>
 
-/* T := value; a, b are the words of R and S. */
+/* Defines an instruction T := value; a and b are the words of R and S. */
 #define TO_T(name, value) \
     c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
     { \
@@ -16,7 +16,7 @@
         return C205_TRAP_NONE; \
     }
 
-/* R := value; a is the word of R and i the immediate. */
+/* Defines an instruction R := value; a is the word of R and i the immediate. */
 #define TO_R(name, value) \
     c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
     { \
@@ -81,7 +81,7 @@ c205_trap execute_set_timer(struct c205 *machine, const struct decoded *decoded)
 
 /* ---- Arithmetic -------------------------------------------------------- */
 
-/* T := value; a, b are the half words of R and S. */
+/* Defines an instruction T := value; a and b are the half words of R and S. */
 #define TO_HALF(name, value) \
     c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
     { \
@@ -103,7 +103,8 @@ c205_trap execute_set_timer(struct c205 *machine, const struct decoded *decoded)
 #define UNARY_COMMON(name) \
     TO_T(name, fast_##name(a, &machine->data_flags)) \
     TO_HALF(half_##name, half_##name(a, &machine->data_flags))
-/* These have no register instruction, or one that is written out below. */
+/* Rows that have no register instruction, or whose register instruction is defined
+ * below. */
 #define BINARY_VECTORS(name)
 #define UNARY_VECTORS(name)
 
@@ -134,7 +135,7 @@ c205_trap execute_contract_rounded(struct c205 *machine, const struct decoded *d
     return cut_to_half(machine, decoded, arith_contract_rounded);
 }
 
-/* The coefficient of a half word in the left half of a word. */
+/* Mask of the coefficient of a half word in the left half of a word. */
 #define HALF_COEFFICIENT UINT64_C(0x00FFFFFF00000000)
 
 c205_trap execute_enter_half(struct c205 *machine, const struct decoded *decoded)
@@ -165,10 +166,10 @@ TO_T(or, a | b)
 
 /* ---- Fields of bits ---------------------------------------------------- */
 
-/* A field of a word. Its descriptor has the length where a vector descriptor has it,
- * and the index of the first bit in place of the address. */
+/* A field of a word. Its descriptor contains the length in the high 16 bits and the
+ * index of the first bit in the low 48 bits. */
 struct field {
-    uint64_t ones;  /* that many ones, right-justified */
+    uint64_t ones;  /* as many right-justified ones as the field has bits */
     unsigned right; /* bits of the word after the field */
 };
 
@@ -208,7 +209,7 @@ c205_trap execute_extract_bits(struct c205 *machine, const struct decoded *decod
 
 /* ---- Memory ------------------------------------------------------------ */
 
-/* Returns the address of a word, R + 64 S. */
+/* Returns the bit address R + 64 S of a word. */
 static uint64_t operand_address(const struct c205 *machine,
                                 const struct decoded *decoded)
 {
@@ -225,7 +226,7 @@ c205_trap execute_load_word(struct c205 *machine, const struct decoded *decoded)
     return C205_TRAP_NONE;
 }
 
-/* A store that changes decoded code ends the block. */
+/* Ends the block if a store has changed decoded code. */
 static void count_changes(struct c205 *machine, uint64_t before)
 {
     machine->effect.ends = machine->memory.code_changes != before;
@@ -243,7 +244,7 @@ c205_trap execute_store_word(struct c205 *machine, const struct decoded *decoded
     return C205_TRAP_NONE;
 }
 
-/* Returns R + 32 S. */
+/* Returns the bit address R + 32 S. */
 static uint64_t half_address(const struct c205 *machine, const struct decoded *decoded)
 {
     return LOW(machine->slot[decoded->a] + machine->slot[decoded->b] * HALF_BITS);
@@ -276,7 +277,7 @@ c205_trap execute_store_half(struct c205 *machine, const struct decoded *decoded
 
 /* ---- Swap -------------------------------------------------------------- */
 
-/* Checks that registers from first on can be saved to the vector of a descriptor or
+/* Checks that the registers from first on can be saved to the vector of a descriptor or
  * loaded from it. */
 static c205_trap check_swap(struct c205 *machine, c205_word descriptor, unsigned first,
                             bool save)
@@ -291,8 +292,8 @@ static c205_trap check_swap(struct c205 *machine, c205_word descriptor, unsigned
                         &machine->fault);
 }
 
-/* Saves to vector T first, then loads from vector R. Where the vectors overlap, the
- * saved values are loaded. */
+/* Saves registers to vector T, then loads registers from vector R. If the vectors
+ * overlap, the saved values are loaded. */
 c205_trap execute_swap_registers(struct c205 *machine, const struct decoded *decoded)
 {
     unsigned first = decoded->fields.s;

@@ -3,14 +3,14 @@
  */
 #include "vm/vector.h"
 
-/* Returns the number of words of B to compare at once. */
+/* Returns the number of words of B in the next comparison. */
 static size_t scan_next(const struct stream *stream, size_t first)
 {
     return min_size(stream->b.vector.length - first, CHUNK);
 }
 
 /* Returns the index of the first element of B for which the comparison holds, or the
- * length. */
+ * length of B. */
 static size_t search_for(struct stream *stream, c205_word word,
                          lanes_compare *comparison)
 {
@@ -26,19 +26,20 @@ static size_t search_for(struct stream *stream, c205_word word,
     return place;
 }
 
-/* Returns the number of comparisons; the machine stops at the element found. */
+/* Returns the number of comparisons of the machine, which stops at the element
+ * found. */
 static size_t compared(const struct stream *stream, size_t place)
 {
     return place < stream->b.vector.length ? place + 1 : place;
 }
 
-/* Finds the indices for n words, or for as many as the time permits. Returns their
+/* Finds the indices for n words, or for fewer words if the time ends. Returns their
  * number. */
 static size_t search_some(struct stream *stream, const c205_word *a, size_t n,
                           lanes_compare *comparison, c205_word *places)
 {
     struct c205 *machine = stream->machine;
-    size_t *made = &machine->effect.elements; /* comparisons */
+    size_t *made = &machine->effect.elements; /* number of comparisons */
     for (size_t i = 0; i < n; i++) {
         places[i] = search_for(stream, a[i], comparison);
         size_t more = compared(stream, (size_t)places[i]);

@@ -107,8 +107,7 @@ size_t serializer_room(const struct serializer *serializer)
 
 void serializer_count(struct serializer *serializer, size_t *count)
 {
-    size_t room = serializer_room(serializer); /* includes the word of the count
-                                                  itself */
+    size_t room = serializer_room(serializer); /* includes the word of the count */
     serializer_size(serializer, count, room > 0 ? room - 1 : 0);
 }
 

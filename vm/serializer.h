@@ -1,13 +1,14 @@
 /* serializer.h - writes or reads a machine as words, eight bytes each, the most
  * significant first.
  *
- * The owner of a state walks over it once, field by field. The walk writes the fields
- * or fills them, so the two directions cannot disagree. Writing changes no field.
+ * The owner of a state has one function, a walk, that passes each field to the
+ * serializer. The serializer writes the fields or fills them, so the two directions
+ * cannot disagree. Writing changes no field.
  *
- * Reading trusts no input: a walk states the valid values of each field. The first
- * violation is stored as the error. After it every word reads as zero, and every count
- * and text as empty, so that a walk may continue to its end. After an error nothing
- * more is written.
+ * Input is not trusted: a walk states the valid values of each field. The first
+ * violation is stored as the error. After an error, each word reads as zero and each
+ * count and text as empty, so a walk may continue to its end. Nothing is written after
+ * an error.
  */
 #ifndef C205_SERIALIZER_H
 #define C205_SERIALIZER_H
@@ -17,9 +18,9 @@
 struct serializer {
     c205_writer *write; /* NULL: the serializer reads */
     void *context;
-    const unsigned char *bytes; /* the bytes that are not read yet */
+    const unsigned char *bytes; /* the unread bytes */
     size_t left;
-    uint64_t hash; /* of all words so far */
+    uint64_t hash; /* hash of all words so far */
     bool failed;
     c205_error *error;
 };
@@ -38,23 +39,24 @@ void serializer_word(struct serializer *serializer, uint64_t *word);
 void serializer_words(struct serializer *serializer, uint64_t *words, size_t count);
 /* Serializes a fixed number of words, with their count. */
 void serializer_array(struct serializer *serializer, uint64_t *words, size_t count);
-/* Serializes a number. Reading fails if it exceeds most; writing does not check it. */
+/* Serializes a number. A number above most is an error when reading and is not checked
+ * when writing. */
 void serializer_size(struct serializer *serializer, size_t *size, size_t most);
-/* Serializes the number of the items that follow, each a word or more. */
+/* Serializes the number of items that follow. Each item has at least one word. */
 void serializer_count(struct serializer *serializer, size_t *count);
 /* Returns the number of words left to read. */
 size_t serializer_room(const struct serializer *serializer);
 /* A text that was read points into the bytes of the serializer. */
 void serializer_text(struct serializer *serializer, const char **text);
 
-/* Fails when reading if the condition does not hold. */
+/* Sets an error if the condition does not hold when reading. */
 void serializer_require(struct serializer *serializer, bool holds,
                         const char *otherwise);
-/* Sets the error. Nothing more is read or written. */
+/* Sets the error. No further words are read or written. */
 void serializer_refuse(struct serializer *serializer, const char *why);
 
-/* The last word is the hash of all words before it. serializer_verify checks it ahead
- * when reading, and does nothing when writing. */
+/* The last word is the hash of all previous words. serializer_verify checks it before
+ * the other words are read. It does nothing when writing. */
 void serializer_verify(struct serializer *serializer);
 void serializer_end(struct serializer *serializer);
 

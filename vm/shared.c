@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* No machine writes to these pages, so no lock is needed. */
+/* Shared pages need no lock, because no machine writes to them. */
 struct c205_shared {
     size_t count;
     struct page *pages;

@@ -1,8 +1,9 @@
-/* sparse.c - arithmetic on sparse vectors. The elements that are present are packed,
- * and the order vector has a one for each of them and a zero for each absent element.
+/* sparse.c - arithmetic on sparse vectors. A sparse vector consists of its present
+ * elements, packed, and of an order vector. The order vector has a one for each present
+ * and a zero for each absent element.
  *
- * All order vectors are read before the first element is stored. The order vector of
- * the result is stored after the last element, unless it is given.
+ * All order vectors are read before the first element is stored. A result whose order
+ * vector is not given stores it after the last element.
  */
 #include "vm/vector.h"
 
@@ -15,18 +16,18 @@ enum {
 /* The positions of the elements that are present. */
 struct order_vector {
     struct vector vector;
-    uint64_t *bits; /* [ORDER_WORDS], zeros after its end */
+    uint64_t *bits; /* [ORDER_WORDS]; zeros after the end */
     size_t ones;
 };
 
-/* An element of the result is present if one operand has it (EITHER), if both have it
- * (BOTH), or if the given vector Z has it (GIVEN). */
+/* The elements of the result that are present: those of either operand (EITHER), of
+ * both operands (BOTH), or of the given vector Z (GIVEN). */
 enum presence { EITHER, BOTH, GIVEN };
 
 struct sparse {
     struct c205 *machine;
     enum presence presence;
-    struct turn turn; /* the current part of the order vectors */
+    struct turn turn; /* the part of the order vectors that is processed now */
     struct source a, b;
     struct vector result;
     struct order_vector x, y, z;
@@ -35,7 +36,7 @@ struct sparse {
 
 /* ---- Order vectors ----------------------------------------------------- */
 
-/* X and Y are read, and Z if it is given. */
+/* Maximum number of order vectors that are read: X, Y, and Z if it is given. */
 enum { ORDERS = 3 };
 
 static size_t orders_read(const struct sparse *sparse)
@@ -43,8 +44,8 @@ static size_t orders_read(const struct sparse *sparse)
     return sparse->presence == GIVEN ? ORDERS : ORDERS - 1;
 }
 
-/* Returns the order vectors of an interrupted instruction, which were saved one after
- * another because the result may overwrite them. NULL: none. */
+/* Returns the order vectors of an interrupted instruction, or NULL if there is none.
+ * They were saved one after another, because the result may overwrite them. */
 static const uint64_t *kept_orders(const struct sparse *sparse)
 {
     struct c205 *machine = sparse->machine;
@@ -118,7 +119,8 @@ static size_t ones_from(const struct order_vector *order, size_t first, size_t n
 
 /* ---- Operands ---------------------------------------------------------- */
 
-/* The fields X and Y hold no offsets here, and the result has none. */
+/* Describes the packed vectors. The fields X and Y are order vectors and not offsets,
+ * and the result has no offset. */
 static c205_trap describe_packed(struct sparse *sparse, const struct decoded *decoded)
 {
     const struct c205 *machine = sparse->machine;
@@ -134,8 +136,8 @@ static c205_trap describe_packed(struct sparse *sparse, const struct decoded *de
     return trap;
 }
 
-/* The number of positions is the length of Z if it is given, and otherwise that of the
- * longer one of X and Y. Further bits are ignored. */
+/* Describes the order vectors. The number of positions is the length of Z if it is
+ * given, and otherwise the larger length of X and Y. Further bits are ignored. */
 static void describe_orders(struct sparse *sparse, const struct decoded *decoded)
 {
     const c205_word *slot = sparse->machine->slot;
@@ -183,8 +185,8 @@ static c205_trap open_sparse(struct sparse *sparse, struct c205 *machine,
 
 /* ---- Elements ---------------------------------------------------------- */
 
-/* Collects the operand pairs of the results among n positions. An absent operand is
- * machine zero. Returns the number of pairs. */
+/* Collects the operands of the results at n positions. An absent operand is machine
+ * zero. Returns the number of results. */
 static size_t take_pairs(struct sparse *sparse, size_t first, size_t n,
                          c205_word *pair_a, c205_word *pair_b)
 {
@@ -204,7 +206,7 @@ static size_t take_pairs(struct sparse *sparse, size_t first, size_t n,
     return count;
 }
 
-/* Counts the results with at least one operand that an earlier element stored. */
+/* Counts the results that have an operand that an earlier element stored. */
 static void record_recurrence_of_sparse(const struct sparse *sparse)
 {
     const struct vector *a = &sparse->a.vector, *b = &sparse->b.vector;
@@ -254,8 +256,8 @@ static size_t longest(size_t a, size_t b, size_t c)
     return longer > c ? longer : c;
 }
 
-/* Returns the number of positions before the longest packed vector has more than the
- * given number of elements. */
+/* Returns the number of positions up to which no packed vector has more than the given
+ * number of elements. */
 static size_t places_of(const struct sparse *sparse, size_t elements)
 {
     size_t x = 0, y = 0, z = 0, length = sparse->z.vector.length;
@@ -271,7 +273,7 @@ static size_t places_of(const struct sparse *sparse, size_t elements)
     return length;
 }
 
-/* Starts the turn after the elements of earlier turns. */
+/* Starts a turn at the first element that earlier turns have not processed. */
 static c205_trap begin_turn(struct sparse *sparse)
 {
     struct c205 *machine = sparse->machine;

@@ -45,15 +45,15 @@ const char *machine_broken_rule(const struct c205 *machine, c205_trap trap)
 
 /* ---- The text of a stop ------------------------------------------------- */
 
-/* Address 0 is shown for these traps too, because an uninitialised descriptor holds
- * it. */
+/* Returns true if the text contains the address. These traps show address 0, too,
+ * because an uninitialised descriptor contains it. */
 static bool has_address(const c205_stop *stop)
 {
     return stop->address || stop->trap == C205_TRAP_UNMAPPED_ADDRESS
            || stop->trap == C205_TRAP_PROTECTED_ADDRESS;
 }
 
-/* Writes ": 56000000", the half word that is not an instruction. */
+/* Writes ": 56000000", the half word that could not be decoded. */
 static void describe_code(const c205 *machine, uint64_t pc, char text[20])
 {
     c205_word word;
@@ -64,7 +64,7 @@ static void describe_code(const c205 *machine, uint64_t pc, char text[20])
                  (unsigned long long)(word << skip >> WORD_BITS / 2));
 }
 
-/* Returns true if the host could not allocate a page at its first use. */
+/* Returns true if the host could not allocate a page on first use. */
 static bool lacks_page(const c205 *machine, const c205_stop *stop)
 {
     return stop->trap == C205_TRAP_UNMAPPED_ADDRESS && stop->address <= ADDRESS_MASK

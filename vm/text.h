@@ -3,8 +3,8 @@
 #define C205_TEXT_H
 
 struct text {
-    const char *name;         /* the file's name without its folder */
-    const char *const *lines; /* with their newlines; NULL at the end */
+    const char *name;         /* file name without the folder */
+    const char *const *lines; /* with newlines; NULL at the end */
 };
 
 extern const struct text model_texts[];       /* vm/models */
@@ -13,6 +13,7 @@ extern const struct text library_texts[];     /* asm/lib */
 extern const struct text kernel_texts[];      /* rt/kernels */
 extern const struct text isa_example_texts[]; /* asm/isa_examples */
 extern const struct text card_texts[];        /* asm/card */
-extern const struct text lesson_texts[];      /* docs/course, a folder each */
+extern const struct text lesson_texts[];      /* docs/course, a folder for each
+                                                 lesson */
 
 #endif

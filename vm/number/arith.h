@@ -1,14 +1,12 @@
-/* arith.h - scalar arithmetic: the exact rule of the machine.
+/* arith.h - the exact rule of the machine for scalar arithmetic.
  *
  * These functions define every result to the last bit, for every pair of words. lanes.h
  * computes the same results over whole spans and must agree bit for bit. All results
- * are cut, not rounded, except that of arith_contract_rounded. Source: machine notes,
- * section 2 (R). Where they are silent, the comment at the function states the rule
- * that this project fixed.
+ * are rounded down, except in arith_contract_rounded. The rules are reconstructed
+ * (docs/arithmetic.md).
  *
- * rule.h holds the rule once, for words of any format. arith_NAME applies it to words
- * of 64 bits. half_NAME applies it to half words of 32 bits, which occupy the left half
- * of a c205_word.
+ * rule.h implements the rule for words of any format. arith_NAME takes words of 64
+ * bits. half_NAME takes half words of 32 bits, in the left half of a c205_word.
  *
  * Each function ORs into *flags the bits of the data flag register that the operation
  * sets.
@@ -18,7 +16,7 @@
 
 #include "vm/number/word.h"
 
-/* Bits of the data flag register, numbered from the left. */
+/* Bits of the data flag register. Bit 0 is the leftmost bit. */
 #define FLAG_DIVIDE_FAULT (UINT64_C(1) << (63 - 41))
 #define FLAG_EXPONENT_OVERFLOW (UINT64_C(1) << (63 - 42))
 #define FLAG_MACHINE_ZERO (UINT64_C(1) << (63 - 43))

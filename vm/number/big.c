@@ -86,8 +86,8 @@ static uint32_t divide(big *number, uint32_t divisor)
     return (uint32_t)remainder;
 }
 
-/* Dividing in steps is exact: the floor of a floor equals the floor of the whole
- * quotient. */
+/* Divides by small powers in steps. This is exact, because the floor of a floor equals
+ * the floor of the total quotient. */
 bool big_divide_power_of_5(big *number, int32_t power)
 {
     bool lost = false;

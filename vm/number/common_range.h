@@ -1,9 +1,9 @@
-/* common_range.h - the test for common words: normalised numbers whose exponents are
- * far from the ends of the range, in -2000 .. 1FFF hex.
+/* common_range.h - tests for common words. A common word is normalised, and its
+ * exponent is in -2000 .. 1FFF hex, far from the ends of the range.
  *
  * The first two bits of a common word's coefficient differ, and the first three bits of
  * its exponent are equal. Sums, products and quotients of two common words are in the
- * range. Most arithmetic is on common words, so fast paths test for them.
+ * range. Most operands are common, so fast paths test for this case.
  */
 #ifndef C205_COMMON_RANGE_H
 #define C205_COMMON_RANGE_H
@@ -16,8 +16,8 @@ static inline uint64_t common_edges(c205_word w)
     return w ^ w << 1;
 }
 
-/* Returns true if all words of a set are common. all is the AND of their edges, any is
- * the OR. */
+/* Returns true if all words of a set are common. all is the AND of the edges of all
+ * words, any is their OR. */
 static inline bool common_by_edges(uint64_t all, uint64_t any)
 {
     return (all & UINT64_C(0x800000000000)) && any >> 62 == 0;

@@ -10,8 +10,8 @@
  *
  * Every word is a multiple of 2^-28672 and below 2^28718. A word therefore has at most
  * 20,100 decimal digits, and its first digit is within 8,700 places of the point.
- * Digits of a text after its first 20,100 cannot reach the next word, so only the fact
- * whether they are all zero is recorded.
+ * Digits after the first 20,100 cannot change the result, except that it matters
+ * whether they are all zero.
  */
 enum {
     DIGITS_MAX = 20100,
@@ -21,7 +21,7 @@ enum {
 
 typedef struct decimal {
     bool negative, inexact; /* inexact: nonzero digits were dropped */
-    size_t length;          /* digits in number, from the first nonzero one */
+    size_t length;          /* number of digits from the first nonzero digit on */
     int64_t exponent;       /* value = number x 10^exponent */
     big number;
 } decimal;
@@ -43,8 +43,8 @@ static void take_digit(decimal *d, uint32_t digit, bool after_point)
     d->exponent -= after_point;
 }
 
-/* Reads digits with an optional point among them. Returns the end, or NULL if there is
- * no digit. */
+/* Reads digits with an optional point. Returns the end, or NULL if there is no
+ * digit. */
 static const char *take_digits(decimal *d, const char *text)
 {
     bool after_point = false, any = false;
@@ -80,7 +80,8 @@ static const char *take_exponent(decimal *d, const char *text)
 }
 
 /* Replaces number by number' so that number x 10^power is number' x 2^*exponent,
- * rounded down. Returns true if it was rounded; number' then has at least 64 bits. */
+ * rounded down. Returns true if the result is inexact; number' then has at least 64
+ * bits. */
 static bool scale(big *number, int32_t power, int32_t *exponent)
 {
     bool inexact = false;
@@ -143,10 +144,10 @@ c205_word c205_half_from_text(const char *text, const char **end)
 /* ---- To decimal text -------------------------------------------------------
  *
  * All reals from c x 2^e up to, but not including, (c + 1) x 2^e read back as the
- * normalised word (e, c). The shortest text is the one with the largest power of ten as
- * its unit. The search counts the magnitudes of the interval in units of a small power
- * of ten, and multiplies the unit by ten as long as a whole number of units lies in the
- * interval. Of the last such numbers it takes the one nearest to the word.
+ * normalised word (e, c). The shortest text is a multiple of the largest possible power
+ * of ten, its unit. The search starts with a small power of ten and multiplies it by
+ * ten as long as the interval contains a multiple. If the interval contains several
+ * multiples of the last unit, the result is the multiple nearest to the word.
  */
 
 /* Returns floor(c x 2^exponent / 10^power). Sets *lost if the remainder is not 0. */
@@ -167,7 +168,8 @@ static uint64_t whole_units(int64_t c, int32_t exponent, int32_t power, bool *lo
     return big_low(&number);
 }
 
-/* Returns the ceiling of c x 2^exponent / 10^power, or else its floor. */
+/* Returns c x 2^exponent / 10^power, rounded up if ceiling is set and down
+ * otherwise. */
 static uint64_t count_units(int64_t c, int32_t exponent, int32_t power, bool ceiling)
 {
     bool lost;
@@ -177,22 +179,21 @@ static uint64_t count_units(int64_t c, int32_t exponent, int32_t power, bool cei
 
 typedef struct digits {
     uint64_t number;
-    int32_t power; /* of ten */
+    int32_t power; /* power of ten */
 } digits;
 
-/* Returns the decimal exponent p of the smallest normalised word of a binary exponent:
- * 10^p is at most this word, and 10^(p + 1) is above it. No power of two of this range is
- * closer to a power of ten than 1e-5 relative to it, so the product needs log10(2) to ten
- * digits. */
+/* Returns the decimal exponent p of the smallest normalised word w with a binary
+ * exponent: 10^p <= w < 10^(p + 1). No power of two of this range is within 1e-5 of a
+ * power of ten, relative to its value. Ten digits of log10(2) therefore suffice. */
 static int32_t power_below(word_format f, int32_t exponent)
 {
     return (int32_t)floor((exponent + f.digits - 1) * 0.301029995663981);
 }
 
-/* Returns the shortest decimal number in the interval of the word. A whole number of
- * units lies in the interval if the smallest one that is not below the near end is
- * below the far end. For negative words the magnitudes decrease: the largest one that
- * is not above the near end must be above the far end. */
+/* Returns the shortest decimal number in the interval of the word. For a positive word,
+ * round its near end up to a multiple of the unit. The interval contains a multiple if
+ * this multiple is below the far end. For a negative word the magnitudes decrease, so
+ * the near end is rounded down, and the result must be above the far end. */
 static digits shortest(word_format f, int64_t c, int32_t exponent)
 {
     bool negative = c < 0;
@@ -211,7 +212,7 @@ static digits shortest(word_format f, int64_t c, int32_t exponent)
     return d;
 }
 
-/* Writes plain notation if the point is near the digits, otherwise an exponent. */
+/* Writes plain notation if the point is near the digits, and an exponent otherwise. */
 static void write_decimal(char *text, bool negative, digits d)
 {
     enum { MIN_PLACES = -4, MAX_PLACES = 16 };
@@ -259,8 +260,8 @@ void c205_half_to_text(c205_word half, char text[C205_TEXT_SIZE])
 
 /* ---- To a given number of digits ---------------------------------------- */
 
-/* Returns the number of units of 10^power, rounded to the nearest; ties go to the even
- * one. */
+/* Returns the value in units of 10^power, rounded to the nearest integer, ties to
+ * even. */
 static uint64_t nearest_units(int64_t c, int32_t exponent, int32_t power)
 {
     bool lost;
@@ -277,7 +278,7 @@ static uint64_t power_of_10(unsigned power)
     return value;
 }
 
-/* Writes units x 10^-places with a point. */
+/* Writes units x 10^-places with a decimal point. */
 static void write_fixed(char *text, bool negative, uint64_t units, unsigned places)
 {
     char number[24];

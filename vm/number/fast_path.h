@@ -1,11 +1,10 @@
-/* fast_path.h - fast scalar arithmetic on one common pair of words, or one common word
- * (common_range.h).
+/* fast_path.h - fast scalar arithmetic on common words (common_range.h).
  *
- * In scalar code each result waits for the one before, and a branch that is almost
- * never taken costs nothing. The functions here therefore test for the common case
- * first, and pass every other case to the exact rule at once. Code on lanes
- * (lane_parts.h) does the opposite and has no branches. The results are those of
- * arith.h, bit for bit, for every word.
+ * In scalar code each result depends on the previous result, and a branch that is
+ * almost never taken costs nothing. The functions therefore test for common words
+ * first. All other words go to the exact rule at once. Code on lanes (lane_parts.h)
+ * does the opposite and has no branches. The results are those of arith.h, bit for bit,
+ * for every word.
  */
 #ifndef C205_FAST_PATH_H
 #define C205_FAST_PATH_H
@@ -29,10 +28,11 @@ static inline c205_word fast_fitted(int64_t e, int64_t c)
 
 /* ---- Add, subtract ------------------------------------------------------- */
 
-/* The sum is computed with one guard bit below the coefficients. No bit is lost at
- * distances of 0 and 1; at larger distances the sum moves by at most one place. Up to a
- * distance of 46 the double-length register holds all of the smaller operand. Returns
- * false if the exact rule must compute the sum. */
+/* Computes the sum with one guard bit below the coefficients. Let the distance be the
+ * difference of the exponents. At distances of 0 and 1 no bit is lost. At larger
+ * distances normalisation shifts the sum by at most one place. The double-length
+ * register holds the whole smaller operand up to a distance of 46. Returns false if the
+ * exact rule must compute the sum. */
 static inline bool fast_sum(c205_word a, int64_t ca, c205_word b, int64_t cb,
                             c205_word *c)
 {
@@ -66,8 +66,7 @@ static inline c205_word fast_add_normalised(c205_word a, c205_word b, uint64_t *
     return arith_add_normalised(a, b, flags);
 }
 
-/* The subtraction of a word from machine zero negates the word, so it has a fast path
- * too. */
+/* Subtracts, with a fast path for machine zero minus a word, which negates the word. */
 static inline c205_word fast_subtract_normalised(c205_word a, c205_word b,
                                                  uint64_t *flags)
 {
@@ -82,7 +81,7 @@ static inline c205_word fast_subtract_normalised(c205_word a, c205_word b,
 
 /* ---- Multiply, divide, square root --------------------------------------- */
 
-/* The product has 93 or 94 digits, or is 2^94. */
+/* Multiplies. The product has 93 or 94 digits, or is 2^94. */
 static inline c205_word fast_multiply_significant(c205_word a, c205_word b,
                                                   uint64_t *flags)
 {
@@ -96,8 +95,8 @@ static inline c205_word fast_multiply_significant(c205_word a, c205_word b,
     return fast_fitted(e + WORD_DIGITS - 1, product);
 }
 
-/* The quotient in double arithmetic is below 2^49 and differs from the true one by less
- * than 1, so its integer part is off by at most 1. The remainder modulo 2^64 gives the
+/* Divides. The quotient in double arithmetic is below 2^49 and its error is below 1, so
+ * its integer part is off by at most 1. The remainder modulo 2^64 gives the
  * correction. */
 static inline c205_word fast_divide_significant(c205_word a, c205_word b,
                                                 uint64_t *flags)
@@ -111,15 +110,14 @@ static inline c205_word fast_divide_significant(c205_word a, c205_word b,
     int64_t left = (int64_t)(((uint64_t)dividend << WORD_DIGITS)
                              - (uint64_t)q * (uint64_t)divisor);
     q += (left >= divisor) - (left < 0);
-    /* The negative of 2^46 is not normalised, so the exact rule handles this
-     * quotient. */
+    /* The exact rule computes this quotient, because its negative is not normalised. */
     if (q == INT64_C(1) << 46)
         return arith_divide_significant(a, b, flags);
     return fast_fitted(e, (ca ^ cb) < 0 ? -q : q);
 }
 
-/* The root in double arithmetic is below 2^47 and at most one too large. The sign of
- * the remainder modulo 2^64 gives the correction. */
+/* The root in double arithmetic is below 2^47 and at most 1 too large. The sign of the
+ * remainder modulo 2^64 gives the correction. */
 static inline c205_word fast_square_root(c205_word a, uint64_t *flags)
 {
     int64_t c = word_coefficient(a), e = (int64_t)a >> 48;
@@ -133,15 +131,15 @@ static inline c205_word fast_square_root(c205_word a, uint64_t *flags)
 
 /* ---- Compare ------------------------------------------------------------- */
 
-/* Returns an integer that orders words of one sign as their values. The larger exponent
- * means the smaller value if both are negative. */
+/* Returns an integer that orders words of one sign as their values. For negative words,
+ * a larger exponent is a smaller value. */
 static inline int64_t fast_rank(c205_word w, int64_t sign)
 {
     return (int64_t)(w ^ ((uint64_t)sign & ~WORD_COEFFICIENT_MASK));
 }
 
 /* Sets ranks that compare as the values do. Returns false unless a is common and b is
- * common or machine zero, the most frequent special operand. */
+ * common or machine zero. Machine zero is the most frequent special operand. */
 static inline bool fast_ranks(c205_word a, c205_word b, int64_t *rank_a,
                               int64_t *rank_b)
 {

@@ -8,10 +8,10 @@
 
 /* ---- Conversion between the sizes --------------------------------------- */
 
-/* digits that a word has more than a half word */
+/* Difference between the digits of a word and of a half word. */
 enum { MORE_DIGITS = 24 };
 
-/* Contracts a after adding rounding to its coefficient. */
+/* Adds a rounding term to the coefficient of a, then contracts a. */
 static c205_word contracted(c205_word a, int64_t rounding, uint64_t *flags)
 {
     int64_t c = (word_coefficient(a) + rounding) >> MORE_DIGITS;

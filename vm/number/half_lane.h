@@ -1,7 +1,7 @@
 /* half_lane.h - the arithmetic of half words on one lane; see lane_parts.h.
  *
- * The exact results of half words fit 64 bits, so each function is right for all
- * numbers and machine zeros, normalised or not.
+ * The exact results of half words fit 64 bits. Each function is therefore correct for
+ * all numbers and machine zeros, normalised or not.
  */
 #ifndef C205_HALF_LANE_H
 #define C205_HALF_LANE_H
@@ -24,7 +24,7 @@ static inline lane lower(int64_t e, int64_t t)
 
 /* ---- Add, subtract ------------------------------------------------------ */
 
-/* A sum of more than 47 bits loses its last bit. */
+/* Returns the lower sum. A sum of more than 47 bits loses its last bit. */
 static inline lane sum_lower(c205_word a, c205_word b, int64_t t)
 {
     c205_word l = max_word(a, b);
@@ -46,8 +46,8 @@ static inline lane lane_subtract_lower(c205_word a, c205_word b)
 
 /* ---- Multiply ----------------------------------------------------------- */
 
-/* Returns the number of significant bits of the coefficient that has fewer of them, but
- * at least 1. */
+/* Returns the smaller number of significant bits of two coefficients, but at least
+ * 1. */
 static inline int64_t least_significance(int64_t ca, int64_t cb)
 {
     int64_t ma = ca ^ ca >> 63, mb = cb ^ cb >> 63;
@@ -85,9 +85,9 @@ static inline int64_t below(double d)
     return (int64_t)to_nearest(d + 0.5) - 1;
 }
 
-/* Returns trunc(ca x 2^23 / cb). With half a unit added, the dividend is not a multiple
- * of the divisor. The quotient then differs from every integer by at least half of 1 /
- * cb, which exceeds the error of a double. */
+/* Returns trunc(ca x 2^23 / cb). The function adds half a unit, so the dividend is not
+ * a multiple of the divisor. The quotient then differs from every integer by at least
+ * half of 1 / cb, which exceeds the error of a double. */
 static inline int64_t quotient(int64_t ca, int64_t cb)
 {
     double dividend = to_double(magnitude(ca) << DIGITS) + 0.5;
@@ -100,7 +100,7 @@ static inline int64_t quotient_exponent(c205_word a, c205_word b)
     return exponent(a) - exponent(b) - DIGITS;
 }
 
-/* A divisor of 0, as a number or a machine zero, is a divide fault. */
+/* A divisor with value 0 is a divide fault. */
 static inline lane special_quotient(c205_word a, c205_word b, lane result)
 {
     uint64_t without_digits = magnitude(coefficient(b)) - 1;
@@ -108,7 +108,7 @@ static inline lane special_quotient(c205_word a, c205_word b, lane result)
                   zero_if(is_zero(a), result));
 }
 
-/* A quotient of more than DIGITS bits is shortened to DIGITS bits. */
+/* Divides. A quotient of more than DIGITS bits is shortened to DIGITS bits. */
 static inline lane lane_divide_upper(c205_word a, c205_word b)
 {
     int64_t q = quotient(coefficient(a), coefficient(b));
@@ -126,15 +126,15 @@ static inline lane lane_divide_significant(c205_word a, c205_word b)
     return special_quotient(a, b, zero_if(q == 0, significant(e, q, bits)));
 }
 
-/* Returns floor(sqrt(n)) for n < 2^46. With half a unit added to n, the root differs
- * from every integer by at least 2^-25. */
+/* Returns floor(sqrt(n)) for n < 2^46. The function adds half a unit to n, so the root
+ * differs from every integer by at least 2^-25. */
 static inline int64_t root(uint64_t n)
 {
     return below(sqrt(to_double(n) + 0.5));
 }
 
-/* The root of the normalised operand is shifted back by the places of the
- * normalisation. */
+/* Normalises the operand, takes its root, and shifts the root back by the same
+ * places. */
 static inline lane lane_square_root(c205_word a)
 {
     int64_t c = value(a);
@@ -150,7 +150,7 @@ static inline lane lane_square_root(c205_word a)
 
 enum { MORE_DIGITS = 24 };
 
-/* Contracts a after adding rounding to its coefficient. */
+/* Adds a rounding term to the coefficient of a, then contracts a. */
 static inline lane contracted(c205_word a, int64_t rounding)
 {
     int64_t e = word_exponent(a) + MORE_DIGITS;
@@ -168,7 +168,8 @@ static inline lane lane_contract_rounded(c205_word a)
     return contracted(a, INT64_C(1) << (MORE_DIGITS - 1));
 }
 
-/* The exponent of a word is 8 bits longer, so the digits move 8 places to the right. */
+/* Extends a half word. The exponent of a word is 8 bits longer, so the digits move 8
+ * places to the right. */
 static inline lane lane_extend(c205_word a)
 {
     c205_word digits = (a & ~EXPONENT_MASK) >> 8;

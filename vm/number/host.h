@@ -1,14 +1,14 @@
-/* host.h - one function for many hosts: vectorised loops are compiled once for each
- * vector unit, and every call uses the best version that the host supports.
+/* host.h - compiles vectorised loops once for each vector unit. Every call uses the
+ * best version that the host supports.
  */
 #ifndef C205_HOST_H
 #define C205_HOST_H
 
 #include <stdbool.h>
 
-/* The vector units of hosts. Lanes pay off only where a vector unit shifts each lane by
- * its own count. HOST_LANES is the vector unit that the files are compiled for.
- * HOST_WORDS has none: words are processed one by one. */
+/* The vector units of hosts. Code on lanes is faster only if the vector unit can shift
+ * each lane by its own count. HOST_LANES is the vector unit that the compiler targets.
+ * HOST_WORDS processes words one by one. */
 enum host_vectors { HOST_WORDS, HOST_LANES, HOST_AVX2, HOST_AVX512 };
 
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -19,7 +19,7 @@ enum host_vectors { HOST_WORDS, HOST_LANES, HOST_AVX2, HOST_AVX512 };
 
 static inline enum host_vectors host_vectors(void)
 {
-#if defined(HOST_VECTORS) /* for tests: the vector unit of another host */
+#if defined(HOST_VECTORS) /* for tests: selects the vector unit */
     return HOST_VECTORS;
 #elif defined(HOST_VERSIONS)
     if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd")
@@ -35,8 +35,9 @@ static inline enum host_vectors host_vectors(void)
 #endif
 }
 
-/* VERSIONS(NAME, ..) defines a function that calls NAME_span, compiled for each vector
- * unit, or PLAIN on a host that has none. PLAIN may be NAME_span too. */
+/* VERSIONS(NAME, ..) defines a function that calls the version of NAME_span for the
+ * vector unit of the host, or PLAIN if the host has none. PLAIN may be NAME_span
+ * too. */
 #ifdef HOST_VERSIONS
 #define LANEWISE static inline __attribute__((always_inline))
 #define VERSION(attribute, version, of, parameters, arguments) \
@@ -72,8 +73,8 @@ static inline enum host_vectors host_vectors(void)
 
 /* ---- Rounding of doubles --------------------------------------------------- */
 
-/* A rounding mode of the host; it applies to everything between its loads and
- * stores. */
+/* A rounding mode of the host. It applies to all operations between a load and a
+ * store. */
 typedef unsigned host_rounding;
 
 #ifdef HOST_VERSIONS
@@ -82,8 +83,8 @@ static inline void host_round_as(host_rounding way)
     __asm__ volatile("ldmxcsr %0" : : "m"(way) : "memory");
 }
 
-/* Rounds doubles down from now on and sets *before to the previous mode. Returns false
- * if the host cannot, as in an emulator that supports one mode only. */
+/* Sets the host to round doubles down, and *before to the previous mode. Returns false
+ * if the host cannot, for example an emulator that supports one mode only. */
 static inline bool host_round_down(host_rounding *before)
 {
     host_rounding ways = 3U << 13, down = 1U << 13, untrapped = 0x3FU << 7;

@@ -24,14 +24,14 @@ static inline lane lane_multiply_upper(c205_word a, c205_word b)
     return special_product(a, b, fitted(e, product(a, b, 1)));
 }
 
-/* First bit 1: at least one of the two coefficients is not normalised. */
+/* The first bit is 1 if at least one of the two coefficients is not normalised. */
 static inline uint64_t either_unnormalised(c205_word a, c205_word b)
 {
     return ~((a ^ a << 1) & (b ^ b << 1)) << (63 - WORD_DIGITS);
 }
 
-/* First bit 1: the exponent is 2000 hex or more (is_large), or less than -2000 hex
- * (is_small). Sums of two other exponents are in the range. */
+/* The first bit is 1 if the exponent is 2000 hex or more (is_large), or less than -2000
+ * hex (is_small). The sum of two other exponents is in the range. */
 static inline uint64_t is_large(c205_word w)
 {
     return ~w & (w + UINT64_C(0x6000000000000000));
@@ -42,7 +42,7 @@ static inline uint64_t is_small(c205_word w)
     return w + UINT64_C(0x2000000000000000);
 }
 
-/* The product of normalised operands lies in 2^92 .. 2^94, or below -2^92. */
+/* Multiplies. The product of normalised operands is in 2^92 .. 2^94, or below -2^92. */
 static inline lane lane_multiply_significant(c205_word a, c205_word b)
 {
     c205_word l = max_word(a, b), s = min_word(a, b);
@@ -57,8 +57,8 @@ static inline lane lane_multiply_significant(c205_word a, c205_word b)
 
 /* ---- Divide, square root ------------------------------------------------ */
 
-/* The quotient in double arithmetic is below 2^49 and within 1/8 of the true one. The
- * nearest integer is therefore the floor or the floor plus 1, and the sign of the
+/* Divides. The quotient in double arithmetic is below 2^49, and its error is below 1/8.
+ * The nearest integer is therefore the floor or the floor plus 1, and the sign of the
  * remainder modulo 2^64 decides which. */
 static inline int64_t quotient(int64_t ca, int64_t cb)
 {
@@ -79,8 +79,7 @@ static inline lane lane_divide_significant(c205_word a, c205_word b)
                   zero_if(is_zero(a), result));
 }
 
-/* Returns floor(sqrt(c x 2^k)) = floor(2^23 sqrt(c x 2^(k - 46))), corrected like a
- * quotient. The radicand is c x 2^(k - 46). */
+/* Returns floor(2^23 sqrt(radicand / 2^46)), corrected like a quotient. */
 static inline int64_t root(uint64_t radicand)
 {
     uint64_t nearest = to_nearest(sqrt(to_double(radicand)) * (1 << 23));
@@ -106,7 +105,7 @@ static inline lane lane_square_root(c205_word a)
  * result is in the range. These functions test nothing.
  */
 
-/* The exponents are added in place, without extracting them. */
+/* Adds the exponents in place, without extracting them. */
 static inline c205_word common_multiply_significant(c205_word a, c205_word b)
 {
     int64_t p = product(a, b, 2);

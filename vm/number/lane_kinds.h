@@ -16,8 +16,8 @@ static inline bool is_zero(c205_word w)
     return (int64_t)w < (int64_t)MIN_NUMBER;
 }
 
-/* The word that is larger as an integer has an exponent at least as large as the
- * other's. */
+/* Returns the larger word as an integer. Its exponent is not below the exponent of the
+ * other word. */
 static inline c205_word max_word(c205_word a, c205_word b)
 {
     return (int64_t)a < (int64_t)b ? b : a;
@@ -30,20 +30,19 @@ static inline c205_word min_word(c205_word a, c205_word b)
 
 /* ---- Tests whose result is the first bit -----------------------------------
  *
- * The first bit of the result is 1 if the test holds. The tests consist of arithmetic
- * and not of comparisons, because a compiler would merge the comparisons with those of
- * the result.
+ * The first bit of the result is 1 if the test holds. The tests use arithmetic, because
+ * a compiler would merge comparisons with later comparisons of the result.
  */
 
-/* A machine zero has 8 in its first four bits: its sign bit is 1, and subtracting 9
- * there borrows. */
+/* Tests for a machine zero. Its first four bits are 8: the sign bit is 1, and
+ * subtracting 9 from them borrows. */
 static inline uint64_t zero(c205_word w)
 {
     return w & (w - MIN_NUMBER);
 }
 
-/* An indefinite word has 7 in its first four bits: its sign bit is 0, and adding 1
- * there carries into it. */
+/* Tests for an indefinite word. Its first four bits are 7: the sign bit is 0, and
+ * adding 1 to them carries into it. */
 static inline uint64_t indefinite(c205_word w)
 {
     return ~w & (w + UINT64_C(0x1000000000000000));

@@ -1,5 +1,5 @@
-/* lane_parts.h - the shared part of lane.h and half_lane.h: arithmetic on one lane, for
- * words of a given format, without branches, so that a compiler vectorises the loops.
+/* lane_parts.h - the shared part of lane.h and half_lane.h: arithmetic on one lane for
+ * words of a given format. It has no branches, so a compiler vectorises the loops.
  *
  * A file that includes this defines before
  *
@@ -7,9 +7,9 @@
  *   LANE_GUARD    guard bits that sums keep below the coefficient of the larger
  *                operand; digits plus guard bits are at most 49
  *
- * Each function is right for the usual operands and results (normalised numbers and
- * machine zeros, within the range), and otherwise marks its result as odd. All
- * operations exist in vector units for 64-bit integers.
+ * Each function is correct if operands and results are normalised numbers in the range
+ * or machine zeros. Otherwise it marks its result as odd. All operations exist in
+ * vector units for 64-bit integers.
  */
 #ifndef C205_LANE_PARTS_H
 #define C205_LANE_PARTS_H
@@ -23,7 +23,7 @@
 #define EXPONENT_PLACE (64 - LANE_FORMAT.exponent_bits)
 #define EXPONENT_MASK (UINT64_MAX << EXPONENT_PLACE)
 
-/* A result. It is invalid if the first bit of odd is 1; the exact rule must then
+/* A result. If the first bit of odd is 1, it is invalid, and the exact rule must
  * compute it. */
 typedef struct lane {
     c205_word word;
@@ -62,7 +62,8 @@ static inline uint64_t magnitude(int64_t c)
     return (uint64_t)(c < 0 ? -c : c);
 }
 
-/* First bit 1: the coefficient is not normalised, whatever the exponent. */
+/* The first bit is 1 if the coefficient is not normalised. The exponent does not
+ * matter. */
 static inline uint64_t unnormalised(c205_word w)
 {
     uint64_t digits = w << LANE_FORMAT.exponent_bits;
@@ -80,7 +81,7 @@ static inline uint64_t out_of_range(int64_t e)
 static const uint64_t two_to_52 = UINT64_C(0x4330000000000000);
 
 /* These convert between natural numbers below 2^51 and doubles, rounding to the nearest
- * number. The number occupies the last bits of the double 2^52 + n. */
+ * number. The double 2^52 + n has the number n in its last bits. */
 static inline double to_double(uint64_t n)
 {
     return double_of_bits(two_to_52 | n) - double_of_bits(two_to_52);
@@ -96,7 +97,7 @@ enum { LENGTH = 51 };
 /* Returns the places by which t, |t| < 2^51, can be shifted left until it has LENGTH
  * significant bits. The bit length of t is the exponent of the double of t, or of its
  * complement if t is negative. Half a unit is added so that 0 also has an exponent. The
- * subtraction is done while the exponent is still in its place. */
+ * exponent is subtracted without extracting it. */
 static inline uint64_t room(int64_t t)
 {
     enum { BIAS = 1023 };
@@ -121,7 +122,7 @@ static inline lane number(int64_t e, int64_t c)
     return result;
 }
 
-/* A machine zero is a valid result, so its odd is 0. */
+/* Returns machine zero, which is valid, or the other result. */
 static inline lane zero_if(bool it_is, lane otherwise)
 {
     const lane result = { it_is ? C205_MACHINE_ZERO : otherwise.word,
@@ -135,7 +136,7 @@ static inline lane odd_if(uint64_t odd, lane result)
     return result;
 }
 
-/* Returns t x 2^e, |t| < 2^51, rounded down to bits significant bits, at most
+/* Returns t x 2^e, |t| < 2^51, rounded down to a number of significant bits, at most
  * DIGITS. */
 static inline lane significant(int64_t e, int64_t t, int64_t bits)
 {
@@ -151,23 +152,22 @@ static inline lane normalised(int64_t e, int64_t t)
     return zero_if(t == 0, significant(e, t, DIGITS));
 }
 
-/* Returns the bits of t above the given number of digits; 0 if t fits. */
+/* Returns the bits of t above the given number of digits, or 0 if t fits. */
 static inline uint64_t excess(int64_t t, int digits)
 {
     return (uint64_t)(t ^ t >> 63) >> digits;
 }
 
-/* Returns t x 2^e, |t| <= 2^(DIGITS + 1), shifted right by as many places as needed.
- * The first bits of the coefficient are discarded, so a shift of a natural number
- * suffices. */
+/* t|t| <= 2^(DIGITS + 1), shifted right by as many places as needed. The first bits of
+ * the coefficient are discarded, so a shift of a natural number suffices. */
 static inline lane fitted(int64_t e, int64_t t)
 {
     uint64_t places = excess(t, DIGITS);
     return number(e + (int64_t)places, (int64_t)((uint64_t)t >> places));
 }
 
-/* An indefinite factor makes the result odd, and a machine zero makes it zero. Machine
- * zeros are the smallest words. */
+/* Applies the rules for special factors. An indefinite factor makes the result odd, and
+ * a machine zero makes it zero. Machine zeros are the smallest words. */
 static inline lane special_product(c205_word a, c205_word b, lane result)
 {
     return odd_if(indefinite(max_word(a, b)), zero_if(is_zero(min_word(a, b)), result));
@@ -190,10 +190,11 @@ static inline int64_t shifted(int64_t c, uint64_t distance)
     return c >> (distance >> EXPONENT_PLACE);
 }
 
-/* Returns the sum, rounded down to LANE_GUARD bits below the larger operand's
- * coefficient. A normalised result depends on no further bits if the larger operand is
- * normalised: at distances of 0 and 1 nothing is lost, and at larger ones the sum moves
- * by at most one place. If the guard holds all digits, the sum is exact. */
+/* Returns the sum, rounded down to LANE_GUARD bits below the coefficient of the larger
+ * operand. A normalised result needs no further bits if the larger operand is
+ * normalised. The difference of the exponents is the reason: up to 1 nothing is lost,
+ * and beyond 1 normalisation shifts the sum by at most one place. If the guard holds
+ * all digits, the sum is exact. */
 static inline int64_t sum_of(c205_word l, int64_t value_l, c205_word s, int64_t value_s)
 {
     return value_l + shifted(value_s, apart(l, s, 63));
@@ -205,8 +206,8 @@ static inline int64_t sum(c205_word a, c205_word b)
     return sum_of(l, guarded_value(l), s, guarded_value(s));
 }
 
-/* Returns the difference, rounded down like a sum. A subtrahend is cut at the end of
- * the register, DIGITS places down, before its sign changes. */
+/* Returns the difference, rounded down like a sum. The subtrahend is cut at the end of
+ * the register (DIGITS places down) before its sign changes. */
 static inline int64_t difference_of(c205_word l, int64_t value_l, c205_word s,
                                     int64_t value_s, bool is_subtrahend)
 {
@@ -224,22 +225,23 @@ static inline int64_t difference(c205_word a, c205_word b)
                          (int64_t)b <= (int64_t)a);
 }
 
-/* The exponent of an indefinite word is out of range, which makes the result odd. */
+/* Returns the upper sum. An indefinite operand makes the result odd, because its
+ * exponent is out of range. */
 static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
 {
     c205_word l = max_word(a, b);
     return zero_if(is_zero(l), fitted(exponent(l), t >> LANE_GUARD));
 }
 
-/* First bit 1: the exponent is in the outer half of its field. This includes machine
- * zeros. Sums of all other exponents are in the range. */
+/* The first bit is 1 if the exponent is in the outer half of its field, as for machine
+ * zeros. The sum of two other exponents is in the range. */
 static inline uint64_t is_extreme(c205_word w)
 {
     return w + UINT64_C(0x4000000000000000);
 }
 
-/* Returns t with the exponent of l, normalised. Changing the exponent in place,
- * whatever the digits below it, takes fewer steps than extracting it. */
+/* Returns t with the exponent of l, normalised. Changing the exponent in place takes
+ * fewer steps than extracting it. */
 static inline c205_word with_sum(c205_word l, int64_t t)
 {
     uint64_t places = room(t) & 63;
@@ -298,7 +300,8 @@ static inline lane lane_average_difference(c205_word a, c205_word b)
 
 /* ---- Parts of a number, sign -------------------------------------------- */
 
-/* apart(0, a) is the magnitude of a negative exponent. */
+/* Clears the fraction bits of c. apart(0, a) is the magnitude of a negative
+ * exponent. */
 static inline int64_t without_fraction(int64_t c, c205_word a)
 {
     return shifted(c, apart(0, a, 63));
@@ -331,8 +334,8 @@ static inline lane lane_truncate(c205_word a)
     return integer_part(a, c < 0 ? -part : part);
 }
 
-/* Two coefficients change the exponent when their sign changes: the minimum, and the
- * one that is its half with the sign reversed. */
+/* Negates a word. The exponent changes for two coefficients: the minimum, and half of
+ * it with the sign reversed. */
 static inline lane lane_negate(c205_word a)
 {
     int64_t c = coefficient(a), e = exponent(a);
@@ -345,7 +348,7 @@ static inline lane lane_negate(c205_word a)
                                                                         : -c)));
 }
 
-/* A machine zero is unchanged unless its digits are those of a negative number. */
+/* A machine zero is unchanged unless its digits form a negative number. */
 static inline lane lane_absolute(c205_word a)
 {
     int64_t c = coefficient(a);

@@ -5,8 +5,8 @@
 #include "vm/number/lane.h"
 #include "vm/number/fast_path.h"
 
-/* Operations with a fast path first try to process a block whose words are all of one
- * kind. The BLOCK_ macros name the function that tries. */
+/* The BLOCK_ macros name the function that an operation with a fast path tries first.
+ * The function computes a block if all words of the block are of one kind. */
 ROUND_DOWN_BLOCK(round_down_add_block, round_down_add)
 ROUND_DOWN_BLOCK(round_down_subtract_block, round_down_subtract)
 ROUND_DOWN_BLOCK(round_down_multiply_block, round_down_multiply)
@@ -25,7 +25,7 @@ COMMON_BLOCK(common_block_divide_significant, common_divide_significant)
 #define BLOCK_REGISTERS(name) NEVER_COMMON
 #define BLOCK_VECTORS(name) NEVER_COMMON
 
-/* On a host without vector units, an operation with a fast path runs it word by word.
+/* An operation with a fast path runs it word by word on a host without vector units.
  * kind is BINARY or UNARY. */
 #define VERSIONS_COMMON(kind, name) \
     static kind##_WORDS(lanes_##name##_words, fast_##name) \
@@ -42,7 +42,7 @@ COMMON_BLOCK(common_block_divide_significant, common_divide_significant)
 #define UNARY_FAST(name, registers) \
     UNARY_SPAN(lanes_##name, lane_##name, arith_##name) \
     VERSIONS_##registers(UNARY, name)
-/* spans.c has these. */
+/* spans.c defines these functions. */
 #define BINARY_WRITTEN(name, registers)
 #define UNARY_WRITTEN(name, registers)
 

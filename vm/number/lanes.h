@@ -1,11 +1,11 @@
-/* lanes.h - the arithmetic of arith.h over whole spans, fast.
+/* lanes.h - fast arithmetic over whole spans, with the results of arith.h.
  *
- * c[i] = a[i] op b[i] for i < n. If c overlaps a or b, it must begin at the same
- * address or below. The bits of a comparison and the destination of lanes_store_masked
- * must not overlap any input. The result and the flags are those of arith.h, bit for
- * bit, for every word. Normalised operands and machine zeros are the fast path. The
- * loops are plain C that compilers vectorise, compiled for each of the host's
- * instruction sets.
+ * c[i] = a[i] op b[i] for i < n. The result c must not begin above an operand that it
+ * overlaps. The bits of a comparison and the destination of lanes_store_masked must not
+ * overlap any input. The result and the flags are those of arith.h, bit for bit, for
+ * every word. Normalised operands and machine zeros are the fast path. The loops are
+ * plain C that compilers vectorise. Each is compiled for several instruction sets of
+ * the host (host.h).
  *
  * lanes_NAME takes words, halves_NAME half words, one at the left of each c205_word.
  */
@@ -17,8 +17,8 @@
 typedef void lanes_binary(c205_word *c, const c205_word *a, const c205_word *b,
                           size_t n, uint64_t *flags);
 typedef void lanes_unary(c205_word *c, const c205_word *a, size_t n, uint64_t *flags);
-/* bits[i / 64] gets bit i % 64 counted from the left (the machine's order); the unused
- * low bits of the last word are zero. */
+/* Result i is bit i % 64 of bits[i / 64], counted from the left as in the machine.
+ * Unused bits of the last word are zero. */
 typedef void lanes_compare(uint64_t *bits, const c205_word *a, const c205_word *b,
                            size_t n);
 /* Folds a into *accumulator in element order. */
@@ -41,7 +41,7 @@ typedef void lanes_reduction(c205_word *accumulator, const c205_word *a, size_t 
 /* c[i] = word */
 void lanes_fill(c205_word *c, c205_word word, size_t n);
 
-/* c[i] = bit i of bits (as in lanes_compare) ? a[i] : c[i] */
+/* c[i] = a[i] if bit i of bits is 1 (as in lanes_compare) */
 void lanes_store_masked(c205_word *c, const c205_word *a, const uint64_t *bits,
                         size_t n);
 

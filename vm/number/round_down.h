@@ -1,13 +1,13 @@
-/* round_down.h - sums, differences and products of moderate words in the host's
- * doubles, on hosts that can round them down; for loops that a compiler vectorises.
+/* round_down.h - computes sums, differences and products of moderate words with doubles
+ * of the host, which must be able to round down. A compiler vectorises the loops.
  *
  * A word is moderate if it is normalised and its exponent lies in -100 .. FF hex. A
  * double holds it exactly, and the sum, difference or product of two is in the range of
  * doubles. A double has 53 digits, a word 47. Rounding down to 53 digits and then to 47
  * equals rounding down once, which is the machine's rule (docs/arithmetic.md). The
- * machine differs in one point: it cuts off the part of a subtrahend that lies below
- * the register before the sign changes. A positive subtrahend that is cut off entirely,
- * 94 places down, therefore subtracts nothing.
+ * machine differs in one point. It cuts off the part of a subtrahend below the register
+ * before the sign changes. A positive subtrahend that is 94 places down is cut off
+ * completely and subtracts nothing.
  */
 #ifndef C205_ROUND_DOWN_H
 #define C205_ROUND_DOWN_H
@@ -18,8 +18,8 @@
 #include "vm/number/lane_kinds.h"
 #include "vm/number/common_range.h"
 
-/* The digits of a double after the first one, and the bias of its stored exponent.
- * ROUND_DOWN_DIGITS are the digits of a word's coefficient after the first one. */
+/* The digits of a double after the first digit, and the bias of its stored exponent.
+ * ROUND_DOWN_DIGITS are the digits of a word's coefficient after the first digit. */
 enum {
     DOUBLE_DIGITS = 52,
     DOUBLE_BIAS = 1023,
@@ -34,8 +34,8 @@ static inline uint64_t double_exponent(int e)
 
 /* ---- Moderate words ------------------------------------------------------ */
 
-/* Returns true if all words of a set are moderate: common words whose exponents begin
- * with eight equal bits, or machine zeros. all and any are as in common_by_edges(). */
+/* Returns true if each word of a set is moderate (a common word whose exponent begins
+ * with eight equal bits) or machine zero. all and any are as in common_by_edges(). */
 static inline bool moderate_by_edges(uint64_t all, uint64_t any)
 {
     return common_by_edges(all, any) && any >> 57 == 0;
@@ -53,8 +53,8 @@ static inline bool moderate_pair(c205_word a, c205_word b)
 }
 
 /* Returns the exact value. The coefficient goes into the last digits of a large number
- * with this exponent, and the large number is subtracted again. The large number has
- * 2^47 more than 2^52, so that a negative coefficient does not shorten it. */
+ * with this exponent, and the large number is subtracted again. The large number is
+ * 2^52 + 2^47, so a negative coefficient does not shorten it. */
 static inline double moderate_value(c205_word w)
 {
     uint64_t exponent = w >> ROUND_DOWN_PLACE << DOUBLE_DIGITS;
@@ -63,11 +63,10 @@ static inline double moderate_value(c205_word w)
     return double_of_bits(large ^ (w & WORD_COEFFICIENT_MASK)) - double_of_bits(large);
 }
 
-/* Returns a nonzero double as a normalised word, rounded down. A normalised coefficient
- * may be -2^47 but not -2^46. A negative number therefore counts as one place shorter
- * if all digits after its first one are 0. A value scaled to the exponent of a
- * coefficient is added to a large number, and the last digits of the sum are its
- * floor. */
+/* Returns a nonzero double as a normalised word, rounded down. The coefficient may be
+ * -2^47 but not -2^46, so a negative number counts as one place shorter if all digits
+ * after its first digit are 0. The value is scaled to the exponent of a coefficient and
+ * added to a large number. The last digits of the sum are the floor. */
 static inline c205_word round_down_word(double value)
 {
     uint64_t bits = bits_of_double(value);
@@ -92,8 +91,8 @@ static inline double round_down_value(double value)
 
 /* ---- Operations ---------------------------------------------------------- */
 
-/* A result that must still be rounded down to a word. If is_odd is set, the exact rule
- * must compute it. */
+/* A result before rounding to a word. If is_odd is set, the exact rule must compute
+ * it. */
 typedef struct round_down {
     double value;
     bool is_odd;
@@ -105,8 +104,8 @@ static inline round_down round_down_add(double x, double y)
     return sum;
 }
 
-/* The result is odd for every positive subtrahend below the last digit of x, because
- * the machine cuts off some of these entirely. */
+/* Subtracts. The result is odd for every positive subtrahend below the last digit of x,
+ * because the machine cuts off some of them completely. */
 static inline round_down round_down_subtract(double x, double y)
 {
     const round_down difference = { x - y, (x + y == x) & (y > 0) };
@@ -121,13 +120,14 @@ static inline round_down round_down_multiply(double x, double y)
 
 /* ---- Blocks -------------------------------------------------------------- */
 
-/* Changing the rounding mode costs time; a shorter block does not gain from it. */
+/* The shortest block for which the speed-up exceeds the cost of changing the rounding
+ * mode. */
 enum { MIN_ROUND_DOWN = 32 };
 
-/* Facts about a block that are known only after the whole block is computed. */
+/* Properties of a block that are known only after all of it is computed. */
 typedef struct round_down_block {
-    uint64_t all, any; /* edges */
-    /* Counts, because clang 14 vectorises them but not masks combined by |. */
+    uint64_t all, any; /* AND and OR of the edges */
+    /* Sums, because clang 14 vectorises + but not | here. */
     uint64_t odd, zeros;
 } round_down_block;
 
@@ -153,7 +153,7 @@ static inline c205_word result_word(double value)
     return value == 0 ? C205_MACHINE_ZERO : word;
 }
 
-/* Returns false if the block must be computed in another way. */
+/* Returns false if the block must be computed by another method. */
 static inline bool round_down_end(const round_down_block *block, uint64_t *flags)
 {
     if (!moderate_by_edges(block->all, block->any) || block->odd)
@@ -163,7 +163,7 @@ static inline bool round_down_end(const round_down_block *block, uint64_t *flags
     return true;
 }
 
-/* Computes a block of n words. Returns false if it must be computed in another way. */
+/* Computes a block of n words. Returns false if another method must compute it. */
 #define ROUND_DOWN_BLOCK(name, operation) \
     LANEWISE bool name BLOCK_PARAMETERS \
     { \

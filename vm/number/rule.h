@@ -6,9 +6,9 @@
  *   RULE_FORMAT   a constant word_format
  *   RULE(name)    the names of the functions of arith.h in this format
  *
- * Such a file should hold little else, because it also gets the static names below. Let
- * d be the digits of the format (47 for words of 64 bits). The product of two
- * coefficients has 2d + 1 bits (95), d of them in the lower half.
+ * Such a file should contain little else, because it also gets the static names below.
+ * Let d be the number of digits of the format (47 for words of 64 bits). The product of
+ * two coefficients has 2d + 1 bits (95). The lower half has d of them.
  */
 
 #include <math.h>
@@ -66,7 +66,7 @@ static c205_word indefinite(uint64_t cause, uint64_t *flags)
     return C205_INDEFINITE;
 }
 
-/* The range rule depends on the exponent only. */
+/* Applies the range rule, which depends on the exponent only. */
 static c205_word ranged(int64_t exponent, int64_t coefficient, uint64_t *flags)
 {
     if (exponent > format_exponent_max(RULE_FORMAT))
@@ -113,14 +113,14 @@ static int64_t wide_floor(wide w, int32_t places)
     return word_shift_left(word_shift_left(w.hi, DIGITS) + w.lo, -places);
 }
 
-/* Returns a word: w shifted right, which drops low bits, or left if places is
- * negative. */
+/* Returns w as a word. Positive places shift right and drop low bits; negative places
+ * shift left. */
 static c205_word wide_cut(wide w, int32_t places, uint64_t *flags)
 {
     return ranged(w.exponent + places, wide_floor(w, places), flags);
 }
 
-/* Returns w with the given number of significant bits; machine zero if w is zero. */
+/* Returns w with the given number of significant bits, or machine zero if w is zero. */
 static c205_word wide_significant(wide w, int32_t bits, uint64_t *flags)
 {
     if (wide_is_zero(w))
@@ -128,8 +128,8 @@ static c205_word wide_significant(wide w, int32_t bits, uint64_t *flags)
     return wide_cut(w, wide_significant_bits(w) - bits, flags);
 }
 
-/* Returns the high part of w, or half of it with a larger exponent if it does not
- * fit. */
+/* Returns the high part of w. If it does not fit, returns half of it with the next
+ * exponent. */
 static c205_word wide_upper(wide w, uint64_t *flags)
 {
     bool fits = word_significant_bits(w.hi) <= DIGITS;
@@ -143,7 +143,7 @@ static c205_word wide_lower(wide w, uint64_t *flags)
 
 /* ---- Add, subtract ----------------------------------------------------- */
 
-/* Returns c x 2^d shifted right in the register of 2d + 1 bits. Bits that leave the
+/* Returns c x 2^d shifted right in the register of 2d + 1 bits. Bits shifted out of the
  * register are lost. */
 static wide aligned(int64_t c, int32_t places)
 {
@@ -159,8 +159,8 @@ static wide aligned(int64_t c, int32_t places)
     return w;
 }
 
-/* Returns the sum in the register. A machine zero counts as a coefficient of 0. Its
- * exponent is below all others, so the other operand is never aligned to it. */
+/* Returns the sum in the register. A machine zero has coefficient 0 and the smallest
+ * exponent, so the other operand is never aligned to it. */
 static wide sum(c205_word a, c205_word b, bool subtract)
 {
     int32_t distance = exponent_of(a) - exponent_of(b);
@@ -181,7 +181,7 @@ static wide sum(c205_word a, c205_word b, bool subtract)
     return w;
 }
 
-/* A sum of more than 2d + 1 bits loses its last bit. */
+/* Returns w in the register. A sum of more than 2d + 1 bits loses its last bit. */
 static wide fitted(wide w)
 {
     if (word_significant_bits(w.hi) > DIGITS) {
@@ -273,8 +273,8 @@ c205_word RULE(average_difference)(c205_word a, c205_word b, uint64_t *flags)
 /* ---- Multiply ---------------------------------------------------------- */
 
 /* The product is computed from halves of h = (d + 1) / 2 bits, the high ones signed.
- * With ca = a1 x 2^h + a0 and cb likewise, it is a1 b1 x 2^(d + 1) + (a1 b0 + a0 b1) x
- * 2^h + a0 b0. */
+ * For ca = a1 x 2^h + a0 and cb = b1 x 2^h + b0, it is a1 b1 x 2^(d + 1) + (a1 b0 + a0
+ * b1) x 2^h + a0 b0. */
 static wide product(c205_word a, c205_word b)
 {
     int32_t half = (DIGITS + 1) / 2;
@@ -290,7 +290,7 @@ static wide product(c205_word a, c205_word b)
     return w;
 }
 
-/* Returns true and sets *special if a special operand decides the result. */
+/* Returns true and sets *special if a special operand determines the result. */
 static bool special_product(c205_word a, c205_word b, c205_word *special,
                             uint64_t *flags)
 {
@@ -303,7 +303,7 @@ static bool special_product(c205_word a, c205_word b, c205_word *special,
     return true;
 }
 
-/* Returns the significant bits of the less significant operand, at least 1. */
+/* Returns the smaller number of significant bits of the two operands, at least 1. */
 static int32_t least_significance(c205_word a, c205_word b)
 {
     int32_t sa = word_significant_bits(coefficient_of(a));
@@ -339,8 +339,8 @@ c205_word RULE(multiply_significant)(c205_word a, c205_word b, uint64_t *flags)
 /* ---- Divide ------------------------------------------------------------ */
 
 /* Returns trunc(ca x 2^d / cb) by long division. The first digit has d + 1 bits. The d
- * bits below it follow in groups of up to 16, the room that the remainder leaves in 64
- * bits. */
+ * bits below it follow in groups of up to 16 bits, for which the remainder leaves room
+ * in 64 bits. */
 static wide quotient(c205_word a, c205_word b)
 {
     int64_t ca = coefficient_of(a), cb = coefficient_of(b);
@@ -358,7 +358,7 @@ static wide quotient(c205_word a, c205_word b)
     return (ca < 0) != (cb < 0) ? wide_negate(w) : w;
 }
 
-/* Returns true and sets *special if a special operand decides the result. A divisor
+/* Returns true and sets *special if a special operand determines the result. A divisor
  * with value 0 is a divide fault for every dividend that is not indefinite. */
 static bool special_quotient(c205_word a, c205_word b, c205_word *special,
                              uint64_t *flags)
@@ -394,8 +394,8 @@ c205_word RULE(divide_significant)(c205_word a, c205_word b, uint64_t *flags)
 
 /* ---- Square root ------------------------------------------------------- */
 
-/* Returns floor(sqrt(c x 2^k)) of a normalised c; the radicand is below 2^2d. The root
- * in double arithmetic is at most one too large. The sign of the remainder modulo 2^64
+/* Returns floor(sqrt(c x 2^k)) of a normalised c. The radicand is below 2^2d. The root
+ * in double arithmetic is at most 1 too large. The sign of the remainder modulo 2^64
  * gives the correction. */
 static int64_t root(int64_t c, int32_t k)
 {
@@ -421,7 +421,7 @@ c205_word RULE(square_root)(c205_word a, uint64_t *flags)
 
 /* ---- Parts of a number, sign ------------------------------------------- */
 
-/* Returns a unchanged and sets the flags of its class. */
+/* Returns a unchanged and sets the flags for its class. */
 static c205_word kept(c205_word a, uint64_t *flags)
 {
     if (word_is_machine_zero(a))
@@ -452,8 +452,8 @@ c205_word RULE(truncate)(c205_word a, uint64_t *flags)
     return coefficient_of(a) < 0 ? RULE(ceiling)(a, flags) : RULE(floor)(a, flags);
 }
 
-/* A normalised number stays normalised. The negatives of two coefficients need another
- * exponent: 2^d does not fit, and -2^(d - 1) is not normalised. */
+/* Negates. A normalised number stays normalised. The negatives of two coefficients need
+ * another exponent: 2^d does not fit, and -2^(d - 1) is not normalised. */
 c205_word RULE(negate)(c205_word a, uint64_t *flags)
 {
     int32_t exponent = exponent_of(a);
@@ -488,8 +488,8 @@ c205_word RULE(pack)(c205_word a, c205_word b, uint64_t *flags)
 
 /* ---- Adjust ------------------------------------------------------------ */
 
-/* Returns the places by which a coefficient can be shifted left without overflow. 0
- * could be shifted without end but counts as having no significant bits. */
+/* Returns the places by which a coefficient can be shifted left without overflow. The
+ * coefficient 0 counts as having no significant bits. */
 static int32_t room(int64_t c)
 {
     return DIGITS - word_significant_bits(c);

@@ -1,4 +1,4 @@
-/* spans.c - the span operations with the same code for words and half words: bitwise
+/* spans.c - span operations whose code is the same for words and half words: bitwise
  * operations, comparisons, reductions, copies.
  */
 #include "vm/number/spans.h"
@@ -64,22 +64,22 @@ EXPONENT(halves_exponent, half_words)
 
 /* ---- Comparisons -------------------------------------------------------- */
 
-/* Returns a machine zero as the number 0 with the least exponent, and other words
+/* Returns the number 0 with the smallest exponent for a machine zero, and other words
  * unchanged. */
 static inline c205_word zero_as_number(c205_word w)
 {
     return max_word(w, MIN_NUMBER);
 }
 
-/* First bit 1: the number is not normalised. */
+/* The first bit is 1 if the number is not normalised. */
 static inline uint64_t unnormalised(word_format f, c205_word number)
 {
     uint64_t digits = number << f.exponent_bits;
     return number == MIN_NUMBER ? 0 : ~(digits ^ digits << 1);
 }
 
-/* Returns a word that is ordered as an integer. Normalised numbers of one sign have the
- * order of integers after the exponents of negative ones are complemented. */
+/* Returns a word that is ordered as an integer. The exponents of negative numbers are
+ * complemented, so normalised numbers of one sign have the order of integers. */
 static inline c205_word order(word_format f, c205_word w)
 {
     c205_word exponent = ~format_coefficient_mask(f);
@@ -87,7 +87,7 @@ static inline c205_word order(word_format f, c205_word w)
     return w ^ (exponent & (c205_word)sign);
 }
 
-/* First bit 1: x < y as signed integers. */
+/* The first bit is 1 if x < y as signed integers. */
 static inline uint64_t less_integer(uint64_t x, uint64_t y)
 {
     uint64_t difference = x - y;
@@ -107,7 +107,7 @@ static inline int64_t coefficient_bits(word_format f, c205_word w)
     return (int64_t)(w << f.exponent_bits);
 }
 
-/* Returns 0 for a number with exponent 0 and for a zero that zero_as_number() made. */
+/* Returns 0 for a number with exponent 0 and for a zero from zero_as_number(). */
 static inline uint64_t exponent_bits(word_format f, c205_word w)
 {
     return w == MIN_NUMBER ? 0 : w & ~format_coefficient_mask(f);
@@ -119,7 +119,7 @@ static inline uint64_t exponent_bits(word_format f, c205_word w)
 #define LESS(f, x, y) less_number(f, x, y)
 #define NOT_LESS(f, x, y) ~LESS(f, x, y)
 
-/* A mask for each bit of a word, from the left. */
+/* Masks for the bits of a word, from the left. */
 #define PLACES(i) \
     FIRST >> (i), FIRST >> (i + 1), FIRST >> (i + 2), FIRST >> (i + 3), \
         FIRST >> (i + 4), FIRST >> (i + 5), FIRST >> (i + 6), FIRST >> (i + 7)
@@ -127,7 +127,7 @@ static inline uint64_t exponent_bits(word_format f, c205_word w)
 static const uint64_t places[BITS] = { PLACES(0),  PLACES(8),  PLACES(16), PLACES(24),
                                        PLACES(32), PLACES(40), PLACES(48), PLACES(56) };
 
-/* Copies the first bit to all bits. */
+/* Copies the first bit to all other bits. */
 static inline uint64_t copied(uint64_t bit)
 {
     return (uint64_t)((int64_t)bit >> 63);
@@ -145,8 +145,8 @@ static inline uint64_t copied(uint64_t bit)
     }
 
 /* Computes the bits of a block by comparing coefficients. This is valid for zeros and
- * for words with exponent 0, such as indices. `exponents` is nonzero if the block has
- * other words. */
+ * for words with exponent 0, such as indices. `exponents` becomes nonzero if the block
+ * has other words. */
 #define BY_COEFFICIENT(format, relation, inverse) \
     for (size_t j = 0; j < length; j++) { \
         c205_word x = zero_as_number(a[i + j]); \
@@ -161,8 +161,9 @@ static inline uint64_t copied(uint64_t bit)
     (uint64_t *restrict bits, const c205_word *restrict a, \
      const c205_word *restrict b, size_t n)
 
-/* A block with a word that is neither a normalised number nor a machine zero is
- * computed again, by coefficients if possible and otherwise by rank. */
+/* Compares a span block by block. A block with other words than normalised numbers and
+ * machine zeros is compared again, by coefficients if possible and otherwise by
+ * rank. */
 #define COMPARE_SPAN(name, format, is, relation, inverse) \
     LANEWISE void name##_span COMPARE_PARAMETERS \
     { \

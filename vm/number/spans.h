@@ -1,4 +1,4 @@
-/* spans.h - the loops over spans of words, for the files that define the functions of
+/* spans.h - loops over spans of words, for the files that define the functions of
  * lanes.h.
  */
 #ifndef C205_SPANS_H
@@ -19,7 +19,7 @@
 #define UNARY_VERSIONS(name, plain) \
     VERSIONS(name, plain, UNARY_PARAMETERS, (c, a, n, flags))
 
-/* These process one word at a time. */
+/* These loops process one word at a time. */
 #define BINARY_WORDS(name, of_words) \
     void name BINARY_PARAMETERS \
     { \
@@ -34,7 +34,7 @@
     }
 
 /* Recomputes by the exact rule each word whose first bit of odd is 1. The other words
- * are valid; a machine zero among them sets its flag. */
+ * are valid, and a machine zero among them sets its flag. */
 static inline void binary_again(arith_binary *exact, c205_word *c, const c205_word *a,
                                 const c205_word *b, const uint64_t *odd, size_t n,
                                 uint64_t *flags)
@@ -59,7 +59,7 @@ static inline void unary_again(arith_unary *exact, c205_word *c, const c205_word
 /* A span of lanes (lane_parts.h) is processed block by block. In a block with an odd
  * lane, the exact rule computes that lane again.
  *
- * If the result overlaps an operand, a block goes to a temporary array first, so that
+ * If the result overlaps an operand, a block is computed in a temporary array first, so
  * the operands are read before the result is stored. LANES is the number of words that
  * one vector operation takes. All loops run over whole groups of LANES: the last group
  * of a block overlaps the one before it, and a block shorter than LANES is padded.
@@ -77,7 +77,8 @@ static inline void copy_block(c205_word *to, const c205_word *from, size_t n)
     memcpy(to, from, n * sizeof *to);
 }
 
-/* Copies n words, 1 <= n <= LANES, and pads with copies of the first. */
+/* Copies n words, 1 <= n <= LANES, and fills the remaining lanes with copies of the
+ * first word. */
 static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n)
 {
     for (size_t i = 0; i < LANES; i++)
@@ -86,8 +87,8 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n
         lanes[i] = words[i];
 }
 
-/* Runs the body, a statement or a block, for each index j in whole groups of LANES, then
- * for the last LANES of n. */
+/* Runs the body, a statement or a block, for each index j of the whole groups of LANES,
+ * then for the last LANES of n. */
 #define EACH_LANE(body) \
     for (size_t i = 0, end = n & ~(size_t)(LANES - 1);;) { \
         for (size_t j = i; j < end; j++) \
@@ -167,8 +168,8 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n
 /* ---- Blocks of one kind ----------------------------------------------------
  *
  * In most blocks all words are common (common_range.h), or all words of one operand are
- * machine zeros. Testing for these cases first takes fewer steps. A common_block
- * function returns true if it computed the block.
+ * machine zeros. A test for these cases takes fewer steps than the general code. A
+ * common_block function returns true if it computed the block.
  */
 
 #define NEVER_COMMON(to, a, b, n, flags) false
@@ -185,8 +186,8 @@ LANEWISE bool common_lanes(const c205_word *a, const c205_word *b, size_t n)
     return common_by_edges(all, any);
 }
 
-/* The first words are tested first: a block with a word that is not common mostly has
- * one at its start. */
+/* Tests whether all words are common. It tests the first words separately, because a
+ * block with a word that is not common mostly has one at its start. */
 LANEWISE bool common_pairs(const c205_word *a, const c205_word *b, size_t n)
 {
     enum { FIRST_ONES = 2 * LANES };
@@ -204,8 +205,8 @@ LANEWISE bool zero_lanes(const c205_word *a, size_t n)
     return is_zero(most);
 }
 
-/* The result of machine zeros combined with common words or other machine zeros: zeros,
- * the other words, or neither. */
+/* The result if one operand consists of machine zeros and the other of common words or
+ * machine zeros: zeros, the other words, or neither. */
 enum zeros_give { GIVE_ZEROS, GIVE_OTHERS, GIVE_NEITHER };
 
 LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
@@ -225,8 +226,8 @@ LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
     return true;
 }
 
-/* first and second state the result if the zeros are the first or the second
- * operand. */
+/* first is the result if the zeros are the first operand; second, if they are the
+ * second. */
 #define ZEROS_BLOCK(name, first, second) \
     LANEWISE bool name BLOCK_PARAMETERS \
     { \
@@ -243,7 +244,7 @@ LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
         return true; \
     }
 
-/* Tries one function, then the other. */
+/* Tries one function; the other is tried if it fails. */
 #define EITHER_BLOCK(name, one, other) \
     LANEWISE bool name BLOCK_PARAMETERS \
     { \

@@ -1,13 +1,13 @@
 /* word.h - a word as a number: its parts and classes.
  *
- * See c205_word.h for the format of 64 bits. A number of another format is at the left of a
- * c205_word, followed by zeros:
+ * See c205_word.h for the format of 64 bits. A number of another format is in the high
+ * bits of a c205_word, followed by zeros:
  *
  *   | exponent | coefficient, sign and digits | zeros |
  *
  * In every format, the first four bits identify a machine zero (8) and an indefinite
  * (7). All functions use shifts only, so loops with them vectorise. The format argument
- * should be one of the constants, so that the compiler folds it.
+ * should be one of the constants below, because the compiler folds constants.
  */
 #ifndef C205_WORD_H
 #define C205_WORD_H
@@ -17,7 +17,7 @@
 
 typedef struct word_format {
     int32_t exponent_bits; /* 4 or more */
-    int32_t digits;        /* bits of a coefficient without its sign; odd, at most 47 */
+    int32_t digits;        /* bits of a coefficient without the sign; odd, at most 47 */
 } word_format;
 
 static const word_format whole_words = { 16, 47 }; /* 64 bits */
@@ -128,8 +128,8 @@ static inline bool word_is_indefinite(c205_word w)
     return w >> 60 == 7;
 }
 
-/* A word is normalised if the first two bits of its coefficient differ and its exponent
- * is valid. */
+/* Returns true if the first two bits of the coefficient differ and the exponent is
+ * valid. */
 static inline bool format_is_normalised(word_format f, c205_word w)
 {
     return ((w ^ w << 1) >> (63 - f.exponent_bits) & 1) != 0 && !word_is_machine_zero(w)
@@ -153,7 +153,7 @@ static inline int32_t word_bit_length(uint64_t x)
     return (int32_t)(bits_of_double(d - 4503599627370496.0) >> 52) - 1023;
 }
 
-/* Returns the significant bits of -2^51 <= c < 2^51: the least n with -2^n <= c <
+/* Returns the significant bits of c, -2^51 <= c < 2^51: the smallest n with -2^n <= c <
  * 2^n. */
 static inline int32_t word_significant_bits(int64_t c)
 {
@@ -177,8 +177,8 @@ static inline int64_t word_value_coefficient(c205_word w)
     return format_value_coefficient(whole_words, w);
 }
 
-/* Returns an integer that orders words as their values; indefinite words have no rank.
- * The rank of every zero is 0. The rank of a positive value is its normalised exponent,
+/* Returns an integer with the order of the values. Indefinite words have no rank. The
+ * rank of every zero is 0. The rank of a positive value is its normalised exponent,
  * counted from 1, followed by its coefficient. The rank of a negative value is the
  * complement of the same bits of its complement. */
 static inline int64_t format_rank(word_format f, c205_word w)
@@ -193,21 +193,21 @@ static inline int64_t format_rank(word_format f, c205_word w)
 }
 
 /* Returns (digits + a fraction if inexact) x 2^exponent with the given sign, rounded
- * down to a normalised word. digits must be in [2^(d - 1), 2^d) for the d digits of the
- * format. Out of range: indefinite or machine zero. */
+ * down to a normalised word. digits must be in [2^(d - 1), 2^d), where d is the number
+ * of digits of the format. Values out of range become indefinite or machine zero. */
 c205_word word_cut(word_format f, bool negative, int64_t digits, bool inexact,
                    int32_t exponent);
 
 /* ---- Words as bits ------------------------------------------------------ */
 
-/* Returns the low bits of a as the exponent and the coefficient of b. */
+/* Returns a word with the low bits of a as its exponent and the coefficient of b. */
 static inline c205_word format_pack(word_format f, c205_word a, c205_word b)
 {
     return a << (f.digits + 1) | (b & format_coefficient_mask(f));
 }
 
-/* A count >= 0 shifts left circularly, modulo the width. A negative count shifts right
- * and copies the first bit in. */
+/* Shifts a word. A count >= 0 shifts left circularly, modulo the width. A negative
+ * count shifts right and copies the first bit. */
 static inline c205_word format_shift(word_format f, c205_word a, int64_t count)
 {
     int32_t width = format_width(f);
