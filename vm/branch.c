@@ -132,7 +132,7 @@ c205_trap execute_alter_flag(struct c205 *machine, const struct decoded *decoded
     return trap;
 }
 
-/* Read-only memory permits a bit that is not altered. */
+/* An unaltered bit may be in read-only memory. */
 c205_trap execute_alter_memory_bit(struct c205 *machine, const struct decoded *decoded)
 {
     struct memory *memory = &machine->memory;

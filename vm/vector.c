@@ -43,7 +43,7 @@ c205_trap stream_describe_sources(struct stream *stream, struct c205 *machine,
     return trap == C205_TRAP_NONE ? stream_take_length(stream, decoded) : trap;
 }
 
-/* Returns the number of elements of B to read. */
+/* Returns the number of elements of B that are read. */
 static size_t count_b(const struct stream *stream)
 {
     return stream->scans_b && stream->n > 0 ? stream->b.vector.length : stream->n;
@@ -99,13 +99,13 @@ c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
 
 /* ---- Recurrences -------------------------------------------------------- */
 
-/* The elements from first up to, but not including, end. */
+/* The elements from first up to end, without end. */
 struct elements {
     size_t first, end;
 };
 
-/* Returns the elements that wait for an earlier result of the same width: those from
- * the first one that overlaps the result. */
+/* Returns the elements that wait for an earlier result: all elements from the first
+ * that overlaps the result. Source and result must have the same width. */
 static struct elements waiting(const struct vector *read, const struct vector *result,
                                size_t n)
 {
@@ -178,8 +178,8 @@ static uint64_t flags_of(const struct operation *operation, c205_word *words,
     return flags;
 }
 
-/* Flags are rare. Only if one is set, the permitted elements are compressed and
- * computed again for their flags. */
+/* Returns the flags of the permitted elements. Flags are rare, so these elements are
+ * compressed and computed again only if some element sets a flag. */
 static uint64_t permitted_flags(const struct operation *operation, const c205_word *a,
                                 const c205_word *b, size_t n, const uint64_t *permitted)
 {
@@ -200,8 +200,8 @@ void operate(struct c205 *machine, const struct operation *operation, c205_word 
     machine->data_flags |= flags;
 }
 
-/* Returns the memory of the result if it is contiguous, stored completely, and does not
- * overlap a source; otherwise words. */
+/* Returns the memory of the result if it is contiguous, is stored completely and does
+ * not overlap a source. Otherwise returns words. */
 static c205_word *result_space(struct stream *stream, size_t first, size_t n,
                                c205_word *words)
 {
@@ -245,7 +245,7 @@ static c205_trap run_stream(struct stream *stream, const struct operation *opera
     return stream_end(stream);
 }
 
-/* For words and for half words. */
+/* The operations for words and for half words. */
 static const struct operation operations[C205_OPERATIONS][2] = {
 /* clang-format off */
 #define OF_BOTH_SIZES(name, kind) \
@@ -282,7 +282,7 @@ c205_trap execute_elementwise(struct c205 *machine, const struct decoded *decode
 
 /* ---- Neighbours -------------------------------------------------------- */
 
-/* Both streams read A; the first is one element ahead. */
+/* Both streams read A. The first stream is one element ahead. */
 c205_trap execute_neighbours(struct c205 *machine, const struct decoded *decoded)
 {
     struct stream stream;
@@ -308,8 +308,8 @@ struct progression {
 };
 
 /* Makes n elements by repeated upper addition, starting with value, and leaves the next
- * element in value. The elements do not depend on the control vector, but the flags do:
- * an element that is stored sets the flags of its addition. */
+ * element in value. The elements do not depend on the control vector. The flags do:
+ * only the addition of a stored element sets flags. */
 static void make_interval(struct c205 *machine, struct progression *progression,
                           c205_word *words, size_t n, const uint64_t *permitted)
 {
@@ -363,7 +363,7 @@ struct horner {
     struct operation times, plus;
 };
 
-/* Sets values to the polynomial at each of a by Horner's rule. */
+/* Computes the polynomial at each element of a by Horner's rule. */
 static void evaluate(struct stream *stream, const struct horner *horner,
                      c205_word *values, const c205_word *a, size_t n,
                      const uint64_t *permitted)
@@ -380,7 +380,7 @@ static void evaluate(struct stream *stream, const struct horner *horner,
     }
 }
 
-/* Every element reads all coefficients. */
+/* Records the recurrence. Every element reads all coefficients. */
 static void record_recurrence_of_polynomial(const struct stream *stream)
 {
     const struct vector *a = &stream->a.vector, *b = &stream->b.vector;

@@ -1,5 +1,5 @@
-/* vector.h - the common part of the vector instructions: two sources, a control vector
- * and a result, processed in chunks.
+/* vector.h - the common part of the vector instructions. They process two sources, a
+ * control vector and a result in chunks.
  */
 #ifndef C205_VECTOR_H
 #define C205_VECTOR_H
@@ -14,42 +14,44 @@ struct stream {
     size_t n;         /* elements */
     struct turn turn; /* the part that is processed now */
     size_t chunk;     /* maximum number of elements at once */
-    bool scans_b;     /* all of B is read for each element of A */
+    bool scans_b;     /* each element of A reads all of B */
 };
 
-/* The operation on the elements: one of these is not NULL. */
+/* The operation on the elements. One of these pointers is not NULL. */
 struct operation {
     lanes_unary *unary;
     lanes_binary *binary;
     lanes_compare *compare;
 };
 
-/* The function on spans of the size of the instruction. */
+/* Returns the span function for the size of the instruction. */
 #define SIZED(decoded, name) \
     ((decoded)->fields.g & C205_G_HALF ? halves_##name : lanes_##name)
 
-/* Describes the operands; n is the length of the result. */
+/* Describes the operands. n is the length of the result. */
 c205_trap stream_describe(struct stream *stream, struct c205 *machine,
                           const struct decoded *decoded);
-/* Describes the operands if the results are registers; n is the length of a source. */
+/* Describes the operands of an instruction whose results are registers. n is the length
+ * of a source. */
 c205_trap stream_describe_sources(struct stream *stream, struct c205 *machine,
                                   const struct decoded *decoded);
 /* Sets n to the length of A, or of B if A is broadcast. */
 c205_trap stream_take_length(struct stream *stream, const struct decoded *decoded);
-/* Claims everything that will be read and written, and sets the chunk. */
+/* Claims all operands and sets the chunk. */
 c205_trap stream_claim(struct stream *stream);
-/* Claims the sources if the result is a register or is not stored, and sets the
- * chunk. */
+/* Claims the sources and sets the chunk, if the result is a register or is not
+ * stored. */
 c205_trap stream_claim_sources(struct stream *stream);
-/* Describes and claims. */
+/* Describes and claims the operands. */
 c205_trap stream_open(struct stream *stream, struct c205 *machine,
                       const struct decoded *decoded);
-/* Describes and claims if all of B is read for each element of A. */
+/* Describes and claims the operands of an instruction that reads all of B for each
+ * element of A. */
 c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
                            const struct decoded *decoded);
 
-/* Records in the effect how many of n elements of a result must wait because one of
- * these sources reads an earlier result. A pair has MAX_SOURCES sources. */
+/* Records in the effect how many of n elements of a result must wait for an earlier
+ * result that a source reads. A pair has MAX_SOURCES sources. */
 enum { MAX_SOURCES = 4 };
 void record_recurrence(struct c205 *machine, const struct vector *result, size_t n,
                        const struct source *const *sources, size_t count);
@@ -60,20 +62,21 @@ static inline size_t stream_next(const struct stream *stream, size_t first)
     return min_size(stream->turn.end - first, stream->chunk);
 }
 
-/* Returns NONE if all elements are done, or CLOCK_LIMIT. */
+/* Returns NONE if all elements are done, and CLOCK_LIMIT otherwise. */
 static inline c205_trap stream_end(struct stream *stream)
 {
     return machine_end_turn(stream->machine, &stream->turn);
 }
 
-/* words := operation(a, b). Only the permitted elements set data flags (NULL: all). */
+/* Computes words := operation(a, b). Only the permitted elements set data flags (NULL:
+ * all). */
 void operate(struct c205 *machine, const struct operation *operation, c205_word *words,
              const c205_word *a, const c205_word *b, size_t n,
              const uint64_t *permitted);
 
 /* Processes n elements from first on: reads the sources and stores the result.
- * in_place: the result may be computed in its final place if the stream's own sources
- * permit that. */
+ * in_place: computes the result in its final place if the sources of the stream permit
+ * it. */
 void stream_step(struct stream *stream, const struct operation *operation, size_t first,
                  size_t n, bool in_place);
 

@@ -175,8 +175,8 @@ static inline lane special_product(c205_word a, c205_word b, lane result)
 
 /* ---- Add, subtract ------------------------------------------------------ */
 
-/* Returns the distance between the exponents of l and s in the place of an exponent, at
- * most limit. The bits below that place are noise. They prevent a compiler from using a
+/* Returns the distance between the exponents of l and s, at most limit, in the position
+ * of an exponent. The bits below it are undefined. They prevent a compiler from using a
  * shorter integer. */
 static inline uint64_t apart(c205_word l, c205_word s, int64_t limit)
 {

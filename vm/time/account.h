@@ -11,18 +11,18 @@
 struct clock_accounts {
     size_t count;
     c205_account *account;
-    c205_account *kept; /* space for a copy */
+    c205_account *kept; /* buffer for a copy */
     char *names;        /* consecutive strings, each ending with '\0' */
 };
 
-/* Opens zeroed accounts for these regions and closes the previous ones. Returns false
- * and changes nothing if the host's memory is exhausted. */
+/* Opens zeroed accounts for these regions and closes the previous accounts. Returns
+ * false, without effect, if the host is out of memory. */
 bool accounts_open(struct clock_accounts *accounts, const char *const *names,
                    size_t count);
 void accounts_close(struct clock_accounts *accounts);
 void accounts_clear(struct clock_accounts *accounts);
 
-/* accounts_keep copies the accounts, and accounts_put_back restores the copy. */
+/* accounts_keep copies the accounts. accounts_put_back restores the copy. */
 void accounts_keep(struct clock_accounts *accounts);
 void accounts_put_back(struct clock_accounts *accounts);
 

@@ -1,9 +1,10 @@
 /* banks.c - computes the conflicts of a list of accesses to interleaved memory banks.
  *
- * If a bank is busy for at most LATEST + 1 accesses, an access can wait only for the
- * last LATEST accesses before it, so no table of banks is needed and the loops
- * vectorise. Otherwise a table holds the time at which each bank is free. The conflicts
- * of a list are cached, because records are gathered with one list from several tables.
+ * An access can wait only for the LATEST accesses before it if a bank is busy for at
+ * most LATEST + 1 accesses. In this case no table of banks is needed and the loops
+ * vectorise. Otherwise a table contains the time at which each bank becomes free. The
+ * conflicts of a list are cached, because records are gathered with one list from
+ * several tables.
  */
 #include "vm/time/banks.h"
 
@@ -31,12 +32,12 @@ void banks_free(struct banks *banks)
 
 /* ---- Banks of accesses ---------------------------------------------------- */
 
-/* SPAN accesses are processed at a time. LATEST is the number of preceding accesses
- * that an access is compared with. */
+/* SPAN is the number of accesses that are processed at once. LATEST is the number of
+ * preceding accesses with which an access is compared. */
 enum { SPAN = 256, LATEST = 3 };
 
-/* Returns d rounded to an integer: the sum with a large number has no fraction bits.
- * The sum is a variable, so that it has no more digits than a double. */
+/* Returns d rounded to an integer: adding a large number removes the fraction bits. The
+ * assignment to a variable removes excess precision. */
 static inline double nearest_whole(double d)
 {
     double large = 0x1p52, sum = d + large;
@@ -44,8 +45,8 @@ static inline double nearest_whole(double d)
 }
 
 /* Computes the bank of each access: the word address, below 2^42, modulo count. The
- * quotient in double arithmetic is off by at most one, however the host rounds, and the
- * remainder is then corrected. */
+ * quotient in double arithmetic is off by at most 1 in every rounding mode of the host.
+ * The remainder is then corrected. */
 #define FIND_BANKS_PARAMETERS \
     (double *restrict bank, const c205_word *restrict indices, size_t n, \
      uint64_t table, uint64_t step, double count)
@@ -60,8 +61,8 @@ LANEWISE void find_banks_span FIND_BANKS_PARAMETERS
     }
 }
 
-/* The least times between the start of access i and the starts of the last, second last
- * and third last access before it. The array of banks begins with those of the LATEST
+/* The minimum times from the starts of the last, second last and third last access to
+ * the start of access i. The array of banks begins with the banks of the LATEST
  * preceding accesses. */
 struct waits {
     int64_t last[SPAN], second[SPAN + 1], third[SPAN + 1];
@@ -95,8 +96,8 @@ struct begun {
 };
 
 /* Computes the start time of each access. The part that does not depend on the last
- * access is computed one access earlier, so that each access adds only one sum and one
- * maximum to the chain of dependences. */
+ * access is computed in advance, so each access adds only one sum and one maximum to
+ * the chain of dependences. */
 static void begin_accesses(struct begun *begun, const struct waits *waits, size_t n)
 {
     struct begun now = *begun;
@@ -119,8 +120,8 @@ static uint64_t conflicts_of_latest(const struct banks *banks, uint64_t table,
 {
     int64_t access = (int64_t)banks->access, busy = (int64_t)banks->busy;
     struct begun begun = { -access, -access, -access };
-    double bank[LATEST + SPAN] = { -1, -1, -1 }; /* banks of the preceding accesses come
-                                                    first */
+    double bank[LATEST + SPAN] = { -1, -1, -1 }; /* begins with the banks of the
+                                                    preceding accesses */
     struct waits waits;
     for (size_t i = 0, n; i < count; i += n) {
         n = count - i < SPAN ? count - i : SPAN;
@@ -161,8 +162,8 @@ static uint64_t conflicts(const struct banks *banks, uint64_t table, unsigned st
 
 /* ---- The same list again ------------------------------------------------ */
 
-/* Returns true if a change of the table moves all accesses by the same number of banks.
- * This holds as long as no address wraps around to the start of memory. */
+/* Returns true if the bank of every access changes by the same number when the table
+ * moves. This holds if no address wraps around to the start of memory. */
 static bool is_whole(uint64_t table, unsigned step, c205_word spread)
 {
     return step == WORD_BITS && table % WORD_BITS == 0

@@ -1,4 +1,4 @@
-/* clock.c - the time line: the waits and the cost of each instruction.
+/* clock.c - computes the waits and the cost of each instruction.
  *
  * Rules and formulas with their sources: docs/timing.md.
  */
@@ -9,7 +9,7 @@
 
 /* ---- The time line ------------------------------------------------------- */
 
-/* The reason of a wait, for the record. */
+/* Why an instruction waits. The record contains the reason. */
 struct wait_reason {
     c205_wait wait;
     unsigned number;
@@ -26,7 +26,8 @@ static void note(const struct clock *clock, uint64_t clocks, c205_cause cause,
     c205_times *record = clock->record;
     if (clocks == 0)
         return;
-    if (record->piece_count == C205_PIECES) { /* has not happened so far */
+    if (record->piece_count == C205_PIECES) { /* no known instruction has this many
+                                                 pieces */
         record->piece[C205_PIECES - 1].clocks += clocks;
         return;
     }
@@ -57,7 +58,7 @@ static inline void wait_until(struct clock *clock, uint64_t until, c205_cause ca
 }
 
 /* Waits until a clock at which the vector unit is still busy. Each piece of the wait is
- * charged to the phase in which it falls, in the region of that phase. */
+ * charged to the cause and region of the phase that it falls in. */
 static inline void wait_through_phases(struct clock *clock, uint64_t until,
                                        struct wait_reason reason)
 {
@@ -89,8 +90,7 @@ static void wait_for_slot(struct clock *clock, uint16_t slot)
         wait_until(clock, clock->ready[slot], (c205_cause)clock->awaits[slot], reason);
 }
 
-/* All sources must be ready, and pending results of the result registers must have
- * arrived. */
+/* Waits until all sources are ready and no result of a result register is pending. */
 static void wait_for_registers(struct clock *clock, const struct decoded *decoded)
 {
     for (unsigned i = 0; i < decoded->source_count; i++)
@@ -110,7 +110,7 @@ static void set_results(struct clock *clock, const struct decoded *decoded,
     }
 }
 
-/* Hosts divide small numbers faster. */
+/* Divides. Hosts divide small numbers faster. */
 static inline uint64_t divided(uint64_t dividend, uint64_t divisor)
 {
     if ((dividend | divisor) <= UINT32_MAX)
@@ -171,8 +171,8 @@ static inline struct translation translate(struct clock *clock,
     return met;
 }
 
-/* A scalar instruction that uses memory waits for the vector unit and for the
- * translation of its addresses. */
+/* Lets a scalar instruction wait for the vector unit and for the translation of its
+ * addresses before it accesses memory. */
 static void reach_memory(struct clock *clock, const struct effect *effect)
 {
     wait_for_vector(clock);
@@ -195,8 +195,8 @@ static void charge_load(struct clock *clock, const struct decoded *decoded)
         clock->load = 0;
 }
 
-/* SWAP moves registers, so all of them must be ready. Nothing issues before it is
- * done. */
+/* Charges a SWAP. It waits for all registers that it moves, and no instruction issues
+ * before it is done. */
 static void charge_swap(struct clock *clock, const struct decoded *decoded,
                         const struct effect *effect)
 {
@@ -241,7 +241,7 @@ static void charge_branch(struct clock *clock, const struct decoded *decoded,
     spend(clock, clock->branch_out_of_stack, C205_BRANCH);
 }
 
-/* The monitor runs until it has served the request. */
+/* Charges a request. The monitor runs until it has served the request. */
 static void charge_monitor(struct clock *clock, const struct decoded *decoded)
 {
     uint64_t done = issue(clock, decoded, C205_OPERAND_WAIT);
@@ -259,7 +259,7 @@ static void note_phase(const struct clock *clock, uint64_t clocks, c205_cause ca
     record->phase[i].cause = cause;
 }
 
-/* Appends a phase at the end of the vector unit's work, which moves. */
+/* Appends a phase to the work of the vector unit, whose end increases. */
 static inline void add_phase(struct clock *clock, uint64_t clocks, c205_cause cause)
 {
     struct phase *phase = &clock->phase[clock->phase_count];
@@ -275,7 +275,7 @@ static inline void add_phase(struct clock *clock, uint64_t clocks, c205_cause ca
     clock->phase_count++;
 }
 
-/* Drops the phases that have ended. It keeps a stream that overlaps the start-up of the
+/* Drops the phases that have ended, except a stream that overlaps the start-up of the
  * next instruction. */
 static inline void drop_phases(struct clock *clock)
 {
@@ -287,8 +287,8 @@ static inline void drop_phases(struct clock *clock)
 }
 
 /* Returns the clock at which the vector unit accepts an instruction with this start-up.
- * Up to overlap clocks of the start-up hide under the stream of the previous
- * instruction. */
+ * The start-up may overlap the stream of the previous instruction by up to `overlap`
+ * clocks. */
 static uint64_t vector_free_at(const struct clock *clock, uint64_t startup)
 {
     uint64_t hidden = min_uint64(min_uint64(clock->overlap, startup),
@@ -308,8 +308,8 @@ static inline struct rate class_rate(const struct clock *clock,
     return half ? timing->half_stream : timing->stream;
 }
 
-/* Both members of a linked pair have one size. The pair runs at the rate of the
- * slowest. */
+/* Returns the rate of a linked pair, which is the rate of its slower member. Both
+ * members have the same size. */
 static struct rate pair_rate(const struct clock *clock, const struct decoded *decoded)
 {
     const struct decoded *const *linked = decoded->linked;
@@ -331,8 +331,9 @@ static inline struct rate stream_rate(const struct clock *clock,
     return class_rate(clock, decoded, decoded->fields.g & C205_G_HALF);
 }
 
-/* The start-up of a linked pair assumes two units that start up like the addition. A
- * member that takes longer adds the difference. */
+/* Returns the start-up of a vector instruction. The constant for a linked pair assumes
+ * two units with the start-up of the addition. A member with a longer start-up adds the
+ * difference. */
 static inline uint64_t startup_of(const struct clock *clock,
                                   const struct decoded *decoded)
 {
@@ -356,7 +357,7 @@ static inline void add_phases(struct clock *clock, const struct decoded *decoded
     clock->vector_tail = stream;
     clock->vector_pc = decoded->pc;
     add_phase(clock, startup, C205_VECTOR_STARTUP);
-    if (met.misses > 0) { /* there is no fault without a miss */
+    if (met.misses > 0) { /* each fault is also a miss */
         add_phase(clock, met.misses * clock->translation_miss, C205_TRANSLATION_MISS);
         add_phase(clock, met.faults * clock->page_fault, C205_PAGE_FAULT);
     }
@@ -368,7 +369,7 @@ static inline void add_phases(struct clock *clock, const struct decoded *decoded
     add_phase(clock, stream, C205_VECTOR_STREAM);
 }
 
-/* A linked pair uses the registers of its members. */
+/* Waits for the registers of both members of a linked pair. */
 static void wait_for_pair(struct clock *clock, const struct decoded *decoded)
 {
     for (size_t i = 0; i < 2; i++)
@@ -508,7 +509,7 @@ static void keep_charged(struct clock *clock)
     clock->ahead = true;
 }
 
-/* Limits all pending times to a clock, so that nothing waits beyond it. */
+/* Limits all pending times to a clock, so no instruction waits beyond it. */
 static void cut_at(struct clock *clock, uint64_t until)
 {
     for (size_t i = 0; i < SLOTS; i++)
@@ -522,7 +523,7 @@ static void cut_at(struct clock *clock, uint64_t until)
 void clock_show(struct clock *clock, const struct decoded *decoded, uint64_t until)
 {
     uint64_t begin = stream_begin(clock, decoded);
-    struct clock cut = *clock; /* shares the accounts with the original */
+    struct clock cut = *clock; /* shares the accounts with *clock */
     cut.record = NULL;
     keep_charged(clock);
     cut_at(&cut, until);

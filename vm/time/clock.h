@@ -1,23 +1,23 @@
-/* clock.h - the clock: the cost of each instruction and the cause that it is charged
- * to.
+/* clock.h - the clock, which computes the cost of each instruction and charges it to a
+ * cause.
  *
  * The clock is independent of the results of instructions. Its input is the decoded
  * instruction (unit, registers) and its effect (length, addresses). All constants come
- * from the model. Every clock is charged to one cause in one region: the time line is
- * cut at each step, and the piece between two cuts is charged.
+ * from the model. Every clock is charged to one cause in one region: each step of an
+ * instruction charges the time since the previous step.
  *
  * Scalar unit: instructions issue in order, at most one per clock. An instruction waits
  * for its operands (a scoreboard holds the time at which each register is ready), for
  * its unit and for memory. Vector unit: the start-up comes first, then the stream. The
  * issue clock is the first clock of the start-up. The scalar unit continues during a
- * vector instruction unless it needs memory, the vector result or the vector unit.
- * Clocks that it then waits are charged to the phase of the vector instruction in which
- * they fall, and to the region of that instruction.
+ * vector instruction unless it needs memory, the vector result or the vector unit. The
+ * wait is charged to the phases of the vector instruction that it falls in, and to the
+ * region of that instruction.
  *
- * An instruction is charged as a whole after it has executed. If a run stops earlier,
- * by a trap or within a vector instruction, the clock shows the time of the stop ahead
- * of the charge. When the run continues, the clock returns to the charged time, so the
- * total does not depend on the stop.
+ * An instruction is charged as a whole after it has executed. A run may stop before
+ * that, by a trap or within a vector instruction. The clock then shows the time of the
+ * stop, which is not charged yet. When the run continues, the clock returns to the
+ * charged time, so the total does not depend on the stop.
  */
 #ifndef C205_CLOCK_H
 #define C205_CLOCK_H
@@ -27,7 +27,7 @@
 struct clock;
 struct serializer;
 
-/* Returns a new clock. The model must be complete and in range. NULL: the host is out
+/* Returns a new clock. All constants of the model must be valid. NULL: the host is out
  * of memory. */
 struct clock *clock_new(const c205_model *model, c205_error *error);
 void clock_free(struct clock *clock);
@@ -37,24 +37,25 @@ void clock_free(struct clock *clock);
 bool clock_set_regions(struct clock *clock, const char *const *names, size_t count,
                        c205_error *error);
 
-/* clock_reset sets time and accounts to zero and empties the pipes, but keeps the
- * resident pages and the associative registers. clock_forget_pages clears those. */
+/* clock_reset sets time and accounts to zero and empties the pipes. Only
+ * clock_forget_pages clears the resident pages and the associative registers. */
 void clock_reset(struct clock *clock);
 void clock_forget_pages(struct clock *clock);
 
-/* Makes the pages of a range resident and known to the associative registers. */
+/* Makes the pages of a range resident and enters them into the associative
+ * registers. */
 void clock_warm_page(struct clock *clock, uint64_t address, uint64_t bits);
 
 /* Charges one instruction that has executed. */
 void clock_charge(struct clock *clock, const struct decoded *decoded,
                   const struct effect *effect);
 /* Charges the first count instructions of a block, which have executed; effect combines
- * their effects. The first such call makes the clock lazy. Until clock_materialize,
- * only clock_now may be called on a lazy clock. */
+ * their effects. The first such call makes the clock lazy. Only clock_now may be called
+ * on a lazy clock before clock_materialize. */
 void clock_charge_block(struct clock *clock, struct code_block *block, unsigned count,
                         const struct effect *effect);
 void clock_materialize(struct clock *clock);
-/* Sets the longest time that a new block can take (block->longest). */
+/* Sets block->longest, the maximum time of a new block. */
 void clock_measure(const struct clock *clock, struct code_block *block);
 /* Returns the clock at which everything in flight is done. The clock must not be
  * lazy. */
@@ -69,16 +70,15 @@ void clock_listen(struct clock *clock, c205_times *record);
 uint64_t clock_issued(const struct clock *clock);
 
 /* Returns the number of elements of the next vector instruction that will have streamed
- * at a given clock. Misses, faults and conflicts are known only after execution and are
- * not included. */
+ * at a given clock. The result ignores misses, faults and conflicts, which are known
+ * only after execution. */
 size_t clock_elements(const struct clock *clock, const struct decoded *decoded,
                       uint64_t until);
-/* clock_show shows the clock as it is at a given time within that instruction.
+/* clock_show shows the clock at a given time within that instruction.
  * clock_show_drained shows it when everything in flight is done. */
 void clock_show(struct clock *clock, const struct decoded *decoded, uint64_t until);
 void clock_show_drained(struct clock *clock);
-/* clock_go_back returns to the charged time. clock_commit charges the time
- * that is shown. */
+/* clock_go_back returns to the charged time. clock_commit charges the time shown. */
 void clock_go_back(struct clock *clock);
 void clock_commit(struct clock *clock);
 

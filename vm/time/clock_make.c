@@ -37,7 +37,7 @@ static void read_constants(struct clock *clock, const c205_model *model)
     clock->swap_word = model_rate(model, CONSTANT_SWAP_WORD);
 }
 
-/* Returns a count; constants.def keeps it small. */
+/* Returns an integer constant. constants.def limits it. */
 static size_t model_count(const c205_model *model, enum constant id)
 {
     return (size_t)model_whole(model, id);
@@ -115,9 +115,8 @@ void clock_reset(struct clock *clock)
     clock->now = 0;
     clock->ahead = false;
     clock->account = &clock->accounts.account[0];
-    clock->region = SIZE_MAX;       /* the first instruction enters its own region */
-    clock->stack.next = UINT64_MAX; /* the first instruction starts the instruction
-                                       stack */
+    clock->region = SIZE_MAX;       /* the first instruction enters a region */
+    clock->stack.next = UINT64_MAX; /* the first instruction starts the stack */
 }
 
 void clock_forget_pages(struct clock *clock)

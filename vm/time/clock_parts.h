@@ -12,30 +12,31 @@
 
 /* A timing class with its constants from the model. */
 struct clock_timing {
-    uint64_t latency, busy;          /* scalar */
-    uint64_t startup;                /* vector */
-    struct rate stream, half_stream; /* vector: of words, of half words */
+    uint64_t latency, busy;          /* for scalar classes */
+    uint64_t startup;                /* for vector classes */
+    struct rate stream, half_stream; /* for vector classes: words, half words */
 };
 
-/* A phase occupies the vector unit until its end; waits in it are charged to its cause
- * and region. */
+/* A period in which the vector unit is busy. Waits during a phase are charged to its
+ * cause and region. */
 struct phase {
     uint64_t end;
     c205_cause cause;
     size_t region;
     uint64_t pc; /* of the instruction */
 };
-/* Start-up, misses, faults, conflicts and stream, plus the tail of the stream of the
- * previous instruction, which overlaps the start-up. */
+/* The maximum number of phases: start-up, misses, faults, conflicts and stream, and the
+ * rest of the previous stream, which overlaps the start-up. */
 enum { PHASES = 6 };
 
-/* A register may wait for C205_OPERAND_WAIT, C205_MEMORY_WAIT or the vector unit. */
+/* The cause of waiting for a register is C205_OPERAND_WAIT, C205_MEMORY_WAIT, or
+ * FOR_VECTOR for the vector unit. */
 enum { FOR_VECTOR = C205_CAUSES };
 
 /* The instruction stack: the last words of code that were executed in sequence. */
 struct stack {
-    uint64_t next;      /* address, if control continues in sequence */
-    uint64_t low, high; /* words */
+    uint64_t next;      /* the next address in sequence */
+    uint64_t low, high; /* the range, in words */
 };
 
 enum { WORD_SHIFT = 6 };
@@ -45,7 +46,7 @@ static inline void stack_begin(struct stack *stack, uint64_t address)
     stack->low = stack->high = address >> WORD_SHIFT;
 }
 
-/* Extends the stack up to the next address, limited to a capacity in words. */
+/* Extends the stack to the next address and limits it to a capacity in words. */
 static inline void stack_extend(struct stack *stack, uint64_t next, uint64_t words)
 {
     uint64_t word = (next - 1) >> WORD_SHIFT;
@@ -69,26 +70,26 @@ struct clock {
     uint64_t now;
     bool ahead;            /* now and the accounts show a later time than was charged */
     uint64_t kept_now;     /* if ahead: the charged time, from which the clock
-                              continues; the accounts have a copy too */
+                              continues; the accounts have a copy, too */
     c205_account *account; /* of the current region */
     size_t region;
 
     uint64_t ready[SLOTS]; /* the clock at which each register is ready */
-    uint8_t awaits[SLOTS]; /* the cause charged for waiting for it */
+    uint8_t awaits[SLOTS]; /* the cause of waiting for the register */
     uint64_t results_done; /* the clock at which all registers are ready */
     uint64_t loads_done;   /* the clock at which all loads are done */
     uint64_t free_at[C205_UNITS];
-    uint64_t load_end[MAX_LOADS]; /* of the last loads_in_flight loads */
-    size_t load;                  /* the oldest of them */
+    uint64_t load_end[MAX_LOADS]; /* ends of the last loads_in_flight loads */
+    size_t load;                  /* index of the oldest of these loads */
 
-    uint64_t issued;           /* when the latest instruction issued */
+    uint64_t issued;           /* the clock at which the latest instruction issued */
     struct c205_times *record; /* receives the times of each instruction; NULL: none */
 
     struct phase phase[PHASES];
     size_t phase_count;
     uint64_t vector_end;  /* the end of the last phase */
-    uint64_t vector_tail; /* clocks of it that may hide a start-up */
-    uint64_t vector_pc;   /* of the instruction that is adding phases */
+    uint64_t vector_tail; /* clocks of this phase that may overlap a start-up */
+    uint64_t vector_pc;   /* the instruction that adds phases */
 
     struct stack stack;
 
@@ -102,14 +103,14 @@ struct clock {
     struct banks banks;
     struct clock_accounts accounts;
 
-    struct schedules *schedules;    /* of blocks (schedule.h) */
-    uint64_t generation;            /* counts the times that all schedules were dropped,
-                                       from 1 */
-    struct schedule *charged;       /* schedules followed but not yet added to the
-                                       accounts */
-    const struct in_flight *flight; /* NULL, or the state in flight, which then replaces
-                                       ready, awaits, results_done, loads_done, free_at
-                                       and load_end */
+    struct schedules *schedules;    /* schedules of blocks (schedule.h) */
+    uint64_t generation;            /* 1 + number of times that all schedules were
+                                       dropped */
+    struct schedule *charged;       /* schedules whose clocks are not in the accounts
+                                       yet */
+    const struct in_flight *flight; /* NULL, or the state in flight of a lazy clock; it
+                                       replaces ready, awaits, results_done, loads_done,
+                                       free_at and load_end */
     unsigned blocks_since;          /* number of blocks since flight was NULL */
 };
 

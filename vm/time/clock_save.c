@@ -3,8 +3,8 @@
 #include "vm/memory.h"
 #include "vm/serializer.h"
 
-/* The latest time accepted in a file: 3,000 years of the machine, which no run reaches.
- * Adding the cost of one instruction to such a time cannot overflow. */
+/* The latest time that a file may contain: 3,000 years of the machine, which no run
+ * reaches. Adding the cost of one instruction to it cannot overflow. */
 #define LATEST (UINT64_MAX >> 2)
 
 static const char wrong_account[] = "the accounts of the saved machine are invalid";
@@ -23,7 +23,7 @@ static void walk_account(c205_account *account, struct serializer *serializer)
     serializer_word(serializer, &account->entries);
 }
 
-/* Writes the region, counted from 1. 0: no region has been entered yet. */
+/* Serializes the index of the region plus 1, or 0 if no region has been entered yet. */
 static void walk_region(struct clock *clock, struct serializer *serializer)
 {
     size_t entered = clock->region + 1;
@@ -46,7 +46,7 @@ static void walk_accounts(struct clock *clock, struct serializer *serializer)
                        wrong_account);
 }
 
-/* Writes the charged time and accounts if the clock shows more than that. */
+/* Serializes the charged time and accounts if the clock shows a later time. */
 static void walk_charged(struct clock *clock, struct serializer *serializer)
 {
     size_t ahead = clock->ahead;
@@ -76,7 +76,7 @@ static void walk_time(uint64_t *time, struct serializer *serializer)
     serializer_require(serializer, *time <= LATEST, wrong_flight);
 }
 
-/* A time in the past is saved as 0. */
+/* Serializes a time. A past time is saved as 0. */
 static void walk_pending(const struct clock *clock, uint64_t *time,
                          struct serializer *serializer)
 {
@@ -96,7 +96,7 @@ static void walk_register(struct clock *clock, size_t slot,
         clock->awaits[slot] = (uint8_t)awaits;
 }
 
-/* The loads are saved from the oldest on. */
+/* Serializes the loads, the oldest first. */
 static void walk_loads(struct clock *clock, struct serializer *serializer)
 {
     size_t loads = (size_t)clock->loads_in_flight, oldest = 0;
@@ -131,8 +131,8 @@ static void walk_phase(struct phase *phase, size_t regions,
     serializer_word(serializer, &phase->pc);
 }
 
-/* The ends of the phases must not decrease and the last one must be vector_end. A
- * start-up may hide only in the last phase. */
+/* Returns true if the phases are valid. Their ends must not decrease, and the last end
+ * must be vector_end. Only the last phase may overlap a start-up. */
 static bool phases_are_sound(const struct clock *clock)
 {
     if (clock->phase_count == 0)
@@ -147,7 +147,8 @@ static bool phases_are_sound(const struct clock *clock)
     return true;
 }
 
-/* A pending register of the vector unit must be ready by the end of the vector unit. */
+/* Returns true if each pending register of the vector unit is ready by the end of its
+ * work. */
 static bool output_are_sound(const struct clock *clock)
 {
     for (size_t i = 0; i < SLOTS; i++)
@@ -188,7 +189,7 @@ static void write_page_list(const struct pages *pages, struct serializer *serial
     }
 }
 
-/* No page may be in the list twice. */
+/* Reads the list of pages. No page may occur twice. */
 static void read_page_list(struct pages *pages, struct serializer *serializer)
 {
     struct translation met = { 0, 0 };
@@ -205,8 +206,8 @@ static void read_page_list(struct pages *pages, struct serializer *serializer)
     serializer_require(serializer, met.faults == count, wrong_pages);
 }
 
-/* The list is saved from the oldest page to the latest, which is the order of the
- * look-ups that rebuild it. */
+/* Serializes the list from the oldest page to the latest. Looking the pages up in this
+ * order rebuilds the list. */
 static void walk_page_list(struct pages *pages, struct serializer *serializer)
 {
     if (serializer_is_read(serializer))

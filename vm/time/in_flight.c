@@ -72,7 +72,7 @@ static uint64_t from_now(const struct clock *clock, uint64_t time)
     return time > clock->now ? time - clock->now : 0;
 }
 
-/* Returns false if there are too many pending entries or one takes too long. */
+/* Adds a pending entry. Returns false if the table is full or the time is too long. */
 static bool add_pending(struct in_flight *flight, size_t *count, size_t place,
                         uint64_t clocks, unsigned awaits)
 {

@@ -1,9 +1,7 @@
-/* in_flight.h - the state in flight in the scalar unit, stored once for each distinct
- * state.
+/* in_flight.h - stores each distinct state in flight of the scalar unit once.
  *
  * Two states are equal if the same registers, units and loads are pending for the same
- * numbers of clocks. Equal states have one address, so schedules compare states by
- * pointer.
+ * numbers of clocks. Equal states have the same address, so schedules compare pointers.
  */
 #ifndef C205_IN_FLIGHT_H
 #define C205_IN_FLIGHT_H
@@ -13,21 +11,21 @@
 
 enum { MAX_PENDING = 48, FLIGHTS = 1 << (TABLE_BITS - 3) };
 
-/* A pending register, unit or load, and the clocks until it is ready. */
+/* A pending register, unit or load, with the clocks until it is ready. */
 struct pending {
     uint32_t clocks;
     uint16_t place;
-    uint16_t awaits; /* registers: the cause of waiting for it */
+    uint16_t awaits; /* the cause of waiting for a register */
 };
 
-/* All times are in clocks from now. */
+/* A state in flight. All times are in clocks from now. */
 struct in_flight {
     uint64_t results_done, loads_done;
-    uint64_t latest;                     /* when the last of it is done */
-    size_t registers, units, loads;      /* number of pending ones of each kind */
-    struct pending pending[MAX_PENDING]; /* in this order, each by its index, loads from
-                                            the oldest */
-    struct in_flight *chained;           /* the next with the same hash */
+    uint64_t latest;                     /* maximum of all pending times */
+    size_t registers, units, loads;      /* number of pending entries of each kind */
+    struct pending pending[MAX_PENDING]; /* in this order, each by index, loads from the
+                                            oldest */
+    struct in_flight *chained;           /* next state with the same hash */
 };
 
 struct in_flight_table {
@@ -37,14 +35,14 @@ struct in_flight_table {
     struct in_flight flight[FLIGHTS];
 };
 
-/* Reads the state in flight from a clock. Returns false if it is too large. */
+/* Reads the state in flight of a clock. Returns false if it has too many entries. */
 bool in_flight_look(const struct clock *clock, struct in_flight *flight);
 bool in_flight_is_nothing(const struct clock *clock);
-/* Returns the stored state that equals this one, and stores it if it is new. NULL:
- * there is no room for it. */
+/* Returns the stored state that equals this state. Stores it if it is new. NULL: there
+ * is no room. */
 const struct in_flight *in_flight_named(struct in_flight_table *flights,
                                         const struct in_flight *flight);
-/* in_flight_init must be called first; the array flight needs no zeroing. */
+/* in_flight_init must be called first. The array flight need not be zeroed. */
 void in_flight_init(struct in_flight_table *flights);
 void in_flight_clear(struct in_flight_table *flights);
 /* Writes a state back to the fields that in_flight_look reads. */

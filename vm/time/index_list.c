@@ -19,7 +19,7 @@ static c205_word spread_of(const c205_word *indices, size_t count)
     return spread;
 }
 
-/* Copies a list. Without memory for a copy, every list counts as new. */
+/* Copies a list. If the host has no memory for a copy, every list counts as new. */
 static void store_list(struct index_list *list, const c205_word *indices, size_t count)
 {
     list->kept_count = SIZE_MAX;

@@ -1,8 +1,7 @@
-/* index_list.h - the list of indices of a gather or scatter, and whether it equals the
- * previous list.
+/* index_list.h - compares the indices of a gather or scatter with the previous list.
  *
- * Programs gather records word by word with one list, each word from a table of its
- * own. Most of the cost of such a list is known after the first of them.
+ * Programs gather records word by word. Each word is in a separate table, but the list
+ * is the same. The first gather computes most of the cost of the list.
  */
 #ifndef C205_INDEX_LIST_H
 #define C205_INDEX_LIST_H
@@ -12,13 +11,13 @@
 struct index_list {
     const c205_word *indices;
     size_t count;
-    uint64_t number;  /* equal lists have equal numbers; never 0 */
-    c205_word spread; /* the OR of its indices; no index is greater */
-    c205_word *kept;  /* a copy of the latest list or NULL, and its capacity */
+    uint64_t number;  /* number of the list; equal lists have equal numbers, never 0 */
+    c205_word spread; /* the OR of all indices, an upper bound of each */
+    c205_word *kept;  /* a copy of the latest list or NULL, and the capacity */
     size_t kept_count, room;
 };
 
-/* Makes the indices the current list and sets its number. The list must be zeroed
+/* Makes these indices the current list and sets its number. The struct must be zeroed
  * before the first call. */
 void index_list_meet(struct index_list *list, const c205_word *indices, size_t count);
 void index_list_free(struct index_list *list);

@@ -38,8 +38,8 @@ enum { RATE_UNITS = sizeof rate_units / sizeof rate_units[0] };
 struct model_reader {
     c205_model *model;
     const char *line; /* the current line */
-    const char *at;   /* its last word */
-    c205_place place; /* of the current line; on an error, with its column */
+    const char *at;   /* the last word read */
+    c205_place place; /* the current line; after an error, also its column */
     c205_error *error;
 };
 
@@ -65,7 +65,7 @@ static char *skip_blanks(char *at)
     return at;
 }
 
-/* Splits the next word off a line; "" if there is none. */
+/* Splits the next word off a line. Returns "" if there is none. */
 static char *next_word(struct model_reader *reader, char **line)
 {
     char *word = skip_blanks(*line), *end = word;
@@ -88,7 +88,8 @@ static char *rest_of(struct model_reader *reader, char *line)
     return line;
 }
 
-/* Reads "3.25" as 3250000: at most ten digits, and at most six after the point. */
+/* Reads "3.25" as 3250000. The text has at most ten digits, and at most six of them
+ * after the point. */
 static bool read_millionths(const char *text, uint64_t *millionths)
 {
     unsigned before = 0, after = 0;
@@ -117,7 +118,7 @@ bool model_check_whole(const struct rule *rule, const char *text, uint64_t milli
                         text);
 }
 
-/* Page sizes: small pages (source R), large pages (P). */
+/* The valid page sizes: small pages (reconstructed), large pages (primary source). */
 static bool check_page(const struct rule *rule, const char *text, uint64_t millionths,
                        c205_error *error)
 {
@@ -227,7 +228,7 @@ static void take_rules(c205_model *model, bool projection)
     model->count = projection ? PROJECTION_CONSTANTS : CONSTANTS;
 }
 
-/* Parses 'projection': the constants of another machine follow. */
+/* Parses 'projection', after which the constants of another machine follow. */
 static bool read_projection(struct model_reader *reader, char *line)
 {
     c205_model *model = reader->model;
@@ -241,7 +242,7 @@ static bool read_projection(struct model_reader *reader, char *line)
     return true;
 }
 
-/* Parses 'like': inherits all constants of a built-in model. */
+/* Parses 'like', which inherits all constants of a built-in model. */
 static bool read_like(struct model_reader *reader, char *line)
 {
     c205_model *model = reader->model;
@@ -484,7 +485,7 @@ static bool is_shared(const c205_model *model, enum constant id)
     return !strcmp(model->constant[id].shown.unit, shared_rate);
 }
 
-/* Returns the rate for elements of which a pipe takes at_once per clock. */
+/* Returns the rate if each pipe takes at_once elements per clock. */
 static struct rate rate_of(const c205_model *model, enum constant id,
                            enum constant at_once)
 {

@@ -12,7 +12,7 @@ enum { VALUE_SIZE = 32 };
 
 /* ---- Values -------------------------------------------------------------- */
 
-/* Returns OUT_OF_RANGE for a value that no constant can have. */
+/* Returns a value in millionths, or OUT_OF_RANGE if no constant can have it. */
 static uint64_t millionths_of(double value)
 {
     return value >= 0 && value < 1e10 ? (uint64_t)(value * MILLION + .5) : OUT_OF_RANGE;
@@ -42,7 +42,7 @@ static bool check_value(const struct rule *rule, const char *text, uint64_t mill
            && model_check_range(rule, text, millionths, error);
 }
 
-/* Sets a constant. Fills text, which stays with the model. */
+/* Sets a constant. Fills text, which must exist as long as the model. */
 static bool set_value(c205_model *model, const c205_setting *setting, bool whole,
                       char *text, c205_error *error)
 {

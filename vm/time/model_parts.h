@@ -18,25 +18,24 @@ struct rule {
 
 struct c205_model {
     char *name;
-    char *text;             /* split into the strings that the constants point to */
+    char *text;             /* split into the strings of the constants */
     const c205_model *like; /* the model whose constants it inherits, or NULL */
-    c205_model *own;        /* equal to like if this model must free it, or NULL */
+    c205_model *own;        /* like, if this model must free it; otherwise NULL */
     const char *title;
     c205_belief fitted, compared;
     const struct rule *rules; /* one for each constant */
     size_t count;             /* number of rules */
-    uint64_t ticks;           /* per clock; the unit of its times */
+    uint64_t ticks;           /* ticks per clock; times are in ticks */
     struct {
         c205_constant shown;
         uint64_t millionths;
-        unsigned line; /* of this text; 0: not given here */
+        unsigned line; /* line of this text; 0: inherited */
     } constant[CONSTANTS];
 };
 
 bool model_find_rule(const c205_model *model, const char *name, size_t *index);
-/* Both check a value, given also as text for the message: that it is an integer if its
- * kind requires that, and that it is in range. They return false with the message in
- * *error. */
+/* Check a value: that it is an integer if its kind is WHOLE, and that it is in range.
+ * The message contains its text. They return false with the message in *error. */
 bool model_check_whole(const struct rule *rule, const char *text, uint64_t millionths,
                        c205_error *error);
 bool model_check_range(const struct rule *rule, const char *text, uint64_t millionths,
@@ -44,7 +43,7 @@ bool model_check_range(const struct rule *rule, const char *text, uint64_t milli
 /* Checks the constraints between two constants. */
 bool model_check_together(const c205_model *model, c205_error *error);
 
-/* Returns NULL and sets the message. */
+/* Sets the message and returns NULL. */
 void *model_out_of_memory(c205_error *error);
 
 #endif

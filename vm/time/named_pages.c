@@ -9,7 +9,7 @@ enum { SPAN = 256 };
 /* ---- The pages of the elements ------------------------------------------ */
 
 struct page_walk {
-    unsigned shift, places; /* a page has 2^shift bits, an element 2^places */
+    unsigned shift, places; /* a page has 2^shift bits, an element 2^places bits */
     uint64_t table;
     uint64_t low, high; /* the lowest and the highest page */
     uint64_t inside;    /* the largest offset within a page */
@@ -59,8 +59,8 @@ VERSIONS(find_places, find_places_span, FIND_PLACES_PARAMETERS,
 
 /* ---- Last references ---------------------------------------------------- */
 
-/* Sets last[page] to 1 + the position of the last element on that page. Pages without a
- * reference keep 0. */
+/* Sets last[page] to 1 + the position of the last element on the page. Pages without an
+ * element keep 0. */
 static void find_last(const struct page_walk *walk, const struct index_list *list,
                       uint32_t *last)
 {
@@ -73,8 +73,8 @@ static void find_last(const struct page_walk *walk, const struct index_list *lis
     }
 }
 
-/* Inserts a page in the order of `last`. The list is short, so insertion sort
- * suffices. */
+/* Inserts a page in the order of `last`. Insertion sort suffices, because the list is
+ * short. */
 static void add_page(struct named_pages *named, uint64_t low, const uint32_t *last,
                      uint64_t page)
 {

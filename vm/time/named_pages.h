@@ -1,5 +1,5 @@
-/* named_pages.h - the pages that a list of indices refers to, in the order of their
- * last reference.
+/* named_pages.h - finds the pages that a list of indices refers to, in the order of the
+ * last reference to each.
  */
 #ifndef C205_NAMED_PAGES_H
 #define C205_NAMED_PAGES_H
@@ -8,10 +8,10 @@
 
 enum { MAX_NAMED = 64 };
 
-/* The result for the latest list and a table of elements of 2^places bits. It also
- * holds for a table that begins up to `slack` bits later. */
+/* The result for the latest list and a table of elements of 2^places bits. It is also
+ * valid for a table that begins up to `slack` bits later. */
 struct named_pages {
-    uint64_t number; /* the list's; 0: none */
+    uint64_t number; /* number of the list; 0: none */
     unsigned places;
     uint64_t table, slack;
     size_t count;

@@ -9,7 +9,7 @@
 enum { HEAD = 0 };
 #define NO_PAGE UINT64_MAX
 
-/* Returns the least n with 2^n >= number. */
+/* Returns the smallest n with 2^n >= number. */
 static unsigned power_of_two(uint64_t number)
 {
     unsigned power = 0;
@@ -53,14 +53,15 @@ void pages_forget(struct pages *pages)
 
 /* ---- The hash table ----------------------------------------------------- */
 
-/* The hash spreads neighbouring pages, and the pages of any stride. */
+/* Returns the first page with the same hash. The hash spreads neighbouring pages and
+ * the pages of any stride. */
 static uint32_t *hashed(const struct pages *pages, uint64_t page)
 {
     uint64_t hash = page * UINT64_C(0x9E3779B97F4A7C15);
     return &pages->hashed[hash >> (64 - pages->hash_bits)];
 }
 
-/* Returns HEAD if the page is not in real memory. */
+/* Returns the index of a page, or HEAD if it is not in real memory. */
 static uint32_t find_page(const struct pages *pages, uint64_t page)
 {
     uint32_t at = *hashed(pages, page);
@@ -105,8 +106,8 @@ static void put_in_front(struct pages *pages, uint32_t at)
     resident[second].newer = resident[HEAD].older = at;
 }
 
-/* Puts the front page into the registers. If they are full, the page at the edge drops
- * out. */
+/* Enters the front page into the registers. If they are full, the page at the edge
+ * drops out. */
 static void learn(struct pages *pages, uint32_t at)
 {
     if (pages->registers == 0)
@@ -122,7 +123,8 @@ static void learn(struct pages *pages, uint32_t at)
         pages->edge = at;
 }
 
-/* Returns a free index for a new page. If memory is full, the oldest page leaves it. */
+/* Returns a free index for a new page. If real memory is full, the oldest page leaves
+ * it. */
 static uint32_t free_page(struct pages *pages)
 {
     if (pages->count < pages->capacity)
@@ -164,7 +166,7 @@ bool pages_know(const struct pages *pages, uint64_t page)
     return at && pages->resident[at].known;
 }
 
-/* Most references are to the page of the previous one. */
+/* Looks up a page. Most references are to the same page as the previous reference. */
 static inline void touch(struct pages *pages, uint64_t address, struct translation *met)
 {
     uint64_t page = (address & ADDRESS_MASK) >> pages->shift;
@@ -192,8 +194,8 @@ static bool all_known(const struct pages *pages, const struct named_pages *named
     return true;
 }
 
-/* If the registers hold all pages of the list, no page drops out. The final order is
- * then that of the last references, so one look-up per page in that order is enough. */
+/* If the registers hold all pages of the list, no page drops out. The final order then
+ * depends only on the last reference to each page, so one look-up per page suffices. */
 void pages_touch_indexed(struct pages *pages, uint64_t table, unsigned step,
                          const struct index_list *list, struct translation *met)
 {

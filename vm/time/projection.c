@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The kinds of units, and the largest number of one kind. */
+/* The kinds of units, and the maximum number of units of a kind. */
 enum unit_kind {
     UNITS_SINGLE,
     UNITS_ADD,
@@ -18,8 +18,8 @@ enum unit_kind {
 };
 enum { MAX_UNITS = 4 };
 
-/* The time and units of each timing class. Vector classes have no entry, because the
- * other machine has no vector unit. */
+/* The time and units of each timing class. Vector classes have none, because the other
+ * machine has no vector unit. */
 static const struct class
 {
     bool known;
@@ -32,7 +32,7 @@ static const struct class
 };
 
 struct c205_projection {
-    uint64_t now; /* everything before is charged */
+    uint64_t now; /* all clocks before it are charged */
     uint64_t time[C205_TIMINGS];
     uint64_t taken, not_taken, out_of_stack, interval;
     uint64_t stack_bits;
@@ -40,15 +40,15 @@ struct c205_projection {
 
     size_t units[UNIT_KINDS];
     uint64_t free_at[UNIT_KINDS][MAX_UNITS];
-    uint64_t ready[SLOTS]; /* when a register has its value */
-    uint64_t read[SLOTS];  /* when its last reader has read it */
+    uint64_t ready[SLOTS]; /* when the value of a register is ready */
+    uint64_t read[SLOTS];  /* when all instructions have read the register */
     uint64_t done;         /* when everything in flight is done */
 
-    size_t regions; /* number of regions with space */
+    size_t regions; /* number of regions for which there is space */
     struct share {
         uint64_t clocks;
-        uint64_t strangers; /* vector instructions */
-    } * shares;             /* one for each region */
+        uint64_t strangers; /* number of vector instructions */
+    } * shares;             /* one element for each region */
     bool no_memory;
 };
 
@@ -124,9 +124,9 @@ static uint64_t operands_ready(const c205_projection *projection,
     return ready;
 }
 
-/* Returns the latest of the given times of the result registers. With ready, it is the
- * time at which they may be reserved again; with read, the time at which they may be
- * written. */
+/* Returns the maximum of the given times of the result registers. With ready, it is the
+ * time from which they may be reserved again; with read, the time from which they may
+ * be written. */
 static uint64_t results_free(const uint64_t *times, const struct decoded *decoded)
 {
     uint64_t free_at = 0;
@@ -171,8 +171,8 @@ static void operate(c205_projection *projection, const struct decoded *decoded)
         projection->now += time;
 }
 
-/* Charges one load or store after the other. With units, they begin at the rate of the
- * units that compute their addresses. */
+/* Charges the loads and stores of a SWAP in sequence. With units, they begin at the
+ * rate of the units that compute their addresses. */
 static void swap(c205_projection *projection, const struct effect *effect)
 {
     uint64_t loads = effect->swapped - effect->saved;

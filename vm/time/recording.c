@@ -1,4 +1,5 @@
-/* recording.c - records a run as the input of the clock, and plays it to other clocks.
+/* recording.c - records the input of the clock during a run, and replays it to other
+ * clocks.
  *
  * The record consists of decoded instructions and their effects. Each executed
  * instruction is a word, | 16 flags | 16 touches | 32 instruction |, followed by the
@@ -24,7 +25,7 @@ enum {
 };
 enum { FLAG_SHIFT = 48, TOUCH_SHIFT = 32, FINDERS = 1 << 14 };
 
-/* An instruction and, for a linked pair, its members. */
+/* A recorded instruction and, for a linked pair, its members. */
 struct kept {
     struct decoded decoded;
     struct decoded pair[2];
@@ -37,8 +38,8 @@ struct c205_recording {
     uint64_t *words;
     size_t regions;
     bool no_memory;
-    uint32_t finder[FINDERS]; /* direct-mapped cache from addresses to the index of kept
-                                 + 1 */
+    uint32_t finder[FINDERS]; /* direct-mapped cache from addresses to 1 + index of
+                                 kept */
 };
 
 c205_recording *c205_recording_new(c205_error *error)
@@ -62,7 +63,7 @@ void c205_recording_free(c205_recording *recording)
 
 /* ---- Recording ----------------------------------------------------------- */
 
-/* Doubles an array. Returns NULL if memory is out. */
+/* Doubles an array. Returns NULL if the host is out of memory. */
 static void *grown(void *items, size_t *room, size_t size)
 {
     size_t more = *room ? 2 * *room : 1024;
@@ -97,7 +98,7 @@ static bool grow_instructions(c205_recording *recording)
     return kept;
 }
 
-/* Returns its number, or 0 if memory is out. */
+/* Returns the number of an instruction, or 0 if the host is out of memory. */
 static uint32_t store_instruction(c205_recording *recording,
                                   const struct decoded *decoded)
 {
@@ -181,7 +182,8 @@ void recording_add(c205_recording *recording, const struct decoded *decoded,
 
 /* ---- Playback ----------------------------------------------------------- */
 
-/* Reads an effect from the words after an instruction. Returns the next instruction. */
+/* Reads an effect from the words after an instruction. Returns the address of the next
+ * instruction. */
 static const uint64_t *read_effect(const uint64_t *at, uint64_t head,
                                    struct effect *effect)
 {
@@ -209,7 +211,7 @@ static const uint64_t *read_effect(const uint64_t *at, uint64_t head,
     return at;
 }
 
-/* The target of a playback: one of the two is not NULL. */
+/* The target of a playback. One of the two pointers is not NULL. */
 struct player {
     struct clock *clock;
     c205_projection *projection;

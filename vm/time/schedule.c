@@ -14,7 +14,7 @@
 enum {
     SCHEDULES = 1 << (TABLE_BITS - 1),
     SCHEDULES_OF_BLOCK = 24,
-    PATIENCE = 8 /* blocks */
+    PATIENCE = 8 /* blocks before the clock becomes lazy */
 };
 
 struct schedules {
@@ -38,7 +38,8 @@ void schedules_free(struct schedules *schedules)
     free(schedules);
 }
 
-/* Schedules refer to states by address, so both are dropped together. */
+/* Drops all schedules and states. They are dropped together, because schedules refer to
+ * states by address. */
 static void forget_all(struct clock *clock)
 {
     clock->schedules->count = 0;
@@ -48,9 +49,9 @@ static void forget_all(struct clock *clock)
 
 /* ---- Lazy clocks -------------------------------------------------------- */
 
-/* Makes the clock lazy. Reading all that may be in flight takes time. It is therefore
- * postponed while the state may soon be empty or the vector unit soon busy again.
- * Returns false if the clock is not lazy. */
+/* Makes the clock lazy. Reading the state in flight takes time, so it is postponed if
+ * the state may soon be empty or the vector unit soon busy again. Returns false if the
+ * clock is not lazy. */
 static bool fold(struct clock *clock)
 {
     struct in_flight_table *flights = &clock->schedules->flights;
@@ -105,7 +106,7 @@ static bool touches_memory(const struct decoded *decoded)
     return format == C205_FORMAT_MEMORY || format == C205_FORMAT_ALTERB;
 }
 
-/* Returns the largest number of pages that an instruction touches. SWAP uses two
+/* Returns the maximum number of pages that an instruction touches. SWAP uses two
  * ranges, each on at most two pages. */
 static uint64_t pages_most(const struct decoded *decoded)
 {
@@ -143,8 +144,8 @@ uint64_t clock_all_done(const struct clock *clock)
 
 /* ---- Blocks -------------------------------------------------------------- */
 
-/* Touching known pages changes only their order, and touching them twice has no further
- * effect. Returns false if a page is not known. */
+/* Touches known pages, which changes only their order. Touching a page twice has no
+ * further effect. Returns false if a page is not known. */
 static bool reach_known_pages(struct pages *pages, const struct effect *effect)
 {
     struct translation met = { 0, 0 };
@@ -172,8 +173,8 @@ static struct schedule *find_schedule(const struct clock *clock,
     return schedule;
 }
 
-/* Charges instruction by instruction. Each instruction that touches memory has one
- * touch, in order. The last one has all remaining touches. */
+/* Charges a block instruction by instruction. Each instruction that touches memory has
+ * one touch, in order. The last one has all remaining touches. */
 static void charge_each(struct clock *clock, const struct code_block *block,
                         unsigned count, const struct effect *effect)
 {
@@ -215,8 +216,8 @@ static void keep_schedule(struct schedules *schedules, struct code_block *block,
     block->schedule_count++;
 }
 
-/* Charges a block instruction by instruction and stores the difference as a schedule,
- * if the states before and after are both stored. */
+/* Charges a block instruction by instruction. If the states before and after can both
+ * be stored, the difference is stored as a schedule. */
 static void find_out(struct clock *clock, struct code_block *block, unsigned count,
                      const struct effect *effect, uint64_t leaves)
 {

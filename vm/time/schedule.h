@@ -1,16 +1,15 @@
 /* schedule.h - a cache of the costs of blocks of scalar instructions.
  *
  * The cost of a block and the state in flight after it depend only on the state in
- * flight before it and on where and how control leaves it. This holds as long as the
- * vector unit is idle and the associative registers hold all its pages. The first time,
- * the block is charged instruction by instruction as in clock.c, and the changes of the
- * accounts and of the state are stored as a schedule. When the block recurs with the
- * same state, the schedule is added at once.
+ * flight before it and on where and how control leaves it. This holds while the vector
+ * unit is idle and the associative registers hold all pages of the block. The first
+ * execution of a block is charged instruction by instruction as in clock.c. A schedule
+ * stores the changes of the accounts and of the state. Later executions with the same
+ * state add the schedule at once.
  *
  * While the clock moves from schedule to schedule it is lazy: it stores the state in
  * flight as a pointer, and ready, free_at and similar fields are invalid. Each schedule
- * counts how often it was followed. The counts are added to the accounts before
- * anything reads them.
+ * counts its executions. The clocks are added to the accounts before they are read.
  */
 #ifndef C205_SCHEDULE_H
 #define C205_SCHEDULE_H
@@ -20,20 +19,20 @@
 #include "vm/time/in_flight.h"
 
 struct schedule {
-    struct schedule *next; /* of the block */
+    struct schedule *next; /* next schedule of the block */
     const struct in_flight *from, *to;
-    uint64_t leaves; /* where and how control leaves the block */
+    uint64_t leaves; /* code of where and how control leaves the block */
     uint64_t clocks;
-    uint64_t times;        /* that are not in the accounts yet */
-    struct schedule *more; /* the next schedule with such times */
-    c205_account *account; /* of the region */
+    uint64_t times;        /* executions that are not in the accounts yet */
+    struct schedule *more; /* next schedule with such executions */
+    c205_account *account; /* account of the region */
     c205_account once;     /* the charge for one execution */
 };
 
 enum { GOES_ON, TAKEN, TAKEN_OUT_OF_STACK, COUNT_SHIFT = 2, SWAP_SHIFT = 16 };
 
-/* Returns a code of where and how control leaves a block and of the number of registers
- * swapped. Updates the instruction stack. */
+/* Returns a code of where and how control leaves a block, and of the number of
+ * registers that were swapped. Updates the instruction stack. */
 static inline uint64_t stack_follow(struct stack *stack, uint64_t words,
                                     const struct code_block *block, unsigned count,
                                     const struct effect *effect)
@@ -53,7 +52,7 @@ static inline uint64_t stack_follow(struct stack *stack, uint64_t words,
     return leaves | TAKEN_OUT_OF_STACK;
 }
 
-/* Returns true if all touched addresses are on the page that was touched last. */
+/* Returns true if all touched addresses are on the page of the latest touch. */
 static inline bool touches_latest(const struct pages *pages,
                                   const struct effect *effect)
 {
@@ -98,7 +97,7 @@ static inline bool clock_repeat(struct clock *clock, const struct code_block *bl
     return true;
 }
 
-/* Returns true if a block certainly ends before a limit, false if it may end later. */
+/* Returns true only if a block certainly ends before a limit. */
 static inline bool clock_ends_before(const struct clock *clock,
                                      const struct code_block *block, uint64_t limit)
 {
