@@ -1,4 +1,4 @@
-/* accounts.c - adds the accounts of machines and makes tables of them. */
+/* accounts.c - adds the accounts of machines and converts them to tables. */
 #include "base/accounts.h"
 
 #include "base/array.h"
@@ -45,7 +45,8 @@ double accounts_seconds(const c205_model *model, uint64_t clocks)
     return period ? (double)clocks * period->value / 1e9 : NAN;
 }
 
-/* Two decimals of a microsecond show each clock of 20 ns exactly. */
+/* Returns the unit for a time. Microseconds with two decimals show each clock of 20 ns
+ * exactly. */
 const struct accounts_unit *accounts_unit(double seconds)
 {
     static const struct accounts_unit us = { "us", "time, us", 1e6, 2 },

@@ -4,46 +4,48 @@
 
 #include "base/table.h"
 
-/* The accounts of one machine, or of several that ran the same program, added region by
- * region. */
+/* The accounts of one machine, or the sum of several machines that ran the same
+ * program. */
 struct accounts {
-    const c205_model *model; /* of all of them */
-    uint64_t clocks;         /* the sum of all items */
+    const c205_model *model; /* the model of all machines */
+    uint64_t clocks;         /* sum of all items */
     size_t count;
-    c205_account *items; /* the list owns their names */
+    c205_account *items; /* owns the names of the items */
 };
 
-/* Add accounts to a list that was initialised with { .model = ... }. Returns false if
- * memory is exhausted. */
+/* Adds the accounts of a machine. The struct must be initialised with { .model = ... }.
+ * Returns false if the host is out of memory. */
 bool accounts_add(struct accounts *accounts, const c205 *machine);
 bool accounts_add_account(struct accounts *accounts, const c205_account *account);
-/* Adds all accounts of another list. */
+/* Adds all accounts of another struct. */
 bool accounts_add_all(struct accounts *accounts, const struct accounts *more);
-/* NULL: there is no such region. */
+/* Returns the account of a region, or NULL. */
 const c205_account *accounts_find(const struct accounts *accounts, const char *region);
 void accounts_free(struct accounts *accounts);
 
-/* Returns the time of clocks, by the model's clock.period. */
+/* Returns the time of a number of clocks, by clock.period of the model. */
 double accounts_seconds(const c205_model *model, uint64_t clocks);
 uint64_t accounts_clocks(const c205_account *account);
-/* Writes clocks as a readable time: "22.78 us". */
+/* Writes the time of a number of clocks, as in "22.78 us". */
 enum { ACCOUNTS_TIME = 48 };
 void accounts_time(const c205_model *model, uint64_t clocks, char text[ACCOUNTS_TIME]);
-/* Returns millions of floating-point operations per second; NaN: there were none. */
+/* Returns millions of floating-point operations per second, or NaN without
+ * operations. */
 double accounts_rate(const c205_model *model, const c205_account *account);
-/* Returns the printed name of a region. */
+/* Returns the name of a region for printing. */
 const char *accounts_region(const c205_account *account);
 /* Returns the number of regions that took time. */
 size_t accounts_regions(const struct accounts *accounts);
-/* Returns the sum of all regions, with the name "all". */
+/* Returns the sum of all regions, whose name is "all". */
 c205_account accounts_together(const struct accounts *accounts);
-/* Sets the sum of the accounts of a machine. Returns false if memory is exhausted. */
+/* Computes the sum of the accounts of a machine. Returns false if the host is out of
+ * memory. */
 bool accounts_whole(const c205 *machine, c205_account *sum);
 
-/* One column for the clocks of each cause. */
+/* The columns for the clocks of each cause. */
 extern const struct table_column accounts_cause_columns[C205_CAUSES];
 
-/* Returns the unit of time for figures of at most the given seconds. */
+/* Returns the unit of time for values of at most the given seconds. */
 struct accounts_unit {
     const char *name, *heading;
     double per_second;
@@ -51,11 +53,10 @@ struct accounts_unit {
 };
 const struct accounts_unit *accounts_unit(double seconds);
 
-/* Returns the clocks of the whole run by cause, without causes that have no clocks.
- * NULL: out of memory; this holds for the next functions too. */
+/* Returns the clocks of the run by cause, without causes that have no clocks. This
+ * function and the next two return NULL if the host is out of memory. */
 struct table *accounts_of_run(const struct accounts *accounts);
-/* Returns the clocks of the whole run by cause, followed by the clocks of each
- * region. */
+/* Returns the clocks of the run by cause, followed by the clocks of each region. */
 struct table *accounts_by_cause(const struct accounts *accounts);
 /* Returns instructions, elements and clocks of each region. */
 struct table *accounts_by_region(const struct accounts *accounts);

@@ -1,4 +1,4 @@
-/* accounts_show.c - builds the matrix of causes and regions and prints it. */
+/* accounts_show.c - builds and prints the matrix of causes and regions. */
 #include "base/accounts_show.h"
 
 #include <math.h>
@@ -42,7 +42,7 @@ static const struct figure {
 };
 enum {
     FIGURES = sizeof figures / sizeof *figures,
-    /* Lines of the matrix: the causes, their sum, its percentage, the figures. */
+    /* Lines of the matrix: each cause, their sum, its percentage, further figures. */
     ALL = C205_CAUSES,
     SHARE,
     FIRST_FIGURE,
@@ -56,9 +56,9 @@ struct matrix {
     const struct accounts_unit *unit;
     c205_account sum;
     size_t count;
-    const c205_account **regions; /* those that took time */
+    const c205_account **regions; /* regions that took time */
     size_t line_count;
-    int lines[LINES]; /* those with any value */
+    int lines[LINES]; /* lines with a value */
 };
 
 static double value(const struct matrix *matrix, int line, const c205_account *account)
@@ -106,7 +106,7 @@ static bool matrix_of(struct matrix *matrix, const struct accounts *accounts)
 
 /* ---- Causes are rows ----------------------------------------------------- */
 
-/* The percentage is next to the sum, and both are in the first part only. */
+/* Adds a cause. The percentage is next to the sum. Both are only in the first part. */
 static void add_cause(struct table *table, const struct matrix *matrix, int line,
                       size_t first, size_t count)
 {
@@ -198,8 +198,8 @@ static bool fits(const struct table *table)
     return !table || table_width(table) <= WORD_WRAP_WIDTH;
 }
 
-/* Returns the matrix of the regions from the first on, as many as fit the line width.
- * Sets their number. */
+/* Returns the matrix for regions from index first on. Sets the number of regions that
+ * fit the line width. */
 static struct table *widest(const struct accounts *accounts, size_t first,
                             size_t *count)
 {
@@ -212,7 +212,7 @@ static struct table *widest(const struct accounts *accounts, size_t first,
     return table;
 }
 
-/* Prints one matrix, or several below one another. */
+/* Prints one matrix, or several in sequence. */
 static int show_parts(const struct accounts *accounts,
                       const struct command_output *results)
 {

@@ -19,7 +19,8 @@ struct arena_block {
     union widest bytes[1];
 };
 
-/* The sanitizers define small blocks, which reveal more accesses beyond a piece. */
+/* Builds with sanitizers define small blocks, which reveal more accesses beyond a
+ * piece. */
 #ifndef BLOCK_SIZE
 #define BLOCK_SIZE ((size_t)64 * 1024)
 #endif

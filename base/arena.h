@@ -1,7 +1,7 @@
 /* arena.h - an arena: memory that is allocated in pieces and freed all at once.
  *
- * Pieces are zeroed. If the host is out of memory, pieces are NULL and failed is set;
- * earlier pieces remain valid.
+ * Pieces are zeroed. A piece is NULL if the host is out of memory; failed is then set,
+ * and earlier pieces remain valid.
  */
 #ifndef BASE_ARENA_H
 #define BASE_ARENA_H
@@ -15,11 +15,12 @@ struct arena {
 };
 
 void *arena_take(struct arena *arena, size_t size);
-/* Returns a NUL-terminated copy. */
+/* Returns a copy that ends with a NUL. */
 char *arena_text(struct arena *arena, const char *text, size_t length);
 /* Adds a copy of an item, or zeros if item is NULL, to an array of *count items, and
  * returns its place. items: the address of the pointer to the array, which moves if
- * *capacity has to grow. Returns NULL without memory; the array is then unchanged. */
+ * *capacity grows. Returns NULL, with the array unchanged, if the host is out of
+ * memory. */
 void *arena_add(struct arena *arena, void *items, size_t *count, size_t *capacity,
                 const void *item, size_t size);
 void arena_free(struct arena *arena);

@@ -1,4 +1,4 @@
-/* array.c - adds items to arrays whose capacity follows from their count. */
+/* array.c - adds items to arrays. The count of an array determines its capacity. */
 #include "base/array.h"
 
 #include <stdint.h>
@@ -15,7 +15,8 @@ static void *grow(void *items, size_t count, size_t size)
     return realloc(items, (count ? 2 * count : 1) * size);
 }
 
-/* The pointer to the array has the type of its items, so its bytes are copied. */
+/* Stores the array by copying the bytes of its pointer, because the type of the pointer
+ * depends on the items. */
 void *array_store(void *items, void *array, size_t *count, const void *item,
                   size_t size)
 {

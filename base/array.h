@@ -6,13 +6,13 @@
 
 /* Adds a copy of an item, or zeros if item is NULL, to an array of *count items, and
  * returns its place. items: the address of the pointer to the array, which may move.
- * Returns NULL without memory; the array is then unchanged. The capacity is the count
- * rounded up to a power of two, so it is not stored, and every item must be added
- * through this function. The owner frees the array. */
+ * Returns NULL, with the array unchanged, if the host is out of memory. The capacity is
+ * not stored: it is the count rounded up to a power of two. Every item must therefore
+ * be added by this function. The owner frees the array. */
 void *array_add(void *items, size_t *count, const void *item, size_t size);
 
-/* Stores an array that has room for one more item in *items, and adds the item as
- * array_add does. Returns NULL if array is NULL. */
+/* Replaces *items by an array that has room for one more item, and adds the item like
+ * array_add. Returns NULL if array is NULL. */
 void *array_store(void *items, void *array, size_t *count, const void *item,
                   size_t size);
 

@@ -27,8 +27,8 @@ static bool is_stream(const struct stat *status, int number)
            && stream.st_ino == status->st_ino;
 }
 
-/* Returns true for devices, pipes, and the files of stdout and stderr, which are
- * written directly. */
+/* Returns true for files that are written directly: devices, pipes, and the files of
+ * stdout and stderr. */
 static bool is_special(const char *path)
 {
     struct stat status;
@@ -39,7 +39,7 @@ static bool is_special(const char *path)
 }
 
 /* Returns the target of the symbolic link at a path, relative to the folder of the
- * link. NULL: it is not a link. The caller frees it. */
+ * link. Returns NULL if the path is not a link. The caller frees the result. */
 static char *link_target(const char *path)
 {
     struct stat status;
@@ -60,8 +60,8 @@ static char *link_target(const char *path)
     return target;
 }
 
-/* Returns a copy of the path with the symbolic links at its end resolved. NULL: out of
- * memory. */
+/* Returns a copy of the path in which symbolic links at its end are resolved. NULL: out
+ * of memory. */
 static char *followed(const char *path)
 {
     char *file = malloc(strlen(path) + 1), *target;
@@ -76,7 +76,7 @@ static char *followed(const char *path)
     return file;
 }
 
-/* Creates the first unused name "path.newN". */
+/* Creates a file with the first unused name of the form "path.newN". */
 static int open_beside(struct atomic_file *whole)
 {
     size_t size = strlen(whole->path) + SUFFIX_SIZE;
@@ -109,7 +109,7 @@ static FILE *open_place(struct atomic_file *whole)
     return file < 0 ? NULL : fdopen(file, "w");
 }
 
-/* stdout remains open. */
+/* Closes the file, except stdout, which remains open. */
 static bool close_place(struct atomic_file *whole)
 {
     return whole->file == stdout || fclose(whole->file) == 0;

@@ -1,11 +1,10 @@
 /* atomic_file.h - files that are written completely or not at all.
  *
  * A file is written under a temporary name in the same folder. It gets its real name
- * after all of it has reached the disk. A signal that ends the program removes the
+ * after the whole file has reached the disk. A signal that ends the program removes the
  * temporary file. A symbolic link is kept, and the file that it refers to is replaced.
  * Devices, pipes, stdout and stderr ("-", "/dev/stdout") are written directly, because
- * they have no content to preserve. An input of the command is not replaced
- * (outputs.h).
+ * they have no content to preserve. No input of the command is replaced (outputs.h).
  */
 #ifndef BASE_ATOMIC_FILE_H
 #define BASE_ATOMIC_FILE_H
@@ -17,15 +16,15 @@
 struct atomic_file {
     FILE *file; /* write here */
     char *path;
-    char *temporary; /* NULL: written directly */
+    char *temporary; /* NULL: the file is written directly */
 };
 
-/* NULL: the file cannot be written. */
+/* Returns NULL if the file cannot be written. */
 struct atomic_file *atomic_file_open(const char *path, c205_error *error);
-/* Returns true if the file could be written, for commands that would find out only
- * after long work. Leaves no file. */
+/* Returns true if the file can be written. A command calls this before long work.
+ * Leaves no file. */
 bool atomic_file_check(const char *path, c205_error *error);
-/* Both free the file. A failed commit leaves the old file unchanged. */
+/* Both functions free the struct. A failed commit leaves the old file unchanged. */
 bool atomic_file_commit(struct atomic_file *whole, c205_error *error);
 void atomic_file_discard(struct atomic_file *whole);
 

@@ -61,7 +61,7 @@ static int no_command(const struct command_program *program, const char *word)
     return CMD_USAGE;
 }
 
-/* Executes help, help COMMAND. */
+/* Executes "help" and "help COMMAND". */
 static int help(const struct command_program *program, int argc, char **argv)
 {
     if (argc < 2) {
@@ -82,15 +82,15 @@ static bool is_option(const char *word, const struct command_option *option)
                && word[2] == '\0');
 }
 
-/* Returns true for "help --man" and similar requests of scripts, which the help does
- * not list. */
+/* Returns true for "help --man" and similar requests of scripts. The help does not list
+ * them. */
 static bool asks_for_page(int argc, char **argv)
 {
     return argc > 2 && strcmp(argv[1], "help") == 0 && strncmp(argv[2], "--", 2) == 0;
 }
 
-/* Returns the command of the line; NULL: none, and the line is executed, with the exit
- * code. */
+/* Returns the command that the line selects. Returns NULL if the line is a request
+ * without a command; the request is then executed and *code is set. */
 static const struct command *select_command(const struct command_program *program,
                                             int argc, char **argv, int *code)
 {
@@ -123,7 +123,8 @@ int command_main(const struct command_program *program, int argc, char **argv)
         return finish_command(program->name, code);
     char name[COMMAND_NAME_SIZE];
     const char *full_name = name;
-    int words = command->name ? 1 : 0; /* before the arguments of the command */
+    int words = command->name ? 1 : 0; /* number of words before the arguments of the
+                                          command */
     void *arguments = calloc(1, command->arguments_size);
     command_full_name(program, command, name);
     if (!arguments)

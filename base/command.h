@@ -2,13 +2,14 @@
  *
  * A program is a list of commands. A command is a row with its options and operands,
  * and a structure of arguments. An option is a row with the kind of its value and the
- * offset of the value in this structure. These rows generate the parsing, -h and
- * --help, help COMMAND, --version, and the messages on wrong usage, which name the
+ * offset of the value in this structure. Parsing, -h, --help, help COMMAND, --version
+ * and the messages on wrong usage are generated from these rows. The messages name the
  * option and list the valid values. No other place lists commands or options.
  *
- * Results go to stdout, everything else to stderr. command_error.h defines the exit
- * codes. The rows also generate the man page and the shell completions: "help --man",
- * "help --completion bash", and "help --list" for scripts. make install installs them.
+ * Results go to stdout. All other output goes to stderr. command_error.h defines the
+ * exit codes. The rows also generate the man page ("help --man"), the shell completions
+ * ("help --completion bash") and a list for scripts ("help --list"). make install
+ * installs them.
  */
 #ifndef BASE_COMMAND_H
 #define BASE_COMMAND_H
@@ -19,9 +20,9 @@
 
 #include "base/command_error.h"
 
-/* The kind of value of an option or operand, and its type in C. */
+/* The kinds of values of options and operands, with their types in C. */
 enum command_kind {
-    COMMAND_FLAG,   /* bool: it was given */
+    COMMAND_FLAG,   /* bool: true if it was given */
     COMMAND_TEXT,   /* const char * */
     COMMAND_COUNT,  /* size_t, from least to most */
     COMMAND_CLOCKS, /* uint64_t, any */
@@ -31,15 +32,15 @@ enum command_kind {
     COMMAND_OUTPUT, /* const char *: a file to write, "-" is stdout */
     COMMAND_FILE,   /* const char *: a file to write that has a name */
     COMMAND_FOLDER, /* const char * */
-    COMMAND_CUSTOM  /* the result of the take function */
+    COMMAND_CUSTOM  /* the type that the take function stores */
 };
 
-/* Returns the name of a value by its index. "": this index is not available here; NULL:
- * end of the list. */
+/* Returns the name of a value by its index. Returns "" if the index is not available in
+ * this build, and NULL at the end of the list. */
 typedef const char *command_choice(size_t number);
 
-/* Converts a text and stores the value. It may modify and keep the text. Returns false
- * if the text is invalid. */
+/* Converts a text and stores the value. It may modify the text and refer to it later.
+ * Returns false if the text is invalid. */
 typedef bool command_take(char *text, void *value);
 
 struct command_option {
@@ -48,18 +49,18 @@ struct command_option {
     const char *value; /* placeholder in help: FILE */
     enum command_kind kind;
     const char *help; /* one line */
-    size_t offset;    /* of the value in the arguments */
+    size_t offset;    /* offset of the value in the arguments */
 
-    bool many;     /* texts and files, any number: struct command_texts */
-    bool optional; /* an operand that may be missing, like all after it */
+    bool many;     /* any number of texts or files: struct command_texts */
+    bool optional; /* an operand that may be omitted, like all operands after it */
     double least, most;
-    double preset;           /* default of a number of any kind or a choice; 0: none, or
-                                the first choice; -1: no choice, or UINT64_MAX clocks */
-    const char *preset_text; /* default of a text or file, or the default shown in
-                                help */
-    command_choice *choice;  /* the names of a choice; for a text: examples */
+    double preset;           /* default of a number or a choice; 0: none, or the first
+                                choice; -1: no choice, or UINT64_MAX clocks */
+    const char *preset_text; /* default of a text or file, or the default that help
+                                shows */
+    command_choice *choice;  /* names of a choice, or examples of a text */
     command_take *take;      /* for COMMAND_CUSTOM only */
-    const char *wants;       /* description of its input, for messages */
+    const char *wants;       /* description of valid input, for messages */
 };
 /* Ends a list of options or operands. */
 /* clang-format off */
@@ -75,24 +76,24 @@ struct command_example {
     const char *line, *meaning;
 };
 
-/* The arguments are a structure of the command's own. It begins with a const char *,
- * the full name of the command for error messages: "c205 run". The values of all rows
- * are set, and all other members are zero. Returns the exit code. */
+/* Runs a command. The arguments are a structure of the command. Its first member is a
+ * const char *, the full name of the command for error messages ("c205 run"). The
+ * values of all rows are set, and all other members are zero. Returns the exit code. */
 typedef int command_function(void *arguments);
 
 struct command {
-    const char *name; /* NULL: the program has only this command */
+    const char *name; /* NULL: the program has no other command */
     const char *summary;
     command_function *function;
     size_t arguments_size;
     const struct command_option *options, *operands; /* NULL: none */
     const char *details;                             /* paragraphs, or NULL */
-    const struct command_example *examples;          /* the last has no line */
+    const struct command_example *examples;          /* the last example has no line */
 };
 
-/* For the table of commands of a program, a macro COMMANDS(ROW) with a row ROW(name)
- * for each: COMMANDS(COMMAND_DECLARE) declares them, COMMANDS(COMMAND_ADDRESS) lists
- * their addresses. */
+/* COMMANDS(ROW) is the table of commands of a program, with ROW(name) for each command.
+ * COMMANDS(COMMAND_DECLARE) declares them, COMMANDS(COMMAND_ADDRESS) lists their
+ * addresses. */
 #define COMMAND_DECLARE(name) extern const struct command name##_command;
 #define COMMAND_ADDRESS(name) &name##_command,
 
@@ -103,7 +104,7 @@ struct command_program {
                                               their meaning, or NULL */
 };
 
-/* Does all the work of main. Returns the exit code. */
+/* The whole work of main. Returns the exit code. */
 int command_main(const struct command_program *program, int argc, char **argv);
 
 #endif

@@ -1,4 +1,4 @@
-/* command_completion.c - completes command lines for bash, zsh and fish, whose scripts
+/* command_completion.c - completes command lines for bash, zsh and fish. Their scripts
  * call "help --complete WORD..". */
 #include <stdio.h>
 #include <string.h>
@@ -45,8 +45,8 @@ static void put_options(const char *word, const struct command_option *row)
     put_option(word, &command_version_option);
 }
 
-/* Prints whether a value of one of the rows is a file (-f) or a folder (-d), and the
- * names of their choices. */
+/* Prints -f if a value of the rows is a file, -d if it is a folder, and the names of
+ * all choices. */
 static void put_values(const char *word, const struct command_option *rows,
                        size_t count)
 {
@@ -69,8 +69,8 @@ static void put_values(const char *word, const struct command_option *rows,
 
 /* ---- The word that is completed ----------------------------------------- */
 
-/* Returns the option with a value that the word names: "--name", "--name=value" or
- * "-letter"; or NULL. */
+/* Returns the option with a value that a word names as "--name", "--name=value" or
+ * "-letter". NULL: there is none. */
 static const struct command_option *option_with_value(const struct command *command,
                                                       const char *word)
 {

@@ -8,7 +8,7 @@
 #include "base/sink.h"
 #include "base/visible_text.h"
 
-enum { LONGEST = 8192 /* bytes; the rest is cut */ };
+enum { LONGEST = 8192 /* bytes; longer messages are truncated */ };
 
 static void put_line(FILE *file, const char *format, va_list list)
 {

@@ -1,7 +1,7 @@
 /* command_error.h - exit codes of commands, and their error messages on stderr.
  *
- * All messages escape the characters that a terminal would interpret, because names may
- * hold any character (base/visible_text.h).
+ * Messages escape all characters that a terminal would interpret, because names may
+ * contain any character (base/visible_text.h).
  */
 #ifndef BASE_COMMAND_ERROR_H
 #define BASE_COMMAND_ERROR_H
@@ -14,7 +14,7 @@ enum cmd_exit { CMD_DONE = 0, CMD_FAILED = 1, CMD_USAGE = 2 };
  * code. */
 int cmd_usage(const char *command, const char *format, ...);
 int cmd_failed(const char *command, const char *format, ...);
-/* Prints a line. The format has no line end. */
+/* Prints a line. The format does not end with a newline. */
 void cmd_print_line(FILE *file, const char *format, ...);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "base/command_rows.h"
 
-/* Explanations have a column of their own. */
+/* COLUMN is the column of the explanations. */
 enum { COLUMN = 23, WIDTH = 79, PARAGRAPH = 0, EXAMPLE = 6 };
 
 /* ---- Texts of a row ----------------------------------------------------- */
@@ -17,7 +17,7 @@ void command_option_name(const struct command_option *option, const struct sink 
         sink_put(sink, option->value);
 }
 
-/* Skips indices without a name. Sets *name to NULL at the end of the list. */
+/* Skips indices whose name is "". Sets *name to NULL at the end of the list. */
 size_t command_next_choice(command_choice *choice, size_t number, const char **name)
 {
     while ((*name = choice(number)) != NULL && !**name)
@@ -25,7 +25,7 @@ size_t command_next_choice(command_choice *choice, size_t number, const char **n
     return number;
 }
 
-/* Writes "scalar, vector or kernels". */
+/* Writes all choices, as in "scalar, vector or kernels". */
 static void put_choices(command_choice *choice, const struct sink *sink)
 {
     const char *name, *next, *before = "";
@@ -83,8 +83,8 @@ bool command_option_preset(const struct command_option *option, const struct sin
 
 /* ---- Lines -------------------------------------------------------------- */
 
-/* Writes words from a column on and breaks lines at the line width. Line ends of the
- * text are kept. */
+/* Writes words from a column on and breaks lines at the line width. Newlines of the
+ * text remain. */
 struct filler {
     FILE *file;
     size_t indent, column;
@@ -126,7 +126,7 @@ static void fill_lines(struct filler *filler, const char *text)
     }
 }
 
-/* Writes " -o, --output FILE where it goes". */
+/* Writes an entry, as in " -o, --output FILE where it goes". */
 static void put_entry(FILE *file, const char *left, const char *meaning)
 {
     struct filler filler = { file, COLUMN, 2 + strlen(left) };
@@ -143,7 +143,7 @@ static void put_entry(FILE *file, const char *left, const char *meaning)
 
 /* ---- Options ------------------------------------------------------------ */
 
-/* Writes the help, the choices and the default. */
+/* Writes the help text, the choices and the default. */
 void command_option_meaning(const struct command_option *option,
                             const struct sink *sink)
 {
@@ -180,7 +180,7 @@ static void put_options(FILE *file, const struct command_option *option)
         put_option(file, option);
 }
 
-/* Writes "SCENE", "[FILE..]". */
+/* Writes the operands, as in "SCENE" or "[FILE..]". */
 static void put_operands(FILE *file, const struct command_option *operand)
 {
     for (; command_is_row(operand); operand++) {

@@ -1,5 +1,5 @@
-/* command_options.h - options with the same meaning or form in every program: rows for
- * the lists of command.h. Each takes the offset of its value.
+/* command_options.h - rows of options that have the same meaning in every program
+ * (command.h). Each macro takes the offset of the value.
  */
 #ifndef BASE_COMMAND_OPTIONS_H
 #define BASE_COMMAND_OPTIONS_H
@@ -20,7 +20,7 @@
       .offset = place, .help = text }
 #define OPTION_FLAG(option, place, text) \
     { .name = option, .kind = COMMAND_FLAG, .offset = place, .help = text }
-/* In braces, with other members of the row. */
+/* The members of a row. The caller adds the braces and further members. */
 #define OPERAND_ROW(form, type, place, text) \
     .value = form, .kind = type, .offset = place, .help = text
 #define OPTION_ROW(option, form, type, place, text) \
@@ -28,7 +28,8 @@
 #define OPTION_COUNT(option, place, first, last, usual, text) \
     .name = option, .value = "N", .kind = COMMAND_COUNT, .offset = place, \
     .least = first, .most = (double)(last), .preset = usual, .help = text
-/* The common members of a command, whose file has the lists options and operands. */
+/* The common members of a command. Its file must define the lists options and
+ * operands. */
 #define COMMAND_ROW(command, work, arguments, text) \
     .name = command, .summary = text, .function = work, \
     .arguments_size = sizeof(arguments), .options = options, .operands = operands

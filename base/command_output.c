@@ -23,7 +23,7 @@ static bool is_stream(const char *path)
     return path && strcmp(path, "-") == 0;
 }
 
-/* "--json -" means "--format json". */
+/* Treats "--json -" as "--format json". */
 static void choose_format(struct command_output *results)
 {
     if (is_stream(results->path)) {

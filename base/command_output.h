@@ -1,10 +1,9 @@
 /* command_output.h - the destinations of the results of a command.
  *
  * A command outputs each result once, as a table or a line of text. It goes to stdout
- * in the format that the user chose, and also to a JSON file if one was requested. The
- * formats are text, CSV tables with other lines after "# ", Markdown tables, or only
- * the JSON document. If the command writes another file to stdout ("-"), the results go
- * to stderr.
+ * in the format that the user chose, and also to a JSON file if the user requested it.
+ * The formats are text, CSV (in which other lines begin with "# "), Markdown, and JSON.
+ * Results go to stderr if the command writes another file to stdout ("-").
  *
  *   struct command_output results = arguments->results;
  *   if (output_open(&results, "c205 model", NULL)) {
@@ -30,7 +29,7 @@ enum output_format {
 
 struct command_output {
     enum output_format format;
-    const char *path; /* of the JSON file, or NULL */
+    const char *path; /* path of the JSON file, or NULL */
     bool provenance;  /* print the full provenance of models */
 
     const char *command; /* for error messages */
@@ -38,7 +37,7 @@ struct command_output {
     struct json *json;   /* the JSON document; NULL: none */
 };
 
-/* The output options of a command; member is its struct command_output. */
+/* The output options of a command. member is the name of its struct command_output. */
 command_choice output_format_choice;
 /* clang-format off */
 #define OUTPUT_OPTIONS(arguments, member) \
@@ -49,44 +48,43 @@ command_choice output_format_choice;
     { .name = "json", .value = "FILE", .kind = COMMAND_OUTPUT, \
       .offset = offsetof(arguments, member.path), \
       .help = "also write the results to a file; with -: print only JSON" }
-/* The option of a command that prints figures of a model. */
+/* The option of a command that prints results of a model. */
 #define OUTPUT_OPTION_PROVENANCE(arguments, member) \
     { .name = "provenance", .kind = COMMAND_FLAG, \
       .offset = offsetof(arguments, member.provenance), \
       .help = "print the sources and known errors of the model" }
 /* clang-format on */
 
-/* Opens the output. The format and the path must be set, the rest zero. output is
- * another file that the command writes, or NULL. Returns false after an error
+/* Opens the output. The format and the path must be set, and all other members zero.
+ * output is another file that the command writes, or NULL. Returns false after an error
  * message. */
 bool output_open(struct command_output *results, const char *command,
                  const char *output);
-/* Keeps the JSON if code is CMD_DONE, discards it otherwise. Returns the code, or
- * CMD_FAILED after an error message if the JSON cannot be written. */
+/* Commits the JSON file if code is CMD_DONE, and discards it otherwise. Returns the
+ * code, or CMD_FAILED after an error message if the JSON cannot be written. */
 int output_close(struct command_output *results, int code);
 
 /* Returns the format of printed tables. */
 enum table_format output_table_format(const struct command_output *results);
-/* Prints lines of at most 1023 characters in all, each with its line end. */
+/* Prints lines, each with its newline. They have at most 1023 characters in total. */
 void output_printf(const struct command_output *results, const char *format, ...)
     PRINTF_FORMAT(2, 3);
-/* Prints a blank line in text format; the headings of other formats make it
- * unnecessary. */
+/* Prints a blank line in text format. Other formats have headings instead. */
 void output_gap(const struct command_output *results);
-/* Prints the model of the figures: one line, or its full provenance with the option
- * provenance. JSON always has the full provenance (provenance_json). */
+/* Prints the model of the results: one line, or its full provenance with the option
+ * --provenance. JSON always has the full provenance (provenance_json). */
 void output_model(const struct command_output *results, const c205_model *model);
-/* Prints a table and adds it to the JSON under its key. The heading is above it, except
- * in text format. Returns false if memory was exhausted, now or while the table was
+/* Prints a table and adds it to the JSON under its key. All formats except text print
+ * the heading. Returns false if the host is out of memory or was while the table was
  * filled; the table may then be NULL. */
 bool output_table(const struct command_output *results, const struct table *table,
                   const char *key, const char *heading);
-/* Does the work of output_table, with the heading in text format too: "Heading" without
- * a colon. Frees the table. */
+/* Does the work of output_table and frees the table. Text format has the heading, too.
+ * The heading is text such as "Heading", without a colon. */
 bool output_part(const struct command_output *results, struct table *table,
                  const char *key, const char *heading);
 /* Does the work of output_table, and frees the table. Returns CMD_DONE, or CMD_FAILED
- * after an error message if memory was exhausted. */
+ * after an error message if the host is out of memory. */
 int output_show(const struct command_output *results, struct table *table,
                 const char *key, const char *heading);
 

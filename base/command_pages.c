@@ -5,7 +5,8 @@
 
 #include "base/command_rows.h"
 
-/* Selects a page, such as "help --man", for make and the tests. */
+/* Prints a page for make and the tests. The command line selects it, as in "help
+ * --man". */
 int command_print_page(const struct command_program *program, int argc, char **argv)
 {
     static const struct {
@@ -37,8 +38,9 @@ int command_print_page(const struct command_program *program, int argc, char **a
 
 /* ---- The list ----------------------------------------------------------- */
 
-/* Prints lines such as "option run --limit - clocks": the command ("-" if it has no
- * name), the option or operand, its letter or "-", its kind, and its choices. */
+/* Prints the rows as lines such as "option run --limit - clocks": "option" or
+ * "operand", the command ("-" if it has no name), the name, the letter or "-", the
+ * kind, and the choices. */
 static void list_rows(FILE *file, const char *what, const char *command,
                       const struct command_option *row)
 {
@@ -78,7 +80,7 @@ void command_print_list(const struct command_program *program, FILE *file)
 
 /* ---- The man page ------------------------------------------------------- */
 
-/* Writes a text for roff, with all requests and escapes neutralised. */
+/* Writes a text for roff. Characters that roff would interpret are escaped. */
 static void put_roff(FILE *file, const char *text)
 {
     for (const char *c = text; *c; c++) {

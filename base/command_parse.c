@@ -70,7 +70,7 @@ static bool take_number(const char *text, const struct command_option *option,
     return end != text && *end == '\0' && value > option->least && value < option->most;
 }
 
-/* Stores a choice as the int of an enum. */
+/* Stores a choice in an int or an enum. */
 static void put_choice(int value, void *place)
 {
     memcpy(place, &value, sizeof value);
@@ -169,7 +169,7 @@ void command_free(const struct command *command, void *arguments)
 
 /* ---- Errors ------------------------------------------------------------- */
 
-/* The state of parsing one command. */
+/* The state while a command line is parsed. */
 struct parsing {
     const struct command_program *program;
     const struct command *command;
@@ -189,7 +189,7 @@ static int wrong_value(const struct parsing *parsing,
                      wants.text, text);
 }
 
-/* Returns another command with an option of that name, or NULL. */
+/* Returns another command that has an option of this name, or NULL. */
 static const struct command *owner_of(const struct parsing *parsing, const char *name)
 {
     const struct command *const *command = parsing->program->commands;
@@ -264,15 +264,15 @@ static int wrong_option(const struct parsing *parsing, const char *word)
 
 /* ---- Options ------------------------------------------------------------ */
 
-/* The values of getopt for rows begin after all letters. */
+/* The first value by which getopt identifies a row. Letters have smaller values. */
 enum { FIRST_ROW = 256 };
 
-/* The options of a command in the form of getopt, followed by help, version and an
- * end. */
+/* The options of a command as getopt expects them, followed by help, version and an end
+ * mark. */
 struct getopt_tables {
     struct option *options;
     char *letters;
-    size_t count; /* of the command's own options */
+    size_t count; /* number of options of the command */
 };
 
 static void add_option(struct getopt_tables *tables, size_t place,
@@ -296,8 +296,8 @@ static bool make_tables(const struct command *command, struct getopt_tables *tab
     tables->letters = calloc(tables->count + 3, 3);
     if (!tables->options || !tables->letters)
         return false;
-    tables->letters[0] = ':'; /* getopt then distinguishes a missing value from a wrong
-                                 option */
+    tables->letters[0] = ':'; /* getopt then reports a missing value differently from a
+                                 wrong option */
     for (size_t i = 0; i < tables->count; i++)
         add_option(tables, i, &command->options[i]);
     add_option(tables, tables->count, &command_help_option);
@@ -305,7 +305,8 @@ static bool make_tables(const struct command *command, struct getopt_tables *tab
     return true;
 }
 
-/* Returns the row for a value of getopt: a row of the command, help or version. */
+/* Returns the row that a value of getopt identifies: a row of the command, help or
+ * version. */
 static const struct command_option *
 row_of(const struct command *command, const struct getopt_tables *tables, int value)
 {
@@ -380,7 +381,7 @@ static bool is_output(const struct command_option *row)
     return row->kind == COMMAND_OUTPUT || row->kind == COMMAND_FILE;
 }
 
-/* Returns the i-th file of an option or operand; NULL: there are no more. */
+/* Returns file i of an option or operand, or NULL if there are no more files. */
 static const char *path_of(const struct parsing *parsing,
                            const struct command_option *row, size_t i)
 {
@@ -394,8 +395,8 @@ static const char *path_of(const struct parsing *parsing,
     return i == 0 ? path : NULL;
 }
 
-/* Returns true if the row names the file at the path. The name of a built-in model is
- * not a file. */
+/* Returns true if the row contains the path of this file. The name of a built-in model
+ * is not a path. */
 static bool names(const struct parsing *parsing, const struct command_option *row,
                   const char *path)
 {
@@ -409,8 +410,8 @@ static bool names(const struct parsing *parsing, const struct command_option *ro
     return false;
 }
 
-/* Returns the first of these rows that names the file as an output, or as an input;
- * NULL: none. */
+/* Returns the first of these rows that has the file as an output or as an input. NULL:
+ * none. */
 static const struct command_option *row_naming(const struct parsing *parsing,
                                                const struct command_option *row,
                                                bool output, const char *path)
@@ -422,7 +423,7 @@ static const struct command_option *row_naming(const struct parsing *parsing,
     return command_is_row(row) ? row : NULL;
 }
 
-/* Checks that no later option writes the same file and that no row reads it. */
+/* Checks that no later option writes the same file and that no row reads the file. */
 static int check_output(const struct parsing *parsing,
                         const struct command_option *option, const char *path)
 {
@@ -457,7 +458,7 @@ static int check_outputs(const struct parsing *parsing)
     return code;
 }
 
-/* Returns the number of values of the rows that are stdin. */
+/* Returns the number of values of these rows that are stdin. */
 static size_t streams_in(const struct parsing *parsing,
                          const struct command_option *row)
 {

@@ -1,5 +1,5 @@
-/* command_rows.h - the rows of command.h for parsing, help and generated pages; only
- * for base/command*.c.
+/* command_rows.h - functions on the rows of command.h, for parsing, help and generated
+ * pages. Only base/command*.c include it.
  */
 #ifndef BASE_COMMAND_ROWS_H
 #define BASE_COMMAND_ROWS_H
@@ -12,31 +12,31 @@
 /* The options of every command. */
 extern const struct command_option command_help_option, command_version_option;
 
-/* Returns true for a row, false for the end of a list. The list may be NULL. */
+/* Returns true for a row, and false for the end of a list. A NULL list has no rows. */
 bool command_is_row(const struct command_option *option);
 size_t command_count_rows(const struct command_option *options);
 
-/* Writes "c205 run", or only the program's name if the command is NULL or has no
- * name. */
+/* Writes the full name, as in "c205 run". It is the name of the program if the command
+ * is NULL or has no name. */
 enum { COMMAND_NAME_SIZE = 64 };
 void command_full_name(const struct command_program *program,
                        const struct command *command, char name[COMMAND_NAME_SIZE]);
-/* NULL: there is no command with that name. */
+/* Returns the command with a name, or NULL. */
 const struct command *command_named(const struct command_program *program,
                                     const char *name);
 
-/* Writes "--queue", or the value of an operand, "SCENE". */
+/* Writes the name of an option ("--queue") or of an operand ("SCENE"). */
 void command_option_name(const struct command_option *option, const struct sink *sink);
-/* Writes the valid values: "scalar, vector or kernels", "a whole number from 1 to
- * 9". */
+/* Writes the valid values, as in "scalar, vector or kernels" or "a whole number from 1
+ * to 9". */
 void command_option_wants(const struct command_option *option, const struct sink *sink);
-/* Writes the default: "2000". Returns false if there is none. */
+/* Writes the default, as in "2000". Returns false if there is none. */
 bool command_option_preset(const struct command_option *option,
                            const struct sink *sink);
 
-/* Parses the command line into the arguments, whose first member is already the full
- * name. Returns CMD_DONE, CMD_USAGE or CMD_FAILED after an error message, or one of
- * these codes. */
+/* Parses the command line into the arguments, whose first member must be set to the
+ * full name. Returns CMD_DONE, an exit code after an error message, or one of the
+ * following codes. */
 enum { COMMAND_ASKS_HELP = CMD_USAGE + 1, COMMAND_ASKS_VERSION };
 int command_parse(const struct command_program *program, const struct command *command,
                   int argc, char **argv, void *arguments);
@@ -47,23 +47,24 @@ void command_free(const struct command *command, void *arguments);
 void command_print_summary(const struct command_program *program, FILE *file);
 void command_print_help(const struct command_program *program,
                         const struct command *command, FILE *file);
-/* Prints the page of "help --list", --man, --completion bash|zsh|fish or --complete.
- * Returns the exit code. */
+/* Prints the page for "help --list", --man, --completion SHELL or --complete. Returns
+ * the exit code. */
 int command_print_page(const struct command_program *program, int argc, char **argv);
 void command_print_list(const struct command_program *program, FILE *file);
 void command_print_man(const struct command_program *program, FILE *file);
 void command_print_bash(const struct command_program *program, FILE *file);
 void command_print_zsh(const struct command_program *program, FILE *file);
 void command_print_fish(const struct command_program *program, FILE *file);
-/* Completes the last of the words that follow the program's name. Prints "-f" if a file
- * can be there, "-d" for a folder, or nothing; then a line for each candidate with a
- * tab before its explanation. Returns the exit code. */
+/* Prints the completions of the last word. The other words follow the name of the
+ * program. The first line is "-f" if the word may be a file, "-d" if it may be a
+ * folder, and otherwise empty. Each further line is a candidate, a tab and its
+ * explanation. Returns the exit code. */
 int command_complete(const struct command_program *program, int count, char **words);
 
-/* Returns the index of the next value with a name, from this index on. Sets *name to
- * NULL if there is none. */
+/* Returns the index of the next value that has a name, from this index on. Sets *name
+ * to NULL if there is none. */
 size_t command_next_choice(command_choice *choice, size_t number, const char **name);
-/* Writes the explanation after the name of an operand or option in help. */
+/* Writes the explanation of an operand or option for help. */
 void command_option_meaning(const struct command_option *option,
                             const struct sink *sink);
 

@@ -8,7 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TAB = 8, LONGEST_LINE = 1000 /* bytes of a source line kept */ };
+enum {
+    TAB = 8,
+    LONGEST_LINE = 1000 /* maximum length of a stored source line in
+                                       bytes */
+};
 
 static char *copy(const char *text, size_t length)
 {
@@ -27,8 +31,7 @@ static void free_item(struct diagnostic *item)
     free(item->source);
 }
 
-/* Returns the column of an invisible character in the word at the position; 0: there is
- * none. */
+/* Returns the column of an invisible character in the word at the position, or 0. */
 static size_t invisible_column(const struct position *position, unsigned long *code)
 {
     size_t i = position->column - 1;
@@ -42,8 +45,8 @@ static size_t invisible_column(const struct position *position, unsigned long *c
     return 0;
 }
 
-/* Readers report a word with an invisible character as a wrong word or number. This
- * function adds the name of the character to the error. */
+/* Adds the name of an invisible character to an error. A reader reports a word with
+ * such a character only as a wrong word or number. */
 static void name_invisible(struct diagnostic *item, const struct position *position)
 {
     unsigned long code;
@@ -86,7 +89,7 @@ void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
         free_item(&item);
 }
 
-/* Returns the item that collects the output text; NULL: out of memory. */
+/* Returns the item to which output text is appended. NULL: out of memory. */
 static struct diagnostic *next_diagnostic(struct diagnostics *diagnostics)
 {
     const struct diagnostic empty = { .severity = SEVERITY_SAID };
@@ -112,7 +115,8 @@ bool diagnostics_append(struct diagnostics *diagnostics, const char *text)
     return true;
 }
 
-/* Writes one character in printable form, tabs as blanks. Returns the new column. */
+/* Writes one character in printable form. A tab becomes blanks. Returns the new
+ * column. */
 static size_t put_character(const struct sink *sink, const char *text, size_t length,
                             size_t column)
 {
@@ -129,7 +133,7 @@ static size_t put_character(const struct sink *sink, const char *text, size_t le
     return column + 1;
 }
 
-/* Writes the source line, and a caret below the column if the line has it. */
+/* Writes the source line. If the line contains the column, a caret follows below it. */
 static void put_source(const struct sink *sink, const struct diagnostic *diagnostic)
 {
     const char *source = diagnostic->source;

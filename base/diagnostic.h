@@ -1,7 +1,8 @@
 /* diagnostic.h - messages about a user's text, with their positions.
  *
- * Programs, scenes, polynomials, models and observations are read to their end. The
- * messages are collected here and printed in one form:
+ * The readers of programs, scenes, polynomials, models and observations continue after
+ * an error. They collect their messages here. All messages are printed in the same
+ * form:
  *
  *     file:line:column: error: message
  *         the source line
@@ -20,13 +21,13 @@ enum severity {
     SEVERITY_ERROR,
     SEVERITY_WARNING,
     SEVERITY_REPORT, /* something was replaced or ignored */
-    SEVERITY_SAID    /* output of the text itself, printed without a prefix */
+    SEVERITY_SAID    /* output of the text, printed without a prefix */
 };
 
 struct diagnostic {
     enum severity severity;
     char *file;
-    size_t line, column; /* from 1, in bytes; line 0: the whole file */
+    size_t line, column; /* count from 1, in bytes; line 0: the whole file */
     char *message;
     char *source; /* the text of that line */
 };
@@ -34,7 +35,7 @@ struct diagnostic {
 /* Must be zeroed before use. */
 struct diagnostics {
     size_t count;
-    size_t errors; /* number of errors, including those for which memory was out */
+    size_t errors; /* number of errors, including errors that could not be stored */
     struct diagnostic *items;
 };
 
@@ -42,21 +43,21 @@ struct diagnostics {
 struct position {
     const char *file;
     size_t line, column;
-    const char *source;   /* the line's text, or NULL */
-    size_t source_length; /* up to its newline */
+    const char *source;   /* text of the line, or NULL */
+    size_t source_length; /* without the newline */
 };
 
 /* Adds a diagnostic. The arguments are copied. */
 void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
                      const struct position *position, const char *message);
-/* Appends text that is printed without a prefix. Returns false if such texts exceed
- * MAX_SAID bytes in all, or if memory is exhausted. */
+/* Appends text that is printed without a prefix. Returns false if these texts exceed
+ * MAX_SAID bytes in total, or if the host is out of memory. */
 enum { MAX_SAID = 1 << 16 };
 bool diagnostics_append(struct diagnostics *diagnostics, const char *text);
 
-/* An error at a word with an invisible character names the character. Names and
- * messages are printed with such characters escaped, source lines with a question mark
- * for each (base/visible_text.h). */
+/* Prints a diagnostic. An error at a word with an invisible character names the
+ * character. Invisible characters are escaped in names and messages, and replaced by
+ * question marks in source lines (base/visible_text.h). */
 void diagnostic_put(const struct diagnostic *diagnostic, const struct sink *sink);
 void diagnostics_put(const struct diagnostics *diagnostics, const struct sink *sink);
 void diagnostics_print(const struct diagnostics *diagnostics, FILE *out);

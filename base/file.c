@@ -11,7 +11,7 @@
 
 #include "vm/error.h"
 
-/* Reads until the end, or until more than largest bytes are read. */
+/* Reads to the end of the file, or until more than `largest` bytes have been read. */
 static char *read_stream(FILE *file, size_t largest, size_t *length)
 {
     size_t room = 1 << 14;
@@ -31,7 +31,7 @@ static char *read_stream(FILE *file, size_t largest, size_t *length)
     return text;
 }
 
-/* Returns the errno of a read, or 0 if it succeeded. */
+/* Returns 0 after a successful read, and otherwise its errno. */
 static int reason(const FILE *file, const char *text, size_t length, size_t largest)
 {
     if (!file || !text || errno)
@@ -105,8 +105,8 @@ bool file_is_plain(const char *path, c205_error *error)
            && error_set(error, "a broken link");
 }
 
-/* Finds the folder of a path and the file's name in it. Returns false if there is no
- * such folder. */
+/* Finds the folder of a path and the name of the file in it. Returns false if the
+ * folder does not exist. */
 static bool find_place(const char *path, struct stat *folder, const char **name)
 {
     const char *slash = strrchr(path, '/');

@@ -1,4 +1,4 @@
-/* interrupt.c - catches signals, and removes incomplete files when one ends the
+/* interrupt.c - catches signals, and removes incomplete files if a signal ends the
  * program.
  */
 #include "base/interrupt.h"
@@ -10,7 +10,7 @@ static int create(const char *path)
     return open(path, O_WRONLY | O_CREAT | O_EXCL, 0666);
 }
 
-/* WebAssembly's system interface has no signals. */
+/* WASI, the system interface of WebAssembly, has no signals. */
 #ifdef __wasi__
 
 void interrupt_catch(void)
@@ -54,18 +54,19 @@ void interrupt_release(const char *path)
 
 /* ---- Files ---------------------------------------------------------------- */
 
-/* A command writes few files at a time. */
+/* Maximum number of files that a command writes at the same time. */
 enum { FILES = 16 };
 static const char *volatile files[FILES];
-static volatile pid_t owner; /* a forked process owns none of them */
+static volatile pid_t owner; /* the process that owns the files; a forked process must
+                                not remove them */
 
 /* All signals that end a program by default. */
 static const int endings[] = { SIGHUP,  SIGINT,  SIGQUIT, SIGPIPE, SIGALRM,
                                SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU, SIGXFSZ };
 enum { ENDINGS = sizeof endings / sizeof *endings };
 
-/* Removes the files. The program ends when the handler returns, as it would without a
- * handler. */
+/* Removes the files. The program ends when the handler returns, because the default
+ * action is restored. */
 static void end_process(int number)
 {
     for (size_t i = 0; i < FILES && owner == getpid(); i++)
@@ -92,7 +93,7 @@ static void replace(const char *old, const char *path)
         files[i] = path;
 }
 
-/* Signals are blocked between the creation of the file and its entry in the list. */
+/* Creates a file. Signals are blocked until the file is in the list. */
 int interrupt_create(const char *path)
 {
     sigset_t all, before;
@@ -118,7 +119,7 @@ void interrupt_release(const char *path)
 
 static volatile sig_atomic_t came; /* the signal's number */
 
-/* The second signal ends the program. */
+/* Records the first signal. The second signal ends the program. */
 static void note(int number)
 {
     if (came)
@@ -126,7 +127,7 @@ static void note(int number)
     came = number;
 }
 
-/* Signals may arrive any number of times. */
+/* Records a signal. Signals may arrive any number of times. */
 static void note_again(int number)
 {
     came = came ? came : number;
@@ -137,7 +138,7 @@ void interrupt_catch(void)
     struct sigaction action = { .sa_handler = note }, now;
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
-    /* nohup ignores SIGHUP, and that is kept. */
+    /* SIGHUP remains ignored if nohup ignored it. */
     if (sigaction(SIGHUP, NULL, &now) == 0 && now.sa_handler != SIG_IGN)
         sigaction(SIGHUP, &action, NULL);
 }

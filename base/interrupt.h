@@ -1,24 +1,24 @@
-/* interrupt.h - signals that end a program. Ctrl-C becomes a flag that a command polls,
- * and files that are incomplete are removed if a signal ends the program.
+/* interrupt.h - handles signals that end a program. Ctrl-C sets a flag that a command
+ * polls. Incomplete files are removed if a signal ends the program.
  */
 #ifndef BASE_INTERRUPT_H
 #define BASE_INTERRUPT_H
 
 #include <stdbool.h>
 
-/* From now on, the first Ctrl-C, SIGTERM or SIGHUP does not end the program; the second
- * one does. */
+/* Lets the program continue after the first Ctrl-C, SIGTERM or SIGHUP from now on. The
+ * second signal ends it. */
 void interrupt_catch(void);
-/* Does the work of interrupt_catch for a program that reads lines. At a terminal,
- * Ctrl-C never ends the program. Reads and writes continue after a signal, so that no
- * output is lost; only select and pselect return EINTR. */
+/* Like interrupt_catch, for a program that reads lines. Ctrl-C at a terminal never ends
+ * the program. Reads and writes continue after a signal, so no output is lost; only
+ * select and pselect return EINTR. */
 void interrupt_catch_lines(bool terminal);
 /* Returns true if one of these signals has arrived. */
 bool interrupt_pending(void);
-/* Returns true if it was SIGTERM or SIGHUP: the program must end, whatever Ctrl-C means
- * to it. */
+/* Returns true if the signal was SIGTERM or SIGHUP. The program must then end, even if
+ * Ctrl-C has another meaning. */
 bool interrupt_ends(void);
-/* Resets the flag of a Ctrl-C. */
+/* Clears the flag of Ctrl-C. */
 void interrupt_clear(void);
 
 /* Creates a new file for writing. Returns its descriptor, or -1 with errno. The file is

@@ -1,4 +1,4 @@
-/* json.c - builds a JSON document in memory and writes it at the close. */
+/* json.c - builds a JSON document in memory. json_close writes it. */
 #include "base/json.h"
 
 #include <assert.h>
@@ -16,10 +16,10 @@
 enum { DEEPEST = 16, INDENT = 2 };
 
 struct json {
-    struct atomic_file *whole; /* a file for the text; NULL: none */
-    FILE *stream;              /* a stream for the text; NULL: none */
-    struct text_buffer *line;  /* a buffer for the text, which is then one line; NULL:
-                                  none */
+    struct atomic_file *whole; /* destination: a file, or NULL */
+    FILE *stream;              /* destination: a stream, or NULL */
+    struct text_buffer *line;  /* destination: a buffer, or NULL; the text is then one
+                                  line */
     struct text_buffer text;
     struct sink sink; /* appends to text */
     unsigned depth;
@@ -45,16 +45,16 @@ static void new_line(struct json *json)
     sink_print(&json->sink, "\n%*s", (int)json->depth * INDENT, "");
 }
 
-/* Returns true for characters that a terminal would interpret, which are escaped
- * because the file may be printed. */
+/* Returns true for characters that a terminal would interpret. They are escaped,
+ * because a user may print the file on a terminal. */
 static bool is_hidden(const char *text, size_t length)
 {
     unsigned long code;
     return invisible_length(text, length, &code) > 0 && code <= 0xFFFF;
 }
 
-/* Returns the number of bytes that need no escape. A NUL byte is never part of a longer
- * character. */
+/* Returns the number of bytes at the start that need no escape. A NUL byte is never
+ * part of a longer character. */
 static size_t plain_length(const char *text)
 {
     size_t length = 0, step;
@@ -89,7 +89,7 @@ void json_string(const struct sink *sink, const char *text)
     sink_put(sink, "\"");
 }
 
-/* Writes the comma, new line and key before a value. */
+/* Writes the comma, newline and key before a value. */
 static void introduce(struct json *json, const char *key)
 {
     if (json->level[json->depth - 1].filled)

@@ -35,7 +35,7 @@ static void skip_space(struct json_reading *reading)
         reading->at++;
 }
 
-/* Returns the next character; 0: there is none. */
+/* Returns the next character, or 0 at the end. */
 static char next_of(const struct json_reading *reading)
 {
     return reading->at < reading->end ? *reading->at : '\0';
@@ -66,7 +66,7 @@ static bool read_hex(struct json_reading *reading, unsigned long *code)
     return true;
 }
 
-/* Reads the digits after \u. A character above FFFF has two such escapes. */
+/* Reads the digits after \u. A character above FFFF consists of two such escapes. */
 static bool read_code(struct json_reading *reading, unsigned long *code)
 {
     unsigned long low;
@@ -83,7 +83,7 @@ static bool read_code(struct json_reading *reading, unsigned long *code)
     return true;
 }
 
-/* Reads an escape after its backslash. */
+/* Reads the part of an escape after its backslash. */
 static bool read_escape(struct json_reading *reading, char **to)
 {
     static const char names[] = "\"\\/bfnrt", meant[] = "\"\\/\b\f\n\r\t";
@@ -120,7 +120,7 @@ static bool read_character(struct json_reading *reading, char **to)
     return true;
 }
 
-/* Reads a text. It is never longer than its written form. */
+/* Reads a text in place, because it is never longer than its escaped form. */
 static const char *read_string(struct json_reading *reading)
 {
     const char *close = reading->at + 1;

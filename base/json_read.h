@@ -1,8 +1,8 @@
 /* json_read.h - reads JSON (RFC 8259) strictly into a tree.
  *
- * Texts in the tree are UTF-8 and end with a NUL, which no text may contain. If a key
- * occurs more than once in an object, the first member counts. Any input gives a tree
- * or an error.
+ * Texts in the tree are UTF-8 and end with a NUL. A NUL within a text is an error. If
+ * an object contains a key more than once, the first member counts. Every input gives a
+ * tree or an error.
  */
 #ifndef BASE_JSON_READ_H
 #define BASE_JSON_READ_H
@@ -24,26 +24,31 @@ struct json_value {
     bool truth;
     double number;
     const char *text;
-    const char *key;                /* of a member of an object, or NULL */
-    const struct json_value *first; /* of an array or object; NULL: it is empty */
-    const struct json_value *next;  /* in the same array or object; NULL: the last */
+    const char *key;                /* key of a member of an object, or NULL */
+    const struct json_value *first; /* first item of an array or object; NULL: it is
+                                       empty */
+    const struct json_value *next;  /* next item of the same array or object; NULL: the
+                                       last */
 };
 
 /* The maximum depth of nested arrays and objects. */
 #define JSON_DEEPEST 64
 
-/* Returns a tree in the arena. NULL: the error has the reason and the byte offset. */
+/* Returns a tree in the arena. Returns NULL on an error, with the reason and the byte
+ * offset. */
 const struct json_value *json_read(struct arena *arena, const char *text, size_t length,
                                    c205_error *error);
 
-/* NULL: no such member, it is null, or object is NULL or not an object. */
+/* Returns a member. Returns NULL if there is no such member, if its value is null, or
+ * if object is NULL or not an object. */
 const struct json_value *json_member(const struct json_value *object, const char *key);
-/* NULL: no such member, or it is not a text. */
+/* Returns the text of a member. Returns NULL if there is no such member or it is not a
+ * text. */
 const char *json_member_text(const struct json_value *object, const char *key);
-/* Returns the first element or member of a member. */
+/* Returns the first item of the array or object in a member. */
 const struct json_value *json_member_first(const struct json_value *object,
                                            const char *key);
-/* Returns the number of elements of an array, or members of an object. */
+/* Returns the number of items of an array or object. */
 size_t json_length(const struct json_value *value);
 bool json_member_truth(const struct json_value *object, const char *key,
                        bool otherwise);

@@ -5,14 +5,15 @@
 #include "base/command.h"
 #include "vm/c205.h"
 
-/* Opens a built-in model or a file, by the rule of c205_model_find; NULL: the default.
- * Returns NULL after an error message on stderr, which shows the wrong line of a
+/* Opens a built-in model or a file, as c205_model_find does. A NULL name is the default
+ * model. Returns NULL after an error message on stderr, which shows the wrong line of a
  * file. */
 c205_model *model_open(const char *command, const char *name);
-/* c205_model_find for a name from a text. It rejects a file that the command writes. */
+/* Like c205_model_find, for a name from a text. It rejects a file that the command
+ * writes. */
 c205_model *model_find(const char *name, c205_error *error);
 
-/* The built-in models. */
+/* The names of the built-in models. */
 command_choice command_model_choice;
 
 #endif

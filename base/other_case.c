@@ -22,8 +22,8 @@ bool other_case_is(const char *a, const char *b, size_t length)
 
 static bool search(struct folder *found, const char *folder, const char *rest);
 
-/* Continues the search in an entry of the folder that matches the next part of the
- * path. */
+/* Continues the search in an entry of the folder. The entry must match the next part of
+ * the path. */
 static bool enter(struct folder *found, const char *folder, const char *name,
                   size_t length, const char *rest)
 {
@@ -44,7 +44,8 @@ static bool enter(struct folder *found, const char *folder, const char *name,
     return good;
 }
 
-/* folder is "" or ends with a '/'. A folder that cannot be read counts as empty. */
+/* Searches a folder. Its path is "" or ends with a '/'. A folder that cannot be read
+ * counts as empty. */
 static bool search(struct folder *found, const char *folder, const char *rest)
 {
     size_t length = strcspn(rest, "/");

@@ -1,14 +1,15 @@
-/* other_case.h - finds files whose paths differ from a given one only in the case of
- * ASCII letters, for texts from systems that ignore case.
+/* other_case.h - finds files whose paths differ from a given path only in the case of
+ * ASCII letters. Texts from systems that ignore case need this.
  */
 #ifndef BASE_OTHER_CASE_H
 #define BASE_OTHER_CASE_H
 
 #include "base/folder.h"
 
-/* Finds the paths of all such files, sorted. Folders may differ in case too, but not
- * the first `fixed` bytes of the path, which end with a '/' if there are any. The
- * caller frees the names with folder_free. Returns false if memory is exhausted. */
+/* Finds the paths of all such files, sorted. Names of folders may differ, too. The
+ * first `fixed` bytes of the path must be equal; they are 0 or end with a '/'. The
+ * caller frees the names with folder_free. Returns false if the host is out of
+ * memory. */
 bool other_case_find(struct folder *found, const char *path, size_t fixed);
 bool other_case_is(const char *a, const char *b, size_t length);
 

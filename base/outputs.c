@@ -16,7 +16,8 @@ static struct {
     size_t count;
 } outputs;
 
-/* Finds regular files only; devices and pipes have no content to lose. */
+/* Finds a regular file. Devices and pipes are not listed, because they have no content
+ * to lose. */
 static struct output *find_output(const struct stat *status)
 {
     for (size_t i = 0; S_ISREG(status->st_mode) && i < outputs.count; i++)

@@ -1,8 +1,8 @@
-/* plot.c - draws columns of a table as curves, in an SVG picture.
+/* plot.c - draws columns of a table as curves in an SVG picture.
  *
- * The title and the small print are above the frame, with one more line if y is cut off.
- * Below them are the labels of the marks, each next to its line, in as many rows as they
- * need. The key is on the right. No text covers a curve.
+ * The title and the small print are above the frame. The small print has an additional
+ * line if y is cut off. The labels of marks are below it, each next to its line, in
+ * several rows if necessary. The key is on the right. No text covers a curve.
  */
 #include "base/plot.h"
 
@@ -19,19 +19,20 @@ enum {
     WIDTH = 800,
     HEIGHT = 500,
     EDGE = 16,
-    LETTER = 7, /* the width of most letters, a little more than many need */
-    ABOVE = 40, /* the base line of the small print, below the title */
+    LETTER = 7, /* the width of most letters in pixels, slightly overestimated */
+    ABOVE = 40, /* base line of the small print, below the title */
     LINE = 16,
     BELOW = 58,   /* labels and title of the x axis */
     BESIDE = 52,  /* title of the y axis, without its labels */
-    MIN_KEY = 90, /* room on the right, for labels of marks as well */
+    MIN_KEY = 90, /* minimum room on the right for the key and labels of marks */
     MAX_KEY = 320,
     KEY_SAMPLE = 48,
     KEY_ROW = 22
 };
 
 /* Colours that colour-blind readers can distinguish: M. Okabe and K. Ito, "Color
- * Universal Design", 2008. Greys replace their black and are used for more curves. */
+ * Universal Design", 2008. Greys replace the black of that palette and colour further
+ * curves. */
 static const char *const colors[] = {
     "#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9",
     "#CC79A7", "#444444", "#F0E442", "#999999", "#CCCCCC",
@@ -41,11 +42,12 @@ enum { COLORS = sizeof colors / sizeof *colors };
 static const char *const dashes[] = { "6 4", "2 3", "9 3 2 3", "1 2" };
 enum { DASHES = sizeof dashes / sizeof *dashes };
 
-/* The label of a mark. It begins at the mark's line, or ends at the picture's edge. */
+/* The label of a mark. It begins at the line of the mark, or ends at the edge of the
+ * picture. */
 struct flag {
     const struct plot_mark *mark;
     double line, begin, end;
-    int row; /* from 0, upwards */
+    int row; /* counts upwards from 0 */
 };
 
 struct plot_picture {
@@ -53,7 +55,7 @@ struct plot_picture {
     const struct table *table;
     const struct sink *sink;
     struct axis x, y;
-    double cut_off; /* the highest value if y ends below it; else NaN */
+    double cut_off; /* the highest value if y is limited below it, otherwise NaN */
     double left, right, top, bottom;
     size_t flag_count;
     struct flag flags[MAX_PLOT_MARKS];
@@ -71,7 +73,7 @@ static double y_of(const struct plot_picture *picture, size_t row, size_t curve)
     return table_value(picture->table, row, picture->plot->curves[curve].column);
 }
 
-/* Returns the sum of the first curves of a row. */
+/* Returns the sum of the first curves in a row of the table. */
 static double sum_of(const struct plot_picture *picture, size_t row, size_t curves)
 {
     double sum = 0;
@@ -122,7 +124,7 @@ static bool is_empty(const struct axis *axis)
     return axis->low > axis->high;
 }
 
-/* Extends the axes over everything that is drawn. */
+/* Extends the axes to all values that are drawn. */
 static bool find_axes(struct plot_picture *picture, c205_error *error)
 {
     const struct plot *plot = picture->plot;
@@ -152,7 +154,7 @@ static bool find_axes(struct plot_picture *picture, c205_error *error)
 
 /* ---- Layout --------------------------------------------------------------- */
 
-/* Returns the width of a text in UTF-8. */
+/* Returns the width of a text in pixels. */
 static double text_width(const char *text)
 {
     size_t letters = 0;
@@ -200,8 +202,8 @@ static int from_right(const void *left, const void *right)
     return (a < b) - (a > b);
 }
 
-/* Returns a row above all labels to the right that the label would cover, or whose
- * lines it would cross. */
+/* Returns a row for a label. It is above all labels to the right that the label would
+ * cover or whose lines it would cross. */
 static int row_of(const struct flag *flags, size_t i)
 {
     int row = 0;
@@ -211,7 +213,7 @@ static int row_of(const struct flag *flags, size_t i)
     return row;
 }
 
-/* Returns the number of rows. */
+/* Places the labels of the marks. Returns the number of rows. */
 static int place_flags(struct plot_picture *picture)
 {
     const struct plot *plot = picture->plot;
@@ -272,7 +274,7 @@ static void put_small_print(const struct plot_picture *picture)
 
 /* ---- Axes ----------------------------------------------------------------- */
 
-/* Draws a tic and its label, with a line of the grid. */
+/* Draws a tic, its label and a line of the grid. */
 static void put_x_tic(const struct plot_picture *picture, const struct axis_tic *tic)
 {
     double at = across(picture, tic->at);
@@ -332,8 +334,8 @@ static void put_vertex(const struct plot_picture *picture, double x, double y,
     *joined = finite;
 }
 
-/* Draws a line between the first and the last x, as a polygon because the axes may be
- * logarithmic. */
+/* Draws a fitted line between the first and the last x. It is a polygon, because a
+ * straight line is curved on logarithmic axes. */
 static void put_fitted(const struct plot_picture *picture, const struct plot_line *line)
 {
     enum { PARTS = 120 };
@@ -386,8 +388,8 @@ static bool has_area(const struct plot_picture *picture, size_t row)
            && isfinite(sum_of(picture, row, picture->plot->curve_count));
 }
 
-/* Draws the area between the sum of the curves before this one and the sum that
- * includes it, separately for each run of rows without a gap. */
+/* Draws the area of a curve, between the sum without it and the sum with it. Each run
+ * of rows without a gap has its own area. */
 static void put_area(const struct plot_picture *picture, size_t curve)
 {
     size_t rows = table_rows(picture->table);
@@ -405,7 +407,7 @@ static void put_area(const struct plot_picture *picture, size_t curve)
     sink_put(picture->sink, "\"/>\n");
 }
 
-/* A picture within the picture cuts the curves off at the frame. */
+/* Draws the curves in a nested picture, which clips them at the frame. */
 static void put_curves(const struct plot_picture *picture)
 {
     double width = picture->right - picture->left;
@@ -441,7 +443,7 @@ static void put_level(const struct plot_picture *picture, size_t level, double l
                left, y, right, dashes[level % DASHES]);
 }
 
-/* Draws a sample of a curve, at the base line of its name. */
+/* Draws a sample of a curve at the base line of its name. */
 static void put_sample(const struct plot_picture *picture, size_t curve, double y)
 {
     double x = picture->right + 10;
@@ -456,7 +458,7 @@ static void put_sample(const struct plot_picture *picture, size_t curve, double 
                    x, y - 4, color, x + 13, y - 4, color);
 }
 
-/* Draws the levels, and the key. The order of areas in the key is that of the plot. */
+/* Draws the levels and the key. The key lists areas in the order of the plot. */
 static void put_key(const struct plot_picture *picture)
 {
     const struct plot *plot = picture->plot;
@@ -482,7 +484,8 @@ static void put_key(const struct plot_picture *picture)
     ".at{text-anchor:middle;fill:#444}.up,.end{text-anchor:end}.up{fill:#444}" \
     ".mark{stroke:#444}.level{stroke:#000;stroke-width:1.5}"
 
-/* Areas cover the grid, so there it is drawn after them. */
+/* Draws the parts of a picture. The grid comes after the areas, because they would
+ * cover it. */
 static void put_picture(const struct plot_picture *picture)
 {
     bool areas = picture->plot->form == PLOT_AREAS;

@@ -1,8 +1,8 @@
-/* plot.h - draws columns of a table as curves, in an SVG picture.
+/* plot.h - draws columns of a table as curves in an SVG picture.
  *
- * A value that is not a finite number (NaN, an empty cell) is not drawn and leaves a gap
- * in the curve. Texts should fit: about 30 letters for names of curves and marks, and
- * about 110 for small print.
+ * A value that is not a finite number (NaN, an empty cell) is not drawn and leaves a
+ * gap in the curve. Texts should be short: up to about 30 letters for names of curves
+ * and marks, and about 110 for small print.
  */
 #ifndef BASE_PLOT_H
 #define BASE_PLOT_H
@@ -21,16 +21,17 @@ struct plot_line {
     double start, slope; /* y = start + slope x */
 };
 
-/* A column of the table, from 0. All curves share one x column. */
+/* A curve: a column of the table, which counts from 0. All curves have the same x
+ * column. */
 struct plot_curve {
     size_t column;
     const char *title;
     const struct plot_line *fitted; /* drawn instead of the segments between the points;
-                                     * NULL: none */
+                                       NULL: none */
 };
 
 struct plot_mark {
-    double at; /* on the axis; NaN: no mark */
+    double at; /* position on the axis; NaN: no mark */
     const char *label;
 };
 
@@ -46,21 +47,21 @@ struct plot {
     const char *const *subtitles; /* lines of small print below the title */
     size_t subtitle_count;
     struct plot_axis x, y;
-    double y_most;   /* curves above are cut off, which the small print reports; 0:
-                      * no limit */
-    size_t x_column; /* its values are in order, from row to row */
+    double y_most;   /* maximum y; the small print reports if curves exceed it; 0: no
+                        limit */
+    size_t x_column; /* its values must be in order */
     enum plot_form form;
     const struct plot_curve *curves;
     size_t curve_count;
-    const struct plot_mark *marks;  /* vertical lines; at is x */
+    const struct plot_mark *marks;  /* vertical lines at x */
     size_t mark_count;              /* at most MAX_PLOT_MARKS */
-    const struct plot_mark *levels; /* horizontal lines; at is y */
+    const struct plot_mark *levels; /* horizontal lines at y */
     size_t level_count;
 };
 
-/* Draws the plot. Errors: no value to draw, a value not above 0 on a logarithmic axis, a
- * negative value as an area, or a table that ran out of memory; nothing is written then.
- * The picture does not depend on the time of day. */
+/* Draws the plot. Returns false and writes nothing if there is no value to draw, a
+ * value on a logarithmic axis is not above 0, a value of an area is negative, or the
+ * table is incomplete for lack of memory. The picture does not contain the time. */
 bool plot_draw(const struct plot *plot, const struct table *table,
                const struct sink *sink, c205_error *error);
 

@@ -27,7 +27,7 @@ void axis_reach(struct axis *axis, double value)
     axis->high = fmax(axis->high, value);
 }
 
-/* Converts a value to the axis's linear scale: the exponent of the base, or the
+/* Converts a value to the linear scale of the axis: the exponent of the base, or the
  * value itself. */
 static double to_ruler(const struct axis *axis, double value)
 {
@@ -78,8 +78,8 @@ void axis_pad(struct axis *axis)
     axis->high = from_ruler(axis, high + room);
 }
 
-/* Returns the smallest of 1, 2 and 5 times powers of ten that is not below
- * `least`. */
+/* Returns the smallest number that is not below `least` and is 1, 2 or 5 times a power
+ * of ten. */
 static double round_above(double least)
 {
     static const double digits[] = { 1, 2, 5, 10 };
@@ -119,7 +119,7 @@ struct tics {
     size_t count;
 };
 
-/* Writes 65536 as "65,536". */
+/* Separates thousands, as in "65,536" for 65536. */
 static void separate_thousands(char *label, const char *digits)
 {
     size_t whole = strspn(digits + (*digits == '-'), "0123456789") + (*digits == '-');
@@ -132,7 +132,7 @@ static void separate_thousands(char *label, const char *digits)
     *label = '\0';
 }
 
-/* Long numbers are written as powers, such as 1e+15. */
+/* Formats a label. Long numbers become powers, as in 1e+15. */
 void axis_label(char label[AXIS_LABEL_SIZE], double value)
 {
     char digits[20];
@@ -174,7 +174,7 @@ static void add_decades(struct tics *tics, const struct axis *axis)
         }
 }
 
-/* Labels every n-th power, with a stride that limits the labels to LABELS. */
+/* Labels every n-th power. The stride n limits the number of labels to LABELS. */
 static void add_powers(struct tics *tics, const struct axis *axis)
 {
     double first = ceil(to_ruler(axis, axis->low) - 1e-9);
@@ -187,7 +187,8 @@ static void add_powers(struct tics *tics, const struct axis *axis)
     }
 }
 
-/* An axis that spans less than one power has the labels of a linear axis. */
+/* Makes the tics. A logarithmic axis that spans less than one power has linear
+ * labels. */
 size_t axis_tics(const struct axis *axis, struct axis_tic tics[AXIS_TICS])
 {
     struct tics all = { tics, 0 };

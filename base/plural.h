@@ -1,4 +1,4 @@
-/* plural.h - counts with a noun: "1 clock", "2 clocks", "0 clocks".
+/* plural.h - the ending of a noun after a count: "1 clock", "2 clocks".
  *
  *   printf("%zu clock%s", clocks, plural(clocks));
  */

@@ -6,24 +6,24 @@
 
 #include "base/json.h"
 
-/* Returns true if a fit changed any of its constants (source F). */
+/* Returns true if a fit changed a constant of the model (source F). */
 bool provenance_is_fitted(const c205_model *model);
 
-/* Writes one line: the largest error relative to the figures that the model was fitted
- * to, or otherwise compared with, or that there is no comparison. */
+/* Writes one line: the largest error relative to the figures of the fit, or else
+ * relative to other figures, or a note that there was no comparison. */
 enum { PROVENANCE_LINE = 256 };
 void provenance_line(const c205_model *model, char line[PROVENANCE_LINE]);
 
-/* Returns the effects that a model omits: "this, that and that". */
+/* Returns the effects that a model omits, as in "this, that and that". */
 const char *provenance_left_out(const c205_model *model);
 
-/* Prints one line below a table: the kind of its figures, the model, and the option for
- * more. If whole is set, prints several lines: the comparison with published figures,
- * the omitted effects, and the sources of the constants. Each line begins with the text
- * before (for example "# "). */
+/* Prints one line below a table: the kind of the figures, the model, and the option
+ * that prints more. If whole is set, it prints several lines: the comparison with
+ * published figures, the omitted effects, and the sources of the constants. Each line
+ * begins with the text `before`, for example "# ". */
 void provenance_print(const c205_model *model, bool whole, const char *before,
                       FILE *file);
-/* Writes all of that as the member "model". */
+/* Writes the full provenance as the member "model". */
 void provenance_json(const c205_model *model, struct json *json);
 
 #endif

@@ -10,17 +10,17 @@
 #include <stddef.h>
 
 struct rank_index {
-    size_t count; /* after sorting: the number of distinct ones */
+    size_t count; /* after sorting: number of distinct numbers */
     size_t *numbers;
 };
 
-/* Makes room for at most that many numbers. Returns false if memory is exhausted; then
- * the index may only be freed. */
+/* Allocates room for at most this many numbers. Returns false if the host is out of
+ * memory; the index may then only be freed. */
 bool rank_index_begin(struct rank_index *ranks, size_t most);
 void rank_index_add(struct rank_index *ranks, size_t number);
 /* Must be called after the last number was added. */
 void rank_index_sort(struct rank_index *ranks);
-/* Returns the rank of a number from 1 on; 0: it was not added. */
+/* Returns the rank of a number, from 1 on, or 0 if it was not added. */
 size_t rank_index_place(const struct rank_index *ranks, size_t number);
 void rank_index_free(struct rank_index *ranks);
 

@@ -15,7 +15,7 @@ struct sink {
 };
 
 void sink_put(const struct sink *sink, const char *text);
-/* Formats at most 1023 bytes per call; longer text is cut. */
+/* Formats at most 1023 bytes per call and truncates longer text. */
 void sink_print(const struct sink *sink, const char *format, ...)
 #if defined(__GNUC__) /* this header is installed without vm/error.h */
     __attribute__((format(printf, 2, 3)))
@@ -31,7 +31,7 @@ struct text_buffer {
 
 struct sink text_buffer_sink(struct text_buffer *buffer);
 void text_buffer_free(struct text_buffer *buffer);
-/* Must be zeroed before use. Excess text is cut off. It allocates no memory. */
+/* A buffer of fixed size. It must be zeroed before use. Excess text is cut off. */
 enum { TEXT_LINE_SIZE = 160 };
 struct text_line {
     char text[TEXT_LINE_SIZE]; /* ends with a NUL */
@@ -39,8 +39,8 @@ struct text_line {
 };
 
 struct sink text_line_sink(struct text_line *line);
-/* Passes text to another sink and records whether its last line is open, so that text
- * from another source can start on a new line. */
+/* Passes text to another sink and records whether its last line is open. Other text can
+ * then begin on a new line. */
 struct line_tracker {
     struct sink to;
     bool open;
@@ -49,7 +49,7 @@ struct line_tracker {
 struct sink line_tracker_sink(struct line_tracker *tracker);
 /* Writes a newline if the last line is open. */
 void line_tracker_close(struct line_tracker *tracker);
-/* Writes to the stdio stream given as its context. */
+/* Returns a sink that writes to a stdio stream. */
 struct sink stream_sink(void *stream);
 
 #endif

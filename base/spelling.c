@@ -7,7 +7,7 @@
 
 #include "vm/min_max.h"
 
-/* Longer words are never similar. */
+/* Longer words have no suggestions. */
 enum { MAX_LETTERS = 40 };
 
 static bool equal(char a, char b)

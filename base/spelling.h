@@ -1,8 +1,8 @@
 /* spelling.h - suggests the intended name for a misspelt word.
  *
- * Each letter omitted, inserted, replaced or swapped with its neighbour counts as one
- * error (the distance of Damerau and Levenshtein, computed by the table of Wagner and
- * Fischer). A name is suggested if at most a third of the word's letters are wrong.
+ * An error is a letter omitted, inserted, replaced, or swapped with its neighbour (the
+ * distance of Damerau and Levenshtein, computed by the table of Wagner and Fischer). A
+ * name is suggested if at most a third of the word's letters are wrong.
  *
  *   struct spelling nearest = { .word = "rnu" };
  *   spelling_try(&nearest, "run");
@@ -20,12 +20,12 @@ size_t spelling_distance(const char *a, size_t a_length, const char *b,
 
 struct spelling {
     const char *word;
-    const char *name; /* the closest so far; of equally close ones the first that is as
-                         long as the word, or else the first */
+    const char *name; /* the closest name so far; of equally close names, the first with
+                         the length of the word, or else the first */
     size_t distance;
 };
 
-/* Considers a name, which must remain valid. Case is ignored. */
+/* Compares a name with the word. The name must remain valid. Case is ignored. */
 void spelling_try(struct spelling *spelling, const char *name);
 
 #endif

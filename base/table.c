@@ -13,13 +13,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A number may have all the digits of the largest double. */
+/* A number may have as many digits as the largest double. */
 enum { NUMBER_SIZE = DBL_MAX_10_EXP + 32, FIRST_ROOM = 64 };
 static const char between[] = "  ";
 
 struct cell {
-    char *text; /* as printed, with escapes (base/visible_text.h) */
-    char *raw;  /* the original; JSON has its own escapes */
+    char *text; /* printed text, with escapes (base/visible_text.h) */
+    char *raw;  /* original text; JSON has other escapes */
     bool empty;
     union {
         uint64_t count;
@@ -69,7 +69,7 @@ static char *copy(const char *text)
     return own ? strcpy(own, text) : NULL;
 }
 
-/* Returns false if memory is exhausted. */
+/* Returns false if the host is out of memory. */
 static bool set_text(struct cell *cell, const char *text)
 {
     struct text_buffer shown = { 0 };
@@ -234,7 +234,7 @@ static bool write_plain(const struct table *table, FILE *file)
 
 /* ---- Markdown ---- */
 
-/* Returns true for characters that would end a cell or be read as markup. */
+/* Returns true for characters that would end a cell or be interpreted as markup. */
 static bool is_markup(char c)
 {
     return strchr("\\|<*`", c) != NULL;
@@ -268,7 +268,7 @@ static void markdown_cell(const struct table_column *column, size_t width,
     putc('|', file);
 }
 
-/* Writes the line under the headings, with a colon at the side of the alignment. */
+/* Writes the line under the headings. A colon marks the side of the alignment. */
 static void markdown_rule(const struct table *table, const size_t *widths, FILE *file)
 {
     putc('|', file);
@@ -305,8 +305,9 @@ static bool write_markdown(const struct table *table, FILE *file)
 
 /* ---- CSV ---- */
 
-/* Spreadsheets evaluate a cell that begins with one of these characters, quoted or not.
- * An apostrophe before them makes the cell a text. */
+/* Returns true if a spreadsheet would evaluate the cell because of its first character.
+ * Quotes do not prevent this. An apostrophe before the character makes the cell a
+ * text. */
 static bool is_formula(const char *text)
 {
     char *end;
@@ -316,7 +317,8 @@ static bool is_formula(const char *text)
     return *end || text[strspn(text, "+-.0123456789eE")];
 }
 
-/* A cell that begins with # is quoted, because it would look like a remark. */
+/* Quotes a cell if necessary. A cell that begins with # is quoted, because it would
+ * look like a remark. */
 static void put_quoted(const char *text, FILE *file)
 {
     bool quoted = text[0] == '#' || strpbrk(text, ",\"\r\n");

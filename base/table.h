@@ -2,7 +2,7 @@
  *
  * Cells are added from left to right, row after row. Text is left-aligned, numbers are
  * right-aligned. In printed tables, long text in the last column is wrapped
- * (word_wrap.h). The same table is printed, read by other programs and written to the
+ * (word_wrap.h). A table can be printed, written for other programs, and written to the
  * JSON file, so each figure is computed once.
  */
 #ifndef BASE_TABLE_H
@@ -21,11 +21,11 @@ struct table_column {
     int decimals; /* of a printed number */
 };
 
-/* The formats. Plain and Markdown show numbers with the decimals of their columns. CSV
- * has the keys, and all digits that JSON has. */
+/* The formats. Plain and Markdown print numbers with the decimals of their columns. CSV
+ * has the keys as headings and the same digits as JSON. */
 enum table_format { TABLE_PLAIN, TABLE_CSV, TABLE_MARKDOWN };
 
-/* Expands to an array of columns and their number. */
+/* Expands to an array of columns and its length. */
 #define TABLE_COLUMNS(list) list, sizeof list / sizeof *list
 
 struct table;
@@ -40,10 +40,10 @@ void table_text(struct table *table, const char *text);
 void table_count(struct table *table, uint64_t value);
 /* Adds a number. NaN prints as an empty cell. */
 void table_number(struct table *table, double value);
-/* Adds a number to a column of numbers, with a sign and its own decimals, for example
+/* Adds a number to a column of numbers, with a sign and the given decimals, for example
  * an error in percent. */
 void table_signed(struct table *table, double value, int decimals);
-/* Adds a number to a column of numbers, with its own decimals and without a sign. It
+/* Adds a number to a column of numbers, with the given decimals and without a sign. It
  * uses an exponent if there would be more than 15 digits before or after the point. */
 void table_rounded(struct table *table, double value, int decimals);
 void table_gap(struct table *table);
@@ -51,28 +51,28 @@ void table_gap(struct table *table);
 /* Returns the number of complete rows. */
 size_t table_rows(const struct table *table);
 const char *table_key(const struct table *table, size_t column);
-/* Returns the number in a cell, or NaN if the cell is empty or holds text. */
+/* Returns the number in a cell, or NaN if the cell is empty or contains text. */
 double table_value(const struct table *table, size_t row, size_t column);
 /* Returns the length of a printed line before wrapping; SIZE_MAX: out of memory. */
 size_t table_width(const struct table *table);
-/* Returns false if memory was exhausted while the table was filled. */
+/* Returns false if the host was out of memory while the table was filled. */
 bool table_is_whole(const struct table *table);
 
-/* Prints a blank line and the heading of a table: "Heading:", in CSV "# Heading", in
- * Markdown "## Heading". */
+/* Prints a blank line and the heading of a table. It has the form "Heading:", in CSV "#
+ * Heading", in Markdown "## Heading". */
 void table_heading(const char *heading, enum table_format format, FILE *file);
-/* Returns the prefix of a line of text between tables. */
+/* Returns the prefix for a line of text between tables. */
 const char *table_remark(enum table_format format);
 
 /* Writes a table. CSV is quoted as in RFC 4180, its lines end in LF, and a text that a
- * spreadsheet would evaluate as a formula begins with an apostrophe. Markdown is
- * GitHub's. Returns false if memory was exhausted, now or while the table was
- * filled. */
+ * spreadsheet would evaluate as a formula begins with an apostrophe. Markdown is the
+ * dialect of GitHub. Returns false if the host is out of memory or was while the table
+ * was filled. */
 bool table_write(const struct table *table, enum table_format format, FILE *file);
 /* Writes a table in plain format. */
 bool table_print(const struct table *table, FILE *file);
-/* Writes an array of objects, one for each row. Returns false and writes nothing if
- * memory was exhausted while the table was filled. */
+/* Writes an array of objects, one for each row. Returns false and writes nothing if the
+ * host was out of memory while the table was filled. */
 bool table_json(const struct table *table, struct json *json, const char *key);
 
 #endif

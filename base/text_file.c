@@ -1,4 +1,4 @@
-/* text_file.c - reads texts as a whole or line by line. */
+/* text_file.c - reads whole texts, or texts line by line. */
 #include "base/text_file.h"
 
 #include <errno.h>
@@ -32,8 +32,9 @@ static bool read_fail(struct text_stream *stream, const char *fault)
     return false;
 }
 
-/* Returns the next byte: "\n" at each end of a line, EOF at the end of the text. The LF
- * of a CR LF is skipped at the next call, because a terminal may send it late. */
+/* Returns the next byte, "
+ * " at the end of a line, or EOF at the end of the text. The LF of a CR LF is skipped
+ * at the next call, because a terminal may send it late. */
 static int next_byte(struct text_stream *stream)
 {
     enum { END_OF_DOS_FILE = 0x1A };
@@ -61,8 +62,8 @@ static bool add_byte(struct text_stream *stream, size_t length, int byte)
     return true;
 }
 
-/* Checks a line. A NUL would hide the rest of it. Only the first line can have a byte
- * order mark. */
+/* Checks a line. A NUL is rejected, because it would hide the rest of the line. Only
+ * the first line can have a byte order mark. */
 static bool check_line(struct text_stream *stream, size_t length)
 {
     bool nul = memchr(stream->line, '\0', length);

@@ -10,26 +10,27 @@
 #include "base/sink.h"
 #include "vm/text.h"
 
-/* Reads a file like file_read, converted so that its lines end with "\n" only. */
+/* Reads a file like file_read and converts its line ends to "
+ * ". */
 char *text_file_read(const char *path, size_t largest, size_t *length,
                      c205_error *error);
-/* Converts a text in memory in place, followed by a NUL. Returns false with the reason
- * in the error if it is not a text. */
+/* Converts a text in memory in place and adds a NUL. Returns false with the reason in
+ * the error if it is not a text. */
 bool text_clean(char *text, size_t *length, c205_error *error);
 
-/* Returns the text of a name in a table of the program's own texts, or NULL. */
+/* Returns a text of a table by its name, or NULL. The table is part of the program. */
 const struct text *text_find(const struct text *table, const char *name);
 /* Writes the lines of such a text. */
 void text_put(const struct text *text, const struct sink *sink);
 
-/* A text that is read line by line, also from a pipe or a terminal. It must be zeroed
- * before use, and the caller frees line. */
+/* The state of reading a text line by line, also from a pipe or a terminal. It must be
+ * zeroed before use, and the caller frees line. */
 struct text_stream {
     FILE *file;
-    char *line; /* the last line, without its end */
+    char *line; /* the last line, without its newline */
     size_t capacity;
     bool begun, after_return;
-    const char *fault; /* the reason why it is not a text or cannot be read */
+    const char *fault; /* why it is not a text or cannot be read */
 };
 /* Reads the next line. Returns false at the end of the text or after a fault. */
 bool text_stream_next(struct text_stream *stream);

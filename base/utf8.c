@@ -8,8 +8,8 @@ static bool continues(unsigned char c)
     return (c & 0xC0) == 0x80;
 }
 
-/* The second byte excludes surrogates, codes with a shorter encoding, and codes above
- * the last one. */
+/* Returns true for a valid second byte. Surrogates, codes with a shorter encoding, and
+ * codes above the last code are invalid. */
 static bool is_second(unsigned char first, unsigned char second)
 {
     switch (first) {

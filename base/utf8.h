@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-/* Returns the length of the character at the start of a text of most bytes; 0: the text
- * does not start with a valid character. */
+/* Returns the length of the first character of a text, which has `most` bytes. 0: the
+ * first character is not valid. */
 size_t utf8_length(const char *text, size_t most);
 
 enum { MAX_UTF8 = 4 };

@@ -7,21 +7,20 @@
 
 #include "base/sink.h"
 
-/* Returns the length of the invisible character at the start of a text and sets its
- * code. 0: the character is visible, a plain blank, or not UTF-8. */
+/* Returns the length of the first character of a text if it is invisible, and sets its
+ * code. Returns 0 if it is visible, a plain blank, or not UTF-8. */
 size_t invisible_length(const char *text, size_t most, unsigned long *code);
-/* Returns the first invisible character other than a tab in a text; NULL: there is
- * none. */
+/* Returns the first invisible character of a text other than a tab, or NULL. */
 const char *invisible_find(const char *text, unsigned long *code);
-/* Writes "U+00A0, a no-break space". */
+/* Writes a character, as in "U+00A0, a no-break space". */
 void invisible_name(const struct sink *sink, unsigned long code);
 
 /* Writes a name or a message. Invisible characters other than tabs, and bytes that are
  * not UTF-8, are escaped: \x1b, \u{200b}. */
 void visible_put(const struct sink *sink, const char *text, size_t length);
-/* Writes several lines in this way; their ends are kept. */
+/* Writes several lines like visible_put, but keeps their newlines. */
 void visible_put_lines(const struct sink *sink, const char *text, size_t length);
-/* Returns a sink that writes to a stdio stream in this way. */
+/* Returns a sink that writes to a stdio stream like visible_put. */
 struct sink visible_stream(void *stream);
 
 #endif

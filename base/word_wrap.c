@@ -6,7 +6,8 @@
 
 enum { NARROWEST = 20 };
 
-/* Returns the length of the text that fits a line of that width, at least one word. */
+/* Returns the length of the text that fits a line of the given width. It contains at
+ * least one word. */
 static size_t wrapped_length(const char *text, size_t width)
 {
     size_t length = 0;

@@ -10,10 +10,10 @@
 enum { WORD_WRAP_WIDTH = 100 };
 
 /* Prints a text that begins in a column, and ends the line. Text beyond WORD_WRAP_WIDTH
- * continues on the next line from the same column. A column too far to the right for
- * that is not wrapped. */
+ * continues on the next line in the same column. A text whose column is too far to the
+ * right is not wrapped. */
 void word_wrap_print(const char *text, size_t column, FILE *file);
-/* Writes such a text to a sink. */
+/* Writes a text like word_wrap_print. */
 void word_wrap_put(const char *text, size_t column, const struct sink *sink);
 
 #endif
