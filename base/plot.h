@@ -1,8 +1,8 @@
 /* plot.h - draws columns of a table as curves in an SVG picture.
  *
- * A value that is not a finite number (NaN, an empty cell) is not drawn and leaves a
- * gap in the curve. Texts should be short: up to about 30 letters for names of curves
- * and marks, and about 110 for small print.
+ * A value that is not finite (NaN, an empty cell) is not drawn and leaves a gap in the
+ * curve. Texts should be short: up to about 30 letters for names of curves and marks,
+ * and about 110 for small print.
  */
 #ifndef BASE_PLOT_H
 #define BASE_PLOT_H

@@ -1,5 +1,5 @@
-/* check_site.c - the checks of an instruction before and after it is
- * executed, chosen by its kind. */
+/* check_site.c - the checks before and after an instruction. The kind of instruction
+ * determines the checks. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <string.h>
@@ -10,9 +10,9 @@
 
 enum { CHUNK = 256, FULL_LOOKS = 16 };
 
-/* Returns whether to run an expensive check: at the first 16 executions of an
+/* Returns true if an expensive check must run. It runs at the first 16 executions of an
  * instruction, then at the 32nd, the 64th and so on. Faults that depend on data appear
- * early, and the cost of a long run stays small. */
+ * early, and the cost in a long run is small. */
 static bool should_sample(struct site *site)
 {
     uint64_t n = ++site->executions;
@@ -21,8 +21,8 @@ static bool should_sample(struct site *site)
 
 /* ---- Lengths ------------------------------------------------------------ */
 
-/* Returns whether the length of the operand determines the number of elements. It does
- * not for the result of ACPSV in Z, which gets a bit for each comparison. */
+/* Returns true if the length of the operand determines the number of elements. The
+ * result of ACPSV in Z has a bit for each comparison instead. */
 static bool has_length(const struct operand_view *operand)
 {
     return operand->is_vector && (operand->field != 'Z' || operand->letter == 'b')
@@ -78,8 +78,9 @@ static void check_store(struct runtime_checker *watch, const struct site *site,
 
 /* ---- Indices ------------------------------------------------------------ */
 
-/* Returns whether a word is a normalised number, and so no index. The high 16 bits of
- * an index are ignored and may have any value, but no index in use reaches bit 46. */
+/* Returns true if a word is a normalised number and therefore not an index. The high 16
+ * bits of an index are ignored, so they may have any value. No practical index reaches
+ * bit 46. */
 static bool is_float(c205_word word)
 {
     unsigned field = (unsigned)(word >> 48);
@@ -109,7 +110,7 @@ static void check_index(struct runtime_checker *watch, const struct site *site,
     print_float_index(watch, site, which.text, index->word);
 }
 
-/* Checks the index list of a gather or a scatter. The table of a scatter is written. */
+/* Checks the index list of a gather or a scatter. A scatter writes to the table. */
 static void check_indices(struct runtime_checker *watch, const c205 *machine,
                           const struct site *site, const struct operand_view *list)
 {
@@ -138,8 +139,8 @@ static void check_indices(struct runtime_checker *watch, const c205 *machine,
     }
 }
 
-/* Checks the period of a periodic gather or scatter. A scatter writes as many
- * elements as its source has. */
+/* Checks the period of a periodic gather or scatter. A scatter writes one element for
+ * each element of its source. */
 static void check_period(struct runtime_checker *watch, const struct site *site,
                          const struct operand_view *period)
 {
@@ -155,7 +156,7 @@ static void check_period(struct runtime_checker *watch, const struct site *site,
 
 /* ---- Integers ----------------------------------------------------------- */
 
-/* element: index in a vector, or -1 for a scalar. */
+/* element is an index in a vector, or -1 for a scalar. */
 static void print_integer(struct runtime_checker *watch, const struct site *site,
                           const struct operand_view *operand, int64_t element,
                           c205_word word, const struct precision *precision)
@@ -176,7 +177,7 @@ static void print_integer(struct runtime_checker *watch, const struct site *site
         where.text, number, number, precision->exact, precision->kept);
 }
 
-/* b: NULL if there is one source. */
+/* b is NULL if there is only one source. */
 static bool check_pair(struct runtime_checker *watch, const struct site *site,
                        const struct operand_view *a, const struct operand_view *b,
                        int64_t element, c205_word word_a, c205_word word_b)
@@ -273,7 +274,7 @@ static void check_numbers(struct runtime_checker *watch, const c205 *machine,
         check_integers(watch, machine, site, sources[0], sources[1]);
 }
 
-/* Returns whether the exponent is 0, which normalised numbers hardly ever have. */
+/* Returns true if the exponent is 0. Few normalised numbers have this exponent. */
 static inline bool may_be_integer(const c205 *machine,
                                   const struct operand_view *operand)
 {
@@ -319,7 +320,7 @@ static void before_vector(struct runtime_checker *watch, const c205 *machine,
         check_numbers(watch, machine, site);
 }
 
-/* Checks results whose length the instruction itself has set. */
+/* Checks results whose length was set by the instruction. */
 static void after_vector(struct runtime_checker *watch, const c205 *machine,
                          struct site *site)
 {
@@ -337,8 +338,9 @@ static bool recurs(const struct operand_view *read, const struct operand_view *w
            && written->address < read->address + (uint64_t)read->length * read->width;
 }
 
-/* Reports a result that is also a source of the same instruction. For a linked pair the
- * report names the prefix; the operands of the two instructions are not examined. */
+/* Reports a result that is also a source of the same instruction. The report for a
+ * linked pair names the prefix, and the operands of its two instructions are not
+ * examined. */
 void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
                         struct site *site, size_t elements)
 {
@@ -412,9 +414,9 @@ static void before_length(struct runtime_checker *watch, const c205 *machine,
     watch->is_entered[r] = false;
 }
 
-/* Chooses the checks of an instruction. A SPARSE instruction combines the elements
- * that its order vectors select; the checks do not determine which these are, so
- * precision is not checked. */
+/* Chooses the checks of an instruction. The precision of a SPARSE instruction is not
+ * checked, because the checks do not determine the elements that its order vectors
+ * select. */
 void site_choose(struct site *site)
 {
     const c205_insn *insn = site->view.insn;

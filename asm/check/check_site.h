@@ -1,4 +1,4 @@
-/* check_site.h - shared by the files of the runtime checks. Not public. */
+/* check_site.h - declarations for the files of the runtime checks. Not public. */
 #ifndef ASM_CHECK_SITE_H
 #define ASM_CHECK_SITE_H
 
@@ -12,16 +12,16 @@ struct site;
 typedef void site_check(struct runtime_checker *watch, const c205 *machine,
                         struct site *site);
 
-/* A check site: an instruction of the program, and the checks before and
- * after its execution. */
+/* A check site: an instruction of the program and its checks before and after
+ * execution. */
 struct site {
     struct instruction_view view;
-    site_check *before, *after; /* NULL: nothing */
+    site_check *before, *after; /* NULL: no check */
     enum precision_rule rule;
     uint64_t executions;
-    /* In a linked pair the first instruction passes its result to the second and stores
-     * none. hands_over in the first and is_handed in the second are the register of
-     * that result; 0: not linked. */
+    /* The register through which the first instruction of a linked pair passes its
+     * result to the second; 0: not linked. hands_over is set in the first instruction,
+     * is_handed in the second. The result is not stored. */
     uint8_t hands_over, is_handed;
 };
 
@@ -42,15 +42,15 @@ struct runtime_checker {
     warning_set meant, warned;
     size_t errors, reported_count;
     struct reported reported[MAX_REPORTED];
-    /* entered: the word that ES or EX entered in a register. emptied: the
-     * word when ELEN set the length to 0. If a register still holds it, no
-     * other length was set. */
+    /* entered: the word that ES or EX entered in a register. emptied: the word when
+     * ELEN set its length to 0. If the register still contains this word, no other
+     * length was set. */
     bool is_entered[C205_REGISTERS], is_emptied[C205_REGISTERS];
     c205_word entered[C205_REGISTERS], emptied[C205_REGISTERS];
-    bool is_written[C205_REGISTERS]; /* by any instruction */
-    struct site sites[CHECK_SITES];  /* a table by address */
-    /* The checks before execution alone: usually there are none, and
-     * this test must be fast. */
+    bool is_written[C205_REGISTERS]; /* some instruction writes the register */
+    struct site sites[CHECK_SITES];  /* indexed by address */
+    /* A copy of the checks before execution. Most instructions have none, and the test
+     * for this must be fast. */
     struct {
         uint64_t pc;
         site_check *before;

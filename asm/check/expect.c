@@ -14,9 +14,10 @@ enum { WORD_BITS = 64, HALF_BITS = 32 };
 struct outcome {
     const c205 *machine;
     const c205_stop *stop;
-    const char *printed; /* output that no expectation has used yet */
+    const char *printed; /* the rest of the output, which no expectation has compared
+                            yet */
     warning_set warned;  /* warnings of the program */
-    bool other_model;    /* the expected clocks are those of another model */
+    bool other_model;    /* the expected clocks belong to another model */
     const struct sink *report;
 };
 
@@ -40,8 +41,8 @@ static double value_number(bool half, c205_word word)
     return (half ? c205_half_to_double : c205_to_double)(word);
 }
 
-/* Compares with the tolerance. An indefinite value is near no value,
- * also not near itself. */
+/* Compares with the tolerance. No value is near an indefinite value, not even
+ * itself. */
 static bool is_near(const struct asm_expectation *expectation, bool half,
                     c205_word wanted, c205_word found)
 {
@@ -194,7 +195,7 @@ static bool check_trap(struct outcome *outcome,
     return false;
 }
 
-/* Compares the next line of the output, without its newline. */
+/* Compares a line of the output, without its newline. */
 static bool check_print(struct outcome *outcome,
                         const struct asm_expectation *expectation)
 {
@@ -221,7 +222,7 @@ static bool check_warning(struct outcome *outcome,
     return false;
 }
 
-/* Passes always: the model only determines where the clocks are compared. */
+/* Always passes. The model only determines the runs in which clocks are compared. */
 static bool check_model(struct outcome *outcome,
                         const struct asm_expectation *expectation)
 {
@@ -280,7 +281,7 @@ static bool check_end(const struct outcome *outcome, const struct object *object
     return false;
 }
 
-/* A program that expects any line must expect all lines. */
+/* Fails if output is left. A program that expects any line must expect all lines. */
 static bool check_rest(const struct outcome *outcome, const struct object *object)
 {
     size_t length = strcspn(outcome->printed, "\n");

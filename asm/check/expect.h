@@ -7,7 +7,7 @@
 #include "asm/object/expectation.h"
 #include "asm/object/object.h"
 
-/* Returns whether the program has an expectation other than the model. */
+/* Returns true if the program has an expectation other than the model. */
 bool expect_anything(const struct object *object);
 
 /* Returns the first expectation of a kind, or NULL if there is none. */
@@ -17,15 +17,16 @@ const struct asm_expectation *expect_find(const struct object *object,
 /* Returns the model on which the expected clocks are valid, or NULL for any model. */
 const char *expect_model(const struct object *object);
 
-/* Returns whether the program expects clocks of another model. Such
+/* Returns true if the expected clocks of the program belong to another model. These
  * clocks are not compared. */
 bool expect_other_model(const struct object *object, const c205 *machine);
 
 /* Returns the warnings that the program declares as intended. */
 warning_set expect_warnings(const struct object *object);
 
-/* Compares a stopped machine with the expectations of its program. printed: all its
- * output; warned: the warnings of the program. Each failure is a line of the report. */
+/* Compares a stopped machine with the expectations of its program. printed is the whole
+ * output, warned are the warnings of the program. Each failure is a line of the
+ * report. */
 bool expect_check(const struct object *object, const c205 *machine,
                   const c205_stop *stop, const char *printed, warning_set warned,
                   const struct sink *report);

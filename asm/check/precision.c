@@ -1,5 +1,5 @@
-/* precision.c - computes how many bits an operation loses because an
- * operand is an integer. */
+/* precision.c - computes the bits that an operation loses because an operand is an
+ * integer. */
 #include "asm/check/precision.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 
 #include "vm/min_max.h"
 
-/* Mnemonics start with the stem; only letters of operands follow. */
+/* The stems of mnemonics. Only letters of operands follow a stem. */
 static const struct {
     const char *stem;
     enum precision_rule rule;
@@ -41,7 +41,7 @@ static int exponent_of(c205_word word, bool half)
 
 static int coefficient_bits(bool half)
 {
-    return half ? 23 : 47; /* without the sign bit */
+    return half ? 23 : 47; /* without the sign */
 }
 
 static int64_t coefficient_of(c205_word word, bool half)
@@ -87,10 +87,10 @@ static double exact_result(enum precision_rule rule, double a, double b)
     }
 }
 
-/* Returns the exponent of the last bit that the result keeps. For an upper result it
- * depends only on the exponents of the operands. A significant result has as many bits
- * as the operand with fewer significant bits, counted from the first bit of the exact
- * result. */
+/* Returns the exponent of the last bit that the result keeps. It depends only on the
+ * exponents of the operands for an upper result. A significant result has the smaller
+ * number of significant bits of the two operands, counted from the first bit of the
+ * exact result. */
 static int last_bit(enum precision_rule rule, bool half, c205_word a, c205_word b,
                     double exact)
 {
@@ -108,7 +108,7 @@ static int last_bit(enum precision_rule rule, bool half, c205_word a, c205_word 
 }
 
 /* Rounds the exact result as the machine does. All results are rounded down. A quotient
- * is before that truncated towards zero at the last bit of the upper quotient. */
+ * is first truncated towards zero at the last bit of the upper quotient. */
 static double cut(enum precision_rule rule, double exact, int last,
                   int last_of_quotient)
 {
@@ -117,8 +117,8 @@ static double cut(enum precision_rule rule, double exact, int last,
     return ldexp(floor(ldexp(exact, -last)), last);
 }
 
-/* A loss is reported only if more bits than these are lost, compared with
- * a normalised result. */
+/* A loss is reported only if it exceeds this number of bits, compared with a normalised
+ * result. */
 enum { SPARE = 7 };
 
 bool precision_is_lost(enum precision_rule rule, bool half, c205_word a, c205_word b,

@@ -1,10 +1,10 @@
-/* precision.h - the bits that arithmetic loses because an operand is an
+/* precision.h - computes the bits that arithmetic loses because an operand is an
  * integer word. Not public.
  *
- * An integer has exponent 0 and only the significant bits that its value needs. The
- * significant results (MPYS, DIVS, SQRT) have no more bits than the operand with fewer
+ * An integer has exponent 0 and only the significant bits that its value needs. A
+ * significant result (MPYS, DIVS, SQRT) has at most the bits of the operand with fewer
  * bits. The upper results (ADDU, MPYU, DIVU) start at the position of the coefficients.
- * So 3 x 1 is 2 if both are integers, and no data flag reports it.
+ * For example, 3 x 1 is 2 if both are integers, and no data flag reports the loss.
  */
 #ifndef ASM_PRECISION_H
 #define ASM_PRECISION_H
@@ -12,7 +12,7 @@
 #include "vm/c205.h"
 
 enum precision_rule {
-    PRECISION_FULL, /* integers lose nothing */
+    PRECISION_FULL, /* integers lose no bits */
     PRECISION_PRODUCT,
     PRECISION_QUOTIENT,
     PRECISION_ROOT,
@@ -25,16 +25,17 @@ enum precision_rule {
 /* Returns the rule of an instruction. */
 enum precision_rule precision_rule(const c205_insn *insn);
 
-/* Returns whether a word has exponent 0 and is not normalised. A half
+/* Returns true if a word has exponent 0 and is not normalised. A half
  * word is left-aligned. */
 bool precision_is_integer(c205_word word, bool half);
 
-/* The result of two operands: exact, and as the machine keeps it. */
+/* The result of an operation: the exact value and the value that the machine stores. */
 struct precision {
     double exact, kept;
 };
 
-/* Returns whether more than a few bits are lost that normalised operands would keep. */
+/* Returns true if the result loses more than a few bits that normalised operands would
+ * preserve. */
 bool precision_is_lost(enum precision_rule rule, bool half, c205_word a, c205_word b,
                        struct precision *precision);
 

@@ -1,5 +1,5 @@
-/* runtime_check.c - the runtime checks: finds the check site of each instruction,
- * reports once for a line. */
+/* runtime_check.c - finds the check site of each instruction, and reports each warning
+ * once for a line. */
 #include "asm/check/runtime_check.h"
 #include "vm/error.h"
 
@@ -51,7 +51,7 @@ size_t runtime_errors(const struct runtime_checker *watch)
 
 /* ---- Reports ------------------------------------------------------------ */
 
-/* Returns whether the warning is new for its line. */
+/* Returns true if the line has no such warning yet. */
 static bool is_new(struct runtime_checker *watch, struct reported reported)
 {
     for (size_t i = 0; i < watch->reported_count; i++)
@@ -75,7 +75,7 @@ static void put(struct runtime_checker *watch, enum warning warning,
     diagnostics_free(&diagnostics);
 }
 
-/* Without source lines the instruction is reported by its address. */
+/* Reports an instruction by its address, for programs without source lines. */
 static void put_at_address(struct runtime_checker *watch, const struct site *site,
                            enum warning warning, const char *message)
 {
@@ -112,9 +112,9 @@ void runtime_report(struct runtime_checker *watch, const struct site *site,
 
 /* ---- The instructions --------------------------------------------------- */
 
-/* Returns the check site of an instruction. The sites are a direct-mapped cache with
- * the half word address as its index. Two instructions with the same index replace
- * each other, and the count of executions starts again. */
+/* Returns the check site of an instruction. The sites are a direct-mapped cache. The
+ * half word address of the instruction is the index. Two instructions with the same
+ * index replace each other, and the count of executions starts again. */
 struct site *runtime_site(struct runtime_checker *watch, const c205 *machine,
                           uint64_t pc)
 {
@@ -141,8 +141,8 @@ static void look_ahead(struct runtime_checker *watch, const c205 *machine)
         watch->direct[i].before(watch, machine, runtime_site(watch, machine, pc));
 }
 
-/* Instructions like CPSV set the length of their result, also to 0. So their result
- * counts as a register with a length. */
+/* Clears is_entered and is_emptied of the written registers. The result of an
+ * instruction like CPSV therefore has a length, even if it is 0. */
 static void take_lengths(struct runtime_checker *watch, const c205_event *event)
 {
     for (unsigned r = 0; r < C205_REGISTERS; r++) {
@@ -154,7 +154,8 @@ static void take_lengths(struct runtime_checker *watch, const c205_event *event)
     }
 }
 
-/* The instruction after EXIT is not executed, so it is not checked. */
+/* Returns true if the run ends. The instruction after EXIT is not executed, so it is
+ * not checked. */
 static bool ends_run(const c205_event *event)
 {
     return event->insn->format == C205_FORMAT_REQUEST
@@ -180,7 +181,7 @@ void runtime_listen(void *context, const c205 *machine, const c205_event *event)
 
 /* ---- The start ---------------------------------------------------------- */
 
-/* Records the registers that an instruction writes: the operands w p m k, and results
+/* Records the registers that an instruction writes: operands w, p, m and k, and results
  * whose length it sets. SWAP may write all registers. */
 static void note_writes(struct runtime_checker *watch,
                         const struct instruction_view *view)
@@ -198,8 +199,8 @@ static void note_writes(struct runtime_checker *watch,
         memset(watch->is_written, true, sizeof watch->is_written);
 }
 
-/* Finds the registers that no instruction of the program writes; these are never set.
- * Without source lines all registers count as written. */
+/* Finds the registers that no instruction writes, so they are never set. Without source
+ * lines all registers count as written. */
 void runtime_begin(struct runtime_checker *watch, const c205 *machine)
 {
     const struct object *object = watch->object;

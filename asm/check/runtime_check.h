@@ -1,9 +1,9 @@
-/* runtime_check.h - checks a program while it runs, for the warnings of asm/object/warning.def
- * that cannot be found in its text: legal operations that are probably mistakes.
+/* runtime_check.h - checks a program while it runs. It finds legal operations that are
+ * probably mistakes and that the assembler cannot detect (asm/object/warning.def).
  *
  * The operands of each instruction are examined before it is executed. Expensive checks
- * run the first 16 times, then the 32nd, the 64th and so on. Each warning is reported
- * once for a source line. The checks change neither results nor clocks.
+ * run at the first 16 executions, then at the 32nd, the 64th and so on. Each warning is
+ * reported once for a source line. The checks change neither results nor clocks.
  */
 #ifndef ASM_RUNTIME_CHECK_H
 #define ASM_RUNTIME_CHECK_H
@@ -12,20 +12,22 @@
 
 struct runtime_checker;
 
-/* The object and the choice must outlive the checker. name: of the program, for objects
- * without source lines. Returns NULL if memory is exhausted. */
+/* The object and the choice must outlive the checker. name is the name of the program,
+ * which is printed if there are no source lines. Returns NULL if memory is
+ * exhausted. */
 struct runtime_checker *runtime_new(const struct object *object, const char *name,
                                     const struct warning_choice *choice,
                                     const struct sink *report);
 void runtime_free(struct runtime_checker *watch);
 
-/* Must be called before a machine with the program runs, and after it was restored. */
+/* Must be called before a machine with the program starts, and after a machine was
+ * restored. */
 void runtime_begin(struct runtime_checker *watch, const c205 *machine);
 /* The listener. Its context is the checker. */
 c205_listener runtime_listen;
 
-/* Returns the warnings that occurred, also those that the program
- * declares as intended. */
+/* Returns the warnings that occurred, including warnings that the program declares as
+ * intended. */
 warning_set runtime_warned(const struct runtime_checker *watch);
 /* Returns the number of warnings that count as errors. */
 size_t runtime_errors(const struct runtime_checker *watch);

@@ -9,7 +9,8 @@ struct storage_span {
     const char *name;
 };
 
-/* If several labels have the same address, the last one owns the storage. */
+/* The owners of storage. If several labels have the same address, the last label owns
+ * the storage. */
 struct storage_map {
     size_t count;
     struct storage_span spans[];
@@ -29,8 +30,8 @@ static bool segment_contains(const c205_segment *segment, uint64_t address)
            && address - segment->address < 64 * (uint64_t)segment->length;
 }
 
-/* Returns the end of the contiguous data at an address, which may have several
- * segments. Returns 0 if nothing is there, or if it is the code. */
+/* Returns the end of the contiguous data at an address. The data may have several
+ * segments. Returns 0 if there is no data or if it is code. */
 static uint64_t end_of_data(const c205_program *program, uint64_t address)
 {
     uint64_t end = 0;

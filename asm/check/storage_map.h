@@ -15,7 +15,7 @@ struct storage_map *storage_map_new(const struct object *object);
 void storage_map_free(struct storage_map *map);
 
 /* Returns the label whose storage contains an address, and the end of the storage.
- * Returns NULL if no label does. */
+ * Returns NULL if there is no such label. */
 const char *storage_at(const struct storage_map *map, uint64_t address, uint64_t *end);
 
 #endif

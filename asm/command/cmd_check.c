@@ -41,7 +41,7 @@ static struct table *trial_table(const struct lesson_verdict *verdict)
     return table;
 }
 
-/* Joins the sentences, each with at most the first of the lines below it. */
+/* Joins the sentences. Each includes at most the first of the lines below it. */
 void check_join(struct text_buffer *buffer, const struct lesson_report *report)
 {
     struct sink sink = text_buffer_sink(buffer);
@@ -90,7 +90,7 @@ static int check_answer(const struct check_command *check, bool *passed)
 
 /* ---- The command ----------------------------------------------------------- */
 
-/* A lesson that is not built in is read from the folder of that name. */
+/* Finds a built-in lesson, or reads a lesson from the folder of that name. */
 static bool find_lesson(struct check_command *check, c205_error *error)
 {
     const char *name = check->args->lesson;
@@ -101,7 +101,7 @@ static bool find_lesson(struct check_command *check, c205_error *error)
     return check_read_lesson(&check->own, name, error);
 }
 
-/* The results are written also if the answer has not passed; *good is then false. */
+/* Writes the results even if the answer has not passed; *good is then false. */
 static int work(const struct check_command *check, bool *good)
 {
     const struct check_arguments *args = check->args;

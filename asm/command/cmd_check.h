@@ -8,8 +8,9 @@
 struct check_arguments {
     struct shared_arguments shared;
     const char *lesson, *answer; /* NULL: none */
-    const char *folder;          /* of answers, or NULL */
-    const char *output;          /* for the program to complete; NULL: stdout */
+    const char *folder;          /* folder of answers, or NULL */
+    const char *output;          /* destination of the program to complete; NULL:
+                                    stdout */
     bool hints, start;
 };
 
@@ -17,12 +18,12 @@ struct check_command {
     const struct check_arguments *args;
     struct command_output results;
     struct lessons lessons;
-    struct lesson own;           /* read from a folder */
-    const struct lesson *lesson; /* the lesson of the arguments, or NULL */
+    struct lesson own;           /* lesson from a folder */
+    const struct lesson *lesson; /* lesson named by the arguments, or NULL */
 };
 
-/* Reads a lesson, which must be zero at first, from a folder. Fails if the folder is
- * not a lesson. The lesson must be freed in all cases. */
+/* Reads a lesson from a folder. The lesson must be zeroed. Returns false if the folder
+ * is not a lesson. The lesson must be freed in all cases. */
 bool check_read_lesson(struct lesson *lesson, const char *path, c205_error *error);
 /* Grades a file. The error does not contain its name. */
 bool check_grade(const struct lesson *lesson, const char *path,
@@ -30,14 +31,14 @@ bool check_grade(const struct lesson *lesson, const char *path,
 /* Appends all sentences as one line. */
 void check_join(struct text_buffer *buffer, const struct lesson_report *report);
 
-/* Print all lessons, or one lesson with its tests, or write its program to complete
- * (cmd_check_lesson.c). All return the exit code. */
+/* Print all lessons, print one lesson with its tests, and write the program of a lesson
+ * to complete (cmd_check_lesson.c). They return the exit code. */
 int check_list(const struct check_command *check);
 int check_show(const struct check_command *check);
 int check_start(const struct check_command *check);
 
-/* Grades a folder of answers (cmd_check_folder.c). Returns the exit code, and whether
- * all files could be graded. */
+/* Grades a folder of answers (cmd_check_folder.c). Returns the exit code. Sets
+ * *all_graded to true if all files could be graded. */
 int check_folder(const struct check_command *check, bool *all_graded);
 
 #endif

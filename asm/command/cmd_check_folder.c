@@ -38,7 +38,7 @@ static bool read_file(struct lesson *lesson, const char *folder, const char *nam
     return good;
 }
 
-/* Starts a lesson. The last component of the path is its name; for "a/b/" it is "b". */
+/* Starts a lesson. Its name is the last component of the path: "b" for "a/b/". */
 static bool begin_lesson(struct lesson *lesson, const char *path, c205_error *error)
 {
     struct text_line name = { 0 };
@@ -52,8 +52,8 @@ static bool begin_lesson(struct lesson *lesson, const char *path, c205_error *er
     return lesson_begin(lesson, name.text, error);
 }
 
-/* Checks all tests first, so that an error in a lesson is reported before the
- * first answer is graded. */
+/* Checks all tests, so an error in a lesson is reported before the first answer is
+ * graded. */
 static bool check_tests(const struct lesson *lesson, c205_error *error)
 {
     bool good = true;
@@ -83,7 +83,7 @@ bool check_read_lesson(struct lesson *lesson, const char *path, c205_error *erro
 
 /* ---- Answers --------------------------------------------------------------- */
 
-/* The answers of a class. */
+/* The answers of a class, and the table of their results. */
 struct handed_in {
     const struct check_command *check;
     struct table *table;
@@ -92,8 +92,8 @@ struct handed_in {
     bool failed; /* memory is exhausted */
 };
 
-/* Reports the first test that is not passed; if all are passed, the
- * first one with a report. */
+/* Reports the first test that failed. If all tests passed, reports the first test that
+ * has a report. */
 static void join_first(struct text_buffer *report, const struct lesson_verdict *verdict)
 {
     const struct lesson_trial *reported = NULL;
@@ -145,8 +145,7 @@ static void add(struct handed_in *all, const char *student,
     }
 }
 
-/* Adds a row for an answer that cannot be graded. The reason is
- * also printed on stderr. */
+/* Adds a row for an answer that cannot be graded, and prints the reason on stderr. */
 static void refuse(struct handed_in *all, const char *student,
                    const struct lesson *lesson, const char *path, const char *reason)
 {
@@ -160,8 +159,8 @@ static void refuse(struct handed_in *all, const char *student,
     lesson_verdict_free(&verdict);
 }
 
-/* Grades a file, which gives a row in any case. lesson: NULL if the file has
- * the name of no lesson. */
+/* Grades a file and adds a row in any case. lesson is NULL if the name of the file is
+ * not the name of a lesson. */
 static void grade(struct handed_in *all, const char *student,
                   const struct lesson *lesson, const char *path)
 {
@@ -183,7 +182,7 @@ static void grade(struct handed_in *all, const char *student,
 
 /* ---- Folders of answers ---------------------------------------------------- */
 
-/* Handles a file or folder of a student; student is "" if it belongs to nobody. */
+/* Handles a file or folder of a student. student is "" if the student is unknown. */
 typedef void take_file(struct handed_in *all, const char *student, const char *name,
                        const char *path);
 
@@ -207,7 +206,7 @@ static void take_folder(struct handed_in *all, const char *student, const char *
     folder_free(&folder);
 }
 
-/* Returns the name without ".s", or empty if it does not end in that.
+/* Returns the name without ".s". The result is empty if the name does not end in ".s".
  * The caller frees it. */
 static struct text_buffer stem_of(const char *name)
 {
@@ -218,7 +217,8 @@ static struct text_buffer stem_of(const char *name)
     return stem;
 }
 
-/* Finds a lesson by name, first the one from a folder, then the built-in ones. */
+/* Finds a lesson by name. A lesson from a folder has precedence over a built-in
+ * lesson. */
 static const struct lesson *lesson_named(const struct check_command *check,
                                          const char *name)
 {
@@ -229,8 +229,8 @@ static const struct lesson *lesson_named(const struct check_command *check,
                : lessons_find(&check->lessons, name, &error);
 }
 
-/* Grades LESSON.s. If the arguments name a lesson, answers to other
- * lessons are ignored. */
+/* Grades LESSON.s. Answers to other lessons are ignored if the arguments name a
+ * lesson. */
 static void take_answer(struct handed_in *all, const char *student, const char *name,
                         const char *path)
 {
@@ -244,7 +244,7 @@ static void take_answer(struct handed_in *all, const char *student, const char *
         grade(all, student, lesson, path);
 }
 
-/* Grades the folder STUDENT. A folder without an answer gives a row too. */
+/* Grades the folder STUDENT. A folder without an answer has a row, too. */
 static void take_student(struct handed_in *all, const char *name, const char *path)
 {
     size_t rows = table_rows(all->table);
@@ -253,9 +253,9 @@ static void take_student(struct handed_in *all, const char *name, const char *pa
         refuse(all, name, all->check->lesson, path, "no answer was found");
 }
 
-/* Returns the student of a file that is not in a folder of a student, or empty if
- * unknown. A name without an ending is that of a student, like the name of a folder.
- * The caller frees it. */
+/* Returns the student of a file outside the folders of students. A name without an
+ * ending is the name of a student. The result is empty if the student is unknown. The
+ * caller frees it. */
 static struct text_buffer student_of(const char *name, const struct lesson *asked)
 {
     struct text_buffer student = { 0 };
@@ -266,7 +266,7 @@ static struct text_buffer student_of(const char *name, const struct lesson *aske
     return student;
 }
 
-/* Handles an entry of the class: STUDENT, LESSON.s or STUDENT.s. */
+/* Handles an entry of the folder: STUDENT, LESSON.s or STUDENT.s. */
 static void take_entry(struct handed_in *all, const char *nobody, const char *name,
                        const char *path)
 {

@@ -37,8 +37,8 @@ static void put_constant(struct text_line *line, const struct asm_symbol *symbol
     sink_print(&sink, " = %" PRId64, symbol->value);
 }
 
-/* Writes the constants of a test, the labels of its inputs, and
- * those of its results. */
+/* Writes the constants of a test, the labels of its inputs, and the labels of its
+ * results. */
 static void print_symbols(struct table *table, const struct object *test)
 {
     struct text_line constants = { 0 }, data = { 0 }, results = { 0 };
@@ -98,11 +98,11 @@ static int show_tests(const struct check_command *check)
 
 /* ---- A lesson -------------------------------------------------------------- */
 
-/* Printing of a lesson: without comments, and without hints
- * unless they are requested. */
+/* The state of printing a lesson. Comments are omitted, and so are hints unless they
+ * are requested. */
 struct lesson_reading {
     FILE *file;
-    bool hints, hidden, blank; /* blank: the line before is blank */
+    bool hints, hidden, blank; /* blank: the previous line was blank */
 };
 
 static bool begins(const char *line, const char *text)
@@ -110,7 +110,7 @@ static bool begins(const char *line, const char *text)
     return strncmp(line, text, strlen(text)) == 0;
 }
 
-/* The line of a hint is "<details><summary>First hint</summary>". */
+/* Prints a line. The line of a hint is "<details><summary>First hint</summary>". */
 static void put_line(struct lesson_reading *reading, const char *line, size_t length)
 {
     static const char before[] = "<details><summary>", behind[] = "</summary>";

@@ -11,7 +11,7 @@ struct compare_arguments {
     struct shared_arguments shared;
     struct source_arguments source;
     struct command_texts files;
-    const char *other_model; /* for the second program; NULL: the same */
+    const char *other_model; /* model of the second program; NULL: the same model */
     struct cmd_defines other_defines;
     bool warm;
 };
@@ -19,7 +19,7 @@ struct compare_arguments {
 struct two_runs {
     const struct compare_arguments *args;
     const char *path[COMPARED_RUNS];
-    struct session session[COMPARED_RUNS]; /* the output is that of the first */
+    struct session session[COMPARED_RUNS]; /* the first session has the output */
     struct compared_run run[COMPARED_RUNS];
 };
 
@@ -53,8 +53,7 @@ static bool run_to_end(struct compared_run *run, c205 *machine, c205_error *erro
     return compared_take(run, machine);
 }
 
-/* Checks that each definition is used by at least one of the
- * programs that receive it. */
+/* Checks that each definition is used by a program that receives it. */
 static bool uses_defines(const struct two_runs *runs)
 {
     const struct compare_arguments *args = runs->args;
@@ -74,7 +73,7 @@ static bool uses_defines(const struct two_runs *runs)
     return !unused;
 }
 
-/* Runs a program. Its output is discarded. */
+/* Runs a program and discards its output. */
 static bool run_side(struct two_runs *runs, int which)
 {
     struct session *session = &runs->session[which];

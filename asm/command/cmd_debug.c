@@ -41,7 +41,7 @@ static void put(void *context, const char *text, size_t length)
     fflush(stdout);
 }
 
-/* Finds a model. It cannot be read from stdin, which carries the messages. */
+/* Finds a model. It cannot be read from stdin, because messages arrive there. */
 static c205_model *find_model(const char *name, const struct sink *report)
 {
     c205_error error = { "a model cannot be read from stdin with --dap" };
@@ -51,7 +51,7 @@ static c205_model *find_model(const char *name, const struct sink *report)
     return model;
 }
 
-/* Adds a definition; it replaces an earlier one of the same name. */
+/* Adds a definition, which replaces an earlier definition of the same name. */
 static bool add_define(struct cmd_defines *defines, const struct asm_define *define)
 {
     size_t i = 0;
@@ -64,8 +64,8 @@ static bool add_define(struct cmd_defines *defines, const struct asm_define *def
     return true;
 }
 
-/* Opens the program of a launch request. Arguments of the request
- * override the command line. */
+/* Opens the program of a launch request. Arguments of the request override the command
+ * line. */
 static bool open_program(void *context, const struct dap_program *program,
                          const struct sink *report, struct object **object,
                          c205_model **model)

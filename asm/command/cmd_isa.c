@@ -8,11 +8,11 @@
 
 struct isa_arguments {
     struct shared_arguments shared;
-    struct command_texts names; /* of instructions; none: all */
+    struct command_texts names; /* instructions to print; none: all */
     bool only_names, markdown, grammar, card;
 };
 
-/* The columns that fit a line. */
+/* The columns for output in text format. */
 static const struct table_column brief[] = {
     { "mnemonic", "name", TABLE_TEXT, 0 },
     { "code", "code", TABLE_TEXT, 0 },
@@ -32,7 +32,7 @@ static const struct table_column columns[] = {
 
 /* ---- One instruction ---------------------------------------------------- */
 
-/* Column of the text after the name of a rule. */
+/* The column of the text after the name of a rule. */
 enum { TEXT_BEGINS = 14 };
 
 static void describe_operands(const c205_insn *insn)
@@ -143,8 +143,8 @@ static struct table *chosen_rows(const struct isa_arguments *args, bool is_brief
     return table;
 }
 
-/* Prints the names alone, or the named instructions in detail, or a line
- * for each instruction. */
+/* Prints the names alone, the named instructions in detail, or a line for each
+ * instruction. */
 static bool print_text(const struct isa_arguments *args)
 {
     if (args->names.count == 0 && !args->only_names) {
@@ -165,7 +165,7 @@ static bool print_text(const struct isa_arguments *args)
     return true;
 }
 
-/* Formats other than text always have the complete rows. */
+/* Prints the result. Formats other than text always have the complete rows. */
 static int show(const struct isa_arguments *args, const struct command_output *results)
 {
     struct command_output rest = *results;
@@ -177,7 +177,7 @@ static int show(const struct isa_arguments *args, const struct command_output *r
     return output_show(&rest, chosen_rows(args, false), "instructions", NULL);
 }
 
-/* Writes the forms that contain clocks of a model. */
+/* Prints the outputs that contain clocks of a model. */
 static int with_model(const struct isa_arguments *args)
 {
     int code = CMD_DONE;
@@ -197,7 +197,7 @@ static int with_model(const struct isa_arguments *args)
     return code;
 }
 
-/* Returns the name of an output that is not a table, or NULL for the table. */
+/* Returns the name of an output that is not a table, or NULL. */
 static const char *other_form(const struct isa_arguments *args)
 {
     return args->markdown  ? "markdown"

@@ -1,5 +1,6 @@
-/* cmd_isa_card.c - c205 isa --card: the instructions on two pages, as source for groff.
- * Rows and clocks are from the tables; the other texts and the layout are in asm/card.
+/* cmd_isa_card.c - c205 isa --card: prints the instructions on two pages, as groff
+ * source. Rows and clocks come from the tables. The other texts and the layout are in
+ * asm/card.
  */
 #include <ctype.h>
 #include <string.h>
@@ -7,10 +8,10 @@
 #include "asm/command/cmd_isa.h"
 #include "base/text_file.h"
 
-/* Longer operands may extend beyond their column. */
+/* Operands beyond this length may extend beyond their column. */
 enum { MAX_OPERANDS = 14 };
 
-/* Texts that have a sign in print. */
+/* Texts that a sign replaces in print. */
 static const struct {
     const char *written, *set;
 } signs[] = {
@@ -28,8 +29,8 @@ static void put_text(const char *name)
     text_put(text_find(card_texts, name), &sink);
 }
 
-/* Returns the sign for the start of a text and the length of the text that it replaces.
- * Returns NULL and 1 if the character stays. */
+/* Returns the sign for the start of a text, and the length of the replaced text.
+ * Returns NULL and 1 if the character is not replaced. */
 static const char *sign_at(const char *text, size_t *length)
 {
     for (size_t i = 0; i < SIGNS; i++) {
@@ -56,7 +57,7 @@ static void put_argument(const char *text)
     putchar('"');
 }
 
-/* Prints an argument in which no line break is allowed. */
+/* Prints an argument without line breaks. */
 static void put_word(const char *text)
 {
     fputs(" \"", stdout);
@@ -67,8 +68,8 @@ static void put_word(const char *text)
     putchar('"');
 }
 
-/* Returns the longest operands of a family, up to MAX_OPERANDS, which
- * determine its columns. */
+/* Returns the longest operands of a family, up to MAX_OPERANDS. They determine its
+ * columns. */
 static const char *usual_operands(const c205_insn *insn)
 {
     const c205_insn *end = c205_insns + c205_insn_count;
@@ -101,7 +102,7 @@ static void put_marks(const c205_insn *insn)
                                           : "");
 }
 
-/* Prints the timing class, with the initial of the part of the vector unit. */
+/* Prints the timing class and the first letter of the part of the vector unit. */
 static void put_class(const c205_insn *insn)
 {
     const char *part = strchr(c205_unit_name(insn->unit), ' ');

@@ -1,5 +1,5 @@
-/* cmd_isa_grammar.c - c205 isa --grammar: a TextMate grammar, by which editors colour
- * programs, with the names of the instruction table.
+/* cmd_isa_grammar.c - c205 isa --grammar: prints a TextMate grammar with the names of
+ * the instruction table. Editors colour programs by such a grammar.
  */
 #include "asm/command/cmd_isa.h"
 
@@ -8,7 +8,8 @@
 #include "asm/object/syntax.h"
 #include "base/json.h"
 
-/* A name must not continue before BEGINS or after ENDS. */
+/* Patterns that match where no name continues to the left (BEGINS) or to the right
+ * (ENDS). */
 #define BEGINS "(?<![\\w$.])"
 #define ENDS "(?![\\w$.])"
 
@@ -36,7 +37,8 @@ static void put_pattern(struct json *json, const char *name, const char *match)
     json_end(json);
 }
 
-/* Writes the pattern of the mnemonics, in upper or lower case, with ",H" if allowed. */
+/* Writes the pattern of the mnemonics in upper or lower case. ",H" follows if an
+ * instruction allows it. */
 static bool put_names(struct json *json, const char *name, bool vector)
 {
     struct text_buffer match = { 0 };

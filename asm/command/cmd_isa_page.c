@@ -63,7 +63,7 @@ enum { LEFT_OUT = sizeof left_out / sizeof *left_out };
 
 /* ---- Markdown ----------------------------------------------------------- */
 
-/* Prints the text of a cell. A bar would end the cell, so it is escaped. */
+/* Prints the text of a cell. Bars are escaped, because they would end the cell. */
 static void put_cell(const char *text)
 {
     for (; *text; text++) {
@@ -73,8 +73,8 @@ static void put_cell(const char *text)
     }
 }
 
-/* The name has the given length; below 0: all of it. Returns false for a text that is
- * missing. */
+/* Prints a row. The name has the given length; a negative length means the whole name.
+ * Returns false if the text is missing. */
 static bool put_row(const char *name, int length, const char *text)
 {
     printf("| %.*s | ", length, name);
@@ -89,7 +89,7 @@ static void put_lower(const char *text)
         putchar(tolower((unsigned char)*text));
 }
 
-/* Prints "[ADDNV](#addnv)". */
+/* Prints a link, as in "[ADDNV](#addnv)". */
 static void put_link(const char *text)
 {
     printf("[%s](#", text);
@@ -168,9 +168,9 @@ static void put_stream(const c205_insn *insn, const c205_model *model,
     }
 }
 
-/* Prints the clocks of a scalar instruction. For a branch these are the clocks
- * that it loses after its issue when it is taken; for a swap they depend on
- * the number of words. */
+/* Prints the clocks of a scalar instruction. A branch has the clocks that it loses
+ * after its issue if it is taken. The clocks of a swap depend on the number of
+ * words. */
 static void put_latency(const c205_insn *insn, const c205_model *model,
                         const c205_constant *latency, const c205_constant *busy)
 {
@@ -187,7 +187,8 @@ static void put_latency(const c205_insn *insn, const c205_model *model,
     }
 }
 
-/* Prints the formula of a vector instruction, or the constants of a scalar one. */
+/* Prints the formula of a vector instruction or the constants of a scalar
+ * instruction. */
 static void put_time(const c205_insn *insn, const c205_model *model)
 {
     const char *timing = c205_timing_name(insn->timing);
@@ -241,7 +242,7 @@ static bool put_example(const c205_insn *insn)
     return true;
 }
 
-/* Returns false if something has no explanation, or there is no example. */
+/* Returns false if an explanation or the example is missing. */
 static bool put_insn(const c205_insn *insn, const c205_model *model)
 {
     char code[ISA_CODE], drawing[ISA_DRAWING];
@@ -301,7 +302,7 @@ static bool is_defined(unsigned opcode)
     return found;
 }
 
-/* Prints "00-08, 0A-1D, ..". */
+/* Prints the unused codes, as in "00-08, 0A-1D, ..". */
 static void put_free_codes(void)
 {
     const char *between = "";

@@ -1,5 +1,5 @@
-/* cmd_isa_words.c - the texts of cmd_isa.h: meanings of letters and
- * flags, rules of formats. */
+/* cmd_isa_words.c - the texts of cmd_isa.h: meanings of letters and flags, and rules of
+ * formats. */
 #include <ctype.h>
 #include <string.h>
 
@@ -12,7 +12,7 @@ struct meaning {
     const char *text;
 };
 
-/* in_brackets: the meaning in formats where the source is always in brackets, so it
+/* in_brackets is the meaning in formats in which the source is always in brackets and
  * cannot be a register. */
 static const struct operand_meaning {
     char letter;
@@ -84,7 +84,7 @@ static const char *flag_note(const c205_insn *insn, unsigned flag)
                : "sign control: -A, |A|, -|A|";
 }
 
-/* Describes how the instruction can be linked; empty if it cannot. */
+/* Describes how the instruction can be linked. The text is empty if it cannot. */
 static const char *link_note(const c205_insn *insn)
 {
     return c205_unit_links(insn->unit)
@@ -103,7 +103,7 @@ void isa_code(const c205_insn *insn, char text[ISA_CODE])
 
 enum { WORD_BITS = 64, HALF_BITS = 32, BYTE_BITS = 8 };
 
-/* Writes the letter at each bit of the mask. */
+/* Writes a letter at the position of each bit of the mask. */
 static void mark(char letter, c205_word mask, char owners[WORD_BITS])
 {
     for (unsigned i = 0; i < WORD_BITS; i++)
@@ -111,9 +111,9 @@ static void mark(char letter, c205_word mask, char owners[WORD_BITS])
             owners[i] = letter;
 }
 
-/* Determines the field that owns each bit: sets one field after the other, encodes, and
- * marks the bits that change. The bits of the operation belong to G. The distance of a
- * relative branch overlays Y and B, so it is marked last. */
+/* Determines the field that owns each bit: sets each field separately, encodes the
+ * instruction, and marks the bits that change. The bits of the operation belong to G.
+ * The distance of a relative branch overlays Y and B, so it is marked last. */
 static void probe_format(const c205_insn *insn, char owners[WORD_BITS])
 {
     c205_fields fields = { 0 };
@@ -152,7 +152,8 @@ void isa_drawing(const c205_insn *insn, char text[ISA_DRAWING])
 
 /* ---- Operands and rules ------------------------------------------------- */
 
-/* A reduction requires a vector, so its source is always in brackets. */
+/* Returns true if the source is always in brackets, because a reduction requires a
+ * vector. */
 static bool is_in_brackets(const c205_insn *insn, char field)
 {
     return isupper((unsigned char)field) || insn->format == C205_FORMAT_REDUCE
@@ -255,8 +256,8 @@ static const char *length_rule(const c205_insn *insn)
                : "that of A";
 }
 
-/* Describes the continuation of a short source. If the length is that of the only
- * source, no source can be short. */
+/* Describes the padding of a short source. The only source of an instruction is never
+ * short if it determines the length. */
 static const char *padding_rule(const c205_insn *insn)
 {
     bool sparse = insn->format == C205_FORMAT_SPARSE;
@@ -272,7 +273,7 @@ static const char *padding_rule(const c205_insn *insn)
                                   : "continues with zero words";
 }
 
-/* Describes the effect of the control vector on the elements it does not select. */
+/* Describes the effect of the control vector on blocked elements. */
 static const char *control_rule(const c205_insn *insn)
 {
     if (!has_operand(insn, "z"))
@@ -292,8 +293,8 @@ static const char *control_rule(const c205_insn *insn)
 
 enum { ISA_FIELDS = 16 };
 
-/* Lists the fields whose letters are in `letters`: "A, B and C".
- * Returns their number. */
+/* Lists the fields whose letters are in `letters`, as in "A, B and C". Returns their
+ * number. */
 static size_t list_fields(const c205_insn *insn, const char *letters,
                           char text[ISA_FIELDS])
 {
@@ -312,7 +313,8 @@ static size_t list_fields(const c205_insn *insn, const char *letters,
     return count;
 }
 
-/* Writes a text about a group of fields: `one` for one field, `more` for several. */
+/* Writes a text about a group of fields: `one` if there is one field, `more` if there
+ * are several. */
 static size_t put_group(const c205_insn *insn, const char *letters, const char *one,
                         const char *more, char *text, size_t size)
 {
@@ -328,7 +330,8 @@ static bool broadcasts(const c205_insn *insn)
            && syntax[strcspn(syntax, "ab")];
 }
 
-/* Describes the operands with ",H"; empty if the instruction has no such form. */
+/* Describes the operands with ",H". The text is empty if the instruction has no such
+ * form. */
 static void write_half_rule(const c205_insn *insn, char text[ISA_HALF])
 {
     size_t length;
@@ -352,8 +355,8 @@ static void write_half_rule(const c205_insn *insn, char text[ISA_HALF])
 
 /* ---- Special values ----------------------------------------------------- */
 
-/* Describes the results for machine zeros and indefinites, and out of range if the
- * general rule does not apply. */
+/* Describes the results for machine zeros and indefinites. If the general rule does not
+ * apply, it also describes results out of range. */
 static const char *specials_rule(const c205_insn *insn)
 {
     bool has_numbers = has_operand(insn, "fvFV");

@@ -66,7 +66,7 @@ static int show_accounts(const struct session *session,
 
 /* ---- The end of a run ---------------------------------------------------- */
 
-/* Returns the exit code. */
+/* Reports a trap if necessary. Returns the exit code. */
 static int judge_trap(const struct session *session, const struct run_arguments *args,
                       const c205_stop *stop)
 {
@@ -120,16 +120,16 @@ static int save(const struct session *session, const struct run_arguments *args,
     return CMD_DONE;
 }
 
-/* The output of the program is part of results in text. It would corrupt any other
- * format, so it is then written to stderr. */
+/* Returns the stream for the output of the program. It is part of the results in text
+ * format. It would corrupt other formats, so it is then written to stderr. */
 static FILE *program_stream(const struct command_output *results)
 {
     bool among = results->file == stdout && results->format == OUTPUT_TEXT;
     return among ? stdout : stderr;
 }
 
-/* Prints a message on stderr, after closing a line that the program
- * has left open there. */
+/* Prints a message on stderr. If the program has left a line open there, it is closed
+ * first. */
 static void put_message(void *context, const char *text, size_t length)
 {
     struct sink report = visible_stream(stderr);
@@ -139,7 +139,7 @@ static void put_message(void *context, const char *text, size_t length)
     report.put(report.context, text, length);
 }
 
-/* Starts the runtime checks if the object is known and any warning is enabled. */
+/* Starts the runtime checks if the object is known and a warning is enabled. */
 static bool start_watch(const struct session *session, const struct run_arguments *args,
                         const struct sink *report, struct runtime_checker **watch)
 {
@@ -154,7 +154,7 @@ static bool start_watch(const struct session *session, const struct run_argument
     return true;
 }
 
-/* Reports an interruption after the results, so that it is not overlooked. */
+/* Reports an interruption after the results, so the user does not overlook it. */
 static int conclude(const struct session *session, const struct run_arguments *args,
                     const c205_stop *stop)
 {
@@ -231,8 +231,8 @@ static int run(struct session *session, const struct run_arguments *args)
 
 /* ---- The machine -------------------------------------------------------- */
 
-/* Restores a saved machine, which must be running the program of the session, if there
- * is one. */
+/* Restores a saved machine. If the session has a program, the machine must be running
+ * it. */
 static bool restore(struct session *session, const char *path, c205_error *error)
 {
     session->machine = state_load(path, session->model, error);
@@ -263,7 +263,7 @@ static bool make_machine(struct session *session, const struct run_arguments *ar
 
 /* ---- The command -------------------------------------------------------- */
 
-/* Returns CMD_DONE if the combination of arguments is valid. */
+/* Checks the combination of arguments. Returns CMD_DONE if it is valid. */
 static int check_usage(const struct run_arguments *args)
 {
     const char *command = args->shared.command;

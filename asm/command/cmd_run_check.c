@@ -1,8 +1,8 @@
 /* cmd_run_check.c - c205 run --check: runs test programs and compares them
  * with their expectations.
  *
- * A program runs on the model of the arguments if they name one, otherwise on the model
- * of its expect-model, otherwise on the default model.
+ * The arguments may name the model. Otherwise, a program runs on the model of its
+ * expect-model, or on the default model if there is none.
  */
 #include <string.h>
 
@@ -13,17 +13,18 @@
 #include "asm/view/print.h"
 #include "base/named_model.h"
 
-/* Limit of clocks. A program that exceeds it fails. */
+/* Limit of clocks. A program fails if it exceeds the limit. */
 static const uint64_t patience = 100000000;
 
 struct checker {
     const struct run_arguments *args;
     const struct command_output *results;
     struct table *table; /* NULL if results are text */
-    c205_model *model;   /* of the last program, reused if the next one has the same */
+    c205_model *model;   /* model of the last program, reused if the next program has
+                            the same model */
     c205 *machine;
     struct printer printer;
-    struct runtime_checker *watch; /* of the current program, or NULL */
+    struct runtime_checker *watch; /* checker of the current program, or NULL */
     struct text_buffer printed;    /* output of the program */
     struct text_buffer report;     /* the errors of the program */
     size_t failures;
@@ -59,8 +60,8 @@ static void drop_machine(struct checker *checker)
     checker->model = NULL;
 }
 
-/* The machine is reused for the next program, but each program has its own checker. So
- * the listener calls the current one. */
+/* Calls the checker of the current program. The machine is reused for other programs,
+ * but each program has its own checker. */
 static void listen(void *context, const c205 *machine, const c205_event *event)
 {
     const struct checker *checker = context;
@@ -135,8 +136,8 @@ static const struct table_column columns[] = {
 struct verdict {
     const char *path;
     bool good;
-    const char *other_model; /* model whose clocks differ from the
-                              * expected ones; or NULL */
+    const char *other_model; /* model whose clocks are not compared with the expected
+                                clocks, or NULL */
     const char *report;
 };
 
@@ -148,7 +149,7 @@ static void print_row(struct table *table, const struct verdict *verdict)
     table_text(table, verdict->report);
 }
 
-/* Prints the result, with the reasons indented below it. */
+/* Prints the result, and the reasons indented below it. */
 static void print_text(const struct command_output *results,
                        const struct verdict *verdict)
 {
@@ -234,7 +235,8 @@ static bool check_model(const struct run_arguments *args)
     return model != NULL;
 }
 
-/* Failures are results too, so the JSON is written in any case. */
+/* Runs all programs. The JSON is written in any case, because failures are results,
+ * too. */
 int cmd_run_check(const struct run_arguments *args)
 {
     struct command_output results = args->shared.results;

@@ -17,7 +17,7 @@
 #include "base/text_file.h"
 #include "vm/error.h"
 
-/* The constants of a sweep: one has a range, the others are fixed. */
+/* The constants of a sweep. One has a range, and the others have fixed values. */
 struct swept_constants {
     struct cmd_defines fixed;
     const char *name;
@@ -83,8 +83,8 @@ static void print_crossings(const struct program_sweep *sweep,
 
 /* ---- Results --------------------------------------------------------------- */
 
-/* The sentences contain the same facts, so these tables are written
- * only as CSV and JSON. */
+/* Writes the tables of CSV and JSON. Text format has sentences with the same facts
+ * instead. */
 static int show_rest(const struct program_sweep *sweep,
                      const struct command_output *results)
 {
@@ -154,7 +154,8 @@ static bool draw(const struct program_sweep *sweep, const char *path, c205_error
 
 /* ---- The command ----------------------------------------------------------- */
 
-/* Reads NAME=RANGE for the swept constant, or NAME=VALUE for a fixed one. */
+/* Reads NAME=RANGE for the constant of the sweep, or NAME=VALUE for a fixed
+ * constant. */
 static bool take_swept(char *text, void *value)
 {
     struct swept_constants *swept = value;
@@ -202,7 +203,7 @@ static bool run_and_draw(const struct program_sweep_arguments *args,
     return good;
 }
 
-/* Opens the output when the texts have been read. */
+/* Opens the output after the programs have been read. */
 static int run_and_show(struct session *session,
                         const struct program_sweep_arguments *args,
                         struct program_sweep *sweep)

@@ -24,7 +24,8 @@ static const struct table_column point_columns[] = {
     { "clocks", "clocks", TABLE_COUNT, 0 },
 };
 
-/* One row for all instructions of a class that take the same time. */
+/* The columns of a table with one row for all instructions of a class that take the
+ * same time. */
 static const struct table_column class_columns[] = {
     { "timing", "timing", TABLE_TEXT, 0 },
     { "startup", "start-up", TABLE_NUMBER, 1 },
@@ -38,7 +39,7 @@ static const struct table_column class_columns[] = {
 
 struct time_arguments {
     struct shared_arguments shared;
-    struct command_texts names; /* of instructions; none: all */
+    struct command_texts names; /* instructions to measure; none: all */
     bool points;
 };
 
@@ -176,7 +177,7 @@ static bool measure_size(const struct time_arguments *args, const c205_model *mo
     return good && add_name(args, model, name, measured);
 }
 
-/* Measures the named instructions in that order, or all of them. */
+/* Measures the named instructions in their order, or all instructions. */
 static bool measure_all(const struct time_arguments *args, const c205_model *model,
                         struct measurements *measured)
 {
@@ -191,7 +192,7 @@ static bool measure_all(const struct time_arguments *args, const c205_model *mod
 
 /* ---- Results --------- */
 
-/* The JSON always has the points. */
+/* Prints the points. The JSON always has them. */
 static int show_points(const struct time_arguments *args,
                        const struct measurements *measured,
                        const struct command_output *results)
@@ -205,8 +206,8 @@ static int show_points(const struct time_arguments *args,
     return code;
 }
 
-/* Shows the named instructions one by one, or all of them by class. CSV and JSON always
- * have single instructions. */
+/* Shows the named instructions one by one, or all instructions by class. CSV and JSON
+ * always have single instructions. */
 static int show_speeds(const struct time_arguments *args, const c205_model *model,
                        const struct measurements *measured,
                        const struct command_output *results)
@@ -266,8 +267,8 @@ static int cmd_time(void *given)
                               : CMD_FAILED);
 }
 
-/* Returns name i for completion: an instruction or the triad, "" if it cannot be
- * measured, NULL after the last. */
+/* Returns name i for completion: an instruction or the triad. Returns "" if it cannot
+ * be measured, and NULL after the last. */
 static const char *measured_choice(size_t number)
 {
     if (number > c205_insn_count)

@@ -1,5 +1,5 @@
-/* commands.h - the table of the commands of c205, in the order of its help. A row is
- * the NAME of a file cmd_NAME.c, which defines NAME_command.
+/* commands.h - the table of the commands of c205, in the order of its help. A row NAME
+ * stands for the file cmd_NAME.c, which defines NAME_command.
  */
 #ifndef ASM_COMMANDS_H
 #define ASM_COMMANDS_H

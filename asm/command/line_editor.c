@@ -29,9 +29,9 @@ static void open_library(struct typed_lines *lines, const char *(*name)(size_t i
 
 #else
 
-/* Waits for input. Returns false if a signal has arrived since interrupt_clear.
- * Signals are blocked between the check and pselect, which unblocks them
- * atomically, so none is missed. */
+/* Waits for input. Returns false if a signal has arrived since interrupt_clear. Signals
+ * are blocked between the check and pselect, which unblocks them atomically, so no
+ * signal is missed. */
 static bool wait_for_input(void)
 {
     sigset_t all, before;
@@ -50,11 +50,11 @@ static bool wait_for_input(void)
     return !interrupt_pending();
 }
 
-/* The parts of readline's interface that libedit has. */
+/* Functions of readline's interface that libedit provides. */
 typedef char *generator(const char *text, int state);
 typedef int getter(FILE *file);
 
-/* Replaces libedit's own function, which continues after the first signal. */
+/* Replaces a function of libedit that continues after the first signal. */
 static int read_byte(FILE *file)
 {
     unsigned char byte;
@@ -62,10 +62,10 @@ static int read_byte(FILE *file)
     return wait_for_input() && read(STDIN_FILENO, &byte, 1) == 1 ? byte : EOF;
 }
 
-static const char *(*names)(size_t i); /* global, since libedit's
-                                        * callbacks have no context */
+static const char *(*names)(size_t i); /* global, because the callbacks of libedit have
+                                          no context */
 
-/* Returns a copy of the state-th name that begins with the text, or NULL. */
+/* Returns a copy of the name number `state` that begins with the text, or NULL. */
 static char *complete(const char *text, int state)
 {
     size_t length = strlen(text);
@@ -128,7 +128,7 @@ static const char *read_plain(struct typed_lines *lines, const char *prompt)
     return text_stream_next(&lines->stream) ? lines->stream.line : NULL;
 }
 
-/* Returns whether a line was abandoned by Ctrl-C; the next line is then read. */
+/* Returns true if Ctrl-C abandoned a line. The next line is then read. */
 static bool is_dropped(const struct typed_lines *lines)
 {
     return lines->terminal && interrupt_pending() && !interrupt_ends();

@@ -1,7 +1,7 @@
 /* line_editor.h - reads lines from a terminal or a file.
  *
- * On a terminal the library libedit reads the lines if it is installed: it provides a
- * history and completion by Tab. It is loaded only for a terminal.
+ * Lines from a terminal are read by the library libedit if it is installed. It provides
+ * a history and completion by Tab. It is loaded only for a terminal.
  */
 #ifndef ASM_LINE_EDITOR_H
 #define ASM_LINE_EDITOR_H
@@ -20,7 +20,7 @@ struct typed_lines {
     int (*keep)(const char *line);
 };
 
-/* name: returns the i-th name for completion, or NULL after the last. */
+/* name returns the i-th name for completion, or NULL after the last. */
 struct typed_lines typed_lines_of(FILE *file, const char *(*name)(size_t i));
 /* Returns NULL at the end of the input, or if memory is exhausted. */
 const char *typed_lines_next(struct typed_lines *lines, const char *prompt);

@@ -14,15 +14,15 @@ struct repl {
     bool quit, terminal, interrupted;
 };
 
-/* An interruption by Ctrl-C applies to one execution command, so it is
- * cleared after each line. */
+/* Clears an interruption after each line, because Ctrl-C applies to one execution
+ * command. */
 static void note_interrupt(struct repl *repl)
 {
     repl->interrupted |= interrupt_pending();
     interrupt_clear();
 }
 
-/* Executes all lines of a file. Lines that are not typed on a terminal are printed
+/* Executes all lines of a file. Lines that do not come from a terminal are printed
  * after a prompt. Returns the reason of a read error, or NULL. */
 static const char *obey_all(struct repl *repl, FILE *file)
 {

@@ -8,15 +8,16 @@
 struct repl_setup {
     const char *command; /* for error messages */
     const char *prompt;
-    const char *(*verb)(size_t i);       /* names for completion by Tab */
-    const struct command_texts *scripts; /* files; none: read stdin */
+    const char *(*verb)(size_t i);       /* returns the names for completion by Tab */
+    const struct command_texts *scripts; /* files of commands; none: stdin */
 };
 
-/* Makes a debugger and executes lines until the input ends or a line is quit. Ctrl-C is
- * caught. Returns the exit code: CMD_FAILED if the debugger cannot be made, or a line of
- * a script or a pipe failed. Errors of a user at a terminal do not count. */
+/* Makes a debugger and executes lines until the end of the input or the verb quit.
+ * Ctrl-C is caught. Returns the exit code. It is CMD_FAILED if the debugger cannot be
+ * made, or if a line of a script or a pipe failed. Errors at a terminal do not
+ * count. */
 int repl_run(const struct repl_setup *setup, const struct debugger_setup *of_debugger);
-/* The setup's interrupted: returns whether Ctrl-C was pressed. */
+/* For debugger_setup.interrupted: returns true if Ctrl-C was pressed. */
 bool repl_interrupted(void *asked);
 
 #endif

@@ -1,5 +1,5 @@
-/* session.c - reads programs and options for the commands of c205, and opens and closes
- * what a command works with. */
+/* session.c - reads the programs and options of c205 commands, and opens and closes
+ * their sessions. */
 #include "asm/command/session.h"
 
 #include <errno.h>
@@ -92,7 +92,7 @@ bool cmd_is_defined(const struct cmd_defines *defines, const char *name)
     return false;
 }
 
-/* Reads NAME=VALUE. The text is modified: the name ends at the "=". */
+/* Reads NAME=VALUE. The text is modified: a NUL replaces the "=". */
 bool cmd_take_define(char *text, void *value)
 {
     struct cmd_defines *defines = value;

@@ -1,14 +1,14 @@
-/* session.h - what the commands of c205 share: groups of arguments, the rows of their
- * options, and the session in which a command works.
+/* session.h - shared parts of the c205 commands: groups of arguments, the rows of their
+ * options, and the session of a command.
  *
  *   struct session session = { .command = args->shared.command };
  *   bool good = session_program(&session, &args->source, args->file)
  *               && session_model(&session, args->shared.model);
  *   return session_close(&session, good ? work(&session, args) : CMD_FAILED);
  *
- * The arguments of a command are a structure in its file, which begins with
- * struct shared_arguments, or only its first member, and contains the other groups that
- * the command has.
+ * The file of a command defines a structure of its arguments. It begins with struct
+ * shared_arguments or with the first member of that structure, and contains the other
+ * groups of the command.
  */
 #ifndef ASM_SESSION_H
 #define ASM_SESSION_H
@@ -38,7 +38,7 @@ struct cmd_defines {
 
 struct cmd_warnings {
     struct warning_choice choice;
-    bool list; /* print the list of warnings and nothing else */
+    bool list; /* print only the list of warnings */
 };
 
 /* How a program text is assembled. */
@@ -48,11 +48,11 @@ struct source_arguments {
     struct cmd_warnings warnings;
 };
 
-/* Prints the warnings: -W list. */
+/* Prints the list of warnings for -W list. */
 int cmd_list_warnings(void);
-/* Reads a program from its text or from an object file. Returns NULL after all errors
- * were written to the report. cmd_read_program requires that the program uses all
- * defined names; cmd_read_any does not. */
+/* Reads a program from its text or from an object file. Returns NULL on failure, after
+ * writing all errors to the report. cmd_read_program reports names that are defined
+ * with -D but not used; cmd_read_any does not. */
 struct object *cmd_read_any(const struct source_arguments *source, const char *path,
                             const struct sink *report);
 struct object *cmd_read_program(const struct source_arguments *source, const char *path,
@@ -69,11 +69,11 @@ command_take cmd_take_warning;
 /* clang-format off */
 #define CMD_MODEL OPTION_MODEL(offsetof(struct shared_arguments, model))
 #define CMD_RESULTS OUTPUT_OPTIONS(struct shared_arguments, results)
-/* The options of results that depend on a model. */
+/* The options of commands whose results depend on a model. */
 #define CMD_FIGURES \
     CMD_RESULTS, OUTPUT_OPTION_PROVENANCE(struct shared_arguments, results)
 
-/* These take the offset of the struct source_arguments. */
+/* These macros take the offset of the struct source_arguments. */
 #define CMD_INCLUDE(source) \
     OPTION_INCLUDE((source) + offsetof(struct source_arguments, folders))
 #define CMD_DEFINE_WANTS "NAME=VALUE, a name and an integer, each name once"
@@ -102,7 +102,7 @@ command_take cmd_take_warning;
  * endless loops are frequent. */
 #define CMD_LIMIT UINT64_C(1000000000)
 
-/* Only the command is set at first. */
+/* The session of a command. Initially only the member command is set. */
 struct session {
     const char *command;
     struct object *object;
@@ -111,18 +111,18 @@ struct session {
     struct command_output results;
 };
 
-/* Each opens one member. Returns false after an error message. output is another file
- * that the command writes, or NULL. */
+/* Each of these functions opens one member and returns false after an error message.
+ * output is another file that the command writes, or NULL. */
 bool session_program(struct session *session, const struct source_arguments *source,
                      const char *path);
 bool session_model(struct session *session, const char *name);
 bool session_output(struct session *session, const struct command_output *results,
                     const char *output);
-/* Creates the machine of the model and loads the program, with warm pages if requested.
- * Returns false with the reason in the error. */
+/* Creates a machine of the model and loads the program. warm: its pages are in use
+ * already. Returns false with the reason in the error. */
 bool session_load(struct session *session, bool warm, c205_error *error);
-/* Closes everything that is open. JSON is written if the code is CMD_DONE, else
- * discarded. Returns the exit code. */
+/* Closes all open members. JSON is written if the code is CMD_DONE and discarded
+ * otherwise. Returns the exit code. */
 int session_close(struct session *session, int code);
 
 #endif

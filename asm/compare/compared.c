@@ -1,4 +1,4 @@
-/* compared.c - tables and a sentence that compare the accounts of two runs. */
+/* compared.c - compares the accounts of two runs in tables and a sentence. */
 #include "asm/compare/compared.h"
 
 #include <math.h>
@@ -79,7 +79,7 @@ static uint64_t compared_clocks(const struct compared_run *run, const char *regi
     return account ? accounts_clocks(account) : 0;
 }
 
-/* Lists the regions of the first run, then those that only the second has. */
+/* Lists the regions of the first run, then the regions that only the second run has. */
 struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS])
 {
     struct table *table = table_new(TABLE_COLUMNS(region_columns));
@@ -98,7 +98,7 @@ struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS])
     return table;
 }
 
-/* Adds a figure with the number of decimals that c205 run prints. */
+/* Adds a figure with the same number of decimals as c205 run. */
 static void add_figure(struct table *table, const char *name, int decimals,
                        double first, double second)
 {
@@ -147,8 +147,8 @@ static double difference_of(const struct compared_run runs[COMPARED_RUNS], int c
            - (double)runs[COMPARED_FIRST].all.clocks[cause];
 }
 
-/* Returns the cause with the largest difference of the same sign as the whole, except
- * `besides`; -1 if there is none. */
+/* Returns the cause with the largest difference of the same sign as `whole`. Ignores
+ * the cause `besides`. Returns -1 if there is none. */
 static int largest(const struct compared_run runs[COMPARED_RUNS], double whole,
                    int besides)
 {

@@ -13,19 +13,20 @@ struct compared_run {
     c205_account all; /* sum over all regions */
 };
 
-/* Stores the accounts of a machine that has run. The run must be zero at first; the
- * model must outlive it. Fails if memory is exhausted. */
+/* Stores the accounts of a machine that has run. The struct must be zeroed, and the
+ * model must outlive it. Returns false if memory is exhausted. */
 bool compared_take(struct compared_run *run, const c205 *machine);
 void compared_free(struct compared_run *run);
 
-/* Return tables of the clocks by cause, of the clocks by region (first those of the
- * first run, then those that only the second has), and of figures such as milliseconds
- * and Mflop/s. Return NULL if memory is exhausted. */
+/* Return tables of the clocks by cause, of the clocks by region, and of figures such as
+ * milliseconds and Mflop/s. Regions of the first run come first, then the regions that
+ * only the second run has. They return NULL if memory is exhausted. */
 struct table *compared_causes(const struct compared_run runs[COMPARED_RUNS]);
 struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS]);
 struct table *compared_figures(const struct compared_run runs[COMPARED_RUNS]);
 
-/* Writes a sentence with the one or two causes of most of the difference. */
+/* Writes a sentence with the one or two causes of the largest part of the
+ * difference. */
 enum { COMPARED_SENTENCE = 256 };
 void compared_sentence(const struct compared_run runs[COMPARED_RUNS],
                        char text[COMPARED_SENTENCE]);

@@ -1,7 +1,7 @@
 /* arguments.c - checks the types of the arguments of requests.
  *
  * A request is checked before it is executed. Members that are not listed are ignored,
- * since clients add their own. A member that is null counts as absent.
+ * because clients add other members. A member that is null counts as absent.
  */
 #include <string.h>
 
@@ -11,10 +11,10 @@ enum kind { TEXT, TRUTH, WHOLE, OBJECT, SOURCE, LIST, TEXTS, WHOLES };
 enum { MAX_KEYS = 9 };
 
 /* clang-format off */
-/* A member has the same type wherever it occurs. The first member of an owner that has
- * another type is reported, in the order of the rows. */
+/* The types of members. A member has the same type in all its owners. The first row
+ * whose member has another type is reported. */
 static const struct {
-    const char *owners; /* requests, or types of the protocol */
+    const char *owners; /* requests or types of the protocol */
     enum kind kind;
     const char *keys[MAX_KEYS];
 } rows[] = {
@@ -76,7 +76,7 @@ static const struct {
 
 static const struct {
     enum json_kind kind;
-    const char *fault; /* format of the report; the argument is the key */
+    const char *fault; /* format of the report, with the key as argument */
 } kinds[] = {
     [TEXT] = { JSON_TEXT, "'%s' is not a string" },
     [TRUTH] = { JSON_TRUTH, "'%s' is neither true nor false" },

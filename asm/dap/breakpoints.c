@@ -1,5 +1,5 @@
-/* breakpoints.c - sets and deletes breakpoints for the client. Each request carries all
- * breakpoints of one kind; its response reports the result for each of them.
+/* breakpoints.c - sets and deletes breakpoints for the client. A request contains all
+ * breakpoints of one kind. Its response has a result for each breakpoint.
  */
 #include <stdio.h>
 #include <string.h>
@@ -8,8 +8,8 @@
 
 /* ---- One stop ------------------------------------------------------------------- */
 
-/* Reads the place of a stop from a breakpoint of the request. Reports an error and
- * returns false if there is no such place. */
+/* Reads the place of a breakpoint from a request. Reports an error and returns false if
+ * there is no such place. */
 typedef bool stop_reader(struct dap *dap, const struct json_value *wanted,
                          const char *file, struct breakpoint *stop);
 
@@ -79,7 +79,8 @@ static bool read_line_stop(struct dap *dap, const struct json_value *wanted,
            && place_line(dap->debugger, file, line_of(dap, line), stop);
 }
 
-/* Unknown files share one group, which stays empty. */
+/* Sets the breakpoints of a file. Unknown files share one group, which remains
+ * empty. */
 bool request_breakpoints(struct dap *dap)
 {
     const char *file = source_file(dap, json_member(dap->arguments, "source"));
@@ -123,8 +124,8 @@ bool request_breakpoint_locations(struct dap *dap)
 
 /* ---- Names --------------------------------------------------------------- */
 
-/* Returns the debugger's keyword for a name. The name of a label takes precedence over
- * those of regions and instructions. */
+/* Returns the debugger's keyword for a name. Labels have precedence over regions and
+ * instructions. */
 static const char *kind_of(const struct dap *dap, const char *name)
 {
     if (object_symbol(dap->object, name))
@@ -178,7 +179,7 @@ bool request_instruction_breakpoints(struct dap *dap)
 
 /* ---- Data ---------------------------------------------------------------- */
 
-/* The data identifier is ADDRESS, WORDS, in the syntax of the debugger's watch. */
+/* Reads a data identifier, ADDRESS, WORDS in the syntax of the verb watch. */
 static bool read_data_stop(struct dap *dap, const struct json_value *wanted,
                            const char *file, struct breakpoint *stop)
 {
@@ -197,7 +198,7 @@ bool request_data_breakpoints(struct dap *dap)
     return replace(dap, NULL, GROUP_DATA, read_data_stop);
 }
 
-/* Finds the address of an element of a vector, or without a reference that of an
+/* Finds the address of an element of a vector. Without a reference, the name is an
  * expression. */
 static bool find_address(struct dap *dap, const char *name, uint64_t *address)
 {
@@ -230,8 +231,8 @@ static void put_data(struct json *body, uint64_t address, int64_t bytes)
     json_bool(body, "canPersist", true);
 }
 
-/* If the data cannot be watched the request succeeds, with a null identifier and the
- * reason. */
+/* Returns the identifier of data. If the data cannot be watched, the request succeeds
+ * with a null identifier and the reason. */
 bool request_data_breakpoint_info(struct dap *dap)
 {
     const char *name = json_member_text(dap->arguments, "name");

@@ -1,11 +1,12 @@
 /* dap_internal.h - the internals of a session. Not public.
  *
- * A request is a function that reads the arguments of the session and writes the body of
- * its response. A request may come while an earlier one runs the program; after it the
- * session has the arguments and the body of the earlier one again.
- * If it fails it reports the error by dap_fault or by a debug_fault of the engine, and
- * returns false. Work that must follow the response, such as an execution request, is
- * left in `then`.
+ * A request is a function that reads the arguments of the session and writes the body
+ * of its response. It reports an error by dap_fault or by debug_fault of the debugger,
+ * and returns false. Work that must follow the response, such as an execution request,
+ * is assigned to `then`.
+ *
+ * A request may arrive while an earlier request runs the program. After the nested
+ * request, the session has the arguments and the body of the earlier request again.
  */
 #ifndef ASM_DAP_DAP_INTERNAL_H
 #define ASM_DAP_DAP_INTERNAL_H
@@ -17,13 +18,13 @@
 #include "base/json_read.h"
 #include "vm/error.h"
 
-/* The states of a session, in order. They are bits, for sets of states. */
+/* The states of a session, in their order. A set of states is a combination of bits. */
 enum dap_state {
     DAP_NEW = 1,
     DAP_GREETED = 2,  /* after initialize */
-    DAP_LAUNCHED = 4, /* after launch; breakpoints are set */
+    DAP_LAUNCHED = 4, /* after launch, while breakpoints are set */
     DAP_STANDING = 8, /* after configurationDone, and at each stop */
-    DAP_RUNNING = 16, /* executing */
+    DAP_RUNNING = 16, /* the program runs */
     DAP_ENDED = 32    /* the program has ended, or was terminated */
 };
 
@@ -37,35 +38,36 @@ enum pending_request {
 
 struct dap {
     struct dap_setup setup;
-    struct text_buffer input; /* received and not yet handled */
+    struct text_buffer input; /* received bytes that are not handled yet */
     uint64_t sent;            /* number of messages */
     enum dap_state state;
     bool over; /* the client has disconnected, or its input has ended */
     bool failed;
-    c205_error *error; /* of a failed session */
+    c205_error *error; /* why the session failed */
 
-    struct text_buffer said;    /* reports of the engine and of dap_fault */
-    struct text_buffer printed; /* output of the program, not sent yet */
-    struct arena launched;      /* owns the texts of the fields below */
+    struct text_buffer said;    /* reports of the debugger and of dap_fault */
+    struct text_buffer printed; /* unsent output of the program */
+    struct arena launched;      /* owns the texts of the following fields */
     const char *path;
     struct object *object;
     c205_model *model;
     struct debugger *debugger;
     size_t file_count;
-    const char **files; /* of the source lines, named as in the object */
+    const char **files; /* source files, named as in the object */
 
-    const struct json_value *arguments; /* of the current request, or NULL */
-    struct json *body;                  /* of its response */
+    const struct json_value *arguments; /* arguments of the current request, or NULL */
+    struct json *body;                  /* body of its response */
 
     bool stop_on_entry, stop_on_end, stop_at_traps;
-    bool exit_reported;  /* the program has ended, and the client was notified */
+    bool exit_reported;  /* the client was notified that the program has ended */
     bool client_redraws; /* the client supports the event invalidated */
-    int64_t first_line, first_column; /* first number of the client: 0 or 1 */
+    int64_t first_line, first_column; /* number of the first line or column at the
+                                         client: 0 or 1 */
     enum pending_request pending;
     enum execution_end (*move)(struct debugger *debugger);
-    const char *reason; /* reason of the event `stopped`, if the execution ends as
-                         * requested */
-    void (*then)(struct dap *dap); /* called after the response; NULL: nothing */
+    const char *reason; /* reason for the event `stopped` if the execution completes as
+                           requested */
+    void (*then)(struct dap *dap); /* called after the response, or NULL */
 };
 
 typedef bool dap_request(struct dap *dap);
@@ -77,7 +79,7 @@ enum {
     NOT_RUNNING = DAP_LAUNCHED | DAP_STANDING | DAP_ENDED
 };
 
-/* The requests, with the states in which each is allowed. */
+/* The requests, and the states in which each is permitted. */
 /* clang-format off */
 #define DAP_REQUESTS(ROW) \
     ROW("initialize", request_initialize, DAP_NEW) \
@@ -120,98 +122,103 @@ enum {
 DAP_REQUESTS(DECLARE)
 #undef DECLARE
 
-/* Frees the program, which need not be open completely (launch.c). */
+/* Frees the program, even if it is only partly open (launch.c). */
 void close_program(struct dap *dap);
 
 /* ---- Arguments (arguments.c) --------------------------------------------- */
 
-/* Checks that the members of an object have the types of a request's arguments, or of a
- * type of the protocol. Reports an error and returns false if one has another type. */
+/* Checks that the members of an object have the types of the owner, a request or a type
+ * of the protocol. Otherwise, reports an error and returns false. */
 bool dap_check(struct dap *dap, const char *owner, const struct json_value *object);
 
 /* ---- Reports and messages (respond.c) ------------------------------------ */
 
-/* Reports an error of one sentence and returns false. debugger_report returns the
+/* Reports an error of one sentence and returns false. debugger_report returns these
  * reports. */
 bool dap_fault(struct dap *dap, const char *format, ...) PRINTF_FORMAT(2, 3);
-/* Writes the reports since the last call as a member. */
+/* Writes the reports since the last call as a member of an object. */
 void dap_put_said(struct dap *dap, struct json *json, const char *key);
 /* Returns a sink that appends to the reports. */
 struct sink dap_output_sink(struct dap *dap);
 
-/* The body of an event, or of a response, is written between event_begin and event_end. event_begin
- * returns NULL if memory is exhausted; the session is then over. */
+/* The body of an event or response is written between event_begin and event_end.
+ * event_begin returns NULL if memory is exhausted; the session is then over. */
 struct json *event_begin(struct dap *dap, struct text_buffer *body);
 void event_end(struct dap *dap, const char *name, struct json *json,
                struct text_buffer *body);
-/* Sends an event. body: JSON text, or NULL for an event without one. */
+/* Sends an event. body is JSON text, or NULL. */
 void send_event(struct dap *dap, const char *name, const char *body);
 /* Sends an `output` event with a category, unless the text is empty. */
 void send_output(struct dap *dap, const char *category, const char *text);
-/* Sends the output of the program that was not sent yet. */
+/* Sends the unsent output of the program. */
 void send_printed(struct dap *dap);
-/* Answers a request. text: the body as JSON, or the reason of a failure. */
+/* Responds to a request. text is the body as JSON, or the reason of a failure. */
 void send_response(struct dap *dap, const struct json_value *request, bool success,
                    const char *text);
 
-/* Handles the input of the client while a program runs, and returns whether the program
+/* Handles the input of the client while a program runs. Returns true if the program
  * must stop (session.c). */
 bool dap_listen(void *dap);
 
 /* ---- Numbers and addresses (respond.c) ----------------------------------- */
 
-/* Writes an address of the machine, in bits, as the protocol requires: "0x4001C0". */
+/* Writes an address of the machine, in bits, in the form of the protocol:
+ * "0x4001C0". */
 enum { DAP_ADDRESS_SIZE = 24 };
 void dap_put_address(struct json *json, const char *key, uint64_t address);
-/* Reads an address from a member, plus the member `offset` in bytes. Reports an error
- * and returns false if it is not an address. */
+/* Reads an address from a member and adds the member `offset`, in bytes. Reports an
+ * error and returns false if it is not an address. */
 bool dap_address(struct dap *dap, const struct json_value *arguments,
                  const char *reference, uint64_t *address);
-/* Reads an integer member; an absent one leaves the value unchanged. Reports an error
- * and returns false if it is not an integer. */
+/* Reads an integer member. The value is unchanged if the member is absent. Reports an
+ * error and returns false if it is not an integer. */
 bool dap_whole(struct dap *dap, const struct json_value *arguments, const char *key,
                int64_t *value);
 
 /* ---- Groups of breakpoints ----------------------------------------------- */
 
-/* A request replaces all breakpoints of its group. Each source file has a group of its
- * own. */
+/* The groups of breakpoints. A request replaces all breakpoints of its group. Each
+ * source file has a group. */
 enum dap_group {
     GROUP_FUNCTIONS = 1,
     GROUP_INSTRUCTIONS,
     GROUP_DATA,
-    GROUP_FILES /* plus the index of the file */
+    GROUP_FILES /* the index of a file is added */
 };
 
 /* ---- Sources (frames.c) -------------------------------------------------- */
 
 /* Lists the source files of the object. Fails if memory is exhausted. */
 bool sources_find(struct dap *dap);
-/* Returns the index of a file by its name; file_count if it is NULL or not listed. */
+/* Returns the index of a file by its name, or file_count if the name is NULL or not
+ * listed. */
 size_t file_index(const struct dap *dap, const char *file);
-/* Returns the file that a Source names, or NULL if the program has no such file. */
+/* Returns the file of a Source, a type of the protocol. NULL: the program has no such
+ * file. */
 const char *source_file(const struct dap *dap, const struct json_value *source);
-/* put_source writes the member source of an object, put_source_members only its
- * contents. */
+/* put_source writes the member source of an object. put_source_members writes only the
+ * content of this member. */
 void put_source(struct dap *dap, struct json *json, const char *file);
 void put_source_members(struct dap *dap, struct json *json, const char *file);
-/* line_of converts a line number of the client to ours, put_line writes one of ours. */
+/* line_of converts a line number of the client to a line number of the debugger.
+ * put_line writes a line number for the client. */
 size_t line_of(const struct dap *dap, int64_t line);
 void put_line(const struct dap *dap, struct json *json, const char *key, size_t line);
 
 /* ---- Execution (execution.c) --------------------------------------------- */
 
-/* Starts the program, and stops before its first instruction or at the first stop. */
+/* Starts the program and stops it before its first instruction or at the first
+ * breakpoint. */
 void dap_begin(struct dap *dap);
 /* Sends the event terminated. */
 void dap_finish(struct dap *dap);
-/* Sends the event stopped, with the reports of the engine as its description. met: the
- * breakpoints that are met stopped the program. */
+/* Sends the event stopped. Reports of the debugger are its description. met:
+ * breakpoints stopped the program. */
 void dap_stopped(struct dap *dap, const char *reason, bool met);
 
 /* ---- Elements (elements.c) ----------------------------------------------- */
 
-/* Prints a value in the form of variables: a number and the bits. */
+/* Prints a value as variables show it: a number and the bits. */
 void put_bits(c205_word word, unsigned width, const struct sink *sink);
 void put_elements(struct dap *dap, struct json *json, const struct vector_view *vector,
                   size_t first, size_t count);
@@ -220,10 +227,11 @@ bool element_number(const struct vector_view *vector, const char *name, size_t *
 
 /* ---- Variables (variables.c) --------------------------------------------- */
 
-/* Returns the vector of a reference in *vector; false if the reference has none. */
+/* Sets *vector to the vector of a reference. Returns false if the reference has no
+ * vector. */
 bool vector_of(struct dap *dap, int64_t reference, struct vector_view *vector);
-/* Writes the members of a value that is the word of a register, with its vector if it
- * has one. */
+/* Writes the members of a value. It is the word of a register, with its vector if there
+ * is one. */
 void put_word_members(struct dap *dap, struct json *json, struct register_of named);
 
 #endif

@@ -5,7 +5,7 @@
 
 /* ---- Expressions --------------------------------------------------------- */
 
-/* The value of a register includes its vector. */
+/* Writes a value. The value of a register includes its vector. */
 static bool put_value(struct dap *dap, struct json *body, const char *text,
                       const char *key)
 {
@@ -23,7 +23,7 @@ static bool put_value(struct dap *dap, struct json *body, const char *text,
 
 /* ---- Lines --------------------------------------------------------------- */
 
-/* The part of the state that a command may change. */
+/* The part of the state that a debugger command may change. */
 struct debug_location {
     uint64_t step, pc;
     bool halted;
@@ -47,7 +47,7 @@ static void send_moved(struct dap *dap)
     dap_stopped(dap, "goto", false);
 }
 
-/* Requests a redraw: a command may have changed registers or memory. */
+/* Requests a redraw, because a command may have changed registers or memory. */
 static void send_changed(struct dap *dap)
 {
     struct text_buffer body;
@@ -60,8 +60,8 @@ static void send_changed(struct dap *dap)
     event_end(dap, "invalidated", json, &body);
 }
 
-/* Executes a command of the debugger. The command may run the program, and the client
- * may send requests that end the run. */
+/* Executes a command of the debugger. The command may run the program, and a request of
+ * the client may end the run. */
 static void obey_line(struct dap *dap, const char *text)
 {
     struct debug_location before = debug_location_of(dap);
@@ -97,7 +97,7 @@ bool request_evaluate(struct dap *dap)
     return true;
 }
 
-/* Executes EXPRESSION = VALUE by the debugger's set. */
+/* Executes EXPRESSION = VALUE by the debugger's verb set. */
 bool request_set_expression(struct dap *dap)
 {
     const char *name = json_member_text(dap->arguments, "expression");

@@ -1,5 +1,5 @@
-/* execution.c - executes the program for requests, and reports to the client why the
- * execution ended. */
+/* execution.c - executes the program for requests and reports the reason of each stop
+ * to the client. */
 #include <inttypes.h>
 #include <string.h>
 
@@ -19,7 +19,7 @@ static const char *stop_reason(const struct breakpoint *stop)
     }
 }
 
-/* Returns the reason of the first stop that is met. */
+/* Returns the reason of the first breakpoint that stopped the program. */
 static const char *met_reason(const struct dap *dap)
 {
     const struct debugger *debugger = dap->debugger;
@@ -145,7 +145,8 @@ static enum execution_end to_the_beginning(struct debugger *debugger)
     return EXECUTION_COMPLETE;
 }
 
-/* Prepares a new start: hits are counted from 0, and the output is printed again. */
+/* Prepares a new start: resets the counts of hits, and lets the output be printed
+ * again. */
 static void prepare_beginning(struct dap *dap)
 {
     struct debugger *debugger = dap->debugger;
@@ -179,8 +180,8 @@ void dap_begin(struct dap *dap)
     go(dap);
 }
 
-/* Moves after the response, since the client must first be notified that the program
- * runs. */
+/* Starts an execution after the response, because the client must first be notified
+ * that the program runs. */
 static bool move_by(struct dap *dap, enum execution_end (*move)(struct debugger *))
 {
     dap->move = move;
@@ -210,7 +211,7 @@ bool request_continue(struct dap *dap)
     return move_by(dap, run_to_end);
 }
 
-/* Returns whether the client steps by instruction. Such a step enters a macro call; a
+/* Returns true if the client steps by instruction. Such a step enters a macro call. A
  * step by statement or line executes the whole call. */
 static bool by_instruction(const struct dap *dap)
 {
@@ -243,7 +244,7 @@ bool request_reverse_continue(struct dap *dap)
     return move_by(dap, execution_back_to_stop);
 }
 
-/* Does nothing if the program is not running. */
+/* Pauses the program if it is running. */
 bool request_pause(struct dap *dap)
 {
     if (dap->state == DAP_RUNNING)
@@ -279,7 +280,7 @@ static void send_goto(struct dap *dap)
     dap_stopped(dap, "goto", false);
 }
 
-/* The identifier of a target is its address. */
+/* Jumps to a target. Its identifier is its address. */
 bool request_goto(struct dap *dap)
 {
     int64_t target = -1;

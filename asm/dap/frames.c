@@ -38,8 +38,7 @@ bool sources_find(struct dap *dap)
     return true;
 }
 
-/* Returns the text of a file that is part of c205 itself, or NULL. Such a file has no
- * path. */
+/* Returns the text of a file that is part of c205, or NULL. Such a file has no path. */
 static const struct text *carried(const char *file)
 {
     return text_find(library_texts, file);
@@ -50,7 +49,7 @@ static bool has_folder(const struct dap *dap, const char *file)
     return *file != '/' && *dap->setup.folder;
 }
 
-/* Returns the whole path, or NULL if memory is exhausted. */
+/* Returns the absolute path, or NULL if memory is exhausted. */
 static char *path_of(const struct dap *dap, const char *file)
 {
     struct text_buffer path = { 0 };
@@ -183,8 +182,8 @@ bool request_threads(struct dap *dap)
     return true;
 }
 
-/* The frames, innermost first: the instruction, the macro call that contains it, the
- * region. */
+/* The frames, innermost first: the instruction, the macro call that contains it, and
+ * the region. */
 enum frame_of { FRAME_PLACE, FRAME_CALL, FRAME_REGION, FRAMES };
 
 struct frames {
@@ -222,7 +221,8 @@ static const struct asm_symbol *label_before(const struct dap *dap, uint64_t add
     return found;
 }
 
-/* Writes "again", "again + 64", or the address. */
+/* Writes the position relative to the label before it, as in "again + 64", or the
+ * address. */
 static void put_name(const struct dap *dap, struct json *body, uint64_t address)
 {
     const struct asm_symbol *label = label_before(dap, address);
@@ -246,7 +246,7 @@ static void put_frame_place(struct dap *dap, struct json *body, const char *file
     json_number(body, "column", (double)dap->first_column);
 }
 
-/* A frame without a source line has line 0. */
+/* Writes line 0 for a frame without a source line. */
 static void put_no_place(struct json *body)
 {
     json_number(body, "line", 0);

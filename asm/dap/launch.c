@@ -64,13 +64,14 @@ bool request_initialize(struct dap *dap)
 
 /* ---- launch --------------------------------------------------------------------- */
 
-/* Copies a text into memory that lasts as long as the program; NULL remains NULL. */
+/* Copies a text that must exist as long as the program. The copy of NULL is NULL. */
 static const char *copy_text(struct dap *dap, const char *text)
 {
     return text ? arena_text(&dap->launched, text, strlen(text)) : NULL;
 }
 
-/* Reads the object { "N": 8 }. Returns NULL if memory is exhausted. */
+/* Reads definitions from an object such as { "N": 8 }. Returns NULL if memory is
+ * exhausted. */
 static const struct asm_define *read_defines(struct dap *dap)
 {
     const struct json_value *object = json_member(dap->arguments, "defines");
@@ -84,7 +85,7 @@ static const struct asm_define *read_defines(struct dap *dap)
     return defines;
 }
 
-/* Reads the list [ "DIR", .. ]. */
+/* Reads a list of folders such as [ "DIR", .. ]. */
 static const char *const *read_search(struct dap *dap)
 {
     const struct json_value *list = json_member(dap->arguments, "include");
@@ -160,14 +161,14 @@ void close_program(struct dap *dap)
     dap->path = NULL;
 }
 
-/* After the event `initialized` the client sends its breakpoints. They are set in a
- * program, so the event is sent only after the launch. */
+/* Requests the breakpoints by the event `initialized`. Setting them needs the program,
+ * so the event is sent after the launch. */
 static void ask_configuration(struct dap *dap)
 {
     send_event(dap, "initialized", NULL);
 }
 
-/* A launch with noDebug stops nowhere. */
+/* Reads where to stop. With noDebug the program stops nowhere. */
 static void read_stops(struct dap *dap)
 {
     bool stops = !json_member_truth(dap->arguments, "noDebug", false);
@@ -199,7 +200,8 @@ bool request_configuration_done(struct dap *dap)
 
 /* ---- Restart and end ----------------------------------------------------- */
 
-/* Ends the current execution with a request, or else calls the function. */
+/* Ends the current execution by a pending request. If there is none, the function is
+ * called after the response. */
 static bool end_execution(struct dap *dap, enum pending_request pending,
                           void (*then)(struct dap *dap))
 {

@@ -1,7 +1,7 @@
-/* memory.c - memory as bytes in base64, and as instructions.
+/* memory.c - responds with memory, as bytes in base64 or as instructions.
  *
  * An address is an address of the machine, in bits. Offsets and counts are bytes, as
- * the protocol requires. Byte 0 of a word is the leftmost.
+ * the protocol requires. Byte 0 of a word is the leftmost byte.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,7 +16,7 @@
 static const char digits[] =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/* Encodes three bytes as four digits; = replaces the digits of absent bytes. */
+/* Encodes three bytes as four digits. "=" replaces the digits of absent bytes. */
 static void put_base64(const struct sink *sink, const unsigned char *bytes,
                        size_t count)
 {
@@ -34,7 +34,8 @@ static void put_base64(const struct sink *sink, const unsigned char *bytes,
     }
 }
 
-/* Decodes base64. bytes may hold the text itself. Returns false if it is not base64. */
+/* Decodes base64. bytes and text may have the same address. Returns false if the text
+ * is not base64. */
 static bool read_base64(const char *text, unsigned char *bytes, size_t *count)
 {
     unsigned long bits = 0;
@@ -78,8 +79,8 @@ static bool read_byte(const struct dap *dap, uint64_t address, unsigned char *by
     return true;
 }
 
-/* Returns the number of mapped bytes from an address on, and reads them unless bytes is
- * NULL. */
+/* Reads the mapped bytes from an address on, unless bytes is NULL. Returns their
+ * number. */
 static size_t read_bytes(const struct dap *dap, uint64_t address, unsigned char *bytes,
                          size_t count)
 {
@@ -118,8 +119,8 @@ bool request_read_memory(struct dap *dap)
     return true;
 }
 
-/* Writes all bytes. With allowPartial, bytes before the first unmapped one are
- * enough. */
+/* Writes all bytes. If allowPartial is set, it may write only the bytes before the
+ * first unmapped byte. */
 static bool write_bytes(struct dap *dap, const unsigned char *bytes, size_t count)
 {
     uint64_t address;
@@ -155,8 +156,8 @@ bool request_write_memory(struct dap *dap)
 
 /* ---- Instructions -------------------------------------------------------- */
 
-/* Returns the address a number of instructions after this one, or before it if
- * negative. */
+/* Returns the address that is a number of instructions after this address, or before it
+ * if the number is negative. */
 static uint64_t move_address(const struct dap *dap, uint64_t address,
                              int64_t instructions)
 {
@@ -184,7 +185,7 @@ static void put_origin(struct dap *dap, struct json *body, uint64_t address)
     put_line(dap, body, "line", line->number);
 }
 
-/* Returns the address of the next instruction. */
+/* Writes an instruction. Returns the address of the next instruction. */
 static uint64_t put_instruction(struct dap *dap, struct json *body, uint64_t address)
 {
     c205 *machine = machine_of(dap->debugger);
@@ -209,8 +210,8 @@ static uint64_t put_instruction(struct dap *dap, struct json *body, uint64_t add
     return (address + 32 * (uint64_t)view.halves) & ((UINT64_C(1) << 48) - 1);
 }
 
-/* Returns exactly the number of instructions that the client requests, also for
- * unmapped memory. */
+/* Disassembles memory. The response has exactly the requested number of instructions,
+ * even for unmapped memory. */
 bool request_disassemble(struct dap *dap)
 {
     enum { MAX_INSTRUCTIONS = 10000 };

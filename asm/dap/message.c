@@ -13,7 +13,7 @@ static enum message_state broken(c205_error *error, const char *what)
     return MESSAGE_BROKEN;
 }
 
-/* Reads decimal digits only; the value is at most MAX_MESSAGE. */
+/* Reads decimal digits. The value is at most MAX_MESSAGE. */
 static bool read_length(const char *at, const char *end, size_t *length)
 {
     *length = 0;
@@ -31,7 +31,7 @@ static bool read_length(const char *at, const char *end, size_t *length)
     return true;
 }
 
-/* Reads "Name: value". Other names are ignored. */
+/* Reads a field "Name: value". Fields with other names are ignored. */
 static bool read_field(const char *line, const char *end, bool *found, size_t *length)
 {
     static const char name[] = "Content-Length";

@@ -1,5 +1,5 @@
-/* message.h - the framing of messages: the lines of a header, an empty line, and as
- * many bytes as Content-Length gives.
+/* message.h - the framing of messages: a header, an empty line, and the content. The
+ * header gives the number of bytes of the content as Content-Length.
  */
 #ifndef ASM_DAP_MESSAGE_H
 #define ASM_DAP_MESSAGE_H
@@ -15,8 +15,8 @@ enum message_state {
     MESSAGE_BROKEN
 };
 
-/* Examines the start of the received bytes. For a whole message, sets the place of its
- * content; for a broken one, sets the error. */
+/* Examines the start of the received bytes. Sets the place of the content if the
+ * message is complete, and the error if it is invalid. */
 struct message_content {
     size_t begin, length;
 };
@@ -25,7 +25,7 @@ enum message_state message_find(const struct text_buffer *bytes,
 /* Removes the first `count` bytes. */
 void message_drop(struct text_buffer *bytes, size_t count);
 
-/* Writes a content with its header in one call. */
+/* Writes a content and its header in one call. */
 void message_put(const struct text_buffer *content, const struct sink *out);
 
 #endif

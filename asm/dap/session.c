@@ -13,7 +13,7 @@
 static const struct {
     const char *name;
     dap_request *answer;
-    unsigned states; /* bits of the states in which it is allowed */
+    unsigned states; /* the states in which it is permitted */
 } requests[] = { DAP_REQUESTS(ROW) };
 enum { REQUESTS = sizeof requests / sizeof *requests };
 
@@ -44,8 +44,8 @@ static bool answer(struct dap *dap, const char *command)
            && requests[i].answer(dap);
 }
 
-/* Sends the response. The reports of a successful request are console output; those of
- * a failed one are its reason. */
+/* Sends the response. Reports of a successful request become console output. Reports of
+ * a failed request are the reason of the failure. */
 static void respond(struct dap *dap, const struct json_value *request, bool good,
                     const char *body)
 {
@@ -55,8 +55,8 @@ static void respond(struct dap *dap, const struct json_value *request, bool good
     send_response(dap, request, good, good ? body : *said ? said : "out of memory");
 }
 
-/* Executes a request and responds. A request may arrive while an earlier one is
- * running the program. The fields of the earlier request are saved in `outer`. */
+/* Executes a request and responds. A request may arrive while an earlier request is
+ * running the program. `outer` saves the fields of the earlier request. */
 static void handle_request(struct dap *dap, const struct json_value *request)
 {
     struct text_buffer body;
@@ -89,8 +89,8 @@ static void handle_request(struct dap *dap, const struct json_value *request)
 
 /* ---- Messages ------------------------------------------------------------------- */
 
-/* Messages that are not requests need no response. A message without a type is reported
- * as output, since there is no request to answer. */
+/* Handles a message. Messages other than requests need no response. A message without a
+ * type is reported as output, because there is no request to respond to. */
 static void handle_message(struct dap *dap, const char *text, size_t length)
 {
     struct arena arena = { 0 };
@@ -108,8 +108,7 @@ static void handle_message(struct dap *dap, const char *text, size_t length)
     arena_free(&arena);
 }
 
-/* Handles the next message that has been received completely. Returns false if there is
- * none. */
+/* Handles the next complete message. Returns false if there is none. */
 static bool handle_next(struct dap *dap)
 {
     struct message_content content;

@@ -60,8 +60,8 @@ static void put_piece(struct dap *dap, struct json *json, const c205_piece *piec
     put_plain(json, c205_cause_name(piece->cause), 0, "%s", text.text);
 }
 
-/* Shows when the instruction arrived and issued, its waits, and the remaining phases in
- * the vector unit. */
+/* Shows when the last instruction arrived and issued, its waits, and its remaining
+ * phases in the vector unit. */
 void put_last(struct dap *dap, struct json *json)
 {
     const c205_times *record = &dap->debugger->record;

@@ -80,7 +80,8 @@ static void put_register(struct dap *dap, struct json *json, const char *name,
     json_end(json);
 }
 
-/* A name denotes the last register that has it. */
+/* Returns true if register i is the last register with its name. A name denotes that
+ * register. */
 static bool is_last(const struct object *object, size_t i)
 {
     for (size_t k = i + 1; k < object->register_count; k++)
@@ -140,7 +141,7 @@ static void put_vectors(struct dap *dap, struct json *json)
     }
 }
 
-/* Offers the same elements as half words and as bits. */
+/* Offers the elements of a vector also as half words and as bits. */
 static void put_other_ways(struct json *json, const struct vector_view *vector,
                            size_t number)
 {
@@ -281,7 +282,7 @@ static bool set(struct dap *dap, int64_t reference, const char *name,
     return dap_fault(dap, "'%.40s' cannot be changed", name);
 }
 
-/* Writes the new value in the form of variables. */
+/* Writes the new value as variables show it. */
 static void put_new(struct dap *dap, struct json *body, int64_t reference,
                     const char *name)
 {

@@ -1,7 +1,7 @@
 /* variables.h - the contents of the scopes. Not public.
  *
- * A reference consists of its kind and a number. No table of references is needed, and
- * a reference from an earlier stop keeps its meaning.
+ * A reference consists of its kind and a number. It needs no table, and it remains
+ * valid after later stops.
  */
 #ifndef ASM_DAP_VARIABLES_H
 #define ASM_DAP_VARIABLES_H
@@ -9,12 +9,12 @@
 #include "asm/dap/dap_internal.h"
 
 enum reference_kind {
-    OF_NAMED = 1, /* registers that the program has named */
-    OF_OPERANDS,  /* of the next instruction */
+    OF_NAMED = 1, /* registers that the program names */
+    OF_OPERANDS,  /* operands of the next instruction */
     OF_VECTORS,   /* vectors that registers describe */
     OF_REGISTERS, /* all registers */
     OF_TIME,
-    OF_WORDS, /* elements of a register's vector */
+    OF_WORDS, /* elements of the vector of a register */
     OF_HALVES,
     OF_BITS,
     OF_OPERAND, /* elements of an operand of the next instruction */
@@ -31,8 +31,8 @@ static inline int64_t reference_of(enum reference_kind kind, size_t number)
 /* Opens an object. The caller adds members and closes it. */
 void put_variable(struct json *json, const char *name, const char *value,
                   int64_t reference);
-/* Returns the program's name of a register, or its number if the name denotes another
- * register. */
+/* Returns the program's name of a register. Returns its number if the name denotes
+ * another register. */
 enum { REGISTER_NAME = 8 };
 const char *name_of(const struct dap *dap, unsigned number, char text[REGISTER_NAME]);
 

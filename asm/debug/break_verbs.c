@@ -4,8 +4,8 @@
 
 #include "asm/debug/debug_internal.h"
 
-/* Reads an optional "if CONDITION" to the end of the line, adds the stop and prints
- * it. */
+/* Reads an optional "if CONDITION" up to the end of the line, adds the breakpoint and
+ * prints it. */
 static bool add_stop(struct debugger *debugger, struct text_cursor *cursor,
                      struct breakpoint *stop)
 {
@@ -49,7 +49,8 @@ bool verb_watch(struct debugger *debugger, struct text_cursor *cursor)
            && add_stop(debugger, cursor, &stop);
 }
 
-/* Deletes the stop with the given number, or all stops if the line gives none. */
+/* Deletes the breakpoint with the given number, or all breakpoints if there is no
+ * number. */
 bool verb_delete(struct debugger *debugger, struct text_cursor *cursor)
 {
     uint64_t number;

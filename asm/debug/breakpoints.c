@@ -1,5 +1,4 @@
-/* breakpoints.c - breakpoints and watchpoints: creates and deletes them, checks whether
- * they are met. */
+/* breakpoints.c - creates, deletes and checks breakpoints and watchpoints. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -48,8 +47,8 @@ static bool is_there(const struct debugger *debugger, const struct breakpoint *s
     }
 }
 
-/* A condition that cannot be evaluated counts as true, so that the program stops where
- * it fails. */
+/* Returns true if the condition holds. A condition that cannot be evaluated counts as
+ * true, so the program stops where it fails. */
 static bool stop_condition_holds(struct debugger *debugger,
                                  const struct breakpoint *stop)
 {
@@ -61,7 +60,7 @@ static bool stop_condition_holds(struct debugger *debugger,
 
 enum { WANTED_TEXT = MAX_TEXT + 40 };
 
-/* Builds the expression that must hold after a number of hits, as "6 % 3 == 0". */
+/* Builds the expression that must hold after a number of hits, such as "6 % 3 == 0". */
 static void wanted_text(char text[WANTED_TEXT], const char *wanted, uint64_t hits)
 {
     snprintf(text, WANTED_TEXT, "%" PRIu64 " %s%s%s", hits,

@@ -1,5 +1,4 @@
-/* debug_internal.h - the verbs of the debugger, and functions that they share. Not
- * public.
+/* debug_internal.h - the verbs of the debugger and their shared functions. Not public.
  *
  * A verb receives the rest of its line as a struct text_cursor. Each reading function
  * advances the cursor past the text that it has read.
@@ -23,11 +22,10 @@ debug_verb verb_info;
 /* time.c */
 debug_verb verb_why, verb_account;
 
-/* Prints the step, clock and region of the current location and the next instruction,
- * or that the program has ended. */
+/* Prints the current location: step, clock, region and next instruction. If the program
+ * has ended, prints that. */
 void show_place(struct debugger *debugger);
-/* Prints an instruction after the text `before`, with its source line if that is
- * known. */
+/* Prints the text `before`, an instruction, and its source line if it is known. */
 void show_instruction(struct debugger *debugger, uint64_t address, const char *before);
 
 #endif

@@ -1,4 +1,4 @@
-/* debugger.c - creates and frees a debugger, listens to its machine, dispatches its
+/* debugger.c - creates and frees a debugger, listens to its machine, and dispatches its
  * verbs. */
 #include <ctype.h>
 #include <stddef.h>
@@ -11,7 +11,7 @@
 #include "vm/error.h"
 #include "base/spelling.h"
 
-/* Bytes of snapshots if the setup gives no number. */
+/* Default maximum of the bytes of snapshots. */
 static const size_t usual_history = (size_t)128 << 20;
 
 /* ---- Verbs ---------------------------------------------------------------- */
@@ -20,12 +20,12 @@ static debug_verb verb_help;
 
 struct verb {
     const char *name, *other; /* other: a second name, or NULL */
-    debug_verb *obey;         /* NULL: quit */
-    bool moves;               /* an empty line repeats it */
+    debug_verb *obey;         /* NULL: the verb quit */
+    bool moves;               /* an empty line repeats the verb */
     const char *arguments, *help;
 };
 
-/* A prefix selects the first verb of the table that begins with it. */
+/* The verbs. A prefix of a name selects the first verb that begins with it. */
 static const struct verb verbs[] = {
     { "step", "si", verb_step, true, "[N]", "execute N instructions (1)" },
     { "next", "ni", verb_next, true, "[N]",
@@ -102,7 +102,7 @@ static bool verb_help(struct debugger *debugger, struct text_cursor *cursor)
 
 /* ---- The listener --------------------------------------------------------- */
 
-/* Copies only the pieces and phases that are used: a record has room for many more. */
+/* Copies the used pieces and phases of a record, which are few. */
 static void copy_record(c205_times *to, const c205_times *from)
 {
     memcpy(to, from, offsetof(c205_times, piece));
@@ -110,8 +110,8 @@ static void copy_record(c205_times *to, const c205_times *from)
     memcpy(to->phase, from->phase, from->phase_count * sizeof *to->phase);
 }
 
-/* The listener of the machine. It records the last instruction. After a step back the
- * same instructions are executed again; their output is printed only the first time. */
+/* The listener of the machine, which records the last instruction. Instructions are
+ * executed again after a step back; their output is printed only the first time. */
 static void hear(void *context, const c205 *machine, const c205_event *event)
 {
     struct debugger *debugger = context;
@@ -290,8 +290,8 @@ static void keep_movement(struct debugger *debugger, const char *line)
         snprintf(debugger->again, sizeof debugger->again, "%s", line);
 }
 
-/* Runs one of the additional verbs of the setup, which needs its whole name. Returns
- * false if the line names none of them. */
+/* Executes an additional verb of the setup, which must have its whole name. Returns
+ * false if the line has no such verb. */
 static bool obey_more(struct debugger *debugger, const char *line, size_t length)
 {
     const struct debugger_verb *verb = debugger->setup.verbs;

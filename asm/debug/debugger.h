@@ -1,9 +1,9 @@
-/* debugger.h - executes a program under control: forward and back, with breakpoints and
- * watchpoints, and shows its registers, its memory and the causes of its time.
+/* debugger.h - executes a program forward and back, with breakpoints and watchpoints,
+ * and shows its registers, its memory and the causes of its time.
  *
  * The debugger reads commands one line at a time, from a user, a pipe or a script, and
  * writes all its output to a sink. `help` lists the verbs; docs/debugging.md has a
- * session. A caller may add verbs of its own.
+ * session. A caller may add verbs.
  */
 #ifndef ASM_DEBUGGER_H
 #define ASM_DEBUGGER_H
@@ -13,33 +13,33 @@
 struct debugger;
 
 struct debugger_verb {
-    const char *name; /* NULL after the last */
+    const char *name; /* NULL at the end */
     const char *arguments, *help;
-    /* Executes the verb. cursor: the text after the name on its line. Its output goes to
-     * debugger_out. Returns false and sets the error if it fails. */
+    /* Executes the verb. cursor is the text after its name, and debugger_out receives
+     * the output. Returns false with the error if it fails. */
     bool (*obey)(void *context, struct debugger *debugger, const char *cursor,
                  c205_error *error);
 };
 
 struct debugger_setup {
     const struct object *object; /* must outlive the debugger, like name and model */
-    const char *name;            /* of the program's file */
+    const char *name;            /* name of the program's file */
     const c205_model *model;
     struct sink out;
     struct sink printed;  /* output of the program; equal to out if it has no put */
-    bool printed_apart;   /* output of the program does not go to the same place as the
-                           * replies */
-    bool warm;            /* all pages are in memory when the program starts */
-    uint64_t clocks_most; /* limit for one command: a script has no Ctrl-C */
-    size_t history;       /* bytes for snapshots at most; 0: the default */
-    bool (*interrupted)(void *asked); /* polled while the program runs; true: stop.
-                                       * NULL: never */
+    bool printed_apart;   /* this output and the replies have different destinations */
+    bool warm;            /* start with all pages in memory */
+    uint64_t clocks_most; /* limit of one command, because a script has no Ctrl-C */
+    size_t history;       /* maximum bytes of snapshots; 0: the default */
+    bool (*interrupted)(void *asked); /* called regularly while the program runs; true
+                                         stops it; NULL: never stop */
     void *asked;
-    /* Creates the machine, with the object's program loaded and not yet started. NULL:
-     * a new machine of the model with that program only. */
+    /* Creates the machine with the program of the object, which has not started. NULL:
+     * the debugger creates a machine of the model. */
     c205 *(*machine)(void *context, c205_error *error);
     const struct debugger_verb *verbs; /* additional verbs, or NULL */
-    void *context;                     /* for the machine function and the verbs */
+    void *context;                     /* context of the machine function and the
+                                          verbs */
 };
 
 /* Returns a debugger whose program is before its first instruction, or NULL if the
@@ -49,21 +49,21 @@ void debugger_free(struct debugger *debugger);
 
 /* Prints the current location. */
 void debugger_greet(struct debugger *debugger);
-/* Executes a line; an empty line repeats the last execution command. Returns
- * false if the line was quit. */
+/* Executes a line. An empty line repeats the last execution command. Returns false
+ * after the verb quit. */
 bool debugger_obey(struct debugger *debugger, const char *line);
 /* Returns the number of lines that failed, including failed assertions. */
 size_t debugger_faults(const struct debugger *debugger);
 
-/* Returns the name of the debugger's own verb i, or NULL after the last. */
+/* Returns the name of built-in verb i, or NULL after the last. */
 const char *debugger_verb(size_t i);
 
 /* ---- For additional verbs ------------------------------------------------- */
 
 const c205 *debugger_machine(const struct debugger *debugger);
 const struct sink *debugger_out(const struct debugger *debugger);
-/* Executes at least one instruction, and stops when is_there returns true or at a
- * breakpoint. Prints the new location. */
+/* Executes at least one instruction. Stops at a breakpoint or when is_there returns
+ * true. Prints the new location. */
 void debugger_seek(struct debugger *debugger,
                    bool (*is_there)(void *context, const c205 *machine), void *context);
 

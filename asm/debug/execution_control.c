@@ -1,5 +1,5 @@
-/* execution_control.c - executes a program forward and back, to stops, lines, steps and
- * clocks. */
+/* execution_control.c - executes a program forward and back to breakpoints, lines,
+ * steps and clocks. */
 #include <string.h>
 
 #include "asm/debug/debugger_engine.h"
@@ -26,8 +26,9 @@ static enum execution_end forward(struct debugger *debugger)
     return breakpoints_meet(debugger, before) ? EXECUTION_AT_STOP : EXECUTION_COMPLETE;
 }
 
-/* Polls rarely, since the poll may be a system call: every 4096 steps or 2^18 clocks.
- * The limit of clocks exists because vector instructions take many clocks each. */
+/* Returns true if the user interrupts. It checks only every 4096 steps or 2^18 clocks,
+ * because the check may be a system call. The limit of clocks is for vector
+ * instructions, which take many clocks. */
 static bool is_interrupted(struct debugger *debugger)
 {
     enum { STEPS = 4096, CLOCKS = 1 << 18 };
@@ -39,7 +40,7 @@ static bool is_interrupted(struct debugger *debugger)
            && debugger->setup.interrupted(debugger->setup.asked);
 }
 
-/* Checks the limits of an execution that began at the clock `begun`. */
+/* Checks the limits of an execution that began at clock `begun`. */
 static enum execution_end look_up(struct debugger *debugger, uint64_t begun)
 {
     if (clock_of(debugger) - begun > debugger->setup.clocks_most)
@@ -47,12 +48,12 @@ static enum execution_end look_up(struct debugger *debugger, uint64_t begun)
     return is_interrupted(debugger) ? EXECUTION_INTERRUPTED : EXECUTION_COMPLETE;
 }
 
-/* The conditions that end an execution, in addition to stops. */
+/* The conditions that end an execution, in addition to breakpoints. */
 struct aim {
-    uint64_t count;  /* instructions */
+    uint64_t count;  /* number of instructions */
     bool at_address; /* stop at `address`, after at least one instruction */
     uint64_t address;
-    /* a predicate of the caller, tested after each instruction; NULL: none */
+    /* Called after each instruction; true ends the execution. NULL: none. */
     bool (*is_there)(void *context, const c205 *machine);
     void *context;
 };
@@ -206,8 +207,8 @@ enum execution_end execution_back_line(struct debugger *debugger)
     return ended;
 }
 
-/* Replays the interval of the search up to its end and records the last step with a
- * stop. The interval is continued, not restarted, after an interruption. */
+/* Replays the current interval of the search and records the last step with a
+ * breakpoint. After an interruption, it continues the interval. */
 static enum execution_end find_last(struct debugger *debugger,
                                     struct back_search *search)
 {
@@ -228,8 +229,8 @@ static enum execution_end find_last(struct debugger *debugger,
     return EXECUTION_COMPLETE;
 }
 
-/* Goes to a step from the one before it, so that a watchpoint still has the values
- * before the change. */
+/* Goes to a step from the step before it, so a watchpoint has the values before the
+ * change. */
 static enum execution_end arrive_back(struct debugger *debugger, uint64_t step)
 {
     return go_back(debugger, step - 1) ? forward(debugger) : EXECUTION_FAILED;
@@ -243,9 +244,10 @@ static void begin_stretch(struct back_search *search)
 
 /* Searches back for the last stop before the current step. The machine can only be
  * executed forward from a snapshot, so intervals are replayed: the last 64 steps, then
- * the 128 before them, with a double length each time. An interval finds stops at the
- * steps from begin + 1 to end - 1; so the next one ends at begin + 1. A
- * search replays at most about twice as many steps as it goes back. */
+ * the 128 steps before them, and so on with double lengths. An interval finds
+ * breakpoints at the steps from begin + 1 to end - 1, so the next interval ends at
+ * begin + 1. The number of replayed steps is at most about twice the distance of the
+ * result. */
 static enum execution_end search_back(struct debugger *debugger,
                                       struct back_search *search)
 {
@@ -291,7 +293,7 @@ static bool is_short_of(const struct debugger *debugger, uint64_t step, uint64_t
     return step_of(debugger) < step && clock_of(debugger) < clock;
 }
 
-/* Executes forward without checks of stops. */
+/* Executes forward without checking for breakpoints. */
 static enum execution_end go_on_to(struct debugger *debugger, uint64_t step,
                                    uint64_t clock)
 {

@@ -1,4 +1,5 @@
-/* info.c - the verb info: registers, stops, regions, pages and symbols in tables. */
+/* info.c - the verb info, which prints tables of registers, breakpoints, regions, pages
+ * and symbols. */
 #include <inttypes.h>
 #include <stdio.h>
 

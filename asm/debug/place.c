@@ -10,7 +10,7 @@
 
 /* ---- Source lines --------------------------------------------------------- */
 
-/* A file "dir/name.s" is also found as name.s. */
+/* Returns true if the path of a file ends in "/" and the name. */
 static bool ends_with(const char *file, const char *name)
 {
     size_t length = strlen(file), ending = strlen(name);
@@ -38,10 +38,10 @@ static const char *find_file(const struct object *object, const char *name,
 
 /* A line of source. */
 struct line_place {
-    const char *file; /* as the object has it */
+    const char *file; /* name in the object */
     size_t number;
-    uint64_t address; /* of its first code */
-    size_t wanted;    /* the line that the user gave */
+    uint64_t address; /* address of its first code */
+    size_t wanted;    /* line number in the command */
 };
 
 static void consider(struct line_place *found, const char *file, size_t number,
@@ -108,8 +108,8 @@ bool place_begins(const struct debugger *debugger, const char *file, size_t numb
                || !is_call(&line[-1], file, number));
 }
 
-/* Parses NAME:LINE, or LINE of the program's own file. Returns false if the text is
- * another kind of place. */
+/* Parses NAME:LINE, or LINE of the program's file. Returns false if the text is another
+ * kind of place. */
 static bool read_line(struct debugger *debugger, struct text_cursor *cursor,
                       struct line_place *found, bool *good)
 {
@@ -167,14 +167,15 @@ static size_t take_name(struct text_cursor *cursor, char name[MAX_TEXT])
     return length;
 }
 
-/* Returns whether an instruction of the program's text begins at an address. */
+/* Returns true if an instruction of the program's text begins at an address. */
 static bool begins_line(const struct debugger *debugger, uint64_t address)
 {
     const struct asm_line *line = object_line(debugger->setup.object, address);
     return line && line->is_code && line->address == address;
 }
 
-/* Without source lines, code segments are decoded from their first word. */
+/* Decodes the code segments from their first word, for programs without source
+ * lines. */
 static bool begins_decoded(const struct debugger *debugger, uint64_t address)
 {
     const struct object *object = debugger->setup.object;
@@ -197,10 +198,10 @@ static bool begins_code(const struct debugger *debugger, uint64_t address)
                                                   : begins_decoded(debugger, address);
 }
 
-/* Instructions have different lengths, so the one before an address cannot be
- * decoded directly. A LINKV starts one to three half words before an instruction
- * that it links. Each of these addresses is tried; it must also be the start of a
- * source line. */
+/* Returns the program counter for an address. A LINKV begins one to three half words
+ * before an instruction of its pair. Instructions have different lengths, so the
+ * previous instruction cannot be decoded directly. Each of these addresses is tried; a
+ * source line must also begin there. */
 uint64_t place_of(const struct debugger *debugger, uint64_t address)
 {
     struct instruction_view view;
@@ -222,7 +223,8 @@ uint64_t place_of(const struct debugger *debugger, uint64_t address)
     return address;
 }
 
-/* A stop at an instruction that a LINKV links is set at the LINKV. */
+/* Sets a breakpoint. If a LINKV links the instruction, the breakpoint is set at the
+ * LINKV. */
 static void be_at(const struct debugger *debugger, uint64_t address,
                   struct breakpoint *stop)
 {
@@ -264,7 +266,8 @@ bool place_code(struct debugger *debugger, struct text_cursor *cursor,
                || debug_fault(debugger, "no instruction begins at %" PRIX64, *address));
 }
 
-/* *moved: the stop is at another line or instruction than the text names. */
+/* Sets *moved if the breakpoint is at another line or instruction than the text
+ * states. */
 static bool read_address(struct debugger *debugger, struct text_cursor *cursor,
                          struct breakpoint *stop, bool *ended)
 {
@@ -337,9 +340,9 @@ bool place_read(struct debugger *debugger, struct text_cursor *cursor,
 
 /* ---- The instruction before ------------------------------------------------- */
 
-/* Returns an address at which to begin decoding. Without source lines that is the start
- * of the code segment, or an address 1024 half words back if the segment is longer.
- * Outside of all segments each half word counts as an instruction. */
+/* Returns an address at which to begin decoding. Without source lines it is the start
+ * of the code segment, but at most 1024 half words back. Outside of all segments each
+ * half word counts as an instruction. */
 static uint64_t read_from(const struct debugger *debugger, uint64_t address)
 {
     enum { FAR_BACK = 32 * 1024 };

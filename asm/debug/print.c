@@ -58,10 +58,10 @@ bool verb_assert(struct debugger *debugger, struct text_cursor *cursor)
 
 enum { ELEMENTS_USUAL = 16 };
 
-/* How the elements of a vector are shown. */
+/* The layout of the elements of a vector. */
 struct element_look {
     struct vector_view of;
-    char format; /* f numbers, i integers, x hex, b bits */
+    char format; /* f: numbers, i: integers, x: hex, b: bits */
 };
 
 static void put_element(const struct debugger *debugger,
@@ -161,8 +161,8 @@ static bool read_control(struct debugger *debugger, struct text_cursor *cursor,
     return text_cursor_finish(debugger, cursor);
 }
 
-/* If a label has this address, sets the width and the count from the data that the
- * program declares there. A width that the user gave must match. */
+/* Sets the width and the count if a label has this address. They come from the data
+ * that the program declares there. A width in the command must match. */
 static void look_at_label(const struct debugger *debugger, uint64_t address,
                           bool width_asked, struct element_look *look)
 {

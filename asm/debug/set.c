@@ -1,4 +1,4 @@
-/* set.c - changes registers, memory and the program counter at the user's request. */
+/* set.c - changes registers, memory and the program counter by commands of the user. */
 #include <inttypes.h>
 
 #include "asm/debug/debug_internal.h"
@@ -22,7 +22,7 @@ static bool keep_change(struct debugger *debugger)
            || debug_fault(debugger, "%s", error.message);
 }
 
-/* Returns a word in which `width` bits from bit `at` on are replaced. The new bits are
+/* Returns a word with `width` bits from bit `at` on replaced. The new bits are
  * left-aligned. */
 static c205_word with_bits(c205_word word, unsigned at, unsigned width, c205_word bits)
 {
@@ -47,7 +47,8 @@ bool debug_set_register(struct debugger *debugger, struct register_of named,
     return keep_change(debugger);
 }
 
-/* Reports an error and returns false if there is no word. */
+/* Writes bits within a word. Reports an error and returns false if no memory is mapped
+ * there. */
 static bool write_bits(struct debugger *debugger, uint64_t address, unsigned width,
                        c205_word bits)
 {

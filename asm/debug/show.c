@@ -19,7 +19,7 @@ static void put_source_line(const struct debugger *debugger, const char *file,
     sink_print(&debugger->out, "%s:%zu: %s", slash ? slash + 1 : file, number, source);
 }
 
-/* For a line of a macro, prints the call first. */
+/* Prints the source line. For a line of a macro, prints the call first. */
 static void put_source(const struct debugger *debugger, const struct asm_line *line)
 {
     sink_put(&debugger->out, "  ; ");
@@ -75,7 +75,7 @@ bool verb_where(struct debugger *debugger, struct text_cursor *cursor)
     return true;
 }
 
-/* Reads an optional PLACE; by default it is the current instruction. */
+/* Reads an optional PLACE. The default is the current instruction. */
 static bool read_start(struct debugger *debugger, struct text_cursor *cursor,
                        uint64_t *address)
 {
@@ -85,8 +85,8 @@ static bool read_start(struct debugger *debugger, struct text_cursor *cursor,
            || place_address(debugger, cursor, address);
 }
 
-/* Reads an optional ", COUNT" to the end of the line; without one, count is
- * unchanged. */
+/* Reads an optional ", COUNT" to the end of the line. The default is the previous value
+ * of *count. */
 static bool read_count(struct debugger *debugger, struct text_cursor *cursor,
                        uint64_t *count)
 {
@@ -121,8 +121,8 @@ static bool is_same_line(const struct asm_line *a, const struct asm_line *b)
     return a && b && a->number == b->number && strcmp(a->file, b->file) == 0;
 }
 
-/* Shows the lines that generated code or data, in the order of addresses: list [PLACE]
- * [, COUNT] */
+/* Shows the source lines of code and data in the order of addresses: list [PLACE] [,
+ * COUNT] */
 bool verb_list(struct debugger *debugger, struct text_cursor *cursor)
 {
     const struct object *object = debugger->setup.object;

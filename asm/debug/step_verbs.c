@@ -1,4 +1,4 @@
-/* step_verbs.c - the debugger's verbs that move the program. */
+/* step_verbs.c - the debugger's verbs that execute the program. */
 #include <inttypes.h>
 
 #include "asm/debug/debug_internal.h"
@@ -23,7 +23,7 @@ static bool arrive(struct debugger *debugger, enum execution_end ended)
     return true;
 }
 
-/* Reads an optional count, 1 by default. */
+/* Reads an optional count. The default is 1. */
 static bool read_times(struct debugger *debugger, struct text_cursor *cursor,
                        uint64_t *count)
 {
@@ -94,7 +94,7 @@ bool verb_reverse_continue(struct debugger *debugger, struct text_cursor *cursor
            && arrive(debugger, execution_back_to_stop(debugger));
 }
 
-/* Goes to step N, or to a clock: goto N, goto clock N. */
+/* Goes to a step or a clock: goto N, goto clock N. */
 bool verb_goto(struct debugger *debugger, struct text_cursor *cursor)
 {
     bool by_clock = text_cursor_take(cursor, "clock");
@@ -105,7 +105,8 @@ bool verb_goto(struct debugger *debugger, struct text_cursor *cursor)
                                         : execution_to_step(debugger, number));
 }
 
-/* Runs from the start to the first stop, which may be at the start itself. */
+/* Runs from the start to the first breakpoint, which may be at the first
+ * instruction. */
 bool verb_run(struct debugger *debugger, struct text_cursor *cursor)
 {
     return text_cursor_finish(debugger, cursor)

@@ -1,5 +1,5 @@
-/* time.c - the verbs why and account: which causes the clocks of an instruction and of
- * a run have. */
+/* time.c - the verbs why and account, which show the causes of the clocks of an
+ * instruction and of a run. */
 #include <inttypes.h>
 #include <stdio.h>
 

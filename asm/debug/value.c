@@ -116,7 +116,7 @@ bool text_cursor_finish(struct debugger *debugger, struct text_cursor *cursor)
 struct reading {
     struct debugger *debugger;
     struct text_cursor *cursor;
-    bool grammar; /* check the syntax only, ignore values of registers and memory */
+    bool grammar; /* check only the syntax; registers and memory are not read */
     unsigned depth;
 };
 
@@ -148,7 +148,7 @@ static struct value_of of_half(c205_word half)
                               .word = half };
 }
 
-/* Returns whether a number fits in 48 bits. */
+/* Returns true if a number fits in 48 bits. */
 static bool is_integer_word(int64_t integer)
 {
     return integer >= -(INT64_C(1) << 47) && integer < INT64_C(1) << 47;
@@ -188,7 +188,7 @@ static bool read_any(struct reading *reading, struct value_of *value);
 
 /* ---- Names ---------------------------------------------------------------- */
 
-/* Finds the register that has a name. If several have it, the last one counts. */
+/* Finds the register with a name. If several registers have it, the last one counts. */
 static const struct asm_register *find_register(const struct debugger *debugger,
                                                 const char *name, size_t length)
 {
@@ -251,7 +251,7 @@ c205_word debug_register_word(const struct debugger *debugger, struct register_o
     return view_register(machine_of(debugger), named.number, named.half);
 }
 
-/* Reads ".i", the low 48 bits as an integer, or ".length", the high 16 bits. */
+/* Reads a part: ".i" is the low 48 bits as an integer, ".length" the high 16 bits. */
 static void take_part(struct reading *reading, struct value_of *value)
 {
     if (text_cursor_sign(reading->cursor, ".length"))
@@ -305,7 +305,8 @@ static bool read_symbol(const struct debugger *debugger, const char *name,
     return true;
 }
 
-/* Names of the program have precedence over those of registers and of the machine. */
+/* Reads the value of a name. Names of the program have precedence over names of
+ * registers and of the machine. */
 static bool read_value_name(struct reading *reading, struct value_of *value)
 {
     struct debugger *debugger = reading->debugger;
@@ -351,7 +352,7 @@ static bool read_number(struct reading *reading, struct value_of *value)
                           at);
 }
 
-/* Reads X'FFD2 4000 0000 0000', or 8 digits for a half word. */
+/* Reads a word such as X'FFD2 4000 0000 0000', or a half word of 8 digits. */
 static bool read_hex(struct reading *reading, struct value_of *value)
 {
     const char *at = reading->cursor->at + 2;
@@ -375,7 +376,7 @@ static bool read_hex(struct reading *reading, struct value_of *value)
     return true;
 }
 
-/* A descriptor with a length is rejected as an address; NAME.i is its address. */
+/* Reads an address. A descriptor with a length is rejected; NAME.i is its address. */
 static bool read_address(struct debugger *debugger, struct reading *reading,
                          struct value_of *value, uint64_t *address)
 {
@@ -469,7 +470,8 @@ static bool read_signed(struct reading *reading, struct value_of *value)
     return good;
 }
 
-/* Identical words are equal, also if both are indefinite. */
+/* Returns true if two values are equal. Identical words are equal, even indefinite
+ * words. */
 static bool is_equal(const struct value_of *a, const struct value_of *b)
 {
     if (a->is_word && b->is_word && a->is_half == b->is_half && a->word == b->word)
@@ -517,7 +519,7 @@ static bool combine(struct reading *reading, int code, struct value_of *value,
            || debug_fault(reading->debugger, "%s", problem);
 }
 
-/* Returns whether the right side of && or || has no effect. */
+/* Returns true if the left side of && or || determines the result. */
 static bool is_decided(int code, const struct value_of *value)
 {
     return code == OPERATOR('&', '&')   ? !debug_is_true(value)
@@ -525,7 +527,8 @@ static bool is_decided(int code, const struct value_of *value)
                                         : false;
 }
 
-/* Reads an operand, and then the operators of at least this precedence. */
+/* Reads an operand and the operators after it. Their precedence is at least the given
+ * one. */
 static bool read_chain(struct reading *reading, int precedence, struct value_of *value)
 {
     bool grammar = reading->grammar, good;

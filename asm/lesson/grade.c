@@ -13,24 +13,23 @@
 #include "vm/error.h"
 #include "base/named_model.h"
 
-/* Limits of a run, so that an endless loop ends. An answer is stopped after
- * 20,000,000 clocks plus ten times those of bronze, or when it has printed more
- * characters than MAX_PRINTED. */
+/* Limits that end an endless loop. A run stops after 20,000,000 clocks plus ten times
+ * the clocks of the goal bronze, or after printing more than MAX_PRINTED characters. */
 static const uint64_t patience_least = 20000000;
 enum { TIME_LIMIT_FACTOR = 10, MAX_PRINTED = 1 << 16 };
 
-/* The state of one answer and one test. */
+/* The state of grading one answer by one test. */
 struct sitting {
     const char *name, *text;
     size_t length;
     struct lesson_trial *trial;
-    struct lesson_report *general; /* reports that would be the same for all tests */
+    struct lesson_report *general; /* reports that are the same for all tests */
     struct arena *kept;
-    c205_error *error; /* an error of the lesson itself */
+    c205_error *error; /* error of the lesson */
 
     struct object *test, *answer;
     c205_model *model;
-    c205 *data, *machine; /* data: memory of the test; machine: the answer's */
+    c205 *data, *machine; /* data: the test; machine: the answer */
     struct line_profile *profile;
     struct lesson_test_data test_data;
     struct printer printer;
@@ -44,7 +43,7 @@ static bool no_memory(c205_error *error)
 
 /* ---- The answer ------------------------------------------------------------ */
 
-/* Reports a sentence, followed by all diagnostics of one severity. */
+/* Reports a sentence and all diagnostics of a severity. */
 static void print_diagnostics(struct lesson_report *report, const char *sentence,
                               const struct diagnostics *said, enum severity severity)
 {
@@ -58,8 +57,8 @@ static void print_diagnostics(struct lesson_report *report, const char *sentence
     report_buffer(report, &text);
 }
 
-/* Returns the integer constants of the test as definitions for the answer, or NULL if
- * memory is exhausted. */
+/* Returns the integer constants of the test, which are definitions for the answer.
+ * Returns NULL if memory is exhausted. */
 static struct asm_define *make_defines(struct sitting *sitting)
 {
     const struct object *test = sitting->test;
@@ -89,8 +88,8 @@ static void print_redefined(struct lesson_report *report, const char *name,
             diagnostic->line, name);
 }
 
-/* Reports each constant that the answer defines although the test sets it. Returns
- * whether there was one: then the assembly failed for that reason. */
+/* Reports each constant that both the answer and the test define. Returns true if there
+ * is one, because this is then the reason why the assembly failed. */
 static bool find_redefined(struct sitting *sitting, const struct diagnostics *said,
                            const struct asm_define *defines)
 {
@@ -103,7 +102,7 @@ static bool find_redefined(struct sitting *sitting, const struct diagnostics *sa
     return report->count > reported;
 }
 
-/* Reports the errors after a heading such as "With n = 5 the answer cannot be
+/* Reports errors after a heading such as "With n = 5 the answer cannot be
  * assembled:". */
 static void print_errors(struct sitting *sitting, const struct diagnostics *said,
                          const struct asm_define *defines)
@@ -154,7 +153,7 @@ static void listen(void *context, const c205 *machine, const c205_event *event)
         c205_pause(sitting->machine);
 }
 
-/* The test determines whether pages are warm, not the answer. */
+/* Loads the answer. The test, not the answer, determines whether pages are warm. */
 static bool load_answer(struct sitting *sitting)
 {
     c205_program program = sitting->answer->program;
@@ -194,7 +193,7 @@ static void print_trap(struct sitting *sitting, const c205_stop *stop)
     report_buffer(&sitting->trial->report, &text);
 }
 
-/* Reports a run that did not end regularly, and returns false. */
+/* Reports a run that did not end with EXIT, and returns false. */
 static bool check_stop(struct sitting *sitting, const c205_stop *stop)
 {
     if (stop->trap == C205_TRAP_CLOCK_LIMIT)
@@ -214,8 +213,8 @@ static bool check_stop(struct sitting *sitting, const c205_stop *stop)
     return false;
 }
 
-/* Reports each line "test-small.s:7: expected ..." as a sentence without the
- * position in the test. */
+/* Reports each line "test-small.s:7: expected ..." as a sentence, without the position
+ * in the test. */
 static void print_expectations(struct lesson_report *report, const char *text)
 {
     static const char before[] = "expected ";
@@ -374,8 +373,8 @@ void lesson_refuse(struct lesson_verdict *verdict, const struct lesson *lesson,
     report_buffer(&verdict->report, &text);
 }
 
-/* Runs the tests in order, until one of them has a report that would
- * be the same for all. */
+/* Runs the tests in order. Stops after a test with a report that would be the same for
+ * all tests. */
 static bool try_tests(struct lesson_verdict *verdict, const char *text, size_t length,
                       c205_error *error)
 {
@@ -398,8 +397,8 @@ static bool try_tests(struct lesson_verdict *verdict, const char *text, size_t l
     return true;
 }
 
-/* If the answer has not passed, the warnings of the assembler are reported too:
- * they may name the cause. */
+/* Grades an answer. The warnings of the assembler are reported if the answer has not
+ * passed, because they may explain the failure. */
 bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
                   const char *name, const char *text, size_t length, c205_error *error)
 {

@@ -20,7 +20,7 @@ const char *medal_name(enum medal medal)
 
 /* ---- One ------------------------------------------------------------------- */
 
-/* A folder named NUMBER-NAME gives the number and the name. */
+/* Begins a lesson. The name of its folder is NUMBER-NAME. */
 bool lesson_begin(struct lesson *lesson, const char *folder, c205_error *error)
 {
     char *end;
@@ -34,7 +34,7 @@ bool lesson_begin(struct lesson *lesson, const char *folder, c205_error *error)
     return true;
 }
 
-/* Reads the title from the first line of the text: "# Title". */
+/* Reads the title from the first line of the text, "# Title". */
 static bool take_title(struct lesson *lesson, c205_error *error)
 {
     size_t length = strcspn(lesson->text, "\n");
@@ -122,7 +122,8 @@ bool lesson_is_named(const struct lesson *lesson, const char *name)
 
 /* ---- The lessons of the library ------------------------------------------ */
 
-/* The texts are named "folder/file"; those of a folder are consecutive. */
+/* Adds a text to its lesson. The texts are named "folder/file", and the texts of a
+ * folder are consecutive. */
 static bool take_text(struct lesson *lesson, const struct text *text, c205_error *error)
 {
     struct text_buffer joined = { 0 };
@@ -142,8 +143,8 @@ static bool is_of(const struct text *text, const char *name, size_t length)
     return text->name && strncmp(text->name, name, length) == 0;
 }
 
-/* Opens the lesson whose texts start here. Returns the first text of the next folder,
- * or NULL and the error. */
+/* Opens the lesson whose texts begin here. Returns the first text of the next folder,
+ * or NULL with the error. */
 static const struct text *open_next(struct lesson *lesson, const struct text *text,
                                     c205_error *error)
 {

@@ -13,8 +13,8 @@
  *   ; tolerance: L 1e-12       numbers at L may differ by this; without it: same words
  *   ; goals: gold 700, silver 900, bronze 4000   clocks at most; bronze passes
  *
- * A test may also use the expectations of expect.h, for registers and output. The rest
- * is in docs/grading.md. Nothing here prints or accesses a file.
+ * A test may also use the expectations of expect.h, for registers and output.
+ * docs/grading.md describes the rest. These functions neither print nor access files.
  */
 #ifndef ASM_LESSON_H
 #define ASM_LESSON_H
@@ -27,7 +27,7 @@
 /* ---- Lessons --------------------------------------------------------------- */
 
 enum medal { MEDAL_NONE, MEDAL_BRONZE, MEDAL_SILVER, MEDAL_GOLD, MEDALS };
-/* Returns "bronze" and so on, or "" for no medal. */
+/* Returns the name of a medal, such as "bronze", or "" for no medal. */
 const char *medal_name(enum medal medal);
 
 struct lesson_tolerance {
@@ -37,36 +37,36 @@ struct lesson_tolerance {
 };
 
 struct lesson_test {
-    const char *name; /* NAME of test-NAME.s */
+    const char *name; /* the NAME in test-NAME.s */
     const char *text;
     size_t length;
     const char *tries;
     bool warm; /* the test has a line .warm */
     bool has_goals;
-    uint64_t goals[MEDALS]; /* most clocks for each medal */
+    uint64_t goals[MEDALS]; /* maximum clocks for each medal */
     const struct lesson_tolerance *tolerances;
 };
 
 struct lesson {
-    const char *folder; /* "03-first-vector" */
-    const char *name;   /* "first-vector" */
-    unsigned number;    /* 3; 0: no number */
+    const char *folder; /* for example "03-first-vector" */
+    const char *name;   /* for example "first-vector" */
+    unsigned number;    /* for example 3; 0: none */
     const char *title, *text, *start;
     size_t test_count, test_capacity;
-    struct lesson_test *tests; /* those with goals are last */
+    struct lesson_test *tests; /* tests with goals come last */
     struct arena kept;
 };
 
-/* Builds a lesson, which must be zero at first: begin, then the files of its folder in
- * any order, then end. Files that do not belong to a lesson are ignored. Returns false
- * and sets the error, which names the file, if one is wrong. */
+/* Build a lesson, which must be zeroed: begin, then the files of its folder in any
+ * order, then end. Files that do not belong to a lesson are ignored. They return false
+ * and set the error, which names the file, if a file is invalid. */
 bool lesson_begin(struct lesson *lesson, const char *folder, c205_error *error);
 bool lesson_take(struct lesson *lesson, const char *file, const char *text,
                  size_t length, c205_error *error);
 bool lesson_end(struct lesson *lesson, c205_error *error);
 void lesson_free(struct lesson *lesson);
-/* Returns whether a name denotes the lesson: "first-vector", "3", "03"
- * or "03-first-vector". */
+/* Returns true if a name is "first-vector", "3", "03" or "03-first-vector" for the
+ * lesson of that folder. */
 bool lesson_is_named(const struct lesson *lesson, const char *name);
 
 /* The lessons that are compiled into the library. */
@@ -76,22 +76,22 @@ struct lessons {
 };
 bool lessons_open(struct lessons *lessons, c205_error *error);
 void lessons_free(struct lessons *lessons);
-/* Returns the lesson with a name, or NULL; the error then suggests a similar name. */
+/* Returns the lesson with a name. Returns NULL if there is none; the error then
+ * suggests a similar name. */
 const struct lesson *lessons_find(const struct lessons *lessons, const char *name,
                                   c205_error *error);
 
-/* Returns the assembled text of a test, or NULL and the error. */
+/* Returns the assembled text of a test, or NULL with the error. */
 struct object *lesson_assemble_test(const struct lesson_test *test, c205_error *error);
-/* Returns the label of the answer whose data a label of the test describes: "y" for
- * "want_y". Returns NULL for an input. */
+/* Returns the label of the answer whose expected data have a label in the test: "y" for
+ * "want_y". Returns NULL for the label of an input. */
 const char *lesson_wanted(const char *label);
-/* Returns whether the symbol is an integer constant, which is also
- * defined in the answer. */
+/* Returns true if the symbol is an integer constant, which the answer gets, too. */
 bool lesson_is_constant(const struct asm_symbol *symbol);
 
 /* ---- Answers --------------------------------------------------------------- */
 
-/* Sentences of a report. Some have lines of the program below them. */
+/* The sentences of a report. Lines of the program may follow a sentence. */
 struct lesson_report {
     size_t count, capacity;
     const char **sentences;
@@ -102,7 +102,7 @@ struct lesson_report {
 struct lesson_trial {
     const struct lesson_test *test;
     bool right;       /* all results are correct */
-    bool passed;      /* right, and within the clocks of bronze */
+    bool passed;      /* correct, and within the clocks for bronze */
     uint64_t clocks;  /* 0: the answer did not run */
     enum medal medal; /* MEDAL_NONE if the test has no goals */
     struct lesson_report report;
@@ -110,30 +110,30 @@ struct lesson_trial {
 
 struct lesson_verdict {
     const struct lesson *lesson;
-    const char *answer; /* its name */
-    bool graded;        /* the tests were run */
-    bool passed;        /* all tests */
-    enum medal medal;   /* the lowest medal of the tests */
-    uint64_t clocks;    /* most clocks of a right test with goals */
+    const char *answer; /* name of the answer */
+    bool graded;        /* the tests have run */
+    bool passed;        /* all tests passed */
+    enum medal medal;   /* the lowest medal of all tests */
+    uint64_t clocks;    /* maximum clocks of a correct test with goals */
     size_t count;
     struct lesson_trial *trials;
-    struct lesson_report report; /* reports that concern more than one test */
+    struct lesson_report report; /* reports about more than one test */
     struct arena kept;
 };
 
-/* Grades an answer. The verdict must be zero at first, and must be freed in all cases.
- * The lesson and the name must outlive it. Returns false and sets the error if the
- * lesson itself is wrong or memory is exhausted. */
+/* Grades an answer. The verdict must be zeroed, and must be freed in all cases. The
+ * lesson and the name must outlive it. Returns false and sets the error if the lesson
+ * is invalid or memory is exhausted. */
 bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
                   const char *name, const char *text, size_t length, c205_error *error);
-/* Makes the verdict of an answer that cannot be graded: not passed, with the reason as
- * its report. lesson: NULL if unknown. */
+/* Sets the verdict of an answer that cannot be graded. It has not passed, and the
+ * reason is its report. lesson is NULL if it is unknown. */
 void lesson_refuse(struct lesson_verdict *verdict, const struct lesson *lesson,
                    const char *name, const char *reason);
 void lesson_verdict_free(struct lesson_verdict *verdict);
 
 void lesson_verdict_put(const struct lesson_verdict *verdict, const struct sink *sink);
-/* Writes the members of an object that is open. */
+/* Writes the members of an open object. */
 void lesson_verdict_json(const struct lesson_verdict *verdict, struct json *json);
 
 #endif

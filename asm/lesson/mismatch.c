@@ -1,4 +1,4 @@
-/* mismatch.c - compares a result with the expected one, reports the wrong elements and
+/* mismatch.c - compares a result with the expected result, reports wrong elements and
  * recognises typical mistakes. */
 #include <inttypes.h>
 #include <math.h>
@@ -35,7 +35,7 @@ static bool is_right(const struct test_item *item, size_t i)
 
 /* ---- Typical mistakes ---------------------------------------------------- */
 
-/* A property of one element of a wrong result, or of the whole result. */
+/* A property of one element of a wrong result, or of the result as a whole. */
 typedef bool of_element(const struct test_item *item, size_t i);
 typedef bool of_result(const struct test_item *item);
 
@@ -80,13 +80,14 @@ static bool is_first(const struct test_item *item, size_t i)
     return item->expected[i] == item->expected[0];
 }
 
-/* A few bits match any pattern at random. */
+/* Returns true if the result is so short that it may match a pattern by coincidence. */
 static bool is_chance(const struct test_item *item)
 {
     return item->contents == ASM_BITS && item->count < 16;
 }
 
-/* A shift cannot be recognised in one or two elements, or in equal ones. */
+/* Returns true if a shift can be recognised. It needs more than two elements, and not
+ * all of them equal. */
 static bool have_places(const struct test_item *item)
 {
     return item->count > 2 && !is_chance(item) && !all(item, is_first);
@@ -118,8 +119,8 @@ static int compare_words(const void *a, const void *b)
     return (*one > *other) - (*one < *other);
 }
 
-/* Returns whether the result is a permutation of the expected one. A permutation of
- * bits is no evidence of a wrong order, so bits are not tested. */
+/* Returns true if the result is a permutation of the expected result. Bits are not
+ * tested, because a permutation of bits is no evidence of a wrong order. */
 static bool other_order(const struct test_item *item)
 {
     size_t size = item->count * sizeof(c205_word);
@@ -195,7 +196,7 @@ static bool lost_bits(const struct test_item *item)
     return !all(item, keeps_bits);
 }
 
-/* Returns whether a prefix is right and all elements after it are unchanged. */
+/* Returns true if the first elements are right and all others are unchanged. */
 static bool only_begun(const struct test_item *item)
 {
     size_t i = 0;
@@ -208,10 +209,10 @@ static bool only_begun(const struct test_item *item)
     return i == item->count;
 }
 
-/* The mistakes, in order of priority: the first that fits is reported. */
+/* The mistakes in the order of priority. The first mistake that matches is reported. */
 static const struct likeness {
-    of_element *each; /* fits if this is true of every element */
-    of_result *whole; /* or if this is true of the result */
+    of_element *each; /* matches if it is true of each element */
+    of_result *whole; /* or if it is true of the result */
     const char *sentence;
 } likenesses[] = {
     { is_untouched, NULL,
@@ -252,7 +253,8 @@ static bool fits(const struct likeness *likeness, const struct test_item *item)
 
 enum { MAX_LISTED = 3 };
 
-/* If the numbers are equal the bits are shown too, since only they differ. */
+/* Prints a value. Its bits are also printed if the numbers are equal and only the bits
+ * differ. */
 static void print_value(const struct test_item *item, c205_word element, bool with_bits,
                         const struct sink *sink)
 {
@@ -293,7 +295,7 @@ static void print_elements(const struct test_item *item, size_t wrong,
         sink_print(sink, ", and %zu more", wrong - reported);
 }
 
-/* A result of one element is reported without its index. */
+/* Reports a wrong element. The report of a result with one element has no index. */
 static void print_wrong(const struct test_item *item, size_t wrong,
                         const struct sink *sink)
 {

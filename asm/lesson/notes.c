@@ -8,7 +8,7 @@
 #include "vm/error.h"
 #include "base/spelling.h"
 
-/* A note under examination: its text is from at to end. */
+/* A note that is being read. Its text is between at and end. */
 struct test_note {
     struct lesson *lesson;
     struct lesson_test *test;
@@ -143,9 +143,9 @@ static const struct {
               { "goals", take_goals_note },
               { "tolerance", take_tolerance_note } };
 
-/* Rejects a name that is almost one of the notes, since it is more likely a
- * misspelling than prose. Names of four letters or more are compared, with goals and
- * tolerance only. */
+/* Rejects a name that is almost the name of a note, because it is probably misspelt.
+ * Only names of four letters or more are compared, and only with goals and
+ * tolerance. */
 static bool check_name(const struct test_note *note, size_t length)
 {
     enum { NEAR = 2, LONG = 4 };
@@ -160,7 +160,7 @@ static bool check_name(const struct test_note *note, size_t length)
            || refuse(note, "unknown note; expected 'test:', 'goals:' or 'tolerance:'");
 }
 
-/* Reads "; name: text" or .warm; other lines are ignored. */
+/* Reads "; name: text" or .warm. Other lines are ignored. */
 static bool take_line(struct test_note *note)
 {
     size_t length;

@@ -1,5 +1,5 @@
-/* performance_hint.c - explains why an answer is slower than the next goal: the largest
- * cause and the lines that took most of the clocks. */
+/* performance_hint.c - explains why an answer misses its next goal. It names the
+ * largest cause and the lines that took most of the clocks. */
 #include <inttypes.h>
 #include <string.h>
 
@@ -60,8 +60,7 @@ static void print_goal(const struct lesson_trial *trial, struct lesson_report *r
 
 /* ---- The cause ------------------------------------------------------------- */
 
-/* A program with this many instructions contains a loop, whether it
- * is efficient or not. */
+/* A program with this many instructions must contain a loop. */
 static const uint64_t many = 1000;
 
 static bool is_scalar(const c205_account *all)
@@ -78,8 +77,8 @@ static int find_most(const c205_account *all, int first)
     return most;
 }
 
-/* For a short scalar program the issue of instructions is unavoidable work, so its
- * longest wait is reported. */
+/* Reports the largest cause. In a short scalar program the issue of instructions is
+ * unavoidable, so the longest wait is reported. */
 static void print_cause(const struct lesson_trial *trial, const c205_account *all,
                         struct lesson_report *report)
 {
@@ -108,8 +107,9 @@ static void print_scalar(const c205_account *all, struct lesson_report *report)
 
 /* ---- The lines ------------------------------------------------------------- */
 
-/* Returns the line with the most clocks after the line `before` in descending order; of
- * equal lines the first comes first. Returns NULL if no line is left. */
+/* Returns the line with the most clocks after the line `before` in descending order.
+ * Lines with equal clocks are in the order of the rows. Returns NULL if no line is
+ * left. */
 static const struct profile_row *next_line(const struct line_profile *profile,
                                            const struct profile_row *before)
 {
@@ -125,8 +125,8 @@ static const struct profile_row *next_line(const struct line_profile *profile,
     return found;
 }
 
-/* The clocks of a linked pair are charged to the prefix. The two lines after it contain
- * the operations, and are never executed by themselves. */
+/* Returns true for the prefix of a linked pair. It is charged with the clocks of the
+ * pair. The next two lines contain the operations and are never executed separately. */
 static bool is_link(const struct profile_row *row)
 {
     return strstr(row->source, "LINKV") && row[1].executions == 0 && row[1].file
@@ -151,8 +151,8 @@ static void print_line(const struct lesson_trial *trial, const struct profile_ro
     report_buffer(report, &text);
 }
 
-/* Reports the line with the most clocks, and further ones that took at least a
- * tenth of all clocks. */
+/* Reports the line with the most clocks, and other lines that took at least a tenth of
+ * all clocks. */
 static void print_lines(const struct lesson_trial *trial,
                         const struct line_profile *profile,
                         struct lesson_report *report)

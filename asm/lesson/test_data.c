@@ -1,5 +1,5 @@
-/* test_data.c - copies the data of a test into the answer's memory and
- * compares the results. */
+/* test_data.c - copies the data of a test to the memory of the answer and compares the
+ * results. */
 #include <inttypes.h>
 #include <string.h>
 
@@ -20,7 +20,8 @@ static const char *kind_name(enum asm_contents contents)
                                      : asm_contents_name(contents);
 }
 
-/* Elements are left-aligned in a word, with zeros after them. */
+/* Returns the mask of an element in a word. Elements are left-aligned, followed by
+ * zeros. */
 static c205_word mask_of(unsigned width)
 {
     return ~(c205_word)0 << (64 - width);
@@ -66,8 +67,8 @@ static bool holds_data(const struct asm_symbol *symbol)
            && symbol->contents != ASM_CODE;
 }
 
-/* Checks that the data at the answer's label have the type and at least the
- * size of the test's data. */
+/* Checks that the data at a label of the answer have the same type as the data of the
+ * test and are not shorter. */
 static bool check_room(struct lesson_test_data *test_data,
                        const struct asm_symbol *ours, const struct asm_symbol *theirs)
 {
@@ -109,7 +110,7 @@ static void begin_wanted(struct lesson_test_data *test_data, struct test_item *i
         get_elements(test_data->data, item->expected_at, item, item->expected);
 }
 
-/* Prepares one label of the test that holds data. */
+/* Prepares a label of the test that has data. */
 static bool begin_label(struct lesson_test_data *test_data,
                         const struct asm_symbol *ours)
 {
@@ -159,7 +160,8 @@ bool test_data_begin(struct lesson_test_data *test_data)
     return true;
 }
 
-/* Reports inputs for which the answer has no label: a likely cause of wrong results. */
+/* Reports inputs for which the answer has no label, because this may explain wrong
+ * results. */
 static void print_missing(struct lesson_test_data *test_data)
 {
     for (size_t i = 0; i < test_data->test->symbol_count; i++) {

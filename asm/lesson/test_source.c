@@ -20,8 +20,8 @@ bool lesson_is_constant(const struct asm_symbol *symbol)
     return !symbol->is_label && !symbol->is_word;
 }
 
-/* Rejects expectations that name an address of the test itself. A test uses a
- * label want_LABEL instead. */
+/* Rejects expectations that contain an address of the test. A test uses a label
+ * want_LABEL instead. */
 static bool check_expectations(const struct object *object, c205_error *error)
 {
     for (size_t i = 0; i < object->expectation_count; i++) {
@@ -37,7 +37,7 @@ static bool check_expectations(const struct object *object, c205_error *error)
     return true;
 }
 
-/* Returns whether the test has data at want_LABEL. label: NULL for any label. */
+/* Returns true if the test has data at want_LABEL. A NULL label means any label. */
 static bool is_wanted(const struct object *object, const char *label)
 {
     size_t i = 0;
@@ -51,7 +51,7 @@ static bool is_wanted(const struct object *object, const char *label)
     return false;
 }
 
-/* Rejects want_ without a name, and code at a label want_LABEL. */
+/* Rejects the label "want_", and code at a label want_LABEL. */
 static bool check_wanted(const struct lesson_test *test, const struct object *object,
                          c205_error *error)
 {

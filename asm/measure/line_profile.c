@@ -1,5 +1,4 @@
-/* line_profile.c - attributes the clocks of a run to source lines, and
- * writes tables of them. */
+/* line_profile.c - attributes the clocks of a run to source lines and writes tables. */
 #include "asm/measure/line_profile.h"
 
 #include <inttypes.h>
@@ -9,21 +8,21 @@
 
 #include "base/accounts.h"
 
-/* The rows for clocks that belong to no line. They follow the rows of the lines. */
+/* The rows after the rows of lines, for clocks that belong to no line. */
 enum { ROW_UNKNOWN, ROW_END, ROWS_BESIDES };
 
 struct line_profile {
     const struct object *object;
-    size_t *row_of; /* row of each line of the object */
+    size_t *row_of; /* the row of each line of the object */
     size_t row_count;
     struct profile_row *rows;    /* [row_count + ROWS_BESIDES] */
-    const struct asm_line *last; /* the line that was found last */
-    bool cut;                    /* the run was stopped within an instruction */
+    const struct asm_line *last; /* the line of the last look-up */
+    bool cut;                    /* the run stopped within an instruction */
 };
 
 /* ---- Rows ----------------------------------------------------------------- */
 
-/* A line, as a key for sorting by call and region. */
+/* The key of a line for sorting by call and region. */
 struct called_line {
     const struct asm_line *line;
     const char *region;
@@ -50,7 +49,7 @@ static bool is_same_call(const struct called_line *a, const struct called_line *
            && strcmp(a->region, b->region) == 0;
 }
 
-/* Finds the first line with the same call, for each line. */
+/* Finds the first line with the same call as each line. */
 static void find_firsts(const struct called_line *places, size_t count, size_t *first)
 {
     size_t begin = 0;
@@ -61,9 +60,9 @@ static void find_firsts(const struct called_line *places, size_t count, size_t *
     }
 }
 
-/* Finds the first line with the same call and region, for each line. The lines are
- * sorted by call and region, so that equal ones are adjacent, and by index, so that
- * the first one leads. */
+/* Finds the first line with the same call and region as each line. The lines are sorted
+ * by call and region, so equal lines are adjacent. They are also sorted by index, so
+ * the first line comes first. */
 static bool sort_places(const struct object *object, size_t *first)
 {
     size_t count = object->line_count;
@@ -81,7 +80,7 @@ static bool sort_places(const struct object *object, size_t *first)
     return true;
 }
 
-/* Makes a row for each call, in the order of addresses. The first line of a call
+/* Makes a row for each call in the order of addresses. The first line of a call
  * precedes its other lines, so its row exists when they are reached. */
 static void make_rows(struct line_profile *profile)
 {
@@ -174,9 +173,9 @@ static void add_pieces(struct line_profile *profile, const c205_times *times)
     }
 }
 
-/* Computes the clocks of an instruction within which the run was stopped: the accounts
- * minus all rows, since the clock has no record of it yet. If the run continues, the
- * instruction's own record contains them. */
+/* Computes the clocks of an instruction within which the run stopped. The clock has no
+ * record of it yet, so its clocks are the accounts minus all rows. If the run
+ * continues, the later record of the instruction contains them. */
 static void add_end(struct line_profile *profile, const c205 *machine)
 {
     struct profile_row *end = &profile->rows[profile->row_count + ROW_END];
@@ -218,8 +217,8 @@ void line_profile_listen(void *context, const c205 *machine, const c205_event *e
 
 /* ---- Tables --------------------------------------------------------------- */
 
-/* The first column is omitted if regions are not shown. The columns before `source` are
- * also those before the causes of a table that has a column for each. */
+/* The columns of text tables. The first column is omitted if regions are not shown.
+ * Tables with a column for each cause begin with the columns before `source`. */
 static const struct table_column in_words[] = {
     { "region", "region", TABLE_TEXT, 0 },
     { "line", "line", TABLE_TEXT, 0 },
@@ -262,7 +261,8 @@ static void put_source(struct table *table, const struct profile_row *row)
     table_text(table, source + strspn(source, " \t"));
 }
 
-/* Writes the largest causes: at most three, each at least a tenth of the row. */
+/* Writes up to three of the largest causes. Each has at least a tenth of the clocks of
+ * the row. */
 static void put_causes(struct table *table, const struct profile_row *row)
 {
     char text[160] = "";
@@ -287,7 +287,7 @@ static void put_causes(struct table *table, const struct profile_row *row)
     table_text(table, text);
 }
 
-/* Makes a table with a column for each cause, without the first `first` columns. */
+/* Makes a table with a column for each cause. The first `first` columns are omitted. */
 static struct table *new_columns(size_t first)
 {
     struct table_column columns[BEFORE + C205_CAUSES + 1];
@@ -318,7 +318,7 @@ static void put_profile_row(struct table *table, const struct line_profile *prof
 struct shown_row {
     const struct profile_row *row;
     uint64_t clocks;
-    uint64_t of_region; /* clocks of its region; 0 if regions are not summed */
+    uint64_t of_region; /* clocks of the region; 0 if regions are not summed */
 };
 
 struct shown_rows {
@@ -327,7 +327,7 @@ struct shown_rows {
     uint64_t clocks;
 };
 
-/* Fails if memory is exhausted. */
+/* Selects and sorts the rows. Returns false if memory is exhausted. */
 static bool choose_rows(const struct line_profile *profile, struct shown_rows *shown)
 {
     size_t count = line_profile_count(profile);
@@ -405,7 +405,7 @@ struct table *line_profile_table(const struct line_profile *profile,
     return table;
 }
 
-/* Text and Markdown have the causes in words; other formats have a
+/* Shows the table. Text and Markdown have the causes in words, and other formats have a
  * column for each cause. */
 int line_profile_show(const struct line_profile *profile, struct profile_view view,
                       const struct command_output *results)

@@ -1,12 +1,11 @@
-/* line_profile.h - the clocks of a program by source line. Macros are summed at the
- * line that calls them, separately for each region.
+/* line_profile.h - the clocks of a program by source line. The lines of a macro are
+ * summed at the line that calls it, separately for each region.
  *
  * A listener adds the pieces of the clock's records. As in the accounts, a piece
- * belongs to the instruction that causes it: if instructions wait for a vector
- * instruction, the clocks are charged to the vector instruction. Code without a
- * known line has a row, and so has an instruction within which the run was stopped.
- * For each cause, the sum of all rows is equal to that of the accounts; the same is
- * true within each region.
+ * belongs to the instruction that causes it. If instructions wait for a vector
+ * instruction, the vector instruction is charged. Code without a known line has a row.
+ * An instruction within which the run stopped has a row, too. The sum of all rows
+ * equals the accounts for each cause, and also within each region.
  */
 #ifndef ASM_LINE_PROFILE_H
 #define ASM_LINE_PROFILE_H
@@ -20,15 +19,14 @@ struct line_profile;
  * memory is exhausted. */
 struct line_profile *line_profile_new(const struct object *object);
 void line_profile_free(struct line_profile *profile);
-/* The listener. Its context is the profile. It must be attached
- * from the start of a run. */
+/* The listener. Its context is the profile. It must be added before the run starts. */
 c205_listener line_profile_listen;
 
 /* Adds the counts of another profile of the same object. */
 void line_profile_add(struct line_profile *profile, const struct line_profile *more);
 
 struct profile_row {
-    const char *region; /* "": no region */
+    const char *region; /* "": none */
     const char *file;   /* NULL: code without lines, or the end of the run */
     size_t number;
     const char *source;
@@ -36,28 +34,26 @@ struct profile_row {
 };
 
 size_t line_profile_count(const struct line_profile *profile);
-/* Returns a row; rows are sorted by address. The last two are code without lines and
- * the instruction that was not completed. */
+/* Returns a row. Rows are sorted by address. The last two rows are code without lines
+ * and the incomplete instruction. */
 const struct profile_row *line_profile_row(const struct line_profile *profile,
                                            size_t i);
 
 /* Returns the clocks of all causes of a row. */
 uint64_t line_profile_clocks(const struct profile_row *row);
 
-/* Only rows with clocks are shown: the ones with the most clocks first, or in
- * the order of addresses. */
+/* Only rows with clocks are shown. The order is by clocks, or by address. */
 enum profile_order { PROFILE_HOTTEST, PROFILE_AS_WRITTEN };
 struct profile_view {
     enum profile_order order;
-    bool regions; /* with a column of regions; the region with the
-                   * most clocks is first */
+    bool regions; /* show a column of regions, with the largest region first */
 };
-/* Returns a table with the causes in words, or with a column for each cause. Returns
+/* Returns a table with the causes in words or with a column for each cause. Returns
  * NULL if memory is exhausted. */
 struct table *line_profile_table(const struct line_profile *profile,
                                  struct profile_view view, bool in_words);
-/* Shows the table in the form for the format of the results; in JSON its name is
- * "lines". Returns the exit code. */
+/* Shows the table for the format of the results. Its name in JSON is "lines". Returns
+ * the exit code. */
 int line_profile_show(const struct line_profile *profile, struct profile_view view,
                       const struct command_output *results);
 

@@ -1,5 +1,5 @@
-/* measure.c - measures the clocks of vector instructions at many
- * lengths and fits a line. */
+/* measure.c - measures the clocks of vector instructions at many lengths and fits a
+ * line. */
 #include "asm/measure/measure.h"
 
 #include <ctype.h>
@@ -19,7 +19,7 @@ static const size_t lengths[MEASURE_POINTS] = {
     300, 500, 1000, 2000, 5000, 10000, 20000, 50000, C205_MAX_LENGTH,
 };
 
-/* The operands of a program. Each is in a page of its own. */
+/* The operands of the program. Each operand has a page. */
 enum operand_place { A, B, C, Z, OPERANDS };
 enum { FIRST_REGISTER = 16, SCALAR = 32, LOADED = 33, FIRST_PAGE = 64 };
 enum { TEXT_SIZE = 256 };
@@ -30,8 +30,8 @@ static uint64_t address_of(enum operand_place operand)
     return (FIRST_PAGE + (uint64_t)operand) * PAGE_BITS;
 }
 
-/* Register C+1 is also a result of some instructions, so every
- * second register is used. */
+/* Returns the register of an operand. Every second register is used, because C+1 is
+ * also a result of some instructions. */
 static unsigned register_of(enum operand_place operand)
 {
     return FIRST_REGISTER + 2u * (unsigned)operand;
@@ -39,8 +39,7 @@ static unsigned register_of(enum operand_place operand)
 
 /* ---- The program ---------------------------------------------------- */
 
-/* The instruction to measure, or NULL for the triad, and whether its
- * operands have 32 bits. */
+/* The instruction to measure, or NULL for the triad, and the size of its operands. */
 struct subject {
     const c205_insn *insn;
     bool half;
@@ -81,7 +80,8 @@ bool measure_knows(const char *name)
     return find_subject(name, &subject);
 }
 
-/* R is the first and T the last operand of a short instruction. */
+/* Returns the operand for a letter. R is the first and T the last operand of a short
+ * instruction. */
 static enum operand_place operand_of(char letter)
 {
     switch (toupper((unsigned char)letter)) {
@@ -93,7 +93,7 @@ static enum operand_place operand_of(char letter)
     }
 }
 
-/* Returns whether the field is a half register. */
+/* Returns true if the field is a half register. */
 static bool is_half(const struct subject *subject, char field)
 {
     struct operand operands[MAX_OPERANDS];
@@ -104,9 +104,9 @@ static bool is_half(const struct subject *subject, char field)
     return half;
 }
 
-/* Writes the operand for a letter of the syntax. "a" and "[A]" are vectors;
- * a source outside of brackets is the scalar. The left half of register n
- * is half register 2n. */
+/* Writes the operand for a letter of the syntax. "a" and "[A]" are vectors. A source
+ * outside of brackets is the scalar. Half register 2n is the left half of register
+ * n. */
 static int write_letter(const struct subject *subject, char letter, bool in_brackets,
                         char *text, size_t size)
 {
@@ -154,8 +154,8 @@ static int write_triad(bool half, char *text)
                     c, b, c);
 }
 
-/* The load at the end waits for the vector unit. Otherwise the clocks of the end would
- * overlap those of the instruction. */
+/* Writes the program. The load at its end waits for the vector unit. Otherwise its last
+ * instruction would overlap the measured instruction. */
 static void write_program(const struct subject *subject, char text[TEXT_SIZE])
 {
     char operands[TEXT_SIZE / 2] = "";
@@ -173,8 +173,8 @@ static void write_program(const struct subject *subject, char text[TEXT_SIZE])
 
 /* ---- The operands ---------------------------------------------------- */
 
-/* Generates operands by xorshift64, from a fixed seed, so that they are
- * the same in every run. */
+/* Generates operands by xorshift64 from a fixed seed, so they are the same in every
+ * run. */
 static uint64_t next_bits(uint64_t *state)
 {
     *state ^= *state << 13;
@@ -183,7 +183,8 @@ static uint64_t next_bits(uint64_t *state)
     return *state;
 }
 
-/* Returns normalised numbers from 1 to 2: one of 64 bits or two of 32. */
+/* Returns a word with one number of 64 bits or two numbers of 32 bits. They are
+ * normalised and between 1 and 2. */
 static c205_word next_numbers(uint64_t *state, bool half)
 {
     enum { HALF_BITS = 32 };
@@ -233,10 +234,10 @@ static bool fill_operands(c205 *machine, const struct subject *subject,
 
 /* ---- The runs -------------------------------------------------------- */
 
-/* A machine with operands. one_step: B has one element, for instructions that pass
- * through B once for each element of A; the measured rate is then that of one step.
- * scalar: one, as a number (left-aligned if it is a half word), or as the period of
- * a gather or scatter. */
+/* A machine with operands. one_step: B has one element, for instructions that read all
+ * of B for each element of A; the measured rate is then the rate of one element of B.
+ * scalar is the number one (left-aligned if it is a half word), or the period of a
+ * gather or scatter. */
 struct rig {
     c205 *machine;
     bool one_step;
@@ -264,8 +265,8 @@ static bool run_once(const struct rig *rig, uint64_t entry, size_t length,
     return true;
 }
 
-/* Runs twice and returns the clocks of the second run, in which
- * all pages are resident. */
+/* Runs twice and returns the clocks of the second run, in which all pages are
+ * resident. */
 static bool measure_clocks(const struct rig *rig, uint64_t entry, size_t length,
                            uint64_t *clocks, c205_error *error)
 {
@@ -283,7 +284,8 @@ static uint64_t operations_of(const c205 *machine)
     return operations;
 }
 
-/* The flops of the last length are kept, which is the longest. */
+/* Measures all points. The number of flops is taken from the last point, which is the
+ * longest. */
 static bool measure_points(const struct rig *rig, uint64_t entry, uint64_t last,
                            struct measurement *result, c205_error *error)
 {
@@ -301,7 +303,7 @@ static bool measure_points(const struct rig *rig, uint64_t entry, uint64_t last,
     return true;
 }
 
-/* Fits the line without the empty vector, which has no stream. */
+/* Fits the line. The empty vector is omitted, because it has no stream. */
 static void fit_line(struct measurement *result)
 {
     struct weighted_point points[MEASURE_POINTS];

@@ -1,8 +1,8 @@
 /* straight_line.c - least squares for a straight line. */
 #include "asm/measure/straight_line.h"
 
-/* Sums are taken relative to the mean of the points. Sums of the squares themselves
- * would be subtracted from nearly equal ones, and lose most of their digits. */
+/* Sums are relative to the mean of the points. Sums of absolute values would be nearly
+ * equal, and their difference would lose most of its digits. */
 struct straight_line straight_line_through(const struct weighted_point *points,
                                            size_t count)
 {

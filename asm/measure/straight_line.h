@@ -1,5 +1,5 @@
-/* straight_line.h - the straight line through weighted points by least squares: the
- * line with the smallest sum of weight (y - line)^2. */
+/* straight_line.h - fits a straight line to weighted points by least squares. The line
+ * has the smallest sum of weight (y - line)^2. */
 #ifndef ASM_STRAIGHT_LINE_H
 #define ASM_STRAIGHT_LINE_H
 

@@ -4,11 +4,13 @@
 
 #include "vm/c205.h"
 
-#define MAX_WORDS ((uint64_t)1 << 26) /* of a program, so that it fits in memory */
+#define MAX_WORDS \
+    ((uint64_t)1 << 26) /* maximum size of a program, which must fit in
+                                         memory */
 #define ADDRESS_BITS 48
 #define PAGE_BITS ((uint64_t)C205_PAGE_WORDS * 64)
-/* The first addresses of code and data, unless the text gives others. */
-#define CODE_ORIGIN (1 * PAGE_BITS) /* page 0 stays unmapped */
+/* Default start addresses of code and data. */
+#define CODE_ORIGIN (1 * PAGE_BITS) /* page 0 is not mapped */
 #define DATA_ORIGIN (2 * PAGE_BITS)
 
 #endif

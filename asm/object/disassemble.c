@@ -35,11 +35,11 @@ struct disassembler {
     const struct object *object;
     const c205_program *program;
     const struct sink *sink;
-    const c205_region *region;   /* open at the current address, or NULL */
+    const c205_region *region;   /* region at the current address, or NULL */
     struct addresses boundaries; /* where instructions start */
-    struct addresses targets;    /* addresses in instructions */
-    struct labels labels;        /* targets that are boundaries, and symbols
-                                  * whose name can be written */
+    struct addresses targets;    /* addresses that instructions refer to */
+    struct labels labels;        /* targets that are boundaries, and symbols whose names
+                                    can be written */
     bool failed;
 };
 
@@ -84,7 +84,7 @@ static bool lies_in(uint64_t address, const c205_segment *segment)
     return address >= segment->address && address < end_of(segment);
 }
 
-/* Returns the next address that no instruction may cross. */
+/* Returns the next address that an instruction must not cross. */
 static uint64_t next_stop(const c205_program *program, const c205_segment *segment,
                           uint64_t address)
 {
@@ -117,7 +117,7 @@ static c205_word word_at(const c205_segment *segment, uint64_t address)
 typedef void visit(struct disassembler *, const c205_segment *, uint64_t address,
                    unsigned halves, const char *text);
 
-/* Calls the visitor for every instruction of a segment, with its text. */
+/* Calls the visitor for every instruction of a segment and its text. */
 static void walk(struct disassembler *disassembler, const c205_segment *segment,
                  visit *visitor)
 {
@@ -169,8 +169,8 @@ static void open_region(struct disassembler *disassembler, const c205_region *re
     disassembler->region = region;
 }
 
-/* Ends and starts regions at an address. A region that overlaps another or leaves its
- * segment cannot be written, and is omitted. */
+/* Ends and starts regions at an address. Regions that overlap others or leave their
+ * segment cannot be written and are omitted. */
 static void turn_region(struct disassembler *disassembler, const c205_segment *segment,
                         uint64_t address)
 {
@@ -229,8 +229,7 @@ static size_t put_data_line(const struct sink *sink, const c205_word *words,
     return i;
 }
 
-/* Returns the number of words from an address on before the next
- * label, at most `most`. */
+/* Returns the number of words from an address to the next label, at most `most`. */
 static size_t words_together(const struct disassembler *disassembler, uint64_t address,
                              size_t most)
 {
@@ -280,7 +279,7 @@ static void add_label(struct disassembler *disassembler, uint64_t address,
         disassembler->failed = true;
 }
 
-/* Sorts by address; at one address a label with a name is first. */
+/* Sorts by address. At the same address, a label with a name comes first. */
 static int compare_labels(const void *a, const void *b)
 {
     const struct label *first = a, *second = b;
@@ -291,7 +290,7 @@ static int compare_labels(const void *a, const void *b)
     return strcmp(first->name, second->name);
 }
 
-/* Keeps one label for each address. */
+/* Sorts the labels and removes all but one label at each address. */
 static void sort_labels(struct labels *labels)
 {
     size_t count = 0;
@@ -303,7 +302,7 @@ static void sort_labels(struct labels *labels)
     labels->count = count;
 }
 
-/* Returns whether a line of the text starts at the address. */
+/* Returns true if a line of the text starts at the address. */
 static bool can_be_labelled(const struct disassembler *disassembler, uint64_t address)
 {
     const c205_program *program = disassembler->program;
@@ -315,9 +314,9 @@ static bool can_be_labelled(const struct disassembler *disassembler, uint64_t ad
     return false;
 }
 
-/* Returns whether a symbol's name can be written as a label. An object file may contain
- * any text as a name, and duplicates. Names of the form L400000 are reserved for
- * generated labels. Symbols are sorted by name, so duplicates are adjacent. */
+/* Returns true if the name of a symbol can be written as a label. An object file may
+ * contain any text as a name, and duplicates. Names of the form L400000 are reserved
+ * for generated labels. Duplicates are adjacent, because symbols are sorted by name. */
 static bool has_own_name(const struct disassembler *disassembler, size_t i)
 {
     enum { LONGEST = 40 };

@@ -2,21 +2,21 @@
  *
  * A segment that contains the entry or the start of a region is decoded as code from
  * its start; other segments are data. A word that the language cannot express becomes a
- * .half: an undefined instruction, or one with bits that its format does not use.
- * Labels have the names of the object; others are L and the address.
+ * .half. It is an undefined instruction or has bits that its format does not use.
+ * Labels without a name in the object are L and the address.
  */
 #ifndef ASM_DISASSEMBLE_H
 #define ASM_DISASSEMBLE_H
 
 #include "asm/object/object.h"
 
-/* Fails if memory is exhausted. */
+/* Writes the program. Returns false if memory is exhausted. */
 bool disassemble(const struct object *object, const struct sink *sink);
 
 enum { DISASSEMBLE_TEXT_SIZE = TEXT_LINE_SIZE };
-/* Writes one instruction at a bit address; a short one is in the high half of the word.
- * Returns its length in half words. An instruction that the language cannot express is
- * written as one .half. */
+/* Writes one instruction at a bit address. A short instruction is in the high half of
+ * the word. Returns its length in half words. An instruction that the language cannot
+ * express is written as one .half. */
 unsigned disassemble_one(c205_word word, uint64_t address,
                          char text[DISASSEMBLE_TEXT_SIZE]);
 

@@ -12,8 +12,8 @@
  *   ; expect-model: NAME         the model on which the clocks are compared
  *   ; expect-warning: NAME       the program causes this warning intentionally
  *
- * A program without expect-trap must end with EXIT. A tolerance allows a difference of
- * numbers: "= 0.1, 0.2 ~ 1e-9".
+ * A program without expect-trap must end with EXIT. A tolerance such as "= 0.1, 0.2 ~
+ * 1e-9" allows numbers to differ.
  */
 #ifndef ASM_EXPECTATION_H
 #define ASM_EXPECTATION_H
@@ -37,20 +37,20 @@ enum expectation_kind {
 
 struct asm_expectation {
     enum expectation_kind kind;
-    unsigned number;        /* of the register */
-    uint64_t address;       /* of the first word, half or bit */
+    unsigned number;        /* number of the register */
+    uint64_t address;       /* bit address of the first element */
     size_t count;           /* words, halves or bits */
-    const c205_word *words; /* halves are left-aligned in words; bits are
-                             * packed from the left */
-    bool has_tolerance;     /* numbers may differ by the tolerance; otherwise
-                             * the words must be equal */
+    const c205_word *words; /* half words are left-aligned in words; bits are packed
+                               from the left */
+    bool has_tolerance;     /* numbers may differ by the tolerance; otherwise words must
+                               be equal */
     c205_word tolerance;
-    const char *text; /* of EXPECT_TRAP and later kinds */
+    const char *text; /* for EXPECT_TRAP and later kinds */
     const char *file;
     size_t line;
 };
 
-/* Returns the name in object files. */
+/* Returns the name of a kind in object files. */
 const char *expectation_name(enum expectation_kind kind);
 
 #endif

@@ -12,9 +12,9 @@ enum { HALF_BITS = 32 };
 
 /* ---- One instruction ----
  *
- * While an operand is written, its fields are copied to `written`. If the instruction
- * that these fields encode differs from the original word, the text cannot express the
- * word. */
+ * The fields of each operand that is written are copied to `written`. If the
+ * instruction that these fields encode differs from the original word, the text cannot
+ * express it. */
 
 struct writer {
     struct sink sink;
@@ -94,8 +94,8 @@ static void write_source(struct writer *writer, const struct operand *operand)
     sink_print(&writer->sink, "%s%s", bare ? "" : "]", magnitude ? "|" : "");
 }
 
-/* A target outside of the address space cannot be written, so its distance is
- * not copied to `written`. */
+/* Writes a branch target. The distance to a target outside of the address space is not
+ * copied to `written`, because the text cannot express it. */
 static void write_target(struct writer *writer)
 {
     uint64_t target = writer->address + (uint64_t)writer->fields.immediate * HALF_BITS;
@@ -117,8 +117,8 @@ static bool holds_address(const struct operand *operand)
            && operand->high >> (ADDRESS_BITS - 1) > 0;
 }
 
-/* An immediate that can be an address is written as one. A value out of range is
- * not copied to `written`. */
+/* Writes an immediate, as an address if it can be one. A value out of range is not
+ * copied to `written`. */
 static void write_immediate(struct writer *writer, const struct operand *operand)
 {
     int64_t value = writer->fields.immediate;
@@ -146,8 +146,8 @@ static void write_operand(struct writer *writer, const struct operand *operand)
     }
 }
 
-/* Returns whether an optional control vector is absent: no register,
- * and selection by ones. */
+/* Returns true if an optional control vector is absent: its register is 0, and ones
+ * select. */
 static bool is_absent(const struct writer *writer, const struct operand *operand)
 {
     return operand->kind == OPERAND_CONTROL && operand->may_be_left_out

@@ -1,4 +1,4 @@
-/* object.c - looks up the lines, segments, regions, symbols and register names of a
+/* object.c - looks up lines, segments, regions, symbols and register names of a
  * program. */
 #include "asm/object/object.h"
 

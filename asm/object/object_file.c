@@ -25,7 +25,7 @@ const char *expectation_name(enum expectation_kind kind)
     return names[kind];
 }
 
-/* A name ends its line, so control characters in it are replaced by "?". */
+/* Writes a name. It ends its line, so "?" replaces control characters. */
 static void put_name(const struct sink *sink, const char *name)
 {
     for (; *name; name++)
@@ -118,7 +118,8 @@ struct object *object_load(const char *path, c205_error *error)
     return object;
 }
 
-/* The entry of a program without instructions is the default start of the code. */
+/* Checks that a program has instructions. The entry of a program without instructions
+ * is the default start of the code. */
 bool object_check(const struct object *object, c205_error *error)
 {
     const c205_program *program = &object->program;

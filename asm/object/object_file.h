@@ -17,23 +17,22 @@
  *   text bad-descriptor               or a text
  *   end
  *
- * The reader accepts any bytes: the result is an object, or an error
- * that names the line.
+ * The reader returns an object, or an error that names the line, for any input.
  */
 #ifndef ASM_OBJECT_FILE_H
 #define ASM_OBJECT_FILE_H
 
 #include "asm/object/object.h"
 
-/* Writes the whole file or leaves the old one unchanged. */
+/* Writes the whole file, or leaves the old file unchanged. */
 bool object_save(const struct object *object, const char *path, c205_error *error);
 struct object *object_load(const char *path, c205_error *error);
 
 void object_write(const struct object *object, const struct sink *sink);
 struct object *object_read(const char *text, size_t length, c205_error *error);
-/* Fails if the program has no instructions. */
+/* Checks that the program has instructions. */
 bool object_check(const struct object *object, c205_error *error);
-/* Returns whether a text starts like an object file. */
+/* Returns true if a text begins like an object file. */
 bool object_recognise(const char *text, size_t length);
 
 #endif

@@ -1,4 +1,4 @@
-/* object_read.c - parses object files; any input gives an object or an error. */
+/* object_read.c - parses object files. Any input gives an object or an error. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -12,8 +12,8 @@
 
 struct object_reader {
     struct storage *storage;
-    const char *at, *end;         /* the part that is not read yet */
-    const char *field, *line_end; /* of the current line */
+    const char *at, *end;         /* the unread part */
+    const char *field, *line_end; /* in the current line */
     size_t line;
     uint64_t words;
     const char *problem;
@@ -114,7 +114,7 @@ static bool take_keyword(struct object_reader *reader, const char *keyword)
 }
 
 /* Reads lines of one word each. The length of the file is checked before memory is
- * allocated, so that a false count cannot exhaust memory. */
+ * allocated, so an invalid count cannot exhaust memory. */
 static const c205_word *take_words(struct object_reader *reader, size_t count)
 {
     enum { LINE = 17 };
@@ -245,7 +245,7 @@ static bool read_tolerance(struct object_reader *reader, struct asm_expectation 
            && take_hex(reader, &made->tolerance);
 }
 
-/* Returns the number of words after the line. */
+/* Returns the number of words that follow the line. */
 static size_t words_of(const struct asm_expectation *expectation)
 {
     if (expectation->kind == EXPECT_BITS)

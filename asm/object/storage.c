@@ -17,7 +17,7 @@ void object_free(struct object *object)
     free(storage);
 }
 
-/* Defines the function that adds an element of zeros to a list of the object. */
+/* Defines the function that adds a zeroed element to a list of the object. */
 #define STORAGE_ADD(element, owner, type) \
     type *storage_add_##element(struct storage *storage) \
     { \

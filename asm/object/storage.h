@@ -1,4 +1,4 @@
-/* storage.h - an object together with the arena that owns its memory. */
+/* storage.h - an object and the arena that owns its memory. */
 #ifndef ASM_STORAGE_H
 #define ASM_STORAGE_H
 
@@ -7,7 +7,7 @@
 #include "base/arena.h"
 
 struct storage {
-    /* Must be first: object_free() converts the pointer. */
+    /* Must be the first member, because object_free() converts the pointer. */
     struct object object;
     struct arena arena;
     size_t segment_capacity, region_capacity, symbol_capacity;
@@ -17,7 +17,7 @@ struct storage {
 
 struct storage *storage_new(void);
 
-/* All of these return NULL if memory is exhausted. */
+/* These functions return NULL if memory is exhausted. */
 c205_segment *storage_add_segment(struct storage *storage);
 c205_region *storage_add_region(struct storage *storage);
 struct asm_symbol *storage_add_symbol(struct storage *storage);

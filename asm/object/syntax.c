@@ -1,5 +1,5 @@
-/* syntax.c - the syntax of names, and the operands of an instruction, from the syntax
- * of its format in insn.def. */
+/* syntax.c - the syntax of names, and the operands of an instruction. The syntax of its
+ * format in insn.def determines the operands. */
 #include "asm/object/syntax.h"
 
 #include <ctype.h>
@@ -12,7 +12,7 @@ bool is_name_start(char c)
     return isalpha((unsigned char)c) || c == '_' || c == '$';
 }
 
-/* A dot inside a name groups names, as in sphere.loop. */
+/* Returns true for the characters of a name. A dot groups names, as in sphere.loop. */
 bool is_name_part(char c)
 {
     return is_name_start(c) || isdigit((unsigned char)c) || c == '.';
@@ -47,9 +47,9 @@ uint8_t *syntax_field(c205_fields *fields, char letter)
     }
 }
 
-/* Properties that the syntax of a format does not contain: the range of its immediate,
+/* Properties that the syntax of a format does not express: the range of its immediate,
  * the number of optional operands at its end, and whether a source must be a vector
- * because no other operand gives the length. */
+ * because no other operand has a length. */
 static const struct format_rule {
     c205_format format;
     int64_t low, high;
@@ -80,8 +80,8 @@ static const struct format_rule *find_rule(c205_format format)
     return NULL;
 }
 
-/* The bits of G depend on the field: A and B have a magnitude,
- * and only A has a minus. */
+/* Sets the bits of G for signs. A and B may have a magnitude, and only A may have a
+ * minus. */
 static void add_sign(struct operand *operand, const c205_insn *insn, char letter)
 {
     if (!(insn->flags & C205_INSN_SIGN)
@@ -95,9 +95,9 @@ static void add_sign(struct operand *operand, const c205_insn *insn, char letter
     }
 }
 
-/* Reads "[R, S]", "[A+X]" or "[R]". A result vector may have its offset after it, in
- * register C+1, unless that bit means that Z is given. Returns the end of the operand,
- * and advances over its letters. */
+/* Reads "[R, S]", "[A+X]" or "[R]". A result vector may have an offset, which is in
+ * register C+1, unless its bit of G means that Z is given. Returns the end of the
+ * operand, and advances over its letters. */
 static const char *read_bracket(struct operand *operand, const char *at,
                                 const c205_insn *insn, const char **letter)
 {
@@ -126,8 +126,8 @@ static void read_source(struct operand *operand, char field)
                                                : C205_G_BROADCAST_B;
 }
 
-/* Returns whether a register without brackets is a half register. With ",H" the letters
- * listed in insn.def count as capitals. */
+/* Returns true if a register without brackets is a half register. With ",H" some
+ * letters count as capitals (insn.def). */
 static bool is_half(const struct operand *operand, const c205_insn *insn, char letter,
                     bool half)
 {

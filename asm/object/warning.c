@@ -1,4 +1,4 @@
-/* warning.c - the names of warnings, and the choice of those that are reported. */
+/* warning.c - the names of warnings, and the choice of reported warnings. */
 #include "asm/object/warning.h"
 
 #include <stdio.h>

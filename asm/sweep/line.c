@@ -11,7 +11,7 @@ static uint64_t operations_of(const c205_account *account)
     return account->operations;
 }
 
-/* Fits a line by relative errors. A point with the value 0 has the weight 0. */
+/* Fits a line by relative errors. A point with value 0 has weight 0. */
 static struct straight_line fit(const struct program_sweep *sweep, int which,
                                 figure_of *figure)
 {

@@ -22,7 +22,7 @@ struct swept_plot {
     char labels[MAX_PLOT_MARKS][LABEL];
 };
 
-/* Adds a mark. Returns its label, which the caller writes. */
+/* Adds a mark. Returns the buffer of its label, which the caller writes. */
 static char *new_mark(struct swept_plot *plot, double at)
 {
     char *label = plot->labels[plot->mark_count];
@@ -63,7 +63,7 @@ static void add_program(struct swept_plot *plot, int which)
                  half);
 }
 
-/* Marks as many crossings as fit. */
+/* Marks crossings until there is no room for more. */
 static void mark_crossings(struct swept_plot *plot)
 {
     const struct program_sweep *sweep = plot->sweep;

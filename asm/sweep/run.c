@@ -1,5 +1,5 @@
-/* run.c - executes the runs of a sweep, and searches the values where the
- * faster program changes. */
+/* run.c - runs the programs of a sweep, and searches for the values where the faster
+ * program changes. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -39,8 +39,8 @@ static bool uses_all(const struct program_sweep *sweep, c205_error *error)
     return !name;
 }
 
-/* Assembles a program for a value. Warnings are the same for all values, so only those
- * of the first run are reported. */
+/* Assembles a program for a value. Only warnings of the first run are reported, because
+ * all runs have the same warnings. */
 static struct object *assemble_at(struct program_sweep *sweep,
                                   const struct swept_program *program, uint64_t value)
 {
@@ -63,7 +63,8 @@ static struct object *assemble_at(struct program_sweep *sweep,
     return object;
 }
 
-/* Runs in slices. The caller's progress function may end the run between them. */
+/* Runs in slices. The progress function of the caller may end the run between two
+ * slices. */
 static c205_stop run_slices(const struct program_sweep *sweep, c205 *machine)
 {
     static const uint64_t slice = 5000000; /* clocks */
@@ -140,7 +141,7 @@ static bool second_is_faster(const struct swept_point *point)
 }
 
 /* Finds the next two points between which the faster program changes. Returns false if
- * there are none, or if memory is exhausted; then the error is set. */
+ * there are none, or with the error set if memory is exhausted. */
 static bool find_crossing(struct program_sweep *sweep, c205_error *error)
 {
     *error->message = '\0';
@@ -158,9 +159,9 @@ static bool find_crossing(struct program_sweep *sweep, c205_error *error)
     return false;
 }
 
-/* Bisects the interval of a crossing. If an interval has several crossings, one
- * of them is found. Values between the points are tried only if the range has
- * neither step nor factor. */
+/* Bisects the interval of a crossing. It finds one crossing if the interval has
+ * several. Values between the points are tried only if the range has neither step nor
+ * factor. */
 static bool halve(struct program_sweep *sweep, c205_error *error)
 {
     bool all = sweep->range.step == 0 && sweep->range.factor == 0;
@@ -181,7 +182,7 @@ static bool halve(struct program_sweep *sweep, c205_error *error)
     return true;
 }
 
-/* Makes one step of the search. *over: there are no more crossings. */
+/* Makes one step of the search. Sets *over if there are no more crossings. */
 static bool search(struct program_sweep *sweep, bool *over, c205_error *error)
 {
     if (sweep->inside)

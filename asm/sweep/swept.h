@@ -1,9 +1,8 @@
 /* swept.h - runs one or two programs for many values of a constant.
  *
- * A program is assembled for each value and run to its end. All figures of a point
- * are from the machine's accounts. A line is fitted through the points of each
- * program. For two programs, the values are determined from which the second is
- * faster, or no longer faster.
+ * A program is assembled for each value and run to its end. All figures of a point come
+ * from the accounts of the machine. A line is fitted to the points of each program. A
+ * sweep of two programs also finds the values at which the faster program changes.
  */
 #ifndef ASM_SWEPT_H
 #define ASM_SWEPT_H
@@ -16,23 +15,24 @@
 /* ---- Values ---------------------------------------------------------------- */
 
 enum { MAX_SWEPT_POINTS = 1000 };
-/* The largest integer of an index of 48 bits. */
+/* The largest integer in the low 48 bits of a word. */
 #define SWEPT_LARGEST ((UINT64_C(1) << 47) - 1)
 
-/* A range of values, 1 <= from < to. With a step or a factor it contains only those
- * values, otherwise all integers. */
+/* A range of values, 1 <= from < to. It contains all integers unless it has a step or a
+ * factor. */
 struct swept_range {
     uint64_t from, to;
     uint64_t step;   /* 0: none */
     uint64_t factor; /* 0: none */
 };
 
-/* Parses "8:65535", "8:65535:8" or "8:65535:x2". Returns false for any other text. */
+/* Parses a range such as "8:65535", "8:65535:8" or "8:65535:x2". Returns false for any
+ * other text. */
 bool swept_take_range(const char *text, struct swept_range *range);
-/* Computes the values of a range. With a step or a factor these are all of its values.
- * Otherwise they are at most `points` values with both ends, in a constant ratio except
- * for rounding; points = 0: 8 per octave, at most 25. Returns their number, or 0 if
- * there are more than MAX_SWEPT_POINTS. */
+/* Computes the values of a range. A range with a step or factor has all of its values.
+ * Another range has at most `points` values, including both ends, in a constant ratio
+ * except for rounding. 0 points: 8 per octave, at most 25. Returns the number of
+ * values, or 0 if it would exceed MAX_SWEPT_POINTS. */
 size_t swept_values(const struct swept_range *range, size_t points,
                     uint64_t values[MAX_SWEPT_POINTS]);
 
@@ -46,7 +46,7 @@ struct swept_point {
     c205_account runs[SWEPT_PROGRAMS]; /* sum over all regions */
 };
 
-/* A value from which the second program is faster, or no longer faster. */
+/* A value at which the faster program changes. */
 struct swept_crossing {
     struct swept_point at;
     bool faster;
@@ -63,51 +63,51 @@ struct program_sweep {
     } programs[SWEPT_PROGRAMS];
     size_t program_count;
     const c205_model *model;
-    const struct asm_options *options; /* its constants are added to the swept one; at
-                                        * most MAX_SWEPT_DEFINES */
-    /* All pages are in memory at the start, or none; if both are false, as
-     * the program requests. */
+    const struct asm_options *options; /* the constant of the sweep is added to its
+                                          constants, at most MAX_SWEPT_DEFINES */
+    /* Whether all pages are in memory at the start, or none. If both are false, the
+     * program determines it. */
     bool warm, cold;
-    uint64_t clocks_most; /* limit for a run */
-    struct sink report;   /* for the assembler's report */
-    /* Called from time to time with the part of the work that is done. Returns false to
-     * stop. NULL: never stop. */
+    uint64_t clocks_most; /* limit of a run in clocks */
+    struct sink report;   /* receives the messages of the assembler */
+    /* Called regularly with the part of the work that is done. false stops the sweep.
+     * NULL: never stop. */
     bool (*goes_on)(void *context, size_t done, size_t all);
     void *context;
 
-    bool used[MAX_SWEPT_DEFINES + 1]; /* by a program: constant, names of options */
+    bool used[MAX_SWEPT_DEFINES + 1]; /* whether a program uses the constant and the
+                                         names of options */
 
-    /* Progress, on the assumption that a run takes time in proportion to its value. */
+    /* Progress. The time of a run is assumed to be proportional to its value. */
     size_t done, all;
-    size_t searched; /* number of points that were examined for crossings */
+    size_t searched; /* points that were searched for crossings */
     bool inside;     /* a crossing is being bisected; its lower end is low */
     uint64_t low;
 
     /* Results. */
     char per_element[SWEPT_HEADING]; /* "clk/n" */
-    size_t count, point_count;       /* points done, and in all */
+    size_t count, point_count;       /* points done, all points */
     struct swept_point *points;
     size_t crossing_count;
     struct swept_crossing *crossings; /* in ascending order */
 };
 
-/* Runs a sweep. The input must be set and all else zero. Fails with an error that names
- * the value and the reason. */
+/* Runs a sweep. The input must be set, and all other members must be zeroed. On
+ * failure, the error names the value and the reason. */
 bool swept_run(struct program_sweep *sweep, c205_error *error);
-/* Runs one point, or one step of the search for a crossing. *over
- * is set after the last. */
+/* Runs one point, or one step of the search for a crossing. Sets *over after the
+ * last. */
 bool swept_step(struct program_sweep *sweep, bool *over, c205_error *error);
 void swept_free(struct program_sweep *sweep);
 
 /* ---- The line -------------------------------------------------------------- */
 
-/* A line t = startup + value / r, in clocks, with the least sum of squares of
- * relative errors. Errors in clocks would be unsuitable: n-half depends on short
- * vectors, and an error of a thousandth for a long vector would outweigh all of their
- * clocks.
+/* A line t = startup + value / r, in clocks, with the smallest sum of squared relative
+ * errors. Absolute errors would be unsuitable, because n-half depends on short vectors.
+ * An error of 0.1 % for a long vector would exceed all of their clocks.
  *
- *   r-infinity = values per clock, in the limit of long vectors
- *   n-half     = startup x r: the value at which half of that rate is reached
+ *   r-infinity = values per clock for long vectors
+ *   n-half     = startup x r, the value with half of this rate
  *
  * Source: R. W. Hockney and C. R. Jesshope, Parallel Computers (1981), chapter 1.
  */
@@ -116,25 +116,26 @@ struct swept_line {
     double flops;                /* flops per value; 0: none */
     double off; /* largest relative deviation of the line from a point */
     uint64_t off_at;
-    bool grows; /* the last point takes more clocks than the first */
+    bool grows; /* the last point takes more clocks than the first point */
     bool good;  /* it grows, and no point deviates by more than SWEPT_FAR */
 };
-/* If a point deviates by more than this part of its clocks, there is no line. */
+/* There is no line if a point deviates by more than this part of its clocks. */
 #define SWEPT_FAR 0.05
 
 struct swept_line swept_line_of(const struct program_sweep *sweep, int which);
 double swept_half_length(const struct swept_line *line);
-/* Returns the exponent of the clocks as a power of the value, in the last octave. */
+/* Returns the exponent of a power of the value that approximates the clocks in the last
+ * octave. */
 double swept_power(const struct program_sweep *sweep, int which);
 
 /* ---- Tables --------------------------------------------------------------- */
 
-/* The names of the programs in tables: "first", "second". */
+/* The names of the programs in tables, "first" and "second". */
 extern const char *const swept_names[SWEPT_PROGRAMS];
 
 /* Return NULL if memory is exhausted. The tables refer to texts of the sweep. */
 struct table *swept_points(const struct program_sweep *sweep);
-/* Returns the column of the points that has the clocks of a program. */
+/* Returns the column that has the clocks of a program. */
 size_t swept_clocks_column(int which);
 struct table *swept_causes(const struct program_sweep *sweep);
 struct table *swept_lines(const struct program_sweep *sweep);
@@ -144,7 +145,7 @@ struct table *swept_crossings(const struct program_sweep *sweep);
 
 enum { SWEPT_TITLE = 160 };
 void swept_title(const struct program_sweep *sweep, char title[SWEPT_TITLE]);
-/* Draws the points and lines, the half lengths and as many crossings as fit. Fails if
+/* Draws the points, lines, half lengths, and crossings that have room. Returns false if
  * memory is exhausted. */
 bool swept_svg(const struct program_sweep *sweep, const char *title,
                const struct sink *sink, c205_error *error);

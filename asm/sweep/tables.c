@@ -49,7 +49,8 @@ struct table *swept_points(const struct program_sweep *sweep)
     return table;
 }
 
-/* A program has three columns after the value. */
+/* Returns the column of clocks of a program. Each program has three columns after the
+ * value. */
 size_t swept_clocks_column(int which)
 {
     return 1 + 3 * (size_t)which;
@@ -78,8 +79,7 @@ struct table *swept_causes(const struct program_sweep *sweep)
     return table;
 }
 
-/* Adds the line of a program. If there is no line, only its
- * largest deviation is given. */
+/* Adds the line of a program. If there is no line, adds only its largest deviation. */
 static void add_line(struct table *table, const struct program_sweep *sweep, int which)
 {
     struct swept_line line = swept_line_of(sweep, which);

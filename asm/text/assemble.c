@@ -10,7 +10,8 @@
 #include "asm/text/lex.h"
 #include "base/text_file.h"
 
-/* Returns the reason why a text cannot be the name of a constant, or NULL if it can. */
+/* Returns the reason for which a text cannot be the name of a constant, or NULL if it
+ * can. */
 static const char *name_fault(const char *name)
 {
     size_t length = strlen(name);
@@ -58,7 +59,7 @@ static void start(struct assembler *assembler)
     assembler->section = &assembler->sections[0];
 }
 
-/* Copies the text, so that the caller's text is not modified. Fails with a report. */
+/* Copies the text, because the assembler modifies it. Returns false after a report. */
 static bool take_text(struct assembler *assembler, struct asm_source *source)
 {
     size_t length = (size_t)(source->end - source->text);

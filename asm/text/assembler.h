@@ -1,12 +1,12 @@
 /* assembler.h - data structures that the passes of an assembly share. Not public.
  *
  * The passes run line by line. The expander produces logical lines, after includes,
- * macros, repetition and conditions. The parser turns each line into items with known
- * addresses, whose values are expressions. After the last line all labels are known,
- * and the encoder turns the items into words.
+ * macros, repetition and conditions. The parser converts each line to items. Their
+ * addresses are known, and their values are expressions. After the last line all labels
+ * are known, and the encoder converts the items to words.
  *
- * Pointers into the program text are valid during the whole assembly. Functions that
- * fail return false or NULL after they have reported the reason.
+ * Pointers into the program text are valid during the whole assembly. Functions return
+ * false or NULL on failure, after reporting the reason.
  */
 #ifndef ASM_ASSEMBLER_H
 #define ASM_ASSEMBLER_H
@@ -17,28 +17,30 @@
 #include "base/arena.h"
 #include "vm/error.h"
 
-/* Limits, so that no text makes an assembly endless or exhausts memory. */
-#define MAX_EXPANSION ((uint64_t)1 << 26) /* bytes made by .macro and .rept */
+/* Limits that prevent endless assembly and use of all memory. */
+#define MAX_EXPANSION ((uint64_t)1 << 26) /* bytes from .macro and .rept */
 #define MAX_LINE ((size_t)1 << 16)        /* bytes of one line */
-#define MAX_FRAMES 64u                    /* includes and macros in use */
+#define MAX_FRAMES 64u                    /* nested includes and macros */
 #define MAX_CONDITIONS 64u
-#define MAX_SHARES 64u  /* .share in .share */
-#define MAX_SHARERS 64u /* names of one register that a new name is compared with */
+#define MAX_SHARES 64u /* nested .share blocks */
+#define MAX_SHARERS \
+    64u /* maximum number of names of a register with which a new name
+                           is compared */
 #define MAX_EXPRESSION_DEPTH 200u
 #define MAX_ERRORS 200u
 
-/* A line of program text, as read or as expanded. */
+/* A line of program text, before or after expansion. */
 struct line {
     const char *file;
     size_t number;
-    const char *text, *text_end; /* for messages */
+    const char *text, *text_end; /* the whole line, for messages */
     const char *begin, *end;     /* the part to parse */
-    const struct line *caller;   /* the macro call or .rept that produced it */
+    const struct line *caller;   /* the macro call or .rept that produced the line */
 };
 
 enum value_kind {
     VALUE_INTEGER,
-    VALUE_WORD,    /* X'..': as an integer, its bits */
+    VALUE_WORD,    /* X'..'; an integer with the bits of a word */
     VALUE_FLOATING /* computed by the machine's arithmetic */
 };
 
@@ -60,13 +62,14 @@ struct symbol {
     const char *name;
     size_t length;
     enum symbol_kind kind;
-    struct value value;         /* register: its number */
-    size_t naming;              /* register: its last naming, counted from 1 */
-    const struct macro *macro;  /* the macro of this name; macros have
-                                 * their own name space */
+    struct value value;         /* number of a register */
+    size_t naming;              /* last naming of a register, counted from 1 */
+    const struct macro *macro;  /* macro of this name; macros have a separate name
+                                   space */
     const struct line *defined; /* NULL: defined by the caller */
-    bool used;                  /* used in an expression or a condition */
-    bool counted;               /* label: contents and count are declared */
+    bool used;                  /* an expression or a condition uses it */
+    bool counted;               /* the declaration contains contents and count of the
+                                   label */
     enum asm_contents contents;
     uint64_t count;
 };
@@ -77,38 +80,36 @@ enum { SYMBOL_BUCKETS = 4096 };
 struct register_name {
     bool half;
     uint8_t number;
-    size_t naming; /* the naming that the text used, counted from
-                    * 1; 0: none, as in r5 */
+    size_t naming; /* naming that the text used, counted from 1; 0: none, as in r5 */
 };
 
 /* A block from .share to .endshare. */
 struct register_share {
     const struct register_share *outer;
     const struct line *line;
-    const char *word; /* NULL: no word is given */
+    const char *word; /* word after .share, or NULL */
     unsigned depth;
 };
 
-/* A name of a register, valid from its .reg or .regs on. */
+/* A register name, which is valid after its .reg or .regs. */
 struct naming {
     const struct line *line;
     const char *at;
     const struct symbol *symbol;
     struct register_name named;
-    size_t owner;                       /* the first naming of the same value */
-    const struct register_share *share; /* the block that contains it, or NULL */
-    bool ended;                         /* the name has been given to another
-                                         * register */
-    size_t below;                       /* previous naming of the same
-                                         * register, counted from 1 */
+    size_t owner;                       /* first naming of the same value */
+    const struct register_share *share; /* block that contains it, or NULL */
+    bool ended;                         /* another register has the name now */
+    size_t below;                       /* previous naming of the same register, counted
+                                           from 1 */
 };
 
 struct registers {
     struct naming *namings;
     size_t count, capacity;
     size_t newest[C205_REGISTERS]; /* last naming of each register, counted from 1 */
-    size_t *mentions;              /* namings, in the order of their use in
-                                    * instructions */
+    size_t *mentions;              /* namings in the order of their use in
+                                      instructions */
     size_t mention_count, mention_capacity;
     const struct register_share *share; /* the open block, or NULL */
 };
@@ -122,15 +123,15 @@ struct instruction {
     const c205_insn *insn;
     c205_fields fields;
     const struct expression *value; /* immediate or branch target, or NULL */
-    bool relative;                  /* value is a target address */
-    size_t mention, mentions;       /* index of the first, and number */
+    bool relative;                  /* value is the address of a relative branch */
+    size_t mention, mentions;       /* index of the first mention, number of mentions */
 };
 
 enum item_kind {
     ITEM_INSTRUCTION,
-    ITEM_WORDS,      /* values are known */
+    ITEM_WORDS,      /* words with known values */
     ITEM_VALUE,      /* one word from one expression */
-    ITEM_HALF,       /* 32 bits of an integer from one expression */
+    ITEM_HALF,       /* half of a word: 32 bits of an integer from one expression */
     ITEM_HALF_WORD,  /* a half word from one expression */
     ITEM_DESCRIPTOR, /* one word from two expressions */
     ITEM_SPACE       /* zeros */
@@ -146,7 +147,7 @@ struct layout_item {
     union {
         const struct instruction *instruction;
         const c205_word *words;
-        const struct expression *values[2]; /* descriptor: length, address */
+        const struct expression *values[2]; /* for a descriptor: length, address */
     } of;
 };
 
@@ -166,19 +167,19 @@ struct open_record {
 struct section {
     const char *name;
     uint64_t at;
-    bool moved; /* by .org */
-    bool full;  /* reported; further items are dropped, until .org */
+    bool moved; /* an .org has changed the address */
+    bool full;  /* an overflow was reported; items before the next .org are dropped */
 };
 
-/* A warning whose position in the program is known, but not yet whether the program
- * declares it as intended. */
+/* A warning at a known position. It is not known yet whether the program declares it as
+ * intended. */
 struct pending_warning {
     enum warning warning;
     struct position position;
     const char *message;
 };
 
-/* An expectation whose expressions are not evaluated yet. */
+/* An expectation before its expressions are evaluated. */
 struct expectation {
     const struct line *line;
     enum expectation_kind kind;
@@ -201,7 +202,7 @@ struct assembler {
     struct symbols symbols;
     struct registers registers;
     struct expander *expander;
-    struct constant_folder *constant_folder; /* NULL: not needed so far */
+    struct constant_folder *constant_folder; /* NULL: not needed yet */
 
     struct section sections[2];
     struct section *section;
@@ -219,26 +220,27 @@ struct assembler {
     size_t expectation_count, expectation_capacity;
     struct pending_warning *pending_warnings;
     size_t pending_count, pending_capacity;
-    /* Labels that move with the following data when those are aligned. */
+    /* Labels that move with the next data if the data are aligned. */
     struct symbol **waiting;
     size_t waiting_count, waiting_capacity;
 
-    const struct instruction *writing; /* the instruction whose operands are
-                                        * being parsed, if its syntax has
-                                        * not been reported yet */
+    const struct instruction *writing; /* instruction whose operands are parsed, unless
+                                          its syntax was already reported */
     bool warm;                         /* .warm */
     const struct line *entry_line;
     const struct expression *entry;
 };
 
-/* error.c. `at` points into the line; if the whole line is meant, it is the start of
- * the line. All of them return false. */
+/* error.c. `at` is a position in the line; the start of the line means the whole line.
+ * These functions return false. */
 bool report(struct assembler *assembler, const struct line *line, const char *at,
             const char *format, ...) PRINTF_FORMAT(4, 5);
-/* Records a warning, which is reported at the end unless it is disabled or declared. */
+/* Records a warning. It is reported at the end unless it is disabled or declared as
+ * intended. */
 void warn(struct assembler *assembler, enum warning warning, const struct line *line,
           const char *at, const char *format, ...) PRINTF_FORMAT(5, 6);
-/* Reports the recorded warnings. Returns their set, including those not reported. */
+/* Reports the recorded warnings. Returns the set of all warnings, even if not
+ * reported. */
 warning_set report_pending_warnings(struct assembler *assembler);
 bool report_file(struct diagnostics *diagnostics, const char *file,
                  const char *message);
@@ -247,7 +249,7 @@ bool too_many_errors(const struct assembler *assembler);
 /* symbol.c */
 struct symbol *symbol_intern(struct assembler *assembler, const char *name,
                              size_t length);
-/* Returns NULL if the name was never used. */
+/* Returns the symbol of a name, or NULL if the name was never used. */
 struct symbol *symbol_find(const struct assembler *assembler, const char *name,
                            size_t length);
 bool symbol_define(struct assembler *assembler, const struct line *line, const char *at,
@@ -256,15 +258,16 @@ bool symbol_define(struct assembler *assembler, const struct line *line, const c
 /* parse.c */
 bool parse_line(struct assembler *assembler, const struct line *line);
 
-/* Warns of code that continues past its end (fallthrough.c). */
+/* Warns of code that continues where there is no code (fallthrough.c). */
 void check_ends(struct assembler *assembler);
 
-/* layout.c: returns the address after an item; sorts the items by address. */
+/* layout.c. layout_end returns the address after an item; layout_sort sorts items by
+ * address. */
 uint64_t layout_end(const struct layout_item *item);
 void layout_sort(struct assembler *assembler);
 
-/* Adds the words of the sorted items to an object. Continues after errors of values, so
- * that all of them are reported (encode.c). */
+/* Adds the words of the sorted items to an object. Continues after errors, so all
+ * errors of values are reported (encode.c). */
 bool encode_segments(struct assembler *assembler, struct storage *storage);
 
 /* Returns the object, or NULL after errors (build.c). */

@@ -60,7 +60,8 @@ static bool add_symbols(struct assembler *assembler, struct storage *storage)
     return !storage->arena.failed;
 }
 
-/* A line in a .rept belongs to its own position, not to that of the .rept. */
+/* Returns true for a line in a .rept. Its position is its own and not that of the
+ * .rept. */
 static bool is_repetition(const struct line *line)
 {
     const char *at = line->begin;
@@ -69,7 +70,7 @@ static bool is_repetition(const struct line *line)
     return at < line->end && *at == '.';
 }
 
-/* Returns the outermost macro call, or the line itself. */
+/* Returns the outermost macro call, or the line if there is none. */
 static const struct line *call_of(const struct line *line)
 {
     const struct line *call = line, *caller;
@@ -104,7 +105,7 @@ static bool add_line(struct storage *storage, const struct layout_item *item)
     return line->source && line->call_source;
 }
 
-/* Adjacent items of one line become one entry. */
+/* Adds the lines. Adjacent items of a line become one entry. */
 static bool add_lines(struct assembler *assembler, struct storage *storage)
 {
     const struct layout_item *items = assembler->items;
@@ -232,7 +233,7 @@ static void set_entry(struct assembler *assembler, struct storage *storage)
     storage->object.program.entry = entry;
 }
 
-/* Continues after errors of values, so that all of them are reported. */
+/* Fills the object. Continues after errors, so all errors of values are reported. */
 static bool fill_storage(struct assembler *assembler, struct storage *storage)
 {
     return encode_segments(assembler, storage) && add_regions(assembler, storage)

@@ -1,5 +1,5 @@
-/* constant_folder.c - computes floating-point operations on a
- * machine, for expressions. */
+/* constant_folder.c - computes floating-point operations of expressions on a
+ * machine. */
 #include "asm/text/constant_folder.h"
 
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 
 #include "asm/text/assemble.h"
 
-/* The registers f_x, f_y and f_r of asm/lib/functions.s. */
+/* Numbers of the registers f_x, f_y and f_r of asm/lib/functions.s. */
 enum { X = 210, Y, RESULT };
 
 static const struct constant_folder_function functions[] = {

@@ -1,8 +1,8 @@
 /* constant_folder.h - evaluates floating-point operations of expressions with the
  * machine's arithmetic.
  *
- * An expression has the same bits at assembly as in a program. The operations are
- * instructions, the functions are routines of asm/lib, and a machine executes both.
+ * The assembler and a program compute the same bits for an expression. A machine
+ * executes instructions for the operations, and routines of asm/lib for the functions.
  */
 #ifndef ASM_CONSTANT_FOLDER_H
 #define ASM_CONSTANT_FOLDER_H
@@ -13,21 +13,21 @@
 struct constant_folder;
 
 struct constant_folder_function {
-    const char *name; /* name in an expression, or operator: "sin", "+" */
+    const char *name; /* name or operator in an expression, such as "sin" or "+" */
     unsigned arguments;
-    bool is_integer; /* the result is an integer: exponent 0 */
+    bool is_integer; /* the result is an integer, with exponent 0 */
     const char *label;
 };
 
-/* Returns NULL if there is no such function. */
+/* Returns the function with a name, or NULL. */
 const struct constant_folder_function *constant_folder_find(const char *name,
                                                             size_t length);
 
-/* Returns NULL if memory is exhausted. */
+/* Returns a constant folder, or NULL if memory is exhausted. */
 struct constant_folder *constant_folder_new(void);
 void constant_folder_free(struct constant_folder *constant_folder);
 
-/* y is used by functions of two arguments. */
+/* Computes a function. Only functions of two arguments use y. */
 c205_word constant_folder_compute(struct constant_folder *constant_folder,
                                   const struct constant_folder_function *function,
                                   c205_word x, c205_word y);

@@ -1,4 +1,4 @@
-/* data_map.c - finds the type and the number of the data at each label. */
+/* data_map.c - finds the type and the number of data at each label. */
 #include "asm/text/data_map.h"
 
 #include <stdlib.h>
@@ -20,8 +20,8 @@ static int compare_addresses(const void *a, const void *b)
     return *one < *other ? -1 : *one > *other;
 }
 
-/* Returns the index of the first address that is not less than `address`, by bisection.
- * The addresses are in ascending order. */
+/* Returns the index of the first address >= `address`, by bisection. The addresses are
+ * in ascending order. */
 static size_t find_address(const uint64_t *addresses, size_t count, uint64_t address)
 {
     size_t low = 0, high = count;
@@ -35,8 +35,8 @@ static size_t find_address(const uint64_t *addresses, size_t count, uint64_t add
     return low;
 }
 
-/* Sets the type and the count of a label: all items of one type without a gap, from its
- * address up to `end`. */
+/* Sets the type and the count of a label. They include all items of one type without a
+ * gap from its address up to `end`. */
 static void set_type(const struct assembler *assembler, struct asm_symbol *symbol,
                      size_t first, uint64_t end)
 {
@@ -53,9 +53,9 @@ static void set_type(const struct assembler *assembler, struct asm_symbol *symbo
     symbol->count = count_of(symbol->contents, halves);
 }
 
-/* Sets the data types of all labels without a declared length. The addresses of the
- * labels are sorted once, so that the next label and the first item of each label
- * are found by bisection, in n log n time for n labels. */
+/* Sets the types of data at all labels without a declared length. The addresses are
+ * sorted once. The next label and the first item of each label are then found by
+ * bisection, in n log n time for n labels. */
 static void set_types(const struct assembler *assembler, struct asm_symbol *symbols,
                       size_t count, uint64_t *labels, uint64_t *items)
 {

@@ -1,11 +1,11 @@
-/* data_map.h - the type and the number of the data at the labels of a program. */
+/* data_map.h - the types and numbers of data at the labels of a program. */
 #ifndef ASM_DATA_MAP_H
 #define ASM_DATA_MAP_H
 
 #include "asm/text/assembler.h"
 
 /* Sets the data types of the labels among `count` symbols. The items must be sorted by
- * address. Fails if memory is exhausted. */
+ * address. Returns false if memory is exhausted. */
 bool data_map_fill(const struct assembler *assembler, struct asm_symbol *symbols,
                    size_t count);
 

@@ -1,5 +1,5 @@
-/* directive.c - the directives that the parser executes: symbols,
- * addresses, regions and data. */
+/* directive.c - the directives that the parser executes: symbols, addresses, regions
+ * and data. */
 #include "asm/text/statement.h"
 #include "asm/text/suggest.h"
 #include "base/plural.h"
@@ -195,8 +195,8 @@ static bool add_space(struct cursor *cursor, uint64_t halves)
     return halves == 0 || layout_add(cursor, ITEM_SPACE, halves);
 }
 
-/* Adds zeros, which may begin and end in the middle of a word. Their whole words are
- * one item. */
+/* Adds zeros, which may begin and end within a word. The whole words become one
+ * item. */
 static bool add_half_space(struct cursor *cursor, uint64_t halves)
 {
     uint64_t odd = cursor->assembler->section->at % WORD_BITS != 0;
@@ -214,7 +214,7 @@ static bool parse_space(struct cursor *cursor)
            && add_space(cursor, WORD_HALVES * (uint64_t)words);
 }
 
-/* Parses NAME, n: a label and the number of the elements at it. */
+/* Parses NAME, n: a label and its number of elements. */
 static bool parse_head(struct cursor *cursor, uint64_t most, int64_t *count)
 {
     struct symbol *symbol;
@@ -231,7 +231,7 @@ static bool parse_head(struct cursor *cursor, uint64_t most, int64_t *count)
     return true;
 }
 
-/* Parses NAME, n, values. *rest: the number of elements without a value. */
+/* Parses NAME, n, values. Sets *rest to the number of elements without a value. */
 static bool parse_elements(struct cursor *cursor, enum item_kind kind, uint64_t halves,
                            uint64_t *rest)
 {
@@ -307,7 +307,7 @@ static bool parse_bitvector(struct cursor *cursor)
            && add_space(cursor, WORD_HALVES * (length - given));
 }
 
-/* Packs eight bytes into a word; the last word is filled with zeros. */
+/* Packs a text into words of eight bytes. The last word is filled with zeros. */
 static bool parse_text(struct cursor *cursor)
 {
     uint64_t count;

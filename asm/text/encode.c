@@ -1,4 +1,4 @@
-/* encode.c - turns items into words, and these into segments. */
+/* encode.c - converts items to words, and words to segments. */
 #include <inttypes.h>
 #include <string.h>
 
@@ -9,12 +9,12 @@
 enum {
     WORD_BITS = 64,
     HALF_BITS = 32,
-    ZERO_RUN = 64 /* minimum words of .space that make a segment of their own */
+    ZERO_RUN = 64 /* minimum words of .space that become a separate segment */
 };
 
 /* ---- Instructions ---- */
 
-/* A relative branch counts in half words from its own address. */
+/* Encodes a branch target. A relative branch counts half words from its address. */
 static bool encode_target(struct assembler *assembler, const struct layout_item *item,
                           const struct instruction *instruction, c205_fields *fields)
 {
@@ -89,7 +89,7 @@ static c205_word encode_half(struct assembler *assembler,
     return (c205_word)integer << HALF_BITS;
 }
 
-/* Returns the word of an item; an item of one half is in the high half. */
+/* Returns the word of an item. The value of an item of one half is in the high half. */
 static c205_word encode_one(struct assembler *assembler, const struct layout_item *item)
 {
     c205_word word = 0;
@@ -133,15 +133,15 @@ static void encode_item(struct assembler *assembler, const struct layout_item *i
 
 /* ---- Segments ---- */
 
-/* Reports items that overlap, in one pass over the items sorted by address. `last`
- * is the item with the greatest end so far. Consecutive items of the text that
- * overlap are reported once, at the first of them. */
+/* Reports overlapping items in one pass over the items, which are sorted by address.
+ * `last` is the item with the greatest end so far. A run of overlapping items that are
+ * consecutive in the text is reported once, at its first item. */
 static bool check_overlap(struct assembler *assembler)
 {
     const struct layout_item *items = assembler->items;
     size_t last = 0, before = assembler->diagnostics->errors;
-    const struct layout_item *run = NULL; /* the last overlap, which is
-                                           * reported at its first item */
+    const struct layout_item *run = NULL; /* the last overlap; reported at its first
+                                             item */
 
     for (size_t i = 1; i < assembler->item_count; i++) {
         if (items[i].address < layout_end(&items[last])) {
@@ -164,8 +164,8 @@ static bool is_zero_run(const struct layout_item *item)
     return item->kind == ITEM_SPACE && item->halves >= 2 * (uint64_t)ZERO_RUN;
 }
 
-/* Returns the number of items from this one on that form one segment: those without a
- * free word between them. */
+/* Returns the number of items from this item on that form one segment, without a free
+ * word between them. */
 static size_t count_together(const struct layout_item *item, size_t count)
 {
     uint64_t end = layout_end(item);

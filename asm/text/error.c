@@ -22,7 +22,7 @@ static void print_caller(char *message, size_t size, const struct line *line)
                  line->caller->file, line->caller->number);
 }
 
-/* An error of a whole line is reported at its first word. */
+/* Returns the column of an error. An error of a whole line is at its first word. */
 static size_t column_of(const struct line *line, const char *at)
 {
     if (at == line->begin)
@@ -39,7 +39,7 @@ static struct position position_of(const struct line *line, const char *at)
     return position;
 }
 
-/* Appends the syntax of the instruction to the first error of its operands. */
+/* Appends the syntax of an instruction to the first error in its operands. */
 static void print_form(char *message, size_t size, struct assembler *assembler)
 {
     const struct instruction *writing = assembler->writing;

@@ -72,8 +72,8 @@ static bool operand(struct assembler *assembler, const struct line *line,
 
 /* ---- Floating-point numbers ---- */
 
-/* Converts a value to an operand of the machine's arithmetic.
- * Integers are normalised. */
+/* Converts a value to an operand of the machine's arithmetic. An integer is
+ * normalised. */
 static bool machine_number(struct assembler *assembler, const struct line *line,
                            const struct expression *expression,
                            const struct value *value, c205_word *word)
@@ -126,7 +126,8 @@ static bool evaluate_function(struct assembler *assembler, const struct line *li
                       word[1], result);
 }
 
-/* The machine has no such comparison: a > b is computed as b < a, a <= b as b >= a. */
+/* The operators and their comparisons. The machine has no > and <=, so a > b is
+ * computed as b < a, and a <= b as b >= a. */
 static const struct number_operator {
     int code;
     const char *name;
@@ -171,7 +172,8 @@ static bool calculate_numbers(struct assembler *assembler, const struct line *li
 
 /* ---- Operators ---- */
 
-/* The right side of && and || is evaluated only if the left side does not decide. */
+/* Evaluates && or ||. The right side is evaluated only if the left side does not
+ * determine the result. */
 static bool evaluate_logical(struct assembler *assembler, const struct line *line,
                              const struct expression *expression, uint64_t *result)
 {
@@ -276,7 +278,7 @@ bool evaluate_half(struct assembler *assembler, const struct line *line,
     if (!good)
         return false;
     switch (value.kind) {
-    case VALUE_FLOATING: /* rounding down twice gives the same as rounding down once */
+    case VALUE_FLOATING: /* rounding down twice equals rounding down once */
         *half = c205_half_from_double(c205_to_double(value.bits));
         return true;
     case VALUE_WORD:

@@ -61,7 +61,7 @@ static bool repeat_or_pop(struct expander *expander)
 
 /* ---- Reading lines ---- */
 
-/* Why a line is read: for the parser, or for the body of a repetition or macro. */
+/* The use of a line: for the parser, or for the body of a repetition or macro. */
 enum purpose { TO_PARSE, FOR_REPEAT, FOR_MACRO };
 
 static bool spend(struct expander *expander, const struct line *line, size_t bytes)
@@ -97,9 +97,9 @@ static struct line *file_line(struct expander *expander, struct expansion *frame
     return line;
 }
 
-/* Returns the substitutions of a line. In the definition of a macro within a macro, \@
- * is not replaced, since it belongs to the expansions of the inner macro. In the body
- * of a .rept that is being captured, \+ is not replaced. */
+/* Returns the substitutions of a line. \@ is not replaced in the definition of a macro
+ * within a macro, because it belongs to the expansions of the inner macro. \+ is not
+ * replaced while the body of a .rept is captured. */
 static struct substitution rules(const struct expansion *frame, enum purpose purpose)
 {
     struct substitution rules = { NULL, NULL, NULL, NULL };
@@ -178,7 +178,7 @@ static int nesting(struct expander *expander, const struct line *line,
     return token_is(&cursor.token, opening) - token_is(&cursor.token, closing);
 }
 
-/* Stores the lines up to the matching closing directive. */
+/* Stores the lines up to the matching end directive. */
 static bool capture(struct expander *expander, const struct line *start,
                     struct macro *body, enum purpose purpose)
 {
@@ -205,7 +205,8 @@ static void define_macro(struct expander *expander, struct cursor *cursor)
     struct macro *macro = macro_parse(cursor), unnamed, *body;
     struct symbol *symbol;
     memset(&unnamed, 0, sizeof unnamed);
-    body = macro ? macro : &unnamed; /* the body is skipped even if the head is wrong */
+    body = macro ? macro : &unnamed; /* the body is skipped even if the head is
+                                        invalid */
     if (!capture(expander, cursor->line, body, FOR_MACRO) || !macro)
         return;
     symbol = symbol_intern(expander->assembler, macro->name, strlen(macro->name));
@@ -311,8 +312,8 @@ static const struct macro *find_macro(const struct expander *expander,
 
 /* ---- The pass ---- */
 
-/* Returns the labels before a directive of this pass as a line of their own, and keeps
- * the directive for the next call. */
+/* Returns the labels before a directive of this pass as a line, and stores the
+ * directive for the next call. */
 static const struct line *split(struct expander *expander, const struct line *line,
                                 const char *at)
 {
@@ -326,8 +327,8 @@ static const struct line *split(struct expander *expander, const struct line *li
     return &halves[0];
 }
 
-/* Executes a directive of this pass and returns NULL, or returns the
- * line for the parser. */
+/* Executes a directive of this pass and returns NULL. Any other line is returned for
+ * the parser. */
 static const struct line *obey(struct expander *expander, const struct line *line)
 {
     struct cursor cursor = cursor_start(expander->assembler, line);

@@ -1,8 +1,8 @@
 /* expand.h - produces the lines of a program for the parser.
  *
- * The texts in use are on a stack: files, bodies of macros, repeated lines. The top of
- * the stack gives the next line. Directives of this pass (.include .macro .rept .if and
- * similar ones) are executed here and are not passed to the parser.
+ * A stack contains the current texts: files, bodies of macros, repeated lines. The next
+ * line comes from the top of the stack. Directives of this pass (.include, .macro,
+ * .rept, .if and similar) are executed here and not passed to the parser.
  */
 #ifndef ASM_EXPAND_H
 #define ASM_EXPAND_H
@@ -14,23 +14,23 @@ enum frame_kind { FRAME_FILE, FRAME_MACRO, FRAME_REPEAT };
 
 struct expansion {
     enum frame_kind kind;
-    const char *name; /* of FRAME_FILE, like the next two lines */
+    const char *name; /* name for FRAME_FILE, as in the next two lines */
     const char *at, *end;
     size_t number;
-    const struct line *caller; /* of the other kinds, like the rest */
+    const struct line *caller; /* for the other kinds, like the rest */
     const struct macro *body;
     size_t next;
     const struct span *arguments;
     uint64_t unique, count, repeats;
-    unsigned conditions; /* open conditions at its start */
+    unsigned conditions; /* number of open conditions at its start */
 };
 
 struct asm_condition {
     const struct line *line;
-    bool outside; /* the enclosing branch is assembled */
+    bool outside; /* the code around the condition is assembled */
     bool active;  /* this branch is assembled */
     bool decided; /* a branch has been assembled */
-    bool last;    /* .else has been read */
+    bool last;    /* .else was read */
 };
 
 struct expander {
@@ -42,17 +42,17 @@ struct expander {
     const struct line *pending; /* the rest of a line after its labels */
     uint64_t unique;
     uint64_t expansion; /* bytes generated so far */
-    bool halted;        /* a limit was exceeded: no more lines */
+    bool halted;        /* a limit was exceeded, and no lines follow */
     char scratch[MAX_LINE];
 };
 
 struct expander *expander_new(struct assembler *assembler,
                               const struct asm_source *source);
-/* Returns NULL at the end. */
+/* Returns the next line for the parser, or NULL at the end. */
 const struct line *expander_next(struct expander *expander);
 
-/* Executes .if and similar directives; returns false if the next token is none
- * of them (condition.c). */
+/* Executes .if and similar directives. Returns false if the next token is another token
+ * (condition.c). */
 bool condition_directive(struct expander *expander, struct cursor *cursor);
 bool condition_names(const struct token *token);
 bool condition_skips(const struct expander *expander);

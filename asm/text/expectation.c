@@ -123,7 +123,7 @@ static bool parse_warning(struct cursor *cursor, struct expectation *expectation
                             expectation->text));
 }
 
-/* A program may name at most one model. */
+/* Parses a model. A program may name at most one. */
 static bool parse_model(struct cursor *cursor, struct expectation *expectation)
 {
     const struct assembler *assembler = cursor->assembler;
@@ -182,8 +182,8 @@ static bool parse_named(struct cursor *cursor, const char *name, size_t length,
 
 /* ---- Misspelled expectations  */
 
-/* Returns whether the first word, up to a '-', is nearly "expect", in
- * upper or lower case. */
+/* Returns true if the first word, up to a '-', resembles "expect". Case does not
+ * matter. */
 static bool resembles(const char *name, const char *end)
 {
     enum { NEAR = 2 };
@@ -199,7 +199,7 @@ static const char *skip_blanks(const char *at, const char *end)
     return at;
 }
 
-/* Returns whether the text has the form "r10 = .." or "[..] = ..". */
+/* Returns true if the text has the form "r10 = .." or "[..] = ..". */
 static bool is_equation(const char *at, const char *end)
 {
     at = skip_blanks(at, end);
@@ -215,8 +215,8 @@ static bool is_equation(const char *at, const char *end)
     return at < end && *at == '=';
 }
 
-/* Returns whether the text after the word has the form of an expectation.
- * Prose does not have it. */
+/* Returns true if the text after the word has the form of an expectation. Prose does
+ * not have this form. */
 static bool goes_on(const char *at, const char *end, bool dashed)
 {
     at = skip_blanks(at, end);

@@ -20,8 +20,8 @@ static struct expression *new_node(struct cursor *cursor, const char *at,
     return node;
 }
 
-/* Computes a node whose operands are integer constants. A node that fails is left for
- * evaluate(), which reports the error. */
+/* Computes a node whose operands are integer constants. If it fails, the node remains,
+ * and evaluate() reports the error. */
 static void fold(struct expression *node)
 {
     const struct expression *left = node->left, *right = node->right;
@@ -123,7 +123,7 @@ parse_computed(struct cursor *cursor, const struct constant_folder_function *fun
     return expect_operator(cursor, ')', "')'") ? node : NULL;
 }
 
-/* Parses length("text"), the number of bytes. */
+/* Parses length("text"), which is the number of bytes. */
 static const struct expression *parse_length(struct cursor *cursor)
 {
     struct expression *node = new_node(cursor, cursor->token.begin, VALUE);
@@ -156,7 +156,7 @@ static const struct expression *parse_here(struct cursor *cursor)
     return node;
 }
 
-/* Returns whether a name precedes a bracket. */
+/* Returns true if the token is a name before a bracket. */
 static bool is_call(const struct token *token)
 {
     const char *at = token->end;
@@ -200,8 +200,8 @@ static const struct expression *parse_primary(struct cursor *cursor)
     return NULL;
 }
 
-/* A negative number is converted with its sign, so that it is rounded once; negating
- * the rounded positive number could give another word. */
+/* Parses a negative number. It is converted with its sign, so it is rounded once.
+ * Negating the rounded positive number could give another word. */
 static const struct expression *parse_negative_number(struct cursor *cursor,
                                                       const char *at)
 {
@@ -240,9 +240,9 @@ static const struct expression *parse_unary(struct cursor *cursor)
     return left ? join_nodes(cursor, node, code, left, NULL) : NULL;
 }
 
-/* Parses a chain of binary operators by precedence climbing: an operand, then all
- * operators of at least this level. The right operand of each takes only operators
- * of higher levels, so operators of one level associate to the left. */
+/* Parses an operand and all binary operators of at least this level, by precedence
+ * climbing. A right operand takes only operators of higher levels, so operators of the
+ * same level associate to the left. */
 static const struct expression *parse_chain(struct cursor *cursor, int level)
 {
     const struct expression *left = parse_unary(cursor), *right;
@@ -257,8 +257,8 @@ static const struct expression *parse_chain(struct cursor *cursor, int level)
     return left;
 }
 
-/* Parses operators of this level and above. Every nesting level passes through here, so
- * the limit of depth is checked here. */
+/* Parses operators of at least this level. Every level of nesting passes through this
+ * function, so it checks the limit of the depth. */
 static const struct expression *parse_binary(struct cursor *cursor, int level)
 {
     const struct expression *result;

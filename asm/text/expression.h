@@ -1,9 +1,9 @@
 /* expression.h - expressions, whose value may depend on labels that are defined later.
  *
  * Integers have 64 bits, with C's operators and precedence; sums, differences and
- * products wrap. An operation with a floating-point number gives one, computed by the
- * machine's arithmetic. The bits of a word X'..' count as an integer, but in an
- * operation with a floating-point number as the word itself.
+ * products wrap. An operation with a floating-point number has a floating-point result,
+ * computed by the machine's arithmetic. The bits of a word X'..' count as an integer,
+ * except in an operation with a floating-point number, where X'..' counts as the word.
  */
 #ifndef ASM_EXPRESSION_H
 #define ASM_EXPRESSION_H
@@ -12,19 +12,19 @@
 
 struct expression;
 
-/* Returns NULL after a report. */
+/* Parses an expression. Returns NULL after a report. */
 const struct expression *parse_expression(struct cursor *cursor);
 
 bool evaluate(struct assembler *assembler, const struct line *line,
               const struct expression *expression, struct value *value);
-/* Evaluates to an integer; a floating-point number is an error. */
+/* Evaluates to an integer. A floating-point number is an error. */
 bool evaluate_integer(struct assembler *assembler, const struct line *line,
                       const struct expression *expression, int64_t *integer);
-/* Evaluates to an integer from low to high. what: its name in the error. */
+/* Evaluates to an integer from low to high. what is its name in an error. */
 bool evaluate_range(struct assembler *assembler, const struct line *line,
                     const struct expression *expression, int64_t low, int64_t high,
                     const char *what, int64_t *integer);
-/* Evaluates to a word of memory; an integer has exponent 0. */
+/* Evaluates to a word of memory. An integer has exponent 0. */
 bool evaluate_word(struct assembler *assembler, const struct line *line,
                    const struct expression *expression, c205_word *word);
 /* Evaluates to a half word, left-aligned in *half. An integer has exponent 0; a
@@ -34,7 +34,8 @@ bool evaluate_half(struct assembler *assembler, const struct line *line,
 bool evaluate_address(struct assembler *assembler, const struct line *line,
                       const struct expression *expression, uint64_t *address);
 
-/* Parse and evaluate at once, with the symbols that are defined so far. */
+/* Parse and evaluate an expression. It may use only symbols that are already
+ * defined. */
 bool parse_value(struct cursor *cursor, struct value *value);
 bool parse_integer(struct cursor *cursor, int64_t low, int64_t high, const char *what,
                    int64_t *integer);

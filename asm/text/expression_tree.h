@@ -1,5 +1,5 @@
-/* expression_tree.h - the tree of an expression, which expression.c builds and
- * evaluate.c evaluates. Not public.
+/* expression_tree.h - the tree of an expression. expression.c builds it, and evaluate.c
+ * evaluates it. Not public.
  */
 #ifndef ASM_EXPRESSION_TREE_H
 #define ASM_EXPRESSION_TREE_H
@@ -12,7 +12,7 @@ enum operation { VALUE, SYMBOL, UNARY, BINARY, BITS, WORD, FUNCTION };
 
 struct expression {
     enum operation operation;
-    int code; /* of an operator */
+    int code; /* code of an operator */
     unsigned depth;
     const char *at;
     struct value value;

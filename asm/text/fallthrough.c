@@ -1,7 +1,7 @@
 /* fallthrough.c - warns of code that continues where there is no code. */
 #include "asm/text/expression.h"
 
-/* Returns whether the item is EXIT with request 0, which is the default. */
+/* Returns true if the item is EXIT with request 0, the default request. */
 static bool ends_program(struct assembler *assembler, const struct layout_item *item)
 {
     const struct instruction *instruction = item->of.instruction;
@@ -13,15 +13,15 @@ static bool ends_program(struct assembler *assembler, const struct layout_item *
                && value.bits == 0);
 }
 
-/* Returns whether the instruction branches for any contents of registers. */
+/* Returns true if the instruction branches for any values of registers. */
 static bool always_branches(const c205_insn *insn)
 {
     return insn->format == C205_FORMAT_JUMP
            || (insn->format == C205_FORMAT_CALL && insn->operands[0] == 'w');
 }
 
-/* Returns whether an instruction follows directly. A .half counts,
- * since it may be one. */
+/* Returns true if an instruction follows directly. A .half counts, because it may be an
+ * instruction. */
 static bool goes_on_with(const struct layout_item *next, const struct layout_item *item)
 {
     return next->address == layout_end(item)
@@ -36,7 +36,8 @@ static bool expects_trap(const struct assembler *assembler)
     return false;
 }
 
-/* The items must be sorted by address. A program that expects a trap is not checked. */
+/* Warns of code that continues where there is no code. The items must be sorted by
+ * address. A program that expects a trap is not checked. */
 void check_ends(struct assembler *assembler)
 {
     const struct layout_item *items = assembler->items;

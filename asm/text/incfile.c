@@ -1,8 +1,8 @@
 /* incfile.c - .incfile: reads the numbers of a file as words.
  *
  * The fields of a line are separated by commas if it has one, otherwise by blanks. They
- * may be in quotes. A # starts a comment. If no field of the first line is a number,
- * the line is a heading with the names of the columns.
+ * may be in quotes. A # starts a comment. The first line is a heading with the names of
+ * the columns if no field of it is a number.
  */
 #include "asm/text/source.h"
 #include "asm/text/statement.h"
@@ -11,18 +11,18 @@
 #include <string.h>
 
 struct number_file {
-    struct cursor *cursor; /* at the directive */
+    struct cursor *cursor; /* cursor at the directive */
     struct line line;      /* the current line */
-    const char *wanted;    /* name of the column, or NULL */
-    size_t column;         /* its number, from 1; 0: all columns */
+    const char *wanted;    /* name of the requested column, or NULL */
+    size_t column;         /* its number from 1 on; 0: all columns */
     bool integers;
-    bool begun;  /* a line has been read */
+    bool begun;  /* a line was read */
     bool commas; /* the current line has commas */
     c205_word *words;
     size_t count, capacity;
 };
 
-/* A field of a line; it may be empty between two commas. */
+/* A field of a line. It may be empty between two commas. */
 struct csv_field {
     const char *begin, *end;
 };
@@ -34,7 +34,8 @@ static const char *skip_blanks(const char *at, const char *end)
     return at;
 }
 
-/* Returns the position after a field in quotes, or of the separator. */
+/* Returns the end of a field: the position after its closing quote, or of the
+ * separator. */
 static const char *field_end(const struct number_file *file, const char *at)
 {
     const char *end = file->line.end;
@@ -48,7 +49,7 @@ static const char *field_end(const struct number_file *file, const char *at)
     return at;
 }
 
-/* Removes blanks at the end of a field, and its quotes. */
+/* Removes trailing blanks and quotes of a field. */
 static void trim(struct csv_field *field)
 {
     while (field->end > field->begin && strchr(" \t", field->end[-1]))
@@ -60,8 +61,8 @@ static void trim(struct csv_field *field)
     }
 }
 
-/* Reads the next field and moves *at past it and its comma. Returns
- * false if there is none. */
+/* Reads the next field and moves *at after it and its comma. Returns false if there is
+ * none. */
 static bool next_field(const struct number_file *file, const char **at,
                        struct csv_field *field)
 {
@@ -196,8 +197,8 @@ static bool read_lines(struct number_file *file, const struct asm_source *source
 
 /* ---- The directive -------------------------------------------------------- */
 
-/* Returns the file of the outermost line. Paths are relative to it, not to
- * the file of a macro. */
+/* Returns the file of the outermost line. Paths are relative to it and not to the file
+ * of a macro. */
 static const char *file_of(const struct line *line)
 {
     while (line->caller)

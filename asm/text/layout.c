@@ -1,5 +1,5 @@
-/* layout.c - the location counters of the two sections, and the
- * items at their addresses. */
+/* layout.c - the location counters of the two sections, and the items at their
+ * addresses. */
 #include "asm/text/statement.h"
 
 #include <stdio.h>
@@ -7,7 +7,8 @@
 
 enum { WORD_HALVES = 2, HALF_BITS = 32 };
 
-/* Reports once for a section, since all later items are out of range as well. */
+/* Reports an overflow once for a section, because all later items are out of range,
+ * too. */
 static bool report_full(struct cursor *cursor, const char *message)
 {
     struct section *section = cursor->assembler->section;

@@ -1,4 +1,4 @@
-/* lex.c - the lexer: tokens, and a cursor in a line. */
+/* lex.c - the lexer, which reads tokens, and a cursor in a line. */
 #include "asm/text/lex.h"
 #include "asm/text/operators.h"
 
@@ -10,7 +10,7 @@ static bool is_digit(char c)
     return isdigit((unsigned char)c) != 0;
 }
 
-/* Returns 0 .. 15, or -1. */
+/* Returns 0 .. 15, or -1 if it is not a hex digit. */
 static int hex_digit(char c)
 {
     static const char digits[] = "0123456789abcdef";
@@ -109,7 +109,7 @@ static void lex_any_number(struct token *token, const char *end)
                 : "expected the end of the number, found a name");
 }
 
-/* Reads X'FFD2 4000 0000 0000'. */
+/* Reads a word such as X'FFD2 4000 0000 0000'. */
 static void lex_word(struct token *token, const char *end)
 {
     const char *at = token->begin + 2;
@@ -163,8 +163,8 @@ static void lex_name(struct token *token, const char *end, enum token_kind kind)
     token->end = at;
 }
 
-/* Reads the next token of a line. The lexer has no state other than the position, so a
- * copy of a cursor is enough to look ahead. */
+/* Reads the next token of a line. The position is the only state of the lexer, so a
+ * copy of a cursor can look ahead. */
 static struct token lex(const char *at, const char *end)
 {
     static const struct token empty;
@@ -272,8 +272,8 @@ bool expect_name(struct cursor *cursor, const char *what, const char **name,
     return true;
 }
 
-/* Decodes \n \t \\ \" \0 and \xHH; *at is after the backslash. Returns -1
- * for any other escape. */
+/* Decodes
+ * \t \\ \" \0 and \xHH. *at is after the backslash. Returns -1 for any other escape. */
 static int unescape(const char **at)
 {
     static const char letters[] = "nt\\\"0", meanings[] = "\n\t\\\"";

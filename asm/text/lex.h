@@ -6,12 +6,12 @@
 #include "asm/text/assembler.h"
 
 enum token_kind {
-    TOKEN_END, /* end of the line; begin is at its comment, if any */
+    TOKEN_END, /* end of the line; begin is its comment, if any */
     TOKEN_NAME,
     TOKEN_DIRECTIVE, /* ".name" */
     TOKEN_NUMBER,    /* integer, floating-point or X'..', in value */
     TOKEN_STRING,
-    TOKEN_OPERATOR, /* in code, see operators.h */
+    TOKEN_OPERATOR, /* in code; see operators.h */
     TOKEN_BAD       /* problem is the error message */
 };
 
@@ -28,7 +28,7 @@ struct cursor {
     struct assembler *assembler;
     const struct line *line;
     struct token token;
-    unsigned depth; /* of the expression being parsed */
+    unsigned depth; /* nesting of the expression that is parsed */
 };
 
 /* Reports an error at a position of the cursor's line, like report. Returns false. */
@@ -37,12 +37,12 @@ struct cursor {
 struct cursor cursor_start(struct assembler *assembler, const struct line *line);
 void cursor_next(struct cursor *cursor);
 bool cursor_at(const struct cursor *cursor, int code);
-/* Takes this operator if it is the next token, and returns whether it was. */
+/* Takes the next token and returns true if it is this operator. */
 bool cursor_take(struct cursor *cursor, int code);
 bool cursor_at_end(const struct cursor *cursor);
 
 /* Continues after an error, at the next comma or control vector after `start` or at the
- * end of the line, so that errors of later operands are reported as well. */
+ * end of the line. Errors of later operands are therefore reported, too. */
 void cursor_skip(struct cursor *cursor, const struct cursor *start);
 
 /* Reports that `what` was expected instead of the next token. Returns false. */
@@ -55,6 +55,6 @@ bool expect_name(struct cursor *cursor, const char *what, const char **name,
 /* Takes a string and returns its bytes, with escapes decoded, in the arena. */
 char *expect_string(struct cursor *cursor, size_t *length);
 
-bool token_is(const struct token *token, const char *text); /* any case of letters */
+bool token_is(const struct token *token, const char *text); /* ignores case */
 
 #endif

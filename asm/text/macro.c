@@ -1,5 +1,5 @@
-/* macro.c - definitions of macros, their arguments, and the
- * substitution in their bodies. */
+/* macro.c - definitions of macros, their arguments, and substitution in their
+ * bodies. */
 #include "asm/text/macro.h"
 #include "base/plural.h"
 
@@ -18,8 +18,8 @@ static const char *skip_string(const char *at, const char *end)
     return at < end ? at + 1 : end;
 }
 
-/* Returns the comma or comment that ends an argument. Commas inside brackets and
- * strings belong to the argument. */
+/* Returns the comma or comment after an argument. Commas in brackets and strings belong
+ * to the argument. */
 static const char *end_of_argument(const char *at, const char *end)
 {
     int depth = 0;
@@ -193,8 +193,8 @@ static size_t name_length(const char *at, const char *end)
     return (size_t)(at - begin);
 }
 
-/* Substitutes the text after the backslash at `at`, and returns where to continue. An
- * unknown sequence is copied, so that strings keep their escapes. */
+/* Substitutes the text after the backslash at `at`. Returns where to continue. An
+ * unknown sequence is copied, so strings keep their escapes. */
 static const char *substitute_one(const struct substitution *substitution,
                                   const char *at, const char *end,
                                   struct macro_text *output)
@@ -211,7 +211,7 @@ static const char *substitute_one(const struct substitution *substitution,
     else if (next == '+' && substitution->count)
         append_number(output, *substitution->count);
     else if (next == '(' && end - at > 2 && at[2] == ')' && substitution->macro)
-        return at + 3; /* \() only ends a name */
+        return at + 3; /* \() ends a name and has no other effect */
     else
         append(output, at, next ? 2 : 1);
     return at + (next ? 2 : 1);

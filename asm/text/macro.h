@@ -5,7 +5,7 @@
 #include "asm/text/lex.h"
 
 struct span {
-    const char *begin, *end; /* begin NULL: absent */
+    const char *begin, *end; /* begin is NULL if absent */
 };
 
 struct parameter {
@@ -32,11 +32,11 @@ struct substitution {
 struct macro *macro_parse(struct cursor *cursor);
 bool macro_add_line(struct assembler *assembler, struct macro *macro,
                     const struct line *line);
-/* Parses the arguments after a macro's name. Returns a span for each parameter, or
+/* Parses the arguments after the name of a macro. Returns a span for each parameter, or
  * NULL after a report. */
 const struct span *macro_arguments(struct cursor *cursor, const struct macro *macro);
-/* Expands a line and returns the length of the new text, which is above
- * MAX_LINE if it is too long. */
+/* Expands a line. Returns the length of the new text. It exceeds MAX_LINE if the line
+ * is too long. */
 size_t substitute(const struct substitution *substitution, const struct line *line,
                   char text[MAX_LINE]);
 

@@ -1,4 +1,4 @@
-/* operand.c - parses the operands of an instruction according to its syntax. */
+/* operand.c - parses the operands of an instruction by its syntax. */
 #include "asm/text/statement.h"
 
 #include <ctype.h>
@@ -7,8 +7,8 @@
 
 #include "asm/text/suggest.h"
 
-/* Returns whether a token has the form of a register with an invalid number,
- * such as r256 or r01. */
+/* Returns true if a token resembles a register but has an invalid number, as in r256 or
+ * r01. */
 static bool is_numbered(const struct token *token)
 {
     const char *at = token->begin;
@@ -48,7 +48,7 @@ bool parse_any_register(struct cursor *cursor, struct register_name *found)
     return true;
 }
 
-/* Parses a whole register or a half register. */
+/* Parses a register or a half register. */
 static bool parse_sized(struct cursor *cursor, bool half, uint8_t *number)
 {
     struct register_name found = { false, 0, 0 };
@@ -194,7 +194,7 @@ static bool check_operands(struct cursor *cursor, struct instruction *instructio
     return !problem || report_at(cursor, at[blamed], "%s", problem);
 }
 
-/* Parses the separator before an operand that is not the first. */
+/* Parses the separator before an operand other than the first. */
 static bool parse_between(struct cursor *cursor, const struct operand *operand,
                           c205_fields *fields)
 {
@@ -206,9 +206,9 @@ static bool parse_between(struct cursor *cursor, const struct operand *operand,
     return true;
 }
 
-/* Parses all operands. After an error the parser continues at the next comma, so
- * that one run reports the errors of all operands. The number of operands is checked
- * only if there was no error, since it is then uncertain where each one ends. */
+/* Parses all operands. After an error the parser continues at the next comma, so one
+ * run reports the errors of all operands. The number of operands is checked only
+ * without errors, because it is otherwise uncertain where each operand ends. */
 static bool parse_operands(struct cursor *cursor, struct instruction *instruction)
 {
     struct operand operands[MAX_OPERANDS];
@@ -241,7 +241,7 @@ static bool parse_operands(struct cursor *cursor, struct instruction *instructio
     return good;
 }
 
-/* Parses ",H" directly after the mnemonic. */
+/* Parses ",H" directly after a mnemonic. */
 static bool parse_size(struct cursor *cursor, struct instruction *instruction)
 {
     const char *at = cursor->token.begin;
@@ -274,8 +274,9 @@ bool parse_instruction(struct cursor *cursor, const c205_insn *insn)
     good = parse_size(cursor, instruction) && parse_operands(cursor, instruction);
     instruction->mentions = cursor->assembler->registers.mention_count
                             - instruction->mention;
-    item = layout_add(cursor, ITEM_INSTRUCTION, halves); /* also after errors, so that
-                                                          * later addresses are right */
+    item = layout_add(cursor, ITEM_INSTRUCTION, halves); /* also after errors, for
+                                                            correct addresses of later
+                                                            items */
     if (item)
         item->of.instruction = instruction;
     return good && item;

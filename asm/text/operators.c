@@ -1,9 +1,10 @@
-/* operators.c - the precedences of operators, and the arithmetic of integers. */
+/* operators.c - the precedence of operators, and arithmetic on integers. */
 #include "asm/text/operators.h"
 
 #include <string.h>
 
-/* An operator of two characters is before those that begin it. */
+/* The operators. An operator of two characters comes before an operator that is its
+ * first character. */
 static const struct operator_row {
     const char *text;
     int precedence;

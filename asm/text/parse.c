@@ -1,4 +1,4 @@
-/* parse.c - parses a statement: labels, then a directive or an instruction. */
+/* parse.c - parses a statement: labels, followed by a directive or an instruction. */
 #include "asm/text/statement.h"
 #include "asm/text/suggest.h"
 
@@ -52,7 +52,7 @@ static bool parse_body(struct cursor *cursor)
     return expected(cursor, "an instruction");
 }
 
-/* Parses all parts of a statement, also after an error in one of them. */
+/* Parses all parts of a statement, even after an error in a part. */
 static bool parse_statement(struct cursor *cursor)
 {
     bool good = parse_labels(cursor);

@@ -1,7 +1,7 @@
 /* record.c - records: constants for the positions of their fields.
  *
- * A record occupies no memory. Each field is a constant, its position in words, and the
- * size of the record is the constant NAME_SIZE.
+ * A record occupies no memory. Each field is a constant with its position in words.
+ * NAME_SIZE is the size of the record.
  */
 #include <string.h>
 
@@ -66,8 +66,8 @@ bool parse_field(struct cursor *cursor)
     return true;
 }
 
-/* Sets the position of the next field: back, for fields that
- * share words, or forward. */
+/* Sets the position of the next field. It may go back, for fields that share words, or
+ * forward. */
 bool parse_at(struct cursor *cursor)
 {
     int64_t place;

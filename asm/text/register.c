@@ -1,13 +1,13 @@
-/* register.c - names of registers, and the warning if two names use one register.
+/* register.c - names of registers, and the warning if two names use the same register.
  *
- * A register belongs to an owner, the first name that it is given. The same name
- * declared again, or a name defined by that name, has the same owner. A name of another
- * owner causes a warning, with these exceptions:
+ * A register has an owner, which is its first name. Another declaration of the same
+ * name, or a name defined by that name, has the same owner. A name with another owner
+ * causes a warning, with these exceptions:
  *
- *   - The first name has since been given to another register.
- *   - One of the two names was declared between .share and .endshare. Names in one such
+ *   - The first name belongs to another register now.
+ *   - One of the two names was declared between .share and .endshare. Names in such a
  *     block may share with names outside of it, but not with each other. If the block
- *     has a word, they may share only with names in blocks that have it too.
+ *     has a word, they may share only with names in blocks that have the same word.
  */
 #include "asm/text/statement.h"
 
@@ -35,7 +35,8 @@ static bool encloses(const struct register_share *outer,
     return share == outer;
 }
 
-/* Words are names of symbols, which are unique, so pointers are compared. */
+/* Returns true if a block has a word. Words are unique symbols, so pointers are
+ * compared. */
 static bool has_word(const struct register_share *share,
                      const struct register_share *other, const char *word)
 {
@@ -45,8 +46,8 @@ static bool has_word(const struct register_share *share,
     return false;
 }
 
-/* Returns whether a block that contains the first naming, but not the other one,
- * permits sharing with it. */
+/* Returns true if a block permits sharing. It must contain the first naming but not the
+ * other. */
 static bool allows_sharing(const struct register_share *share,
                            const struct register_share *other)
 {
@@ -104,7 +105,7 @@ static bool same_register(struct register_name a, struct register_name b)
     return a.half == b.half && a.number == b.number;
 }
 
-/* Ends the previous naming of the symbol, and returns the owner of the new one. */
+/* Ends the previous naming of the symbol. Returns the owner of the new naming. */
 static size_t owner_of(struct registers *registers, const struct symbol *symbol,
                        struct register_name named)
 {
@@ -161,8 +162,8 @@ bool parse_reg(struct cursor *cursor)
            && name_register(cursor, name, length, named);
 }
 
-/* Returns the index of the following naming if it is the declaration of the next
- * register, otherwise 0. */
+/* Returns the index of the next naming if it declares the next register, and 0
+ * otherwise. */
 static size_t naming_behind(const struct registers *registers, size_t index)
 {
     const struct naming *naming = naming_at(registers, index);
@@ -175,9 +176,9 @@ static size_t naming_behind(const struct registers *registers, size_t index)
                : 0;
 }
 
-/* Names consecutive registers. If the first one is given by a name, the
- * others are the registers declared directly after that name, and the new
- * names have the same owners. */
+/* Names consecutive registers. If a name gives the first register, the others are the
+ * registers declared directly after that name, and the new names have the same
+ * owners. */
 bool parse_regs(struct cursor *cursor)
 {
     const char *name;
@@ -200,7 +201,7 @@ bool parse_regs(struct cursor *cursor)
     return true;
 }
 
-/* Parses .share, with a word or without. */
+/* Parses .share with an optional word. */
 bool parse_share(struct cursor *cursor)
 {
     struct registers *registers = &cursor->assembler->registers;
@@ -235,7 +236,7 @@ bool parse_endshare(struct cursor *cursor)
     return true;
 }
 
-/* Records the use of a name in an instruction. */
+/* Records that an instruction uses a name. */
 bool mention_register(struct assembler *assembler, struct register_name named)
 {
     struct registers *registers = &assembler->registers;

@@ -41,8 +41,8 @@ static bool is_missing(int reason)
     return reason == ENOENT || reason == ENOTDIR;
 }
 
-/* Returns false if there is no such file or it cannot be read; in the latter case the
- * error has the reason. */
+/* Reads a file. Returns false if it does not exist or cannot be read. The error has the
+ * reason if it exists. */
 static bool read_source(struct assembler *assembler, const char *path,
                         struct asm_source *source, c205_error *error)
 {
@@ -62,7 +62,7 @@ static bool read_source(struct assembler *assembler, const char *path,
     return true;
 }
 
-/* folder need not be NUL-terminated. */
+/* Reads a file of a folder, whose path need not end with a NUL. */
 static bool read_from(struct assembler *assembler, const char *folder, size_t length,
                       const char *name, struct asm_source *source, c205_error *error)
 {

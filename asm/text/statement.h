@@ -7,9 +7,9 @@
 /* Adds an item at the current address (layout.c). */
 struct layout_item *layout_add(struct cursor *cursor, enum item_kind kind,
                                uint64_t halves);
-/* Adds words whose values are known. */
+/* Adds words with known values. */
 bool layout_known(struct cursor *cursor, const c205_word *words, uint64_t count);
-/* Aligns the current address; labels that wait for data move with it. */
+/* Aligns the current address. Labels that wait for data move with it. */
 void layout_align(struct assembler *assembler, uint64_t bits);
 bool layout_label(struct cursor *cursor, const char *name, size_t length,
                   const char *at);
@@ -17,17 +17,18 @@ void layout_resolve(struct assembler *assembler);
 
 /* operand.c */
 bool parse_any_register(struct cursor *cursor, struct register_name *found);
-/* Parses a whole register, not a half one. */
+/* Parses a register that is not a half register. */
 bool parse_register(struct cursor *cursor, uint8_t *number);
 bool parse_instruction(struct cursor *cursor, const c205_insn *insn);
 
-/* Returns NULL if there is no directive of this name (directive.c). */
+/* Returns the parser of a directive, or NULL if there is no such directive
+ * (directive.c). */
 typedef bool directive_parser(struct cursor *cursor);
 struct directive {
     const char *name;
     directive_parser *parse;
-    enum asm_contents contents; /* type of its data; ASM_NOTHING: it has none, and
-                                 * labels before it do not wait for an alignment */
+    enum asm_contents contents; /* type of its data; ASM_NOTHING: no data, so labels
+                                   before it do not wait for an alignment */
 };
 const struct directive *find_directive(const struct token *token);
 
@@ -42,8 +43,7 @@ directive_parser parse_record, parse_field, parse_at, parse_endrecord;
 /* incfile.c */
 directive_parser parse_incfile;
 
-/* Parses the expectation in the comment at the end of a line, if
- * any (expectation.c). */
+/* Parses the expectation in the comment of a line, if any (expectation.c). */
 bool parse_expectation(struct cursor *cursor);
 
 #endif

@@ -1,4 +1,4 @@
-/* suggest.c - suggests a known name for a misspelled one. */
+/* suggest.c - suggests a known name for a misspelt name. */
 #include "asm/text/suggest.h"
 
 #include "base/spelling.h"
@@ -27,7 +27,7 @@ static void try_symbols(const struct assembler *assembler, enum suggestion kind,
 
 typedef const char *name_list(size_t i);
 
-/* The lists are concatenated. */
+/* Returns directive i of the concatenated lists. */
 const char *asm_directive(size_t i)
 {
     static name_list *const lists[] = { directive_name, expand_name, condition_name };

@@ -1,4 +1,4 @@
-/* suggest.h - the name that a misspelled one probably means. Not public. */
+/* suggest.h - suggests a known name for a misspelt name. Not public. */
 #ifndef ASM_SUGGEST_H
 #define ASM_SUGGEST_H
 
@@ -11,16 +11,16 @@ enum suggestion {
     SUGGEST_VALUE     /* a label or a constant */
 };
 
-/* Returns NULL if no name is similar. */
+/* Returns a similar name, or NULL. */
 const char *suggest(struct assembler *assembler, enum suggestion kind, const char *name,
                     size_t length);
 
-/* Reports that `what` was expected instead of the next token, with a
- * suggestion. Returns false. */
+/* Reports that `what` was expected instead of the next token, and suggests a name.
+ * Returns false. */
 bool expected_name(struct cursor *cursor, const char *what, enum suggestion kind);
 
-/* Return the name of directive i of directive.c, expand.c and condition.c, or
- * NULL after the last. */
+/* Return the name of directive i of directive.c, expand.c and condition.c, or NULL
+ * after the last. */
 const char *directive_name(size_t i);
 const char *expand_name(size_t i);
 const char *condition_name(size_t i);

@@ -1,5 +1,5 @@
-/* symbol.c - the symbol table: a hash table with chains, and the
- * rules of redefinition. */
+/* symbol.c - the symbol table, a hash table with chains, and the rules of
+ * redefinition. */
 #include "asm/text/assembler.h"
 
 #include "asm/object/syntax.h"
@@ -24,9 +24,9 @@ struct symbol *symbol_find(const struct assembler *assembler, const char *name,
     return symbol;
 }
 
-/* Returns the symbol of a name, and adds it if it is new. Symbols are neither moved
- * nor removed during an assembly, so pointers to them stay valid, and two names are
- * equal exactly if their symbols are the same. */
+/* Returns the symbol of a name, and adds it if it is new. Symbols are neither moved nor
+ * removed during an assembly, so pointers to them remain valid. Two names are equal
+ * exactly if their symbols are the same. */
 struct symbol *symbol_intern(struct assembler *assembler, const char *name,
                              size_t length)
 {
@@ -63,9 +63,9 @@ static bool is_same(const struct symbol *symbol, enum symbol_kind kind,
 
 static const char defined_by_command[] = "'%s' is already defined by the command";
 
-/* Defines a symbol. A name has one meaning in a program, with two exceptions: a
- * register name may be declared again, by each routine, and a constant may be defined
- * again with the same value. */
+/* Defines a symbol. A name has one meaning in a program, with two exceptions. Each
+ * routine may declare a register name again. A constant may be defined again with the
+ * same value. */
 bool symbol_define(struct assembler *assembler, const struct line *line, const char *at,
                    struct symbol *symbol, enum symbol_kind kind, struct value value)
 {

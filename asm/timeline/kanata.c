@@ -1,5 +1,5 @@
 /* kanata.c - writes a timeline in the format Kanata 0004 of the viewer Konata. Each
- * command is a line; its words are separated by tabs.
+ * command is a line of words separated by tabs.
  *
  *   Kanata 0004      C= CLOCK         the clock at the start
  *   C N              N clocks pass
@@ -18,7 +18,7 @@
 #include "asm/timeline/timeline.h"
 #include "base/plural.h"
 
-/* The kinds of happenings. Those at the same clock are in the order of the run. */
+/* The kinds of events. Events at the same clock are in the order of the run. */
 enum { LEAVES, RETIRES, APPEARS, ENTERS };
 
 struct happening {
@@ -54,7 +54,7 @@ static bool add_event(struct log *log, uint64_t clock, size_t insn, int kind,
                      sizeof happening);
 }
 
-/* Adds a stage; one of no clocks is omitted. */
+/* Adds a stage. A stage of no clocks is omitted. */
 static bool add_stage(struct log *log, size_t insn, uint64_t begin, uint64_t end,
                       const char *stage)
 {

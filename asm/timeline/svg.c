@@ -1,7 +1,7 @@
-/* svg.c - draws a timeline: a lane for the causes charged, and below it
- * the lanes of the units.
+/* svg.c - draws a timeline: a lane of the charged causes, and the lanes of the units
+ * below it.
  *
- * Each box has a tooltip. Its name is also written in the box if there is room.
+ * Each box has a tooltip. The box contains its name if there is room.
  */
 #include <inttypes.h>
 #include <math.h>
@@ -11,16 +11,16 @@
 #include "base/svg.h"
 #include "base/plural.h"
 
-/* Pixels. */
+/* Sizes in pixels. */
 enum {
     LEFT = 130,
     WIDTH = 1200,
     RIGHT = 20,
     TOP = 60,
     ROW = 20,
-    GAP = 8, /* between lanes */
+    GAP = 8, /* space between lanes */
     LETTER = 7,
-    KEY = 24 /* a row of the key */
+    KEY = 24 /* height of a row of the key */
 };
 
 static const char *const colors[C205_CAUSES] = {
@@ -42,7 +42,7 @@ struct timeline_picture {
     const struct sink *sink;
     struct lanes lanes;
     double scale;        /* pixels per clock */
-    unsigned top[LANES]; /* y of each lane */
+    unsigned top[LANES]; /* the y coordinate of each lane */
     unsigned bottom;
 };
 

@@ -6,7 +6,7 @@
 #include "asm/object/disassemble.h"
 #include "asm/view/operand_view.h"
 
-/* Adds a copy of an item to an array of the timeline; NULL if memory is exhausted. */
+/* Adds a copy of an item to an array of the timeline. NULL: memory is exhausted. */
 #define ADD(timeline, what, item) \
     arena_add(&(timeline)->kept, &(timeline)->what##s, &(timeline)->what##_count, \
               &(timeline)->what##_capacity, &(item), sizeof(item))

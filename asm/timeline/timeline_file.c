@@ -1,5 +1,5 @@
-/* timeline_file.c - selects the format of a timeline by the name of
- * its file, and saves it. */
+/* timeline_file.c - saves a timeline in the format that the name of its file
+ * selects. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>

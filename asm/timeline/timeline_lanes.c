@@ -12,8 +12,8 @@ const char *lane_name(enum lane lane)
     return names[lane];
 }
 
-/* Returns the first row that is free at the start of a span. ends:
- * the end of each row. */
+/* Returns the first row that is free at the start of a span. ends is the end of each
+ * row. */
 enum { MAX_ROWS = 64 };
 
 static unsigned find_row(const struct timed_span *span, uint64_t ends[MAX_ROWS])

@@ -1,12 +1,13 @@
-/* timeline_lanes.h - the spans of a timeline, each in a row of a lane. Spans of one row do not
- * overlap if at most 64 spans of a lane are active at once; the machine has no more. */
+/* timeline_lanes.h - the spans of a timeline, each in a row of a lane. Spans of a row
+ * do not overlap if at most 64 spans of the lane are active at once. The machine never
+ * has more. */
 #ifndef ASM_TIMELINE_TIMELINE_LANES_H
 #define ASM_TIMELINE_TIMELINE_LANES_H
 
 #include "asm/timeline/timeline.h"
 
 enum lane {
-    LANE_CHARGED, /* causes to which the clock is charged: one row without gaps */
+    LANE_CHARGED, /* causes that are charged: one row without gaps */
     LANE_SCALAR,  /* from issue to result, for each unit */
     LANE_MEMORY,
     LANE_BRANCH,
@@ -18,7 +19,7 @@ enum lane {
 struct timed_span {
     uint64_t begin, end;
     enum lane lane;
-    unsigned row; /* in the lane */
+    unsigned row; /* row of the lane */
     const struct timed_insn *insn;
     const struct timed_piece *piece; /* piece or phase; NULL: a scalar instruction */
 };
@@ -30,7 +31,7 @@ struct lanes {
 };
 
 const char *lane_name(enum lane lane);
-/* Makes the spans that overlap the timeline's clocks, clipped to these. Fails if
+/* Makes the spans within the clocks of the timeline, and clips them. Returns false if
  * memory is exhausted. */
 bool lanes_make(const struct timeline *timeline, struct arena *arena,
                 struct lanes *lanes);

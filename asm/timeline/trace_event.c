@@ -1,13 +1,14 @@
 /* trace_event.c - writes a timeline as trace events for Perfetto and chrome://tracing:
- * complete events "X", in threads that are the rows of the lanes. A clock is written as
- * one microsecond. Source: Trace Event Format, Google.
+ * complete events "X" in a thread for each row of a lane. A clock is written as one
+ * microsecond. Source: Trace Event Format, Google.
  */
 #include <inttypes.h>
 
 #include "asm/timeline/timeline_lanes.h"
 #include "base/json.h"
 
-/* Threads are numbered consecutively through the rows of all lanes. */
+/* Returns the number of the thread for a row. The rows of all lanes are numbered
+ * consecutively. */
 static unsigned thread_of(const struct lanes *lanes, enum lane lane, unsigned row)
 {
     unsigned number = 1 + row;

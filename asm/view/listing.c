@@ -3,7 +3,7 @@
 
 #include <inttypes.h>
 
-/* Prints eight hex digits. Returns false for zeros that are not stored. */
+/* Prints eight hex digits. Returns false for zeros, which are not stored. */
 static bool put_half(const struct object *object, uint64_t address,
                      const struct sink *sink)
 {
@@ -18,7 +18,7 @@ static bool put_half(const struct object *object, uint64_t address,
     return true;
 }
 
-/* Prints two halves in a row, and the source in the first row. */
+/* Prints rows of two halves. The source is in the first row. */
 static void put_line(const struct object *object, const struct asm_line *line,
                      const struct sink *sink)
 {

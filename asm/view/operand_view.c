@@ -44,9 +44,9 @@ static unsigned element_width(char letter)
     return isupper((unsigned char)letter) ? HALF_BITS : WORD_BITS;
 }
 
-/* Sets the register of an operand's offset. For "a" it is X or Y, for "[A+X]" it is X.
- * For a result and the control vector it is the register after the result, unless the
- * bit means that Z is given. */
+/* Sets the register of an operand's offset. It is X or Y for "a", X for "[A+X]", and
+ * the register after the result for a result and the control vector. There is no offset
+ * if its bit of G means that Z is given. */
 static void add_offset(struct operand_view *operand,
                        const struct instruction_view *view, const char *syntax)
 {
@@ -86,7 +86,8 @@ static void decode_one(struct operand_view *operand,
         add_offset(operand, view, syntax);
 }
 
-/* Each field of the syntax except an offset "+X" has one letter in insn.def. */
+/* Decodes the operands. Each field of the syntax has one letter in insn.def, except an
+ * offset "+X". */
 static void decode_operands(struct instruction_view *view)
 {
     const char *syntax = c205_format_syntax(view->insn->format);
@@ -130,7 +131,7 @@ static void describe(struct operand_view *operand, const c205 *machine)
                                                         : operand->length;
 }
 
-/* Returns whether the operand is register 0, h0 or h1, read as a number. */
+/* Returns true if the operand is register 0, h0 or h1 and is read as a number. */
 static bool reads_zero(const struct operand_view *operand)
 {
     return strchr("fFvV", operand->letter) && !operand->is_vector

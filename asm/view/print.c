@@ -3,8 +3,8 @@
 
 #include <inttypes.h>
 
-/* Reads element i of a vector of elements of 1, 8 or 64 bits, right-aligned. If it is
- * not mapped, prints that and returns false. */
+/* Reads element i of a vector, right-aligned. Elements have 1, 8 or 64 bits. If the
+ * element is not mapped, prints this and returns false. */
 static bool fetch(const struct printer *printer, const c205 *machine,
                   c205_word descriptor, unsigned i, unsigned bits, c205_word *element)
 {
@@ -21,10 +21,10 @@ static bool fetch(const struct printer *printer, const c205 *machine,
 
 /* The layout of numbers. */
 struct number_columns {
-    unsigned notation; /* 0: as short as possible; otherwise 1 + c205_notation */
-    unsigned width;    /* columns; shorter numbers are padded with blanks */
+    unsigned notation; /* 0: shortest; otherwise 1 + c205_notation */
+    unsigned width;    /* minimum width; shorter numbers are padded with blanks */
     unsigned digits;
-    unsigned in_line; /* elements of a vector in a line; 0: all */
+    unsigned in_line; /* elements of a vector per line; 0: all */
 };
 
 static struct number_columns columns_of(c205_word word)

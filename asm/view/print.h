@@ -7,10 +7,10 @@
  *   5  newline           6  vector of numbers R
  *   7  bit vector R
  *
- * S determines the layout of numbers (1, 2, 6). From the right it has 8 bits for the
- * digits, 8 for the width, 16 for the elements of a vector in a line, and 8 for the
- * notation: 0 as short as possible, 1 fixed, 2 scientific (c205_to_decimal). Register 0
- * as S is the default.
+ * S determines the layout of numbers (requests 1, 2, 6). Its fields, from the right,
+ * are 8 bits for the digits, 8 for the width, 16 for the elements of a vector per line,
+ * and 8 for the notation: 0 shortest, 1 fixed, 2 scientific (c205_to_decimal). Register
+ * 0 as S selects the default.
  */
 #ifndef ASM_PRINT_H
 #define ASM_PRINT_H
@@ -22,7 +22,7 @@ struct printer {
     struct sink sink;
 };
 
-/* A c205_listener. Its context is a struct printer. */
+/* The listener. Its context is a struct printer. */
 void printer_listen(void *printer, const c205 *machine, const c205_event *event);
 
 #endif

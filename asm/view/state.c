@@ -14,7 +14,7 @@ static void set_path_error(c205_error *error, const char *action, const char *pa
     error_set(error, "cannot %s %.100s: %.130s", action, path, why);
 }
 
-/* A limit of the size: file_read reads a saved machine only up to FILE_LARGEST. */
+/* A file of limited size, because file_read reads at most FILE_LARGEST bytes. */
 struct state_file {
     FILE *file;
     size_t left;

@@ -1,12 +1,13 @@
-/* state.h - saved machines as files; vm/save.c defines their contents. */
+/* state.h - files of saved machines. vm/save.c defines their format. */
 #ifndef ASM_STATE_H
 #define ASM_STATE_H
 
 #include "vm/c205.h"
 
-/* Writes the whole file or leaves the old one unchanged. */
+/* Writes the whole file or leaves the old file unchanged. */
 bool state_save(const c205 *machine, const char *path, c205_error *error);
-/* Returns NULL and the error if the file cannot be read or is rejected. */
+/* Returns a machine, or NULL with the error if the file cannot be read or is
+ * rejected. */
 c205 *state_load(const char *path, const c205_model *model, c205_error *error);
 
 #endif

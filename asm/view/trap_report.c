@@ -1,5 +1,5 @@
-/* trap_report.c - reports a trap with its line, its rule and the
- * values of the operands. */
+/* trap_report.c - reports a trap with its line, its rule and the values of the
+ * operands. */
 #include "asm/view/trap_report.h"
 
 #include <ctype.h>
@@ -9,7 +9,7 @@
 #include "asm/view/vector_view.h"
 #include "asm/view/word_text.h"
 
-/* Prints an operand that is often an address: hex, and the decimal integer. */
+/* Prints an operand that may be an address, in hex and as a decimal integer. */
 static void put_integer(const struct sink *sink, const struct operand_view *operand)
 {
     struct word_text text = word_text(operand->word, false);

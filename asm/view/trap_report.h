@@ -1,18 +1,18 @@
-/* trap_report.h - reports why a program was stopped: the line, the rule that was
- * violated, and the values of the operands.
+/* trap_report.h - reports why a program stopped: the line, the rule that was broken,
+ * and the values of the operands.
  */
 #ifndef ASM_TRAP_REPORT_H
 #define ASM_TRAP_REPORT_H
 
 #include "asm/object/object.h"
 
-/* Reports the trap that has stopped a machine. object: may be NULL. name: of the
+/* Reports the trap that stopped a machine. object may be NULL. name is the name of the
  * program, for objects without source lines. */
 void trap_report(const struct object *object, const char *name, const c205 *machine,
                  const c205_stop *stop, const struct sink *sink);
 
-/* Prints the operands of the instruction at an address, a line for each; for a linked
- * pair those of both instructions. */
+/* Prints a line for each operand of the instruction at an address, or of both
+ * instructions of a linked pair. */
 void trap_report_operands(const c205 *machine, uint64_t pc, const struct sink *sink);
 
 #endif

@@ -1,5 +1,5 @@
-/* vector_view.c - recognises vectors in registers and operands, and
- * reads their elements. */
+/* vector_view.c - recognises vectors in registers and operands, and reads their
+ * elements. */
 #include "asm/view/vector_view.h"
 
 #include <inttypes.h>
@@ -70,8 +70,8 @@ bool vector_get(const c205 *machine, const struct vector_view *vector, size_t fi
            && view_read(machine, vector->address, vector->width, first, count, words);
 }
 
-/* A vector of words has at most 65,535 elements, less than a page, so it is in at most
- * two pages. The first and the last element are enough to check both. */
+/* Returns true if the vector is mapped. It has at most 65,535 words, less than a page,
+ * so it is in at most two pages. Checking the first and the last element is enough. */
 bool vector_is_mapped(const c205 *machine, const struct vector_view *vector)
 {
     c205_word word;

@@ -1,7 +1,7 @@
 /* word_text.c - writes words and half words as numbers and in hex. */
 #include "asm/view/word_text.h"
 
-enum { HALF_DIGITS = 9 }; /* 8, and the blank between them */
+enum { HALF_DIGITS = 9 }; /* 8 digits and a blank */
 
 struct word_text word_text(c205_word word, bool half)
 {

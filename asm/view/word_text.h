@@ -1,4 +1,4 @@
-/* word_text.h - a word or a half word of the machine as a number and in hex. */
+/* word_text.h - writes a word or half word of the machine as a number and in hex. */
 #ifndef ASM_WORD_TEXT_H
 #define ASM_WORD_TEXT_H
 
@@ -7,12 +7,12 @@
 
 struct word_text {
     char number[C205_TEXT_SIZE];
-    char hex[C205_TEXT_SIZE]; /* groups of 4 digits */
+    char hex[C205_TEXT_SIZE]; /* in groups of 4 digits */
 };
 
-/* A half word is left-aligned in the word. */
+/* Returns the texts of a word. A half word is left-aligned in it. */
 struct word_text word_text(c205_word word, bool half);
-/* Prints "X'0000 0000 0000 0005' (5)". */
+/* Prints a word, as in "X'0000 0000 0000 0005' (5)". */
 void word_print(c205_word word, bool half, const struct sink *sink);
 
 #endif
