@@ -1,6 +1,7 @@
-// build.mjs BUILD [--write] - builds the page in BUILD/web: c205.html, one self-contained file,
-// and site/, the same page as a small folder. BUILD/web must contain engine.wasm and rt205.wasm.
-// The notice of the npm packages in the page is checked; --write writes it.
+// build.mjs BUILD [--write] - builds the page in BUILD/web: c205.html, which is one self-contained
+// file, and site/, which is the same page as a small folder. BUILD/web must contain engine.wasm and
+// rt205.wasm. The notice of the npm packages in the page is compared with web/NOTICE.md; --write
+// writes it.
 
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
@@ -11,7 +12,7 @@ import { readCourse, readExamples } from "./course.mjs";
 import { notice } from "./notice.mjs";
 import { readScenes } from "./scenes.mjs";
 
-const MAX = 1 << 20; // bytes of the one file, without the tracer
+const MAX = 1 << 20; // maximum bytes of c205.html without the tracer
 
 const web = dirname(fileURLToPath(import.meta.url));
 const root = dirname(web);
@@ -22,7 +23,7 @@ if (!out) {
 }
 const page = (name) => readFileSync(join(web, "page", name), "utf8");
 
-// Returns an esbuild plugin: importing "c205:NAME" yields the text of that name.
+// Returns an esbuild plugin. Importing "c205:NAME" gives the text with that name.
 const made = (texts) => ({
   name: "made",
   setup(build) {

@@ -1,4 +1,4 @@
-// course.mjs - reads the texts of the page: lessons as HTML, and programs.
+// course.mjs - reads the texts of the page: lessons, as HTML, and programs.
 
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { basename, dirname, join, normalize } from "node:path";
@@ -9,27 +9,28 @@ const escaped = (text) => text.replace(/[&<>"]/g, (letter) =>
   ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[letter]);
 const folderName = /^\d\d-(.*)$/;
 
-// Returns a picture as a data address.
+// Returns a picture as a data URL.
 function inlined(path) {
   if (!path.endsWith(".svg")) throw new Error(`${path}: only .svg is carried in the page`);
   return `data:image/svg+xml;base64,${Buffer.from(read(path)).toString("base64")}`;
 }
 
-// Puts the name of the example that a block shows, or that prints it, into the first line of the
-// block. An empty comment remains, because two blocks with nothing between them would become one.
+// Marks a block with the example that it shows or that prints it: the name becomes the first line
+// of the block. An empty comment remains, because two adjacent blocks would become one.
 const MARK = /^@(example-[\w-]+\.s)\n/;
 const marked = (text) => text.replace(/^<!--([^]*?)-->\n+    /gm, (all, words) => {
   const example = /(example-[\w-]+\.s)/.exec(words);
   return `<!-- -->\n\n    ${example ? `@${example[1]}\n    ` : ""}`;
 });
 
-// Returns the HTML of the lesson in FOLDER. The title and the commands above blocks are removed; a
-// block of an example gets a button that opens the example. Headings are one level lower, below
-// those of the page. Links to other lessons and to the web remain; others become their text.
+// Returns the HTML of the lesson in FOLDER. The title and the commands above blocks are removed. A
+// block of an example gets a button that opens the example. Headings are one level lower, because
+// the page has headings above them. Links to lessons and to the web remain; other links become
+// plain text.
 function lessonHtml(folder, examples) {
   const text = marked(read(join(folder, "lesson.md")).replace(/^# .*\n/, ""))
     .replace(/^<!-- [^]*?[^-] -->\n/gm, "");
-  let last = null; // a program has only one button in consecutive blocks
+  let last = null; // a program has one button for consecutive blocks
   const reader = new Marked({
     renderer: {
       image({ href, text: alternative }) {
@@ -68,8 +69,8 @@ function lessonHtml(folder, examples) {
   return reader.parse(text);
 }
 
-// Returns a program in which each .include is replaced by the .inc file from its folder or the
-// folder above; null: it needs data files.
+// Returns a program in which the contents of .inc files replace each .include. The files are in its
+// folder or the parent folder. Returns null if the program needs data files.
 function program(path) {
   const text = read(path).replace(/^[ \t]*\.include\s+"([^"]+)".*\n/gm, (line, name) => {
     const found = [dirname(path), dirname(dirname(path))].map((folder) => join(folder, name))
@@ -82,7 +83,7 @@ function program(path) {
 const programs = (folder, wanted) => readdirSync(folder).filter((name) => wanted.test(name)).sort()
   .map((name) => program(join(folder, name))).filter(Boolean);
 
-/** Returns an object with {html, examples} for the name of each lesson. */
+/** Returns an object with {html, examples} for each lesson, by name. */
 export function readCourse(folder) {
   if (!existsSync(folder)) return {};
   return Object.fromEntries(readdirSync(folder).filter((name) => folderName.test(name)
@@ -92,6 +93,6 @@ export function readCourse(folder) {
   }));
 }
 
-/** Returns the examples of the assembler. */
+/** Returns the example programs of the assembler. */
 export const readExamples = (folder) => ["", "debugging", "profiling"]
   .flatMap((part) => programs(join(folder, part), /\.s$/));

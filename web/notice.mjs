@@ -1,4 +1,4 @@
-// notice.mjs - lists the packages that the page contains, with their versions and licences.
+// notice.mjs - lists the packages in the page with their versions and licences.
 
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
@@ -10,7 +10,7 @@ function licenceText(folder) {
   return name ? readFileSync(join(folder, name), "utf8").trim() : null;
 }
 
-/** Returns the notice of the packages of INPUTS, which are paths relative to WEB. */
+/** Returns the notice of the packages of INPUTS, which are paths relative to the folder WEB. */
 export function notice(web, inputs) {
   const names = new Set(inputs.map((path) => /^node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(path)?.[1])
     .filter(Boolean));

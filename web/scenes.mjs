@@ -1,12 +1,12 @@
-// scenes.mjs - reads the scenes of the page's ray tracer. Scenes with fonts or pictures are
-// excluded, because the page cannot read those.
+// scenes.mjs - reads the scenes for the ray tracer of the page. Scenes with fonts or pictures are
+// excluded, because the page cannot read such files.
 
 import { readFileSync, readdirSync } from "node:fs";
 import { basename, join } from "node:path";
 
 const needs = /\bttf\b|\bimage_map\b|\bbump_map\b/;
 
-// Returns the title of a scene, from its first line.
+// Returns the title of a scene, which is in its first line.
 function title(path, text) {
   const words = /^\/\/ *(?:[\w.]+ - )?([^:;,.\n]*)/.exec(text)?.[1] ?? "";
   return `${basename(path, ".pov")}: ${words.replace(/^(A|An|The) (?=[a-z])/, (article) => article.toLowerCase())}`;

@@ -1,4 +1,5 @@
-/* about.c - the request about: models, instructions, directives and lessons. */
+/* about.c - the request about, which lists models, instructions, directives and
+ * lessons. */
 #include "asm/object/syntax.h"
 #include "web/engine/engine_internal.h"
 
@@ -21,7 +22,7 @@ static bool put_models(struct json *reply, c205_error *error)
     return true;
 }
 
-/* Writes the operands of the syntax, without the mnemonic. */
+/* Writes the operands of an instruction, without the mnemonic. */
 static void put_operands(const c205_insn *insn, bool half, const char *key,
                          struct json *reply)
 {

@@ -176,7 +176,7 @@ static bool answer_more(struct engine *engine, const struct json_value *request,
     return take_slice(engine, request, error) && goes_on(engine, reply, error);
 }
 
-/* The work that waits for `more` and is kept when another request comes. */
+/* The effects of a request on unfinished work, which waits for `more`. */
 enum keeps { KEEPS_NOTHING, KEEPS_MOVEMENT, KEEPS_ALL };
 
 static const struct {
@@ -222,7 +222,7 @@ static bool answer(struct engine *engine, const struct json_value *request,
     return requests[i].answer(engine, request, reply, error);
 }
 
-/* Returns the reply for a failed request, or NULL if memory is exhausted. */
+/* Returns the reply to a failed request, or NULL if memory is exhausted. */
 static char *put_refusal(const struct engine *engine, const char *why)
 {
     struct text_buffer text = { .text = NULL };

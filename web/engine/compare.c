@@ -38,7 +38,8 @@ void compare_drop(struct engine *engine)
 
 /* ---- Runs -------------------------------------------------------------------- */
 
-/* Runs a side for a slice. *over: it has ended, and its accounts are stored. */
+/* Runs a side for a slice. Sets *over if the run has ended and its accounts are
+ * stored. */
 static bool run_side(struct engine *engine, struct text_comparison *comparison,
                      bool *over, c205_error *error)
 {
@@ -84,7 +85,7 @@ static bool continue_comparison(struct engine *engine,
 
 /* ---- The reply ------------------------------------------------------------------ */
 
-/* Writes the members of c205 compare --json, and the sentence. */
+/* Writes the sentence and the members of c205 compare --json. */
 static bool put_comparison(const struct text_comparison *comparison, struct json *reply,
                            c205_error *error)
 {

@@ -1,5 +1,5 @@
-/* go.c - the request go, which executes the program slice by slice,
- * and the request say. */
+/* go.c - the request go, which executes the program slice by slice, and the request
+ * say. */
 #include <string.h>
 
 #include "web/engine/engine_internal.h"
@@ -22,7 +22,7 @@ static enum execution_end go_steps(struct engine *engine)
                            engine->execution.step - debugger_step(engine->debugger));
 }
 
-/* Steps over calls. A call that was interrupted continues up to its return. */
+/* Steps over calls. An interrupted call continues up to its return. */
 static enum execution_end go_next(struct engine *engine)
 {
     struct execution *execution = &engine->execution;
@@ -126,7 +126,7 @@ static bool continue_walk(struct engine *engine, struct json *reply, c205_error 
 
 /* ---- go -------------------------------------------------------------------------- */
 
-/* Adds; a sum that is too large is UINT64_MAX. */
+/* Returns a sum, or UINT64_MAX if it is too large. */
 static uint64_t plus(uint64_t a, uint64_t b)
 {
     return a > UINT64_MAX - b ? UINT64_MAX : a + b;
@@ -170,8 +170,8 @@ bool answer_go(struct engine *engine, const struct json_value *request,
 
 /* ---- say ----------------------------------------------------------------- */
 
-/* Executes one line. An execution that exceeds the slice is
- * interrupted and reports this. */
+/* Executes a line. An execution that exceeds the slice is interrupted, and the reply
+ * reports this. */
 bool answer_printf(struct engine *engine, const struct json_value *request,
                    struct json *reply, c205_error *error)
 {

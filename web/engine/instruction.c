@@ -1,5 +1,5 @@
-/* instruction.c - writes the next instruction with its operands, and the
- * last one with its times.
+/* instruction.c - writes the next instruction with its operands, and the last
+ * instruction with its times.
  */
 #include <inttypes.h>
 
@@ -82,8 +82,8 @@ static void put_term(const struct sink *sink, const char *before, uint64_t clock
     sink_print(sink, "%s%" PRIu64 " %s", before, clocks, c205_cause_name(cause));
 }
 
-/* Writes the sums of the clock's record: "101 = 51 vector start-up
- * + 50 vector stream". */
+/* Writes the record of the clock as sums such as "101 = 51 vector start-up + 50 vector
+ * stream". */
 static bool put_formula(const c205_event *event, struct json *reply, c205_error *error)
 {
     const c205_times *record = event->record;

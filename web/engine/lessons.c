@@ -69,7 +69,7 @@ static bool grade(const struct lesson *lesson, const char *name, const char *tex
     return good;
 }
 
-/* Grades in one slice: the limits of the tests end any endless loop. */
+/* Grades in one slice. The limits of the tests end endless loops. */
 bool answer_grade(struct engine *engine, const struct json_value *request,
                   struct json *reply, c205_error *error)
 {

@@ -1,5 +1,5 @@
-/* program.c - the requests load and breaks: assembles a program and
- * creates its debugger. */
+/* program.c - the requests load and breaks. Assembles a program and creates its
+ * debugger. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +22,7 @@ static const char *severity_name(enum severity severity)
     }
 }
 
-/* Returns the length of the word at the position, which an editor underlines. */
+/* Returns the length of the word at the position. An editor underlines it. */
 static size_t length_of(const struct diagnostic *diagnostic)
 {
     const char *source = diagnostic->source;
@@ -57,9 +57,9 @@ static bool is_object(const struct json_value *value)
     return !value || value->kind == JSON_OBJECT;
 }
 
-enum { MAX_DEFINES = 100 }; /* as many as a sweep accepts */
+enum { MAX_DEFINES = 100 }; /* the maximum of a sweep */
 
-/* Reads "defines": { "n": 100 }. */
+/* Reads a member such as "defines": { "n": 100 }. */
 static bool take_defines(const struct json_value *request, struct arena *arena,
                          struct asm_options *options, c205_error *error)
 {
@@ -82,7 +82,8 @@ static bool take_defines(const struct json_value *request, struct arena *arena,
     return true;
 }
 
-/* Reads "files": { "data.inc": "..." }. A program can include these and the library. */
+/* Reads a member such as "files": { "data.inc": "..." }. The program can include these
+ * files and the library. */
 static bool take_files(const struct json_value *request, struct arena *arena,
                        struct asm_options *options, c205_error *error)
 {
@@ -140,7 +141,8 @@ struct object *engine_assemble(struct engine *engine, const char *name,
     return object;
 }
 
-/* Accepts only built-in models, since the engine reads no files. */
+/* Returns the model of a program. Only built-in models are accepted, because the engine
+ * reads no files. */
 c205_model *program_model(const char *name, const struct object *object,
                           c205_error *error)
 {
@@ -183,8 +185,8 @@ void printed_forget(struct printed *printed, uint64_t step)
                                : 0;
 }
 
-/* Stores the output of the instruction after the current step. Output of later steps
- * belongs to an earlier run and is dropped. */
+/* Stores the output of the instruction after the current step. Output of later steps is
+ * dropped, because it belongs to an earlier run. */
 static void print(void *context, const char *text, size_t length)
 {
     struct engine *engine = context;
@@ -229,9 +231,12 @@ static void forget_printed(struct printed *printed)
 
 /* ---- The debugger -------------------------------------------------------- */
 
-enum { MAX_HISTORY = 64 << 20 }; /* bytes: it is in the page of a browser */
+enum {
+    MAX_HISTORY = 64 << 20
+}; /* bytes; small, because it is in the page of a
+                                    browser */
 
-/* Creates the machine with the listener of replays. */
+/* Creates the machine and adds the listener of replays. */
 static c205 *make_machine(void *context, c205_error *error)
 {
     struct engine *engine = context;
@@ -308,7 +313,7 @@ static int compare_lines(const void *a, const void *b)
     return (one > other) - (one < other);
 }
 
-/* Writes the lines of the text that have code, in ascending order. */
+/* Writes the numbers of the lines that have code, in ascending order. */
 static bool put_lines(const struct engine *engine, struct json *reply,
                       c205_error *error)
 {
@@ -394,7 +399,8 @@ bool answer_load(struct engine *engine, const struct json_value *request,
 
 /* ---- breaks -------------------------------------------------------------- */
 
-/* Sets a breakpoint and writes its actual line, or the reason why it cannot be set. */
+/* Sets a breakpoint. Writes its actual line, or the reason for which it cannot be
+ * set. */
 static bool put_break(struct engine *engine, struct json *reply, int64_t wanted,
                       c205_error *error)
 {

@@ -97,14 +97,13 @@ void put_registers(const struct engine *engine, bool all, struct json *reply)
 
 enum { MAX_VECTORS = 256, MAX_ELEMENTS = 65536 };
 
-/* Returns the width of an element in bits, or 0 if the symbol has
- * no data with elements. */
+/* Returns the width of an element in bits, or 0 if the symbol has no elements. */
 static unsigned symbol_width(const struct asm_symbol *symbol)
 {
     return symbol->is_label && symbol->count > 0 ? vector_width(symbol->contents) : 0;
 }
 
-/* Writes the ranges of elements that the last instruction has stored. */
+/* Writes the ranges of elements that the last instruction stored. */
 static bool put_stored(const struct engine *engine, const struct vector_view *vector,
                        struct json *reply)
 {
@@ -132,7 +131,7 @@ static bool put_stored(const struct engine *engine, const struct vector_view *ve
     return any;
 }
 
-/* Writes numbers as a list of texts, bits as one text. */
+/* Writes numbers as a list of texts, and bits as one text. */
 static bool put_values(const struct engine *engine, const struct vector_view *vector,
                        size_t first, size_t count, struct json *reply)
 {
@@ -183,7 +182,7 @@ static bool put_symbol(const struct engine *engine, const struct asm_symbol *sym
     return good;
 }
 
-/* Reads "first": { "x": 100 }. */
+/* Reads a member such as "first": { "x": 100 }. */
 static bool take_window(const struct json_value *request, const char *label,
                         struct window *window, c205_error *error)
 {

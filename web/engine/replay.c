@@ -1,5 +1,5 @@
-/* replay.c - repeats the run for listeners, and the request profile. Changes that the
- * user has made to the state are repeated at their steps.
+/* replay.c - repeats the run for listeners. Has the request profile. Changes of the
+ * state by the user are repeated at their steps.
  */
 #include "web/engine/engine_internal.h"
 
@@ -22,8 +22,8 @@ static void fall_silent(struct replay *replay)
     *replay = (struct replay){ .begun = false };
 }
 
-/* Goes to a step. If the program had halted there, the step is executed again so
- * that it halts again. */
+/* Goes to a step. If the program halted there, the step is executed again, so it halts
+ * again. */
 static enum execution_end stand_at(struct engine *engine, uint64_t step, bool halted)
 {
     enum execution_end ended = execution_to_step(engine->debugger, step);
@@ -63,8 +63,8 @@ bool replay_begin(struct engine *engine, struct line_profile *profile,
     return true;
 }
 
-/* Returns whether the replay is complete. A timeline is complete as soon as it is full
- * or its last clock has passed. */
+/* Returns true if the replay is complete. A timeline is complete when it is full or its
+ * last clock has passed. */
 static bool has_recorded_all(const struct engine *engine)
 {
     const struct timeline *timeline = engine->replay.timeline;
@@ -74,7 +74,7 @@ static bool has_recorded_all(const struct engine *engine)
                    || c205_clock(engine_machine(engine)) >= timeline->to));
 }
 
-/* Replays for a slice. *done: the replay is complete. */
+/* Replays for a slice. Sets *done if the replay is complete. */
 static bool continue_replay(struct engine *engine, bool *done, c205_error *error)
 {
     enum { AT_ONCE = 512 };
@@ -116,7 +116,7 @@ bool replay_slice(struct engine *engine, struct json *reply, engine_slice *again
 
 /* ---- profile ------------------------------------------------------------- */
 
-/* Writes the lines as c205 run --profile --json does. */
+/* Writes the lines in the form of c205 run --profile --json. */
 static bool put_profile(struct engine *engine, struct json *reply, c205_error *error)
 {
     struct profile_view view = { engine->replay.in_order ? PROFILE_AS_WRITTEN

@@ -1,4 +1,5 @@
-/* sweep.c - the request sweep: one or two programs against a constant. */
+/* sweep.c - the request sweep, which runs one or two programs for many values of a
+ * constant. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,8 +11,8 @@ struct laboratory {
     struct arena arena;
     struct asm_options options;
     c205_model *model;
-    struct text_buffer report; /* not used: the first values were assembled
-                                * before, with a report */
+    struct text_buffer report; /* unused, because take_program has already reported all
+                                  messages */
     struct program_sweep sweep;
 };
 
@@ -43,7 +44,7 @@ static bool put_picture(const struct program_sweep *sweep, struct json *reply,
     return false;
 }
 
-/* Writes the members of c205 sweep --json, and the picture. */
+/* Writes the picture and the members of c205 sweep --json. */
 static bool put_sweep(const struct program_sweep *sweep, struct json *reply,
                       c205_error *error)
 {
@@ -105,8 +106,8 @@ static bool take_values(const struct engine *engine, const struct json_value *re
     return true;
 }
 
-/* Returns the options with the constant's first value added, or NULL if
- * memory is exhausted. */
+/* Returns the options with the first value of the constant added, or NULL if memory is
+ * exhausted. */
 static struct asm_options *at_first(struct laboratory *laboratory)
 {
     struct arena *arena = &laboratory->arena;
@@ -127,8 +128,8 @@ static struct asm_options *at_first(struct laboratory *laboratory)
     return options;
 }
 
-/* Reads a program and assembles it with the first value, to report
- * errors and warnings. */
+/* Reads a program and assembles it for the first value, which reports errors and
+ * warnings. */
 static bool take_program(struct engine *engine, const struct json_value *request,
                          const char *key, const char *name_key, c205_error *error)
 {

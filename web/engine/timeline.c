@@ -1,5 +1,5 @@
-/* timeline.c - the request timeline: spans for a picture of the page, or a file in a
- * format of c205 timeline.
+/* timeline.c - the request timeline. The reply has the spans of a picture for the page,
+ * or a file in a format of c205 timeline.
  */
 #include "asm/timeline/timeline_lanes.h"
 #include "web/engine/engine_internal.h"
@@ -48,8 +48,8 @@ static void put_span(const struct timeline *timeline, struct json *reply,
     json_end(reply);
 }
 
-/* Writes the lanes and spans. The first lane has the causes charged; they are also
- * written as a list of their own. */
+/* Writes the lanes and spans. The first lane has the charged causes. They are also
+ * written as a separate list. */
 static void put_lanes(const struct timeline *timeline, const struct lanes *lanes,
                       struct json *reply)
 {
@@ -125,7 +125,8 @@ static bool timeline_slice(struct engine *engine, struct json *reply, c205_error
     return replay_slice(engine, reply, timeline_slice, put_timeline, error);
 }
 
-/* Reads the name of a file. *form is NULL if there is none: then spans are written. */
+/* Reads the name of a file. Sets *form to NULL if there is none; spans are then
+ * written. */
 static bool take_form(const struct json_value *request,
                       const struct timeline_form **form, c205_error *error)
 {
@@ -137,7 +138,7 @@ static bool take_form(const struct json_value *request,
            || error_set(error, "the name \"file\" must end in .svg, .kanata or .json");
 }
 
-/* Replays all steps so far, also those after the current one. */
+/* Replays all known steps, including steps after the current step. */
 bool answer_timeline(struct engine *engine, const struct json_value *request,
                      struct json *reply, c205_error *error)
 {

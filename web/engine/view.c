@@ -1,4 +1,5 @@
-/* view.c - the requests view and accounts: the state of the program and its clocks. */
+/* view.c - the requests view and accounts, which return the state of the program and
+ * its clocks. */
 #include <math.h>
 
 #include "base/accounts.h"
@@ -46,7 +47,7 @@ static void put_account(const struct accounts *accounts, const c205_account *acc
     put_causes(account->clocks, accounts->clocks, reply);
 }
 
-/* Writes the accounts; regions without clocks are omitted. */
+/* Writes the accounts. Regions without clocks are omitted. */
 bool put_accounts(const struct engine *engine, struct json *reply, c205_error *error)
 {
     struct accounts accounts = { .model = engine->model };
@@ -81,7 +82,7 @@ bool put_table(struct table *table, const char *key, struct json *reply,
     return good || error_set(error, "out of memory");
 }
 
-/* Writes the accounts as c205 run --json does. */
+/* Writes the accounts in the form of c205 run --json. */
 bool answer_accounts(struct engine *engine, const struct json_value *request,
                      struct json *reply, c205_error *error)
 {

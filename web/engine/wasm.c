@@ -1,5 +1,6 @@
 /* wasm.c - an engine for the host of a WebAssembly module. The host writes the bytes of
- * a request at the address that room returns, calls answer, and frees the reply.
+ * a request to the address that host_room returns, calls host_answer, and frees the
+ * reply.
  */
 #include <stdlib.h>
 
@@ -13,13 +14,13 @@ void host_free(char *text) EXPORTED("free");
 
 static struct engine *engine;
 
-/* Returns NULL if memory is exhausted. */
+/* Returns memory for a request, or NULL if memory is exhausted. */
 char *host_room(size_t length)
 {
     return malloc(length + 1);
 }
 
-/* Frees the request. Returns NULL if memory is exhausted. */
+/* Returns the reply and frees the request. Returns NULL if memory is exhausted. */
 char *host_answer(char *request, size_t length)
 {
     char *reply;

@@ -1,5 +1,5 @@
-// bar.js - runs the program: the buttons, the slider over all steps, the status line and
-// the output of the program.
+// bar.js - runs the program: the buttons, the slider over all steps, the status line, and the
+// output of the program.
 
 import { $, count } from "./dom.js";
 
@@ -16,10 +16,10 @@ export function setStatus(words, kind = "") {
   $("status").className = `status ${kind}`;
 }
 
-// Returns a message of the debugger as a sentence.
+// Formats a message of the debugger as a sentence.
 const sentence = (words) => words && words[0].toUpperCase() + words.slice(1).replace(/[.\n]*$/, ".");
 
-// Reports how a run or a step ended.
+// Reports the end of a run or a step.
 function reportRun(reply) {
   if (!reply.ok) return setStatus(reply.error, "bad");
   if (reply.stopped) return setStatus("Stopped by you.");
@@ -27,7 +27,7 @@ function reportRun(reply) {
     STATUS_CLASS[reply.why]);
 }
 
-// Updates buttons, slider and output from a view; null: no program is loaded.
+// Updates buttons, slider and output from a view. null: no program is loaded.
 function update(view) {
   const { step = 0, steps = 0, ended = false, clock = 0, printed = "", printed_cut: cut = false } = view ?? {};
   const slider = $("slider");

@@ -1,8 +1,8 @@
-// causes.js - the clocks of a run: a bar and a table by cause, and a table by region.
+// causes.js - shows the clocks of a run: a bar and a table by cause, and a table by region.
 
 import { colour, count, draw, el, fill, fixed, heading, some, table } from "./dom.js";
 
-/** Returns a stacked bar of {cause, clocks}. The width of a part is its share of the clocks. */
+/** Returns a stacked bar of {cause, clocks}. The width of a part is proportional to its clocks. */
 export function bar(causes) {
   const all = causes.reduce((sum, { clocks }) => sum + clocks, 0);
   let at = 0;
@@ -15,7 +15,7 @@ export function bar(causes) {
   return draw("svg", { class: "bar-of-causes", "aria-hidden": "true" }, parts);
 }
 
-/** Returns the name of a cause after a patch of its colour. */
+/** Returns the name of a cause with a patch of its colour. */
 export const named = (cause) => el("span", { class: "cause" },
   el("i", { class: `patch ${colour(cause)}`, "aria-hidden": "true" }), cause);
 

@@ -1,4 +1,4 @@
-// compare.js - compares two programs: a sentence names the one or two causes that make the
+// compare.js - compares two programs. A sentence names the one or two main causes of the
 // difference, and tables show causes, regions and figures.
 
 import { choices, count, el, fill, fixed, heading, table } from "./dom.js";
@@ -17,7 +17,7 @@ export function makeCompare(panel, session, comparablePrograms) {
         el("button", { type: "button", click: saveText }, "Save my program for later"))),
     result));
 
-  /** Clears both lists and the result, after another program was opened. */
+  /** Clears both lists and the result after another program was opened. */
   function reset() {
     fill(first);
     fill(second);
@@ -67,7 +67,7 @@ export function makeCompare(panel, session, comparablePrograms) {
     ];
   }
 
-  // Decimal places, as in c205 compare. All other figures are counts.
+  // Decimal places, as in c205 compare. Figures without an entry are counts.
   const decimals = { milliseconds: 3, "mean vector length": 1, "Mflop/s": 2 };
   const figure = (x, name) => x == null ? "-" : fixed(x, decimals[name] ?? 0);
 

@@ -1,8 +1,8 @@
-// console.js - accepts the commands of the debugger, like the terminal.
+// console.js - accepts commands of the debugger, as in a terminal.
 
 import { el, fill, heading } from "./dom.js";
 
-const MAX_COMMANDS = 400; // commands that the transcript shows
+const MAX_COMMANDS = 400; // maximum number of commands in the transcript
 
 export function makeConsole(panel, session) {
   const commands = [];

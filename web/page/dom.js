@@ -19,13 +19,13 @@ export function fill(node, ...children) {
   node.replaceChildren(...present(children));
 }
 
-/** Creates an element. An attribute whose value is a function becomes an event listener; children
+/** Creates an element. An attribute whose value is a function becomes an event listener. Children
  * that are null or false are skipped. */
 export function el(name, attributes = {}, ...children) {
   return setUp(document.createElement(name), attributes, children);
 }
 
-/** Creates an SVG element, with attributes and children as in el. */
+/** Creates an SVG element. Attributes and children are as in el. */
 export function draw(name, attributes = {}, ...children) {
   return setUp(document.createElementNS("http://www.w3.org/2000/svg", name), attributes, children);
 }
@@ -34,7 +34,7 @@ export function icon(name) {
   return draw("svg", { "aria-hidden": "true" }, draw("use", { href: `#icon-${name}` }));
 }
 
-/** Returns the heading of a panel, with the elements at its right. */
+/** Returns the heading of a panel. The elements of `aside` are at its right. */
 export function heading(panel, title, ...aside) {
   return el("div", { class: "heading" },
     el("h2", { id: `${panel}-heading` }, title), el("div", { class: "aside" }, ...aside));
@@ -52,8 +52,8 @@ export function table(caption, columns, rows) {
         : el("td", { class: columns[i][1] }, cell))))));
 }
 
-/** Fills a select with choices: {value, title}, or {group, choices}. The selected value stays
- * selected if it is still in the list. */
+/** Fills a select with choices: {value, title}, or {group, choices}. The selected value remains
+ * selected if the list contains it. */
 export function choices(select, list) {
   const before = select.value;
   const option = ({ value, title }) => el("option", { value }, title);
@@ -64,12 +64,12 @@ export function choices(select, list) {
 }
 
 export const count = (n) => n.toLocaleString("en");
-// Rounds as printf does: toLocaleString alone rounds the shortest decimal form of the number.
+// Rounds like printf. toLocaleString alone would round the shortest decimal form of the number.
 export const fixed = (x, places, signed = false) => Number.isFinite(x)
   ? Number(x.toFixed(places)).toLocaleString("en", { minimumFractionDigits: places,
     maximumFractionDigits: places, signDisplay: signed ? "always" : "negative" })
   : "-";
-/** Returns a number with its noun: "1 clock", "2 clocks". */
+/** Returns a number with its noun, as in "1 clock" or "2 clocks". */
 export const some = (n, what) => `${count(n)} ${what}${n === 1 ? "" : "s"}`;
 /** Formats a time in µs, ms or s, with two decimals. */
 export function duration(microseconds) {
@@ -77,11 +77,11 @@ export function duration(microseconds) {
   return `${fixed(microseconds / by, 2)} ${unit}`;
 }
 
-/** Returns the CSS class with the colour of a cause. Case and all but letters are ignored, so
+/** Returns the CSS class for the colour of a cause. Only letters count, and case does not matter, so
  * "vector start-up" and vector_startup have the same class. */
 export const colour = (cause) => `cause-${cause.toLowerCase().replace(/[^a-z]/g, "")}`;
 
-const lost = new Map(); // name of a value that could not be stored: the reason
+const lost = new Map(); // reasons for which values could not be stored, by name
 
 function report() {
   const [why] = lost.values();
@@ -89,14 +89,14 @@ function report() {
   $("unstored").textContent = why ? `${why} Your text is lost when this page is closed: copy it, or use Share.` : "";
 }
 
-/** Values that are stored between visits. The page reports a value that cannot be stored. A value
- * that is read may have any type, because other versions of the page, and other pages of the same
- * origin, write to the same storage. */
+/** Values that are stored between visits. The page reports a value that cannot be stored. A stored
+ * value may have any type, because other versions of the page, and other pages of the same origin,
+ * write to the same storage. */
 export const storage = {
   get(name) {
     try { return JSON.parse(localStorage.getItem(`c205.${name}`)); } catch { return null; }
   },
-  /** Returns the value if it is a text, or else null. */
+  /** Returns the value if it is a text, and null otherwise. */
   text(name) {
     const value = storage.get(name);
     return typeof value === "string" ? value : null;

@@ -1,5 +1,5 @@
-// editor.js - the text of the program: CodeMirror with highlighting for the assembler,
-// breakpoints in the gutter, a mark at the current line, and errors at their positions.
+// editor.js - the text of the program: CodeMirror with highlighting for the assembler, breakpoints
+// in the gutter, a mark at the current line, and errors at their positions.
 
 import { defaultKeymap, history, historyKeymap, indentMore } from "@codemirror/commands";
 import { HighlightStyle, StreamLanguage, bracketMatching, syntaxHighlighting }
@@ -13,13 +13,13 @@ import { count, el, fixed, some } from "./dom.js";
 import { MAX_PROGRAM } from "./share.js";
 
 const TAB = 8;
-const MARGIN = 2; // lines that stay visible above and below the current line
+const MARGIN = 2; // visible lines above and below the current line
 
 // --- Language --------------------------------------------------------------
 
 const NAME = /^[A-Za-z_$][\w$.]*/;
 
-// A line has one statement: labels, the operation, operands and a comment.
+// A line is a statement: labels, the operation, operands and a comment.
 function language(about) {
   const mnemonics = new Set(about.instructions.map((row) => row.mnemonic.toUpperCase()));
   const directives = new Set(about.directives.map((name) => name.toLowerCase()));
@@ -78,7 +78,7 @@ const BREAK = new Mark("break", "a breakpoint");
 const CURRENT_LINE = new Mark("current-line", "the next instruction");
 const ROOM = new Mark("room", "");
 
-// The clocks of a line. The background is darker for a larger share of the run.
+// The clocks of a line. A larger share of the run has a darker background.
 class Clocks extends GutterMarker {
   constructor({ clocks, percent, executions }) {
     super();
@@ -150,7 +150,7 @@ function tab(view) {
   return true;
 }
 
-// Returns the operands and the effect of an instruction, from the instruction table.
+// Returns the operands and the effect of an instruction from the instruction table.
 function explain(about, word) {
   const row = about.instructions.find(({ mnemonic }) =>
     mnemonic.toUpperCase() === word.replace(/,h$/i, "").toUpperCase());
@@ -158,13 +158,13 @@ function explain(about, word) {
 }
 
 /**
- * Creates the editor in PARENT. The callbacks are: CHANGED, with the text, after each change;
- * BREAKS, with the lines that have breakpoints; AT, with the table's entry for the word under the
- * cursor; TOOLONG, with the length of a text that was rejected.
+ * Creates the editor in PARENT. The callback CHANGED receives the text after each change. BREAKS
+ * receives the lines that have breakpoints. AT receives the table's entry for the word at the
+ * cursor. TOOLONG receives the length of a rejected text.
  */
 export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong }) {
-  // Rejects each change, by paste, drop or typing, that makes a text longer than the limit. A text
-  // that is longer already may become shorter.
+  // Rejects each change that makes a text longer than the limit, by paste, drop or typing. A text
+  // that is already too long may become shorter.
   const limit = EditorState.transactionFilter.of((change) => {
     const length = change.changes.newLength;
     if (length <= Math.max(MAX_PROGRAM, change.startState.doc.length)) return change;
@@ -230,7 +230,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
   ];
   const view = new EditorView({ parent });
 
-  // Scrolls the editor, and not the page, until a line and AROUND lines on each side are visible.
+  // Scrolls the editor, but not the page, until a line and AROUND lines on each side are visible.
   function bringIntoSight(position, around) {
     const { height, ...line } = view.lineBlockAt(position);
     const top = line.top + view.documentPadding.top, bottom = top + height;
@@ -241,8 +241,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
       view.scrollDOM.scrollTop = bottom + margin - clientHeight;
   }
 
-  // The list of errors below the editor makes the editor smaller. This keeps the line with the
-  // cursor visible.
+  // Keeps the line with the cursor visible if the list of errors below the editor makes it smaller.
   new ResizeObserver(() => {
     if (view.hasFocus) bringIntoSight(view.state.selection.main.head, MARGIN / 8);
   }).observe(view.scrollDOM);
@@ -255,19 +254,19 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
       view.setState(EditorState.create({ doc: text, extensions }));
       at(null);
     },
-    /** Replaces the text as if the user had typed it: the change can be undone. */
+    /** Replaces the text like typing, so the change can be undone. */
     type(text) {
       view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text }, userEvent: "input" });
     },
     setBreaks(list) {
       view.dispatch({ effects: setBreaks.of(list) });
     },
-    /** Marks the current line and scrolls to it; 0 removes the mark. */
+    /** Marks the current line and scrolls to it. 0 removes the mark. */
     markLine(line) {
       view.dispatch({ effects: setCurrentLine.of(line) });
       if (line) bringIntoSight(lineStart(view.state.doc, line), MARGIN);
     },
-    /** Shows clocks next to lines: {line, clocks, percent, executions}. */
+    /** Shows clocks next to lines. A row is {line, clocks, percent, executions}. */
     charge(rows) {
       view.dispatch({ effects: setClocks.of(rows) });
     },
@@ -277,7 +276,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
       view.dispatch({ selection: { anchor }, scrollIntoView: true });
       view.focus();
     },
-    /** Marks errors and warnings: {severity, line, column, length, message}. */
+    /** Marks errors and warnings, which are {severity, line, column, length, message}. */
     showDiagnostics(diagnostics) {
       const { doc } = view.state;
       view.dispatch(setDiagnostics(view.state, diagnostics.filter((one) => one.line).map((one) => {

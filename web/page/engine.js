@@ -1,10 +1,10 @@
-// engine.js - runs the engine of the page in a worker, a page or node. Requests and replies
-// are objects; web/engine/engine.h lists them.
+// engine.js - runs the engine in a worker, a page or node. Requests and replies are objects
+// (web/engine/engine.h).
 
-const SUCCESS = 0, NO_FILE = 8; // errno values of WASI: success, ebadf
+const SUCCESS = 0, NO_FILE = 8; // errno values of WASI: success, and ebadf
 
-// The functions that the module imports: a clock, and a write function, whose text goes to
-// COMPLAIN. The module prints only when it fails. All other functions of files fail.
+// The functions that the module imports: a clock, and a write function that passes its text to
+// COMPLAIN. The module prints only if it fails. All other functions on files fail.
 function imports(memory, complain) {
   const view = () => new DataView(memory().buffer);
   const noFile = () => NO_FILE;

@@ -1,9 +1,9 @@
-// instruction.js - the last instruction: its time as a sum of terms, the reasons of its
+// instruction.js - shows the last instruction: its time as a sum of terms, the reasons of its
 // waits, and the sources of the constants.
 
 import { colour, count, el, fill, heading, some } from "./dom.js";
 
-// The source of a constant of the model (docs/timing.md).
+// The sources of constants of the model (docs/timing.md).
 const SOURCES = {
   P: "read in a primary source",
   S: "read in a secondary source",
@@ -21,7 +21,7 @@ export function makeInstruction(panel, session) {
     next && el("p", { class: "next" }, "Next: ", el("code", {}, next))));
 }
 
-// Returns a sum like "7 memory wait + 1 issue", each term underlined with its colour.
+// Returns a sum such as "7 memory wait + 1 issue". Each term is underlined in its colour.
 function sum(parts, waits = true) {
   return parts.map(({ clocks, cause, wait }, i) => [i > 0 && " + ",
     el("span", { class: `term ${colour(cause)}` },

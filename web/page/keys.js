@@ -1,9 +1,9 @@
-// keys.js - a key for each button of the bar, and the dialogue that lists them. No key
-// uses Ctrl, because browsers use its combinations.
+// keys.js - a key for each button of the bar, and the dialogue that lists the keys. No key uses
+// Ctrl, because browsers use combinations with Ctrl.
 
 import { $, el } from "./dom.js";
 
-// Each row: the key, the id of its button, the description.
+// A row has the key, the id of its button, and the description.
 const KEYS = [
   ["F8", "run", "run to the end"],
   ["Shift F8", "reset", "go back to the beginning"],

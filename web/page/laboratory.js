@@ -1,6 +1,6 @@
-// laboratory.js - measures one or two programs for many values of a constant: the rate in Mflop/s
-// (clocks, if a program has no arithmetic), the straight line through the clocks, and n-half. The
-// engine computes all figures.
+// laboratory.js - measures one or two programs for many values of a constant. It shows the rate in
+// Mflop/s (clocks, if a program has no arithmetic), the straight line through the clocks, and
+// n-half. The engine computes all figures.
 
 import { choices, count, draw, el, fill, fixed, heading, some, table } from "./dom.js";
 
@@ -10,7 +10,7 @@ const WIDTH = 720, HEIGHT = 300, LEFT = 56, RIGHT = 96, TOP = 16, BOTTOM = 40;
 export function makeLaboratory(panel, session, comparablePrograms) {
   let sweep = null;
   let names = [];
-  let at = 0; // index of the point at the slider
+  let at = 0; // index of the selected point
 
   const first = el("select", { id: "lab-first" });
   const second = el("select", { id: "lab-second" });
@@ -70,12 +70,12 @@ export function makeLaboratory(panel, session, comparablePrograms) {
     show();
   }
 
-  // Returns true if any point has a rate.
+  // Returns true if a point has a rate.
   const rated = () => sweep.points.some((point) => series().some((one) => point[`${one}mflops`] > 0));
   const steady = () => sweep.points.length > 1
     && series().every((one) => new Set(sweep.points.map((point) => point[`${one}clocks`])).size === 1);
 
-  // Prefixes of the figures, as in c205 sweep: "first_" and "second_" if there are two programs.
+  // Prefixes of the figures, as in c205 sweep: "first_" and "second_" for two programs.
   const series = () => names.length > 1 ? ["first_", "second_"] : [""];
 
   function show() {
@@ -103,7 +103,7 @@ export function makeLaboratory(panel, session, comparablePrograms) {
     mark();
   }
 
-  // Names the program that is faster from a value of the constant on.
+  // Names the program that is faster from this value of the constant on.
   function crossing({ value, faster, first_clocks: a, second_clocks: b }) {
     const [mine, other] = faster === "first" ? [0, 1] : [1, 0];
     return el("p", {}, `From ${sweep.constant} = ${count(value)} on ${names[mine]} is faster: `
@@ -127,7 +127,7 @@ export function makeLaboratory(panel, session, comparablePrograms) {
       [count(point[`${one}clocks`]), ...(rated() ? [fixed(point[`${one}mflops`], 2)] : [])])] })));
   }
 
-  // Draws Mflop/s, or clocks, as a function of the constant. The axis of the constant is logarithmic.
+  // Draws Mflop/s or clocks as a function of the constant, whose axis is logarithmic.
   function drawing() {
     const { points } = sweep;
     const [low, high] = [points[0].value, points.at(-1).value];

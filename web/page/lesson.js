@@ -1,11 +1,12 @@
-// lesson.js - the text of a lesson, its goals, the verdict, and the progress of the learner,
-// which is stored in the browser.
+// lesson.js - the text of a lesson, its goals, the verdict, and the progress of the learner. The
+// browser stores the progress.
 
 import { $, count, el, fill, storage, some } from "./dom.js";
 
 const MEDALS = ["", "bronze", "silver", "gold"];
 
-/** Returns the stored progress of a lesson: {text, medal, passed}. Values of a wrong type are dropped. */
+/** Returns the stored progress of a lesson, {text, medal, passed}. Values of a wrong type are
+ * dropped. */
 export function progress(name) {
   const { text, medal, passed } = storage.get(`lesson.${name}`) ?? {};
   return { ...(typeof text === "string" && { text }),
@@ -13,19 +14,19 @@ export function progress(name) {
 }
 export const note = (name, more) => storage.set(`lesson.${name}`, { ...progress(name), ...more });
 
-/** Returns number and title of a lesson, like "3 First vector", with a mark for the best result. */
+/** Returns number and title of a lesson, as in "3 First vector", with a mark for the best result. */
 export function title({ number, title: words, name }) {
   const { passed, medal } = progress(name);
   return `${number} ${words}${passed ? ` ✓${medal ? ` ${medal}` : ""}` : ""}`;
 }
 
-// Returns the clock limits of a test for each medal: "gold 95, silver 110".
+// Returns the clock limits of a test for each medal, as in "gold 95, silver 110".
 const clockLimits = ({ goals }) => Object.entries(goals)
   .map(([medal, clocks]) => `${medal} ${count(clocks)}`).join(", ");
 
 let shown = null;
 
-/** Shows a lesson. EXERCISE: the editor has the learner's answer to it, not an example. */
+/** Shows a lesson. EXERCISE: the editor contains the learner's answer, not an example. */
 export function showLesson(lesson, exercise) {
   hideVerdict();
   $("check").disabled = !exercise;
@@ -48,7 +49,7 @@ export function setFolded(folded) {
   $("fold").setAttribute("aria-expanded", String(!folded));
 }
 
-// Shows the verdict in place of the text of the lesson, or the text.
+// Shows the verdict or the text of the lesson. They have the same place.
 function showGraded(isGraded) {
   $("verdict").hidden = !isGraded;
   $("lesson-panel").classList.toggle("graded", isGraded);
@@ -81,6 +82,6 @@ const tested = (test) => el("section", {},
   el("p", { class: "tries" }, test.tries),
   ...sentences(test.report));
 
-// Formats a report. A sentence of several lines quotes lines of the program.
+// Formats a report. The further lines of a sentence are lines of the program.
 const sentences = (report) => report.map((sentence) =>
   el("p", { class: sentence.includes("\n") ? "lines" : null }, sentence));

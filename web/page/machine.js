@@ -1,8 +1,8 @@
-// machine.js - the page's side of the worker: sends requests to the engine, and starts a new
-// engine if the old one does not answer.
+// machine.js - sends requests to the engine in the worker. It starts a new engine if the old engine
+// does not answer.
 
-// Milliseconds from a stop to the end of the worker. GRADE_STOP_TIMEOUT is for a request that the
-// engine cannot interrupt.
+// Milliseconds between a stop and the end of the worker. GRADE_STOP_TIMEOUT applies to a request
+// that the engine cannot interrupt.
 const STOP_TIMEOUT = 3000, GRADE_STOP_TIMEOUT = 250;
 
 export class Machine {
@@ -11,10 +11,10 @@ export class Machine {
   #next = 1;
   #watch = 0;
 
-  /** True after an engine was lost together with its program. */
+  /** True after an engine was lost with its program. */
   lost = false;
 
-  /** SOURCE: the text of the worker; WASM: a promise of the bytes of the engine. */
+  /** SOURCE is the text of the worker. WASM is a promise of the bytes of the engine. */
   constructor(source, wasm) {
     this.#source = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
     this.#wasm = wasm;
@@ -46,7 +46,7 @@ export class Machine {
     this.#lose("it was started again");
   }
 
-  // Starts a new worker, which has no program. Requests to the old worker are answered with an error.
+  // Starts a new worker, which has no program. Pending requests to the old worker fail.
   #lose(why, stopped = false) {
     this.lost = true;
     this.#worker.terminate();
@@ -56,7 +56,8 @@ export class Machine {
     this.#start();
   }
 
-  /** Returns the engine's reply. PROGRESS receives reports if the request takes more than a slice. */
+  /** Returns the reply of the engine. PROGRESS receives reports if the request takes more than a
+   * slice. */
   async request(message, progress) {
     await this.#ready;
     return new Promise((resolve) => {
@@ -66,12 +67,12 @@ export class Machine {
     });
   }
 
-  /** True if every request was answered. */
+  /** True if no request is pending. */
   get idle() {
     return this.#pending.size === 0;
   }
 
-  /** Stops the current request. Its reply has the result so far. */
+  /** Stops the current request. Its reply contains the result so far. */
   stop() {
     this.#worker.postMessage({ stop: true });
     clearTimeout(this.#watch);

@@ -1,4 +1,4 @@
-// main.js - the page: creates the panels and connects them with the bar and the keys.
+// main.js - creates the panels of the page and connects them with the bar and the keys.
 
 import { makeBar, setStatus } from "./bar.js";
 import { makeCauses } from "./causes.js";
@@ -23,7 +23,7 @@ import { makeTimeline } from "./timeline.js";
 import { tracerPanel } from "./tracer.js";
 import { makeVectors } from "./vectors.js";
 
-const PAUSE = 300; // milliseconds of no typing before the text is assembled
+const PAUSE = 300; // milliseconds without typing before the text is assembled
 
 const session = new Session(new Machine(workerSource(), engineBytes()));
 const [about, courseData] = await Promise.all([session.machine.request({ do: "about" }), course()])
@@ -66,14 +66,14 @@ const showTab = makeTabs(document.querySelector("[role=tablist]"), (name) => {
   if (name === "tracer") openTracer();
 });
 
-// Creates the panel of the ray tracer when it is opened for the first time.
+// Creates the panel of the ray tracer when it is first opened.
 async function openTracer() {
   if ($("tracer").hasChildNodes()) return;
   tracerPanel($("tracer"), { source: tracerSource(), wasm: tracerBytes, scenes: await scenes(),
     models: about.models });
 }
 
-/** Returns the program in the editor and all programs that it can be compared with. */
+/** Returns the program in the editor and all programs for a comparison with it. */
 function comparablePrograms() {
   return [{ value: "mine", title: "my program", text: editor.text },
     ...(session.savedText ? [{ value: "saved", title: "saved", text: session.savedText }] : []),
@@ -106,8 +106,9 @@ session.on("breaks", (lines) => editor.setBreaks(lines));
 // --- Programs -------------------------------------------------------------------------
 
 /**
- * Opens a program. TEXT replaces the text that the learner stored for it; the stored text stays
- * until the text is edited. WARM: whether pages are in memory; if missing, as in the lesson's tests.
+ * Opens a program. TEXT is shown instead of the text that the learner stored for it, which remains
+ * stored until an edit. WARM: whether pages are in memory. If it is missing, it is as in the tests
+ * of the lesson.
  */
 function open(key, text, warm) {
   programs.choose(key);
@@ -153,12 +154,12 @@ async function share() {
   }
 }
 
-// Removes the link from the address bar, because the program is no longer that of the link.
+// Removes the link from the address bar, because the editor contains another program now.
 function forgetLink() {
   if (location.hash) history.replaceState(null, "", location.pathname + location.search);
 }
 
-// Opens the program of a link, or OTHERWISE if there is no link or it is damaged.
+// Opens the program of a link. Opens OTHERWISE if there is no link or it is damaged.
 async function openLink(otherwise) {
   let shared = null, fault = "";
   try {
@@ -201,7 +202,7 @@ $("warm").addEventListener("change", () => { session.warm = $("warm").value; ses
 $("licences").addEventListener("toggle", async () => {
   $("licences").lastElementChild.textContent = await notice();
 });
-// Opens another lesson, or an example of the lesson, from a link in its text.
+// Opens another lesson or an example if the learner clicks a link in the text of the lesson.
 $("lesson-text").addEventListener("click", (event) => {
   const { lesson, example } = event.target.closest("[data-lesson], [data-example]")?.dataset ?? {};
   if (!lesson && !example) return;
@@ -218,7 +219,7 @@ session.model = $("model").value = about.model;
 await openLink(storage.get("at"));
 document.body.classList.add("ready");
 
-// For tests, and for users of the browser's console.
+// The objects of the page, for tests and for users of the browser's console.
 window.c205 = { session, editor, about, request: (request) => session.machine.request(request),
   example: (name) => courseData.examples.find((one) => one.name === name)?.text,
   quiet: () => typing === 0 && !session.busy && session.machine.idle };

@@ -1,7 +1,7 @@
-// parts.js - the data of the page apart from its script. They are packed in the page itself, or
-// they are files in the folder of the site.
+// parts.js - the data of the page without its script. They are packed into the page, or are files
+// in the folder of the site.
 
-import worker from "c205:worker"; // bundled by the build
+import worker from "c205:worker"; // the build bundles it
 import tracerWorker from "c205:tracer-worker";
 
 export const workerSource = () => worker;
@@ -14,8 +14,8 @@ async function part(id, file) {
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
 }
 
-/** Functions that return promises: the bytes of the engine and of the tracer, the scenes, the lessons
- * with their examples, and the notices of third-party code. */
+/** Functions that return promises: the bytes of the engine and of the tracer, the scenes, the
+ * lessons with their examples, and the notices of third-party code. */
 export const engineBytes = async () => (await part("engine", "engine.wasm")).arrayBuffer();
 export const tracerBytes = async () => (await part("rt205", "rt205.wasm")).arrayBuffer();
 export const scenes = async () => (await part("scenes", "scenes.json")).json();

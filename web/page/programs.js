@@ -1,5 +1,5 @@
-// programs.js - the list of programs: lessons with their exercises and examples, other
-// examples, and the learner's own program.
+// programs.js - the list of programs: lessons with their exercises and examples, other examples,
+// and the learner's program.
 
 import { $, choices, storage } from "./dom.js";
 import { note, progress, title } from "./lesson.js";
@@ -7,9 +7,9 @@ import { note, progress, title } from "./lesson.js";
 export const OWN = "own";
 const EMPTY = '        .include "print.s"\n\n        EXIT\n';
 
-/** ABOUT: the engine's description of itself; COURSE: the lessons and examples of the page. */
+/** ABOUT is the reply to the request about. COURSE contains the lessons and examples of the page. */
 export class Programs {
-  #list = new Map(); // key: {name, text, lesson}; a lesson's key is lesson:NAME
+  #list = new Map(); // {name, text, lesson} by key; the key of a lesson is lesson:NAME
 
   constructor(about, course) {
     this.lessons = about.lessons.map((lesson) => ({ ...lesson, ...course.lessons[lesson.name] }));
@@ -27,14 +27,14 @@ export class Programs {
     return this.#list.has(key);
   }
 
-  /** Selects the program with that key, or the first program if there is none. */
+  /** Selects the program with a key, or the first program if there is none. */
   choose(key) {
     this.key = this.#list.has(key) ? key : this.#list.keys().next().value;
     Object.assign(this, { lesson: undefined, exercise: false }, this.#list.get(this.key));
     storage.set("at", this.key);
   }
 
-  /** "warm" if the pages are in memory in all tests of the lesson; "": as the program states. */
+  /** "warm" if the pages are in memory in all tests of the lesson. "": the program determines it. */
   get warm() {
     return this.lesson?.tests.every(({ warm }) => warm) ? "warm" : "";
   }
@@ -48,7 +48,7 @@ export class Programs {
     return this.lesson ? this.#of(`part:${this.lesson.name}:`) : [];
   }
 
-  /** Fills the list of programs. The examples of a lesson are in it while the lesson is open. */
+  /** Fills the list of programs. It contains the examples of a lesson while the lesson is open. */
   updateLists() {
     const groups = [
       { group: "Course", choices: this.#of("lesson:", ({ lesson }) => title(lesson)) },
@@ -60,7 +60,7 @@ export class Programs {
     $("lesson").value = this.key;
   }
 
-  /** The text that the learner wrote for this program; null: none. */
+  /** The learner's text of this program, or null. */
   get written() {
     if (this.exercise) return progress(this.lesson.name).text ?? null;
     return this.key === OWN ? storage.text("own") : null;
@@ -71,7 +71,7 @@ export class Programs {
     else if (this.key === OWN) storage.set("own", text);
   }
 
-  /** The programs that the current one can be compared with. */
+  /** The programs for a comparison with the current program. */
   get comparable() {
     const start = { value: "start", title: "the starting text", text: this.text };
     return [...(this.exercise ? [start] : []), ...this.#parts, ...this.#of("example:")];

@@ -1,8 +1,8 @@
-// registers.js - the contents of the registers. Those that the last instruction changed are marked.
+// registers.js - shows the registers, and marks those that the last instruction changed.
 
 import { count, el, fill, heading, table } from "./dom.js";
 
-const MAX = 64; // rows; few programs use more registers
+const MAX = 64; // maximum number of rows; few programs use more registers
 
 export function makeRegisters(panel, session) {
   session.on("view", ({ registers }) => {
@@ -25,7 +25,7 @@ const title = ({ number, name, changed }) => [
   el("code", {}, `r${number}`), name && el("b", {}, ` ${name}`),
   changed && el("span", { class: "visually-hidden" }, " changed")];
 
-// Formats a descriptor as such, named halves with their names, and any other word as a number.
+// Formats a word: as a descriptor, as named half registers, or otherwise as a number.
 function meaning({ text, descriptor, left, right }) {
   if (descriptor) return `${count(descriptor.count)} ${descriptor.kind} ${descriptor.label
     ? `of ${descriptor.label}` : `from ${descriptor.address.toString(16).toUpperCase()}`}`;

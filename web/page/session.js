@@ -1,9 +1,9 @@
-// session.js - the loaded program and its state. Panels listen to these events: "loaded"
-// (the engine's reply), "view" (the data of all panels), "profile" (clocks by line),
-// "moved" (how a run or a step ended), "busy", "progress" and "breaks".
+// session.js - the loaded program and its state. Panels listen to the events "loaded" (the reply of
+// the engine), "view" (the data of all panels), "profile" (clocks by line), "moved" (the end of a
+// run or a step), "busy", "progress" and "breaks".
 
-const COMMAND_TIMEOUT = 2000; // milliseconds, limit for a command of the debugger
-const ELEMENTS = 64, MAX_ELEMENTS = 4096; // of each vector in a view
+const COMMAND_TIMEOUT = 2000; // limit for a command of the debugger, in milliseconds
+const ELEMENTS = 64, MAX_ELEMENTS = 4096; // number of elements of each vector in a view
 
 export class Session {
   #listeners = {};
@@ -14,7 +14,7 @@ export class Session {
   name = "program.s";
   text = "";
   model = "";
-  warm = ""; // "warm" or "cold"; "": as the program states
+  warm = ""; // "warm" or "cold"; "": the program determines it
   breaks = [];
   loaded = null;
   view = null;
@@ -34,12 +34,12 @@ export class Session {
     for (const listener of this.#listeners[kind] ?? []) listener(what);
   }
 
-  /** The settings of a request. "warm" is missing if the program states it. */
+  /** The settings of a request. "warm" is missing if the program determines it. */
   get setting() {
     return { model: this.model, ...(this.warm && { warm: this.warm === "warm" }) };
   }
 
-  /** Sends a request that may take long. The session is busy until the reply arrives. */
+  /** Sends a request that may take long. The session is busy until the reply. */
   async runRequest(request, progress) {
     this.#setBusy(true);
     const reply = await this.machine.request(request, progress);
@@ -60,7 +60,7 @@ export class Session {
     this.machine.stop();
   }
 
-  /** Sets the text. The loaded program is out of date from then on. */
+  /** Sets the text. The loaded program is then out of date. */
   change(text) {
     this.text = text;
     this.#stale = true;
@@ -83,7 +83,7 @@ export class Session {
     await this.updateView();
   }
 
-  /** Sets breakpoints at lines of the text. The engine returns the lines that can have one. */
+  /** Sets breakpoints at lines of the text. The reply contains the lines that can have one. */
   async setBreaks(lines) {
     this.breaks = lines;
     if (!this.loaded?.ok) return;
@@ -101,7 +101,7 @@ export class Session {
     this.#updateProfile(view);
   }
 
-  // Reports the clocks of the lines of the text itself. "program.s:12" is its line 12.
+  // Reports the clocks of the lines of this text. "program.s:12" is line 12.
   async #updateProfile(view) {
     const profile = await this.machine.request({ do: "profile", idle: true });
     if (view !== this.view || !profile.ok || profile.stopped) return;
@@ -116,7 +116,7 @@ export class Session {
     return this.updateView();
   }
 
-  /** Runs or steps as HOW states: "end", "step", "back" and so on, or "step-to" with N. */
+  /** Runs or steps. HOW is "end", "step", "back" and so on, or "step-to" with the step N. */
   async go(how, n) {
     if (this.busy) return;
     if (this.#stale || this.machine.lost) await this.load();
@@ -137,7 +137,8 @@ export class Session {
     return reply;
   }
 
-  /** Goes to a step while the slider is dragged. Only the last of several pending steps counts. */
+  /** Goes to a step while the slider is dragged. If several steps are pending, only the last
+   * counts. */
   async slide(step) {
     const moving = this.#target !== null;
     this.#target = step;

@@ -1,10 +1,11 @@
-// share.js - a link that contains the program (deflated), the model, the state of the pages
-// and the lesson. They are in the fragment, after #, which no browser sends to a server.
+// share.js - a link that contains the program (deflated), the model, the state of the pages and the
+// lesson. They are in the fragment, after #, which browsers do not send to a server.
 
 import { count } from "./dom.js";
 
-/** Limits, checked when a link is made and when it is opened. MAX_PROGRAM: bytes of a program, because
- * a short link can unpack to many. MAX_LINK: characters of a link that every browser opens. */
+/** Limits, which are checked when a link is made and when it is opened. MAX_PROGRAM is the bytes of
+ * a program, because a short link may unpack to a large program. MAX_LINK is the characters of a
+ * link that every browser opens. */
 export const MAX_PROGRAM = 1 << 20;
 const MAX_LINK = 1 << 19;
 
@@ -50,8 +51,8 @@ export async function toHash({ text, model, warm, lesson }) {
   return hash;
 }
 
-/** Returns the contents of a fragment; null if it has neither program nor lesson. Throws a RangeError
- * if it is too long, and another error if it is damaged. */
+/** Returns the contents of a fragment, or null if it has neither program nor lesson. Throws a
+ * RangeError if it is too long, and another error if it is damaged. */
 export async function fromHash(hash) {
   check(hash.length, MAX_LINK, "characters in the link");
   const words = new URLSearchParams(hash.slice(1));

@@ -1,9 +1,9 @@
-// split.js - the bar between the lesson and the program below it. It is moved by pointer or
-// keys, and its position is stored.
+// split.js - the bar between the lesson and the program below it. The pointer or keys move it, and
+// its position is stored.
 
 import { $, storage } from "./dom.js";
 
-const MIN = 15, MAX = 85, STEP = 5; // percent of the height, for the lesson
+const MIN = 15, MAX = 85, STEP = 5; // height of the lesson in percent
 const DEFAULT = 50;
 
 export function makeSplit() {

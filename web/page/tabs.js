@@ -1,4 +1,4 @@
-// tabs.js - tabs, selected by click or by arrow keys, as in the ARIA authoring practices.
+// tabs.js - tabs. A click or an arrow key selects a tab, as in the ARIA authoring practices.
 
 export function makeTabs(list, shown = () => {}) {
   const tabs = [...list.querySelectorAll("[role=tab]")];

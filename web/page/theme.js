@@ -1,4 +1,4 @@
-// theme.js - light and dark colours: those of the system until the user selects others.
+// theme.js - light and dark colours. The system determines them until the user selects a theme.
 
 import { $, storage } from "./dom.js";
 
@@ -6,7 +6,7 @@ const systemDark = matchMedia("(prefers-color-scheme: dark)");
 const root = document.documentElement;
 const dark = () => root.dataset.theme ? root.dataset.theme === "dark" : systemDark.matches;
 
-// Labels the switch with the theme that it selects.
+// Labels the switch with the other theme, which it selects.
 function name() {
   $("theme").lastElementChild.textContent = dark() ? "Light" : "Dark";
 }

@@ -1,20 +1,20 @@
-// timeline.js - the work of each unit at each clock. The top row shows the cause that each
-// clock was charged to; below it each unit has a lane. A click on an instruction goes to it;
-// + - and the arrow keys change the visible range.
+// timeline.js - shows the work of each unit at each clock. The top row shows the cause of each
+// clock. Each unit has a lane below it. A click on an instruction goes to it. The keys + and -, and
+// the arrow keys, change the visible range.
 
 import { colour, count, draw, duration, el, fill, some } from "./dom.js";
 import { named } from "./causes.js";
 
-const MAX = 600; // instructions in the drawing
-const BOX = 17, GAP = 6, TOP = 22, LEFT = 116; // pixels
-const FIRST = 240; // clocks, initial range
-const MIN_RANGE = 16; // clocks, shortest range
+const MAX = 600; // maximum number of instructions in the drawing
+const BOX = 17, GAP = 6, TOP = 22, LEFT = 116; // sizes in pixels
+const FIRST = 240; // initial range in clocks
+const MIN_RANGE = 16; // shortest range in clocks
 
 export function makeTimeline(panel, session) {
   let from = 0;
   let to = FIRST;
-  let automatic = true; // the user has selected no range: a short run is shown from its start to its end
-  let timeline = null; // the engine's reply
+  let automatic = true; // the user has not selected a range; a short run is shown completely
+  let timeline = null; // the reply of the engine
   let turn = 0;
 
   const aside = el("p", { class: "aside" });
@@ -64,7 +64,7 @@ export function makeTimeline(panel, session) {
     update();
   }
 
-  // Moves the range so that it contains the current clock.
+  // Moves the range to the current clock.
   function follow() {
     if (automatic && clock() <= 2 * FIRST) {
       from = 0;
@@ -137,12 +137,12 @@ export function makeTimeline(panel, session) {
   new ResizeObserver(() => { if (timeline && picture.clientWidth > 0) show(); }).observe(picture);
 }
 
-// The tooltip of a box.
+// Returns the tooltip of a box.
 const words = ({ cause = "active", begin, end }, { text, arrived, issued, ready }) =>
   [`${cause}: ${some(end - begin, "clock")}, ${begin} .. ${end}`, text,
     `arrived ${arrived}, issued ${issued}, result ${ready}`].join("\n");
 
-// Returns round numbers between two clocks, at most about MAX_COUNT of them.
+// Returns at most about MAX_COUNT round numbers between two clocks.
 function ticks(from, to, maxCount) {
   const minStep = (to - from) / Math.max(maxCount, 2);
   const power = 10 ** Math.floor(Math.log10(Math.max(minStep, 1)));

@@ -1,5 +1,5 @@
-// tracer-worker.js - runs rt205 in a worker, one run at a time, and posts the rows of the
-// picture as they are finished. To stop a run, the page terminates the worker.
+// tracer-worker.js - runs rt205 in a worker, one run at a time, and posts the rows of the picture
+// when they are finished. The page terminates the worker to stop a run.
 
 import { loadTracer } from "../tracer/tracer.js";
 

@@ -1,23 +1,24 @@
-// tracer.js - the panel of the ray tracer: draws a scene, shows its rows as they are finished,
-// and shows the clocks that they took. rt205 computes all figures.
+// tracer.js - the panel of the ray tracer. It draws a scene, and shows the finished rows and their
+// clocks. rt205 computes all figures.
 
 import { bar, named } from "./causes.js";
 import { choices, count, duration, el, fill, fixed, heading, table } from "./dom.js";
 
-const OWN = "own"; // key of the learner's own scene
+const OWN = "own"; // key of the learner's scene
 const SCENE = "scenes/bracket.pov";
 const SIZES = [[80, 60], [160, 120], [320, 240], [640, 480]];
 const STAGES = [["vector", "vector: a queue of rays at a time"], ["scalar", "scalar: ray by ray"],
   ["kernels", "kernels: as in the paper of 1984"]];
-const QUEUE = 2000, MAX_QUEUE = 65535; // rays
+const QUEUE = 2000, MAX_QUEUE = 65535; // in rays
 const MODEL = "cyber205-2pipe";
-const PAPER = [400, 250], SMALL = [80, 50]; // rays of Table 1: as in the paper, and for two queues
+const PAPER = [400, 250], SMALL = [80, 50]; // rays of Table 1: as in the paper, and for a quick
+                                            // measurement with two queues
 const ALL = "all";
-// Rows of Table 1: the name, and a pattern of the objects in a scene that belong to it.
+// Rows of Table 1: the name, and a pattern that counts its objects in a scene.
 const ROWS = [["sphere", /\bsphere\b/g], ["cylinder", /\bcylinder\b/g],
   ["Steiner", /\bsteiner\w*/gi], ["torus", /\btorus\b/g]];
 
-/** rt205 in a worker. The worker starts with the first run; a stop terminates it. */
+/** rt205 in a worker. The first run starts the worker; a stop terminates it. */
 class Tracer {
   #source; #wasm; #bytes; #worker; #end;
 
@@ -26,8 +27,8 @@ class Tracer {
     this.#wasm = wasm;
   }
 
-  /** Returns { code, files, stdout, stderr }, { stopped } or { lost }. ONMESSAGE receives all messages
-   * before the end. */
+  /** Returns { code, files, stdout, stderr }, { stopped } or { lost }. ONMESSAGE receives all
+   * messages before the end. */
   async run(args, files, onMessage) {
     const wasm = await (this.#bytes ??= this.#wasm());
     return new Promise((resolve) => {
@@ -54,14 +55,14 @@ class Tracer {
 }
 
 /**
- * Creates the panel. source: the text of the worker; wasm: returns a promise of the bytes of rt205,
- * called at the first run; scenes: { files: texts by path, list: [{ path, title }] }; models: the
- * models that programs run on, [{ name, title }].
+ * Creates the panel. source is the text of the worker. wasm returns a promise of the bytes of rt205
+ * and is called at the first run. scenes is { files: texts by path, list: [{ path, title }] }.
+ * models is [{ name, title }], the models on which programs run.
  */
 export function tracerPanel(panel, { source, wasm, scenes, models }) {
   const tracer = new Tracer(source, wasm);
   let busy = false;
-  let picture = null; // URL of the last picture
+  let picture = null; // URL of the current picture
 
   const field = (id, label, input) => el("div", { class: "field" }, el("label", { for: id }, label), input);
   const scene = el("select", { id: "tracer-scene", change: () => show(scene.value) });
@@ -69,7 +70,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
   const queue = el("input", { id: "tracer-queue", type: "number", min: 1, max: MAX_QUEUE, value: QUEUE, required: true });
   const model = el("select", { id: "tracer-model" });
   const size = el("select", { id: "tracer-size" });
-  // The start and stop buttons, the status text and the progress bar of a run.
+  // Returns the start and stop buttons, the status text and the progress bar of a run.
   const work = (words, kind, name) => ({
     start: el("button", { type: "submit", class: kind }, words),
     stop: el("button", { type: "button", hidden: true, click: () => tracer.stop() }, "Stop"),
@@ -192,7 +193,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
     save.hidden = false;
   }
 
-  // Measures Table 1 of the paper. The result has a row for each primitive and kind of figure.
+  // Measures Table 1 of the paper. The result has a row for each primitive and each kind of figure.
   async function measure(event) {
     event.preventDefault();
     const all = row.value === ALL;
@@ -212,15 +213,15 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
   }
 }
 
-/** Returns the cells of a row of Table 1, with as many digits as rt205 speedup prints. */
+/** Returns the cells of a row of Table 1, with the same digits as in rt205 speedup. */
 export function cellsOfTable1(row) {
   const places = { scalar: 3, vector: 4, cyber720: 2, vector_over_scalar: 2, vector_over_720: 0 };
-  const error = row.figures.endsWith("%"); // all cells are percentages
+  const error = row.figures.endsWith("%"); // if the figures are errors, all cells are percentages
   return [row.primitive, row.figures, ...Object.entries(places).map(([key, n]) =>
     row[key] == null ? "-" : fixed(row[key], error ? 1 : n, error))];
 }
 
-// Returns the row with most matches in the scene, or the first row if nothing matches.
+// Returns the row with the most matches in the scene, or the first row without any match.
 function rowOf(text) {
   const found = ROWS.map(([name, words]) => ({ name, times: text.match(words)?.length ?? 0 }));
   return found.reduce((best, one) => one.times > best.times ? one : best).name;

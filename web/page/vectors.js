@@ -1,10 +1,10 @@
-// vectors.js - the data of the program, one row for each label. The bits of a control vector
-// are shown next to the elements that they select.
+// vectors.js - shows the data of the program, one row for each label. The bits of a control vector
+// are next to the elements that they select.
 
 import { count, el, fill, heading, some } from "./dom.js";
 
 export function makeVectors(panel, session) {
-  let chosen = null; // label of the control bits; "": none
+  let chosen = null; // label of the selected control bits; "": none
   let shown = [];
 
   const bits = () => shown.filter(({ kind }) => kind === "bits");
@@ -36,7 +36,7 @@ export function makeVectors(panel, session) {
   session.on("view", ({ vectors }) => { shown = vectors; show(); });
 }
 
-// One label: its name, its length, its elements, and a button that calls MORE.
+// Returns the row of a label: its name, its length, its elements, and a button that calls MORE.
 function row(vector, control, more) {
   const { label, kind, count: length, first, values, stored } = vector;
   const controlBits = control && kind !== "bits" && control.count === length ? control.values : "";

@@ -1,6 +1,6 @@
-// worker.js - runs the engine in a worker. It answers requests one at a time, in slices, and
-// reads its messages between slices, so that a request can be stopped. A request marked "idle"
-// is stopped when another request arrives.
+// worker.js - runs the engine in a worker. It answers requests one at a time, in slices, and reads
+// messages between slices, so a request can be stopped. Another request stops a request marked
+// "idle".
 
 import { startEngine } from "./engine.js";
 
@@ -9,8 +9,8 @@ const waiting = [];
 let engine = null;
 let stopped = false;
 
-// pause() lets the worker receive the messages that have arrived: it posts a message to itself,
-// which is delivered after them.
+// pause() lets the worker receive pending messages. It posts a message to itself, which arrives
+// after them.
 const turn = new MessageChannel();
 let resume = null;
 turn.port1.onmessage = () => resume();

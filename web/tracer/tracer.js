@@ -1,11 +1,11 @@
-// tracer.js - rt205 as a function. It takes arguments and files, returns the exit code
-// and files, and passes on text and rows of the picture while it runs.
+// tracer.js - runs rt205 as a function. It takes arguments and files, and returns the exit code and
+// files. Text and rows of the picture are passed on while it runs.
 //
-// For node and for a worker of the page. To stop a program that does not end, terminate
-// its worker.
+// It works in node and in a worker of the page. A worker must be terminated to stop a program that
+// does not end.
 import { Exit, System } from "./wasi.js";
 
-const VIEW_INTERVAL = 100; // ms between two views of a growing picture
+const VIEW_INTERVAL = 100; // milliseconds between two views of a growing picture
 
 /**
  * Compiles the bytes of rt205.wasm and returns the function
@@ -47,7 +47,7 @@ function run(module, args, files, on) {
   return { code: 0, files: system.written() };
 }
 
-// The imports of web/tracer/platform/watch.c.
+// Returns the imports of web/tracer/platform/watch.c.
 function watching(system, on) {
   let shown = performance.now();
   return {

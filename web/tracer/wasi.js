@@ -1,10 +1,8 @@
-// wasi.js - the part of a system that rt205 needs: its arguments, two streams, and
-// files in memory.
+// wasi.js - the part of a system that rt205 needs: arguments, two streams, and files in memory.
 //
-// The calls are those of WASI preview 1 that the program imports; each returns an error
-// number. All paths start in the one root folder, /. Any other folder exists as long as
-// it contains a file.
-// Source: the interface wasi_snapshot_preview1 (github.com/WebAssembly/WASI).
+// The calls are those of WASI preview 1 that the program imports. Each returns an error number. All
+// paths start in a single root folder, /. Other folders exist while they contain a file. Source:
+// the interface wasi_snapshot_preview1 (github.com/WebAssembly/WASI).
 
 const errors = {
   none: 0, badFile: 8, exists: 20, invalid: 28, isFolder: 31, notFound: 44,
@@ -12,9 +10,9 @@ const errors = {
 };
 const kinds = { unknown: 0, folder: 3, file: 4 };
 const opening = { create: 1, folder: 2, exclusive: 4, truncate: 8 };
-const root = 3; // descriptor of /; 0 to 2 are the streams
+const root = 3; // descriptor of /; the streams have 0 to 2
 
-/** The exit code of a program, thrown through the program to end it. */
+/** The exit code of a program. It is thrown to end the program. */
 export class Exit extends Error {
   constructor(code) {
     super(`exit ${code}`);
@@ -33,12 +31,12 @@ const plain = (path) => {
   return names.join("/");
 };
 
-/** A file: bytes in a buffer that grows. */
+/** A file, which consists of bytes in a buffer that grows. */
 class Bytes {
   constructor(bytes = new Uint8Array()) {
     this.buffer = bytes;
     this.length = bytes.length;
-    this.written = false; // until it is true, the bytes belong to the caller
+    this.written = false; // false while the bytes belong to the caller
   }
   get all() {
     return this.buffer.subarray(0, this.length);
@@ -105,7 +103,7 @@ export class System {
     this.view.setBigUint64(at, BigInt(value), true);
     return errors.none;
   }
-  // Yields the pieces of memory in a list of addresses and lengths.
+  // Yields the pieces of memory from a list of addresses and lengths.
   *pieces(list, count) {
     for (let i = 0; i < count; i++)
       yield this.bytes(this.view.getUint32(list + 8 * i, true),
@@ -132,7 +130,7 @@ export class System {
   pathAt(at, length) {
     return plain(this.text(at, length));
   }
-  // Returns the bytes of an entry of a folder, with the number of the next one.
+  // Returns the bytes of an entry of a folder. They contain the number of the next entry.
   entry(next, name, kind) {
     const bytes = new TextEncoder().encode(name);
     const entry = new Uint8Array(24 + bytes.length);
@@ -152,7 +150,7 @@ export class System {
   }
   statusOf(to, path) {
     const file = this.files.get(path);
-    if (file) // its number identifies the file
+    if (file) // the number identifies the file
       return this.status(to, kinds.file, file.length,
         1 + [...this.files.values()].indexOf(file));
     return this.isFolder(path) ? this.status(to, kinds.folder, 0, 0)

@@ -1,4 +1,4 @@
-// browsers.mjs - starts Debian's browsers, each with a temporary profile.
+// browsers.mjs - starts browsers that Debian packages, each with a temporary profile.
 
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -7,7 +7,7 @@ import puppeteer from "puppeteer-core";
 
 const CHROMIUM = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
   "--disable-background-networking", "--disable-component-update", "--disable-sync"];
-// Turns off the network requests of Firefox itself. The arguments above do so for Chromium.
+// Disables the network requests of Firefox. Arguments above do the same for Chromium.
 const QUIET = { "datareporting.policy.dataSubmissionEnabled": false, "app.update.enabled": false,
   "network.captive-portal-service.enabled": false, "network.connectivity-service.enabled": false,
   "extensions.getAddons.cache.enabled": false, "browser.safebrowsing.update.enabled": false };
@@ -19,7 +19,8 @@ const setups = {
     userDataDir: profile, extraPrefsFirefox: QUIET }),
 };
 
-/** Starts the browser NAME. Returns it and a function that ends it and removes its profile. */
+/** Starts the browser NAME. Returns the browser and a function that ends it and removes its
+ * profile. */
 export async function startBrowser(name) {
   const profile = mkdtempSync(join(tmpdir(), `c205-${name}-`));
   const browser = await puppeteer.launch({ headless: true, ...setups[name](profile) });

@@ -1,13 +1,13 @@
 // course.mjs - for every lesson, compares the page's verdict on the starting text and on the
 // solution with the JSON report of c205 check: sentences, clocks and result. It also checks the
-// lesson texts and what is stored between visits. A failure means that the page grades or stores
+// lesson texts and the data stored between visits. A failure means that the page grades or stores
 // an answer differently.
 
 import assert from "node:assert/strict";
 import { PageDriver } from "./page_driver.mjs";
 import { PRINTS, SUM, WRONG } from "./texts.mjs";
 
-// Checks that page and c205 give the same verdict on an answer, and returns that of c205.
+// Checks that page and c205 have the same verdict on an answer. Returns the verdict of c205.
 async function verdict(driver, native, { name }, answer) {
   await driver.write(answer);
   await driver.press("check");
@@ -42,7 +42,7 @@ export const tests = {
       const done = await verdict(driver, native, lesson, lesson.solution);
       assert.equal(done.passed, true, lesson.name);
     }
-    // An answer that cannot be assembled, and one that does not solve the exercise.
+    // The first answer cannot be assembled; the second does not solve the exercise.
     for (const answer of [WRONG, SUM]) {
       const graded = await verdict(driver, native, native.lessons.at(-1), answer);
       assert.equal(graded.passed, false);
@@ -101,7 +101,7 @@ export const tests = {
     await driver.write("; lost\n".repeat(100));
     assert.match(await driver.text("#unstored"), /^The storage of this browser is full\. .* copy it, or use Share\.$/);
     assert.equal(await driver.shown("#unstored"), true);
-    // A value that fits must not hide the warning about another one.
+    // A value that fits must not hide the warning about another value.
     await driver.page.evaluate("localStorage.removeItem('fill0')");
     await driver.press("theme");
     assert.equal(await driver.shown("#unstored"), true);
@@ -148,7 +148,8 @@ export const tests = {
       const faults = (await driver.view()).accounts.causes.find(({ cause }) => cause === "page fault");
       if (warm) assert.equal(faults?.clocks ?? 0, 0, name);
     }
-    // The choice is valid until another program is opened. "" leaves it to a program of no lesson.
+    // The choice is valid until another program is opened. A program without a lesson has the
+    // choice "".
     await driver.choose("warm", "cold");
     await driver.press("run");
     assert.equal(await driver.evaluate("session.warm"), "cold");

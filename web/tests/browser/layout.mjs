@@ -1,6 +1,6 @@
-// layout.mjs - checks layout and accessibility: axe finds no violation in any view, nothing is
-// cut off at widths from 320 to 1920 pixels, and all controls are reached by keys. A failure means
-// that some users cannot see or reach a part of the page.
+// layout.mjs - checks layout and accessibility: axe finds no violation in any view, nothing is cut
+// off at widths from 320 to 1920 pixels, and keys reach all controls. A failure means that some
+// users cannot see or reach a part of the page.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -114,7 +114,7 @@ export const tests = {
     await driver.key("F4");
     const reached = [];
     for (let i = 0; i < 80; i++) {
-      // Tab indents the text of the program unless Escape was pressed before it.
+      // Tab indents the text of the program unless Escape was pressed before.
       if (await driver.page.evaluate("document.activeElement.classList.contains('cm-content')"))
         await driver.page.keyboard.press("Escape");
       await driver.page.keyboard.press("Tab");
@@ -161,7 +161,7 @@ export const tests = {
     assert.equal(await top(), 0);
     await driver.choose("lesson", `lesson:${native.lessons[2].name}`);
     assert.equal(await top(), 0);
-    // The current line is nevertheless visible inside the editor.
+    // The current line is visible in the editor in spite of this.
     assert.ok(await driver.page.$eval(".cm-line.current-line", (line) => {
       const { top: above, bottom } = line.getBoundingClientRect();
       const box = line.closest(".cm-scroller").getBoundingClientRect();
@@ -210,7 +210,7 @@ export const tests = {
   },
 
   async "at 200 % the program and the line that is typed are visible, also with reported errors"({ browser, page }) {
-    // At 200 % the page has half of the pixels of a large screen or of a laptop.
+    // At 200 % the page has half the width and height of a large screen or of a laptop.
     for (const size of [{ width: 960, height: 540 }, { width: 640, height: 360 }, { width: 1280, height: 600 }]) {
       const driver = await PageDriver.open(browser, page, size);
       assert.deepEqual(await beyond(driver), []);

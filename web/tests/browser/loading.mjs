@@ -7,8 +7,9 @@ import { serve } from "./server.mjs";
 import { PageDriver } from "./page_driver.mjs";
 import { LOOP, PRINTS } from "./texts.mjs";
 
-const FIRST_RUN = 1000; // milliseconds from the start of loading to the end of a run, on an idle machine
-const SHARED = 3; // factor on FIRST_RUN for a machine that has other work
+const FIRST_RUN = 1000; // maximum milliseconds from the start of loading to the end of a run, on an
+                        // idle machine
+const SHARED = 3; // factor for FIRST_RUN on a machine with other work
 
 async function runs(driver) {
   await driver.write(PRINTS);
@@ -20,7 +21,7 @@ export const tests = {
   async "the one file, from a file: address"({ browser, page, print }) {
     const driver = await PageDriver.open(browser, page);
     await runs(driver);
-    // Measures a second load of the page, with its first run.
+    // Measures the second load of the page and its first run.
     await driver.choose("lesson", "example:saxpy_vector.s");
     await driver.page.reload();
     await driver.page.waitForSelector("body.ready");
@@ -54,7 +55,7 @@ export const tests = {
     const status = "document.getElementById('status').textContent";
     await driver.page.waitForFunction(`/^Running: step [1-9]/.test(${status})`);
     const first = JSON.stringify(await driver.text("#status"));
-    // The page reacts to clicks while the program runs.
+    // The page reacts to clicks while a program runs.
     await driver.page.click("#tab-console");
     assert.equal(await driver.shown("#console"), true);
     await driver.page.click("#tab-machine");

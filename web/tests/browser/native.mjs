@@ -1,4 +1,4 @@
-// native.mjs - runs the native c205 and rt205, whose output the page is compared with.
+// native.mjs - runs the native c205 and rt205, for comparisons with the page.
 
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
@@ -16,7 +16,8 @@ export class Native {
     process.on("exit", () => rmSync(this.#folder, { recursive: true, force: true }));
   }
 
-  /** Runs a command in a folder with FILES. Returns {status, out, err}: the texts of stdout and stderr. */
+  /** Runs a command in a folder with FILES. Returns {status, out, err}, where out and err are
+   * texts. */
   run(command, args, files = {}) {
     for (const [name, text] of Object.entries(files)) writeFileSync(join(this.#folder, name), text);
     const { status, stdout, stderr } = spawnSync(join(this.build, command), args,
@@ -37,7 +38,7 @@ export class Native {
     return { status, ...JSON.parse(readFileSync(join(this.#folder, "out.json"), "utf8")) };
   }
 
-  /** The lessons, with the starting text and the solution of each. */
+  /** The lessons with their starting texts and solutions. */
   get lessons() {
     const course = join(root, "docs/course");
     return readdirSync(course).filter((name) => /^\d\d-/.test(name)).sort().map((folder) => {

@@ -1,5 +1,5 @@
-// page_driver.mjs - opens the page and operates it like a learner. Each driver has its own browser
-// context, so nothing is stored from one driver to the next.
+// page_driver.mjs - opens the page and operates it like a learner. Each driver has a separate
+// browser context, so drivers share no stored data.
 
 import assert from "node:assert/strict";
 
@@ -31,7 +31,8 @@ export class PageDriver {
     return driver;
   }
 
-  /** Sets the system's colour scheme. If the browser cannot, the test uses the page's own switch. */
+  /** Sets the colour scheme of the system. If the browser cannot set it, the switch of the page is
+   * used. */
   async setScheme(scheme) {
     try {
       await this.page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
@@ -40,14 +41,14 @@ export class PageDriver {
     }
   }
 
-  /** Closes the page. Fails if it reported an error or requested anything from another origin. */
+  /** Closes the page. Fails if the page reported an error or requested data of another origin. */
   async close(own = ["file:", "blob:", "data:", "http://127.0.0.1:"]) {
     await this.context.close();
     assert.deepEqual(this.faults, []);
     assert.deepEqual(this.requests.filter((url) => !own.some((start) => url.startsWith(start))), []);
   }
 
-  /** Evaluates an expression of the objects in window.c205. */
+  /** Evaluates an expression on the objects in window.c205. */
   evaluate(expression) {
     return this.page.evaluate(`(async ({ session, editor, about, request }) => ${expression})(window.c205)`);
   }
@@ -84,7 +85,7 @@ export class PageDriver {
     await this.quiet();
   }
 
-  /** Replaces the text of the program as if it had been typed. */
+  /** Replaces the text of the program like typing. */
   async write(text) {
     await this.page.evaluate((words) => window.c205.editor.type(words), text);
     await this.quiet();

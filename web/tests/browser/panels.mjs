@@ -1,11 +1,11 @@
 // panels.mjs - compares the panels with the engine's view after every instruction of a program:
 // terms of the time, causes, regions, control bits, and the boxes of the time line. A failure means
-// that a panel shows other figures than the engine computed.
+// that figures of a panel differ from those of the engine.
 
 import assert from "node:assert/strict";
 import { PageDriver } from "./page_driver.mjs";
 
-// The program has control bits, a link, a scalar that waits for a load, and a region.
+// The program has control bits, a link, a scalar instruction that waits for a load, and a region.
 const PROGRAM = `        .include "vectors.s"
         .regs   r16, xs, ys, zs, at, one, link
         .data
@@ -42,7 +42,7 @@ const number = (text) => Number(text.replaceAll(",", ""));
 const rows = (driver, selector) => driver.page.$$eval(`${selector} tbody tr`, (list) => list.map((row) =>
   [...row.children].map((cell) => cell.textContent)));
 
-// Executes the program step by step and passes the engine's view after each step to CHECK.
+// Executes the program step by step, and passes the view after each step to CHECK.
 async function eachStep(driver, check) {
   for (let ended = false; !ended;) {
     await driver.press("step");
@@ -52,7 +52,7 @@ async function eachStep(driver, check) {
   }
 }
 
-// Returns the clocks of the terms of the N-th formula, such as "3 memory wait + 1 issue".
+// Returns the clocks of the terms in the N-th formula, such as "3 memory wait + 1 issue".
 const terms = (driver, n) => driver.page.$$eval("#instruction .formula", (list, which) =>
   [...list[which]?.querySelectorAll(".term b") ?? []].map((one) => one.textContent), n);
 
@@ -121,7 +121,7 @@ export const tests = {
     for (const button of [null, "Zoom in", "Later", "Earlier", "Zoom out", "All of the run"]) {
       if (button) await driver.page.click(`#timeline button[aria-label="${button}"]`);
       await driver.quiet();
-      // The scale from clocks to pixels comes from two ticks and the clocks written above them.
+      // Two ticks with their numbers give the scale from clocks to pixels.
       const { boxes, ticks, width: all, range } = await driver.page.$eval("#timeline svg", (svg) => ({
         boxes: [...svg.querySelectorAll("g.insn rect")].map((rect) => ({
           x: Number(rect.getAttribute("x")), width: Number(rect.getAttribute("width")),

@@ -1,6 +1,6 @@
-// programs.mjs - compares the page's output, clocks, sweeps and comparisons with those of c205 run,
-// sweep and compare, for all examples. A failure means that the page shows other figures than the
-// command.
+// programs.mjs - compares output, clocks, sweeps and comparisons of the page with c205 run, sweep
+// and compare, for all examples. A failure means that the page and the command show different
+// figures.
 
 import assert from "node:assert/strict";
 import { COUNTS, PRINTS_MUCH } from "./texts.mjs";
@@ -78,7 +78,7 @@ export const tests = {
     const result = await driver.text("#laboratory .result");
     assert.ok(!result.includes("Mflop/s"), result);
     assert.ok(!result.includes("check that the program uses"));
-    // It reports when nothing depends on the constant, which the program must use.
+    // The page reports that no clocks depend on the constant, although the program uses it.
     await driver.write(COUNTS.replace("        EXIT", "        .ifdef other\n        ES      r60, other\n        .endif\n        EXIT"));
     await driver.page.$eval("#lab-constant", (input) => { input.value = "other"; });
     await driver.press("laboratory button[type=submit]");

@@ -1,5 +1,5 @@
-// run.mjs BUILD [BROWSERS [TEXT]] - runs the page's tests in real browsers: all tests, or those
-// whose name contains TEXT. Exit status: 1 if a test fails, 2 for wrong usage.
+// run.mjs BUILD [BROWSERS [TEXT]] - runs the tests of the page in real browsers. TEXT selects tests
+// whose name contains it. Exit status: 1 if a test fails, 2 for wrong usage.
 
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";

@@ -1,4 +1,4 @@
-// server.mjs - serves the folder of the site on this machine.
+// server.mjs - serves the folder of the site on the local host.
 
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -6,12 +6,13 @@ import { extname, join, normalize } from "node:path";
 
 const TYPES = { ".html": "text/html; charset=utf-8", ".css": "text/css", ".js": "text/javascript",
   ".wasm": "application/wasm", ".json": "application/json", ".md": "text/markdown" };
-// The strictest policy that the page works with. It forbids data of other origins and eval.
+// The strictest policy under which the page works. It forbids data of other origins and eval.
 const POLICY = ["default-src 'none'", "script-src 'self' 'wasm-unsafe-eval'", "worker-src blob:",
   "style-src 'self' 'unsafe-inline'", "img-src data: blob:", "connect-src 'self'", "base-uri 'none'",
   "form-action 'none'"].join("; ");
 
-/** Starts the server. Returns {address, requested, end}; requested: the paths requested so far. */
+/** Starts the server. Returns {address, requested, end}; requested contains the paths requested so
+ * far. */
 export async function serve(folder) {
   const requested = [];
   const server = createServer(async ({ url }, response) => {

@@ -14,7 +14,7 @@ const open = async ({ browser, page }, text = SUM) => {
   return driver;
 };
 
-// Returns the texts of the panels that show the state of the program.
+// The panels that show the state of the program.
 const PANELS = ["where", "instruction", "causes", "registers", "vectors", "output"];
 const shown = (driver) => driver.page.evaluate((panels) =>
   panels.map((id) => document.getElementById(id).textContent), PANELS);
@@ -27,7 +27,7 @@ async function slide(driver, step) {
   await driver.quiet();
 }
 
-// Returns a function that yields random numbers below N. The seed determines the sequence.
+// Returns a generator of random numbers below N. The seed determines the sequence.
 function dice(seed) {
   let state = seed;
   return (n) => {
@@ -46,7 +46,7 @@ export const tests = {
     }
     for (let i = 11; i >= 0; i--) {
       await driver.press("back");
-      // PANELS[0] differs: it shows the number of known steps.
+      // The first panel is not compared, because it shows the number of known steps.
       const now = await shown(driver);
       assert.deepEqual(now.slice(1), recorded[i].slice(1));
       assert.equal((await driver.view()).step, i);
@@ -200,7 +200,7 @@ export const tests = {
     await other.close();
   },
 
-  // Programs up to the limits and beyond, with good and with poor compression.
+  // The programs are below and above the limits, and compress well or poorly.
   async "Share makes only links that it opens"(world) {
     const noise = (length) => randomBytes(length).toString("base64").slice(0, length);
     const MAX = 1 << 20;

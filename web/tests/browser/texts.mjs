@@ -14,7 +14,7 @@ loop:   IS      i, 1
         BIM     loop
 `;
 
-/** A loop of 10 iterations that computes a sum. */
+/** A loop that computes a sum in 10 iterations. */
 export const SUM = `        .regs   r16, i, one, count, sum
         ES      i, 0
         ES      one, 1
@@ -24,7 +24,7 @@ loop:   ADDX    sum, i, sum
         IBXLT   i, one, count, loop, i
         EXIT
 `;
-export const SUM_LOOP = 6; // line of the loop's first instruction
+export const SUM_LOOP = 6; // line of the first instruction in the loop
 
 export const WRONG = `        .reg    x, r16
         ADNV    x, x, x

@@ -1,12 +1,12 @@
 // tracer.mjs - compares the page's ray tracer with rt205: its output for both stages, a scene with
-// an error, and Table 1. A failure means that the page passes other options or shows other figures.
+// an error, and Table 1. A failure means that the page passes wrong options or shows wrong figures.
 
 import assert from "node:assert/strict";
 import { PageDriver } from "./page_driver.mjs";
 
-const RUN_TIMEOUT = 120000; // milliseconds, limit for a run
+const RUN_TIMEOUT = 120000; // limit for a run in milliseconds
 
-/** Returns what rt205 prints, stderr first. */
+/** Returns the output of rt205, stderr first. */
 function rt205(native, args, files) {
   const { out, err } = native.rt205([...args, "--jobs", "1"], files);
   return err + out;
@@ -25,7 +25,7 @@ async function openTracer(browser, page) {
   return driver;
 }
 
-// Waits for a status text. WHICH: 0 for the picture, 1 for the table.
+// Waits for a status text. WHICH is 0 for the picture and 1 for the table.
 const waitForStatus = (driver, words, which = 0) => driver.page.waitForFunction(
   `document.querySelectorAll("#tracer [role=status]")[${which}].textContent === ${JSON.stringify(words)}`,
   { timeout: RUN_TIMEOUT });
@@ -37,7 +37,8 @@ async function write(driver, text) {
   }, text);
 }
 
-/** Returns the number of colours of the picture, and whether the file to download has the same pixels. */
+/** Returns the number of colours of the picture, and whether the downloaded file has the same
+ * pixels. */
 const picture = (driver) => driver.page.evaluate(async () => {
   const pixels = async (image) => {
     const bitmap = await createImageBitmap(image);
@@ -94,7 +95,8 @@ export const tests = {
   async "Table 1 is that of rt205"({ browser, page, native }) {
     const driver = await openTracer(browser, page);
     await driver.page.$eval("#tracer-queue", (input) => { input.value = "500"; });
-    // A single row, with the paper's rays, follows from the objects of the scene; all rows use few rays.
+    // Objects of the scene select a single row, with the rays of the paper. All rows together use
+    // few rays.
     await write(driver, "torus { 1, 0.2 } torus { 2, 0.2 } sphere { 0, 1 }");
     assert.equal(await driver.page.$eval("#tracer-row", ({ value }) => value), "torus");
     await write(driver, scene);

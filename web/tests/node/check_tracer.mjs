@@ -1,17 +1,17 @@
-// check_tracer.mjs - compares rt205.wasm with rt205: exit status, output and written files must be
-// the same, byte for byte; pictures must have the same pixels.
+// check_tracer.mjs - compares rt205.wasm with rt205. Exit status, output and written files must be
+// the same, byte for byte. Pictures must have the same pixels.
 //
 //     node check_tracer.mjs BUILD DRAWN [TEXT]
 //
 // Run it in the project's folder. BUILD contains rt205 and web/rt205.wasm, DRAWN contains random
 // scenes. TEXT selects the runs whose command line contains it, or "table1" or "grow".
 //
-// The runs are: the scenes of scenes/, tests/scenes and DRAWN with random stage, queue, model and
-// output options; the other commands; scene texts with random damage; wrong usage. Then the rows of
-// Table 1 are compared, and "grow" checks pictures while they grow and prints how long they take.
+// The runs are: scenes of scenes/, tests/scenes and DRAWN with random options for stage, queue,
+// model and output; the other commands; scene texts with random damage; wrong usage. The rows of
+// Table 1 are compared. "grow" checks pictures while they grow and prints their times.
 //
-// A failure means that the page computes something else than the command. Files that need OpenImageIO
-// or FreeType cannot be read in the page; there the test requires the error that reports this.
+// A failure means that page and command compute different results. The page cannot read files that
+// need OpenImageIO or FreeType; the test then requires the error that reports this.
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
@@ -21,7 +21,7 @@ import { cellsOfTable1 } from "../../page/tracer.js";
 import { loadTracer } from "../../tracer/tracer.js";
 
 const [build, drawn, only = ""] = process.argv.slice(2);
-const out = path.join(build, "web/checked"); // both programs write here
+const out = path.join(build, "web/checked"); // output folder of both programs
 const run = await loadTracer(fs.readFileSync(path.join(build, "web/rt205.wasm")));
 let passed = 0, failed = 0, unread = 0;
 
@@ -40,7 +40,7 @@ const inputFiles = {
   [path.join(out, "folder")]: "",
 };
 
-/** Returns header and pixels of an 8-bit RGB picture in PNG format (ISO/IEC 15948). */
+/** Returns the header and the pixels of an 8-bit RGB picture in PNG format (ISO/IEC 15948). */
 function pixels(png) {
   const chunks = {};
   for (let at = 8; at < png.length;) {
@@ -89,7 +89,7 @@ function inPage(args, more = {}) {
   return { ...ended, ...printed };
 }
 
-/** Returns a description of the first difference; "": none. */
+/** Returns a description of the first difference, or "". */
 function difference(one, other) {
   for (const key of ["code", "stderr", "stdout"])
     if (one[key] !== other[key])
@@ -162,7 +162,7 @@ const randomOptions = () => [
 // ---- The runs --------------------------------------------------------------
 
 const scenes = Object.keys(inputFiles).filter((name) => name.endsWith(".pov"));
-// Runs every third scene, or all if THOROUGH is set.
+// Runs every third scene, or all scenes if THOROUGH is set.
 const part = process.env.THOROUGH ? 1 : 3;
 for (const scene of scenes.filter((name, i) => i % part === 0))
   check(["render", scene, ...draw(4) === 0 ? ["-o", path.join(out, "a.png")] : ["--no-picture"],
@@ -191,7 +191,7 @@ for (const args of [
 ])
   check([...args, ...(args[0] === "timeline" ? [] : json)]);
 
-// Wrong usage, and files that do not exist.
+// Wrong usage and missing files.
 for (const args of [
   [], ["--help"], ["--version"], ["render"], ["render", "--help"], ["paint", "a.pov"],
   ["render", "scenes/none.pov", "--no-picture"], ["render", "scenes", "--no-picture"],
@@ -206,7 +206,7 @@ for (const args of [
 ])
   check(args);
 
-// Returns a text in which bytes were removed, repeated, inserted or copied from elsewhere in it.
+// Returns a text in which bytes were removed, repeated, inserted or copied.
 function damaged(text) {
   const at = draw(text.length), length = 1 + draw(one([2, 20, 400]));
   const from = draw(text.length);
@@ -231,7 +231,7 @@ for (const [open, close] of [["union { ", " }"], ["(", ")"], ["#if (1) ", " #end
   fs.writeFileSync(broken, text);
   check(["render", broken, "--no-picture", "-W", "6", "-H", "5"], { [broken]: text });
 }
-// A file name in another case: the parser finds it in the listing of the folder.
+// The case of a file name differs. The parser finds the file in the listing of the folder.
 {
   const text = '#include "STEINER.inc" sphere { 0, 1 }';
   fs.writeFileSync(broken, text);
@@ -241,7 +241,7 @@ fs.rmSync(broken, { force: true });
 
 // ---- Table 1 of the page -----------------------------------------------------
 
-// The page formats the figures of the JSON output. Its digits must be those that rt205 prints.
+// The page formats the figures of the JSON output. The digits must be the same as in rt205.
 if (only === "" || only === "table1") {
   const printed = (format) => spawnSync(path.join(build, "rt205"),
     ["speedup", "-W", "16", "-H", "10", "--format", format]).stdout.toString();
@@ -257,7 +257,8 @@ if (only === "" || only === "table1") {
 
 // ---- Pictures that grow ------------------------------------------------------
 
-// Checks that the rows shown make up the final picture and that the clocks are complete. Prints the time.
+// Checks that the rows add up to the final picture and that the clocks are complete. Prints the
+// time.
 function watch(scene, width, height) {
   const seen = Buffer.alloc(3 * width * height);
   const begin = performance.now();

@@ -1,8 +1,8 @@
-// engine.mjs BUILD SHARE OF - compares the page's engine, in node, with c205 on all programs:
-// output, clocks, causes, final registers, profile and timeline files must be equal, byte for byte.
-// After steps forward and backward the engine must show the same as a run that reaches the step for
-// the first time. A failure means that engine and command differ, or that the engine's replay is
-// wrong. The programs are divided into OF shares; this run takes the one with number SHARE.
+// engine.mjs BUILD SHARE OF - compares the engine of the page, in node, with c205 on all programs.
+// Output, clocks, causes, final registers, profile and timeline files must be equal, byte for byte.
+// After steps forward and backward, the engine must show the state of a run that reaches the step
+// directly. A failure means that engine and command differ, or that the replay of the engine is
+// wrong. The programs are divided into OF shares, and this run takes share number SHARE.
 import { spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -54,7 +54,7 @@ function finish(instance, request) {
   return reply;
 }
 
-/** Returns the files that a text includes, by the names that the text uses. */
+/** Returns the files that a text includes, by their names in the text. */
 function included(text, folder, files = {}) {
   for (const [, name] of text.matchAll(/\.inc(?:lude|file)\s+"([^"]+)"/gm)) {
     const path = normalize(join(folder, name));

@@ -1,5 +1,5 @@
-/* dynamic_library.c - dynamic libraries in the page: only the writer of PNG files
- * exists, and it is linked statically.
+/* dynamic_library.c - dynamic libraries in the page. Only the writer of PNG files
+ * exists, which is linked statically.
  */
 #include "rt/platform/dynamic_library.h"
 

@@ -1,4 +1,4 @@
-/* font.c - fonts in the page: there are none, since FreeType is not available. */
+/* font.c - fonts in the page. There are none, because FreeType is not available. */
 #include "rt/scene/font.h"
 
 struct font *font_open(const char *bytes, size_t length, const char **fault)

@@ -1,4 +1,4 @@
-/* framebuffer.c - frames in the page: always in memory, for any size. */
+/* framebuffer.c - framebuffers in the page. They are always in memory, for any size. */
 #include "rt/platform/framebuffer.h"
 
 #include <stdlib.h>

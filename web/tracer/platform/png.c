@@ -1,4 +1,4 @@
-/* png.c - writes PNG files with stored blocks, without a library. */
+/* png.c - writes PNG files with stored (uncompressed) blocks, without a library. */
 #include "web/tracer/platform/png.h"
 
 #include <stdint.h>
@@ -15,8 +15,7 @@ enum {
     ADLER_BASE = 65521
 };
 
-/* A picture that is being written. Write errors are left in the FILE, where
- * the caller checks them. */
+/* A picture that is being written. The caller checks the FILE for write errors. */
 struct png {
     FILE *file;
     size_t width;
@@ -31,7 +30,7 @@ static void put_number(unsigned char bytes[4], uint32_t number)
         bytes[i] = (unsigned char)(number >> (24 - 8 * i));
 }
 
-/* The checksum of ISO/IEC 15948, annex D, bit by bit. */
+/* Returns the checksum of ISO/IEC 15948, annex D, computed bit by bit. */
 static uint32_t crc(uint32_t sum, const unsigned char *bytes, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
@@ -78,7 +77,7 @@ static unsigned char *put_block(unsigned char *to, const unsigned char *bytes,
     return to + BLOCK_HEAD + count;
 }
 
-/* Writes a chunk of stored blocks. Fails if memory is exhausted. */
+/* Writes a chunk of stored blocks. Returns false if memory is exhausted. */
 static bool store(struct png *png, const unsigned char *bytes, size_t count)
 {
     size_t blocks = count / MAX_BLOCK + 1;

@@ -1,8 +1,8 @@
 /* png.h - writes PNG files in the page, where OpenImageIO is not available, through the
  * function table of picture_oiio.h. It cannot read pictures.
  *
- * The pixels are equal to those of OpenImageIO's file, but are not compressed: pictures
- * in the page are small, and every reader accepts stored blocks.
+ * The pixels equal the pixels of a file by OpenImageIO. They are not compressed,
+ * because pictures in the page are small and every reader accepts stored blocks.
  *
  * Source: Portable Network Graphics, second edition (ISO/IEC 15948); RFC 1950 and 1951.
  */

@@ -1,5 +1,5 @@
-/* processes.c - processes in the page: none can be started, so a file is never
- * locked by another process.
+/* processes.c - processes in the page. No process can be started, so no other process
+ * locks a file.
  */
 #include "rt/platform/processes.h"
 

@@ -1,4 +1,4 @@
-/* threads.c - threads in the page: there is one, so locks do nothing. */
+/* threads.c - threads in the page. There is one thread, so locks do nothing. */
 #include "rt/platform/threads.h"
 
 #include <stdlib.h>

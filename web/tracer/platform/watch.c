@@ -1,5 +1,5 @@
-/* watch.c - reports the progress of a trace to the page, and the rows of the picture in
- * the machines' memory.
+/* watch.c - reports to the page the progress of a trace, and the rows of the picture in
+ * the memory of the machines.
  */
 #include <stdlib.h>
 
@@ -10,12 +10,12 @@
 
 /* Imports from web/tracer/tracer.js. */
 #define OF_PAGE(name) __attribute__((import_module("rt205"), import_name(#name)))
-/* Returns false to stop. */
+/* Returns false to stop the trace. */
 OF_PAGE(progress) bool page_progress(size_t done, size_t all);
-/* Returns whether to show the picture now. done: whether the band is complete. */
+/* Returns true if the picture must be shown now. done: the band is complete. */
 OF_PAGE(wants_rows) bool page_wants_rows(bool done);
-/* Passes rows of a frame as sRGB, 4 bytes per pixel, and a JSON text
- * with the clocks so far. */
+/* Passes rows of a frame as sRGB with 4 bytes per pixel, and a JSON text with the
+ * clocks so far. */
 OF_PAGE(rows)
 void page_rows(size_t width, size_t height, size_t first_row, size_t rows,
                const unsigned char *rgba, const char *clocks, size_t length);
@@ -26,7 +26,7 @@ static bool report_progress(void *context, size_t done, size_t all)
     return page_progress(done, all);
 }
 
-/* Writes the clocks of the completed bands and of the current one. */
+/* Writes the clocks of the completed bands and of the current band. */
 static bool put_clocks(const struct trace *trace, const struct band *band,
                        struct text_buffer *text)
 {
@@ -79,8 +79,8 @@ static void show_band(const struct trace *trace, const struct band *band)
     frame_free(&part);
 }
 
-/* Shows the current band if the page requests it. If memory is exhausted, nothing is
- * shown, and the work continues. */
+/* Shows the current band if the page requests it. If memory is exhausted, the work
+ * continues without showing it. */
 static void look(void *context, const struct trace *trace,
                  const struct band_tracer *tracer, bool done)
 {
