@@ -5,7 +5,7 @@
 
 #include "rt/scene/vector3.h"
 
-/* Beyond this distance squares of sums are not accurate enough. */
+/* At larger distances sums of squares are not accurate enough. */
 #define MAX_BOUND 1e12
 
 const struct bound bound_none = {
@@ -39,7 +39,7 @@ double bound_reach(const struct bound *bound, const double from[3])
     return distance_to(from, bound) + bound->radius;
 }
 
-/* Returns the part that reaches farthest from a point, and sets how far. */
+/* Returns the part that reaches farthest from a point, and sets *reach to its reach. */
 static const struct bound *farthest(const struct bound *parts, size_t count,
                                     const double *from, double *reach)
 {
@@ -80,8 +80,8 @@ void bound_box(const struct bound *parts, size_t count, struct bound *whole)
     }
 }
 
-/* Moves the centre towards the farthest part by decreasing steps, and keeps the best
- * centre on the way. The exact minimum is not needed. Source: Badoiu and Clarkson
+/* Moves the centre towards the farthest part in decreasing steps, and returns the best
+ * sphere of all steps. The exact minimum is not needed. Source: Badoiu and Clarkson
  * 2003. */
 void bound_enclose(const struct bound *parts, size_t count, struct bound *whole)
 {
@@ -119,9 +119,10 @@ void bound_common(const struct bound *parts, size_t count, struct bound *whole)
         }
 }
 
-/* Adds 1/1000 of the radius, the rounding error of a ray that comes from far away, and
- * the distance from which an event is examined (twice k_delta, docs/solids.md): a solid
- * whose bound is missed must be on neither side of the event. */
+/* Enlarges the bound by the sum of three margins: 1/1000 of the radius; the rounding
+ * error of a ray that comes from far away; twice k_delta (docs/solids.md). Points up to
+ * k_delta on either side of a crossing are tested, so a solid whose bound is missed
+ * must contain neither point. */
 void bound_add_margin(struct bound *bound)
 {
     double margin = .001 * bound->radius + 1e-9 * length3(bound->center) + 2e-7;

@@ -8,12 +8,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The radius of an unbounded shape, beyond every scene, as k_big. */
+/* The radius of an unbounded shape. It equals k_big of the kernels, and exceeds the
+ * size of every scene. */
 #define BOUND_NONE 1e30
 
 struct bound {
     double center[3], radius;
-    double low[3], high[3]; /* of the box, along the axes of the world */
+    double low[3], high[3]; /* the box, along the world axes */
 };
 
 extern const struct bound bound_none;
@@ -21,13 +22,13 @@ bool bound_is_none(const struct bound *bound);
 
 /* Returns the distance of a point from the farthest point of the bounding sphere. */
 double bound_reach(const struct bound *bound, const double from[3]);
-/* Encloses other bounds, in a sphere that is little greater than the minimum, and in
- * the minimal box. */
+/* Computes the minimal box around other bounds, and a sphere that is slightly larger
+ * than the minimum. */
 void bound_enclose(const struct bound *parts, size_t count, struct bound *whole);
-/* Bounds the intersection of other bounds: the smallest of their spheres, and the
- * intersection of their boxes. */
+/* Computes a bound of the intersection of other bounds: the smallest of their spheres,
+ * and the intersection of their boxes. */
 void bound_common(const struct bound *parts, size_t count, struct bound *whole);
-/* Encloses the boxes of other bounds. */
+/* Computes the box around the boxes of other bounds. */
 void bound_box(const struct bound *parts, size_t count, struct bound *whole);
 /* Enlarges a bound by more than the rounding errors of the machine. */
 void bound_add_margin(struct bound *bound);

@@ -55,8 +55,8 @@ static void fill_bins(const struct cutting *cutting, const size_t *row, size_t c
     }
 }
 
-/* Tries all splits along one axis, and keeps the best. above[i] is the union of the
- * bins from i on, so each split costs two evaluations. */
+/* Tries all splits along one axis and updates *best. above[i] is the union of the bins
+ * from i on, so each split needs only two evaluations of the cost. */
 static void try_axis(const struct cutting *cutting, const size_t *row, size_t count,
                      const struct box *whole, struct cut cut, struct cut *best)
 {
@@ -79,7 +79,7 @@ static void try_axis(const struct cutting *cutting, const size_t *row, size_t co
 
 /* ---- Cuts ---------------------------------------------------------------- */
 
-/* Divides the range of the points along an axis into bins. */
+/* Divides the range of the points along an axis into bins of equal width. */
 static struct cut cut_along(const struct cutting *cutting, const size_t *row,
                             size_t count, int axis)
 {

@@ -1,8 +1,8 @@
-/* cuts.h - splits a list of boxes in two, for building hierarchies of bounds.
+/* cuts.h - splits a list of boxes in two, to build hierarchies of bounds.
  *
- * The surface-area heuristic over bins: the list is split where the expected cost of
- * both parts is least. The builder of the hierarchy defines the cost of a part. Source:
- * Goldsmith and Salmon 1987; bins: Wald 2007.
+ * It uses the binned surface-area heuristic: the list is split between the bins where
+ * the expected cost of the two parts is least. The builder of the hierarchy defines the
+ * cost of a part. Sources: Goldsmith and Salmon 1987; for the bins Wald 2007.
  */
 #ifndef RT_CUTS_H
 #define RT_CUTS_H
@@ -16,7 +16,7 @@ struct box {
 extern const struct box box_empty;
 void box_join(struct box *box, const struct box *other);
 
-/* An object with its box, and the point that assigns it to a bin. */
+/* An object: its box, and the point that assigns it to a bin. */
 struct boxed {
     struct box box;
     double place[3];
@@ -39,7 +39,7 @@ struct cutting {
 
 /* A split between two bins along an axis. */
 struct cut {
-    int axis; /* below 0: no split */
+    int axis; /* negative: no split */
     double low, width;
     size_t bin; /* first bin of the upper part */
     double cost;
@@ -48,8 +48,8 @@ struct cut {
 /* Returns the best split whose cost is below `cost`. */
 struct cut cut_find(const struct cutting *cutting, const size_t *row, size_t count,
                     const struct box *whole, double cost);
-/* Partitions the list, lower part first, preserving the order in each part. Returns the
- * size of the lower part. */
+/* Partitions the list: the lower part comes first, and each part keeps its order.
+ * Returns the size of the lower part. */
 size_t cut_row(const struct cutting *cutting, size_t *row, size_t count,
                const struct cut *cut);
 

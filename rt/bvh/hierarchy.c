@@ -8,18 +8,19 @@
 #include "rt/bvh/cuts.h"
 
 enum {
-    EXACT = 64,       /* with more parts, the sphere is the one around their box */
-    HALVED_FROM = 64, /* at this depth and below, rows are halved */
+    EXACT = 64,       /* lists with more parts get the sphere around their box */
+    HALVED_FROM = 64, /* from this depth on, lists are halved */
 };
 
 struct build {
-    struct cutting cutting; /* works on the boxes around the spheres */
+    struct cutting cutting; /* uses the boxes around the spheres */
     const struct bound *bounds;
     struct hierarchy *hierarchy;
     struct bound *parts; /* room for the bounds of EXACT parts */
 };
 
-/* Returns a value proportional to the surface of the sphere around the box. */
+/* Returns the squared radius of the sphere around the box, times a constant. It is
+ * proportional to the surface of the sphere. */
 static double surface_of(const struct box *box)
 {
     double sum = 0;
@@ -30,8 +31,9 @@ static double surface_of(const struct box *box)
     return sum;
 }
 
-/* Returns the expected tests below a node, for a ray that hits the node's sphere.
- * The probability that it also hits a sphere inside is the ratio of the surfaces. */
+/* Returns the expected number of tests below a node, for a ray that hits the node's
+ * sphere. Such a ray hits a smaller sphere inside with a probability equal to the ratio
+ * of the surfaces. */
 static double cost_of(const struct cut_part *part, const struct box *whole)
 {
     double surface = surface_of(whole);
@@ -83,9 +85,9 @@ static void find_way(struct hierarchy_node *nodes, size_t node)
         nodes[node].way[i] = second->center[i] - first->center[i];
 }
 
-/* Builds the node of the regions first to first + count - 1 of the order, and the
- * subtree below it. A cut by cost may be very uneven. From the depth HALVED_FROM
- * on, rows are halved, which bounds the depth of the hierarchy (HIERARCHY_DEPTH). */
+/* Builds the node of the regions first .. first + count - 1 of the order, and the
+ * subtree below it. A split by cost can be very uneven. Lists are therefore halved from
+ * the depth HALVED_FROM on, so that no path is longer than HIERARCHY_DEPTH. */
 static void build_node(const struct build *build, size_t first, size_t count,
                        size_t depth)
 {
@@ -111,7 +113,7 @@ static void build_node(const struct build *build, size_t first, size_t count,
 
 /* ---- The whole hierarchy ------------------------------------------------- */
 
-/* Moves the regions without a bound to the front. */
+/* Moves unbounded regions to the front of the order. */
 static void put_loose(struct hierarchy *hierarchy, const struct bound *bounds)
 {
     size_t bound = 0, loose = 0;
@@ -138,7 +140,7 @@ bool hierarchy_none(size_t count, struct hierarchy *hierarchy)
     return hierarchy->order;
 }
 
-/* A hierarchy of a single leaf is dropped: it would save no test. */
+/* A hierarchy that is a single leaf is removed, because it would save no test. */
 static void build_all(const struct build *build)
 {
     struct hierarchy *hierarchy = build->hierarchy;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* From this depth on lists are halved, which bounds the recursion. */
+/* From this depth on, lists are halved, which bounds the recursion. */
 enum { HALVED_FROM = 64 };
 
 struct mesh_build {
@@ -12,8 +12,8 @@ struct mesh_build {
     struct mesh_hierarchy *hierarchy;
 };
 
-/* Returns half of the surface of a box. The number of rays that hit the box is
- * proportional to it. */
+/* Returns half of the surface area of a box. The number of rays that hit the box is
+ * proportional to the area. */
 static double surface_of(const struct box *box)
 {
     double x = box->high[0] - box->low[0], y = box->high[1] - box->low[1],
@@ -30,7 +30,7 @@ static double part_cost(const struct cut_part *part, const struct box *whole)
 
 /* ---- Splits -------------------------------------------------------------- */
 
-/* Moves the least triangle of the upper part to the lower part. */
+/* Moves the lowest triangle of the upper part to the lower part. */
 static void lift(const struct boxed *things, size_t *row, size_t count, size_t lower,
                  int axis)
 {
@@ -43,7 +43,7 @@ static void lift(const struct boxed *things, size_t *row, size_t count, size_t l
     row[lower] = kept;
 }
 
-/* Splits a list so that the lower part has complete leaves. */
+/* Splits a list so that the lower part consists of full leaves. */
 static size_t cut_leaves(const struct cutting *cutting, size_t *row, size_t count,
                          const struct cut *cut)
 {
@@ -95,9 +95,10 @@ static void build_node(const struct mesh_build *build, size_t first, size_t coun
 
 /* ---- Tests --------------------------------------------------------------- */
 
-/* Plans which nodes are tested. A test saves the two tests of the children if the ray
- * misses the node. It pays only if more than half of the rays that hit the last tested
- * ancestor miss this node. The root is always tested. */
+/* Selects the nodes that are tested. If a ray misses a node, the test of the node saves
+ * the tests of its two children. The test is worthwhile only if more than half of the
+ * rays that hit the nearest tested ancestor miss the node. The root is always
+ * tested. */
 static void plan_tests(struct mesh_node *nodes, size_t number, double above)
 {
     struct mesh_node *node = &nodes[number];

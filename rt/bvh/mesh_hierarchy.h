@@ -1,9 +1,9 @@
 /* mesh_hierarchy.h - a bounding volume hierarchy over the triangles of a mesh.
  *
- * The host builds it, but traces no rays. The nodes are in preorder: the first child
- * follows its parent, and the second child is the first child's `next`. All leaves but
- * the last have TRIANGLES_IN_LEAF triangles, so the number of nodes is known in
- * advance.
+ * The host builds the hierarchy and traces no rays. The nodes are in preorder: the
+ * first child directly follows its parent, and the second child is the first child's
+ * `next`. All leaves except the last have TRIANGLES_IN_LEAF triangles, so the number of
+ * nodes is known in advance.
  */
 #ifndef RT_MESH_HIERARCHY_H
 #define RT_MESH_HIERARCHY_H
@@ -16,12 +16,12 @@ enum { TRIANGLES_IN_LEAF = 2 };
 
 struct mesh_node {
     struct box box;
-    size_t next;    /* index of the first node after this subtree */
-    size_t first;   /* of a leaf: offset of its triangles in the order */
-    size_t count;   /* number of its triangles; 0: an inner node */
-    int axis;       /* of an inner node: the split axis; the first child is the lower
+    size_t next;    /* the first node after this node's subtree */
+    size_t first;   /* leaf: position of its first triangle in the order */
+    size_t count;   /* leaf: number of triangles; 0: an inner node */
+    int axis;       /* inner node: the axis of the split; the first child is the lower
                      * one */
-    bool is_passed; /* the node is not tested: rays test its children instead */
+    bool is_passed; /* rays test the children instead of this node */
 };
 
 struct mesh_hierarchy {
@@ -32,30 +32,31 @@ struct mesh_hierarchy {
 
 /* Returns the number of nodes. There must be at least one triangle. */
 size_t mesh_hierarchy_nodes(size_t triangles);
-/* Builds a hierarchy. The points of the triangles may have any scale. Fails without
+/* Builds a hierarchy. The triangles' points may have any scale. Returns false if out of
  * memory. */
 bool mesh_hierarchy_build(const struct boxed *triangles, size_t count,
                           struct mesh_hierarchy *hierarchy);
 void mesh_hierarchy_free(struct mesh_hierarchy *hierarchy);
 
-/* How rays of one kind traverse a node. */
+/* Flags for the rays of a viewpoint at a node. */
 enum mesh_way {
     MESH_UPPER_FIRST = 1, /* the second child comes first */
-    MESH_PASSED = 2,      /* the node is not tested: its children are */
+    MESH_PASSED = 2,      /* the children are tested instead of the node */
 };
 
-/* A table of rows after one row of zeros. A node is identified by the offset of its row
- * in words; 0 is the end of the traversal. */
+/* A table of one row per node, after a row of zeros. A node is identified by the offset
+ * of its row in words. Offset 0 ends the traversal. */
 struct mesh_rows {
-    double *links; /* the two links of the first node, which are adjacent */
+    double *links; /* address of the two adjacent links of the first node */
     size_t size;   /* words of a row */
 };
-/* An offset that is greater than that of any row. */
+/* A number that is greater than the offset of any row. */
 #define MESH_LEAF_HIT 0x1p40
 
-/* Stores the links of each node for a traversal without a stack: the next node of rays
- * that hit its bound, and of rays that miss it. After a leaf both continue at the same
- * node; the link of the hit is greater by MESH_LEAF_HIT, which marks the leaf. */
+/* Stores two links for each node, for a traversal without a stack. Rays that hit the
+ * node's bound continue at the first link, rays that miss it at the second. Both links
+ * of a leaf lead to the same node; MESH_LEAF_HIT is added to the first one, to mark the
+ * leaf. */
 void mesh_hierarchy_thread(const struct mesh_hierarchy *hierarchy,
                            const unsigned char *orders, const struct mesh_rows *rows);
 

@@ -6,7 +6,8 @@
 
 #include "rt/scene/vector3.h"
 
-/* The rows of a viewpoint and of a node: VIEWPOINT and SCREEN of records.s. */
+/* The fields of a viewpoint's row and of a node's row, as in VIEWPOINT and SCREEN of
+ * records.s. */
 enum {
     VIEWPOINT_POSITION,
     VIEWPOINT_AXIS = 3,
@@ -20,7 +21,7 @@ enum {
     SCREEN_LOW_V,
     SCREEN_HIGH_V,
     SCREEN_NEAR,
-    SCREEN_LINKS, /* from here on integers */
+    SCREEN_LINKS, /* this field and those after it are integers */
     SCREEN_FIRST = SCREEN_LINKS + 2,
     SCREEN_COUNT,
     SCREEN_ROW
@@ -28,24 +29,24 @@ enum {
 
 /* ---- Viewpoints ---------------------------------------------------------- */
 
-/* Relative to the greatest coordinate. Windows are enlarged by MARGIN, measured at the
- * depth of their corners. That is eight times the rounding error of a ray that starts
- * within MAX_FAR, and of a triangle that it hits. For a viewpoint closer than
- * MIN_NEAR this margin would be most of the window. */
+/* These limits are relative to the greatest coordinate. MARGIN is added to each side of
+ * a window, measured at the depth of the node. It is eight times the rounding error of
+ * a ray that starts within MAX_FAR, and of a triangle that it hits. For a viewpoint
+ * closer than MIN_NEAR the margin would be most of the window. */
 #define MARGIN 0x1p-31
 #define MIN_NEAR 0x1p-20
 enum { MAX_FAR = 512 };
-/* The limit of the slope of points relative to the view axis. */
+/* The largest slope of a point relative to the view axis. */
 enum { MAX_SLOPE = 64 };
-/* The limit of words for the windows of a viewpoint. Larger tables would not stay in
- * the real memory of the machine, and each ray would cause page faults. */
+/* The largest number of words for the windows of a viewpoint. A larger table would not
+ * fit in the real memory of the machine, and each ray would cause page faults. */
 enum { MAX_BOUNDS_WORDS = 1 << 20 };
 
 struct viewpoint {
     const double *place;
     int axis;
     double sign;
-    double size; /* greatest coordinate of the box and of the viewpoint */
+    double size; /* greatest coordinate of the box and the viewpoint */
     double near; /* least z of the box */
 };
 
@@ -122,7 +123,7 @@ static struct node_bounds bounds_of_point(const struct viewpoint *viewpoint,
     return window;
 }
 
-/* The loop is backwards because the children of a node come after it. */
+/* The loop runs backwards, because the children of a node come after it. */
 static void find_node_bounds(const struct screen_bounds *of,
                              const struct viewpoint *viewpoint,
                              struct node_bounds *bounds)
@@ -145,13 +146,13 @@ static void find_node_bounds(const struct screen_bounds *of,
 
 /* ---- Costs --------------------------------------------------------------- */
 
-/* Clocks of a vector program per ray, estimated from its instructions: a test of a box,
- * a test of a window, a test of a triangle. The estimate only selects the method; no
- * frame depends on it. */
+/* Estimates, from the instructions of the vector programs, of the clocks per ray for a
+ * test of a box, a window and a triangle. They only select the method; no frame depends
+ * on them. */
 enum { BOX_CLOCKS = 25, BOUNDS_CLOCKS = 14, TRIANGLE_CLOCKS = 60 };
 
 /* Returns the cost of the rays that hit a node. Their number is proportional to the
- * node's area in the plane z = 1. Each tests both children, or the triangles of a
+ * node's area in the plane z = 1. Each ray tests both children, or all triangles of a
  * leaf. */
 static double cost_below(const struct mesh_node *node, double area, int clocks)
 {
@@ -159,8 +160,8 @@ static double cost_below(const struct mesh_node *node, double area, int clocks)
            * (node->count > 0 ? TRIANGLE_CLOCKS * (double)node->count : 2. * clocks);
 }
 
-/* Returns the projected area of a small box. For large boxes the value need not be
- * accurate. */
+/* Returns the projected area of a box. The value is accurate only for a small box,
+ * which suffices. */
 static double silhouette(const struct box *box, const struct viewpoint *viewpoint)
 {
     double away[3], size[3], z, area = 0;
@@ -179,7 +180,7 @@ static double area_of(const struct node_bounds *window)
     return (window->high[0] - window->low[0]) * (window->high[1] - window->low[1]);
 }
 
-/* Returns true if windows cost less than boxes for rays through the viewpoint. */
+/* Returns true if the windows of a viewpoint cost less than boxes. */
 static bool bounds_pay(const struct screen_bounds *of,
                        const struct viewpoint *viewpoint,
                        const struct node_bounds *bounds)
@@ -206,10 +207,9 @@ static bool upper_is_first(const struct mesh_node *nodes, size_t node,
     return viewpoint->place[axis] > lower->high[axis] / 2 + upper->low[axis] / 2;
 }
 
-/* Plans which nodes are tested, as plan_tests does for boxes. The threshold of the
- * share is higher, since a test of a window is cheaper. Measured for camera rays and a
- * ball of 100,352 triangles: of the thresholds .4 to .7 the number of tests is least at
- * .6. */
+/* Selects the nodes that are tested, as plan_tests does for boxes. The threshold is
+ * higher here, because a test of a window is cheaper. With camera rays and a ball of
+ * 100,352 triangles, .6 gave the fewest tests of the thresholds from .4 to .7. */
 static void plan_orders(const struct mesh_node *nodes, size_t node,
                         const struct viewpoint *viewpoint,
                         const struct node_bounds *bounds, double above,
@@ -231,7 +231,7 @@ static void plan_orders(const struct mesh_node *nodes, size_t node,
 
 /* ---- Words --------------------------------------------------------------- */
 
-/* The margin is divided by the least depth. */
+/* The margin in window coordinates is the margin divided by the least depth. */
 static void put_node_bounds(const struct screen_bounds *of,
                             const struct viewpoint *viewpoint,
                             const struct node_bounds *window, size_t node, double *row)
@@ -258,14 +258,14 @@ static void put_viewpoint(const struct viewpoint *viewpoint, double bounds, doub
     row[VIEWPOINT_BOUNDS] = bounds;
 }
 
-/* Working storage of one viewpoint: its windows, and the traversal of all nodes. */
+/* Work arrays of one viewpoint: its windows, and the traversal flags of all nodes. */
 struct view {
     struct node_bounds *bounds;
     unsigned char *orders;
 };
 
-/* Writes the windows of a viewpoint. Fails, and writes none, if they would cost more
- * than boxes. */
+/* Writes the windows of a viewpoint. If they would cost more than boxes, it writes
+ * nothing and returns false. */
 static bool put_view(const struct screen_bounds *of, const struct viewpoint *viewpoint,
                      const struct view *view, double *rows)
 {

@@ -5,7 +5,8 @@
 
 #include <stddef.h>
 
-/* The first ones of a scene are used; a large mesh has a table for each. */
+/* Only the first viewpoints of a scene are used, because a large mesh has a table for
+ * each. */
 enum { MAX_VIEWPOINTS = 4 };
 
 struct viewpoints {

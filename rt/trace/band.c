@@ -46,7 +46,7 @@ c205 *band_machine(const struct band_work *work, size_t first_row, size_t rows,
     return NULL;
 }
 
-/* Returns the number of calls of the routine that makes rays, from its account. */
+/* Returns how often the machine has called the routine that makes rays. */
 static size_t calls_begun(const c205 *machine)
 {
     for (size_t i = 0; i < c205_account_count(machine); i++) {
@@ -93,7 +93,7 @@ static void listen_band(void *context, const c205 *machine, const c205_event *ev
     watch->observer->listen(watch->band, machine, event);
 }
 
-/* Registers all observers of the work with the machine. */
+/* Attaches all observers of the work to the machine. */
 static bool listen(struct band_tracer *tracer, c205_error *error)
 {
     const struct observer *const *observers = tracer->work->observers;
@@ -156,10 +156,10 @@ static bool read_counters(const struct band_work *work, const c205 *machine,
     return true;
 }
 
-/* Returns the number of rows whose pixels are all final. The pixels of a call are
- * final when the next call starts. Samples, however, become pixels only at the end
- * of the band, and reflected rays of a queue may wait until then; in these cases
- * no row counts as done. With tiles the program counts the rows itself. */
+/* Returns the number of rows whose pixels are all final. The pixels of a call are final
+ * when the next call starts. No row counts as done in two cases: samples become pixels
+ * only at the end of the band, and reflected rays of a queue may wait until then. With
+ * tiles the program counts the rows itself. */
 static size_t rows_done(const struct band_work *work, const c205 *machine, size_t rows)
 {
     size_t calls = calls_begun(machine), done;
@@ -193,7 +193,7 @@ static bool collect(const struct band_work *work, const c205 *machine,
            && accounts_add(&band->accounts, machine);
 }
 
-/* Collects the rows of a stopped band that are done. If memory runs out, none are. */
+/* Collects the finished rows of a stopped band. If out of memory, it collects none. */
 static void collect_rows(const struct band_work *work, const c205 *machine,
                          const struct frame_layout *layout, struct band *band)
 {
@@ -202,7 +202,7 @@ static void collect_rows(const struct band_work *work, const c205 *machine,
         band->rows_done = 0;
 }
 
-/* Provides the machine: the one that traced the last band, or a new one. */
+/* Provides a machine: the one that traced the last band, or a new one. */
 static bool ready(struct band_tracer *tracer, c205_error *error)
 {
     if (tracer->machine)

@@ -1,4 +1,4 @@
-/* band_words.c - writes a band as words, and reads it back. */
+/* band_words.c - serializes a band as words, and reads it back. */
 #include "rt/trace/band_words.h"
 
 #include <stdlib.h>

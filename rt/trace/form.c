@@ -69,7 +69,7 @@ const char *visible_name(enum visible method)
     return methods[method];
 }
 
-/* The kernels' default of MAX_CROSSINGS. */
+/* The default of MAX_CROSSINGS in the kernels. */
 enum { CROSSINGS_USUAL = 6 };
 
 static bool is_orthographic(const struct scene *scene)
@@ -82,9 +82,9 @@ static bool has_fogs(const struct scene *scene)
     return scene->fog_count > 0;
 }
 
-/* Returns true if the kernels compare keys. Surfaces of different regions may coincide;
- * a region that yields then loses. A query of every crossing reports those of each
- * region and needs no such key. */
+/* Returns true if the kernels compare keys. Keys are needed if surfaces of different
+ * regions may coincide, and one of the regions yields. A query of all crossings reports
+ * the crossings of each region, and needs no keys. */
 static bool has_keys(const struct scene *scene)
 {
     for (size_t i = 0; !scene->every_crossing && i < scene->region_count; i++)
@@ -93,7 +93,8 @@ static bool has_keys(const struct scene *scene)
     return scene_has_interiors(scene);
 }
 
-/* Optional parts of the kernels, with the test whether a scene needs them. */
+/* Optional parts of the kernels, each with a function that returns whether a scene
+ * needs it. */
 static const struct feature {
     const char *symbol;
     bool (*is_in)(const struct scene *scene);
@@ -112,9 +113,10 @@ static const struct feature {
 };
 enum { FEATURES = sizeof features / sizeof *features };
 
-/* The constants that the program is assembled with. */
+/* The constants for the assembly of the program. */
 struct defines {
-    struct asm_define list[FEATURES + PRIMITIVE_KINDS + 11]; /* the last one is NULL */
+    struct asm_define list[FEATURES + PRIMITIVE_KINDS + 11]; /* the last entry is
+                                                              * NULL */
     size_t count;
 };
 

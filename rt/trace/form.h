@@ -1,28 +1,29 @@
-/* form.h - assembles the program that traces a scene, in one of three forms, with
- * only the kernels that the scene needs. */
+/* form.h - assembles the program that traces a scene. There are three forms. The
+ * program contains only the kernels that the scene needs. */
 #ifndef RT_FORM_H
 #define RT_FORM_H
 
 #include "asm/text/assemble.h"
 #include "rt/trace/trace.h"
 
-/* Returns the program, or NULL if it cannot be assembled. options->samples is the
+/* Returns the program, or NULL if it cannot be assembled. options->samples must be the
  * number of samples that is used, lens included. */
 struct object *form_assemble(const struct trace_options *options,
                              const struct scene *scene, c205_error *error);
 
-/* Returns the file name of the program's source, as its lines record it. */
+/* Returns the file name of the program's source, as in the line records of the
+ * program. */
 const char *form_program(enum trace_mode mode);
 
-/* Assembles the program for all-hits queries along lines (ray_query.h), for a scene
- * with plain surfaces. Normals and counts of bodies are computed on request. */
+/* Assembles the program for all-hits queries (ray_query.h) of a scene with plain
+ * surfaces. On request the program also computes normals and object depths. */
 struct object *form_assemble_lines(enum trace_mode mode, size_t queue, bool normals,
                                    bool bodies, const struct scene *scene,
                                    c205_error *error);
 
-/* Assembles a program that intersects no primitives and runs in addition to those
- * that do. "heat/faces" is heat/faces_scalar.s or heat/faces_vector.s
- * (trace_mode_besides). The defines may be NULL. */
+/* Assembles a program that intersects no primitives, such as "heat/faces". The source
+ * is heat/faces_scalar.s or heat/faces_vector.s, as trace_mode_besides selects. The
+ * defines may be NULL. */
 struct object *form_assemble_beside(const char *name, enum trace_mode mode,
                                     const struct asm_define *defines,
                                     c205_error *error);

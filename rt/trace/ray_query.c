@@ -15,15 +15,15 @@
 struct ray_query {
     struct ray_query_options options;
     const struct scene *scene;
-    size_t **orders; /* for each mesh: the original indices of its triangles */
+    size_t **orders; /* for each mesh: the original numbers of its triangles */
     struct object *program;
     struct query_layout *layout;
 };
 
 /* ---- Setup --------------------------------------------------------------- */
 
-/* Copies the geometry of a scene. All surfaces get one opaque colour; camera, sky,
- * fogs, lights and images are left out. */
+/* Copies the geometry of a scene. All surfaces get the same opaque colour. Camera, sky,
+ * fogs, lights and images are omitted. */
 static bool lay_bare(const struct scene *scene, struct scene *bare)
 {
     *bare = *scene;
@@ -139,10 +139,10 @@ void ray_hits_free(struct ray_hits *found)
     *found = (struct ray_hits){ 0 };
 }
 
-/* The offsets of the fields of a crossing, in planes of its column. */
+/* The offsets of a crossing's fields, in planes from the start of its column. */
 struct ray_hit_fields {
     size_t size, distance, primitive, crossing, point;
-    size_t normal, object_depth, scene_depth; /* if requested */
+    size_t normal, object_depth, scene_depth; /* present on request */
 };
 
 static size_t field(const struct ray_query *query, const char *name)
@@ -165,11 +165,12 @@ static struct ray_hit_fields find_fields(const struct ray_query *query)
     };
 }
 
-/* The planes of one column: the k-th crossing of every line, a word for each line. */
+/* The planes of one column: word i of a plane belongs to the k-th crossing of line
+ * i. */
 struct column {
     const struct ray_query *query;
     struct ray_hit_fields fields;
-    size_t count; /* of the lines */
+    size_t count; /* number of lines */
     c205_word *words;
 };
 
@@ -183,8 +184,8 @@ static int integer_of(const struct column *column, size_t field, size_t line)
     return (int)c205_to_integer(word_of(column, field, line));
 }
 
-/* Returns the index of the triangle. For a mesh, the point of a crossing is the
- * position of the triangle's row in the table. */
+/* Returns the index of the triangle that was hit. For a mesh, the point of a crossing
+ * contains the position of the triangle's row in the table. */
 static size_t triangle_of(const struct column *column, size_t line, size_t primitive)
 {
     const struct ray_query *query = column->query;
@@ -216,8 +217,8 @@ static struct ray_hit crossing_of(const struct column *column, size_t line)
     return seen;
 }
 
-/* Computes the index of each line's first crossing, from the entry of the first
- * line. Returns the largest number of crossings of a line. */
+/* Computes the index of each line's first crossing; first[0] is given. Returns the
+ * largest number of crossings of a line. */
 static size_t sum_counts(const c205_word *counts, size_t count, size_t *first)
 {
     size_t most = 0;
@@ -252,7 +253,7 @@ static bool read_column(struct column *column, const c205 *machine, uint64_t fou
     return true;
 }
 
-/* Appends the crossings of the packet to those of the packets before it. */
+/* Appends the crossings of this packet to those of earlier packets. */
 static bool read_columns(struct column *column, const c205 *machine,
                          const struct packet_layout *packet, const size_t *first,
                          size_t most, struct ray_hits *found)

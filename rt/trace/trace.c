@@ -19,21 +19,21 @@ struct trace {
     struct object *program;
     struct scene_layout *layout;
     struct band_work work;
-    double gamma; /* of the frame's colours */
-    double unit;  /* of the scene's lengths, in units of the scene file */
+    double gamma; /* gamma of the frame's colours */
+    double unit;  /* unit of length of the scene, in units of the scene file */
     bool gamma_off;
 
-    size_t band_rows; /* of each band, except perhaps the last */
+    size_t band_rows; /* rows in each band, except perhaps the last */
     size_t band_count;
     struct frame_planes planes; /* FRAME_CHANNELS planes; unfinished rows are zeros */
     size_t hits;
     size_t rows_done, bands_done;
-    size_t rows_of_parts; /* finished rows of bands that were stopped */
+    size_t rows_of_parts; /* finished rows in bands that were stopped */
     struct accounts accounts;
     uint64_t rays[RAY_KINDS];
-    struct job_set alone, *job_set; /* alone: used if the options have no job set */
+    struct job_set alone, *job_set; /* `alone` is used if the options have no job set */
 
-    /* During a run the lock protects all fields above that change. */
+    /* During a run the lock protects all fields above that can change. */
     struct lock *lock, *watching;
     struct job *jobs;
     size_t job_count;
@@ -45,7 +45,7 @@ struct trace {
 struct job {
     struct trace *trace;
     struct band_tracer tracer;
-    size_t pixels; /* started, of its current band */
+    size_t pixels; /* pixels of its current band that have been started */
 };
 
 /* ---- Progress --------------------------------------------------------------- */
@@ -58,7 +58,7 @@ static size_t pixels_done(const struct trace *trace)
     return done;
 }
 
-/* Reports the progress and returns whether to continue. Called under the lock. */
+/* Reports the progress and returns whether to continue. The caller holds the lock. */
 static bool ask(struct trace *trace)
 {
     const struct trace_options *options = &trace->options;
@@ -83,8 +83,8 @@ static bool may_continue(void *context)
 
 /* ---- Setup --------------------------------------------------------------- */
 
-/* Returns the samples across a pixel: the requested number, raised until there is
- * one ray for each point of the lens. */
+/* Returns the number of samples across a pixel. It is the requested number, or more if
+ * the lens has more points than the pixel has rays. */
 static size_t samples_across(const struct trace_options *options,
                              const struct scene *scene)
 {
@@ -124,7 +124,7 @@ static void divide(struct trace *trace)
     size_t samples = options->samples * options->samples;
     size_t least = 1;
     if (options->threshold > 0) {
-        samples = 1; /* the samples of most pixels */
+        samples = 1; /* the number of samples of most pixels */
         least = TRACE_BLOCK;
     }
     trace->band_rows = pixels / (samples * options->width) / least * least;
@@ -283,7 +283,7 @@ static bool add_band(struct trace *trace, const struct band *band)
     return true;
 }
 
-/* Adds a finished band, computed here or in another process. */
+/* Adds a finished band. It was computed here or in another process. */
 static bool take_band(void *context, size_t number, struct serialized_result *words,
                       c205_error *error)
 {
@@ -317,7 +317,7 @@ void trace_forget(struct trace *trace)
 
 /* ---- Jobs ---------------------------------------------------------------- */
 
-/* Called under the lock. */
+/* Calls the option `look`. The caller holds the lock. */
 static void look(const struct job *job, bool done)
 {
     const struct trace_options *options = &job->trace->options;
@@ -347,7 +347,8 @@ static void keep_part(struct trace *trace, const struct band *band)
     lock_give_back(trace->lock);
 }
 
-/* Sets the reason why this band is not done. All stopped bands share one reason. */
+/* Sets the reason why this band is not finished. All stopped bands have the same
+ * reason. */
 static bool end_stopped(struct trace *trace, const struct band *band, c205_error *error)
 {
     keep_part(trace, band);

@@ -16,8 +16,7 @@ static unsigned ones(c205_word word)
     return count;
 }
 
-/* Returns the bits of a word at positions first to last - 1, where bit 0 is the
- * highest. */
+/* Returns the bits first .. last - 1 of a word, where bit 0 is the highest bit. */
 static c205_word bits_between(c205_word word, uint64_t first, uint64_t last)
 {
     if (first > 0)
@@ -27,8 +26,8 @@ static c205_word bits_between(c205_word word, uint64_t first, uint64_t last)
     return word;
 }
 
-/* Returns the number of ones among count bits from an address on; 0 if the memory
- * is not mapped. */
+/* Returns the number of ones among the `count` bits from an address on, or 0 if the
+ * memory is not mapped. */
 static uint64_t count_ones(const c205 *machine, uint64_t address, uint64_t count)
 {
     c205_word words[CONTROL_WORDS];

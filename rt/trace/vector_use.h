@@ -1,8 +1,8 @@
-/* vector_use.h - counts the elements of a program's vector instructions, and how
- * many of those under a control vector are used.
+/* vector_use.h - counts the elements of a program's vector instructions. Of the
+ * elements under a control vector, it also counts those that are used.
  *
- * The host counts them by observing the machine's instructions, which costs the
- * machine no clocks.
+ * The host counts them by observing the machine's instructions, which costs the machine
+ * no clocks.
  */
 #ifndef RT_VECTOR_USE_H
 #define RT_VECTOR_USE_H
@@ -12,11 +12,11 @@
 struct vector_use {
     uint64_t instructions, elements;
     uint64_t controlled; /* elements under a control vector */
-    uint64_t wanted;     /* of the controlled ones, those that it permits */
+    uint64_t wanted;     /* controlled elements that the control vector permits */
 };
 
-/* Returns an observer that adds up all bands of a frame. The caller sets the sum
- * to zero first. */
+/* Returns an observer that sums over all bands of a frame. The caller sets the sum to
+ * zero first. */
 struct observer vector_use_observer(struct vector_use *sum);
 
 #endif
