@@ -17,8 +17,9 @@ static size_t gather(const struct scene *scene, size_t node, const struct bound 
     return count;
 }
 
-/* Bounds a leaf in a tree. A primitive that is a region of its own has a bound
- * around its visible part (bound_alone); in a tree an endless shape has none. */
+/* Computes the bound of a leaf in a tree. An endless shape in a tree has no bound. A
+ * primitive that is a region by itself has a bound around its visible part
+ * (bound_alone). */
 static void bound_leaf(const struct primitive *primitive, struct bound *bound)
 {
     if (shape_of(primitive)->endless)
@@ -49,7 +50,7 @@ static void bound_node(const struct scene *scene, size_t node, struct bound *bou
     }
 }
 
-/* Runs backwards, so that children come before their parents. */
+/* The loop runs backwards, so that children come before their parents. */
 bool bound_nodes(const struct scene *scene, struct bound *bounds)
 {
     struct bound *children = malloc((scene->node_count + 1) * sizeof *children);

@@ -11,10 +11,10 @@
 #include "rt/shapes/primitive.h"
 
 enum { CORNERS = 4, CORNER_WORDS = 6, HEIGHT_SIZE = 6 };
-#define BEYOND 4e30 /* certainly above `big` of the kernels */
-#define STEP 1e-30  /* places closer than this are the same place */
+#define BEYOND 4e30 /* greater than `big` of the kernels */
+#define STEP 1e-30  /* a smaller distance counts as 0 */
 
-/* POV-Ray's constants, with its digits. */
+/* The constants of POV-Ray, with its digits. */
 static const double corners[CORNERS][3] = {
     { .942809041, -.333333333, 0 },
     { -.471404521, -.333333333, .816496581 },
@@ -44,7 +44,7 @@ static bool is_quilted(const struct bump *bump)
 
 /* ---- Heights ------------------------------------------------------------- */
 
-/* A list has a row for each place. A map has one more, before its first entry. */
+/* A list has one row for each entry. A map has one row more, before its first entry. */
 static size_t height_rows(const struct bump *bump)
 {
     size_t listed = pigment_list_count(&bump->pattern);
@@ -79,7 +79,7 @@ static void put_slope(const struct slope_stop *stop, const struct slope_stop *ne
     row[5] = stop->slope + next->slope - 2 * rise;
 }
 
-/* The kernels assign equally spaced values from 0 to 1 to the entries of a list. */
+/* The kernels assign equally spaced values, from 0 to 1, to the entries of a list. */
 static void put_listed(const struct bump *bump, size_t count,
                        double rows[][HEIGHT_SIZE])
 {
@@ -121,8 +121,8 @@ static void put_heights(struct record *record, const struct bump *bump)
 
 /* ---- Spaces -------------------------------------------------------------- */
 
-/* Writes the pattern's function. A pattern of slopes along an axis has a routine
- * of its own for that axis. */
+/* Writes the pattern's function. A slope pattern along an axis has a separate routine
+ * for this axis. */
 static void put_pattern(struct record *record, const struct bump *bump,
                         const struct transform *to_local)
 {
@@ -141,8 +141,8 @@ static void put_pattern(struct record *record, const struct bump *bump,
     put_heights(record, bump);
 }
 
-/* The quilt depends on the distance from the centre of a cube. The constant is
- * POV-Ray's, with its digits. */
+/* Writes a quilt, whose height depends on the distance from the centre of a cube. The
+ * constant is that of POV-Ray, with its digits. */
 static void put_quilt(struct record *record, const struct bump *bump)
 {
     double scale = 1.154700538 * bump->amount;
@@ -183,7 +183,7 @@ static void put_back(struct record *record, const struct transform *map,
     record_numbers(record, field, words, 9);
 }
 
-/* Writes the transposed linear part of the inverse map, times a length. */
+/* Writes the transposed linear part of the inverse map, multiplied by a length. */
 static void put_carry(struct record *record, const struct transform *to_local,
                       double length)
 {
@@ -198,9 +198,9 @@ static void put_carry(struct record *record, const struct transform *to_local,
     }
 }
 
-/* Writes a bump. The space of its pattern may be nested in another one (around),
- * or not (NULL). If the length of a normal matters, the normal has the length that
- * it has in the file's unit. */
+/* Writes a bump. Its pattern's space is nested in the space `around`, unless `around`
+ * is NULL. If the length of a normal matters, lengths are in the unit of the scene
+ * file. */
 static void put_bump(struct record *record, const struct bump *bump,
                      const struct transform *around, const struct transform *to_local,
                      bool unscaled, double unit)
@@ -221,7 +221,8 @@ static void put_bump(struct record *record, const struct bump *bump,
 
 /* ---- Maps ---------------------------------------------------------------- */
 
-/* The kernels choose between two entries, so a single entry is written twice. */
+/* Returns the number of entries that are written. The kernels choose between two
+ * entries, so a single entry is written twice. */
 static size_t entry_rows(const struct bump_list *list)
 {
     return list->count == 1 ? 2 : list->count;
@@ -232,10 +233,9 @@ static const struct bump_entry *entry_of(const struct bump_list *list, size_t ro
     return &list->entries[row < list->count ? row : list->count - 1];
 }
 
-/* Writes the values of the map at which an entry has weight. From BUMP_FROM to BUMP_TO
- * it is the upper one of two entries, and from BUMP_TO on the lower one. The first
- * entry is never the upper one, and the last never the lower one, so they extend to
- * all values beyond. */
+/* Writes the values of the map for which an entry has weight. From BUMP_FROM to BUMP_TO
+ * it is the upper of two entries, from BUMP_TO on the lower. The first entry is always
+ * the lower one, and the last is always the upper one; their ranges are unbounded. */
 static void put_share(struct record *record, const struct bump_list *list, size_t i)
 {
     size_t last = entry_rows(list) - 1;
@@ -288,8 +288,8 @@ static void put_bumps(struct record *record, const struct bumps *bumps, double u
 
 /* ---- The whole scene ----------------------------------------------------- */
 
-/* Counts the records and the words of heights, without repetitions of the bump
- * before. */
+/* Counts the records and the words of heights. Consecutive equal bumps are counted
+ * once. */
 static void count_bumps(const struct scene *scene, size_t *records, size_t *words)
 {
     const struct bumps *before = NULL;

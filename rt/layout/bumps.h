@@ -1,5 +1,5 @@
-/* bumps.h - writes bump maps and other changes of normals as records for the
- * kernels (rt/kernels/light/bump.s). */
+/* bumps.h - writes bump maps and other changes of normals as records for
+ * rt/kernels/light/bump.s. */
 #ifndef RT_LAYOUT_BUMPS_H
 #define RT_LAYOUT_BUMPS_H
 
@@ -8,7 +8,7 @@
 
 /* Returns true if a surface of the scene needs the kernel light/bump.s. */
 bool scene_has_bumps(const struct scene *scene);
-/* Sets the address of the bump record of each primitive; 0: none. Consecutive
+/* Sets the address of each primitive's bump record, or 0 if it has none. Consecutive
  * primitives with the same normal share a record. */
 void layout_bumps(struct record_layout *layout, const struct scene *scene,
                   uint64_t *addresses);

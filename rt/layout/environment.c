@@ -9,7 +9,8 @@
 #include "rt/layout/pigment.h"
 #include "rt/scene/elementary.h"
 
-/* Writes the routines and the numbers of a sky's map, in the order of sky.s. */
+/* Writes the routines and the numbers of a sky's map, in the order that sky.s
+ * defines. */
 static void put_sky_map(struct record_layout *layout, const struct pigment *sky,
                         const char *function, const char *wave, const double *numbers,
                         const c205_word stops[2])
@@ -26,8 +27,8 @@ static void put_sky_map(struct record_layout *layout, const struct pigment *sky,
     layout_words(layout, layout_symbol(layout, "sky_map"), words, 2 + MAP_NUMBERS + 2);
 }
 
-/* Writes a sky with a pattern, which is more than a gradient; stops has the
- * address and the number of its stops. */
+/* Writes a sky with a pattern other than a gradient. `stops` contains the address and
+ * the number of its stops. */
 static void layout_sky_pattern(struct record_layout *layout, const struct pigment *sky,
                                const c205_word stops[2])
 {
@@ -37,7 +38,8 @@ static void layout_sky_pattern(struct record_layout *layout, const struct pigmen
                 pattern_wave(sky), numbers, stops);
 }
 
-/* Writes a sky that is an image. The image's address takes the place of the stops. */
+/* Writes a sky that is an image. The image's address is written in place of the
+ * stops. */
 static void layout_sky_image(struct record_layout *layout, const struct pigment *sky,
                              const uint64_t *images)
 {
@@ -77,7 +79,7 @@ void layout_sky(struct record_layout *layout, const struct scene *scene,
     free(stops);
 }
 
-/* The formula is in light/fog.s. */
+/* Writes a fog for the formula in light/fog.s. */
 static void put_fog(struct record *record, const struct fog *fog)
 {
     double scale = -1 / (fog->distance * elementary_log(2)), pass[3];

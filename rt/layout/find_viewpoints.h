@@ -5,8 +5,8 @@
 #include "rt/scene/scene.h"
 #include "rt/bvh/viewpoints.h"
 
-/* Collects the viewpoints: the camera, if its rays start at one point, then the
- * lights that cast shadows from one point, up to MAX_VIEWPOINTS. */
+/* Collects up to MAX_VIEWPOINTS viewpoints. The first is the camera, if its rays start
+ * at one point. The others are the lights that cast shadows from one point. */
 void viewpoints_find(const struct scene *scene, struct viewpoints *viewpoints);
 
 #endif

@@ -1,4 +1,4 @@
-/* image.c - collects the contents of memory and loads them into machines. */
+/* image.c - collects the contents of memory and loads it into machines. */
 #include "rt/layout/image.h"
 
 #include <stdlib.h>

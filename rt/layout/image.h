@@ -1,6 +1,6 @@
 /* image.h - the contents of memory at the start of a program.
  *
- * A scene is converted to words once. Each machine that traces a part of the frame
+ * A scene is converted to words only once. Each machine that traces a part of the frame
  * gets a copy.
  */
 #ifndef RT_IMAGE_H
@@ -10,8 +10,8 @@
 
 #include "vm/c205.h"
 
-/* Words at consecutive addresses. A block is either mapped by the image, or
- * overwrites words of the program. */
+/* Words at consecutive addresses. A block is either memory that the image maps, or
+ * words of the program that it overwrites. */
 struct image_block {
     uint64_t address;
     size_t count;
@@ -31,8 +31,8 @@ bool image_reserve(struct image *image, uint64_t address, size_t count);
  * if out of memory. */
 bool image_write(struct image *image, uint64_t address, const c205_word *words,
                  size_t count);
-/* Ends the writing. Machines then share the blocks that they only read, as far as
- * memory permits. */
+/* Ends the writing. Machines then share the blocks that they only read, if memory
+ * permits. */
 void image_share(struct image *image);
 /* Loads the image into a machine's memory. The image must outlive all use of the
  * machine. */

@@ -3,9 +3,9 @@
 
 #include <stdlib.h>
 
-enum { PIXEL_SIZE = 3 }; /* red, green, blue */
+enum { PIXEL_SIZE = 3 }; /* words for red, green and blue */
 
-/* Which coordinates can put a place outside of the image: none, v, or u and v. */
+/* The coordinates that can be outside of the image: none, v, or both u and v. */
 enum { OUTSIDE_NEVER, OUTSIDE_V, OUTSIDE_U_V };
 
 bool scene_has_images(const struct scene *scene)
@@ -52,7 +52,7 @@ void image_numbers(const struct image_map *map, double numbers[])
     numbers[3] = map->once;
 }
 
-/* Converts one row at a time, so that the host holds only one row of extra words. */
+/* Converts one row at a time, so that the host needs extra memory for only one row. */
 static void put_rows(struct record_layout *layout, const struct image_table *table,
                      const c205_word *light, uint64_t address)
 {

@@ -7,7 +7,7 @@
 #include "rt/layout/surface.h"
 #include "rt/shapes/primitive.h"
 
-enum { BITS = 46 }; /* one bit fewer than integers have */
+enum { BITS = 46 }; /* one bit less than an integer has */
 
 bool scene_has_interiors(const struct scene *scene)
 {
@@ -37,7 +37,7 @@ bool interiors_find(const struct scene *scene, struct interiors *interiors)
     interiors->index = calloc(bodies->count + 1, sizeof *interiors->index);
     if (!interiors->index)
         return false;
-    interiors->index[0] = 1; /* air */
+    interiors->index[0] = 1; /* air has index 1 */
     for (size_t i = 0; i < scene->primitive_count; i++) {
         const struct primitive *primitive = &scene->primitives[i];
         if (is_wanted(primitive))
@@ -76,15 +76,16 @@ static uint64_t layout_table(struct record_layout *layout,
     return table;
 }
 
-/* Writes the table and the constants of rt/kernels/light/interior.s. The bodies
- * that a ray is in are one integer, whose digits in the base 2^bits are their
- * numbers. It has at most BITS bits. If there are more bodies than fit, `full` is
- * the power of the base above which the ray's first body is dropped; else it is 0. */
+/* Writes the table and the constants of rt/kernels/light/interior.s. The set of bodies
+ * that contain a ray is one integer: its digits in the base 2^bits are the numbers of
+ * the bodies. The integer has at most BITS bits. If a scene has more bodies than the
+ * integer has digits, `full` is the power of the base above which the ray's first body
+ * is dropped. Otherwise `full` is 0. */
 void interiors_layout(struct record_layout *layout, const struct interiors *interiors,
                       const struct scene *scene)
 {
     enum { NUMBERS = 5 };
-    int bits = 1, room; /* bits of a body's number; bodies that fit a word */
+    int bits = 1, room; /* bits of a body's number; number of digits */
     double base, full;
     c205_word words[1 + NUMBERS];
     if (!scene_has_interiors(scene))

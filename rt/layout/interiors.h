@@ -7,19 +7,19 @@
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"
 
-/* A chain may have this many straight transmitted rays in addition to
- * max_trace_level. They have the level of the ray before. */
+/* A chain can have this many straight transmitted rays in addition to max_trace_level.
+ * A straight ray has the level of the previous ray. */
 enum { MAX_STRAIGHT = 64 };
 
 /* Returns true if light passes through a surface of the scene. The kernels then
  * need light/interior.s. */
 bool scene_has_interiors(const struct scene *scene);
 
-/* The bodies of clear primitives, and of mirrors by Fresnel's formulas. The
- * kernels number them from 1. */
+/* The bodies of transparent primitives, and of primitives that reflect by Fresnel's
+ * formulas. The kernels number them from 1. */
 struct interiors {
-    struct rank_index bodies; /* ranks the interior numbers of the scene */
-    double *index;            /* refractive indices: air, then each body */
+    struct rank_index bodies; /* ranks of the scene's interior numbers */
+    double *index;            /* refractive indices: first air, then the bodies */
 };
 /* Returns false if out of memory. */
 bool interiors_find(const struct scene *scene, struct interiors *interiors);

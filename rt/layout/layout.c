@@ -16,7 +16,7 @@
 #include "rt/layout/trees.h"
 #include "rt/picture/picture.h"
 
-/* Returns the largest number of rays in a chain. It is 1 without mirrors and
+/* Returns the largest number of rays in a chain. It is 1 in a scene without mirrors and
  * glass. */
 static size_t count_levels(const struct scene *scene)
 {
@@ -51,8 +51,8 @@ static void layout_camera(struct record_layout *layout, const struct scene *scen
     layout_words(layout, layout_symbol(layout, "scene_background"), words, 3);
 }
 
-/* Writes the settings of samples that are averaged in linear light, possibly
- * through a lens. */
+/* Writes the settings for samples that are averaged in linear light, and for the
+ * lens. */
 static void layout_samples(struct record_layout *layout, double gamma,
                            const struct camera *camera, struct frame_layout *frame)
 {
@@ -62,7 +62,7 @@ static void layout_samples(struct record_layout *layout, double gamma,
         layout_lens(layout, camera, frame->samples);
 }
 
-/* The camera rays of a program: some rows of a grid. */
+/* The camera rays of a program form a grid of rows and columns. */
 struct ray_grid {
     size_t columns, first_row, rows;
 };
@@ -72,24 +72,24 @@ static size_t count_rays(const struct ray_grid *grid)
     return grid->columns * grid->rows;
 }
 
-/* One ray for each sample of each pixel. */
+/* The rays without a threshold: one for each sample of each pixel. */
 static struct ray_grid all_samples(const struct frame_layout *frame, size_t samples)
 {
     return (struct ray_grid){ frame->width * samples, frame->first_row * samples,
                               frame->rows * samples };
 }
 
-/* One ray for each pixel, and for the pixels left of the frame and above the band,
- * with which the first ones are compared. */
+/* The first rays with a threshold: one for each pixel of the band, and for its
+ * neighbours on the left and above, with which pixels are compared. */
 static struct ray_grid first_rays(const struct frame_layout *frame)
 {
     return (struct ray_grid){ frame->width + 1, frame->first_row, frame->rows + 1 };
 }
 
-/* The gamma of colours that are compared (POV-Ray's Antialias_Gamma). */
+/* The gamma at which colours are compared (POV-Ray's Antialias_Gamma). */
 #define COMPARED_GAMMA 2.5
 
-/* Reserves the memory of adaptive.s: planes, and the samples of one batch. */
+/* Reserves the memory of adaptive.s: its planes, and the samples of a batch. */
 static void layout_adaptive(struct record_layout *layout, double gamma,
                             const struct frame_layout *frame,
                             const struct ray_grid *grid)
@@ -155,7 +155,7 @@ struct scene_layout {
     const struct object *program;
     struct image image;
     uint64_t end; /* the next unused address */
-    double gamma; /* of the scene's colours; 0: not given */
+    double gamma; /* gamma of the scene's colours; 0: not specified */
     struct camera camera;
 };
 

@@ -1,8 +1,7 @@
 /* layout.h - writes a scene as records in the machine's memory.
  *
- * This is the only place where numbers of a scene become numbers of the machine. A
- * scene is laid out once, for any number of machines, each of which traces bands
- * of a frame.
+ * Only this code converts numbers of a scene to numbers of the machine. A scene is laid
+ * out once, for any number of machines. Each machine traces bands of a frame.
  */
 #ifndef RT_LAYOUT_H
 #define RT_LAYOUT_H
@@ -11,31 +10,30 @@
 #include "rt/layout/bounding.h"
 #include "rt/scene/scene.h"
 
-/* The position of the frame's planes in memory, for reading them back. */
+/* The position of the frame's planes in memory. */
 struct frame_layout {
     uint64_t address;       /* FRAME_CHANNELS planes of width x rows words */
-    size_t width, height;   /* of the whole frame, pixels */
-    size_t samples;         /* across and down a pixel; 0: one */
-    double threshold;       /* pixels that differ by more get these samples; 0: all
-                             * do */
-    size_t first_row, rows; /* of the band that is traced */
+    size_t width, height;   /* size of the whole frame in pixels */
+    size_t samples;         /* samples x samples rays for each pixel; 0: one ray */
+    double threshold;       /* Pixels that differ by more than this get further samples;
+                             * 0: all pixels get them. */
+    size_t first_row, rows; /* rows of the current band */
     bool tiles;             /* queues are tiles of pixels, not rows */
 };
 
 /* The part of memory that all machines share. */
 struct scene_layout;
 
-/* Lays a scene out. go_on is called at intervals; if it returns false, the layout
- * stops with an error. It may be NULL. Returns NULL if out of memory, or if a
- * number is out of range. */
+/* Lays a scene out. go_on may be NULL. It is called at intervals; if it returns false,
+ * the layout stops with an error. Returns NULL if out of memory, or if a number is out
+ * of range. */
 struct scene_layout *layout_new(const struct object *program, const struct scene *scene,
                                 enum bounding bounding, bool (*go_on)(void *context),
                                 void *context, c205_error *error);
 void layout_free(struct scene_layout *layout);
 
-/* Maps and fills the memory that the program reads, and maps the planes that it
- * writes. Call this after c205_load. The layout must outlive all use of the
- * machine. */
+/* Maps and fills the memory that the program reads, and maps the planes that it writes.
+ * Call this after c205_load. The layout must outlive all use of the machine. */
 bool layout_put(const struct scene_layout *layout, c205 *machine,
                 struct frame_layout *frame, c205_error *error);
 

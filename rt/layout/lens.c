@@ -4,18 +4,18 @@
  *
  *     a = (2 i + 1)/samples - 1,   b = (2 j + 1)/samples - 1
  *
- * It is mapped to a point of the unit disk: to the radius a and the angle pi/4 b/a
- * if |a| > |b|, else to the radius b and the angle pi/2 - pi/4 a/b. This map
- * preserves areas (Shirley and Chiu, "A Low Distortion Map Between Disk and
- * Square", 1997).
+ * It is mapped to a point of the unit disk. The point has the radius a and the angle
+ * pi/4 b/a if |a| > |b|, else the radius b and the angle pi/2 - pi/4 a/b. This map
+ * preserves areas (Shirley and Chiu, "A Low Distortion Map Between Disk and Square",
+ * 1997).
  *
- * Neighbours in a pixel should be far apart on the lens, and each row and column
- * of the pixel should cover all of it. The ray in row r and column c has the cell
+ * Neighbours in a pixel should be far apart on the lens, and each row and column of the
+ * pixel should cover all of it. The ray in row r and column c has the cell
  *
  *     i = r + c,   j = r + 2 c    (modulo samples),
  *
  * which is Arnold's cat map. It uses every cell once. All pixels have the same points.
- * This avoids noise, but with few points the result looks like several superimposed
+ * This avoids noise, but a lens with few points looks like several superimposed
  * pictures.
  */
 #include "rt/layout/lens.h"

@@ -4,7 +4,7 @@
 #include "rt/scene/elementary.h"
 #include "rt/scene/vector3.h"
 
-/* A narrower edge is sharp; it is drawn with this width. */
+/* The least width of a soft edge. An edge that is sharper gets this width. */
 #define MIN_EDGE 1e-9
 
 static bool fades(const struct light *light)
@@ -18,8 +18,8 @@ static bool dims(const struct light *light)
     return light->beam != BEAM_NONE || fades(light);
 }
 
-/* Returns the number of points of an area light that casts shadows. 0: shadows
- * come from the light's position. */
+/* Returns the number of points of an area light that casts shadows. 0: the light casts
+ * shadows from its position. */
 static size_t points_of(const struct light *light)
 {
     size_t count = light->area_size[0] * light->area_size[1];
@@ -64,9 +64,9 @@ bool scene_has_areas(const struct scene *scene)
 
 /* ---- Areas --------------------------------------------------------------- */
 
-/* Returns the weight of point `at` among the points first to last. As in POV-Ray,
- * each half of a side gets half of the weight, recursively, until two points are
- * left. The middle point belongs to both halves. */
+/* Returns the weight of point `at` among the points first .. last. As in POV-Ray, the
+ * points are halved recursively until two points are left, and each half gets half of
+ * the weight. A middle point belongs to both halves. */
 static double weight_of(size_t first, size_t last, size_t at)
 {
     size_t sum = first + last;
@@ -77,15 +77,15 @@ static double weight_of(size_t first, size_t last, size_t at)
     return (weight_of(first, sum / 2, at) + weight_of((sum + 1) / 2, last, at)) / 2;
 }
 
-/* Returns a place from -.5 to .5. */
+/* Returns a position from -.5 to .5. */
 static double place_on_side(size_t at, size_t size)
 {
     return size > 1 ? (double)at / (double)(size - 1) - .5 : 0;
 }
 
-/* Maps a place of the square to the disk, as POV-Ray does: the border goes to the
- * inscribed circle, and each line to the centre is scaled evenly. The offset
- * avoids a division by 0 at the centre. */
+/* Maps a point of the square to the disk, as in POV-Ray. The border is mapped to the
+ * inscribed circle, and each line from the centre is scaled evenly. The offset avoids a
+ * division by 0 at the centre. */
 static void draw_together(double place[2])
 {
     double most;
@@ -133,7 +133,8 @@ static void layout_points(struct record_layout *layout, const struct scene *scen
 
 /* ---- Beams --------------------------------------------------------------- */
 
-/* Writes the value of q (light/beam.s) at which the edge begins, and its slope. */
+/* Writes the value of q (light/beam.s) at which the edge begins, and the slope of the
+ * edge. */
 static void put_edge(struct record *record, const struct light *light)
 {
     double edge[2] = { -1, 1 }; /* no edge */
@@ -144,7 +145,7 @@ static void put_edge(struct record *record, const struct light *light)
         high = elementary_cos(light->radius * PI / 180);
         soft = high > 0;
     } else if (light->beam == BEAM_CYLINDER) {
-        high = fmax(1 - light->radius / light->falloff, -1); /* q is above 0 */
+        high = fmax(1 - light->radius / light->falloff, -1); /* q is positive */
         soft = light->radius > 0;
     }
     if (soft) {

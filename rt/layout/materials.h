@@ -1,8 +1,7 @@
-/* materials.h - finds primitives with equal materials, so that they can be shaded
+/* materials.h - finds primitives with equal materials, so that the kernels shade them
  * together.
  *
- * A material is a row of words. Its address is that of the first primitive that
- * has it.
+ * A material is a row of words. Its address is in the first primitive that has it.
  */
 #ifndef RT_MATERIALS_H
 #define RT_MATERIALS_H
@@ -17,8 +16,8 @@ struct material_table;
 struct material_table *materials_new(size_t count);
 void materials_free(struct material_table *materials);
 
-/* Returns the address that is recorded for these words. If the words are new, it
- * records `address` and returns it. Returns 0 if out of memory. */
+/* Returns the address that is stored for these words. For new words it stores `address`
+ * and returns it. Returns 0 if out of memory. */
 uint64_t materials_first(struct material_table *materials,
                          const c205_word words[MATERIAL_WORDS], uint64_t address);
 

@@ -7,14 +7,14 @@
 #include "rt/layout/bounds.h"
 #include "rt/bvh/hierarchy.h"
 
-enum { MANY = 8 }; /* fewer parts are not grouped */
+enum { MANY = 8 }; /* smaller lists are not grouped */
 
 /* The original scene and the nested one. */
 struct nesting {
     const struct scene *scene;
-    const struct bound *bounds; /* of its nodes */
+    const struct bound *bounds; /* bounds of the scene's nodes */
     struct nested_scene *nested;
-    bool failed; /* no memory */
+    bool failed; /* out of memory */
 };
 
 /* The children of a node that can be grouped. */
@@ -45,8 +45,9 @@ static void close_node(struct nesting *nesting, size_t node)
 
 /* ---- Parts --------------------------------------------------------------- */
 
-/* Returns the node of a child that can be grouped with others: a solid of a union,
- * or the solid that a complement in an intersection takes away. 0: none. */
+/* Returns the solid that `child` adds to a union, or that it subtracts from an
+ * intersection as a complement. Returns 0 if the child is neither, or if the solid is
+ * unbounded. */
 static size_t part_of(const struct nesting *nesting, size_t parent, size_t child)
 {
     const struct tree_node *nodes = nesting->scene->nodes;
@@ -103,7 +104,7 @@ static void put_some(struct nesting *nesting, const struct part_list *parts,
 static void put_below(struct nesting *nesting, const struct part_list *parts,
                       size_t number);
 
-/* Writes a node of the hierarchy as a single child. */
+/* Writes a node of the hierarchy as one child of the current node. */
 static void put_group(struct nesting *nesting, const struct part_list *parts,
                       size_t number)
 {
@@ -137,8 +138,9 @@ static void put_all(struct nesting *nesting, const struct part_list *parts)
         put_some(nesting, parts, 0, parts->count);
 }
 
-/* Writes `count` parts of a node. The parts of a union become its children. The solids
- * that a difference subtracts become the complement of their union. */
+/* Writes the `count` parts of a node as groups. The parts of a union become its
+ * children. The solids that a difference subtracts become the complement of their
+ * union. */
 static void nest_parts(struct nesting *nesting, size_t node, size_t count)
 {
     struct part_list parts = { .count = count };
@@ -189,8 +191,8 @@ static void nest_regions(struct nesting *nesting)
     }
 }
 
-/* Allocates the nested scene. A group of n parts adds fewer than n nodes, and two
- * nodes around them. */
+/* Allocates the nested scene. A group of n parts adds up to n - 1 nodes, and two nodes
+ * around them. */
 static bool take_room(const struct scene *scene, struct nested_scene *nested)
 {
     size_t nodes = 3 * scene->node_count + 1, regions = scene->region_count;

@@ -1,9 +1,9 @@
-/* nesting.h - regroups trees with many parts, so that a ray can skip groups.
+/* nesting.h - groups the parts of large trees, so that a ray can skip a whole group.
  *
- * A union of many solids becomes a union of unions. A difference A less B, C, ..
- * becomes A less the union of B, C, .., which is nested likewise. Parts that are
- * near each other are grouped, by the same hierarchy that regions use. The
- * interior of the tree does not change, nor do its visible surfaces.
+ * A union of many solids becomes a union of unions. The difference of A and B, C, ..
+ * becomes the difference of A and the union of B, C, .., which is grouped in the same
+ * way. The hierarchy of rt/bvh/hierarchy.h groups parts that are near each other. The
+ * interior and the visible surfaces of the tree do not change.
  */
 #ifndef RT_NESTING_H
 #define RT_NESTING_H
@@ -11,16 +11,16 @@
 #include "rt/bvh/bound.h"
 #include "rt/shapes/primitive.h"
 
-/* A scene with nodes and regions of its own, which shares all else with the
- * original. The bounds of its original nodes are those of bounds.h. A group of
- * parts has a bound around the parts. */
+/* A scene with grouped trees. It has nodes, regions and bounds of its own, and shares
+ * all other data with the original scene. An original node has the bound that bounds.h
+ * computes. A group has a bound around its parts. */
 struct nested_scene {
     struct scene scene;
     struct bound *bounds;
 };
 
-/* Nests the trees of a scene. The recursion is as deep as the trees. Returns false
- * if out of memory. */
+/* Groups the parts of a scene's trees. The recursion is as deep as the trees. Returns
+ * false if out of memory. */
 bool nesting_make(const struct scene *scene, struct nested_scene *nested);
 void nesting_free(struct nested_scene *nested);
 

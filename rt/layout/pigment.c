@@ -8,9 +8,9 @@
 #include "rt/shapes/primitive.h"
 #include "rt/scene/vector3.h"
 
-/* The fields are STOP_AT, STOP_SLOPE, STOP_COLOR and STOP_CHANGE. */
+/* A row has the fields STOP_AT, STOP_SLOPE, STOP_COLOR and STOP_CHANGE. */
 enum { STOP_SIZE = 8 };
-#define STEP 1e-30 /* places closer than this are the same place */
+#define STEP 1e-30 /* a smaller distance counts as 0 */
 
 void gradient_words(const struct pigment *pigment, double words[GRADIENT_STOPS])
 {
@@ -85,9 +85,8 @@ size_t stops_size(const struct pigment *pigment)
     return STOP_SIZE * (stop_count(pigment) + 1);
 }
 
-/* Returns stop i of a list. The kernels assign equally spaced values from 0 to 1
- * to the entries of a list. Halfway between two entries the colour changes to the
- * second one. */
+/* Returns stop i of a list. The kernels assign equally spaced values, from 0 to 1, to
+ * the entries of a list. Halfway between two entries the colour changes. */
 static struct color_stop step(const struct pigment *pigment, size_t i)
 {
     double last = (double)pigment_list_count(pigment) - 1;
@@ -101,7 +100,9 @@ static struct color_stop stop_of(const struct pigment *pigment, size_t i)
     return pigment_list_count(pigment) > 0 ? step(pigment, i) : pigment->map.stops[i];
 }
 
-/* Writes a stop. If no distance follows it, its slope and its change are 0. */
+/* Writes a stop: its position, its slope (the reciprocal of the distance to the next
+ * stop), its colour, and the change of colour. The slope and the change are 0 if the
+ * next stop is at the same position. */
 static void put_stop(const struct color_stop *stop, const struct color_stop *next,
                      double row[STOP_SIZE])
 {
@@ -113,7 +114,7 @@ static void put_stop(const struct color_stop *stop, const struct color_stop *nex
         row[5 + i] = far > STEP ? next->color[i] - stop->color[i] : 0;
 }
 
-/* Returns the rows of the stops. A copy of the first stop comes before it, at -1. */
+/* Returns the rows of the stops, after a copy of the first stop at -1. */
 c205_word *stops_words(const struct pigment *pigment)
 {
     c205_word *words = calloc(stops_size(pigment) + 1, sizeof *words);

@@ -30,7 +30,7 @@ struct object *program_assemble(const char *kernel, const struct asm_define *def
 bool program_run(c205 *machine, bool (*go_on)(void *context, const c205 *machine),
                  void *context, bool *stopped, c205_error *error)
 {
-    enum { SLICE = 5000000 }; /* clocks between two calls of go_on */
+    enum { SLICE = 5000000 }; /* number of clocks between two calls of go_on */
     for (;;) {
         uint64_t limit = !go_on ? C205_NO_LIMIT : c205_clock(machine) + SLICE;
         c205_stop stop = c205_run(machine, limit);

@@ -1,4 +1,5 @@
-/* query_layout.c - writes a scene, and lines through it, into the machine's memory. */
+/* query_layout.c - writes a scene and the lines of a query into the machine's
+ * memory. */
 #include "rt/layout/query_layout.h"
 
 #include <stdlib.h>
@@ -16,8 +17,8 @@ struct query_layout {
     size_t objects;
 };
 
-/* Lays out the primitives. Plain surfaces have no interiors and no images, and
- * lines have no common viewpoint. */
+/* Writes the primitives. Plain surfaces have no images, and lines have no common
+ * viewpoint. */
 static void layout_bare_solids(struct record_layout *layout, const struct scene *scene,
                                enum bounding bounding)
 {
@@ -62,7 +63,7 @@ void query_layout_free(struct query_layout *layout)
     free(layout);
 }
 
-/* Writes six planes: origins, then directions. */
+/* Writes six planes: the coordinates of the origins, then of the directions. */
 static void layout_rays(struct record_layout *layout,
                         const struct packet_layout *packet)
 {

@@ -116,7 +116,8 @@ void record_end(struct record *record)
     record->words = NULL;
 }
 
-/* Returns the position of a field of count words, or NULL if it does not fit. */
+/* Returns the position of a field of count words, or NULL if the record is too short
+ * for it. */
 static c205_word *find_field(struct record *record, const char *name, size_t count)
 {
     uint64_t offset = layout_symbol(record->layout, name);
@@ -147,8 +148,8 @@ void put_numbers(c205_word *words, const double *values, size_t count)
         words[i] = c205_from_double(values[i]);
 }
 
-/* The exponents of a double have a far smaller range than the machine's. Squares
- * and reciprocals of a scene's numbers may exceed it. */
+/* The range of a double's exponents is much smaller than the machine's. Squares and
+ * reciprocals of a scene's numbers may exceed it. */
 void record_check(struct record *record, const double *values, size_t count)
 {
     for (size_t i = 0; i < count; i++)

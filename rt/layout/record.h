@@ -1,7 +1,7 @@
 /* record.h - writes records into the image of a machine's memory.
  *
- * The offsets of fields are defined once, in rt/kernels/frame/records.s. They are
- * looked up here by name among the program's symbols.
+ * Only rt/kernels/frame/records.s defines the offsets of fields. They are looked up by
+ * name among the program's symbols.
  */
 #ifndef RT_RECORD_H
 #define RT_RECORD_H
@@ -10,7 +10,7 @@
 #include "rt/layout/bounds.h"
 #include "rt/layout/image.h"
 
-/* The state of a layout. After the first error all functions do nothing. */
+/* The state of a layout. After the first error all functions return without effect. */
 struct record_layout {
     struct image *image;
     const struct object *program;
@@ -23,13 +23,13 @@ struct record_layout {
 };
 
 void layout_fail(struct record_layout *layout, const char *format, ...);
-/* Returns the value of a symbol of the program. A missing symbol is a failure. */
+/* Returns the value of a symbol of the program. A missing symbol is an error. */
 uint64_t layout_symbol(struct record_layout *layout, const char *name);
 void layout_words(struct record_layout *layout, uint64_t address,
                   const c205_word *words, size_t count);
 /* Writes one word to the place with this name. */
 void layout_word(struct record_layout *layout, const char *name, c205_word word);
-/* Reserves zeroed words, starting at a new page. */
+/* Reserves words that are zero, starting at a new page. */
 uint64_t layout_reserve(struct record_layout *layout, size_t words);
 
 /* Items of one size at consecutive addresses. */
@@ -38,8 +38,8 @@ struct row {
     size_t size;    /* words of each item */
 };
 
-/* Reserves several rows at consecutive addresses, starting at a new page. The
- * sizes are names of symbols of the program. */
+/* Reserves several rows at consecutive addresses, starting at a new page. Each size is
+ * the name of a symbol of the program. */
 struct row_wanted {
     struct row *row;
     const char *size;
@@ -49,19 +49,19 @@ void layout_reserve_rows(struct record_layout *layout, const struct row_wanted *
                          size_t rows);
 uint64_t row_at(const struct row *row, size_t i);
 
-/* Writes a row of records of one size, one after another. It holds the words of
- * the next record, whose fields are set by name. */
+/* Writes a row of records of the same size. It contains the words of the next record,
+ * whose fields are set by name. */
 struct record {
     struct record_layout *layout;
     c205_word *words;
     size_t size;
     uint64_t address;
-    size_t line;    /* of the scene file, for messages */
-    uint64_t table; /* the next free address for tables of records */
+    size_t line;    /* line in the scene file, for messages */
+    uint64_t table; /* next free address of the tables */
 };
 
-/* Starts a row. The size is a symbol of the program. Reserves `count` records,
- * then `more` words, where the tables begin. */
+/* Starts a row. The size is the name of a symbol of the program. Reserves `count`
+ * records, and `more` words for tables after them. */
 void record_begin(struct record *record, struct record_layout *layout, const char *size,
                   size_t count, size_t more);
 /* Returns the row. Call this before the first record is written. */
@@ -69,14 +69,14 @@ struct row record_row(const struct record *record);
 void record_write(struct record *record);
 void record_end(struct record *record);
 
-/* Checks numbers. A number that is not finite is a failure. */
+/* Checks numbers. A number that is not finite is an error. */
 void record_check(struct record *record, const double *values, size_t count);
 void record_numbers(struct record *record, const char *name, const double *values,
                     size_t count);
 void record_integer(struct record *record, const char *name, size_t value);
 /* Accepts negative values. */
 void record_signed(struct record *record, const char *name, int value);
-/* Reads back words of a field that has been set. */
+/* Reads words of a field that has been set. */
 void record_read(struct record *record, const char *name, c205_word *words,
                  size_t count);
 void record_address(struct record *record, const char *name, uint64_t address);

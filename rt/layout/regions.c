@@ -11,20 +11,21 @@
 #include "rt/scene/vector3.h"
 #include "rt/shapes/shape_words.h"
 
-/* The data that the records of a scene's regions refer to. */
+/* The data that is used to write the records of a scene's regions. */
 struct places {
     const struct scene *scene;
-    const struct bound *bounds; /* of the nodes */
-    struct tree_join *joins;    /* of the nodes: their steps, numbered in the whole
-                                 * scene */
-    bool *needed;               /* of the nodes: without it the tree has no value */
-    size_t *kept;               /* number of nodes before each that are not
-                                 * complements */
-    size_t *results;            /* of the regions: the value of the tree */
-    int *bodies;                /* of the regions: R_BODY */
-    uint64_t *clear;            /* of the regions: the address of its word, or 0 */
+    const struct bound *bounds; /* bound of each node */
+    struct tree_join *joins;    /* steps of each node, numbered in the whole scene */
+    bool *needed;               /* true for a node that must be true for its tree to be
+                                 * true */
+    size_t *kept;               /* for each node: the number of earlier nodes that are
+                                 * not complements */
+    size_t *results;            /* for each region: the index of the tree's value */
+    int *bodies;                /* R_BODY of each region */
+    uint64_t *clear;            /* for each region: the address of its word in
+                                 * scene_clear, or 0 */
     struct hierarchy hierarchy;
-    bool *spheres; /* of the hierarchy: only spheres are below the node */
+    bool *spheres; /* for each node of the hierarchy: only spheres are below it */
     const struct region_places *given;
     struct row steps, nodes, regions;
 };
@@ -46,8 +47,8 @@ static void layout_step(struct record *record, const struct row *values,
     record_write(record);
 }
 
-/* Writes the steps of a region after the `before` steps of earlier regions.
- * Returns the new number of steps. */
+/* Writes the steps of a region, after the `before` steps of previous regions. Returns
+ * the new number of steps. */
 static size_t layout_tree(struct record *record, struct places *places, size_t i,
                           struct tree_step *steps, size_t before)
 {
@@ -87,8 +88,8 @@ static void layout_steps(struct record_layout *layout, struct places *places)
 
 /* ---- Nodes --------------------------------------------------------------- */
 
-/* Marks the nodes that are needed: the root, and each part of a needed
- * intersection. Complements have no records. */
+/* Marks the needed nodes: the root, and each child of a needed intersection.
+ * Complements are marked, too, but have no records. */
 static void find_needed(const struct scene *scene, const struct region *region,
                         bool *needed)
 {
@@ -154,8 +155,8 @@ static void layout_nodes(struct record_layout *layout, struct places *places)
 
 /* ---- Regions ------------------------------------------------------------- */
 
-/* Returns 0: no shadow, 1: a full shadow, 2: a shadow with clear parts. One
- * primitive that casts a shadow is enough for the region. */
+/* Returns 0: no shadow, 1: a full shadow, 2: a shadow with transparent parts. A region
+ * casts a shadow if one of its primitives casts a shadow. */
 static size_t shadow_of(const struct scene *scene, const struct region *region)
 {
     const struct primitive *first = &scene->primitives[region->first_primitive];
@@ -167,7 +168,8 @@ static size_t shadow_of(const struct scene *scene, const struct region *region)
     return casts ? 1 + clear : 0;
 }
 
-/* Returns the rays that see none of the region's primitives: R_HIDDEN_FROM. */
+/* Returns the kinds of rays to which all the region's primitives are invisible
+ * (R_HIDDEN_FROM). */
 static unsigned hidden_from(const struct scene *scene, const struct region *region)
 {
     unsigned rays = HIDDEN_FROM_IMAGE | HIDDEN_FROM_REFLECTIONS;
@@ -184,8 +186,8 @@ bool scene_hides(const struct scene *scene)
     return false;
 }
 
-/* Returns the bound of a region. A complement has the bound of its operand, since
- * that contains its surfaces. */
+/* Returns the bound of a region. A complement has the bound of its operand, because
+ * both have the same surfaces. */
 static const struct bound *bound_of(const struct places *places,
                                     const struct region *region)
 {
@@ -195,10 +197,10 @@ static const struct bound *bound_of(const struct places *places,
     return &places->bounds[solid];
 }
 
-/* Returns true if a region's box is worth a test in addition to its sphere. The
- * mean cross-section of a convex body over all directions is a fourth of its
- * surface. The box is used if its cross-section is less than `worth` times that of
- * the sphere. */
+/* Returns true if a region's box is tested in addition to its sphere. The mean
+ * cross-section of a convex body over all directions is a quarter of its surface area.
+ * The box is tested if its mean cross-section is less than `worth` times the
+ * cross-section of the sphere. */
 static bool is_boxed(const struct bound *bound)
 {
     static const double worth = 0.8;
@@ -210,7 +212,7 @@ static bool is_boxed(const struct bound *bound)
                   < worth * PI * bound->radius * bound->radius;
 }
 
-/* Writes the centre of the box and half of each side. */
+/* Writes the centre of the box and half of each side length. */
 static void layout_box(struct record *record, const struct bound *bound)
 {
     double words[6];
@@ -251,7 +253,7 @@ static void layout_region(struct record *record, const struct places *places, si
     record_write(record);
 }
 
-/* Reserves a word for each region with a shadow that is not full. */
+/* Reserves a word for each region whose shadow has transparent parts. */
 static void layout_clear(struct record_layout *layout, struct places *places)
 {
     const struct scene *scene = places->scene;
@@ -268,8 +270,8 @@ static void layout_clear(struct record_layout *layout, struct places *places)
     layout_word(layout, "scene_clear_count", c205_from_integer((int64_t)count));
 }
 
-/* Returns true if the region is one opaque sphere in world space that casts a
- * shadow and is seen by all rays. */
+/* Returns true if the region is an opaque sphere in world space that casts a shadow and
+ * that all rays can see. */
 static bool is_sphere(const struct scene *scene, const struct region *region)
 {
     const struct primitive *first = &scene->primitives[region->first_primitive];
@@ -280,8 +282,8 @@ static bool is_sphere(const struct scene *scene, const struct region *region)
            && hidden_from(scene, region) == 0;
 }
 
-/* Marks the nodes below which all regions are such spheres, with at most `most` of
- * them in a leaf. */
+/* Marks the nodes whose regions are all such spheres, if no leaf below has more than
+ * `most` of them. */
 static void find_spheres(struct places *places, size_t most)
 {
     const struct hierarchy *hierarchy = &places->hierarchy;

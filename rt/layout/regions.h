@@ -6,17 +6,18 @@
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"
 
-/* The rows that the records of regions refer to. */
+/* The rows that a region's record refers to. */
 struct region_places {
     struct row primitives;
-    struct row values; /* of a tree */
+    struct row values; /* values of a tree */
 };
 
-/* Returns true if a region is hidden from some rays. The kernels then need
+/* Returns true if a region is invisible to some rays. The kernels then need
  * R_HIDDEN_FROM. */
 bool scene_hides(const struct scene *scene);
 
-/* Writes all regions, and reserves the lists that one region needs. */
+/* Writes all regions, and reserves the work lists of the kernels, which are long enough
+ * for every region. */
 void layout_regions(struct record_layout *layout, const struct scene *scene,
                     enum bounding bounding, const struct region_places *places);
 

@@ -1,4 +1,4 @@
-/* single_run.c - runs a program once on a machine of its own. */
+/* single_run.c - runs a program once on a new machine. */
 #include "rt/layout/single_run.h"
 
 #include "vm/error.h"
@@ -46,7 +46,7 @@ static bool run_on(struct single_run *run, c205 *machine, uint64_t from,
            && c205_read(machine, from, words, count);
 }
 
-/* Adds the projected clocks of all regions of the run. */
+/* Adds the projected clocks of all accounts of the run. */
 static bool add_projected(const struct single_run *run, const c205 *machine,
                           const c205_projection *projection)
 {

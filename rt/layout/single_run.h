@@ -1,5 +1,5 @@
-/* single_run.h - runs a program once on a machine of its own: writes its input,
- * runs it, and reads its output. */
+/* single_run.h - runs a program once on a new machine: writes its input, runs it, and
+ * reads its output. */
 #ifndef RT_SINGLE_RUN_H
 #define RT_SINGLE_RUN_H
 
@@ -12,27 +12,28 @@ struct single_run {
     struct image image;
     struct record_layout layout; /* writes the input */
     c205_error *error;
-    struct accounts *accounts; /* receives the accounts of the run; NULL: none */
-    /* Another machine model, on which the run is projected, and the sum to which the
-     * projected clocks are added; NULL: none. */
+    struct accounts *accounts; /* the accounts of the run are added to these; NULL:
+                                * none */
+    /* Another machine model, for which the clocks of the run are projected, and the sum
+     * to which these clocks are added. NULL: none. */
     const c205_model *projection;
     uint64_t *projected;
 };
 
 void single_run_begin(struct single_run *run, const struct object *program,
                       const c205_model *model, c205_error *error);
-/* Write an integer to the place with this name, and a number to the i-th word
- * after it. */
+/* single_run_word writes an integer to the word with this name. single_run_number
+ * writes a number to the i-th word after it. */
 void single_run_word(struct single_run *run, const char *name, size_t value);
 void single_run_number(struct single_run *run, const char *name, size_t i,
                        double value);
-/* Reserves words at a new page and writes the address to the place with this name.
- * The words are copied, or zeros if NULL. */
+/* Reserves words from the start of a page, and writes their address to the word with
+ * this name. The words are copied from `words`, or zeros if it is NULL. */
 uint64_t single_run_room(struct single_run *run, const char *name,
                          const c205_word *words, size_t count);
-/* Runs the program, reads count words from the address on, and adds its clocks to
- * *clocks. Returns false after a failed layout, a trap, or if out of memory. Ends
- * the run in any case. */
+/* Runs the program, reads count words from the address `from`, and adds the clocks of
+ * the run to *clocks. Returns false if the layout has failed, after a trap, or if out
+ * of memory. The run is freed in all cases. */
 bool single_run_end(struct single_run *run, uint64_t from, c205_word *words,
                     size_t count, uint64_t *clocks);
 

@@ -14,7 +14,7 @@
 #include "rt/layout/trees.h"
 #include "rt/shapes/shape_words.h"
 
-/* Converts the integers of a table. Returns false if out of memory. */
+/* Converts a table that contains integers. Returns false if out of memory. */
 static bool put_integers(const struct primitive *primitive,
                          const struct viewpoints *viewpoints, const double *table,
                          size_t count, c205_word *words)
@@ -93,17 +93,18 @@ static void put_shape(struct record *record, const struct primitive *primitive,
     record_numbers(record, "P_LOCAL", &primitive->to_local.rows[0][0], 12);
 }
 
-/* The stops of the last map, which the next pigment may share, and the addresses
- * of all images. */
+/* The stops of the last map, which the next pigment may share, and the address of each
+ * image. */
 struct map_place {
     const struct pigment *pigment;
     c205_word address;
     const uint64_t *images;
 };
 
-/* Returns the number of a primitive's space: the index from 1 of the first of
- * consecutive primitives with this space. A ray is then transformed once for all
- * of them. `before` is the number of the previous primitive's space. */
+/* Returns the number of a primitive's space. Consecutive primitives with the same space
+ * have the same number: the index of the first one, plus 1. Rays are then transformed
+ * only once for these primitives. `before` is the number of the previous primitive's
+ * space. */
 static size_t space_of(const struct scene *scene, size_t i, size_t before)
 {
     const struct transform *space = &scene->primitives[i].to_local;
@@ -114,8 +115,8 @@ static size_t space_of(const struct scene *scene, size_t i, size_t before)
                : i + 1;
 }
 
-/* Writes the finish. Ambient, emission and diffuse are multiplied by the opacity
- * here if the colours of the record are not. */
+/* Writes the finish. Its ambient, emission and diffuse light is multiplied by the
+ * opacity here, unless the colours of the record have been multiplied. */
 static void put_finish(struct record *record, const struct scene *scene,
                        const struct finish *finish, double opacity)
 {
@@ -131,7 +132,8 @@ static void put_finish(struct record *record, const struct scene *scene,
     record_numbers(record, "P_FINISH", words, 8);
 }
 
-/* Writes the part of a finish that depends on the angle, if the program uses it. */
+/* Writes the part of a finish that depends on the angle, if the program has its
+ * kernel. */
 static void put_gloss(struct record *record, const struct finish *finish)
 {
     const double gloss[2] = { finish->brilliance, finish->metallic };
@@ -147,8 +149,8 @@ static void put_gloss(struct record *record, const struct finish *finish)
     record_integer(record, "P_REFLECTION_KIND", surface_mirror_kind(finish));
 }
 
-/* Writes the stops of the pigment's map, unless they are the same as those of the
- * map before. Updates the map and its address. */
+/* Writes the stops of the pigment's map, unless they equal those of the previous map.
+ * Updates the map and its address. */
 static void put_stops(struct record *record, const struct pigment *pigment,
                       struct map_place *map)
 {
@@ -194,7 +196,7 @@ static void put_pattern(struct record *record, const struct pigment *pigment,
     record_integer(record, "P_MAP_STOP_COUNT", stop_count(pigment));
 }
 
-/* An image's table takes the place of the stops. */
+/* Writes the address of the image's table in place of the stops. */
 static void put_image(struct record *record, const struct pigment *pigment,
                       const struct map_place *map)
 {
@@ -247,13 +249,13 @@ static void put_interior(struct record *record, const struct interiors *interior
         record_numbers(record, "P_INTERIOR", &number, 1);
 }
 
-/* A region with clear parts has a rank among the regions with clear parts. The
- * rank orders coincident faces (docs/solids.md). */
+/* Regions with transparent parts are numbered by ranks. The rank orders coincident
+ * faces (docs/solids.md). */
 struct clear_ranks {
     size_t region; /* the next region */
     size_t end;    /* end of the previous region's primitives */
     size_t rank;   /* rank of the previous region, or 0 */
-    double yield;  /* yield of the previous region's opaque surfaces */
+    double yield;  /* yield of opaque surfaces of the previous region */
     size_t used, count;
 };
 
@@ -323,14 +325,14 @@ static size_t table_words(const struct scene *scene, const struct leaf_plan *pla
     return count;
 }
 
-/* Returns the address of the primitive's material. Spheres in world space with
- * equal surfaces share a material; any other primitive has its own. */
+/* Returns the address of the primitive's material. Spheres in world space with equal
+ * surfaces share a material; every other primitive has a material of its own. */
 static uint64_t material_of(struct record *record, const struct primitive *primitive,
                             struct material_table *materials)
 {
     static const struct {
         const char *field;
-        size_t count; /* words */
+        size_t count; /* number of words */
     } fields[] = {
         { "P_PIGMENT", 1 }, { "P_COLOR", 6 },    { "P_PATTERN", 12 },
         { "P_FINISH", 8 },  { "P_INVERTED", 9 }, { "P_TRANSMITTED", 8 },
@@ -353,7 +355,7 @@ static uint64_t material_of(struct record *record, const struct primitive *primi
     return material;
 }
 
-/* Writes the positions of a primitive's crossings and of its value in the tree. */
+/* Writes the positions of a primitive's crossings, and of its value in the tree. */
 static void put_part(struct record *record, const struct leaf_plan *plan,
                      const struct row *crossings, const struct row *values)
 {
@@ -411,8 +413,8 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
     return row;
 }
 
-/* Reserves the values, and the lists of leaves and of branches. One more entry of
- * a list is written before it is known to be unused. */
+/* Reserves the values and the lists of leaves and branches. The kernels may write one
+ * unused entry after the end of a list. */
 static struct row layout_values(struct record_layout *layout, const struct scene *scene)
 {
     size_t most = most_leaves(scene);

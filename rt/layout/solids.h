@@ -7,8 +7,8 @@
 #include "rt/layout/record.h"
 #include "rt/bvh/viewpoints.h"
 
-/* Writes the primitives and regions. The images must be laid out already; images has
- * their addresses by number. viewpoints: points that many rays pass through, or
+/* Writes the primitives and regions. Call this after images_layout; `images` contains
+ * the address of each image. `viewpoints` are points that many rays pass through, or
  * NULL. */
 void layout_solids(struct record_layout *layout, const struct scene *scene,
                    const struct interiors *interiors, const uint64_t *images,

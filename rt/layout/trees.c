@@ -5,9 +5,9 @@
 
 #include "rt/shapes/shape_words.h"
 
-/* The room in scenes with meshes in trees, enough for more than three segments. A
- * mesh may have any number of crossings; its kernel writes them where the region
- * has room for them. */
+/* The room for crossings in scenes with meshes in trees: more than three segments. A
+ * mesh may have any number of crossings; its kernel writes as many as there is room
+ * for. */
 enum { CROSSINGS_WITH_MESHES = 8 };
 
 bool primitive_is_mesh(const struct primitive *primitive)
@@ -39,7 +39,7 @@ bool region_is_closed(const struct scene *scene, const struct region *region)
     return true;
 }
 
-/* Places the crossings of a mesh, and their triangles. */
+/* Assigns positions to the crossings of a mesh and to their triangles. */
 static size_t place_mesh(const struct primitive *primitive,
                          const struct shape_words *shape, size_t next,
                          struct leaf_plan *plan)
@@ -52,9 +52,9 @@ static size_t place_mesh(const struct primitive *primitive,
     return next + (primitive->invisible ? 1 : 2) * shape->events;
 }
 
-/* Places the crossings of a primitive. The ends of a solid's segments are its
- * visible crossings. Other shapes have both kinds separately, and a patch has the
- * two parameters of each crossing after its crossings. */
+/* Assigns positions to the crossings of a primitive. The visible crossings of a solid
+ * are the ends of its segments. Other shapes have separate lists of both. The two
+ * parameters of each crossing of a patch follow the crossings. */
 static size_t place_leaf(const struct primitive *primitive, size_t next,
                          struct leaf_plan *plan)
 {
@@ -104,8 +104,8 @@ bool scene_has_crossed_meshes(const struct scene *scene)
     return false;
 }
 
-/* Returns the number of crossings that a kernel lists. A blob by itself reports
- * only its nearest one, and meshes count their own. */
+/* Returns the number of crossings that a kernel lists, or 0 for two shapes: a blob
+ * alone reports only its nearest crossing, and a mesh has a count of its own. */
 static size_t crossings_of(const struct primitive *primitive, bool alone)
 {
     struct shape_words shape;
@@ -145,22 +145,22 @@ size_t max_ray_hits(const struct scene *scene)
 
 /* ---- The tree ------------------------------------------------------------ */
 
-/* A value during the evaluation: its index, or the index of its complement. */
+/* A value during the evaluation: the value at an index, or its complement. */
 struct tree_term {
     size_t place;
     bool complement;
 };
 
-/* A stack of the values of nodes without a parent so far. The first node's value
- * is on top. */
+/* A stack of the values of nodes whose parents have not been evaluated. The value of
+ * the first of these nodes is on top. */
 struct evaluation {
     struct tree_plan *plan;
     size_t leaf_count, depth;
     struct tree_term *stack;
 };
 
-/* Computes x and y. De Morgan's rules avoid steps for complements. Each step has
- * its own value, so that all of them can be inspected afterwards. */
+/* Computes x and y. De Morgan's rules avoid steps for complements. Each step has a
+ * value of its own, so that all values can be inspected afterwards. */
 static struct tree_term both(struct evaluation *evaluation, struct tree_term x,
                              struct tree_term y)
 {
@@ -177,7 +177,7 @@ static struct tree_term both(struct evaluation *evaluation, struct tree_term x,
     return (struct tree_term){ result, x.complement && y.complement };
 }
 
-/* Computes x or y, which is the complement of (not x and not y). */
+/* Computes x or y as the complement of (not x and not y). */
 static struct tree_term either(struct evaluation *evaluation, struct tree_term x,
                                struct tree_term y)
 {
@@ -189,7 +189,7 @@ static struct tree_term either(struct evaluation *evaluation, struct tree_term x
     return value;
 }
 
-/* Combines the topmost count values into one. */
+/* Combines the top `count` values into one. */
 static void join_terms(struct evaluation *evaluation, size_t count,
                        enum tree_operation operation)
 {
@@ -235,7 +235,7 @@ static void evaluate(struct evaluation *evaluation, const struct scene *scene,
     made->step_count = plan->step_count - made->first_step;
 }
 
-/* Runs backwards, so that children come before their parents. */
+/* The loop runs backwards, so that children come before their parents. */
 bool plan_tree(const struct scene *scene, const struct region *region,
                struct tree_plan *plan)
 {
