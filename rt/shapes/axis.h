@@ -1,4 +1,4 @@
-/* axis.h - frames of shapes about an axis or across one. */
+/* axis.h - orthonormal frames of shapes that have an axis. */
 #ifndef RT_AXIS_H
 #define RT_AXIS_H
 
@@ -6,11 +6,11 @@
 
 #define AXIS_IS_POINT "both ends of the axis are the same"
 
-/* Writes words: the midpoint of an axis 3, and an orthonormal frame u 3, v 3, w 3 with
- * w along the axis. Returns the length of the axis. */
+/* Writes 12 words: the midpoint of the axis, and an orthonormal frame u, v, w with w
+ * along the axis. Returns the length of the axis. */
 double axis_words(const double base[3], const double cap[3], double *words);
 bool axis_is_point(const double base[3], const double cap[3]);
-/* Normalises a normal. Returns an error message, or NULL. */
+/* Normalises a vector. Returns an error message, or NULL. */
 const char *axis_make_normal(double normal[3]);
 
 #endif

@@ -8,12 +8,13 @@
 #include "rt/scene/vector3.h"
 #include "rt/shapes/shape.h"
 
-/* rt/scene/language/scene_blob.c reads the arguments. */
+/* rt/scene/language/scene_blob.c parses the arguments. */
 static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-/* Components without strength or radius add nothing, and are removed. */
+/* Removes components without strength or radius, which do not contribute to the
+ * field. */
 static const char *finish(struct primitive *primitive)
 {
     struct blob_parts *parts = &primitive->shape.blob.parts;
@@ -36,7 +37,7 @@ static const char *finish(struct primitive *primitive)
 
 /* ---- Bound --------------------------------------------------------------- */
 
-/* Bounds a sphere in the space of a component; `placed` leads from there to the
+/* Bounds a sphere that is in the space of a component. `placed` maps this space to the
  * world. */
 static void bound_ball(const double center[3], double radius,
                        const struct transform *placed, struct bound *bound)
@@ -61,8 +62,8 @@ static void bound_part(const struct blob_part *part, const struct transform *pla
     bound_enclose(ends, 2, bound);
 }
 
-/* Bounds the components that add to the field. Components of negative strength only
- * shrink the surface. */
+/* Bounds the components of positive strength. Those of negative strength only shrink
+ * the surface. */
 static void bound_parts(const struct primitive *primitive,
                         const struct transform *placed, struct bound *bound)
 {
@@ -98,10 +99,11 @@ static bool takes_away(const struct blob_parts *parts)
     return false;
 }
 
-/* Counts the events of a ray: it enters and leaves each component, and in a cylinder
- * passes twice more between its three pieces. Between two successive events the field
- * is a quartic. It has one maximum, or two if it may be concave at its ends, so it is
- * above the threshold in one segment, or two. */
+/* Returns the largest number of segments of a ray inside the blob. A ray enters and
+ * leaves each component; in a cylinder it also passes two boundaries between three
+ * pieces. Between two successive events of this kind the field along the ray is a
+ * quartic. A quartic has one segment above the threshold, or up to two segments if a
+ * component has negative strength. */
 static size_t segments(const struct primitive *primitive)
 {
     const struct blob_parts *parts = &primitive->shape.blob.parts;
@@ -133,7 +135,7 @@ size_t blob_pieces_most(const struct scene *scene)
 
 /* ---- Words and table ----------------------------------------------------- */
 
-/* A row of the table, as records.s defines it. */
+/* The fields of a row of the table, as in records.s. */
 enum {
     ROW_KIND,
     ROW_CENTER,
@@ -146,7 +148,7 @@ enum {
 };
 enum part_kind { BALL, ELLIPSOID, CYLINDER };
 
-/* Bounds the blob in its own space. */
+/* Bounds the blob in the blob's own space. */
 static void find_center(const struct primitive *primitive, struct bound *bound)
 {
     bound_parts(primitive, &placement_none.to_world, bound);
@@ -195,9 +197,9 @@ static void put_axes(const struct blob_part *part, double axes[3][3])
     cross3(axes[1], axes[2], axes[0]);
 }
 
-/* Computes the map from points relative to the centre of the blob to the normalised
- * space of the component: its radius is 1, its base the origin, and the axis of a
- * cylinder along z. */
+/* Computes the matrix from points relative to the blob's centre to a component's
+ * normalised space. There the radius is 1, the base is the origin, and a cylinder's
+ * axis is z. */
 static void put_matrix(const struct blob_part *part, const double center[3],
                        double *matrix)
 {

@@ -47,7 +47,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 12;
 }
 
-/* Adds the face across axis i, at its greater or its lesser end. */
+/* Adds the face that is perpendicular to axis i, at the upper or the lower end. */
 static void emit_face(const double (*corner)[3], int i, int end,
                       struct emitter *emitter)
 {

@@ -1,13 +1,15 @@
 /* coincident.c - finds coincident surfaces and computes the yields of regions.
  *
- * Two surfaces may coincide if their bounding boxes overlap and they have a flat face
- * in the same plane, or a face of the same quadric, or are equal shapes at the same
- * place. Two flat faces that only touch along an edge do not coincide. Two faces of
- * bodies that no ray enters do not coincide if the bodies are on opposite sides.
+ * Two surfaces may coincide if their bounding boxes overlap and one of these conditions
+ * holds: both have a flat face in the same plane; both have a face of the same quadric;
+ * they are equal shapes at the same place. Two flat faces that only touch along an edge
+ * do not coincide. Two faces do not coincide if no ray enters their bodies, and the
+ * bodies are on opposite sides of the faces.
  *
- * The yield of a region is its depth divided by one more than the greatest depth. The
- * depth is the length of the longest chain of regions that begins with the region: each
- * is later in the scene than the one before, and may coincide with it.
+ * The depth of a region is the length of the longest chain of regions that begins with
+ * the region. Each region of a chain is later in the scene than its predecessor, and
+ * may coincide with it. The yield of a region is its depth divided by (1 + the greatest
+ * depth).
  */
 #include "rt/shapes/coincident.h"
 
@@ -22,11 +24,11 @@
 #include "rt/shapes/quadric_face.h"
 #include "rt/shapes/shape.h"
 
-/* Unbounded boxes are compared up to this distance. */
+/* Unbounded boxes are clipped at this distance. */
 #define FAR 1e4
 
 struct face_pair {
-    uint32_t earlier, later; /* regions */
+    uint32_t earlier, later; /* indices of regions */
 };
 
 struct pair_list {
@@ -35,7 +37,8 @@ struct pair_list {
     bool failed; /* out of memory */
 };
 
-/* Computes the intersection of two boxes. Fails if it is less than a face. */
+/* Computes the intersection of two boxes. Returns false if the intersection has no
+ * area. */
 static bool overlap(const struct face *a, const struct face *b, double low[3],
                     double high[3])
 {
@@ -105,11 +108,11 @@ static int compare_places(const void *a, const void *b)
     return (one->low[0] > other->low[0]) - (one->low[0] < other->low[0]);
 }
 
-/* The limit of faces with overlapping boxes that a face is compared with: for thousands
- * of objects at one place all pairs would take minutes. */
+/* The largest number of overlapping faces that a face is compared with. With thousands
+ * of objects at one position, comparing all pairs would take minutes. */
 enum { COMPARED_MAX = 64 };
 
-/* Pairs the faces of one key, sorted by their left ends. */
+/* Pairs the faces that have nearly the same key. Sorts them by their left ends. */
 static void pair_group(struct pair_list *pairs, struct face *faces, size_t count)
 {
     qsort(faces, count, sizeof *faces, compare_places);
@@ -147,8 +150,9 @@ static int compare_pairs(const void *a, const void *b)
     return (one->earlier < other->earlier) - (one->earlier > other->earlier);
 }
 
-/* Computes the yields. Pairs are in descending order of the earlier region, so that the
- * depth of each later region is final when it is used. The depths are then divided. */
+/* Computes the depths, then divides them to get the yields. The pairs are sorted in
+ * descending order of the earlier region, so the depth of a later region is final when
+ * it is used. */
 static void put_yields(const struct pair_list *list, struct region *regions,
                        size_t count)
 {

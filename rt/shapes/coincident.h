@@ -4,12 +4,13 @@
 
 #include "rt/scene/scene.h"
 
-/* k_delta of the kernels: surfaces closer to each other count as one. */
+/* k_delta of the kernels: surfaces that are closer than this count as coincident. */
 #define COINCIDENT 1e-7
 
-/* Sets the yield of every region of the scene. It is above 0 if an opaque surface of
- * the region may coincide with one of a later region, and then greater than that
- * region's yield; it is below 1 (docs/solids.md). Fails without memory. */
+/* Sets the yield of every region. A region has a yield above 0 if one of its opaque
+ * surfaces may coincide with a surface of a later region. The earlier region has the
+ * greater yield. All yields are below 1 (docs/solids.md). Returns false if out of
+ * memory. */
 bool coincident_find(struct scene *scene);
 
 #endif

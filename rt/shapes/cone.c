@@ -15,7 +15,7 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-/* As in POV-Ray a cone of equal radii is a cylinder. */
+/* As in POV-Ray, a cone with equal radii is a cylinder. */
 static void become_cylinder(struct primitive *primitive)
 {
     struct primitive cone = *primitive;

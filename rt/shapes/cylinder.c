@@ -42,8 +42,8 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 16;
 }
 
-/* Writes the plane across the axis through a point, as p . X + q = 0. p has the
- * direction of the axis, or the opposite one if `along` is -1. */
+/* Writes the plane p . X + q = 0 that is perpendicular to the axis and contains the
+ * point. p is the axis if `along` is 1, and the opposite of the axis if it is -1. */
 static void put_end(double along, const double axis[3], const double point[3],
                     double *plane)
 {
@@ -57,7 +57,7 @@ static size_t put_historical_words(const struct primitive *primitive, double *wo
     const double *base = primitive->shape.cylinder.base;
     const double *cap = primitive->shape.cylinder.cap;
     double frame[12];
-    const double *axis = frame + 9; /* its unit vector */
+    const double *axis = frame + 9; /* unit vector along the axis */
     axis_words(base, cap, frame);
     copy3(base, words);
     copy3(axis, words + 3);

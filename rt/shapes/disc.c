@@ -29,7 +29,7 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
     bound_hull(&hull, bound);
 }
 
-/* The words of its plane come first. */
+/* The words of the disc's plane come first. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     double radius = primitive->shape.disc.radius, hole = primitive->shape.disc.hole;
@@ -41,8 +41,8 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 9;
 }
 
-/* A frustum of height 0 from the outer to the inner edge, about an axis of any
- * length. */
+/* Describes the disc as a frustum of height 0, from the outer to the inner edge. The
+ * length of its axis is arbitrary. */
 static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     const double *center = primitive->shape.disc.center;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Points closer than this count as one. */
+/* Points that are closer than this count as equal. */
 #define CLOSED 1e-10
 
 static const struct shape_field fields[] = {
@@ -25,8 +25,8 @@ static bool is_near(const double a[2], const double b[2])
     return fabs(a[0] - b[0]) < CLOSED && fabs(a[1] - b[1]) < CLOSED;
 }
 
-/* Removes points that repeat the one before. A last point near the first becomes equal
- * to it. */
+/* Removes points that repeat their predecessor. A last point near the first point
+ * becomes equal to it. */
 static void drop_repeated(struct outline *path)
 {
     double(*points)[2] = path->points;
@@ -55,21 +55,21 @@ static const char *finish(struct primitive *primitive)
                : NULL;
 }
 
-/* The points that close an open path: a level segment to the least radius, an upright
- * one to the height of the first point, and a level one to the first point. POV-Ray
- * closes it in this way, so only points that are not closer to the axis than the path
- * can be inside. */
+/* An open path is closed as in POV-Ray, by up to three segments: a level segment to the
+ * least radius, a vertical segment to the height of the first point, and a level
+ * segment to the first point. A point that is closer to the axis than the path is
+ * therefore outside. */
 enum { CLOSING = 3 };
 
 struct closed {
     const struct outline *path;
     double closing[CLOSING][2];
-    size_t count; /* points of the path and of its closing */
+    size_t count; /* number of points of the path and of the closing segments */
 };
 
-/* A segment of the path that coincided with the closing would be no face of the solid,
- * and would be invisible in other solids. The closing is therefore moved by this share
- * of the radius. */
+/* If a segment of the path coincided with a closing segment, it would not be a face of
+ * the solid, and it would be invisible in other solids. The closing segments are
+ * therefore moved by this fraction of the radius. */
 #define ASIDE 1e-4
 
 static const double *point_of(const struct closed *closed, size_t i)
@@ -89,7 +89,7 @@ static void add_closing(struct closed *closed, double radius, double height)
     closed->count++;
 }
 
-/* Returns the radius of the upright closing segment. */
+/* Returns the radius of the vertical closing segment. */
 static double closing_radius(const struct outline *path)
 {
     double least = INFINITY;
@@ -101,8 +101,8 @@ static double closing_radius(const struct outline *path)
     return stands ? least * (1 - ASIDE) : least;
 }
 
-/* Returns the height of a level closing segment, at an end of the path. It is moved if
- * the segment to the end's neighbour is level too. */
+/* Returns the height of the level closing segment at an end of the path. If the path is
+ * also level at this end, the closing segment is moved. */
 static double closing_height(const double *end, const double *neighbour)
 {
     return end[1] == neighbour[1] && neighbour[0] < end[0] ? end[1] + ASIDE * end[0]
@@ -155,7 +155,7 @@ static void hull_at(struct hull *hull, const struct primitive *primitive, double
     hull_ring(hull, primitive, center, axis, radius);
 }
 
-/* Bounds circles at both ends of the height, with the greatest radius. */
+/* Bounds a cylinder with the greatest radius, from the least to the greatest height. */
 static void bound_cylinder(const struct primitive *primitive, struct bound *bound)
 {
     struct cylinder_about about = cylinder_of(primitive);
@@ -165,7 +165,7 @@ static void bound_cylinder(const struct primitive *primitive, struct bound *boun
     bound_hull(&hull, bound);
 }
 
-/* Bounds circles at all points. */
+/* Bounds the circles of all points. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     const struct outline *path = &primitive->shape.lathe.path;
@@ -185,11 +185,11 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 
 /* ---- Crossings of a ray -------------------------------------------------- */
 
-/* A run of segments that is convex away from the axis: each turns towards the axis,
- * relative to the one before, and all rise or all fall. */
+/* A run of segments that is convex away from the axis. Each segment turns towards the
+ * axis relative to its predecessor. All segments rise, or all fall. */
 struct bulge {
     double along[2]; /* direction of the last segment */
-    int sense;       /* 1: rising, -1: falling, 0: all level so far */
+    int sense;       /* 1: rising, -1: falling, 0: all segments so far are level */
     bool begun;
 };
 
@@ -209,9 +209,9 @@ static bool bulges_on(const struct bulge *bulge, const double along[2])
     return turn * sense >= 0;
 }
 
-/* Returns the limit of segments inside. In the plane of radius and height a ray is a
- * hyperbola, beyond which the area is convex. It crosses a run at most twice, and a
- * level run once. */
+/* Returns the largest number of segments of a ray inside the lathe. In the plane of
+ * radius and height the ray is a hyperbola, and the area on its far side is convex. It
+ * therefore crosses a run at most twice, and a level run at most once. */
 static size_t segments(const struct primitive *primitive)
 {
     struct closed closed = close_path(primitive);
@@ -238,8 +238,9 @@ static size_t segments(const struct primitive *primitive)
 
 /* ---- Words and table ----------------------------------------------------- */
 
-/* Returns true if a point on a segment is inside: a ray from it, along the radius or
- * the axis, crosses an odd number of the other segments. */
+/* Returns true if a point of a segment is inside the closed path. It is inside if a ray
+ * from it, along the radius or the axis, crosses an odd number of the other
+ * segments. */
 static bool is_inside(const struct closed *closed, size_t segment,
                       const double point[2], int across)
 {
@@ -259,7 +260,7 @@ static bool is_inside(const struct closed *closed, size_t segment,
 
 enum { ROW = 16 };
 
-/* The order is that of rt/kernels/frame/records.s. */
+/* The order of the words, as in rt/kernels/frame/records.s. */
 enum lathe_word {
     SQUARE,
     HEIGHT,
@@ -284,7 +285,8 @@ static void put_corner(const double *point, double middle, double *row)
     row[RADIUS] = point[0];
 }
 
-/* Computes the normal away from the axis; upwards for a level segment. */
+/* Computes the normal that points away from the axis. The normal of a level segment
+ * points upwards. */
 static void put_normal(const double along[2], double length, double *normal)
 {
     double sign = along[1] < 0 ? -1 : 1;
@@ -327,7 +329,7 @@ static double middle_of(const struct primitive *primitive)
  * lathe. */
 #define NEAR 1e-3
 
-/* Radius and half height are enlarged by more than rounding errors. */
+/* The radius and half the height are enlarged by more than the rounding errors. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     struct cylinder_about about = cylinder_of(primitive);

@@ -10,22 +10,23 @@
 #include "rt/bvh/mesh_hierarchy.h"
 #include "rt/bvh/screen_bounds.h"
 
-/* rt/scene/language/scene_mesh.c and mesh2.c read the arguments. */
+/* rt/scene/language/scene_mesh.c and mesh2.c parse the arguments. */
 static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
 /* ---- Settling ------------------------------------------------------------ */
 
-/* Returns true if the triangle has an area: its height is compared with its length. The
- * edges are scaled first, because products of small edges may underflow. */
+/* Returns true if the triangle has an area, which is decided by the ratio of its height
+ * and its length. The edges are scaled first, because products of small edges may
+ * underflow. */
 static bool has_area(const struct triangle *triangle)
 {
     double edges[2][3], normal[3], size;
     for (int k = 0; k < 2; k++)
         subtract3(triangle->corners[1 + k], triangle->corners[0], edges[k]);
     size = fmax(greatest3(edges[0]), greatest3(edges[1]));
-    if (size == 0 || !isfinite(size)) /* not finite: reported elsewhere */
+    if (size == 0 || !isfinite(size)) /* not finite: reported by another check */
         return size != 0;
     scale3(1 / size, edges[0]);
     scale3(1 / size, edges[1]);
@@ -39,7 +40,7 @@ static bool has_normals(const struct triangle *triangle)
            && length3(triangle->normals[1]) > 0 && length3(triangle->normals[2]) > 0;
 }
 
-/* As in POV-Ray triangles without area are removed. */
+/* Removes triangles without area, as POV-Ray does. */
 static const char *finish(struct primitive *primitive)
 {
     struct triangles *triangles = &primitive->shape.mesh.triangles;
@@ -61,7 +62,7 @@ static bool has_body(const struct primitive *primitive)
 
 /* ---- In the world -------------------------------------------------------- */
 
-/* Transforms a normal; one of unit length gets the length that the transform gives
+/* Transforms a normal. A normal of unit length gets the length that the transform gives
  * it. */
 static void carry_normal(const struct primitive *primitive, double normal[3])
 {
@@ -119,7 +120,8 @@ static double reach_of(const struct triangle *triangle, const double center[3])
     return reach;
 }
 
-/* The centre is that of the box, the radius reaches to the farthest corner. */
+/* The bounding sphere has the centre of the box, and its radius reaches to the farthest
+ * corner. */
 static void bound_many(const struct primitive *primitive,
                        const struct triangles *triangles, struct bound *bound)
 {
@@ -136,8 +138,8 @@ static void bound_many(const struct primitive *primitive,
     }
 }
 
-/* Bounds the mesh; few triangles get a smaller sphere. A body contains the whole
- * surface. */
+/* Bounds the mesh. A mesh of few triangles gets a smaller sphere. If a mesh has a body,
+ * the body contains the whole surface. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     const struct triangles *triangles = has_body(primitive)
@@ -155,17 +157,18 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 
 /* ---- Words and table ----------------------------------------------------- */
 
-/* The table, whose rows are defined in records.s: the end row, which is the end of the
- * traversal and is zero except for the words about viewpoints; the nodes; the triangles
- * in the order of the leaves; at the end the windows of the viewpoints. A row is
- * identified by its offset in words. */
+/* The table consists of four parts: the end row, the rows of the nodes, the rows of the
+ * triangles in the order of the leaves, and the windows of the viewpoints. The end row
+ * ends a traversal; it is zero except for the words about viewpoints. A row is
+ * identified by its offset in words. records.s defines the rows. */
 enum {
     NODE_ROW = 25,
-    NODE_LINKS = 6, /* from here on integers */
-    DIRECTIONS = 8, /* signs of a ray's direction: 1 of x, 2 of y, 4 of z */
+    NODE_LINKS = 6, /* this word and those after it are integers */
+    DIRECTIONS = 8, /* combinations of the signs of x (bit 0), y (bit 1) and z (bit 2)
+                     * of a ray */
     NODE_FIRST = NODE_LINKS + 2 * DIRECTIONS,
     NODE_COUNT,
-    VIEWPOINTS_FIRST = NODE_FIRST, /* in the end row */
+    VIEWPOINTS_FIRST = NODE_FIRST, /* word of the end row */
     VIEWPOINTS_COUNT = NODE_COUNT,
     FLAT_ROW = 13,
     SMOOTH_ROW = 21
@@ -192,9 +195,9 @@ static double node_place(size_t node)
 
 struct mesh_table {
     const struct mesh_hierarchy *hierarchy;
-    size_t row;    /* words of a triangle */
-    double margin; /* of the boxes: more than rounding errors */
-    double *nodes; /* rows, from the first node on */
+    size_t row;    /* words in a triangle's row */
+    double margin; /* enlarges the boxes by more than the rounding errors */
+    double *nodes; /* rows of the nodes */
 };
 
 static void put_node(const struct mesh_table *table, size_t node)
@@ -210,7 +213,7 @@ static void put_node(const struct mesh_table *table, size_t node)
     row[NODE_COUNT] = (double)from->count;
 }
 
-/* Computes the unit normal of the plane. */
+/* Computes the unit normal of the triangle's plane. */
 static void plane_normal(const struct triangle *triangle, double normal[3])
 {
     double edges[2][3], size;
@@ -223,8 +226,8 @@ static void plane_normal(const struct triangle *triangle, double normal[3])
     scale3(1 / length3(normal), normal);
 }
 
-/* Computes the gradient of the barycentric coordinate of corner k; a and b are the
- * other corners. */
+/* Computes the gradient of the barycentric coordinate of corner k. The other corners
+ * are a and b. */
 static void share_gradient(const struct triangle *triangle, int k, int a, int b,
                            double gradient[3])
 {
@@ -237,7 +240,7 @@ static void share_gradient(const struct triangle *triangle, int k, int a, int b,
     scale3(1 / dot3(gradient, gradient), gradient);
 }
 
-/* Writes the normal at the first corner, and its gradient in three rows. */
+/* Writes the normal at the first corner and the three rows of its gradient. */
 static void put_smooth(const struct triangle *triangle, double *row)
 {
     double shares[2][3];
@@ -260,8 +263,8 @@ static void turn_up(const struct primitive *primitive, double normal[3])
         scale3(-1, normal);
 }
 
-/* Writes a triangle. One that has lost its area in the world gets an arbitrary normal.
- * Normals above a body point away from it, upwards. */
+/* Writes a triangle. A triangle that has no area in the world gets an arbitrary normal.
+ * In a mesh with a body, normals point upwards, away from the body. */
 static void put_triangle(const struct primitive *primitive,
                          const struct triangles *triangles, size_t i, double *row)
 {
@@ -277,7 +280,7 @@ static void put_triangle(const struct primitive *primitive,
         turn_up(primitive, row + 9);
 }
 
-/* Rays with the same signs of direction share one set of links. */
+/* Writes the links for the rays whose directions have these signs. */
 static void put_links(const struct mesh_table *table, size_t direction,
                       unsigned char *orders)
 {
@@ -335,7 +338,7 @@ static bool plan(const struct primitive *primitive, const struct triangles *tria
     return good;
 }
 
-/* Return the words before the triangles, and of the whole table. */
+/* Return the number of words before the triangles, and of the whole table. */
 static size_t nodes_size(const struct triangles *triangles)
 {
     return NODE_ROW * (mesh_hierarchy_nodes(triangles->count) + 1);
@@ -365,7 +368,7 @@ static bool put_screen_bounds(const struct primitive *primitive,
     return good;
 }
 
-/* Writes the nodes and triangles; the windows are at the offset `place`. */
+/* Writes the nodes and the triangles. The windows are at the offset `place`. */
 static bool put_hierarchy(const struct primitive *primitive,
                           const struct triangles *triangles,
                           const struct viewpoints *viewpoints, size_t place,
@@ -396,7 +399,7 @@ size_t mesh_row(const struct primitive *mesh, size_t words)
     return (words - nodes_size(&mesh->shape.mesh.triangles)) / row_size(mesh);
 }
 
-/* Returns the size of the windows of the visible triangles. */
+/* Returns the number of words of the windows of the visible triangles. */
 static size_t bounds_size(const struct primitive *primitive,
                           const struct viewpoints *viewpoints, size_t *seeing)
 {
@@ -414,7 +417,8 @@ static size_t bounds_place(const struct primitive *primitive)
            + (body->count > 0 ? table_size(primitive, body) : 0);
 }
 
-/* Writes the visible triangles, the body and the windows. Returns 0 without memory. */
+/* Writes the visible triangles, the body and the windows. Returns 0 if out of
+ * memory. */
 static size_t put_table(const struct primitive *primitive,
                         const struct viewpoints *viewpoints, double *table)
 {
@@ -430,7 +434,8 @@ static size_t put_table(const struct primitive *primitive,
     return place + bounds_size(primitive, viewpoints, &seeing);
 }
 
-/* Checks the words of the triangles; boxes are between their corners. */
+/* Checks the words of the triangles. The boxes need no check, because they are between
+ * the corners. */
 static bool is_finite(const struct primitive *primitive)
 {
     const struct triangles *triangles = &primitive->shape.mesh.triangles;
@@ -444,7 +449,7 @@ static bool is_finite(const struct primitive *primitive)
     return true;
 }
 
-/* Marks the links of the nodes, which follow their boxes. */
+/* Marks the links of the nodes, which are integers after the words of the boxes. */
 static void mark_links(const struct triangles *triangles, bool *marks)
 {
     size_t size = nodes_size(triangles);
@@ -466,8 +471,9 @@ static void mark_integers(const struct primitive *primitive,
                        marks + bounds_place(primitive));
 }
 
-/* A line crosses each triangle at most once. If that number is odd, the line begins
- * inside, which adds one. */
+/* Returns the largest number of crossings with `count` triangles. A ray crosses a
+ * triangle at most once. An odd number means that the ray starts inside, which adds one
+ * crossing. */
 static size_t even(size_t count)
 {
     return count + count % 2;
@@ -496,7 +502,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 4;
 }
 
-/* Its words are always in the world. */
+/* The words of a mesh are always in world space. */
 static bool carry(const struct primitive *primitive, double *words)
 {
     (void)primitive;

@@ -1,13 +1,14 @@
-/* mesh.h - finds which triangle of a mesh a hit is on. */
+/* mesh.h - finds the triangle of a mesh that a ray has hit. */
 #ifndef RT_MESH_H
 #define RT_MESH_H
 
 #include "rt/shapes/primitive.h"
 
-/* Returns the indices of the triangles in the order of their rows in the mesh's table.
- * The caller frees them. Returns NULL without memory. */
+/* Returns the indices of the triangles, in the order of their rows in the mesh's table.
+ * Returns NULL if out of memory. The caller frees the indices. */
 size_t *mesh_order(const struct primitive *mesh);
-/* Returns the index of a triangle's row from its offset in the table, in words. */
+/* Returns the position of a triangle among the rows, from the offset of its row in the
+ * table. */
 size_t mesh_row(const struct primitive *mesh, size_t words);
 
 #endif

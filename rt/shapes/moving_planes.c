@@ -6,10 +6,10 @@
 #include "rt/scene/vector3.h"
 #include "rt/shapes/singular.h"
 
-/* Singular values below this share of the greatest count as 0. */
+/* Singular values that are below this fraction of the greatest value count as 0. */
 #define NOTHING 1e-9
 
-/* The two parameters whose product is quadratic monomial m. */
+/* The indices of the two parameters whose product is quadratic monomial m. */
 static const int factors[6][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 },
                                    { 0, 1 }, { 1, 2 }, { 2, 0 } };
 
@@ -25,8 +25,8 @@ static size_t cubic_monomial(int i, int j, int k)
     return numbers[s][t];
 }
 
-/* Sets up the linear system: the unknowns are the twelve entries of L, row by row; each
- * cubic monomial is one equation. */
+/* Sets up the linear system for L. The unknowns are the twelve entries of L, row by
+ * row. Each cubic monomial gives one equation. */
 static void set_up(const double points[6][4], struct singular *equations)
 {
     memset(equations, 0, sizeof *equations);
@@ -40,7 +40,7 @@ static void set_up(const double points[6][4], struct singular *equations)
         }
 }
 
-/* Returns the column of the least value, except the column `taken`. */
+/* Returns the column with the least singular value, except the column `taken`. */
 static size_t least_column(const struct singular *singular, size_t taken)
 {
     size_t least = taken == 0 ? 1 : 0;
@@ -50,7 +50,7 @@ static size_t least_column(const struct singular *singular, size_t taken)
     return least;
 }
 
-/* Computes the common point of all planes of both families. */
+/* Computes the common point of all planes of L1 and L2. */
 static void find_triple(struct moving_planes *planes)
 {
     struct singular singular = { .rows = 6, .columns = 4 };
@@ -63,7 +63,7 @@ static void find_triple(struct moving_planes *planes)
         planes->triple[i] = singular.right[i][column];
 }
 
-/* Computes L H(p), a row of coefficients of the parameters. */
+/* Computes L H(p), whose elements are the coefficients of s, t and u. */
 static void plane_at(const double points[6][4], const double l[3][4], const double p[3],
                      double row[3])
 {
@@ -86,9 +86,9 @@ static bool is_flat(const double points[6][4])
     return singular_nullity(&singular, NOTHING) > 0;
 }
 
-/* Returns true if p is proportional to (L1 H) x (L2 H) at some point. This fails at
- * points that two parameters share; if it fails everywhere, the surface is a quadric
- * covered twice. */
+/* Returns true if p is proportional to (L1 H) x (L2 H) at one of the points. A single
+ * point may fail, because two parameters may share it. If all points fail, the surface
+ * is a quadric that is covered twice. */
 static bool is_simple(const double points[6][4], const struct moving_planes *planes)
 {
     static const double places[][3] = { { .5, .3, .2 },

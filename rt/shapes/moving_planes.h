@@ -13,18 +13,19 @@
 enum surface_type {
     SURFACE_PLANE,
     SURFACE_STEINER = 2, /* degree four, two moving planes */
-    SURFACE_CUBIC = 3,   /* one base point, three moving planes */
-    SURFACE_QUADRIC = 4  /* two base points, four moving planes; or covered twice */
+    SURFACE_CUBIC = 3,   /* one base point; three moving planes */
+    SURFACE_QUADRIC = 4  /* two base points, or covered twice; four moving planes */
 };
 
 struct moving_planes {
     enum surface_type type;
-    double l[2][3][4]; /* of a Steiner surface */
-    double triple[4];  /* its triple point */
+    double l[2][3][4]; /* two moving planes of a surface of degree four */
+    double triple[4];  /* triple point of this surface */
 };
 
-/* Computes the planes. points: x y z w of the forms' coefficients ss tt uu st tu us,
- * with the mixed ones halved; x y z and w are of the order of 1. */
+/* Computes the moving planes. `points` are x, y, z and w of the coefficients of ss, tt,
+ * uu, st, tu and us, where the coefficients of mixed terms are halved. x, y, z and w
+ * are of the order of 1. */
 void moving_planes_find(const double points[6][4], struct moving_planes *planes);
 
 #endif

@@ -1,4 +1,5 @@
-/* opaque_faces.c - collects the faces of opaque surfaces, with their solid sides.
+/* opaque_faces.c - collects the faces of opaque surfaces, and the sides on which they
+ * are solid.
  *
  * If one closed opaque body rests on another, the common face is inside their union,
  * and no ray from outside reaches it. A face has a side only if all rays of the camera
@@ -23,10 +24,10 @@
 struct face_search {
     const struct scene *scene;
     struct face_list *list;
-    size_t region; /* the region whose faces are added */
+    size_t region; /* index of the region whose faces are added */
     const struct primitive *primitive;
     bool sealed;        /* the region is a body that no ray enters */
-    struct bound limit; /* the box around the region */
+    struct bound limit; /* box around the region */
 };
 
 static struct face *add_face(struct face_search *search, enum face_sort sort,
@@ -53,8 +54,8 @@ static struct face *add_face(struct face_search *search, enum face_sort sort,
     return face;
 }
 
-/* A linear combination whose coefficients are unlikely to match the planes and points
- * of a scene. */
+/* Computes a linear combination whose coefficients are unlikely to match the planes and
+ * points of a scene. */
 static double mix3(const double numbers[3])
 {
     return .5377 * numbers[0] + .6413 * numbers[1] + .5473 * numbers[2];
@@ -62,8 +63,8 @@ static double mix3(const double numbers[3])
 
 /* ---- Flat faces ---------------------------------------------------------- */
 
-/* Adds a face. The normal is in the primitive's own space, of any length; `box` bounds
- * the face. */
+/* Adds a flat face. The normal is in the primitive's own space, and its length is
+ * arbitrary. `box` bounds the face. */
 static void add_flat(struct face_search *search, const double normal[3],
                      const double point[3], bool outward, const struct bound *box)
 {
@@ -87,7 +88,7 @@ static void add_flat(struct face_search *search, const double normal[3],
     face->key = face->plane[3] + mix3(way);
 }
 
-/* Adds a face that is bounded by the hull of points and contains `point`. */
+/* Adds a flat face that contains `point`, and is bounded by the hull of points. */
 static void add_hull(struct face_search *search, const double normal[3],
                      const double point[3], bool outward, const struct hull *hull)
 {
@@ -188,7 +189,7 @@ static void add_sides(struct face_search *search)
 }
 
 /* Returns true if a lathe is solid above a level edge: the number of edges above the
- * middle of that edge is odd. The axis closes the path. */
+ * midpoint of the edge is odd. The axis closes the path. */
 static bool is_solid_above(const struct outline *path, size_t edge)
 {
     double radius = (path->points[edge][0] + path->points[edge + 1][0]) / 2;
@@ -203,7 +204,7 @@ static bool is_solid_above(const struct outline *path, size_t edge)
     return solid;
 }
 
-/* Adds the rings across the axis. */
+/* Adds the rings that are perpendicular to the axis. */
 static void add_rings(struct face_search *search)
 {
     const struct outline *path = &search->primitive->shape.lathe.path;
@@ -346,7 +347,8 @@ static void add_swept(struct face_search *search)
     }
 }
 
-/* A prism without height has no inside, so it cannot be traced as a solid. */
+/* Returns true for a prism without height. Such a prism has no inside, so it cannot be
+ * traced as a solid. */
 static bool is_flat_prism(const struct primitive *primitive)
 {
     switch (primitive->kind) {
@@ -395,8 +397,8 @@ static bool is_endless(const struct scene *scene, size_t node)
     }
 }
 
-/* Returns true if the rays of the camera, which start within a sphere, start outside of
- * a primitive. */
+/* Returns true if all camera rays start outside of a primitive. They start in a sphere
+ * around the camera. */
 static bool starts_outside(const struct camera *camera,
                            const struct primitive *primitive)
 {
@@ -420,7 +422,8 @@ static bool starts_outside(const struct camera *camera,
     return false;
 }
 
-/* A lathe whose ends are nearly on the axis counts as closed. */
+/* Returns true for a closed shape. A lathe whose ends are nearly on the axis counts as
+ * closed. */
 static bool is_closed(const struct primitive *primitive)
 {
     const struct shape_kernels *kernels = shape_kernels_of(primitive);
@@ -431,8 +434,9 @@ static bool is_closed(const struct primitive *primitive)
     return kernels->segments > 0 && !kernels->state;
 }
 
-/* Bounds a solid by its primitives that are not subtracted. No ray enters it if all its
- * primitives are closed, visible and opaque, and the camera is outside. */
+/* Bounds a region by its primitives that are not subtracted. The region is sealed if
+ * all its primitives are closed, visible and opaque, and the camera is outside. No ray
+ * enters a sealed region. */
 static void find_limit(struct face_search *search, const struct region *region)
 {
     const struct primitive *first = &search->scene->primitives[region->first_primitive];

@@ -1,4 +1,4 @@
-/* patch.c - tests quadratic triangular patches for area. */
+/* patch.c - tests whether quadratic triangular patches have an area. */
 #include "rt/shapes/patch.h"
 
 #include "rt/scene/vector3.h"
@@ -7,7 +7,7 @@ struct homogeneous {
     double xyz[3], w;
 };
 
-/* Row i at p is the sum of the b_ij p_j; H is the sum of the p_i rows. */
+/* Returns row i at p, which is the sum of b_ij p_j. H is the sum of p_i times row i. */
 static struct homogeneous row_at(const struct primitive *patch, int i,
                                  const double p[3])
 {
@@ -24,12 +24,12 @@ static struct homogeneous row_at(const struct primitive *patch, int i,
 }
 
 /* Returns true if the patch has a tangent plane at p. The three rows are the last
- * triangle of de Casteljau's algorithm, which is in the tangent plane; the patch is
- * regular if its corners are not on a line. The edges are scaled to the size of the
- * triangle, because products of small edges may underflow. */
+ * triangle of de Casteljau's algorithm, which is in the tangent plane. The patch is
+ * regular at p if the corners of this triangle are not collinear. The edges are scaled
+ * to the size of the triangle, because products of small edges may underflow. */
 static bool is_regular(const struct primitive *patch, const double p[3])
 {
-    double least = 1e-12; /* height relative to length */
+    double least = 1e-12; /* least height relative to the length */
     struct homogeneous rows[3];
     double edges[2][3], normal[3], size = 0;
     for (int i = 0; i < 3; i++)
@@ -46,8 +46,8 @@ static bool is_regular(const struct primitive *patch, const double p[3])
     return length3(normal) > least;
 }
 
-/* The determinant of the rows is a cubic in s, t, u. It vanishes everywhere if it
- * vanishes at the ten points of a grid of thirds. */
+/* The determinant of the three rows is a cubic polynomial in s, t and u. It is 0
+ * everywhere if it is 0 at the ten points of a grid with spacing 1/3. */
 bool patch_has_area(const struct primitive *patch)
 {
     for (int i = 0; i <= 3; i++)

@@ -4,8 +4,8 @@
  *
  *     H = b200 s^2 + b020 t^2 + b002 u^2 + 2 b110 st + 2 b011 tu + 2 b101 su
  *
- * Each b is the control point times its weight, and the weight itself. The point is the
- * first three components of H divided by the fourth.
+ * Each b has four components: the control point times its weight, and the weight. The
+ * point is the first three components of H divided by the fourth.
  */
 #ifndef RT_PATCH_H
 #define RT_PATCH_H

@@ -1,4 +1,4 @@
-/* path.c - walks over paths, bounds them and counts crossings. */
+/* path.c - walks over paths, bounds them and counts their crossings. */
 #include "rt/shapes/path.h"
 
 #include <math.h>
@@ -38,7 +38,7 @@ bool path_next(struct path_walk *walk)
 
 /* ---- Bounds -------------------------------------------------------------- */
 
-/* A circle around the path, at both ends. */
+/* Bounds a circle around the path at both ends. */
 void path_bound(const struct primitive *primitive, const struct outline *path,
                 double low_end, double high_end, struct bound *bound)
 {
@@ -63,7 +63,7 @@ void path_bound(const struct primitive *primitive, const struct outline *path,
 
 /* ---- Crossings of a line ------------------------------------------------- */
 
-/* Returns the side of a direction that an edge turns to; 0: nearly parallel. */
+/* Returns the side of a direction to which an edge turns; 0: nearly parallel. */
 static int side_of(const struct path_walk *edge, const double direction[2])
 {
     double x = edge->to[0] - edge->from[0], z = edge->to[1] - edge->from[1];
@@ -75,16 +75,18 @@ static int side_of(const struct path_walk *edge, const double direction[2])
                         : -1;
 }
 
-/* Counts how often consecutive edges may change sides. Edges parallel to the direction
- * may be on either side. */
+/* Counts how often successive edges of a loop change sides. An edge that is parallel to
+ * the direction counts as on either side. */
 struct changes {
-    int first, last;        /* side of the first edge that is not parallel, and of the
-                             * last */
-    size_t before, between; /* parallel edges before the first, and since the last */
+    int first, last;        /* side of the first and of the last edge that is not
+                             * parallel */
+    size_t before, between; /* number of parallel edges before the first such edge, and
+                             * since the last */
     size_t count;
 };
 
-/* Returns the changes between two sides with `along` parallel edges in between. */
+/* Returns the largest number of changes between edges on the sides a and b, with
+ * `along` parallel edges between them. */
 static size_t changes_between(int a, int b, size_t along)
 {
     return along + 1 - ((along + 1) % 2 != (size_t)(a != b));
@@ -106,7 +108,7 @@ static void add_edge(struct changes *changes, int side)
     changes->between = 0;
 }
 
-/* Closes the loop, from the last edge to the first. */
+/* Adds the changes from the last edge of a loop to the first. */
 static size_t close_changes(const struct changes *changes)
 {
     if (changes->last == 0)
@@ -116,7 +118,8 @@ static size_t close_changes(const struct changes *changes)
                              changes->between + changes->before);
 }
 
-/* A line crosses each run of edges on one side of its direction at most once. */
+/* Returns the largest number of crossings for lines in a direction. Such a line crosses
+ * each run of edges on one side of the direction at most once. */
 static size_t crossings_along(const struct outline *path, size_t apart,
                               const double direction[2])
 {
@@ -133,8 +136,8 @@ static size_t crossings_along(const struct outline *path, size_t apart,
     return count + close_changes(&changes);
 }
 
-/* The number of runs changes only at directions that are parallel to an edge, so only
- * these directions are tried. */
+/* The number of runs changes only at directions that are parallel to an edge, so no
+ * other directions are tried. */
 size_t path_crossings(const struct outline *path, size_t apart)
 {
     struct path_walk walk = { .path = path, .apart = apart };

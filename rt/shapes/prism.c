@@ -24,9 +24,9 @@ static const struct shape_field fields[] = {
 
 /* ---- The path ------------------------------------------------------------ */
 
-/* Copies a loop that begins at `first`, without points that repeat the one before, and
- * ends it with its exact first point. The result is appended at *kept; a loop of fewer
- * than three edges encloses nothing and is dropped. Returns the index after the
+/* Copies the loop that begins at `first`, without points that repeat their predecessor,
+ * and ends it with exactly its first point. The copy is appended at *kept. A loop of
+ * fewer than three edges has no area and is dropped. Returns the index after the
  * loop. */
 static size_t close_loop(struct outline *path, size_t first, double closeness,
                          size_t *kept)
@@ -115,8 +115,8 @@ static bool is_inside(const struct outline *path, size_t edge, const double poin
 
 enum { ROW = 8 };
 
-/* Writes a row. The first row of a loop has x, z and a 1. Every other row has x and z,
- * and the edge back to the point before: its direction, length and outward normal. */
+/* Writes a row. The first row of a loop has x, z and a 1. Every other row has x, z and
+ * the edge from the previous point: its direction, length and outward normal. */
 static void put_edge(const struct path_walk *edge, size_t number, double *row)
 {
     double x = edge->from[0] - edge->to[0], z = edge->from[1] - edge->to[1];

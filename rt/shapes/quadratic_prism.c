@@ -19,11 +19,11 @@ static const struct shape_field fields[] = {
 
 /* ---- The path ------------------------------------------------------------ */
 
-/* The spline as written; `used` of its points have been read. */
+/* The spline as written. `used` is the number of its points that have been read. */
 struct spline_points {
     const double (*points)[2];
     size_t count, used;
-    double closeness; /* tolerance of its points (path.h) */
+    double closeness; /* tolerance for its points (path.h) */
 };
 
 static void add_point(struct outline *path, const double point[2])
@@ -31,8 +31,8 @@ static void add_point(struct outline *path, const double point[2])
     memcpy(path->points[path->count++], point, sizeof *path->points);
 }
 
-/* Appends the parabola from `here` to `next`, by POV-Ray's rule: its initial direction
- * is that from the point before to the next point. */
+/* Appends the parabola from `here` to `next`. As in POV-Ray, it starts in the direction
+ * from `before` to `next`. */
 static void add_parabola(struct outline *path, const double before[2],
                          const double here[2], const double next[2])
 {
@@ -44,8 +44,9 @@ static void add_parabola(struct outline *path, const double before[2],
     add_point(path, next);
 }
 
-/* Appends a loop. Its first point only gives the initial direction; the loop starts at
- * the second point and ends where that is repeated. Fails if it is not. */
+/* Appends a loop. Its first point only determines the initial direction. The loop
+ * starts at the second point and ends where this point is repeated. Returns false if
+ * the point is not repeated. */
 static bool add_loop(struct outline *path, struct spline_points *spline)
 {
     const double(*points)[2] = spline->points;
@@ -67,8 +68,8 @@ static bool add_loop(struct outline *path, struct spline_points *spline)
     return false;
 }
 
-/* Converts the spline in place, after copying it to the upper half of the array: with
- * handles there are fewer than twice as many points. */
+/* Converts the spline in place, after a copy to the upper half of the array. The
+ * result, with handles, has fewer than twice as many points. */
 static const char *make_parabolas(struct outline *path)
 {
     struct spline_points spline = { (const double(*)[2])path->points + path->count,
@@ -114,7 +115,7 @@ static size_t segments(const struct primitive *primitive)
 struct parabola {
     const double *from, *to;
     double bend[2], lead[2];
-    bool begins; /* the first of a loop */
+    bool begins; /* it is the first parabola of a loop */
 };
 
 static bool next_parabola(struct path_walk *walk, struct parabola *parabola)
@@ -149,7 +150,7 @@ static double along(const struct parabola *parabola, int k, double w)
     return (parabola->bend[k] * w + 2 * parabola->lead[k]) * w;
 }
 
-/* Returns true if the point at w is ahead of `point` in a direction. */
+/* Returns true if the point at w is ahead of `point` in the direction. */
 static bool is_ahead(const struct parabola *parabola, double w, const double point[2],
                      const double direction[2])
 {
@@ -158,9 +159,10 @@ static bool is_ahead(const struct parabola *parabola, double w, const double poi
     return dot(direction, way) > 0;
 }
 
-/* Returns how often the ray from a point crosses the parabola. The sides of its ends
- * decide, as in quadratic_prism_vector.s. If `own` is true, the point is the middle of
- * this parabola, and that crossing is not counted. */
+/* Returns how often the ray from a point crosses the parabola. As in
+ * quadratic_prism_vector.s, the sides of the ray on which the two ends are decide. If
+ * `own` is true, the point is on this parabola at its middle, and the crossing at the
+ * point is not counted. */
 static size_t crossings_ahead(const struct parabola *parabola, bool own,
                               const double point[2], const double direction[2])
 {
@@ -199,7 +201,7 @@ static bool is_inside(const struct outline *path, size_t number, const double po
 
 enum { ROW = 16 };
 
-/* The order is that of rt/kernels/frame/records.s. */
+/* The order of the words, as in rt/kernels/frame/records.s. */
 enum quadratic_word {
     POINT,
     BEGINS = POINT + 2,
@@ -212,12 +214,12 @@ enum quadratic_word {
     OUTWARD = SHARE + 2
 };
 
-/* For normals an edge counts as straight below this curvature relative to its
- * length. */
+/* A normal is computed as for a straight edge if the curvature relative to the length
+ * is below this value. */
 #define STRAIGHT 1e-8
 
-/* Writes the words for the normal of a straight edge: the whole line that it covers,
- * which may extend beyond the ends. */
+/* Writes the words for the normal of a straight edge. It covers a line, which may
+ * extend beyond the two end points. */
 static void put_straight(const struct parabola *parabola, double *row)
 {
     const double *lead = parabola->lead, *bend = parabola->bend;
@@ -292,7 +294,7 @@ static void put_rows(const struct outline *path, double *table)
     }
 }
 
-/* A loop of n parabolas has 2 n + 1 points and n + 1 rows. */
+/* A loop of n parabolas has 2n + 1 points and n + 1 rows. */
 static size_t count_rows(const struct outline *path)
 {
     struct path_walk walk = { .path = path, .apart = 2 };

@@ -4,7 +4,7 @@
 #include "rt/shapes/singular.h"
 #include "rt/shapes/terms.h"
 
-/* Three vectors and the constant. */
+/* The arguments are three vectors and the constant. */
 static const struct shape_field fields[] = {
     { TAKES_VECTOR, SHAPE_AT(quadric, coefficients), NULL, 3, NULL },
     { TAKES_NUMBER, SHAPE_AT(quadric, coefficients[9]), NULL, 0, NULL },
@@ -17,9 +17,9 @@ static const char *finish(struct primitive *primitive)
                         QUADRIC_TERMS);
 }
 
-/* Writes X A X + 2 g X + k about the centre c, which solves A c = -g. If there are many
- * centres, the closest to the origin is used; if there is none, the least-squares
- * solution. */
+/* Writes X A X + 2 g X + k relative to the centre c, which solves A c = -g. If there
+ * are many centres, c is closest to the origin. If there is none, c is the
+ * least-squares solution. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     enum { CENTER = 0, MATRIX = 3, LINEAR = 9, CONSTANT = 12 };

@@ -1,4 +1,4 @@
-/* quadric_face.c - compares quadrics by their matrices in the world. */
+/* quadric_face.c - compares quadrics by their matrices in world space. */
 #include "rt/shapes/quadric_face.h"
 
 #include <math.h>
@@ -19,8 +19,11 @@ static void add_product(double weight, const row a, const row b, row *sum)
             sum[i][j] += weight * (a[i] * b[j] + b[i] * a[j]) / 2;
 }
 
-/* Computes the matrix of |X - base|^2 - along ((X - base) . axis)^2 - 2 rise (X - base)
- * . axis - square in the world; the axis has length one. */
+/* Computes, in world space, the matrix of
+ *
+ *   |X - base|^2 - along ((X - base) . axis)^2 - 2 rise (X - base) . axis - square
+ *
+ * The axis has length 1. */
 static void round_matrix(const struct primitive *primitive, const double base[3],
                          const double axis[3], double along, double rise, double square,
                          row *matrix)
@@ -69,7 +72,7 @@ static void quadric_matrix(const struct primitive *primitive, row *matrix)
     }
 }
 
-/* Fails if the primitive has no face of a quadric. */
+/* Returns false if the primitive has no quadric face. */
 static bool matrix_of(const struct primitive *primitive, row *matrix)
 {
     static const double up[3] = { 0, 1, 0 };
@@ -96,8 +99,8 @@ static bool matrix_of(const struct primitive *primitive, row *matrix)
     }
 }
 
-/* Moves the origin to `at` and changes the unit of length to `unit`. The element of
- * greatest absolute value is then 1 or -1. */
+/* Moves the origin to `at`, changes the unit of length to `unit`, and scales the matrix
+ * so that its element of greatest absolute value is 1 or -1. */
 static void move_matrix(row *matrix, const double at[3], double unit)
 {
     row moved[4] = { { 0 } };

@@ -26,8 +26,8 @@ static const char *finish(struct primitive *primitive)
                         QUARTIC_TERMS);
 }
 
-/* Each term x^a y^b z^c is that of x / 2^log, and all terms are multiplied by 2^(4
- * log). */
+/* Replaces x, y and z by x / 2^log, y / 2^log and z / 2^log, and multiplies all terms
+ * by 2^(4 log). */
 void quartic_enlarge(struct primitive *quartic, int log)
 {
     double *coefficient = quartic->shape.quartic.coefficients;
@@ -44,7 +44,7 @@ void quartic_enlarge(struct primitive *quartic, int log)
         }
 }
 
-/* POV-Ray has the same limit of distance. */
+/* POV-Ray has the same limit of the distance. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     (void)primitive;

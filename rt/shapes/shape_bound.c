@@ -22,7 +22,7 @@ void hull_point(struct hull *hull, const struct primitive *primitive,
     copy3(added->center, added->high);
 }
 
-/* The points are the corners of a regular polygon around the circle. */
+/* Adds the corners of a regular polygon around the circle. */
 void hull_ring(struct hull *hull, const struct primitive *primitive,
                const double center[3], const double axis[3], double radius)
 {

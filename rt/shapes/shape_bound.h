@@ -5,42 +5,42 @@
 #include "rt/bvh/bound.h"
 #include "rt/shapes/primitive.h"
 
-/* Bounds a primitive in the world, with a margin. Planes, quadrics and quartics are
+/* Bounds a primitive in world space, with a margin. Planes, quadrics and quartics are
  * unbounded. */
 void bound_primitive(const struct primitive *primitive, struct bound *bound);
 
 /* ---- For the descriptors of shapes --------------------------------------- */
 
-/* Points in the world whose convex hull contains a shape. */
+/* Points in world space whose convex hull contains a shape. */
 enum { RING = 16, MAX_HULL = 2 * RING };
 struct hull {
     size_t count;
     struct bound points[MAX_HULL];
 };
 
-/* Adds a point, which is given in the primitive's own space. */
+/* Adds a point, which is in the primitive's own space. */
 void hull_point(struct hull *hull, const struct primitive *primitive,
                 const double point[3]);
-/* Adds RING points of a polygon around a circle. */
+/* Adds RING points: the corners of a polygon around a circle. */
 void hull_ring(struct hull *hull, const struct primitive *primitive,
                const double center[3], const double axis[3], double radius);
-/* Adds polygons around circles at both ends of an axis. */
+/* Adds polygons around the circles at both ends of an axis. */
 void hull_rings(struct hull *hull, const struct primitive *primitive,
                 const double base[3], double base_radius, const double cap[3],
                 double cap_radius);
 void bound_hull(const struct hull *hull, struct bound *bound);
-/* Sets the box of the bound only. */
+/* Sets only the box of the bound. */
 void bound_hull_box(const struct hull *hull, struct bound *bound);
 
-/* Returns the greatest length in the world of a vector whose components, divided by the
- * weights, form a vector of length 1. */
+/* Returns the greatest length, in world space, of a vector whose components divided by
+ * the weights form a unit vector. */
 double bound_stretch(const struct primitive *primitive, double x, double y, double z);
-/* Bounds a sphere around a point of the primitive's own space; reach is in the
- * world. */
+/* Bounds a sphere. Its centre is in the primitive's own space, its radius `reach` in
+ * world space. */
 void bound_about(const struct primitive *primitive, const double center[3],
                  double reach, struct bound *bound);
 
-/* The bound of an unbounded shape. */
+/* Sets the bound of an unbounded shape. */
 void bound_without(const struct primitive *primitive, struct bound *bound);
 
 #endif

@@ -25,7 +25,7 @@ void shape_words(const struct primitive *primitive, struct shape_words *words)
         words->state = kernels->body;
     else if (kernels->inside && words->segments > 0)
         words->solid = kernels->inside;
-    if (primitive->invisible) { /* treated as an open shape without any surface */
+    if (primitive->invisible) { /* treated as an open shape without a surface */
         words->state = words->state ? words->state : words->solid;
         words->solid = "invisible";
         words->events = words->on_mesh ? 2 : words->events;

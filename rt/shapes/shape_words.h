@@ -1,45 +1,46 @@
 /* shape_words.h - the data of a primitive for its kernels.
  *
- * It consists of the words in its record, the names and limits of its routines, and the
- * words of its table, which may take long to compute.
+ * The data consists of the words in the primitive's record, the names and limits of its
+ * routines, and the words of its table. Computing the table may take long.
  */
 #ifndef RT_SHAPE_WORDS_H
 #define RT_SHAPE_WORDS_H
 
 #include "rt/shapes/shape.h"
 
-/* The limit of crossings of a ray with a patch of degree four, as in records.s. */
+/* The largest number of crossings of a ray with a patch of degree four, as in
+ * records.s. */
 enum { PATCH_CROSSINGS = 4 };
 
 struct shape_words {
     double words[MAX_SHAPE_WORDS];
     size_t count;
-    bool transformed;            /* it has a space of its own */
-    bool on_patch;               /* a hit also has two parameters */
-    bool on_mesh;                /* one of these is a triangle */
-    const char *kernel, *normal; /* routines, in both forms of the program */
-    const char *solid;           /* for all crossings of a ray: the kernel that is used
-                                  * in trees */
-    const char *state;           /* for the segments inside of the closed shape, if it
-                                  * is open; or NULL */
-    size_t segments;             /* limit of a ray's segments inside */
-    size_t events;               /* limit of a ray's visible crossings */
+    bool transformed;            /* the primitive has a space of its own */
+    bool on_patch;               /* a hit has two additional parameters */
+    bool on_mesh;                /* one of the two parameters is a triangle */
+    const char *kernel, *normal; /* names of routines, for both forms of the program */
+    const char *solid;           /* in trees: finds all crossings of a ray */
+    const char *state;           /* in trees, for an open shape: finds the segments
+                                  * inside the closed shape; else NULL */
+    size_t segments;             /* largest number of segments of a ray inside */
+    size_t events;               /* largest number of visible crossings of a ray */
 };
 
 void shape_words(const struct primitive *primitive, struct shape_words *words);
-/* Describes a primitive that is not in a tree, for the program of 1984. Fails if that
- * has no kernel for it; the words are then those of shape_words. */
+/* Describes a primitive that is not in a tree, for the program of 1984. If it has no
+ * kernel for the primitive, the words are those of shape_words, and the result is
+ * false. */
 bool shape_words_historical(const struct primitive *primitive,
                             struct shape_words *words);
-/* Returns the size of the table in words; computes a table of that size, which the
- * caller frees. viewpoints: points that many rays pass through, or NULL. shape_table
- * returns NULL without memory. */
+/* shape_table_count returns the size of the table in words. shape_table computes a
+ * table of this size, which the caller frees, or returns NULL if out of memory.
+ * `viewpoints` are points that many rays pass through, or NULL. */
 size_t shape_table_count(const struct primitive *primitive,
                          const struct viewpoints *viewpoints);
 double *shape_table(const struct primitive *primitive,
                     const struct viewpoints *viewpoints, size_t count);
-/* Returns true if all words are finite: squares and reciprocals of a shape's numbers
- * may overflow. Without memory the table is not checked. */
+/* Returns true if all words are finite. Squares and reciprocals of a shape's numbers
+ * may overflow. If out of memory, the table is not checked. */
 bool shape_is_finite(const struct primitive *primitive);
 
 #endif

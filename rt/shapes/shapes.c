@@ -1,4 +1,4 @@
-/* shapes.c - the descriptors and kernels of shapes by kind, and queries of them. */
+/* shapes.c - the table of descriptors and kernels of shapes, and its queries. */
 #include "rt/shapes/shape.h"
 
 const struct shape *const shapes[PRIMITIVE_KINDS] = {

@@ -24,7 +24,8 @@ static void turn(singular_matrix matrix, size_t rows, size_t p, size_t q, double
     }
 }
 
-/* Rotates two columns to be orthogonal. Returns false if they already were. */
+/* Rotates two columns so that they are orthogonal. Returns false if they were
+ * already. */
 static bool make_square(struct singular *singular, size_t p, size_t q)
 {
     double pp = column_product(singular, p, p);

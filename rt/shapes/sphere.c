@@ -16,8 +16,8 @@ static const char *finish(struct primitive *primitive)
                : shape_empty(primitive, "the radius is 0");
 }
 
-/* In the world the sphere is an ellipsoid: its extent along each axis is the length of
- * that row of the matrix, times the radius. */
+/* In world space the sphere is an ellipsoid. Its extent along an axis is the length of
+ * the axis's row of the matrix, multiplied by the radius. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     double r = primitive->shape.sphere.radius;
@@ -39,8 +39,8 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 5;
 }
 
-/* Returns true if the transform maps spheres to spheres. The words are then those of
- * the sphere in the world. */
+/* Returns true if the transform maps spheres to spheres. The words then describe the
+ * sphere in world space. */
 static bool carry(const struct primitive *primitive, double *words)
 {
     const double(*rows)[4] = primitive->to_world.rows;
@@ -63,7 +63,7 @@ static bool carry(const struct primitive *primitive, double *words)
     return true;
 }
 
-/* The unit sphere, scaled by the radius. */
+/* Describes the sphere as the unit sphere, scaled by the radius. */
 static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     emitter->kernel = "emit_sphere";

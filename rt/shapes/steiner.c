@@ -7,14 +7,14 @@
 #include "rt/scene/vector3.h"
 #include "rt/shapes/shape.h"
 
-/* Control points as x y z w, relative to the centre, in the order of struct primitive:
- * b200 b020 b002 b110 b011 b101. */
+/* Control points as x, y, z and w, relative to the centre, in the order b200 b020 b002
+ * b110 b011 b101 of struct primitive. */
 struct patch {
     double point[STEINER_POINTS][4];
     double center[3], bound;
 };
 
-/* K0 .. K5 of H(s, t). */
+/* The coefficients K0 .. K5 of the polynomial H(s, t). */
 struct patch_polynomials {
     double k[6][4];
 };
@@ -28,9 +28,9 @@ bool steiner_is_polynomial(const struct primitive *primitive)
     return true;
 }
 
-/* Computes weights that are 1 at the corners, which corresponds to scaling s, t and u
- * by one factor each. The patch stays the same, and no part of it is compressed into a
- * corner of the parameters. The weights are then divided by the greatest. */
+/* Computes weights that are 1 at the corners, by scaling s, t and u. The surface does
+ * not change, but no part of it is then compressed into a corner of the parameter
+ * space. The weights are finally divided by the greatest weight. */
 static void read_weights(const struct primitive *primitive, double *weights)
 {
     static const int ends[STEINER_POINTS][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 },
@@ -47,7 +47,7 @@ static void read_weights(const struct primitive *primitive, double *weights)
         weights[i] /= greatest;
 }
 
-/* With weights above 0 the patch is inside the hull of its control points. */
+/* The weights are above 0, so the patch is inside the hull of its control points. */
 static void read_patch(const struct primitive *primitive, struct patch *patch)
 {
     const double(*points)[3] = primitive->shape.steiner_patch.points;
@@ -68,7 +68,7 @@ static void read_patch(const struct primitive *primitive, struct patch *patch)
     }
 }
 
-/* Rotates the corners so that `first` is s and the next one t. */
+/* Rotates the corners so that the corner `first` is s, and the next corner is t. */
 static void turn_patch(const struct patch *patch, int first, struct patch *turned)
 {
     *turned = *patch;
@@ -98,7 +98,8 @@ static void form_polynomials(const struct patch *patch,
     }
 }
 
-/* Selects the rotation with the greatest second difference, and its polynomials. */
+/* Selects the rotation with the greatest second difference. Returns the rotated patch
+ * and its polynomials. */
 static void read_best(const struct primitive *primitive, struct patch *best,
                       struct patch_polynomials *polynomials)
 {
@@ -117,8 +118,8 @@ static void read_best(const struct primitive *primitive, struct patch *best,
     }
 }
 
-/* Computes a vector perpendicular to K5, from the first of the other K that is not
- * parallel to it. */
+/* Computes a vector perpendicular to K5. The vector is also perpendicular to the first
+ * of K2, K4, K1, K3 and K0 that is not parallel to K5. */
 static bool square_to_last(const double (*k)[3], double *square)
 {
     static const int order[] = { 2, 4, 1, 3, 0 };
@@ -131,10 +132,10 @@ static bool square_to_last(const double (*k)[3], double *square)
     return false;
 }
 
-/* Computes a vector that separates the curves s = const by planes through it and a ray
- * along K5. It is perpendicular to K5 and K2 or, if K2 is parallel to K5, to K4. For a
- * patch without K5 every ray uses it: it is perpendicular to K2, in the plane of the
- * patch. */
+/* Computes a vector for rays along K5. Planes that are parallel to the vector and
+ * contain the ray separate the curves s = const. The vector is perpendicular to K5 and
+ * K2, or to K5 and K4 if K2 is parallel to K5. If K5 is 0, every ray uses the vector;
+ * it is then perpendicular to K2, in the plane of the patch. */
 static void other_plane(const struct patch_polynomials *polynomials, double bound,
                         double *other)
 {
@@ -167,8 +168,8 @@ void steiner_shape(const struct primitive *primitive, double *shape)
     shape[6] = ROOT_RESOLUTION * patch.bound;
 }
 
-/* Writes L1, L2 and T, then the forms Qx Qy Qz Qw; computed with the patch scaled to
- * size 1. */
+/* Writes L1, L2 and T, then the forms Qx Qy Qz Qw. They are computed for the patch
+ * scaled to size 1. */
 static size_t put_implicit(const struct patch *patch, double *table)
 {
     struct moving_planes planes;

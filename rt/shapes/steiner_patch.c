@@ -13,7 +13,7 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-/* Weights that are not given are 1. */
+/* The default of a weight is 1. */
 static const char *finish(struct primitive *primitive)
 {
     double *weights = primitive->shape.steiner_patch.weights;
@@ -23,7 +23,7 @@ static const char *finish(struct primitive *primitive)
                                      : shape_empty(primitive, "the patch has no area");
 }
 
-/* With weights above 0 the patch is inside the hull of its control points. */
+/* The weights are above 0, so the patch is inside the hull of its control points. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     struct hull hull = { .count = 0 };
@@ -49,13 +49,14 @@ static size_t put_table(const struct primitive *primitive,
     return count;
 }
 
-/* The implicit form exists for surfaces of degree four. */
+/* Only surfaces of degree four have the implicit form. */
 static bool is_historical(const struct primitive *primitive)
 {
     return put_table(primitive, NULL, NULL) > STEINER_TABLE;
 }
 
-/* The polynomials K0 .. K5, axis by axis; those of the squares are doubled. */
+/* Writes the polynomials K0 .. K5, axis by axis. K3 and K5, the coefficients of the
+ * squares, are doubled. */
 static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     static const double times[STEINER_POINTS] = { 1, 1, 1, 2, 1, 2 };

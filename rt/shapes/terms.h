@@ -1,14 +1,15 @@
-/* terms.h - surfaces that are given by the coefficients of a polynomial. */
+/* terms.h - surfaces that are defined by the coefficients of a polynomial. */
 #ifndef RT_TERMS_H
 #define RT_TERMS_H
 
 #include "rt/shapes/primitive.h"
 
-/* Checks that some coefficient other than the last, the constant, is not 0. The result
- * is that of a shape's settle. */
+/* Checks that a coefficient other than the constant, which is the last one, is not 0.
+ * The result is that of `finish` in shape.h. */
 const char *terms_finish(struct primitive *primitive, const double *coefficients,
                          size_t count);
-/* Enlarges the space of a quartic by 2^log; its surface in the world stays the same. */
+/* Enlarges the space of a quartic by 2^log. The surface in world space does not
+ * change. */
 void quartic_enlarge(struct primitive *quartic, int log);
 
 #endif

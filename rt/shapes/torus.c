@@ -26,7 +26,8 @@ static const char *finish(struct primitive *primitive)
     return NULL;
 }
 
-/* Bounds a circle about y, enlarged by the tube. The box is that of two circles. */
+/* Computes the sphere around a circle about the y axis that is enlarged by the tube,
+ * and the box around two circles at both ends of the tube. */
 void torus_bound(const struct primitive *primitive, double major, double radial,
                  double axial, struct bound *bound)
 {
@@ -47,8 +48,9 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
     torus_bound(primitive, primitive->shape.torus.major, minor, minor, bound);
 }
 
-/* Writes the coefficients of (x^2 + z^2 + rho y^2 + b0)^2 = a0 (x^2 + z^2), and a
- * bounding sphere and two planes with a margin for rounding. */
+/* Writes the words of (x^2 + z^2 + rho y^2 + b0)^2 = a0 (x^2 + z^2): the coefficients,
+ * values computed from them, a bounding sphere and two bounding planes. The bounds have
+ * a margin for rounding errors. */
 size_t torus_words(double major, double radial, double axial, double *words)
 {
     double bound = 1.001 * (major + fmax(radial, axial));
