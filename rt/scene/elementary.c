@@ -1,11 +1,11 @@
 /* elementary.c - elementary functions in double-double arithmetic.
  *
  * Every number is a pair of doubles, 106 bits, and the result is rounded once. exp, sin
- * and cos are series; tan, powers and hyperbolic functions are computed from them. The
- * inverse functions (log, asin, atan, ..) start with the result of the C library and
- * correct it by one Newton step on the function that they invert: if the start is off
- * by e, the step leaves an error of about e^2. The last bits of the C library therefore
- * do not reach the result.
+ * and cos are computed by series, and tan, powers and hyperbolic functions from exp,
+ * sin and cos. The inverse functions (log, asin, atan, ..) take the result of the C
+ * library and correct it by one Newton step on the function that they invert. An error
+ * e of the C library becomes an error of about e^2. The last bits of the C library
+ * therefore do not reach the result.
  *
  * Source: T. J. Dekker, A floating-point technique for extending the available
  * precision, Numerische Mathematik 18 (1971): sums and products of two doubles.
@@ -15,13 +15,13 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* The value is high + low; low is at most half a unit in the last place of high. */
+/* The value is high + low. |low| is at most half a unit in the last place of high. */
 struct twofold {
     double high, low;
 };
 
 #define MAX_REDUCED 0x1p30 /* radians */
-#define MAX_EXP 700.       /* beyond it the C library rounds */
+#define MAX_EXP 700.       /* for larger results the C library is used */
 enum { HALVINGS = 8 };
 
 static const struct twofold one = { 1, 0 };
@@ -32,7 +32,7 @@ static const double quarter[] = { 0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
 
 /* ---- Sums, products, quotients ------------------------------------------- */
 
-/* The sum of a and b if |a| is not below |b|. */
+/* Returns a + b. |a| must not be below |b|. */
 static struct twofold quick_sum(double a, double b)
 {
     double high = a + b;
@@ -96,7 +96,7 @@ static struct twofold square_root(struct twofold a)
 }
 
 /* Returns the nearest double. A value that is nearly halfway between two doubles counts
- * as halfway: the low part is first rounded to about 2^-41 of a unit in the last
+ * as halfway, because the low part is first rounded to about 2^-41 units in the last
  * place. */
 static double rounded(struct twofold a)
 {
@@ -113,10 +113,10 @@ static struct twofold reciprocal(double a)
     return quick_sum(first, (1 - back.high - back.low) * first);
 }
 
-/* Returns the sum of `first` and the terms after it. Each term is the one before it
- * times f / n (step 1) or f / (n (n + 1)) (step 2), and n grows by the step. Terms
- * below 2^-56 of the sum are computed in one double, because only their leading bits
- * count. */
+/* Returns the sum of `first` and the terms after it. A term is its predecessor times f
+ * / n if the step is 1, or times f / (n (n + 1)) if the step is 2. n grows by the step.
+ * Terms below 2^-56 of the sum are computed in one double, because only their leading
+ * bits matter. */
 static struct twofold series(struct twofold first, struct twofold f, int n, int step)
 {
     struct twofold all = first, term = first;
@@ -144,7 +144,7 @@ static struct twofold cosine_of(struct twofold r)
     return series(one, minus(multiply(r, r)), 1, 2);
 }
 
-/* Returns x less the nearest multiple k pi / 2, and sets the quadrant k mod 4. The
+/* Subtracts the nearest multiple k pi / 2 from x, and sets the quadrant k mod 4. The
  * three doubles of pi / 2 are subtracted one by one, so that the difference keeps its
  * bits. */
 static struct twofold reduce(double x, int *quadrant)
@@ -158,7 +158,7 @@ static struct twofold reduce(double x, int *quadrant)
     return add_twofold(rest, minus(product(k, quarter[2])));
 }
 
-/* sin (x + quadrants pi / 2) */
+/* Returns sin(x + quadrants pi / 2). */
 static struct twofold sine(double x, int quadrants)
 {
     int quadrant;
@@ -174,9 +174,9 @@ static struct twofold cosine(double x)
     return sine(x, 1);
 }
 
-/* Returns e^x - 1 for x between -1/2 and 1/2. The series is that of x / 2^HALVINGS.
- * Each doubling of the argument is e^2r - 1 = 2 (e^r - 1) + (e^r - 1)^2, which has no
- * cancellation. */
+/* Returns e^x - 1 for x between -1/2 and 1/2. The series computes it for r = x /
+ * 2^HALVINGS. Then r is doubled HALVINGS times by e^2r - 1 = 2 (e^r - 1) + (e^r - 1)^2,
+ * which has no cancellation. */
 static struct twofold power_less_one(struct twofold x)
 {
     struct twofold r = by(x, 1. / (1 << HALVINGS));
@@ -211,9 +211,9 @@ static struct twofold cosh_of(struct twofold x)
 
 /* ---- Inverse functions --------------------------------------------------- */
 
-/* Returns log x for x = m 2^k with m between 3/4 and 3/2. With y = log m from the C
- * library, log m = y + log(1 + off), where off = m e^-y - 1 is tiny; log(1 + off) is
- * off - off^2 / 2. */
+/* Returns log x, where x = m 2^k with m between 3/4 and 3/2. The C library computes y =
+ * log m. Then log m = y + log(1 + off), where off = m e^-y - 1 is tiny, and log(1 +
+ * off) is off - off^2 / 2. */
 static struct twofold log_of(double x)
 {
     int k;
@@ -229,9 +229,9 @@ static struct twofold log_of(double x)
     return add_twofold(by(ln2, k), add_twofold((struct twofold){ y, 0 }, off));
 }
 
-/* Returns the angle of a point that is not the origin. The angle of the C library is
- * corrected by the tangent of its error, which the sine and cosine of that angle
- * yield. */
+/* Returns the angle of a point other than the origin. The result of the C library is
+ * corrected by the tangent of its error, which is computed from the sine and cosine of
+ * the result. */
 static struct twofold angle_of(struct twofold y, struct twofold x)
 {
     double angle = atan2(y.high, x.high);
@@ -366,8 +366,8 @@ double elementary_asinh(double x)
     return rounded(add_twofold(y, divide(off, cosh_of(y))));
 }
 
-/* Newton step on cosh y = x; cosh y - 1 is computed as 2 sinh^2 (y / 2), without
- * cancellation. */
+/* One Newton step on cosh y = x. cosh y - 1 is computed as 2 sinh^2 (y / 2), which has
+ * no cancellation. */
 double elementary_acosh(double x)
 {
     struct twofold y = { acosh(x), 0 }, half, off;

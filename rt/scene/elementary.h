@@ -1,25 +1,25 @@
 /* elementary.h - elementary functions, rounded to the nearest double.
  *
- * C libraries differ in the last bit of these functions, even between two processors of
- * one type of host. The numbers of a scene must not depend on that: these functions
- * have one result on every host, so a scene yields the same words everywhere. A result
- * that is closer to the midpoint of two doubles than 2^-40 of their distance counts as
- * that midpoint, and rounds to the even double.
+ * C libraries differ in the last bit of these functions, even on hosts of the same
+ * type. The numbers of a scene must not differ between hosts, so these functions have
+ * the same result on every host. If the distance of a result from the midpoint of two
+ * doubles is less than 2^-40 of their distance, it counts as the midpoint and rounds to
+ * the even double.
  *
- * Errors are as in C: a result without a value is NaN, one that is too large is
+ * Errors are as in C: an undefined result is NaN, a result that is too large is
  * infinite.
  */
 #ifndef RT_SCENE_ELEMENTARY_H
 #define RT_SCENE_ELEMENTARY_H
 
-/* Beyond e^700 and e^-700 the result is that of the C library. This is also true of
- * powers and hyperbolic functions. */
+/* Results above e^700 or below e^-700 are computed by the C library. This is also true
+ * of powers and hyperbolic functions. */
 double elementary_exp(double x);
 double elementary_log(double x);
 double elementary_log10(double x);
 double elementary_pow(double x, double y);
 
-/* Angles are in radians. Beyond 2^30 radians the result is that of the C library. */
+/* Angles are in radians. Angles above 2^30 are handled by the C library. */
 double elementary_sin(double x);
 double elementary_cos(double x);
 double elementary_tan(double x);

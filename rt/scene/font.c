@@ -1,14 +1,14 @@
 /* font.c - reads fonts with FreeType and converts outlines to parabolas.
  *
- * A TrueType curve is a parabola. A cubic curve is split into parts of equal parameter
- * steps, one parabola each. A parabola has the two ends of its part. The tangents of
- * the cubic at either end give one estimate of the handle each; the handle is the mean
- * of both. With d, the third difference of the points of the cubic, the distance
- * between curve and parabola is at most
+ * A TrueType curve is a parabola. A cubic curve is split at equal parameter steps, and
+ * each part is replaced by a parabola with the same end points. The tangents of the
+ * cubic at the two ends give two estimates of the handle, and the handle is their mean.
+ * Let d be the third difference of the cubic's points. The distance between curve and
+ * parabola is at most
  *
  *     3^(1/2) / 36  |d| / parts^3  <=  FLATNESS
  *
- * and the number of parts is the least that keeps this bound.
+ * and the number of parts is the least with this bound.
  *
  * Source: derived here, from the difference of the cubic and the parabola.
  */
@@ -26,12 +26,12 @@
 #include "rt/scene/elementary.h"
 #include "rt/scene/vector3.h"
 
-#define FLATNESS 1e-5 /* em */
-enum { MAX_PARTS = 64 /* of one curve */, MAX_TURNS = 100 };
+#define FLATNESS 1e-5 /* in em */
+enum { MAX_PARTS = 64 /* largest number of parts of a curve */, MAX_TURNS = 100 };
 
 /* ---- The library --------------------------------------------------------- */
 
-/* The functions that are called; see FreeType's reference. */
+/* The functions of FreeType that are called. Its reference describes them. */
 struct freetype {
     FT_Error (*init)(FT_Library *library);
     FT_Error (*done)(FT_Library library);
@@ -87,7 +87,7 @@ struct font *font_open(const char *bytes, size_t length, const char **fault)
     return NULL;
 }
 
-/* Closes the font. The library stays loaded, because other threads may be using it. */
+/* Closes the font. The library stays loaded, because other threads may use it. */
 void font_close(struct font *font)
 {
     if (!font)
@@ -105,7 +105,7 @@ struct drawing {
     struct arena *arena;
     struct glyph *glyph;
     size_t capacity, first; /* index of the first point of the loop */
-    double unit;            /* em per unit of the font */
+    double unit;            /* size of a font unit in em */
 };
 
 static bool add_point(struct drawing *drawing, double x, double y)
@@ -116,7 +116,7 @@ static bool add_point(struct drawing *drawing, double x, double y)
                      point, sizeof point);
 }
 
-/* Returns true if another corner of the loop is at the same point as this one. */
+/* Returns true if another corner of the loop is equal to this corner. */
 static bool is_repeated(const double (*points)[2], size_t count, size_t apart,
                         size_t which)
 {
@@ -151,8 +151,8 @@ static const double *last_point(const struct drawing *drawing)
     return drawing->glyph->points[drawing->glyph->count - 1];
 }
 
-/* Adds a line to a point, with its midpoint as handle if the outline has curves. Adds
- * nothing if the outline is at that point already. */
+/* Adds a line to a point. If the outline has curves, the midpoint of the line is its
+ * handle. Adds nothing if the outline is already at the point. */
 static bool add_line(struct drawing *drawing, const double to[2])
 {
     const double *from = last_point(drawing);
@@ -163,7 +163,7 @@ static bool add_line(struct drawing *drawing, const double to[2])
            && add_point(drawing, to[0], to[1]);
 }
 
-/* Closes the current loop and rotates it so that its first corner occurs once (see
+/* Closes the current loop. Rotates it so that its first corner occurs only once (see
  * font_turn_loop). A loop of one point, which fonts use as a mark, is dropped. */
 static bool close_loop(struct drawing *drawing)
 {
@@ -192,7 +192,7 @@ static int move_to(const FT_Vector *to, void *context)
                       (double)to->y * drawing->unit);
 }
 
-/* Sets a point in em. */
+/* Converts a point to em. */
 static void point_of(const struct drawing *drawing, const FT_Vector *vector,
                      double point[2])
 {
@@ -220,7 +220,7 @@ static int conic_to(const FT_Vector *by, const FT_Vector *to, void *context)
            || !add_point(drawing, end[0], end[1]);
 }
 
-/* A cubic curve in Bernstein form (its control points are p), and its derivative. */
+/* A cubic curve in Bernstein form with the control points p, and its derivative. */
 static double cubic_at(const double p[4], double t)
 {
     double s = 1 - t;
@@ -316,7 +316,7 @@ bool font_glyph(const struct font *font, uint32_t character, struct arena *arena
     if (calls->decompose(&face->glyph->outline, &functions, &drawing)
         || !close_loop(&drawing) || !add_point(&drawing, 0, 0))
         return false;
-    glyph->count--; /* the spare point stays allocated */
+    glyph->count--; /* the additional point stays allocated */
     glyph->bearing = (double)face->glyph->metrics.horiBearingX * drawing.unit;
     glyph->advance = (double)face->glyph->metrics.horiAdvance * drawing.unit;
     return true;

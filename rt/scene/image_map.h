@@ -8,17 +8,17 @@
 
 /* The pixels of an image in the colours of the scene. */
 struct image_table {
-    size_t number;        /* index among the images of the scene, from 0 */
-    size_t width, height; /* pixels */
+    size_t number;        /* index among the scene's images */
+    size_t width, height; /* size in pixels */
     uint32_t most;
-    const uint16_t *samples; /* red, green and blue of each pixel, 0 to most; rows from
-                              * the top, pixels from the left */
-    const double *light;     /* linear value of each sample 0 .. most */
+    const uint16_t *samples; /* red, green and blue of each pixel, 0 to most; the rows
+                              * start at the top, pixels at the left */
+    const double *light;     /* linear value of each sample from 0 to most */
 };
-/* Limits of a scene: images, and pixels in all of them. */
+/* Limits of a scene: the number of images, and of pixels in all images. */
 enum { MAX_IMAGES = 1000, MAX_IMAGE_PIXELS = 1 << 23 };
 
-/* How a point is mapped to a position in the image; the formulas are in
+/* How a point is mapped to a position in the image. The formulas are in
  * rt/kernels/light/image.s. */
 enum image_mapping {
     IMAGE_PLANAR,
@@ -27,10 +27,10 @@ enum image_mapping {
     IMAGE_TORUS,
     IMAGE_MAPPINGS
 };
-/* How the colour at a position is interpolated: the colour of the nearest pixel, or a
- * weighted mean of the four pixels whose centres are around it. IMAGE_BILINEAR weighs
- * them by the distances along both edges, IMAGE_BY_DISTANCE by the squares of their
- * distances. */
+/* How the colour at a position is interpolated. IMAGE_NEAREST uses the nearest pixel.
+ * The others use a weighted mean of the four pixels whose centres are around the
+ * position. The weights of IMAGE_BILINEAR depend on the distances along both edges,
+ * those of IMAGE_BY_DISTANCE on the squares of the distances. */
 enum image_sampling {
     IMAGE_NEAREST,
     IMAGE_BILINEAR,
@@ -41,10 +41,11 @@ struct image_map {
     const struct image_table *table; /* owned by the scene */
     enum image_mapping mapping;
     enum image_sampling sampling;
-    bool once; /* not repeated; neighbours beyond an edge are the pixels of that edge */
+    bool once; /* not repeated; the neighbours beyond an edge are the pixels at the
+                * edge */
 };
 /* Returns true if a point can be mapped outside the image, where the pigment is
- * clear. */
+ * transparent. */
 bool image_is_bounded(const struct image_map *map);
 
 #endif

@@ -1,4 +1,4 @@
-/* named_values.c - reads values that are assigned to parts by name, and looks them
+/* named_values.c - reads the values that are assigned to parts by name, and looks them
  * up. */
 #include "rt/scene/named_values.h"
 
@@ -25,7 +25,7 @@ static bool store_value(struct named_values *given, const char *name, size_t len
     return kept.name && array_add(&given->list, &given->count, &kept, sizeof kept);
 }
 
-/* Reads a number in range, or the word of the kind. */
+/* Reads a number in range, or the accepted word of the kind. */
 static bool is_value(const struct value_kind *kind, const char *text, double *value)
 {
     char *end;
@@ -87,7 +87,7 @@ static bool is_blank(char letter)
     return letter == ' ' || letter == '\t' || letter == '"';
 }
 
-/* Skips a number and the blanks after it. Fails if there is none. */
+/* Skips a number and the blanks after it. Returns false if there is no number. */
 static bool skip_number(char **text, double *value)
 {
     char *end;
@@ -99,8 +99,8 @@ static bool skip_number(char **text, double *value)
     return true;
 }
 
-/* Adds the value of a line; an empty line has none. Fails if the line is wrong; the
- * error has the reason. */
+/* Adds the value of a line. An empty line has no value. If the line is wrong, sets the
+ * error and returns false. */
 static bool take_line(struct named_values *given, char *line, c205_error *error)
 {
     char *remark = strchr(line, '#');

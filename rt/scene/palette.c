@@ -1,4 +1,5 @@
-/* palette.c - replaces the colours of the table in an image file by their indices.
+/* palette.c - replaces the colours of the colour table in an image file by their
+ * indices.
  *
  * Sources: the Portable Network Graphics specification (W3C, second edition); GIF89a
  * (CompuServe); Truevision TGA, version 2.0; Microsoft's description of
@@ -8,22 +9,22 @@
 
 #include <string.h>
 
-/* Offsets in the files, in bytes. */
+/* Offsets and lengths in the files, in bytes. */
 enum {
     PNG_FIRST = 8, /* the first chunk: length, name, data, checksum */
     PNG_HEAD = 8,
-    PNG_TAIL = 4, /* the checksum */
+    PNG_TAIL = 4, /* the checksum of a chunk */
     PNG_COLOR_TYPE = 25,
     PNG_INDEXED = 3,
     GIF_FLAGS = 10,
     GIF_TABLE = 13,
-    GIF_IMAGE = 10, /* bytes before the table of an image */
+    GIF_IMAGE = 10, /* before the colour table of an image */
     GIF_HAS_TABLE = 0x80,
     BMP_HEADER = 14,
     BMP_BITS = 28,
-    BMP_CORE = 12, /* the size of BITMAPCOREHEADER, which has shorter fields */
+    BMP_CORE = 12, /* size of BITMAPCOREHEADER, whose fields are shorter */
     BMP_CORE_BITS = 24,
-    TGA_TABLE = 18, /* plus the length of the identification field */
+    TGA_TABLE = 18, /* to which the length of the identification field is added */
 };
 
 static unsigned byte_at(const char *bytes, size_t i)
@@ -31,8 +32,9 @@ static unsigned byte_at(const char *bytes, size_t i)
     return (unsigned char)bytes[i];
 }
 
-/* Sets the first three bytes of each of `count` colours of `size` bytes to its index.
- * Fails if the table reaches beyond the file or has more than 256 colours. */
+/* Replaces each of `count` colours by its index: sets the first three of its `size`
+ * bytes. Returns false if the table extends beyond the file, or has more than 256
+ * colours. */
 static bool paint(char *bytes, size_t length, size_t at, size_t count, size_t size)
 {
     if (at > length || count > (length - at) / size || count > 256)
@@ -50,7 +52,7 @@ static size_t long_at(const char *bytes, size_t i)
            | byte_at(bytes, i + 2) << 8 | byte_at(bytes, i + 3);
 }
 
-/* The CRC of a chunk's name and data (annex D). */
+/* Returns the CRC of a chunk's name and data (annex D). */
 static uint32_t check_sum(const char *bytes, size_t count)
 {
     uint32_t sum = UINT32_MAX;
@@ -86,8 +88,8 @@ static bool paint_png(char *bytes, size_t length)
 
 /* ---- GIF ----------------------------------------------------------------- */
 
-/* Returns the offset after a chain of blocks. Each block begins with its size; the last
- * has size 0. */
+/* Returns the offset after a chain of blocks. Each block begins with its size. The last
+ * block has size 0. */
 static size_t blocks_end(const char *bytes, size_t length, size_t at)
 {
     while (at < length && bytes[at])
@@ -103,7 +105,7 @@ static bool paint_table(char *bytes, size_t length, size_t at, unsigned flags,
     return paint(bytes, length, at, count, 3);
 }
 
-/* Replaces the global table and the table of the first image. */
+/* Replaces the global colour table and the table of the first image. */
 static bool paint_gif(char *bytes, size_t length)
 {
     size_t at, ignored;

@@ -24,7 +24,7 @@ static const char *object_name(struct named_parts *parts,
     return arena_text(&parts->kept, line, strlen(line));
 }
 
-/* Returns the index of the object's part, which is added if it is new. */
+/* Returns the index of the object's part, and adds the part if it is new. */
 static size_t find_part(struct named_parts *parts, const struct world_object *object,
                         const char *name)
 {
@@ -91,7 +91,7 @@ static bool name_is_new(const struct named_parts *parts, size_t i, const char *n
     return name;
 }
 
-/* Adds each distinct name of a part, or of a material. */
+/* Adds the distinct names of the parts, or of their materials. */
 static void add_names(const struct named_parts *parts, bool material,
                       const char *separator, c205_error *error)
 {

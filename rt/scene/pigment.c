@@ -6,7 +6,7 @@
 #include "rt/scene/elementary.h"
 #include "rt/scene/vector3.h"
 
-#define ROUND 1.00001 /* period of the frequency in POV-Ray, which is not exactly 1 */
+#define ROUND 1.00001 /* the frequency has this period in POV-Ray, not exactly 1 */
 
 const struct pattern_rule pattern_rules[PATTERN_FUNCTIONS] = {
 #define PATTERN(KIND, name, pigment, ...) { .routine = "pattern_" #name, __VA_ARGS__ },
@@ -56,7 +56,7 @@ size_t pigment_list_count(const struct pigment *pigment)
     return pattern_rules[pigment->pattern.function].listed;
 }
 
-/* The formulas are those of rt/kernels/light/pattern.s. */
+/* Applies the wave function. The formulas are those of rt/kernels/light/pattern.s. */
 static double in_wave(const struct pattern *pattern, double value)
 {
     if (pattern->frequency != 0)

@@ -1,4 +1,4 @@
-/* raster.c - detects the kinds of image files, and reads PGM and PPM.
+/* raster.c - detects the kind of an image file, and reads PGM and PPM.
  *
  * Source: the manual pages pgm(5) and ppm(5) of Netpbm.
  */
@@ -43,8 +43,8 @@ enum raster_kind raster_kind_of(const char *bytes, size_t length)
 /* A cursor in a Netpbm file. */
 struct netpbm {
     const unsigned char *next, *end;
-    bool plain; /* samples are text */
-    bool wide;  /* samples are two bytes, most significant first */
+    bool plain; /* samples are decimal text */
+    bool wide;  /* a sample has two bytes, most significant byte first */
 };
 
 static bool is_space(int byte)
@@ -52,7 +52,7 @@ static bool is_space(int byte)
     return byte == ' ' || (byte >= '\t' && byte <= '\r');
 }
 
-/* Skips blanks and comments, which reach from # to the end of the line. */
+/* Skips blanks and comments. A comment extends from # to the end of the line. */
 static void pass_spaces(struct netpbm *file)
 {
     bool comment = false;
@@ -66,7 +66,8 @@ static void pass_spaces(struct netpbm *file)
     }
 }
 
-/* Reads a decimal number. Fails if there is none or if it is above RASTER_PIXELS. */
+/* Reads a decimal number. Returns false if there is none, or if it is above
+ * RASTER_PIXELS. */
 static bool take_number(struct netpbm *file, uint32_t *number)
 {
     const unsigned char *first;
@@ -108,8 +109,8 @@ static bool take_samples(struct netpbm *file, struct raster *raster, c205_error 
     return true;
 }
 
-/* Reads width, height and the greatest sample, which follow the two letters of the
- * kind. One blank ends the header. */
+/* Reads width, height and greatest sample, which follow the two letters of the kind. A
+ * single blank ends the header. */
 static bool take_header(struct netpbm *file, struct raster *raster, c205_error *error)
 {
     uint32_t width, height;

@@ -12,18 +12,18 @@
 
 #include "vm/c205.h"
 
-/* An image, top row first, with the channels of a pixel adjacent: grey or three
- * colours, and optionally opacity. The colours are not premultiplied by it. Samples are
- * 0 to most. */
+/* An image. The top row is the first. The channels of a pixel are adjacent: grey or
+ * three colours, then an optional opacity. The colours are not premultiplied by the
+ * opacity. Samples are from 0 to most. */
 struct raster {
     size_t width, height, channels;
     uint32_t most;
     uint16_t *samples; /* allocated by malloc */
 };
-enum { RASTER_PIXELS = 1 << 23 }; /* at most */
+enum { RASTER_PIXELS = 1 << 23 }; /* largest number of pixels */
 
-/* Reads the bytes of a file, in a format named as in OpenImageIO. The caller frees the
- * samples. */
+/* Reads the bytes of an image file. `format` is the name of the format in OpenImageIO.
+ * The caller frees the samples. */
 typedef bool raster_reader(const char *format, const char *bytes, size_t length,
                            struct raster *raster, c205_error *error);
 
@@ -39,10 +39,10 @@ enum raster_kind {
     RASTER_KINDS
 };
 
-/* Returns the kind by the first bytes of the file. TGA has no signature: any other file
- * counts as TGA. */
+/* Returns the kind of a file, from its first bytes. TGA has no signature, so any
+ * unknown file counts as TGA. */
 enum raster_kind raster_kind_of(const char *bytes, size_t length);
-/* Reads an image. `reads` is called for kinds other than PGM and PPM; if it is NULL
+/* Reads an image. `reads` is called for kinds other than PGM and PPM. If it is NULL,
  * these kinds are errors. */
 bool raster_read(enum raster_kind kind, const char *bytes, size_t length,
                  raster_reader *reads, struct raster *raster, c205_error *error);

@@ -1,4 +1,4 @@
-/* spline.c - splines, with the rules of POV-Ray at their ends. */
+/* spline.c - splines. The rules at their ends are those of POV-Ray. */
 #include "rt/scene/spline.h"
 
 #include "base/array.h"
@@ -23,8 +23,8 @@ size_t spline_find(const struct spline *spline, double t)
     return low;
 }
 
-/* Adds a point with the latest value. As in POV-Ray it replaces a point with the same
- * parameter, except the last point: then the new one is ignored. */
+/* Adds a point with the latest value. As in POV-Ray, it replaces a point with the same
+ * parameter, unless that is the last point: the new point is then ignored. */
 static bool put(struct spline *spline, double t)
 {
     size_t count = spline->count, place = spline_find(spline, t);
@@ -42,7 +42,8 @@ static bool put(struct spline *spline, double t)
     return true;
 }
 
-/* As in POV-Ray the terms that a value lacks are those of the value before it. */
+/* Adds a point. As in POV-Ray, missing terms of its value are taken from the previous
+ * value. */
 bool spline_add(struct spline *spline, double t, const double *value, int terms)
 {
     if (spline->terms < terms)
@@ -80,14 +81,15 @@ void spline_release(struct spline *spline)
 
 /* ---- Values -------------------------------------------------------------- */
 
-/* Returns the slope of a term between a point and the next. */
+/* Returns the slope of a term from a point to the next point. */
 static double slope(const struct spline_point *point, int term)
 {
     return (point[1].value[term] - point[0].value[term]) / (point[1].t - point[0].t);
 }
 
-/* Solves the tridiagonal system of one term by elimination: the second derivatives at
- * both ends are 0, and the first derivatives agree at each inner point. */
+/* Solves the tridiagonal system of one term by elimination. Its equations are: the
+ * second derivatives are 0 at both ends, and the first derivatives agree at each inner
+ * point. */
 static void solve_term(struct spline *spline, int term)
 {
     struct spline_point *point = spline->points;
@@ -113,8 +115,8 @@ void spline_solve(struct spline *spline)
         solve_term(spline, term);
 }
 
-/* Computes one term at t, which is between points `end` - 1 and `end`, and within the
- * spline. */
+/* Computes one term at t. t is between the points end - 1 and end, both of which are in
+ * the spline. */
 typedef double term_value(const struct spline *spline, size_t end, int term, double t);
 
 static double linear(const struct spline *spline, size_t end, int term, double t)
@@ -123,8 +125,8 @@ static double linear(const struct spline *spline, size_t end, int term, double t
     return point->value[term] + (t - point->t) * slope(point, term);
 }
 
-/* The parabola through these two points and the one before them. In the first interval
- * it is that of the first three points. */
+/* The parabola through these two points and the point before them. In the first
+ * interval it goes through the first three points. */
 static double quadratic(const struct spline *spline, size_t end, int term, double t)
 {
     const struct spline_point *point = &spline->points[end > 1 ? end - 2 : 0];
@@ -162,7 +164,7 @@ static double natural(const struct spline *spline, size_t end, int term, double 
                     + d * (bend / 2 + d * (next - bend) / (6 * width)));
 }
 
-/* Returns the end point whose value is used at the parameter; NULL: the parameter is
+/* Returns the end point whose value is the result. Returns NULL if the parameter is
  * between the ends. */
 static const struct spline_point *at_end(const struct spline *spline, bool inner,
                                          size_t end)
@@ -173,8 +175,8 @@ static const struct spline_point *at_end(const struct spline *spline, bool inner
     return end + inset > last ? &spline->points[last - inset] : NULL;
 }
 
-/* A cubic spline ends at its second and its second to last point. For two points
- * POV-Ray returns their mean. */
+/* A cubic spline ends at its second and at its second to last point. A cubic spline of
+ * two points is their mean, as in POV-Ray. */
 void spline_value(const struct spline *spline, enum spline_kind kind, double t,
                   double value[SPLINE_TERMS])
 {

@@ -10,7 +10,7 @@
 
 /* A chunk of a PNG file: length, name, data, checksum. */
 enum { PNG_FIRST = 8, PNG_HEAD = 8, PNG_TAIL = 4 };
-#define PNG_GAMMA 100000. /* gAMA value of gamma 1 */
+#define PNG_GAMMA 100000. /* value of gAMA for gamma 1 */
 
 static uint32_t long_at(const char *bytes, size_t i)
 {
@@ -18,7 +18,8 @@ static uint32_t long_at(const char *bytes, size_t i)
     return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | b[3];
 }
 
-/* Returns the function that the chunks of a file state; else `transfer`. */
+/* Returns the transfer function that the chunks of a file specify, or else
+ * `transfer`. */
 static struct transfer_function png_transfer(const char *bytes, size_t length,
                                              struct transfer_function transfer)
 {
@@ -68,8 +69,8 @@ double transfer_light(const struct transfer_function *transfer, double share,
                : light;
 }
 
-/* The sum is in 32-bit floats as in POV-Ray, because its rounding decides the truncated
- * result. */
+/* As in POV-Ray, the sum is in 32-bit floats, because its rounding decides the
+ * truncated result. */
 uint32_t grey_png_steps(float share)
 {
     float red = share * .297f, green = share * .589f, blue = share * .114f;

@@ -1,7 +1,7 @@
 /* transform.h - affine maps of a scene file.
  *
  * Each step (translate, rotate, ..) is stored with its inverse. The inverse is computed
- * from the arguments of the step, so it is as accurate as the step.
+ * from the arguments of the step, and is therefore as accurate as the step.
  */
 #ifndef RT_SCENE_TRANSFORM_H
 #define RT_SCENE_TRANSFORM_H
@@ -9,20 +9,20 @@
 #include "rt/scene/scene.h"
 
 struct placement {
-    struct transform to_world; /* from the object's own space to the world */
-    struct transform to_local; /* its inverse */
+    struct transform to_world; /* from the object's space to world space */
+    struct transform to_local; /* the inverse of to_world */
 };
 
 extern const struct placement placement_none;
 
 struct placement placement_translation(const double by[3]);
-/* No component may be 0. */
+/* No component of `by` may be 0. */
 struct placement placement_scaling(const double by[3]);
 /* Rotates about x, then y, then z, in degrees. The axes are left-handed: a positive
  * angle about z turns x towards y. */
 struct placement placement_rotation(const double degrees[3]);
-/* Sets the map from the twelve numbers of `matrix`: rows of three, applied to row
- * vectors from the right; the last row is the translation. Fails if the map has no
+/* Computes the map of `matrix`. Its twelve numbers are rows of three that are applied
+ * to row vectors; the last row is the translation. Returns false if the map has no
  * inverse. */
 bool placement_matrix(const double values[12], struct placement *placement);
 
@@ -36,11 +36,11 @@ bool placement_is_finite(const struct placement *placement);
 /* Returns the map that applies `first`, then `second`. */
 struct transform transform_then(const struct transform *first,
                                 const struct transform *second);
-/* Fails if the map has no inverse. */
+/* Returns false if the map has no inverse. */
 bool transform_invert(const struct transform *map, struct transform *inverse);
 void transform_point(const struct transform *transform, double point[3]);
-/* Transforms a normal back from the space that to_local leads to, by the transpose of
- * to_local. The length of the normal changes. */
+/* Transforms a normal from the target space of to_local back to its source space, by
+ * the transpose of to_local. The length of the normal changes. */
 void transform_normal(const struct transform *to_local, double normal[3]);
 void transform_direction(const struct transform *transform, double vector[3]);
 

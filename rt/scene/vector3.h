@@ -34,7 +34,7 @@ static inline void subtract3(const double a[3], const double b[3], double differ
         difference[i] = a[i] - b[i];
 }
 
-/* Returns the greatest absolute value of a component. Unlike the length it cannot
+/* Returns the greatest absolute value of a component. Unlike the length, it cannot
  * overflow. */
 static inline double greatest3(const double a[3])
 {

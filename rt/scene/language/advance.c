@@ -1,4 +1,4 @@
-/* advance.c - advances from token to token, executing directives and macros. */
+/* advance.c - advances from token to token, and executes directives and macros. */
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/directive.h"
 #include "rt/scene/language/array_element.h"
@@ -15,8 +15,8 @@ bool reader_stop(struct reader *reader)
     return false;
 }
 
-/* Calls go_on once per ASKED_EACH bytes, because the call may be slow. Returns whether
- * it has ended the reading. */
+/* Calls go_on, which may be slow, once per ASKED_EACH bytes. Returns true if go_on has
+ * stopped the reading. */
 static bool is_stopped(struct reader *reader, size_t bytes)
 {
     const struct scene_options *options = reader->options;
@@ -65,8 +65,8 @@ static void count_brackets(struct reader *reader, int sign)
         *brackets -= *brackets > 1;
 }
 
-/* Reads the next token. Invalid bytes are reported and skipped here, so that every one
- * is reported. */
+/* Reads the next token. Invalid bytes are skipped here, so that all of them are
+ * reported. */
 void reader_step(struct reader *reader)
 {
     if (reader->token.kind == TOKEN_SIGN)
@@ -111,7 +111,7 @@ void reader_jump(struct reader *reader, const struct text_place *place)
     reader_step(reader);
 }
 
-/* Closes a frame at its end; the frame below continues. */
+/* Closes a frame at its end. Reading continues in the frame below. */
 static bool close_frame(struct reader *reader)
 {
     if (reader->token.kind != TOKEN_END || reader->lexer.depth == 1)

@@ -11,7 +11,7 @@
 /* ---- Elements ------------------------------------------------------------ */
 
 /* Reads a size or an index from "[" to "]". The "]" stays the current token, so that
- * the text after it is not interpreted yet. As in POV-Ray the value is truncated. */
+ * the text after it is not yet interpreted. As in POV-Ray, the value is truncated. */
 static bool read_size(struct reader *reader, double most, size_t *size)
 {
     struct scene_token at;
@@ -51,7 +51,7 @@ static bool read_indices(struct reader *reader, const struct array *array,
     return true;
 }
 
-/* Reads the indices of one array. The expressions in them may change the array, so its
+/* Reads the indices of an array. The expressions in them may change the array, so its
  * value is looked up again. */
 static bool read_hop(struct reader *reader, struct scene_token *name)
 {
@@ -163,7 +163,7 @@ static bool read_sizes(struct reader *reader, size_t *dimensions, size_t *sizes)
     return true;
 }
 
-/* The rows are optional. Without them the elements are not set. */
+/* Reads the rows. They are optional; without rows the elements are not set. */
 bool array_read(struct reader *reader, struct scene_value *value)
 {
     struct scene_token at = reader->token;

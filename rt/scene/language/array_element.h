@@ -4,12 +4,12 @@
 
 #include "rt/scene/language/reader.h"
 
-/* The current token is the name of an array. Reads the indices after it, if any; the
- * token then refers to the element, and is looked up. */
+/* Reads the indices after the name of an array, which is the current token. Afterwards
+ * the token refers to the element, and its value is looked up. */
 bool element_read(struct reader *reader);
-/* Like element_read, for an element that need not be set. */
+/* Like element_read, for an element that may not be set. */
 bool element_read_place(struct reader *reader);
-/* Reads the value of an array; the current token is its word. */
+/* Reads the value of an array. The current token is the keyword `array`. */
 bool array_read(struct reader *reader, struct scene_value *value);
 
 #endif

@@ -1,9 +1,9 @@
 /* bicubic_patch.c - parses and tessellates bicubic_patch, a Bezier patch of 4 x 4
  * points.
  *
- * The patch is divided as in POV-Ray: a piece is halved in u and in v until it is flat
- * or has been halved often enough, and then becomes two triangles. Flatness is a
- * distance in the world, so the patch is divided after its transform is final.
+ * As in POV-Ray, a piece is halved in u and in v until it is flat or the limit of
+ * halvings is reached. It then becomes two triangles. Flatness is a distance in world
+ * space, so the patch is divided after its transform is final.
  */
 #include "rt/scene/language/scene_statement.h"
 
@@ -14,19 +14,19 @@
 
 #include <string.h>
 
-/* POV-Ray's tolerances: corners closer than CORNER_SAME are the same; a cross product
- * whose square is below NO_AREA times the squares of its factors counts as 0. */
+/* POV-Ray's tolerances. Corners closer than CORNER_SAME are equal. A cross product
+ * counts as 0 if its square is below NO_AREA times the squares of its factors. */
 #define CORNER_SAME 1e-10
 #define NO_AREA 1e-10
 
 enum { MAX_STEPS = 20 };
 
-/* The words before the points. */
+/* The keywords before the points. */
 enum patch_word { PATCH_TYPE, PATCH_FLATNESS, PATCH_U, PATCH_V, PATCH_WORDS };
 static const char *const patch_words[PATCH_WORDS] = { "type", "flatness", "u_steps",
                                                       "v_steps" };
 
-/* at[i][j]: i is along u, j is along v. */
+/* The control points at[i][j]: i is the index along u, j along v. */
 struct patch_points {
     double at[4][4][3];
 };
@@ -42,22 +42,22 @@ struct patch_cutting {
     struct reader *reader;
     const struct scene_token *at;
     const struct bicubic_patch *patch;
-    struct patch_points points; /* in the world */
+    struct patch_points points; /* in world space */
     struct triangles triangles;
-    size_t capacity; /* of the triangles */
+    size_t capacity; /* capacity of the triangles */
 };
 
 /* A piece of a patch: its control points and its range of parameters. */
 struct piece {
     struct patch_points points;
-    double from[2], to[2]; /* u, v */
+    double from[2], to[2]; /* range of u and v */
     int depth;
 };
 
 /* ---- The surface --------------------------------------------------------- */
 
 /* Computes the weights of the four points at t, and the weights of their three
- * differences in the derivative. */
+ * differences in the derivative at t. */
 static void weigh(double t, double points[4], double differences[3])
 {
     double s = 1 - t;
@@ -70,7 +70,7 @@ static void weigh(double t, double points[4], double differences[3])
     differences[2] = 3 * t * t;
 }
 
-/* Fails if the vectors are parallel or one of them is 0. */
+/* Returns false if the vectors are parallel, or if one of them is 0. */
 static bool unit_product(const double a[3], const double b[3], double product[3])
 {
     double square;
@@ -82,7 +82,8 @@ static bool unit_product(const double a[3], const double b[3], double product[3]
     return true;
 }
 
-/* Computes the unit normal; as in POV-Ray it is x where there is none. */
+/* Computes the unit normal. As in POV-Ray, it is the x axis where the patch has no
+ * normal. */
 static void patch_normal(const struct patch_points *points, double u, double v,
                          double normal[3])
 {
@@ -103,7 +104,8 @@ static void patch_normal(const struct patch_points *points, double u, double v,
         copy3(none, normal);
 }
 
-/* Returns true if all points are within this distance of the plane of three corners. */
+/* Returns true if all points are within the distance `flatness` of the plane of three
+ * corners. */
 static bool is_flat(const struct patch_points *points, double flatness)
 {
     const double(*at)[4][3] = points->at;
@@ -125,7 +127,7 @@ static bool is_flat(const struct patch_points *points, double flatness)
 
 /* ---- Pieces of a patch --------------------------------------------------- */
 
-/* Returns point i of row or column `line`, along an axis. */
+/* Returns point i of a row or column. `line` is the index of the row or column. */
 static double *point_of(struct patch_points *points, int axis, int line, int i)
 {
     return axis == 0 ? points->at[i][line] : points->at[line][i];
@@ -137,8 +139,8 @@ static void middle(const double a[3], const double b[3], double between[3])
         between[i] = (a[i] + b[i]) / 2;
 }
 
-/* De Casteljau's algorithm at 1/2: points a b c d become a ab abc abcd (lower half) and
- * abcd bcd cd d (upper half). */
+/* Applies de Casteljau's algorithm at 1/2. Points a b c d become a ab abc abcd (lower
+ * half) and abcd bcd cd d (upper half). */
 static void halve_line(struct patch_points *low, struct patch_points *high, int axis,
                        int line)
 {
@@ -156,7 +158,8 @@ static void halve_line(struct patch_points *low, struct patch_points *high, int 
     copy3(l[3], h[0]);
 }
 
-/* Halves a piece along an axis. The piece becomes the lower half; returns the upper. */
+/* Halves a piece along an axis. The piece becomes the lower half. Returns the upper
+ * half. */
 static struct piece cut_off(struct piece *piece, int axis)
 {
     struct piece high = *piece;
@@ -183,8 +186,8 @@ static bool add_triangle(struct patch_cutting *cutting, const struct triangle *t
                               triangle, cutting->at);
 }
 
-/* Adds two triangles, whose common edge leads from the least parameters to the
- * greatest. */
+/* Adds two triangles. Their common edge connects the corners with the least and the
+ * greatest parameters. */
 static bool add_leaf(struct patch_cutting *cutting, const struct piece *piece)
 {
     struct triangle triangle = { .smooth = true };
@@ -264,8 +267,8 @@ static bool read_word(struct reader *reader, struct bicubic_patch *patch,
     return true;
 }
 
-/* Reads the words, in any order. The types differ in how much of the subdivision
- * POV-Ray stores; all give the same picture. */
+/* Reads the keywords, in any order. The types differ in how much of the subdivision
+ * POV-Ray stores; all types have the same picture. */
 static bool read_words(struct reader *reader, struct bicubic_patch *patch)
 {
     size_t word = 0;
@@ -291,7 +294,7 @@ static bool read_points(struct reader *reader, struct patch_points *points)
     return read_vectors(reader, points->at[0], 16);
 }
 
-/* Returns true if all points are on a line; such a patch is invisible in any place. */
+/* Returns true if all points are on a line. Such a patch is always invisible. */
 static bool is_on_line(const struct patch_points *points)
 {
     const double *at = points->at[0][0];

@@ -1,7 +1,7 @@
 /* camera.c - parses cameras as POV-Ray 3.5 and later do.
  *
- * The words may be in any order. After all are read, angle, then look_at, then the
- * transforms are applied.
+ * The words may be in any order. After all words have been read, the parser applies
+ * angle, look_at and the transforms, in this order.
  */
 #include "rt/scene/elementary.h"
 #include "rt/scene/language/scene_expression.h"
@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-#define NEAR 1e-10 /* POV-Ray's tolerance for sky */
+#define NEAR 1e-10 /* POV-Ray's tolerance for `sky` */
 
 /* POV-Ray's default for right is 1.33 x, not 4/3 x. */
 const struct camera_setting camera_default = {
@@ -21,16 +21,17 @@ const struct camera_setting camera_default = {
 
 struct camera_reading {
     struct camera_setting setting; /* first member: a named camera replaces it */
-    double angle;                  /* degrees; 0: not given */
+    double angle;                  /* in degrees; 0: not specified */
     double look_at[3];
     bool looks;
-    bool spans; /* right or up is given */
+    bool spans; /* right or up is specified */
     double focal_point[3];
     bool focuses;
     struct placement placement;
 };
 
-/* Reads a vector, and records whether it is one that has an effect later. */
+/* Reads a vector. Records whether it is one of look_at, focal_point, right and up,
+ * which are used later. */
 static bool read_vector_of(struct reader *reader, const struct item *item)
 {
     struct camera_reading *reading = item->subject;
@@ -51,7 +52,7 @@ static bool read_angle(struct reader *reader, const struct item *item)
                                "the angle must be at least 0 and below 180 degrees"));
 }
 
-/* perspective, orthographic; detail: whether it is the latter */
+/* Reads `perspective` or `orthographic`. detail: true for orthographic */
 static bool read_kind(struct reader *reader, const struct item *item)
 {
     struct camera_reading *reading = item->subject;
@@ -60,7 +61,8 @@ static bool read_kind(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Measured: POV-Ray's rays start up to a quarter of its aperture from the location. */
+/* As measured, POV-Ray's rays start up to a quarter of its aperture from the
+ * location. */
 static bool read_aperture(struct reader *reader, const struct item *item)
 {
     struct camera_reading *reading = item->subject;
@@ -107,7 +109,7 @@ static const struct keyword words[] = {
     { "orthographic", read_kind, true },
     { "aperture", read_aperture, 0 },
     { "blur_samples", read_lens_points, 0 },
-    /* Thresholds at which POV-Ray stops adding random rays. */
+    /* The thresholds at which POV-Ray stops adding random rays have no effect here. */
     { "confidence variance", item_ignored, 0 },
     { "bokeh normal", item_left_out, 0 },
     { "cylinder fisheye mesh_camera omnimax panoramic spherical ultra_wide_angle",
@@ -124,7 +126,7 @@ static void set_length(double vector[3], double length)
     scale3(length / length3(vector), vector);
 }
 
-/* angle is the horizontal field of view, which determines the length of direction. */
+/* Sets the length of direction from the horizontal field of view. */
 static void apply_angle(struct camera *camera, double angle)
 {
     if (angle > 0)
@@ -132,9 +134,9 @@ static void apply_angle(struct camera *camera, double angle)
                    length3(camera->right) / elementary_tan(angle * PI / 360) / 2);
 }
 
-/* Scales an orthographic camera to show as much at look_at as a perspective one would,
- * unless right or up sets its size; with an angle it is always scaled. A named camera
- * is scaled already. */
+/* Scales an orthographic camera so that it shows as much at look_at as a perspective
+ * camera. A camera whose size is set by right or up is only scaled if it has an angle.
+ * A named camera has been scaled. */
 static void apply_distance(struct camera_reading *reading)
 {
     struct camera *camera = &reading->setting.camera;
@@ -160,8 +162,8 @@ static double handedness(const struct camera *camera)
     return dot3(across, camera->right);
 }
 
-/* Rotates direction, right and up towards look_at, keeping their lengths and
- * handedness. */
+/* Rotates direction, right and up towards look_at. Their lengths and the handedness do
+ * not change. */
 static bool apply_look_at(struct reader *reader, const struct scene_token *at,
                           struct camera_reading *reading)
 {
@@ -187,9 +189,9 @@ static bool apply_look_at(struct reader *reader, const struct scene_token *at,
     return true;
 }
 
-/* The distance of the focal point is the distance of the sharp plane, in whatever
- * direction the point is. It is measured before any transform, as in POV-Ray
- * (measured). */
+/* The distance of the focal point is the distance of the sharp plane, also if the point
+ * is not ahead. As measured in POV-Ray, the distance is computed before the
+ * transforms. */
 static void apply_focal_point(struct reader *reader, const struct scene_token *at,
                               struct camera_reading *reading)
 {
@@ -216,7 +218,7 @@ static void apply_placement(struct camera *camera, const struct transform *trans
     transform_direction(transform, camera->up);
 }
 
-/* Returns true if all lengths are finite, and the picture has an area. */
+/* Returns true if all lengths are finite and the picture has an area. */
 static bool is_sound(const struct camera *camera)
 {
     double volume = handedness(camera);

@@ -6,7 +6,7 @@
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/scene_expression.h"
 
-/* Skips to the next case, whose match is then checked. */
+/* Skips to the next case. */
 static bool to_next(struct reader *reader, struct scene_condition *condition)
 {
     struct scene_token at = condition->at;
@@ -29,7 +29,7 @@ bool switch_begin(struct reader *reader, const struct item *item)
     return to_next(reader, condition);
 }
 
-/* Reads "(" value or "(" lowest, highest; the current token is then ")". */
+/* Reads "(" value, or "(" lowest, highest. The current token is then ")". */
 static bool read_bounds(struct reader *reader, bool range, double *lowest,
                         double *highest)
 {

@@ -2,10 +2,9 @@
  *
  *   clipped_by { OBJECT ... }    bounded_by { OBJECT ... }
  *
- * A clipped object keeps the part that is inside all its clipping objects, which are
- * not visible themselves. A bound is an object that POV-Ray tests before it tests the
- * bounded object. It changes the picture if the object is a compound and extends beyond
- * it.
+ * The clipped object is the part of OBJECT that is inside all clipping objects.
+ * Clipping objects are invisible. POV-Ray tests a bound before the bounded object. A
+ * bound changes the picture if the object is a compound and extends beyond the bound.
  */
 #include "rt/scene/language/scene_statement.h"
 
@@ -17,10 +16,10 @@
 
 /* ---- Objects in the braces ----------------------------------------------- */
 
-/* The objects that have been read, one solid each. */
+/* The objects that have been read. Each is one solid. */
 struct clipping {
     struct scene_object solids; /* first member: the subject of transforms */
-    bool is_clip; /* bounded_by { clipped_by }, which has no effect of its own */
+    bool is_clip;               /* bounded_by { clipped_by }, which has no effect */
 };
 
 /* Checks that the object has an inside. */
@@ -61,7 +60,7 @@ static const struct keyword bounded_by_word[] = {
     { NULL, NULL, 0 },
 };
 
-/* A transform moves all objects before it. */
+/* A transform moves all objects that precede it. */
 static const struct grammar of_clip = { "an object to clip by",
                                         { bounded_by_word },
                                         .object = read_solid,
@@ -73,7 +72,8 @@ static const struct grammar of_bound = { "an object as a bound",
 
 /* ---- clipped_by ---------------------------------------------------------- */
 
-/* Makes clipping objects invisible, with a texture that is not replaced later. */
+/* Makes clipping objects invisible, and gives them a texture that is not replaced
+ * later. */
 static void hide(const struct reader *reader, struct scene_object *clip)
 {
     for (size_t i = 0; i < clip->part_count; i++) {
@@ -101,7 +101,7 @@ static size_t count_solids(const struct scene_object *object)
     return count;
 }
 
-/* Joins a compound solid into one. */
+/* Joins the solids of a compound into one solid. */
 static bool make_whole(struct reader *reader, struct scene_object *object)
 {
     return object->joining == JOIN_APART || object_join(object)
@@ -170,7 +170,8 @@ static bool holds(const struct primitive *bound, const double point[3])
                                         : sphere_holds(bound, local);
 }
 
-/* The bound is convex, so it contains a box if it contains its corners. */
+/* Returns true if the bound contains a box. The bound is convex, so it contains the box
+ * if it contains all its corners. */
 static bool holds_box(const struct primitive *bound, const struct bound *about)
 {
     for (int i = 0; i < 8; i++) {
@@ -183,7 +184,7 @@ static bool holds_box(const struct primitive *bound, const struct bound *about)
     return true;
 }
 
-/* Returns the radius of the sphere in the world, or 0 if it is an ellipsoid there. */
+/* Returns the radius of a sphere in world space, or 0 if it is an ellipsoid there. */
 static double radius_in_world(const struct primitive *sphere)
 {
     const double(*rows)[4] = sphere->to_world.rows;
@@ -208,15 +209,15 @@ static bool holds_sphere(const struct primitive *bound, const struct bound *abou
     return length3(from) + about->radius <= radius_in_world(bound) * (1 + SLACK);
 }
 
-/* Bounds a part without the margin that rays need. */
+/* Computes the bound of a part, without the margin for rays. */
 static void bound_part(const struct primitive *primitive, struct bound *bound)
 {
     const struct shape *shape = shape_of(primitive);
     (shape->endless ? bound_without : shape->bound)(primitive, bound);
 }
 
-/* Bounds a branch. *part is the index of its first leaf, and becomes the index after
- * its last. */
+/* Computes the bound of a branch. On entry *part is the index of the branch's first
+ * leaf; on return it is the index after its last leaf. */
 static void bound_branch(const struct scene_object *object, size_t at, size_t *part,
                          struct bound *whole)
 {

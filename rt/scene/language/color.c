@@ -1,8 +1,8 @@
 /* color.c - parses colours.
  *
- * A colour is a word for the order of its components and their numbers (rgb, rgbf,
- * ...), a list of components (red 1 green .5), or the name of a colour. Components
- * after it replace those of the colour.
+ * A colour has one of three forms: a keyword for the order of its components, then
+ * their numbers (rgb, rgbf, ...); a list of components (red 1 green .5); the name of a
+ * colour. Components after a colour replace its components.
  */
 #include "rt/scene/elementary.h"
 #include "rt/scene/language/scene_expression.h"
@@ -12,7 +12,7 @@
 
 enum { RED, GREEN, BLUE, FILTER, TRANSMIT };
 
-/* The components of a word, in the order of its numbers. */
+/* The components that a keyword selects, in the order of the numbers. */
 static const struct color_order {
     const char *word;
     int count;
@@ -67,7 +67,7 @@ static bool read_ordered(struct reader *reader, const struct color_order *order,
     if (!read_expression(reader, &given))
         return false;
     if (given.count == COLOR_TERMS && order->count > 1 && !order->srgb) {
-        *color = given; /* a value that is a colour already is not reordered */
+        *color = given; /* a value that is already a colour is not reordered */
         return true;
     }
     if (given.count > order->count)
@@ -83,7 +83,7 @@ static bool read_ordered(struct reader *reader, const struct color_order *order,
     return true;
 }
 
-/* Reads red, green, .. one by one, while they follow. */
+/* Reads components (red, green, ..) while there are any. */
 static bool read_terms(struct reader *reader, struct numbers *color)
 {
     const struct color_order *order = TOKEN_ROW(&reader->token, orders);

@@ -3,7 +3,7 @@
 #include "rt/scene/language/pattern.h"
 #include "rt/scene/vector3.h"
 
-#define MAX_COLOR 1e100 /* keeps differences finite */
+#define MAX_COLOR 1e100 /* so that differences are finite */
 
 static bool put_stop(struct reader *reader, struct color_map *map, size_t *room,
                      double at, const struct numbers *color)

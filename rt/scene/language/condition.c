@@ -97,7 +97,7 @@ bool condition_holds(double value)
     return fabs(value) >= EXPRESSION_SAME;
 }
 
-/* Reads "(" condition, or "(" name; the current token is then ")". */
+/* Reads "(" condition, or "(" name. The current token is then ")". */
 static bool read_brackets(struct reader *reader, bool name, double *value)
 {
     size_t sealed = condition_seal(reader);
@@ -145,8 +145,8 @@ static bool choose(struct reader *reader, struct scene_condition *condition)
     }
 }
 
-/* Begins an #if. The current token is the last one of the condition. If the condition
- * has an error (`good` is false), everything up to the #end is skipped. */
+/* Begins an #if. The current token is the last token of the condition. If the condition
+ * has an error (`good` is false), the text up to the #end is skipped. */
 static bool begin(struct reader *reader, const struct scene_token *at, bool good,
                   bool holds)
 {
@@ -174,7 +174,8 @@ bool condition_ifdef(struct reader *reader, const struct item *item)
     return begin(reader, &item->at, good, (defined != 0) == wanted);
 }
 
-/* #else and #elseif end the branch that was read; the rest up to #end is skipped. */
+/* #else and #elseif end the branch that has been read. The rest up to #end is
+ * skipped. */
 bool condition_else(struct reader *reader, const struct item *item)
 {
     struct scene_condition *condition = condition_top(reader);
@@ -200,7 +201,7 @@ bool condition_end(struct reader *reader, const struct item *item)
 
 /* ---- #break -------------------------------------------------------------- */
 
-/* Returns the innermost loop or #switch of this frame, or NULL. */
+/* Returns the innermost loop or #switch of the current frame, or NULL. */
 static struct scene_condition *breakable(struct reader *reader)
 {
     size_t serial = lexer_top(&reader->lexer)->serial;
@@ -213,7 +214,7 @@ static struct scene_condition *breakable(struct reader *reader)
     return NULL;
 }
 
-/* As in POV-Ray, a #break outside of loops ends its macro. */
+/* As in POV-Ray, a #break that is not in a loop or #switch ends the macro. */
 static bool end_macro(struct reader *reader, const struct scene_token *at)
 {
     const struct open_text *top = lexer_top(&reader->lexer);

@@ -2,8 +2,8 @@
  *
  * A file is found as by #include, and read value by value: floats, vectors and strings,
  * with or without commas in between. After the last value its name is undeclared, as in
- * POV-Ray, so that `defined` detects the end. A scene that is read writes no file:
- * #write is ignored.
+ * POV-Ray, so that `defined` detects the end. #write is ignored, because reading a
+ * scene must not write files.
  */
 #include "rt/scene/language/directive.h"
 
@@ -77,7 +77,7 @@ bool data_file_open(struct reader *reader, const struct item *item)
     return done;
 }
 
-/* Returns the open file that the current token names; NULL after an error. */
+/* Returns the open file that the current token names, or NULL after an error. */
 static const struct data_file *expect_file(struct reader *reader)
 {
     struct scene_token *token = &reader->token;
@@ -87,8 +87,8 @@ static const struct data_file *expect_file(struct reader *reader)
     return NULL;
 }
 
-/* Removes the name of a file. A parameter of a macro is removed with the macro; its
- * target is closed instead. */
+/* Removes the name of a file. If the name is a parameter of a macro, its target is
+ * closed instead; the parameter is removed with the macro. */
 static void forget(struct reader *reader, const struct scene_token *name)
 {
     const struct declared_name *own = symbols_find(&reader->symbols, name->text,
@@ -114,7 +114,8 @@ bool data_file_close(struct reader *reader, const struct item *item)
 
 /* ---- #read --------------------------------------------------------------- */
 
-/* A value that is being read. The lexer is in the file, one token ahead. */
+/* A value that is being read. The lexer is in the file, one token ahead of the
+ * value. */
 struct datum {
     struct reader *reader;
     struct scene_token token;
@@ -171,7 +172,7 @@ static bool take_value(struct datum *datum, struct scene_value *value)
     return take_float(datum, value->is.numbers.n);
 }
 
-/* Reads a value and the comma after it. */
+/* Reads a value and the optional comma after it. */
 static bool take_datum(struct datum *datum, const struct data_file *file,
                        const struct scene_token *at, struct scene_value *value)
 {
@@ -185,9 +186,10 @@ static bool take_datum(struct datum *datum, const struct data_file *file,
     return true;
 }
 
-/* Reads the next value of the file, whose cursor moves to the token after it. A
- * temporary frame holds the file's text. At the end of the file file->source becomes
- * NULL, and the value is VALUE_FAULTY if there is none. */
+/* Reads the next value of the file, and moves the file's cursor to the token after it.
+ * The text of the file is read in a temporary frame. At the end of the file,
+ * file->source becomes NULL. If the file has no more values, the value is
+ * VALUE_FAULTY. */
 static bool read_datum(struct reader *reader, struct data_file *file,
                        const struct scene_token *at, struct scene_value *value)
 {
@@ -215,7 +217,7 @@ static bool read_datum(struct reader *reader, struct data_file *file,
     return false;
 }
 
-/* Reads into the next target. After the end of the file targets keep their values. */
+/* Reads into the next target. A target is not changed after the end of the file. */
 static bool read_next(struct reader *reader, struct data_file *file)
 {
     struct target target = { .local = false };

@@ -12,7 +12,8 @@
 
 /* ---- Values -------------------------------------------------------------- */
 
-/* Reads the textures that follow, since a texture may have layers. */
+/* Reads all textures that follow, because the layers of a texture are separate
+ * textures. */
 static bool read_layers(struct reader *reader, struct texture *texture)
 {
     bool done = true;
@@ -24,7 +25,7 @@ static bool read_layers(struct reader *reader, struct texture *texture)
     return done;
 }
 
-/* Sets the value that the text modifies. */
+/* Sets the initial value that the text modifies. */
 static void begin_value(const struct reader *reader, struct scene_value *value)
 {
     const struct texture *usual = &reader->default_texture;
@@ -36,7 +37,7 @@ static void begin_value(const struct reader *reader, struct scene_value *value)
     case VALUE_TEXTURE:
     case VALUE_TEXTURE_MAP: value->is.texture = *usual; break;
     case VALUE_NORMAL: value->is.bumps = usual->bumps; break;
-    /* It may be used for an average, so the numbers are optional. */
+    /* The map may be used for an average, so its numbers are optional. */
     case VALUE_NORMAL_MAP: value->is.bump_list.average = true; break;
     case VALUE_INTERIOR: value->is.interior = 1; break;
     case VALUE_CAMERA: value->is.camera = camera_default; break;
@@ -87,7 +88,7 @@ static bool declare_function(struct reader *reader, const struct item *item)
     return value->is.formula;
 }
 
-/* Skips a feature that is not drawn. It is reported where it is used. */
+/* Skips a feature that is not supported. It is reported where it is used. */
 static bool declare_look(struct reader *reader, const struct item *item)
 {
     struct scene_value *value = item->subject;
@@ -238,8 +239,8 @@ bool name_expected(struct reader *reader, const struct scene_token *token)
 
 /* ---- #declare, #local, #undef -------------------------------------------- */
 
-/* Reads from after "=" to after the ";", which is required after numbers. The text
- * after any other value is not read yet, because its meaning may depend on the name. */
+/* Reads the value and its ";", which is required after numbers. The text after another
+ * kind of value is not read yet, because its meaning may depend on the name. */
 static bool read_right_side(struct reader *reader, size_t depth,
                             struct scene_value *value)
 {
@@ -275,8 +276,8 @@ const char *target_assign(struct reader *reader, const struct target *target,
                           value);
 }
 
-/* Skips deprecated [once] ["text"] in #declare deprecated [once] ["text"] NAME; uses of
- * the name are not reported. */
+/* Skips the optional [once] and ["text"] in #declare deprecated [once] ["text"] NAME.
+ * Uses of the name are not reported. */
 static void pass_deprecated(struct reader *reader)
 {
     if (!is_token(&reader->token, "deprecated"))
@@ -306,8 +307,8 @@ bool target_read(struct reader *reader, struct target *target)
     return true;
 }
 
-/* Declares a name. If its declaration has an error, the name is declared as faulty, so
- * that its uses do not report the error again. */
+/* Declares a name. If its value has an error, the name is declared as faulty, so that
+ * uses of the name do not report the error again. */
 static bool declare_value(struct reader *reader, struct target *target)
 {
     struct scene_value value;

@@ -11,20 +11,20 @@ item_reader read_undef;
 struct target {
     struct scene_token name;
     bool is_element, local;
-    size_t level; /* of the frame with the directive */
+    size_t level; /* level of the frame that contains the directive */
 };
-/* Reads a target; its last token is left with reader_step. */
+/* Reads a target, and leaves its last token with reader_step. */
 bool target_read(struct reader *reader, struct target *target);
-/* Assigns a value. As in POV-Ray, #declare changes the innermost symbol of the name,
- * and #local the one of its own level. Takes ownership of the value in any case.
- * Returns the reason of a failure, or NULL. */
+/* Assigns a value. As in POV-Ray, #declare changes the innermost symbol with the name,
+ * and #local changes the symbol at its own level. Takes ownership of the value even
+ * after a failure. Returns the reason of the failure, or NULL. */
 const char *target_assign(struct reader *reader, const struct target *target,
                           struct scene_value *value);
 
 /* Reads a value of any kind. */
 bool value_read(struct reader *reader, struct scene_value *value);
 
-/* Returns true if the token is a word of the language, which cannot be a name. */
+/* Returns true if the token is a keyword of the language, which cannot be a name. */
 bool is_reserved(const struct scene_token *token);
 /* Checks that the token `name` can be declared. */
 bool name_expected(struct reader *reader, const struct scene_token *name);

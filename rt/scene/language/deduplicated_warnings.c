@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* All reported warnings with the same words. */
+/* All reported warnings with the same text. */
 struct warning_cause {
     struct warning_cause *next;
     const char *words;
@@ -16,23 +16,26 @@ struct warning_cause {
 };
 
 struct scene_warning {
-    struct scene_warning *next; /* in the bucket */
+    struct scene_warning *next; /* next warning in the hash bucket */
     struct warning_place place;
     const char *words, *calls;
     bool reported;
-    size_t page; /* serial number of the last page that has it */
+    size_t page; /* serial number of the last page that contains it */
 };
 
-/* A list node: a warning, or all warnings of another value; then the rest. */
+/* A node of a list: a warning, or the list of another value. `rest` is the next
+ * node. */
 struct value_warnings {
     struct scene_warning *warning;
     struct value_warnings *used, *rest;
     bool reported;
-    size_t page;                    /* serial number of the last page that has it */
-    struct value_warnings *waiting; /* stack of nodes to report */
+    size_t page;                    /* serial number of the last page that contains
+                                     * it */
+    struct value_warnings *waiting; /* next node on the stack of nodes to report */
 };
 
-/* Returns the offset that distinguishes places; 0 everywhere in a library. */
+/* Returns the offset that distinguishes places in a file. It is 0 for all places in a
+ * library. */
 static size_t offset_of(const struct warning_place *place)
 {
     return place->source->library ? 0 : place->at;
@@ -66,8 +69,8 @@ static struct scene_warning *new_note(struct deduplicated_warnings *book,
     return warning;
 }
 
-/* Returns the warning with this place and these words; it is created if there is none.
- * Returns NULL if there are too many, or without memory. */
+/* Returns the warning with this place and these words, and creates it if there is none.
+ * Returns NULL if there are too many warnings, or if out of memory. */
 static struct scene_warning *scene_warning_of(struct deduplicated_warnings *book,
                                               const struct warning_place *place,
                                               const char *words, const char *calls)
@@ -147,9 +150,8 @@ void warnings_report(const struct deduplicated_warnings *book, enum severity sev
                         "after " LIMIT_TEXT(MAX_REPORTS));
 }
 
-/* Reports the warnings of a value and of all values that it uses. A node is marked as
- * it is pushed on the stack `waiting`, so each is visited once, however often it is
- * used. */
+/* Reports the warnings of a value and of all values that it uses. A node is marked when
+ * it is pushed on the stack `waiting`, so it is visited only once. */
 static void report_all(struct deduplicated_warnings *book, struct value_warnings *list)
 {
     struct value_warnings *waiting = NULL;
@@ -182,8 +184,8 @@ static void write_down(struct deduplicated_warnings *book,
     book->page->list = list;
 }
 
-/* Marks an entry with the current page. Returns false if the page has it already: a
- * loop records the same warnings in each iteration. */
+/* Marks an entry with the current page. Returns false if it was marked with this page:
+ * a loop records the same warning in each iteration. */
 static bool is_new(const struct deduplicated_warnings *book, size_t *page)
 {
     bool fresh = *page != book->page->serial;

@@ -1,14 +1,14 @@
 /* deduplicated_warnings.h - warnings about features of a scene that are replaced or
  * ignored.
  *
- * A warning has a cause, in words, and a place in the text. Warnings belong to the
- * value that is being read. A named value keeps the warnings of its text; they are
- * reported when the value becomes part of the scene. A scene that includes a library of
- * textures and uses one of them therefore has the reports of that one only.
+ * A warning has a cause, in words, and a place in the text. It belongs to the value
+ * that is being read. The warnings of a named value are reported only if the value
+ * becomes part of the scene. Therefore, if a scene includes a library of textures, only
+ * the warnings of the textures that it uses are reported.
  *
- * All warnings with the same cause are one report, which has the number of places and
- * shows the first. A library file, which the scene's author did not write, counts as
- * one place.
+ * All warnings with the same cause are one report. It contains the number of places,
+ * and shows the first place. A library file, which the scene's author did not write,
+ * counts as one place.
  */
 #ifndef RT_SCENE_NOTE_H
 #define RT_SCENE_NOTE_H
@@ -26,14 +26,14 @@ struct value_warnings;
 /* The place of a warning. */
 struct warning_place {
     const struct scene_source *source;
-    size_t at; /* offset in it */
+    size_t at; /* offset in the source */
     struct position position;
 };
 
-/* The warnings of a value that is being read. The page is on the stack of the function
- * that reads it. */
+/* The warnings of a value that is being read. The page is a local variable of the
+ * function that reads the value. */
 struct warning_page {
-    struct warning_page *outer; /* of the enclosing value */
+    struct warning_page *outer; /* page of the enclosing value */
     size_t serial;
     struct value_warnings *list;
 };
@@ -43,14 +43,15 @@ struct deduplicated_warnings {
     struct arena arena;
     struct scene_warning *buckets[WARNING_BUCKETS];
     size_t count;
-    struct warning_place lost; /* first beyond MAX_WARNINGS, if it has a source */
-    struct warning_page *page; /* the current value; NULL: the scene itself */
+    struct warning_place lost; /* place of the first warning after MAX_WARNINGS, if its
+                                * source is not NULL */
+    struct warning_page *page; /* page of the current value; NULL: the scene itself */
     size_t pages;
-    struct warning_cause *causes, *last_cause; /* reported, in order */
+    struct warning_cause *causes, *last_cause; /* reported warnings, in order */
     size_t cause_count;
 };
 
-/* Records a warning. `calls` lists the macro calls that lead to the place, and may be
+/* Records a warning. `calls` lists the macro calls that lead to the place; it may be
  * empty. */
 void scene_warning_add(struct deduplicated_warnings *book,
                        const struct warning_place *place, const char *words,
@@ -60,19 +61,19 @@ void scene_warning_report(struct deduplicated_warnings *book,
                           const struct warning_place *place, const char *words,
                           const char *calls);
 
-/* Begin and end a value: warnings recorded in between belong to it.
- * value_warnings_end returns NULL if there are none. */
+/* Begin and end a value. Warnings that are recorded between the calls belong to the
+ * value. value_warnings_end returns NULL if there are none. */
 void value_warnings_begin(struct deduplicated_warnings *book,
                           struct warning_page *page);
 struct value_warnings *value_warnings_end(struct deduplicated_warnings *book);
-/* Adds the warnings of a value that is used by the one that is being read. */
+/* Adds the warnings of a value that the current value uses. */
 void value_warnings_use(struct deduplicated_warnings *book,
                         struct value_warnings *list);
 
 /* Adds the reports to `reports`, with this severity. */
 void warnings_report(const struct deduplicated_warnings *book, enum severity severity,
                      struct diagnostics *reports);
-/* Returns true if warnings were lost because memory was exhausted. */
+/* Returns true if warnings were lost because there was no memory. */
 bool warnings_failed(const struct deduplicated_warnings *book);
 void warnings_free(struct deduplicated_warnings *book);
 

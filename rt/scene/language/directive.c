@@ -13,8 +13,8 @@
 
 enum { MESSAGE_SAYS, MESSAGE_WARNS, MESSAGE_IS_ERROR };
 
-/* Reads the name of a file. The text after the name is read after the file, so the name
- * is left with reader_pass. */
+/* Reads the name of a file. The text after the name is read after the file, so
+ * reader_pass leaves the name. */
 static char *read_file_name(struct reader *reader, size_t depth)
 {
     size_t hold = reader_hold(reader);
@@ -63,8 +63,8 @@ static bool read_include(struct reader *reader, const struct item *item)
     return done;
 }
 
-/* Sets the version. Versions below 3.5 applied the words of a camera in the order of
- * the text. */
+/* Sets the version. In versions below 3.5 the words of a camera were applied in the
+ * order of the text. */
 static bool read_version(struct reader *reader, const struct item *item)
 {
     struct scene_token at;
@@ -111,15 +111,15 @@ static bool read_default(struct reader *reader, const struct item *item)
     struct warning_page *page = reader->warnings.page;
     size_t hold = reader_hold(reader);
     bool done;
-    reader->warnings.page = NULL; /* warnings belong to the scene */
+    reader->warnings.page = NULL; /* the warnings belong to the scene */
     done = default_read(reader, item);
     reader->hold = hold;
     reader->warnings.page = page;
     return done;
 }
 
-/* #debug, #render and #statistics print their text, #warning reports it as a warning,
- * and #error as an error. */
+/* #debug, #render and #statistics print their text. #warning reports it as a warning,
+ * #error as an error. */
 static bool append_text(struct reader *reader, const struct item *item,
                         const char *text)
 {
@@ -178,8 +178,8 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-/* The word is left like the last token of a directive, because some directives have no
- * arguments. */
+/* Some directives have no arguments, so the keyword may be the last token of the
+ * directive. */
 bool directive_read(struct reader *reader)
 {
     struct item item = { keyword_find(words, &reader->token), reader->token, NULL,

@@ -4,14 +4,14 @@
 
 #include "rt/scene/language/scene_block.h"
 
-/* Executes the directive at the current token, which is a TOKEN_DIRECTIVE. Its last
- * token is left with reader_step. */
+/* Executes the directive of the current token, which is a TOKEN_DIRECTIVE. Leaves its
+ * last token with reader_step. */
 bool directive_read(struct reader *reader);
 
 /* #fopen, #read, #write, #fclose and #macro. */
 item_reader data_file_open, data_file_read, data_file_write, data_file_close;
 item_reader macro_define;
-/* Calls the macro that the current token names; its body is read next. */
+/* Calls the macro that the current token names. The body of the macro is read next. */
 bool macro_call(struct reader *reader);
 
 #endif

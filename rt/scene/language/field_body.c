@@ -1,11 +1,11 @@
 /* field_body.c - builds the body below a height field, from invisible triangles.
  *
- * In POV-Ray a field is solid from its surface down without limit, over its whole
- * square; where the water level cuts the surface off it is solid from that level down.
- * The body has two closed parts. The upper one is below the triangles of the surface,
- * down to the lowest point: it has walls at the border and a ground. The lower one is a
- * column from there down. Where ground and column touch, a ray crosses both, which is
- * equal to no crossing.
+ * In POV-Ray a field is solid below its surface, without limit, over its whole square.
+ * Where the water level cuts the surface off, it is solid below this level. The body
+ * has two closed parts. The upper part extends from the triangles of the surface down
+ * to the lowest point. It has walls at the border, and a ground. The lower part is a
+ * column below the ground. Where ground and column touch, a ray crosses both, which has
+ * the effect of no crossing.
  */
 #include "rt/scene/language/scene_statement.h"
 
@@ -15,9 +15,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define COLUMN_DEPTH 1e4 /* instead of infinity */
-/* Grid of the corners. An edge at the water level is cut once for each of its
- * triangles; rounding to this grid makes the results equal. */
+#define COLUMN_DEPTH 1e4 /* depth of the column, instead of infinity */
+/* Corners are rounded to a grid with this spacing. An edge at the water level is
+ * computed once for each of its two triangles, and rounding makes the results equal. */
 #define GRAIN 0x1p-40
 enum { COLUMN_FACES = 12 };
 
@@ -44,7 +44,7 @@ static void below(const struct field_body *body, const double point[3], double f
 
 /* ---- Walls --------------------------------------------------------------- */
 
-/* The ends are in lexicographic order. */
+/* An edge. Its ends are in lexicographic order. */
 struct field_edge {
     const double *ends[2];
 };
@@ -89,7 +89,7 @@ static void add_wall(struct field_body *body, const struct field_edge *edge)
         add(body, a, b_foot, a_foot);
 }
 
-/* A border edge belongs to a single triangle. */
+/* An edge at the border belongs to only one triangle. */
 static void add_walls(struct field_body *body, const struct field_edge *edges,
                       size_t count)
 {
@@ -128,7 +128,8 @@ static void add_ground(struct field_body *body, size_t count)
     }
 }
 
-/* The bits of a corner's number are 1 for x, 2 for y and 4 for z. */
+/* Computes a corner of the column. Bit 0 of its number selects x, bit 1 y and bit 2
+ * z. */
 static void column_corner(const struct field_body *body, int number, double corner[3])
 {
     corner[0] = number & 1;
@@ -162,7 +163,7 @@ static void fill(struct field_body *body, const struct triangles *surface,
     add_column(body);
 }
 
-/* Allocates space for two triangles of a wall at every edge. */
+/* Allocates space for two triangles of a wall for each edge. */
 static bool make_body(struct reader *reader, const struct triangles *surface,
                       struct field_body *body)
 {

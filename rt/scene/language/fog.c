@@ -36,7 +36,7 @@ static const struct keyword words[] = {
     { "distance", item_number, offsetof(struct fog_setting, fog.distance) },
     { "fog_type", read_type, 0 },
     { COLOR_WORDS, read_fog_color, 0 },
-    /* Words of ground fog, and of turbulence, which itself is reported. */
+    /* Words of ground fog, and of turbulence. Only `turbulence` itself is reported. */
     { "fog_alt fog_offset lambda octaves omega turb_depth up", item_ignored, 0 },
     { "turbulence", item_left_out, 0 },
     { NULL, NULL, 0 },
@@ -74,7 +74,7 @@ bool fog_take(struct reader *reader, const struct fog_setting *setting,
         return true;
     }
     if (setting->fog.distance == 0)
-        return true; /* as in POV-Ray there is no fog */
+        return true; /* no fog, as in POV-Ray */
     if (setting->fog.distance < 0) {
         reader_report(reader, at, "a fog with a distance below 0 is ignored");
         return true;

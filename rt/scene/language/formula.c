@@ -26,10 +26,11 @@
 enum formula_step_kind {
     FORMULA_NUMBER,    /* push the constant */
     FORMULA_PARAMETER, /* push the argument */
-    FORMULA_OPERATOR,  /* binary, by its sign */
+    FORMULA_OPERATOR,  /* apply the binary operator `sign` */
     FORMULA_MINUS,
-    FORMULA_FUNCTION, /* applied to `count` floats */
-    FORMULA_CALL      /* of `count` floats; pushes the component `term` of the result */
+    FORMULA_FUNCTION, /* apply the function to `count` floats */
+    FORMULA_CALL      /* apply the formula to `count` floats; push the component `term`
+                       * of the result */
 };
 
 struct formula_step {
@@ -45,13 +46,13 @@ struct formula_step {
 };
 
 struct formula {
-    const char *without; /* unsupported word that makes it impossible to call; NULL:
-                          * none */
+    const char *without; /* unsupported word, so that the formula cannot be called;
+                          * NULL: none */
     size_t parameter_count;
-    bool moves; /* it transforms a point by: */
+    bool moves; /* the result is the point transformed by `placement` */
     struct placement placement;
-    size_t nesting;           /* depth of nested calls, this one included */
-    size_t step_count, depth; /* depth: floats on the stack, at most */
+    size_t nesting;           /* depth of nested calls, including this one */
+    size_t step_count, depth; /* depth: largest number of floats on the stack */
     const struct formula_step *steps;
 };
 
@@ -68,10 +69,10 @@ struct compiler {
     struct formula *formula;
     struct formula_step *steps;
     size_t count, capacity;
-    size_t depth; /* floats on the stack after the last step */
+    size_t depth; /* number of floats on the stack after the last step */
 };
 
-/* Appends a step that replaces the top `takes` floats by one. */
+/* Appends a step that replaces the top `takes` floats by one float. */
 static bool add_step(struct compiler *compiler, const struct formula_step *step,
                      size_t takes)
 {
@@ -232,7 +233,7 @@ static bool read_factor(struct compiler *compiler)
     return done;
 }
 
-/* Accepts one of the signs and returns it; 0: none is there. */
+/* Accepts one of the signs and returns it. Returns 0 if the token is another one. */
 static int accept_one_of(struct reader *reader, const int *signs)
 {
     for (; *signs; signs++)
@@ -306,7 +307,7 @@ static bool read_parameters(struct compiler *compiler)
     return reader_expect_sign(reader, ')');
 }
 
-/* Returns the word of a kind of function that is not supported, or NULL. */
+/* Returns the keyword of an unsupported kind of function, or NULL. */
 static const char *find_other(const struct reader *reader)
 {
     static const char *const words[] = { "internal", "pattern", "pigment", "spline" };
@@ -361,7 +362,7 @@ const struct formula *formula_read(struct reader *reader)
 
 /* ---- Values -------------------------------------------------------------- */
 
-/* A call, for errors in it and in nested calls. */
+/* A call. It is the place of errors in the function and in nested calls. */
 struct formula_caller {
     struct reader *reader;
     const struct scene_token *at;
@@ -388,7 +389,7 @@ static double operate(int sign, double a, double b)
     }
 }
 
-/* Applies a function to `count` floats; the result replaces the first of them. */
+/* Applies a function to `count` floats. The result replaces the first of them. */
 static void apply(const struct function *function, size_t count, double *arguments)
 {
     struct numbers taken[MAX_ARGUMENTS], result;
@@ -437,8 +438,8 @@ static bool take_steps(const struct formula_caller *call, const struct formula *
     return true;
 }
 
-/* Evaluates a function. Its steps count as reading, because functions of functions may
- * take exponential time. */
+/* Evaluates a function. Its steps count as reading, because nested functions may take
+ * exponential time. */
 static bool evaluate(const struct formula_caller *call, const struct formula *formula,
                      const double *arguments, double *value)
 {
@@ -460,7 +461,7 @@ static bool evaluate(const struct formula_caller *call, const struct formula *fo
     return done;
 }
 
-/* Reads "(" floats ")" after the name. */
+/* Reads "(" floats ")" after the name of a function. */
 static bool take_arguments(struct reader *reader, size_t count, double *arguments)
 {
     reader_next(reader);

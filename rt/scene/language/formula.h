@@ -2,8 +2,8 @@
  *
  *     #declare Wave = function(x, y) { sin(x)*exp(-y*y) };
  *
- * Parameters (x, y, z unless they are named) and result are floats. The body is read
- * once, at its declaration: names in it have their values of that time. function {
+ * The parameters (by default x, y and z) and the result are floats. The body is read
+ * once, at the declaration, so names in it have the values of this time. function {
  * transform { ... } } transforms a point and returns a vector. Functions of patterns,
  * pigments and splines and the built-in functions of POV-Ray (`internal`) can be
  * declared, but not called.
@@ -13,15 +13,15 @@
 
 #include "rt/scene/language/reader.h"
 
-/* A function; all of them live in the reader's arena. */
+/* A function. All functions are in the reader's arena. */
 struct formula;
 
-/* Reads a function after the word `function`. Returns NULL after an error. */
+/* Reads a function after the keyword `function`. Returns NULL after an error. */
 const struct formula *formula_read(struct reader *reader);
 /* Reads a call of the function that the current token names, and evaluates it. */
 bool formula_call(struct reader *reader, const struct formula *formula,
                   struct numbers *value);
-/* Evaluates a function of at most three parameters; an error is reported at `at`. */
+/* Evaluates a function of up to three parameters. Errors are reported at `at`. */
 bool formula_value(struct reader *reader, const struct formula *formula,
                    const struct scene_token *at, const double arguments[3],
                    double *value);

@@ -1,7 +1,7 @@
 /* function.c - the functions of expressions.
  *
- * A function returns NaN or infinity for an argument outside of its domain; the
- * expression parser turns these into errors.
+ * For an argument outside of its domain, a function returns NaN or infinity. The
+ * expression parser then reports an error.
  */
 #include "rt/scene/elementary.h"
 #include "rt/scene/language/scene_expression.h"
@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-#define MAX_WHOLE 2147483648. /* limit of POV-Ray's integers */
+#define MAX_WHOLE 2147483648. /* limit of integers in POV-Ray */
 
 static double degrees(double radians)
 {
@@ -26,8 +26,8 @@ static void give(struct numbers *result, double value)
     *result = numbers_of(value);
 }
 
-/* Truncates; adding 0 turns -0 into 0, whose sign would show in the text of the
- * number. */
+/* Truncates a value. Adding 0 turns -0 into 0; otherwise the sign would be visible when
+ * the number is printed. */
 static double whole(double value)
 {
     return trunc(value) + 0.0;
@@ -44,7 +44,7 @@ static double power(double base, double exponent)
     return base == 0 && exponent == 0 ? (double)NAN : elementary_pow(base, exponent);
 }
 
-/* Returns the bits of a truncated value; 0 if it is out of range. */
+/* Returns the bits of the truncated value, or 0 if it is out of range. */
 static long bits_of(const struct numbers *number)
 {
     double value = number->n[0];
@@ -75,8 +75,8 @@ static void apply_bitwise_xor(const struct numbers *a, size_t n, struct numbers 
     give(r, (double)bits);
 }
 
-/* select(A, B, C) is B if A < 0, else C. select(A, B, C, D) is B, C or D as A is below,
- * equal to or above 0. */
+/* select(A, B, C) is B if A < 0, else C. select(A, B, C, D) is B if A < 0, C if A = 0,
+ * and D if A > 0. */
 static void apply_select(const struct numbers *a, size_t n, struct numbers *r)
 {
     *r = a[a[0].n[0] < 0 ? 1 : a[0].n[0] > 0 && n > 3 ? 3 : 2];
@@ -109,7 +109,7 @@ static void apply_vlength(const struct numbers *a, size_t n, struct numbers *r)
     give(r, length3(a[0].n));
 }
 
-/* The zero vector is returned unchanged. */
+/* Normalises a vector. A zero vector is returned unchanged. */
 static void apply_vnormalize(const struct numbers *a, size_t n, struct numbers *r)
 {
     double length = length3(a[0].n);
@@ -127,7 +127,7 @@ static void apply_vrotate(const struct numbers *a, size_t n, struct numbers *r)
     transform_direction(&rotation.to_world, r->n);
 }
 
-/* Rodrigues' formula: v cos + (k x v) sin + k (k.v)(1 - cos). */
+/* Rotates v about k by Rodrigues' formula: v cos + (k x v) sin + k (k.v)(1 - cos). */
 static void apply_vaxis_rotate(const struct numbers *a, size_t n, struct numbers *r)
 {
     double angle = radians(a[2].n[0]), c = elementary_cos(angle),

@@ -11,7 +11,7 @@
  *      z   *---*
  *          x   x+1
  *
- * The part below the water level is cut off.
+ * The part below the water level is removed.
  */
 #include "rt/scene/language/scene_statement.h"
 
@@ -23,7 +23,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* In POV-Ray the components of a normal are integers, in this unit. */
+/* In POV-Ray the components of a normal are integers in units of 1 / NORMAL_STEPS. */
 #define NORMAL_STEPS 32767.
 
 struct height_field {
@@ -41,8 +41,8 @@ struct field_point {
 
 /* ---- Points -------------------------------------------------------------- */
 
-/* Adds the unit normal of the triangle between a point and its neighbours along x and
- * z. One step of the grid has the length of one step of the height. */
+/* Adds the unit normal of the triangle of a point and its neighbours in x and z. A step
+ * of the grid and a step of the height have the same length. */
 static void add_normal(const struct heights *heights, size_t x, size_t z, int right,
                        int up, double sum[3])
 {
@@ -55,9 +55,9 @@ static void add_normal(const struct heights *heights, size_t x, size_t z, int ri
         sum[i] += normal[i] / length;
 }
 
-/* Computes the normal of a point as POV-Ray does: the sum of the normals of the
- * triangles around it, up to four, regardless of how cells are divided. Each component
- * is truncated to an integer. The length is arbitrary. */
+/* Computes the normal of a point as POV-Ray does: the sum of the normals of up to four
+ * triangles around it, however the cells are divided. Each component is truncated to an
+ * integer. The length is arbitrary. */
 static void point_normal(const struct heights *heights, size_t x, size_t z,
                          double normal[3])
 {
@@ -114,8 +114,8 @@ static struct field_point shore(const struct height_field *field,
     return point;
 }
 
-/* Clips a triangle at the water level. Returns the number of points above it; 0:
- * none. */
+/* Clips a triangle at the water level. Returns the number of corners of the part above
+ * the level, or 0 if there is no such part. */
 static size_t cut_triangle(const struct height_field *field,
                            const struct field_point corners[3],
                            struct field_point left[4])
@@ -146,7 +146,7 @@ static void put_triangle(struct height_field *field, const struct field_point *a
     field->triangles.count++;
 }
 
-/* Adds the triangles of a half, or only counts them while there is no list. */
+/* Adds the triangles of a half of a cell. If there is no list, it only counts them. */
 static void add_half(struct height_field *field, size_t x, size_t z, bool upper)
 {
     struct field_point corners[3], left[4];
@@ -194,7 +194,7 @@ static void carry_normal(const struct transform *to_local, double normal[3])
     scale3(1 / length3(normal), normal);
 }
 
-/* The part gets a list of its own: the old one may be shared with copies. */
+/* The part gets a new list, because copies may share the old one. */
 static bool place_triangles(struct reader *reader, const struct primitive *primitive,
                             struct triangles *triangles)
 {

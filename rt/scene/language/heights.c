@@ -1,9 +1,9 @@
 /* heights.c - reads heights from the pixels of an image, or from a function.
  *
- * A height is an integer from 0 to 65535. The rules are those of POV-Ray 3.7, found by
- * experiment:
+ * A height is an integer from 0 to 65535. The rules are those of POV-Ray 3.7, which
+ * were measured:
  *
- *     grey                  the share of white, times 65535
+ *     grey                  the fraction of white, times 65535
  *     grey, 8-bit PNG       the same, of .297 g + .589 g + .114 g in 32 bits
  *     colours, 8 bits       256 red + green
  *     colours, 16 bits      .297 red + .589 green + .114 blue, times 65535
@@ -23,11 +23,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The 5 bits of a byte that a TGA file of 16 bits per pixel has. TGA_BITS is the offset
- * of its number of bits per pixel. */
+/* COARSE selects the 5 bits of a byte that a TGA file with 16 bits per pixel uses.
+ * TGA_BITS is the file offset of the number of bits per pixel. */
 enum { COARSE = 0xf8, TGA_BITS = 16 };
 
-#define MAX_FUNCTION 32000. /* limit of POV-Ray's integers */
+#define MAX_FUNCTION 32000. /* limit of integers in POV-Ray */
 
 static bool allocate(struct reader *reader, struct heights *heights, size_t columns,
                      size_t rows)
@@ -44,7 +44,7 @@ double height_at(const struct heights *heights, size_t x, size_t z)
     return heights->list[z * heights->columns + x];
 }
 
-/* A field has at least one cell, and two triangles per cell. */
+/* Checks the size. A field has at least one cell, and two triangles per cell. */
 static bool check_size(struct reader *reader, const struct scene_token *at,
                        double columns, double rows)
 {
@@ -68,7 +68,7 @@ static uint32_t brightness(const float color[3])
 
 struct pixels {
     enum raster_kind kind;
-    bool numbers; /* samples are indices of colours */
+    bool numbers; /* samples are indices of a palette */
     bool coarse;  /* TGA with 5 bits per colour */
     struct raster raster;
 };
@@ -112,7 +112,7 @@ static void cut_to_bytes(struct raster *raster)
     raster->most = UINT8_MAX;
 }
 
-/* The lowest row of the image is at z = 0. */
+/* Takes the heights from the pixels. The lowest row of the image is at z = 0. */
 static bool take_pixels(struct reader *reader, const struct scene_token *at,
                         struct pixels *pixels, struct heights *heights)
 {
@@ -131,7 +131,7 @@ static bool take_pixels(struct reader *reader, const struct scene_token *at,
 
 /* ---- Images -------------------------------------------------------------- */
 
-/* Decodes an image; `bytes` may be modified. */
+/* Decodes an image. It may modify `bytes`. */
 static bool read_pixels(struct reader *reader, const struct image_file *file,
                         char *bytes, struct pixels *pixels)
 {
@@ -173,7 +173,8 @@ static bool read_image(struct reader *reader, struct heights *heights)
 
 /* ---- Functions ----------------------------------------------------------- */
 
-/* Outside of 0 to 1 POV-Ray uses the lowest 16 bits of the integer. */
+/* Converts a value to a height. Outside of 0 to 1 it uses the lowest 16 bits of the
+ * integer, as POV-Ray does. */
 static bool take_value(struct reader *reader, const struct scene_token *at,
                        double value, uint16_t *height)
 {
@@ -188,8 +189,8 @@ static bool take_value(struct reader *reader, const struct scene_token *at,
     return true;
 }
 
-/* Evaluates the function on the grid. x is from 0 to 1 along the columns; y is from 0
- * to 1 along the rows of an image, starting at the greatest z; z is 0. */
+/* Evaluates the function on the grid. x is from 0 to 1 along the columns. y is from 0
+ * to 1 along the rows of an image, which start at the greatest z. z is 0. */
 static bool take_values(struct reader *reader, const struct scene_token *at,
                         const struct formula *formula, struct heights *heights)
 {

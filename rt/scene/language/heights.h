@@ -4,17 +4,17 @@
 
 #include "rt/scene/language/reader.h"
 
-#define HEIGHT_ONE 65536. /* height 1; the greatest height is one less */
+#define HEIGHT_ONE 65536. /* the height of 1; the greatest height is HEIGHT_ONE - 1 */
 
 /* A grid of at least 2 x 2 heights. Rows are along z, columns along x. */
 struct heights {
     size_t columns, rows;
-    uint16_t *list; /* allocated by malloc; the lowest row first */
+    uint16_t *list; /* allocated by malloc; starts with the lowest row */
 };
 
-/* Reads the heights of an image, whose name may follow a word for its kind, or of a
- * function after the word `function`. The caller frees the list, even after an
- * error. */
+/* Reads the heights of an image or a function. The name of an image may follow a
+ * keyword for its kind; a function follows the keyword `function`. The caller frees the
+ * list, even after an error. */
 bool heights_read(struct reader *reader, struct heights *heights);
 double height_at(const struct heights *heights, size_t x, size_t z);
 

@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-/* The words of the kinds. RASTER_KINDS marks a kind that is not supported. */
+/* The keywords of the image kinds. RASTER_KINDS marks an unsupported kind. */
 static const struct image_word {
     const char *word;
     enum raster_kind kind;
@@ -23,7 +23,7 @@ const char *image_kind_unsupported(const struct reader *reader)
     return word && word->kind == RASTER_KINDS ? word->word : NULL;
 }
 
-/* As in POV-Ray a word that does not match the file is an error. */
+/* Finds the file. As in POV-Ray, a keyword that does not match the file is an error. */
 static bool find_file(struct reader *reader, const struct image_word *word,
                       const char *name, struct image_file *file)
 {

@@ -8,13 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A table of the scene, with the file and the transfer function that it was decoded
- * with. A file is decoded once per function. */
+/* An image of the scene, with the file and the transfer function from which it was
+ * decoded. A file is decoded once for each transfer function. */
 struct kept_image {
     const struct kept_image *next;
     const struct scene_source *source;
     struct transfer_function transfer;
-    bool clear; /* some pixel is transparent */
+    bool clear; /* a pixel is transparent */
     struct image_table table;
 };
 
@@ -45,7 +45,7 @@ static double *decode(struct reader *reader, const struct raster *raster,
     return light;
 }
 
-/* Grey pixels are stored with three equal samples. */
+/* Stores the samples. A grey pixel has three equal samples. */
 static bool take_samples(struct reader *reader, const struct raster *raster,
                          struct kept_image *kept)
 {
@@ -64,7 +64,7 @@ static bool take_samples(struct reader *reader, const struct raster *raster,
     return true;
 }
 
-/* Decoding counts as reading, because a loop may repeat it. */
+/* Checks the size. Decoding counts as reading, because a loop may repeat it. */
 static bool check_size(struct reader *reader, const struct raster *raster,
                        const struct scene_token *at)
 {
@@ -131,7 +131,7 @@ static const struct kept_image *image_of(struct reader *reader,
 
 /* ---- Words --------------------------------------------------------------- */
 
-/* The mappings are POV-Ray's numbers 0, 1, 2 and 5. */
+/* Reads the mapping, which has one of POV-Ray's numbers 0, 1, 2 and 5. */
 static bool read_type(struct reader *reader, const struct item *item)
 {
     static const int types[IMAGE_MAPPINGS] = { 0, 1, 2, 5 };
@@ -186,7 +186,7 @@ static void report_opaque(struct reader *reader, const struct scene_token *at)
     reader_report(reader, at, "a transparent image is drawn opaque");
 }
 
-/* Reads filter or transmit, of one palette index or of all. */
+/* Reads filter or transmit, for one palette index or for all. */
 static bool read_passing(struct reader *reader, const struct item *item)
 {
     report_opaque(reader, &item->at);
@@ -210,7 +210,7 @@ static const struct grammar grammar = { "a keyword of image_map", .tables = { wo
 
 /* ---- The pigment --------------------------------------------------------- */
 
-/* The outside of a bounded image is clear. */
+/* Sets the colours of the pigment. The outside of a bounded image is transparent. */
 static void show(const struct image_map *map, struct pigment *pigment)
 {
     const struct image_table *table = map->table;
@@ -224,8 +224,9 @@ static void show(const struct image_map *map, struct pigment *pigment)
     pigment->transmit[1] = image_is_bounded(map);
 }
 
-/* Before version 3.7 only a PNG file that states its gamma is decoded, and no file is
- * decoded unless assumed_gamma is given. */
+/* Returns the transfer function of a file without `gamma`. Before version 3.7 only a
+ * PNG file that contains its gamma is decoded. Without assumed_gamma no file is
+ * decoded. */
 static struct transfer_function default_transfer(const struct reader *reader,
                                                  const struct image_file *file)
 {
@@ -253,7 +254,7 @@ static bool take_image(struct reader *reader, struct image_reading *reading,
     return true;
 }
 
-/* In the oldest form a vector selects the axes of the image. */
+/* Reads a vector that selects the axes of the image, in the oldest form. */
 static bool read_way(struct reader *reader)
 {
     static const double usual[3] = { 1, -1, 0 };
@@ -271,7 +272,7 @@ static bool read_way(struct reader *reader)
     return true;
 }
 
-/* Skips a source of the image that is no file, or a file of a kind without support. */
+/* Skips an image whose source is not a file, or is a file of an unsupported kind. */
 static bool leave_out(struct reader *reader, const struct block *block,
                       struct pigment *pigment, const char *what)
 {

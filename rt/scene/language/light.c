@@ -6,11 +6,11 @@
 
 #include "rt/scene/vector3.h"
 
-/* A negative tightness brightens a beam towards its edge; the limit keeps the powers of
+/* A negative tightness brightens a beam towards its edge. The limit keeps the powers of
  * the kernels in range. */
 enum { MIN_TIGHTNESS = -100 };
 
-/* Sets a member of all lights of the subject; detail: its offset. */
+/* Sets a member of all lights of the subject. detail: offset of the member */
 static void set_member(const struct item *item, const void *value, size_t size)
 {
     const struct scene_object *object = item->subject;
@@ -18,8 +18,8 @@ static void set_member(const struct item *item, const void *value, size_t size)
         memcpy((char *)&object->lights[i] + item->keyword->detail, value, size);
 }
 
-/* As in POV-Ray a light has one kind, the last that is named. The rays of a former
- * cylinder stay parallel. */
+/* As in POV-Ray, a light has only one kind: the last that is named. The rays of a light
+ * that was a cylinder stay parallel. */
 static bool read_shadowless(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
@@ -31,7 +31,8 @@ static bool read_shadowless(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* The object casts no shadow, and as in POV-Ray it is visible to all rays. */
+/* Reads the object of looks_like. It casts no shadow and, as in POV-Ray, is visible to
+ * all rays. */
 static bool read_looks_like(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject, look = { 0 };
@@ -48,7 +49,7 @@ static bool read_looks_like(struct reader *reader, const struct item *item)
     return done;
 }
 
-/* Sets the kind of beam and its default edge; both are measured from POV-Ray. */
+/* Sets the kind of beam and its default edge, as measured in POV-Ray. */
 static bool read_beam(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
@@ -92,7 +93,7 @@ static bool read_fading(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* As in POV-Ray the kind of beam is named before its measures. */
+/* As in POV-Ray, the kind of beam must precede its parameters. */
 static bool read_measure(struct reader *reader, const struct item *item)
 {
     const struct scene_object *object = item->subject;
@@ -104,7 +105,7 @@ static bool read_measure(struct reader *reader, const struct item *item)
     return read_fading(reader, item);
 }
 
-/* As in POV-Ray the count is truncated. */
+/* Reads the number of points along a side. As in POV-Ray, it is truncated. */
 static bool read_side(struct reader *reader, const struct item *item, size_t *size)
 {
     double number;
@@ -154,7 +155,7 @@ static const struct keyword words[] = {
     { "fade_distance", read_fading, offsetof(struct light, fade_distance) },
     { "fade_power", read_fading, offsetof(struct light, fade_power) },
     /* Words about unsupported features, which are reported, and about adaptive sampling
-     * of areas: here all points of an area are used. */
+     * of areas, which is not needed because all points of an area are used. */
     { "adaptive media_attenuation media_interaction photons", item_ignored, 0 },
     { "area_illumination jitter orient projected_through", item_left_out, 0 },
     { NULL, NULL, 0 },
@@ -175,7 +176,7 @@ static bool read_point(struct reader *reader, struct scene_object *object)
     return object_add_light(object, &light) || reader_no_memory(reader);
 }
 
-/* A light with an axis must not be at the point that it points at. */
+/* A light with an axis must not be at the point to which its axis points. */
 static bool check_beams(struct reader *reader, const struct scene_object *object,
                         const struct scene_token *at)
 {
@@ -196,7 +197,7 @@ static bool check_beams(struct reader *reader, const struct scene_object *object
     return true;
 }
 
-/* This is an error in POV-Ray too. */
+/* Rejects areas that are errors in POV-Ray, too. */
 static bool check_areas(struct reader *reader, const struct scene_object *object,
                         const struct scene_token *at)
 {
@@ -211,8 +212,8 @@ static bool check_areas(struct reader *reader, const struct scene_object *object
     return true;
 }
 
-/* In POV-Ray an area changes the shadows of parallel rays in a way that is not
- * understood, so it is ignored. */
+/* Ignores the area of a light with parallel rays, because its effect in POV-Ray is not
+ * understood. */
 static void leave_out_areas(struct reader *reader, struct scene_object *object,
                             const struct scene_token *at)
 {

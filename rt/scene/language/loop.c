@@ -3,7 +3,7 @@
 #include "rt/scene/language/declare.h"
 #include "rt/scene/language/scene_expression.h"
 
-/* Checks that the loop's head ends in the frame in which it began. */
+/* Checks that the head of the loop ends in the frame in which it began. */
 static bool same_frame(struct reader *reader, const struct scene_condition *loop)
 {
     return lexer_top(&reader->lexer)->serial == loop->frame
@@ -12,7 +12,7 @@ static bool same_frame(struct reader *reader, const struct scene_condition *loop
                            "it begins");
 }
 
-/* Starts or skips the body. The current token is the last one before it. */
+/* Starts or skips the body. The current token is the last token before the body. */
 static bool turn(struct reader *reader, struct scene_condition *loop, bool good,
                  bool holds)
 {
@@ -22,8 +22,8 @@ static bool turn(struct reader *reader, struct scene_condition *loop, bool good,
     return true;
 }
 
-/* Returns true if the loop may continue. An iteration with an error is the last one,
- * because the error may have kept the variable from changing. */
+/* Returns true if the loop may continue. An iteration with an error is the last
+ * iteration, because the error may have prevented a change of the variable. */
 static bool may_go_on(struct reader *reader, struct scene_condition *loop)
 {
     if (++loop->turns == MAX_TURNS)
@@ -63,7 +63,7 @@ static bool set_variable(struct reader *reader, const struct scene_token *name,
                         symbols_assign(&reader->symbols, symbol, level, name, &value));
 }
 
-/* Reads the variable again: as in POV-Ray the body may have changed it. */
+/* Reads the variable, because the body may have changed it, as in POV-Ray. */
 static bool get_variable(struct reader *reader, const struct scene_token *name,
                          double *number)
 {
@@ -93,7 +93,7 @@ static bool read_step(struct reader *reader, double *step)
            && (*step != 0 || reader_fault(reader, &at, "the step must not be 0"));
 }
 
-/* Reads "(" name, start, end [, step]; the current token is then ")". */
+/* Reads "(" name, start, end [, step]. The current token is then ")". */
 static bool read_head(struct reader *reader, struct scene_condition *loop,
                       double *start)
 {

@@ -1,4 +1,4 @@
-/* map.c - reads maps: all entries, or the first one, or the name of a map. */
+/* map.c - reads maps: all entries, only the first entry, or the name of a map. */
 #include "rt/scene/language/pattern.h"
 #include "rt/scene/language/scene_expression.h"
 
@@ -32,8 +32,8 @@ bool map_read(struct reader *reader, const struct map_kind *kind, void *map)
     return block_finish(reader, &block) && good;
 }
 
-/* Reads the first entry of a map. In the oldest form of maps an entry has two numbers;
- * an entry of an average may have none. */
+/* Reads the first entry of a map. In the oldest form of maps, an entry has two numbers.
+ * An entry of an average may have no number. */
 static bool read_entry(struct reader *reader, body_reader *body, void *subject)
 {
     struct block entry;

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The sections of mesh2; those with vectors come first. */
+/* The sections of mesh2. The sections with vectors are the first. */
 enum section {
     SECTION_VERTICES,
     SECTION_NORMALS,
@@ -34,11 +34,11 @@ struct mesh2_reading {
     size_t texture_count;
     struct texture *textures;
 
-    enum section section; /* that is read */
-    size_t row;           /* of the section */
+    enum section section; /* the section that is being read */
+    size_t row;           /* current row of the section */
     bool given[SECTIONS];
-    int rank;         /* of the last section, in the required order */
-    const char *last; /* word of the last section */
+    int rank;         /* rank of the last section in the required order */
+    const char *last; /* keyword of the last section */
     bool faulty;      /* a section had an error, so elements may be missing */
 };
 
@@ -87,7 +87,7 @@ static bool read_texture(struct reader *reader, struct mesh2_reading *mesh)
 
 /* ---- Faces --------------------------------------------------------------- */
 
-/* As in POV-Ray indices are truncated. */
+/* Converts a number to an index. As in POV-Ray, it is truncated. */
 static bool take_index(struct reader *reader, const struct mesh2_reading *mesh,
                        const struct scene_token *at, const char *what, double number,
                        size_t count, size_t *index)
@@ -117,8 +117,8 @@ static bool read_indices(struct reader *reader, const struct mesh2_reading *mesh
     return true;
 }
 
-/* Like POV-Ray this distinguishes a texture index from the next face by its first
- * token. */
+/* Returns true if the current token starts a float. Like POV-Ray, the parser
+ * distinguishes a texture index from the next face by the first token. */
 static bool at_float(const struct reader *reader)
 {
     const struct scene_value *value = reader_value_of(reader, VALUE_NUMBERS);
@@ -141,7 +141,7 @@ static bool read_look(struct reader *reader, struct mesh2_reading *mesh)
     return true;
 }
 
-/* Reads the textures of a face: none, one, or one per corner. */
+/* Reads the textures of a face: none, one, or one for each corner. */
 static bool read_looks(struct reader *reader, struct mesh2_reading *mesh)
 {
     int count = 0;
@@ -163,8 +163,8 @@ static void take_normals(const struct mesh2_reading *mesh, const size_t indices[
     triangle->smooth = mesh_is_smooth(triangle);
 }
 
-/* Reads a face. If there are as many normals as vertices they have the same indices,
- * unless normal_indices overrides them. */
+/* Reads a face. If there are as many normals as vertices, a normal has the index of its
+ * vertex, unless normal_indices overrides it. */
 static bool read_face(struct reader *reader, struct mesh2_reading *mesh)
 {
     const struct section_vectors *vertices = mesh->vectors + SECTION_VERTICES;
@@ -183,14 +183,15 @@ static bool read_face(struct reader *reader, struct mesh2_reading *mesh)
     return read_looks(reader, mesh) && mesh_add(reader, &mesh->mesh, &triangle, &at);
 }
 
-/* Without uv_vectors POV-Ray assumes a single one. */
+/* Reads uv indices. Without uv_vectors POV-Ray assumes a single vector. */
 static bool read_uv_index(struct reader *reader, struct mesh2_reading *mesh)
 {
     size_t count = mesh->vectors[SECTION_UVS].count, ignored[3];
     return read_indices(reader, mesh, "uv vector", count ? count : 1, ignored);
 }
 
-/* As in POV-Ray the last faces may have no normals: they are flat. */
+/* Reads the indices of a face's normals. As in POV-Ray, the last faces may have none;
+ * they are flat. */
 static bool read_normal_index(struct reader *reader, struct mesh2_reading *mesh)
 {
     struct triangles *triangles = &mesh->mesh.triangles;
@@ -205,13 +206,14 @@ static bool read_normal_index(struct reader *reader, struct mesh2_reading *mesh)
 
 /* ---- Sections ------------------------------------------------------------ */
 
-/* In the order of enum section. `rank` is the place in the required order. */
+/* The rules of the sections, in the order of enum section. `rank` is the position in
+ * the required order. */
 static const struct section_rule {
     const char *word;
     row_reader *row;
     int rank;
-    int least;          /* minimum of rows */
-    enum section after; /* section that must come before; itself: none */
+    int least;          /* minimum number of rows */
+    enum section after; /* section that must precede this one; itself: none */
 } rules[SECTIONS] = {
     { "vertex_vectors", read_plain, 0, 1, SECTION_VERTICES },
     { "normal_vectors", read_normal, 0, 0, SECTION_NORMALS },
@@ -223,8 +225,8 @@ static const struct section_rule {
 };
 enum { RANK_INSIDE = 4 };
 
-/* Checks the order that POV-Ray requires. POV-Ray would use the second of two sections
- * of vectors; here a repetition is an error. */
+/* Checks the order that POV-Ray requires. If a section of vectors is repeated, POV-Ray
+ * uses the second; here it is an error. */
 static bool check_order(struct reader *reader, const struct mesh2_reading *mesh,
                         enum section section, const struct scene_token *at)
 {
@@ -242,7 +244,8 @@ static bool check_order(struct reader *reader, const struct mesh2_reading *mesh,
                            rules[rule->after].word, rule->word);
 }
 
-/* Checks the count: uv_indices are one per face, normal_indices at most that. */
+/* Checks the number of rows: one of uv_indices for each face, and up to one of
+ * normal_indices for each face. */
 static bool check_count(struct reader *reader, const struct mesh2_reading *mesh,
                         enum section section, const struct scene_token *at,
                         size_t count)
@@ -344,7 +347,7 @@ static const struct grammar grammar = { "a keyword of mesh2 or an object modifie
 
 /* ---- The statement ------------------------------------------------------- */
 
-/* Vectors that are not one per vertex need indices of their own. */
+/* Checks that vectors have indices, unless there are as many vectors as vertices. */
 static bool check_indices(struct reader *reader, const struct mesh2_reading *mesh,
                           enum section of, enum section indices, size_t most)
 {

@@ -1,4 +1,5 @@
-/* normal.c - parses normals: bumps by patterns without noise, and their modifiers. */
+/* normal.c - parses normals, which are bumps by patterns without noise, and their
+ * modifiers. */
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/pattern.h"
 
@@ -29,8 +30,8 @@ static bool read_amount(struct reader *reader, struct normal_reading *reading)
            || read_number(reader, &reading->list.bump.amount);
 }
 
-/* Reads a pattern. In a pattern with a list each cell has its own normal, or its index
- * is a height. */
+/* Reads a pattern. In a pattern with a list, each cell has its own normal. Without
+ * normals, the index of the cell is a height. */
 static bool read_function(struct reader *reader, const struct item *item)
 {
     struct normal_reading *reading = item->subject;
@@ -65,7 +66,7 @@ static bool read_average(struct reader *reader, const struct item *item)
     return good;
 }
 
-/* A quilted normal has no values, so maps do not apply. */
+/* A quilted normal has no values, so maps do not apply to it. */
 static void finish_quilted(struct reader *reader, struct bump_list *list,
                            const struct scene_token *at)
 {
@@ -79,8 +80,8 @@ static void finish_quilted(struct reader *reader, struct bump_list *list,
     list->count = 0;
 }
 
-/* Ignores the whole normal. An entry of a map is evaluated without effect, so its
- * pattern becomes one with values. */
+/* Ignores the whole normal. In a map it becomes an entry without effect, which needs a
+ * pattern with values. */
 static bool read_unsupported(struct reader *reader, const struct item *item)
 {
     struct normal_reading *reading = item->subject;

@@ -1,14 +1,12 @@
-/* normal_map.c - parses the maps of a normal.
+/* normal_map.c - parses the maps of a normal, and the normals of a list.
  *
  *   slope_map { [value <height, slope>] .. }
  *   normal_map { [value normal] .. }
- *
- * and the normals of a list.
  */
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/pattern.h"
 
-/* Reads the value of an entry, which is raised to that of the entry before it. */
+/* Reads the value of an entry. It is raised to the value of the previous entry. */
 static bool read_place(struct reader *reader, size_t count, double before, double *at)
 {
     if (!read_number(reader, at))
@@ -57,7 +55,7 @@ bool slope_map_read(struct reader *reader, struct bump *bump)
     return map_read(reader, &slopes, bump);
 }
 
-/* As in POV-Ray a list has no maps. */
+/* Rejects a map in a list. As in POV-Ray, a list has no maps. */
 static bool has_place(struct reader *reader, const struct normal_reading *reading,
                       const struct item *item)
 {
@@ -78,8 +76,8 @@ bool read_slope_map(struct reader *reader, const struct item *item)
 
 /* ---- normal_map ---------------------------------------------------------- */
 
-/* Stores an entry. If its normal is a list or a map, the first entry of that is
- * used. */
+/* Stores an entry. If its normal is a list or a map, only the first entry of this list
+ * or map is used. */
 static void take_entry(struct reader *reader, const struct normal_reading *from,
                        const struct scene_token *at, struct bump *bump)
 {
@@ -103,7 +101,7 @@ static void begin_entry(const struct reader *reader, struct normal_reading *read
     normal_begin(reading, &reader->default_texture.bumps);
 }
 
-/* In an average the number is optional. */
+/* Reads an entry. In an average the number is optional. */
 static bool read_entry(struct reader *reader, void *map, size_t *room)
 {
     struct bump_list *list = map;

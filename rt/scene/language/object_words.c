@@ -1,4 +1,4 @@
-/* object_words.c - the words of objects. */
+/* object_words.c - the keywords of objects. */
 #include "rt/scene/language/scene_statement.h"
 
 bool item_object(struct reader *reader, const struct item *item)

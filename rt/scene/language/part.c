@@ -2,9 +2,10 @@
  *
  *   part { "NAME" density F emissivity F temperature F }
  *
- * in an object names that part of it for masses and heat, and sets its values, like
- * floats NAME_Density and so on (rt/scene/named_values.h). POV-Ray has no such word:
- * `#ifdef (part)` distinguishes the two programs.
+ * in an object gives the object a name for the computation of masses and heat. It also
+ * sets values, like the floats NAME_Density, NAME_Emissivity and NAME_Temperature
+ * (rt/scene/named_values.h). POV-Ray has no such word: `#ifdef (part)` distinguishes
+ * the two programs.
  */
 #include "rt/scene/language/scene_statement.h"
 
@@ -18,7 +19,7 @@
 
 enum { MAX_NAME = 200 };
 
-/* Stores a float named after the part and the word, such as Lid_Density. */
+/* Stores a float whose name consists of the part and the word, such as Lid_Density. */
 static bool read_value(struct reader *reader, const struct item *item)
 {
     const char *part = item->subject, *word = item->at.text;

@@ -1,4 +1,4 @@
-/* pattern.c - parses the patterns of pigments, their waves and their lists. */
+/* pattern.c - parses the patterns of pigments, and their waves and lists. */
 #include "rt/scene/language/pattern.h"
 
 #include "rt/scene/language/scene_expression.h"
@@ -6,7 +6,8 @@
 
 enum { MIN_EXPONENT = -100 }; /* keeps the powers of the kernels in range */
 
-/* As in POV-Ray a pigment keeps the wave and frequency of the pattern that it replaces. */
+/* Sets the pattern. As in POV-Ray, a pigment keeps the wave and the frequency of the
+ * pattern that is replaced. */
 void pattern_begin(struct pigment *pigment, enum pattern_function function)
 {
     pigment->kind = PIGMENT_PATTERN;
@@ -21,7 +22,8 @@ bool map_pattern_read(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Reads the colours of a list. The frequency 0 leaves its values unchanged. */
+/* Reads the colours of a list. The frequency 0 leaves the values of the pattern
+ * unchanged. */
 static bool read_listed(struct reader *reader, const struct item *item)
 {
     const struct pattern_rule *rule = &pattern_rules[item->keyword->detail];
@@ -101,7 +103,7 @@ static void finish_checker(struct pigment *pigment)
     }
 }
 
-/* Filter and transmit of a map are ignored. */
+/* Completes a pigment. Filter and transmit of a map are ignored. */
 bool pattern_finish(struct reader *reader, struct pigment *pigment,
                     const struct scene_token *at)
 {

@@ -7,7 +7,7 @@
 
 static const double black[COLOR_TERMS];
 
-/* POV-Ray uses quick_color at low quality only. */
+/* Ignores quick_color, which POV-Ray uses only at low quality. */
 static bool read_quick_color(struct reader *reader, const struct item *item)
 {
     struct numbers ignored;
@@ -102,7 +102,7 @@ bool gradient_pattern_read(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Reads a pattern whose first colour is used. */
+/* Reads an unsupported pattern. Only its first colour is used. */
 static bool unsupported_pattern_read(struct reader *reader, const struct item *item)
 {
     struct pigment *pigment = item->subject;
@@ -114,7 +114,7 @@ static bool unsupported_pattern_read(struct reader *reader, const struct item *i
         ITEM_WORD(item));
     pigment->kind = PIGMENT_COLOR;
     set_color(pigment, 0, black);
-    reader_accept(reader, "df3"); /* of density_file */
+    reader_accept(reader, "df3"); /* the file kind of density_file */
     if (!starts_color(reader))
         skip_arguments(reader);
     for (; starts_color(reader); first = false) {
@@ -157,7 +157,7 @@ static const struct grammar grammar = { "a keyword of pigment",
                                           pattern_words_left_out },
                                         .move = pigment_move };
 
-/* A pigment may begin with the name of a pigment or of a colour. */
+/* Reads a pigment. It may begin with the name of a pigment or of a colour. */
 bool pigment_body(struct reader *reader, const struct block *block, void *subject)
 {
     const struct scene_value *value = reader_use(reader, VALUE_PIGMENT);

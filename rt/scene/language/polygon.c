@@ -1,13 +1,13 @@
-/* polygon.c - tessellates a polygon: a flat outline of one or more loops becomes the
- * triangles of a mesh.
+/* polygon.c - tessellates a polygon. A flat outline of one or more loops becomes a mesh
+ * of triangles.
  *
  * The outline is projected along the axis that is closest to its normal. Horizontal
  * lines through all points, and through all crossings of edges, divide it into slabs.
  * Within a slab no edge ends and no two edges cross. In each slab the edges are sorted
  * across. The inside is between the first and the second edge, between the third and
- * the fourth, and so on: by this even-odd rule an area that is covered twice is a hole,
- * as in POV-Ray. The area between the same two edges in adjacent slabs is one
- * trapezoid; a new one starts only where an edge begins, ends or is crossed.
+ * the fourth, and so on. By this even-odd rule an area that is covered twice is a hole,
+ * as in POV-Ray. A trapezoid is the area between the same two edges in adjacent slabs.
+ * A new trapezoid starts only where an edge begins, ends or is crossed.
  */
 #include "rt/scene/language/scene_statement.h"
 
@@ -17,27 +17,27 @@
 
 #include <stdlib.h>
 
-/* POV-Ray's tolerances: below SQUARE_NONE the square of a length or product counts as
- * 0; points closer than POINT_SAME in each component are the same; a point closer than
- * PLANE_SAME to the plane is in it. For a polygon smaller than 1 they are relative to
- * its size. */
+/* POV-Ray's tolerances. A length or product counts as 0 if its square is below
+ * SQUARE_NONE. Two points are equal if each pair of components differs by less than
+ * POINT_SAME. A point is in the plane if its distance is below PLANE_SAME. For a
+ * polygon smaller than 1 the tolerances are relative to its size. */
 #define SQUARE_NONE 1e-10
 #define POINT_SAME 1e-10
 #define PLANE_SAME 1e-10
-/* Relative to the greatest component: lengths that are due to rounding. */
+/* Lengths below this fraction of the greatest component are rounding errors. */
 #define ROUNDING 1e-14
 
-/* CROSSING_COST limits the memory for crossings. */
+/* CROSSING_COST is the cost of a crossing, which limits the memory. */
 enum { MIN_POINTS = 3, MAX_POINTS = 100000, CROSSING_COST = 256 };
 
-/* An edge, directed upwards. Horizontal edges are dropped. */
+/* An edge, which points upwards. Horizontal edges are dropped. */
 struct polygon_edge {
     const double *low, *high;
     double from, to;            /* heights of its ends */
     double middle;              /* position across, at the middle of the slab */
-    struct polygon_edge *right; /* right side of the trapezoid whose left side this is;
-                                 * NULL: none */
-    double since;               /* height at which that trapezoid begins */
+    struct polygon_edge *right; /* the right side if this is the left side of a
+                                 * trapezoid; else NULL */
+    double since;               /* height at which this trapezoid begins */
 };
 
 struct polygon {
@@ -47,7 +47,7 @@ struct polygon {
     size_t count;
     double (*points)[3];
     int across, up;  /* the two axes of the projection */
-    double rounding; /* lengths below it count as 0 */
+    double rounding; /* smaller lengths count as 0 */
     double size;     /* extent along the axes, at most 1 */
 
     size_t edge_count;
@@ -55,7 +55,7 @@ struct polygon {
     size_t height_count, height_room;
     double *heights;
     size_t begun;        /* number of edges that begin at or below the current height */
-    size_t active_count; /* edges that have not ended yet, sorted across */
+    size_t active_count; /* edges that cross the current height, sorted across */
     struct polygon_edge **active;
 
     struct triangles triangles;
@@ -113,9 +113,9 @@ static bool read_points(struct polygon *polygon)
 
 /* ---- Its plane ----------------------------------------------------------- */
 
-/* Sets the normal as POV-Ray does: from the first point, the next point that differs
- * from it, and the next point that is not on a line with these. Fails if there are
- * none. */
+/* Computes the normal from three points, as in POV-Ray: the first point, the next point
+ * that differs from it, and the next point that is not on a line with both. Returns
+ * false if there are no such points. */
 static bool find_normal(const struct polygon *polygon, double normal[3])
 {
     double(*points)[3] = polygon->points, along[3] = { 0 }, way[3];
@@ -199,7 +199,7 @@ static bool close_part(struct polygon *polygon, size_t first)
     return true;
 }
 
-/* Adds the edges of all loops. A loop ends where its first point is repeated; the next
+/* Adds the edges of all loops. A loop ends where its first point is repeated. The next
  * point begins the next loop. */
 static bool add_edges(struct polygon *polygon)
 {
@@ -241,7 +241,8 @@ static bool make_edges(struct polygon *polygon)
     return true;
 }
 
-/* Computes the point of an edge at a height; its ends are exact. */
+/* Computes the point of an edge at a height. At the ends of the edge the result is
+ * exact. */
 static void point_at(const struct polygon *polygon, const struct polygon_edge *edge,
                      double height, double point[3])
 {
@@ -273,7 +274,7 @@ static bool add_height(struct polygon *polygon, double height)
 }
 
 /* Adds the crossing of two edges that change sides. Edges that only touch do so at a
- * point of the outline, which is a height already. */
+ * point of the outline, and its height has been added. */
 static bool add_crossing(struct polygon *polygon, const struct polygon_edge *a,
                          const struct polygon_edge *b)
 {
@@ -286,7 +287,8 @@ static bool add_crossing(struct polygon *polygon, const struct polygon_edge *a,
            && add_height(polygon, low + (high - low) * (below / (below - above)));
 }
 
-/* Adds the crossings with all edges whose lower end is below the top of edge i. */
+/* Adds the crossings of edge i with all edges whose lower end is below its upper
+ * end. */
 static bool add_crossings(struct polygon *polygon, size_t i)
 {
     const struct polygon_edge *edges = polygon->edges;
@@ -340,7 +342,7 @@ static bool add_triangle(struct polygon *polygon, const double a[3], const doubl
                               &polygon->triangle_room, &triangle, polygon->at);
 }
 
-/* A trapezoid whose sides meet at an end is one triangle. */
+/* Adds a trapezoid. If its sides meet at an end, it is one triangle. */
 static bool add_trapezoid(struct polygon *polygon, double low[2][3], double high[2][3])
 {
     double near = polygon->rounding;
@@ -365,7 +367,8 @@ static bool end_trapezoid(struct polygon *polygon, struct polygon_edge *left,
     return add_trapezoid(polygon, low, high);
 }
 
-/* Removes the edges that end here, and completes the trapezoids to their right. */
+/* Removes the edges that end at this height, and completes the trapezoids to their
+ * right. */
 static bool end_edges(struct polygon *polygon, double height)
 {
     struct polygon_edge **active = polygon->active;
@@ -389,8 +392,8 @@ static void begin_edges(struct polygon *polygon, double height)
         polygon->active[polygon->active_count++] = &edges[polygon->begun];
 }
 
-/* Edges at the same position are ordered by their index, so that the order never
- * changes. */
+/* Compares the positions of two edges. Edges at the same position are ordered by index,
+ * so that the order is the same in all slabs. */
 static int compare_places(const void *a, const void *b)
 {
     const struct polygon_edge *one = *(struct polygon_edge *const *)a;
@@ -409,8 +412,8 @@ static bool sort_active(struct polygon *polygon, double middle)
     return reader_spend(polygon->reader, TOKEN_COST * (count + 1));
 }
 
-/* Pairs the edges: every second one is the left side of a trapezoid. A trapezoid is
- * completed if its right side changes. */
+/* Pairs the edges: every second edge is the left side of a trapezoid. If the right side
+ * changes, the old trapezoid is completed. */
 static bool pair_edges(struct polygon *polygon, double height)
 {
     struct polygon_edge **active = polygon->active;

@@ -1,4 +1,4 @@
-/* primitive.c - parses the arguments of primitives, as their descriptors define. */
+/* primitive.c - parses the arguments of primitives, which their descriptors define. */
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/scene_statement.h"
 #include "rt/shapes/shape.h"
@@ -8,7 +8,7 @@
 
 /* ---- One argument -------------------------------------------------------- */
 
-/* Reads a radius; its absolute value is used. */
+/* Reads a radius, and uses its absolute value. */
 static bool read_radius(struct reader *reader, double *radius)
 {
     if (!read_number(reader, radius))
@@ -25,8 +25,8 @@ static bool read_size(struct reader *reader, const char *what, double *size)
     return *size > 0 || reader_fault(reader, &at, "the %s must be above 0", what);
 }
 
-/* Reads `count` coefficients in <..>. Surplus ones are read too, so that the message
- * has their number. */
+/* Reads `count` coefficients in <..>. It also reads surplus coefficients, so that the
+ * message contains their number. */
 static bool read_terms(struct reader *reader, double *terms, size_t count)
 {
     struct scene_token at = reader->token;
@@ -64,8 +64,9 @@ static bool read_count(struct reader *reader, size_t least, size_t *count)
     return true;
 }
 
-/* Reads a count, then the points. A point is a vector, whose first two components are
- * used. The array has twice the space, for handles between the points. */
+/* Reads a count, then that many points. A point is a vector, of which the first two
+ * components are used. The array has twice the space, for handles between the
+ * points. */
 static bool read_path(struct reader *reader, size_t least, struct outline *path)
 {
     double vector[3];
@@ -115,7 +116,8 @@ static bool read_one(struct reader *reader, const struct shape_field *field, dou
     return false;
 }
 
-/* Reads the elements of an argument; each but the very first follows a comma. */
+/* Reads the elements of an argument. Except the first element of all arguments, an
+ * element may follow a comma. */
 static bool read_row(struct reader *reader, const struct shape_field *field, bool first,
                      double *to)
 {
@@ -145,8 +147,8 @@ static bool read_word(struct reader *reader, const struct shape_field *field, bo
            || reader_fault(reader, &at, "'%s' is not supported", field->what);
 }
 
-/* Reads an argument. An optional one follows its word, and the comma before that word
- * belongs to the argument before it. */
+/* Reads an argument. An optional argument follows a keyword. A comma before this
+ * keyword belongs to the previous argument. */
 static bool read_field(struct reader *reader, const struct shape_field *field,
                        bool first, struct primitive *primitive)
 {
@@ -165,8 +167,8 @@ static bool read_field(struct reader *reader, const struct shape_field *field,
     return read_row(reader, field, first, to);
 }
 
-/* The primitive becomes a sphere that is marked as empty: like the empty set, a sphere
- * has an inside. */
+/* Replaces the primitive by an empty sphere. Like the empty set, a sphere has an
+ * inside. */
 void primitive_leave_out(struct reader *reader, struct primitive *primitive,
                          const struct scene_token *at, const char *reason)
 {
@@ -226,8 +228,8 @@ static size_t terms_of(int order)
     return (n + 1) * (n + 2) * (n + 3) / 6;
 }
 
-/* The coefficients of a lower order are in the order of a quartic's, without the terms
- * of higher degree. */
+/* Makes a quartic from a polynomial of lower order. Its coefficients have the order of
+ * a quartic's, without the terms of higher degree. */
 static void make_quartic(const double *terms, int order, struct primitive *primitive)
 {
     double *quartic = primitive->shape.quartic.coefficients;

@@ -1,4 +1,4 @@
-/* query.c - functions about strings, files, names, arrays and random numbers. */
+/* query.c - functions of strings, files, names, arrays and random numbers. */
 #include "rt/scene/language/scene_expression.h"
 
 #include "base/array.h"
@@ -85,7 +85,8 @@ static bool read_file_exists(struct reader *reader, double *value)
 
 /* ---- Names and arrays ---------------------------------------------------- */
 
-/* Returns true if the token is a shape or another word that POV-Ray does not have. */
+/* Returns true if the token is a shape or another keyword that POV-Ray does not
+ * have. */
 static bool is_own_word(const struct scene_token *token)
 {
     if (is_token(token, "part"))
@@ -97,8 +98,8 @@ static bool is_own_word(const struct scene_token *token)
     return false;
 }
 
-/* Words that only this language has count as defined, so that a scene can test for
- * them. POV-Ray's own words do not count, as in POV-Ray. */
+/* Keywords that POV-Ray does not have count as defined, so that a scene can test for
+ * them. As in POV-Ray, its own keywords do not count as defined. */
 bool read_defined(struct reader *reader, double *value)
 {
     if (reader->token.kind != TOKEN_WORD)
@@ -114,8 +115,8 @@ bool read_defined(struct reader *reader, double *value)
     return true;
 }
 
-/* Returns the array at the current token. Reports an error and returns NULL if it is
- * none. */
+/* Returns the array at the current token. If it is not an array, reports an error and
+ * returns NULL. */
 static const struct array *expect_array(struct reader *reader)
 {
     const struct scene_value *value = reader_value_of(reader, VALUE_ARRAY);
@@ -134,7 +135,7 @@ static bool read_dimensions(struct reader *reader, double *value)
     return true;
 }
 
-/* A dimension that the array does not have yields 0. */
+/* Reads the size of a dimension. It is 0 if the array does not have the dimension. */
 static bool read_dimension_size(struct reader *reader, double *value)
 {
     const struct array *array = expect_array(reader);
@@ -155,7 +156,7 @@ static bool read_dimension_size(struct reader *reader, double *value)
 
 /* ---- Random numbers ------------------------------------------------------ */
 
-/* Starts a new random stream and returns its index. */
+/* Starts a random stream and returns its index. */
 static bool read_seed(struct reader *reader, double *value)
 {
     double most = 2147483648.;
@@ -174,7 +175,7 @@ static bool read_seed(struct reader *reader, double *value)
            || reader_no_memory(reader);
 }
 
-/* POV-Ray's generator: linear congruential, modulo 2^32. */
+/* POV-Ray's generator, which is linear congruential modulo 2^32. */
 static bool read_rand(struct reader *reader, double *value)
 {
     struct scene_token at = reader->token;
@@ -200,9 +201,9 @@ void queries_free(struct reader *reader)
 static const struct query {
     const char *words;
     bool (*read)(struct reader *reader, double *value);
-    string_measure *measure; /* instead, of one string; without both the function is not
-                              * supported */
-    bool raw;                /* its argument is read without calling macros */
+    string_measure *measure; /* for functions of one string; without `read` and
+                              * `measure` the function is not supported */
+    bool raw;                /* macros in its argument are not called */
 } queries[] = {
     { "asc", .measure = first_code },
     { "defined", .read = read_defined, .raw = true },

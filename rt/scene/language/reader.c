@@ -13,7 +13,8 @@ static int short_length(const struct scene_token *token)
     return token->length > TOKEN_LONGEST ? TOKEN_LONGEST : (int)token->length;
 }
 
-/* Appends the calls of the macros that contain the token, innermost first. */
+/* Appends the calls of the macros that contain the token. The innermost call is the
+ * first. */
 static void add_calls(const struct reader *reader, const struct scene_token *at,
                       char *message, size_t room)
 {

@@ -12,10 +12,10 @@
 
 struct blob_reading {
     struct scene_object object; /* first member: the subject of the modifiers */
-    struct scene_token at;      /* its word */
-    struct blob_parts parts;    /* of array_add, until the blob ends */
-    struct scene_token look_at; /* place of the first texture of a component, which
-                                 * becomes the texture of the object's part */
+    struct scene_token at;      /* the keyword `blob` */
+    struct blob_parts parts;    /* in an array of array_add, until the blob ends */
+    struct scene_token look_at; /* place of the first texture of a component; it becomes
+                                 * the texture of the object's part */
 };
 
 /* A component and its texture. */
@@ -105,7 +105,7 @@ static bool add_part(struct reader *reader, struct blob_reading *blob,
 }
 
 /* Records the texture of a component. POV-Ray blends the textures of components; here
- * the blob has one. */
+ * the blob has only one. */
 static void take_look(struct blob_reading *blob, const struct part_reading *reading)
 {
     struct scene_part *part = blob->object.parts;
@@ -117,7 +117,7 @@ static void take_look(struct blob_reading *blob, const struct part_reading *read
     part->primitive.finish = reading->texture.finish;
 }
 
-/* detail: whether it is a cylinder */
+/* Reads a component. detail: true for a cylinder */
 static bool read_component(struct reader *reader, const struct item *item)
 {
     struct part_reading reading = { .texture = reader->default_texture,
@@ -188,7 +188,7 @@ static bool keep(struct reader *reader, struct blob_reading *blob)
     if (!list)
         return false;
     primitive->shape.blob.parts = (struct blob_parts){ count, list };
-    /* The texture equals POV-Ray's if a single component has one. */
+    /* If only one component has a texture, the result is the same as in POV-Ray. */
     if (count != 1 || blob->object.textured)
         shape_choose_texture(reader, &blob->object, &blob->look_at, "blob components",
                              "the texture of the blob");

@@ -1,4 +1,4 @@
-/* scene_block.c - parses blocks by their grammars, and recovers from errors. */
+/* scene_block.c - parses blocks by grammars, and recovers from errors. */
 #include "rt/scene/language/scene_block.h"
 
 #include "rt/scene/language/scene_expression.h"
@@ -96,8 +96,8 @@ static bool block_close(struct reader *reader, const struct block *block)
                         block->open.sign, block->open.place.line);
 }
 
-/* Recovers from an error: skips to the next word of the grammar, to the token after a
- * directive or an inner block, or to the end of this block. */
+/* Recovers from an error: skips to the next keyword of the grammar, to the token after
+ * a directive or an inner block, or to the end of the block. */
 static void recover(struct reader *reader, const struct block *block,
                     const struct grammar *grammar)
 {

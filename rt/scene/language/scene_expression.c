@@ -10,8 +10,8 @@
  *               | function "(" full, ... ")"
  *
  * As in POV-Ray, & and | have the same precedence and associate to the left. In an
- * operation of a float and a vector the float is expanded to equal components; the
- * shorter of two vectors is filled with zeros.
+ * operation of a float and a vector, the float is expanded to a vector of equal
+ * components. In an operation of two vectors, the shorter vector is filled with zeros.
  */
 #include "rt/scene/language/scene_expression.h"
 
@@ -22,7 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Reads a prefix operator. Fails if there is none. */
+/* Reads a prefix operator. Returns false if there is none. */
 static bool accept_prefix(struct reader *reader, char *prefix)
 {
     *prefix = reader->token.kind == TOKEN_SIGN && reader->token.sign < SIGN_UNEQUAL
@@ -115,7 +115,7 @@ static bool apply(struct reader *reader, const struct scene_token *at, bool floa
     return operand_finite(reader, at, left);
 }
 
-/* Compares two strings by byte order; the result of "a" = "b" is a float. */
+/* Compares two strings by byte order. The result of "a" = "b" is a float. */
 static bool compare_strings(struct reader *reader, const char *left,
                             struct numbers *value)
 {
@@ -141,7 +141,7 @@ static bool read_comparison(struct reader *reader, struct numbers *value)
     return done;
 }
 
-/* Reads left-associative operators of one precedence, and of all higher ones. */
+/* Reads left-associative operators of this rank and of all higher ranks. */
 static bool read_rank(struct reader *reader, enum rank rank, struct numbers *value)
 {
     if (rank == RANKS)

@@ -6,31 +6,33 @@
 
 /* Returns true if the current token can begin an expression. */
 bool starts_expression(const struct reader *reader);
-/* Returns true if it is a colour word such as rgb or red, or the name of a colour. */
+/* Returns true if the current token is a keyword of colours such as rgb or red, or the
+ * name of a colour. */
 bool starts_color(const struct reader *reader);
-/* The words that begin a colour, for a table of words. */
+/* The keywords that can begin a colour. */
 #define COLOR_WORDS \
     "color colour rgb rgbf rgbt rgbft srgb srgbf srgbt srgbft red green blue"
 bool is_color_word(const struct scene_token *token);
-/* Returns true if it is a constant or a function of the language. */
+/* Returns true if the token is a constant or a function of the language. */
 bool is_expression_word(const struct scene_token *token);
 
-/* Reads a sum. Comparisons, logic and ?: are valid in parentheses only. */
+/* Reads a sum. Comparisons, logic and ?: need parentheses. */
 bool read_expression(struct reader *reader, struct numbers *value);
 bool read_number(struct reader *reader, double *value);
 /* Reads an expression in brackets, with comparisons, logic and ?:. */
 bool read_full(struct reader *reader, struct numbers *value);
 bool read_full_number(struct reader *reader, double *value);
-/* Floats are equal if they differ by less; a float closer to 0 is false. */
+/* Floats are equal if their difference is smaller. A float is false if its absolute
+ * value is smaller. */
 #define EXPRESSION_SAME 1e-10
-/* Reads a vector. A float is expanded to three equal components; a vector of two gets a
- * zero. */
+/* Reads a vector. A float is expanded to three equal components. A zero is added to a
+ * vector of two components. */
 bool read_vector(struct reader *reader, double vector[3]);
 /* Reads vectors with optional commas in between. */
 bool read_vectors(struct reader *reader, double (*vectors)[3], size_t count);
-/* Reads a colour with all five terms. */
+/* Reads a colour with all five components. */
 bool read_color(struct reader *reader, struct numbers *color);
-/* Like read_color, after its first word, which is a colour word. */
+/* Like read_color, after the first word of the colour has been read. */
 bool read_color_after(struct reader *reader, const struct scene_token *word,
                       struct numbers *color);
 /* Reads the red, green and blue of a light or a background. */
@@ -39,23 +41,24 @@ bool read_rgb(struct reader *reader, double rgb[3]);
 /* ---- Functions about strings, files, names, arrays and random numbers ---- */
 
 bool is_query_word(const struct scene_token *token);
-/* Reads a call; the current token is the word of such a function. */
+/* Reads a call. The current token is the keyword of the function. */
 bool query_read(struct reader *reader, double *value);
-/* Reads the argument of `defined` between the brackets, without interpreting it: a
- * name, or an element of an array. */
+/* Reads the argument of `defined` between the brackets: a name or an element of an
+ * array, which is not interpreted. */
 bool read_defined(struct reader *reader, double *value);
 double string_order(const char *a, const char *b);
 void queries_free(struct reader *reader);
 
 /* ---- Operands ------------------------------------------------------------ */
 
-/* Reads primary { "." component }, in the grammar of scene_expression.c. */
+/* Reads primary { "." component } of the grammar in scene_expression.c. */
 bool operand_read(struct reader *reader, struct numbers *value);
-/* Reads a call of the spline that the current token names: NAME(t) or NAME(t, kind). */
+/* Reads NAME(t) or NAME(t, kind), a call of the spline that the current token names. */
 bool spline_call(struct reader *reader, struct numbers *value);
 
-/* Report an error at the token if the value is not a float, or is not finite: after an
- * overflow, or for an argument outside of a function's domain. */
+/* operand_float reports an error if the value is not a float. Both functions report an
+ * error if it is not finite, after an overflow or for an argument outside of a
+ * function's domain. */
 bool operand_float(struct reader *reader, const struct scene_token *at,
                    const struct numbers *value);
 bool operand_finite(struct reader *reader, const struct scene_token *at,
@@ -69,12 +72,13 @@ bool operand_found_vector(struct reader *reader, const struct scene_token *at,
 /* A function of the language. */
 struct function {
     const char *name;
-    const char *takes; /* its arguments: f a float, v a vector, ? an optional float, +
-                        * any number more */
-    double (*plain)(double);        /* of one float */
-    double (*pair)(double, double); /* of two; of more it is applied from the left */
+    const char *takes; /* kinds of its arguments: f a float, v a vector, ? an optional
+                        * float, + any number of further arguments */
+    double (*plain)(double);        /* a function of one float */
+    double (*pair)(double, double); /* a function of two floats; with more floats it is
+                                     * applied from the left */
     void (*apply)(const struct numbers *arguments, size_t count,
-                  struct numbers *result); /* of any */
+                  struct numbers *result); /* a function of any arguments */
 };
 enum { MAX_ARGUMENTS = 32 };
 const struct function *function_find(const struct scene_token *token);

@@ -1,8 +1,8 @@
 /* scene_macro.c - #macro, and calls of macros.
  *
- * The body of a macro is read at its call, in place of the call. A local level of names
- * has its parameters. An argument that is only a name or an element is passed by
- * reference, every other one by value.
+ * A call of a macro is replaced by the macro's body. The parameters are names at a
+ * level of their own. An argument that is only a name or an element is passed by
+ * reference, any other argument by value.
  */
 #include "rt/scene/language/directive.h"
 
@@ -84,7 +84,8 @@ bool macro_define(struct reader *reader, const struct item *item)
 /* ---- Call ---------------------------------------------------------------- */
 
 struct argument {
-    struct reference reference; /* held; if it has no symbol: */
+    struct reference reference; /* held while it is used; without a symbol, the argument
+                                 * is `value`: */
     struct scene_value value;
 };
 
@@ -92,7 +93,7 @@ struct call {
     struct scene_macro macro; /* a copy, because an argument may redefine the macro */
     struct scene_token at;
     size_t count;
-    struct argument arguments[]; /* one per parameter */
+    struct argument arguments[]; /* one for each parameter */
 };
 
 static bool is_alone(struct reader *reader)
@@ -152,7 +153,7 @@ static bool bind(struct reader *reader, struct call *call)
 }
 
 /* Opens a frame for the body. The current token is the closing bracket, so that the
- * body is read between it and the text after it. */
+ * body is read before the text after the bracket. */
 static bool enter_body(struct reader *reader, struct call *call)
 {
     const struct scene_macro *macro = &call->macro;

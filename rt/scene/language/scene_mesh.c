@@ -9,13 +9,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* POV-Ray's EPSILON: components below it make a normal 0, and a squared distance below
- * it makes two normals equal. */
+/* POV-Ray's EPSILON. A normal counts as 0 if all components are below it. Two normals
+ * are equal if their squared distance is below it. */
 #define NORMAL_SAME 1e-10
 
 /* ---- Normals ------------------------------------------------------------- */
 
-/* Normalises a vector. Fails if it is 0. */
+/* Normalises a vector. Returns false if it is 0. */
 static bool make_unit(double normal[3])
 {
     double size = greatest3(normal);
@@ -27,7 +27,7 @@ static bool make_unit(double normal[3])
     return true;
 }
 
-/* POV-Ray replaces a zero normal in this way, and warns too. */
+/* Replaces a zero normal and warns, as POV-Ray does. */
 void mesh_direct(struct reader *reader, const struct scene_token *at, double normal[3])
 {
     bool none = true;
@@ -41,7 +41,8 @@ void mesh_direct(struct reader *reader, const struct scene_token *at, double nor
     make_unit(normal);
 }
 
-/* As in POV-Ray a triangle with equal normals is flat, whatever they are. */
+/* As in POV-Ray, a triangle with three equal normals is flat, whatever their
+ * direction. */
 bool mesh_is_smooth(const struct triangle *triangle)
 {
     const double(*normals)[3] = triangle->normals;
@@ -160,7 +161,7 @@ bool mesh_object_add(struct reader *reader, struct scene_object *object,
                : shape_add(reader, object, &primitive, at);
 }
 
-/* An invisible mesh is reported, but is no error. */
+/* Removes an invisible mesh. This is reported, but it is not an error. */
 static bool leave_out(struct reader *reader, struct mesh_reading *mesh)
 {
     primitive_leave_out(reader, &mesh->object.parts->primitive, &mesh->at,
@@ -185,7 +186,7 @@ static bool keep(struct reader *reader, struct mesh_reading *mesh)
     fault = shapes[PRIMITIVE_MESH]->finish(primitive);
     if (fault)
         return leave_out(reader, mesh);
-    /* In POV-Ray the texture of a triangle overrides that of the mesh. */
+    /* In POV-Ray the texture of a triangle overrides the texture of the mesh. */
     if (mesh->differ || mesh->looks != mesh->triangles.count)
         shape_choose_texture(reader, &mesh->object, &mesh->look_at, "mesh triangles",
                              "the texture of the mesh");
@@ -212,7 +213,7 @@ bool mesh_close(struct reader *reader, const struct block *block, bool good)
 
 static bool read_corners(struct reader *reader, bool smooth, struct triangle *triangle)
 {
-    size_t each = smooth ? 2 : 1; /* a corner, and the normal there */
+    size_t each = smooth ? 2 : 1; /* a corner, and its normal */
     double vectors[6][3];
     *triangle = (struct triangle){ .smooth = smooth };
     if (!read_vectors(reader, vectors, 3 * each))
@@ -225,7 +226,7 @@ static bool read_corners(struct reader *reader, bool smooth, struct triangle *tr
     return true;
 }
 
-/* uv coordinates are not used. */
+/* Skips uv coordinates, which are not used. */
 static bool read_uv_vectors(struct reader *reader, const struct item *item)
 {
     double ignored[3][3];
@@ -242,7 +243,7 @@ static bool read_texture(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Reads three names of textures, one per corner. */
+/* Reads three names of textures, one for each corner. */
 static bool read_names(struct reader *reader, struct mesh_reading *mesh,
                        const struct item *item)
 {
@@ -274,7 +275,7 @@ static const struct keyword triangle_words[] = {
 static const struct grammar triangle_grammar = { "a keyword of a mesh triangle",
                                                  .tables = { triangle_words } };
 
-/* detail: whether it is smooth */
+/* Reads a triangle. detail: true if it is smooth */
 static bool read_triangle(struct reader *reader, const struct item *item)
 {
     bool smooth = item->keyword->detail;
@@ -293,7 +294,7 @@ static bool read_triangle(struct reader *reader, const struct item *item)
     return mesh_add(reader, mesh, &triangle, &item->at);
 }
 
-/* A mesh with an inside_vector is solid; as in POV-Ray a zero vector does not count. */
+/* A mesh with an inside_vector is solid. As in POV-Ray, a zero vector has no effect. */
 bool read_inside_vector(struct reader *reader, const struct item *item)
 {
     struct mesh_reading *mesh = item->subject;

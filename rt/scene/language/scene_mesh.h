@@ -6,34 +6,36 @@
 
 struct mesh_reading {
     struct scene_object object; /* first member: the subject of the modifiers */
-    struct scene_token at;      /* its word */
+    struct scene_token at;      /* the keyword of the mesh */
     bool lone;                  /* a single triangle or smooth_triangle */
-    struct triangles triangles; /* of array_add, until the mesh ends */
+    struct triangles triangles; /* in an array of array_add, until the mesh ends */
 
-    /* The textures of triangles; the first is that of the object's part. */
-    struct scene_token look_at; /* where the first one is */
+    /* The textures of the triangles. The first becomes the texture of the object's
+     * part. */
+    struct scene_token look_at; /* place of the first texture */
     size_t looks;               /* number of triangles with a texture */
-    bool looked;                /* the triangle that is read has one */
-    bool differ;                /* they are not all the same */
+    bool looked;                /* the current triangle has a texture */
+    bool differ;                /* the textures are not all equal */
 };
 
 /* Starts an object of one part, without triangles. */
 bool mesh_begin(struct reader *reader, struct mesh_reading *mesh,
                 const struct item *item);
-/* Ends a mesh. If it is good it becomes the object; all else is freed. */
+/* Ends a mesh. If `good` is true, the mesh becomes the object. All other storage is
+ * freed. */
 bool mesh_end(struct reader *reader, struct mesh_reading *mesh, bool good,
               struct scene_object *object);
 
 /* Returns the number of triangles in all meshes of an object. */
 size_t mesh_triangles(const struct scene_object *object);
-/* Counts more triangles. Fails above MAX_TRIANGLES. */
+/* Counts further triangles. Reports an error above MAX_TRIANGLES. */
 bool mesh_count(struct reader *reader, size_t more, const struct scene_token *at);
 /* Counts a triangle and adds it to a list that the scene owns. */
 bool mesh_keep_triangle(struct reader *reader, struct triangles *triangles,
                         size_t *capacity, const struct triangle *triangle,
                         const struct scene_token *at);
-/* Adds a mesh of these triangles to the object; if none has an area it is ignored for
- * the reason. */
+/* Adds a mesh of these triangles to the object. If no triangle has an area, the mesh is
+ * ignored for this reason. */
 bool mesh_object_add(struct reader *reader, struct scene_object *object,
                      const struct triangles *triangles, const struct scene_token *at,
                      const char *reason);
@@ -46,7 +48,7 @@ void mesh_look(struct mesh_reading *mesh, const struct texture *texture,
 void mesh_direct(struct reader *reader, const struct scene_token *at, double normal[3]);
 /* Returns true if the normals of the triangle make it smooth. */
 bool mesh_is_smooth(const struct triangle *triangle);
-/* Reads the closing '}', before which nothing else may be. */
+/* Reads the closing '}'. No other token may precede it. */
 bool mesh_close(struct reader *reader, const struct block *block, bool good);
 
 item_reader read_inside_vector;

@@ -13,7 +13,7 @@ void pigment_move(void *subject, const struct placement *step)
     pigment->to_local = transform_then(&step->to_local, &pigment->to_local);
 }
 
-/* A transform before the normal does not move it, as in POV-Ray. */
+/* A transform that precedes the normal does not move it, as in POV-Ray. */
 static void bumps_move(struct bumps *bumps, const struct placement *step)
 {
     if (bumps->list)
@@ -39,7 +39,8 @@ static bool add_branch(struct scene_object *object, enum tree_operation operatio
     return array_add(&object->branches, &object->branch_count, &branch, sizeof branch);
 }
 
-/* These append branches of another object, and the parts that are their leaves. */
+/* These functions append branches of another object, and the parts that are their
+ * leaves. */
 static bool add_branches(struct scene_object *object, const struct branch *branches,
                          size_t count)
 {
@@ -161,8 +162,8 @@ static bool is_clipped(const struct scene_object *object)
     return false;
 }
 
-/* The state of inverting a tree with clipped solids: the part of the next leaf, and the
- * branches that have been made. */
+/* The state while a tree with clipped solids is inverted: the part of the next leaf,
+ * and the branches made so far. */
 struct inverting {
     struct scene_object *object;
     size_t part;
@@ -177,8 +178,9 @@ static void invert_parts(struct inverting *inverting, size_t count)
 
 static bool invert_branch(struct inverting *inverting, size_t at);
 
-/* Inverts the children of an intersection or a merge, which turns into the other. In a
- * clipped solid only the first child is inverted; the clipping objects are copied. */
+/* Inverts the children of an intersection or a merge. An intersection becomes a merge,
+ * and a merge an intersection. In a clipped solid only the first child is inverted; the
+ * clipping objects are copied. */
 static bool invert_children(struct inverting *inverting, size_t at)
 {
     const struct branch *from = inverting->object->branches;
@@ -199,8 +201,8 @@ static bool invert_children(struct inverting *inverting, size_t at)
     return true;
 }
 
-/* Inverts a branch by de Morgan's laws. As in POV-Ray, inverting a clipped solid does
- * not invert its clipping objects, and a mesh without an inside stays unchanged. */
+/* Inverts a branch by De Morgan's laws. As in POV-Ray, the clipping objects of a
+ * clipped solid are not inverted, and a mesh without an inside does not change. */
 static bool invert_branch(struct inverting *inverting, size_t at)
 {
     const struct branch *from = &inverting->object->branches[at];
@@ -211,7 +213,7 @@ static bool invert_branch(struct inverting *inverting, size_t at)
             return inverting->part++, add_branch(made, TREE_LEAF, 1);
         invert_parts(inverting, 1);
         return add_branch(made, TREE_NOT, 2) && add_branch(made, TREE_LEAF, 1);
-    case TREE_NOT: /* its subtree has no clipping and no such mesh */
+    case TREE_NOT: /* its subtree has no clipping and no mesh without an inside */
         invert_parts(inverting, count_leaves(from + 1, from->size - 1));
         return add_branches(made, from + 1, from->size - 1);
     case TREE_AND:
@@ -248,7 +250,7 @@ bool object_invert(struct scene_object *object)
     return true;
 }
 
-/* Appends a solid, given by its branches and parts, and its clipping objects. */
+/* Appends a solid, which consists of branches and parts, and its clipping objects. */
 static bool add_clipped(struct scene_object *object, const struct branch *branches,
                         size_t branch_count, const struct scene_part *parts,
                         size_t part_count, const struct scene_object *clip)
@@ -284,10 +286,11 @@ bool object_clip(struct scene_object *object, const struct scene_object *clip)
     return done;
 }
 
-/* The content of a branch, after empty parts below it have been removed. */
+/* The content of a branch after its empty parts have been removed. */
 enum content { CONTENT_NOTHING, CONTENT_ALL, CONTENT_SOME };
 
-/* The state of pruning in place: the read cursors, and the numbers that are kept. */
+/* The state while a tree is pruned in place: the read positions, and the numbers of
+ * items that stay. */
 struct pruning {
     struct scene_object *object;
     size_t branch, part;
@@ -313,7 +316,8 @@ static enum content opposite(enum content content)
     return content == CONTENT_NOTHING ? CONTENT_ALL : CONTENT_NOTHING;
 }
 
-/* Stores the root of a branch at its place, or removes it if it has a single child. */
+/* Stores the root of a branch at its position, or removes it if it has only one
+ * child. */
 static void keep_root(struct pruning *pruning, struct branch root, size_t place,
                       size_t children)
 {
@@ -326,8 +330,9 @@ static void keep_root(struct pruning *pruning, struct branch root, size_t place,
     memmove(branches + place, branches + place + 1, (root.size - 1) * sizeof *branches);
 }
 
-/* Prunes a branch. A single child can decide: an empty one empties an intersection, and
- * a complete one fills a merge. */
+/* Prunes a branch. One child can decide the result: an empty child makes an
+ * intersection empty, and a child that contains all space makes a merge contain all
+ * space. */
 static enum content prune_branch(struct pruning *pruning)
 {
     struct branch root = pruning->object->branches[pruning->branch++];
@@ -380,7 +385,7 @@ void object_show(struct scene_object *object)
             object->parts[i].primitive.hidden_from = 0;
 }
 
-/* As in POV-Ray no_shadow applies to whole solids only. */
+/* As in POV-Ray, no_shadow applies only to whole solids. */
 static void forget_no_shadow(struct scene_object *object)
 {
     for (size_t i = 0; i < object->part_count; i++)

@@ -53,7 +53,7 @@ bool operand_found_vector(struct reader *reader, const struct scene_token *at,
                         value->count, plural((uint64_t)value->count));
 }
 
-/* Rejects the result of an overflow, or of an argument outside of a function's
+/* Rejects the result of an overflow, or of a function whose argument is outside of its
  * domain. */
 bool operand_finite(struct reader *reader, const struct scene_token *at,
                     const struct numbers *value)
@@ -100,7 +100,8 @@ static bool read_argument(struct reader *reader, char kind, struct numbers *argu
     return true;
 }
 
-/* Reads arguments as described by `takes`. Returns their count; 0: an error. */
+/* Reads the arguments that `takes` describes. Returns their number, or 0 after an
+ * error. */
 static size_t read_arguments(struct reader *reader, const char *takes,
                              struct numbers *arguments)
 {
@@ -165,7 +166,7 @@ static bool take(struct reader *reader, struct numbers taken, struct numbers *va
     return true;
 }
 
-/* Declared names come first because they are the most frequent. */
+/* Declared names are looked up first, because they are the most frequent. */
 static bool read_name(struct reader *reader, struct numbers *value)
 {
     const struct scene_token *token = &reader->token;

@@ -59,8 +59,7 @@ struct scene_source *source_add(struct scene_source **list, const char *name,
     return adopt(list, name, own, length, true, error);
 }
 
-/* Reads a file. If the file is missing, errno is ENOENT, and the search continues
- * elsewhere. */
+/* Reads a file. If it is missing, errno is ENOENT and the search continues. */
 static struct scene_source *load(struct scene_source **list, const char *path,
                                  bool is_text, c205_error *error)
 {
@@ -102,13 +101,14 @@ static char *join(const char *folder, size_t length, const char *name)
     return path;
 }
 
-/* A search for a file; while it continues, found is NULL and is_over false. */
+/* A search for a file. While it continues, found is NULL and is_over is false. */
 struct search {
     struct scene_source **list;
     const struct source_request *request;
     bool any_case; /* ignore case */
     struct scene_source *found;
-    bool is_over; /* found, or failed with the reason in *error */
+    bool is_over; /* the file was found, or the search failed with the reason in
+                   * *error */
     c205_error *error;
 };
 
@@ -121,8 +121,8 @@ static void open_path(struct search *search, const char *path)
     search->is_over = search->found || errno != ENOENT;
 }
 
-/* Reports several matches, as "'a.inc' or 'A.inc'": the ends of their paths, in the
- * form that the scene would use. */
+/* Reports several matches, as "'a.inc' or 'A.inc'". The message has the ends of the
+ * paths, in the form in which the scene would use them. */
 static void refuse_several(struct search *search, const struct folder *paths)
 {
     struct text_buffer names = { 0 };
@@ -196,14 +196,14 @@ static void search_carried(struct search *search)
     search->is_over = true;
 }
 
-/* The folders of POV-Ray's package. */
+/* The include folders of POV-Ray's package. */
 static const char *const installed[] = {
     "/usr/local/share/povray-3.7/include",
     "/usr/share/povray-3.7/include",
     NULL,
 };
 
-/* Searches the folder of the requesting text, then all other places. */
+/* Searches the folder of the source that requests the file, then all other places. */
 static void search_all(struct search *search)
 {
     const struct source_request *request = search->request;

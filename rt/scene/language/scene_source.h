@@ -16,15 +16,15 @@ extern const struct text scene_texts[];
 struct scene_source {
     struct scene_source *next;
     char *name;
-    char *text; /* ends with a NUL that is not counted */
+    char *text; /* ends with a NUL, which `length` does not count */
     size_t length;
-    bool library; /* not from the folders of the scene */
+    bool library; /* it is not in the folders of the scene */
     bool is_text; /* false: bytes of an image or a font */
 };
 
-enum { SOURCE_LONGEST = 16 << 20 }; /* bytes */
+enum { SOURCE_LONGEST = 16 << 20 }; /* in bytes */
 
-/* Add a text, or the text of a file. They return NULL after an error. */
+/* Add a text, or the text of a file. Both return NULL after an error. */
 struct scene_source *source_add(struct scene_source **list, const char *name,
                                 const char *text, size_t length, c205_error *error);
 struct scene_source *source_load(struct scene_source **list, const char *path,
@@ -34,13 +34,13 @@ struct scene_source *source_load(struct scene_source **list, const char *path,
 struct source_request {
     const char *name;
     const struct scene_source *from;
-    const char *const *search; /* folders, NULL-terminated; or NULL */
+    const char *const *search; /* folders, which end with NULL; NULL: none */
     bool is_text;
 };
-/* Finds a file. It is searched in the folder of `from`, in the search folders, in the
- * folders of POV-Ray's package, and in scene_texts. If no place has it, the search is
- * repeated in the same order without regard to case; a folder then must have one match
- * only. Each file is read once. Returns NULL after an error. */
+/* Finds a file. The search order is: the folder of `from`, the search folders, the
+ * folders of POV-Ray's package, scene_texts. If the file is not found, the search is
+ * repeated in the same order without regard to case. A folder must then have only one
+ * match. Each file is read once. Returns NULL after an error. */
 struct scene_source *source_include(struct scene_source **list,
                                     const struct source_request *request,
                                     c205_error *error);

@@ -1,7 +1,7 @@
 /* scene_statement.h - the parsers of the statements of the language.
  *
- * Each is called after the word of its statement, which is item->at, and reads the
- * block into its last arguments.
+ * Each parser is called after the keyword of its statement, which is item->at. It reads
+ * the block into its last arguments.
  */
 #ifndef RT_SCENE_STATEMENT_H
 #define RT_SCENE_STATEMENT_H
@@ -12,12 +12,13 @@
 /* Reads the block of transform { ... }. */
 bool transform_read(struct reader *reader, struct placement *placement);
 
-/* These modify their argument, which the caller sets to the scene's defaults. */
+/* These functions modify their argument, which the caller sets to the scene's
+ * defaults. */
 bool pigment_read(struct reader *reader, struct pigment *pigment);
 bool finish_read(struct reader *reader, struct finish *finish);
 bool normal_read(struct reader *reader, struct bumps *bumps);
 bool texture_read(struct reader *reader, struct texture *texture);
-/* Reads the part of a texture that is the detail of the item's row. */
+/* Reads the part of a texture that `detail` of the item's row selects. */
 enum texture_part { TEXTURE_PIGMENT, TEXTURE_NORMAL, TEXTURE_FINISH, TEXTURE_WHOLE };
 bool texture_part_read(struct reader *reader, const struct item *item,
                        struct texture *texture);
@@ -25,16 +26,16 @@ item_reader item_texture_part; /* subject: the texture */
 /* Adds a layer to a texture. */
 bool texture_layer_read(struct reader *reader, const struct scene_token *at,
                         struct texture *texture);
-/* Reads all entries of a map. The first becomes the pigment's colour, unless the
- * pigment is a gradient. */
+/* Reads all entries of a map. The first entry becomes the colour of the pigment, unless
+ * it is a gradient. */
 bool color_map_read(struct reader *reader, struct pigment *pigment);
-/* These read all entries and use the first. */
+/* These functions read all entries, but use only the first. */
 bool pigment_map_read(struct reader *reader, struct pigment *pigment);
 bool texture_map_read(struct reader *reader, struct texture *texture);
-/* These read and use all entries. */
+/* These functions read and use all entries. */
 bool normal_map_read(struct reader *reader, struct bump_list *list);
 bool slope_map_read(struct reader *reader, struct bump *bump);
-/* Reads the statement of the kind of value that is the detail of the item's row. */
+/* Reads the statement of the value kind that `detail` of the item's row selects. */
 item_reader item_statement;
 /* Reads the block of #default, and of the statement `default`. */
 item_reader default_read;
@@ -47,7 +48,7 @@ bool camera_read(struct reader *reader, const struct scene_token *at,
 extern const struct camera_setting camera_default;
 item_reader settings_read;
 /* The _read functions read the blocks of sky_sphere and fog, which may begin with a
- * name. The _take functions put the result into the scene. */
+ * name. The _take functions add the result to the scene. */
 bool sky_read(struct reader *reader, struct sky_setting *sky);
 void sky_take(struct reader *reader, const struct sky_setting *sky,
               const struct scene_token *at);
@@ -55,9 +56,9 @@ bool fog_read(struct reader *reader, struct fog_setting *fog);
 bool fog_take(struct reader *reader, const struct fog_setting *fog,
               const struct scene_token *at);
 
-/* The meaning of a shape's word: its primitive kind, or one of these. */
+/* The meaning of a shape's keyword: its primitive kind, or one of these values. */
 enum shape_word {
-    SHAPE_UNION = PRIMITIVE_KINDS, /* to SHAPE_DIFFERENCE: in the order of enum
+    SHAPE_UNION = PRIMITIVE_KINDS, /* up to SHAPE_DIFFERENCE in the order of enum
                                     * joining */
     SHAPE_MERGE,
     SHAPE_INTERSECTION,
@@ -66,13 +67,13 @@ enum shape_word {
     SHAPE_NAMED, /* the name of an object, without a block */
     SHAPE_LIGHT,
     SHAPE_LIGHT_GROUP,
-    SHAPE_CUBIC, /* becomes a quartic or a quadric, as does poly */
+    SHAPE_CUBIC, /* a cubic or a poly becomes a quartic or a quadric */
     SHAPE_POLY,
     SHAPE_TEXT, /* becomes prisms */
     SHAPE_BICUBIC_PATCH,
     SHAPE_POLYGON,
     SHAPE_HEIGHT_FIELD,
-    SHAPE_TRIANGLE, /* from here on: becomes a mesh */
+    SHAPE_TRIANGLE, /* this shape and those after it become meshes */
     SHAPE_SMOOTH_TRIANGLE,
     SHAPE_MESH2
 };
@@ -85,29 +86,29 @@ bool shape_read(struct reader *reader, struct scene_object *object,
 bool primitive_read(struct reader *reader, enum primitive_kind kind,
                     struct primitive *primitive);
 /* Converts a primitive from its arguments to the form that is traced. An invisible
- * shape is reported and removed from the scene; in a solid it counts as the empty
- * set. */
+ * shape is reported and removed. In a solid it counts as the empty set. */
 bool primitive_finish(struct reader *reader, struct primitive *primitive,
                       const struct scene_token *at);
-/* Removes a primitive for this reason, like an invisible shape. */
+/* Removes a primitive for this reason, as if it were invisible. */
 void primitive_leave_out(struct reader *reader, struct primitive *primitive,
                          const struct scene_token *at, const char *reason);
-/* Reads a cubic, which has order 3, or a poly, whose order is in the text. */
+/* Reads a cubic, which has order 3, or a poly, whose order is an argument. */
 bool polynomial_read(struct reader *reader, enum shape_word word,
                      struct primitive *primitive);
-/* These read the arguments of a shape after its '{'. Text becomes one prism per
- * character, the others become meshes. Shapes that are invisible in POV-Ray are not
- * added to the object. */
+/* These functions read the arguments of a shape after its '{'. A text becomes one prism
+ * for each character, the others become meshes. A shape that is invisible in POV-Ray is
+ * not added to the object. */
 typedef bool shape_reader(struct reader *reader, struct scene_object *object,
                           const struct scene_token *at);
 shape_reader text_read, bicubic_patch_read, polygon_read, height_field_read;
-/* Tessellates the patch of a part in the world. The part then has no transform left. */
+/* Tessellates the patch of a part in world space. Afterwards the part has no
+ * transform. */
 bool bicubic_patch_cut(struct reader *reader, struct scene_part *part,
                        const struct scene_token *at);
-/* Finishes a smooth field once its place in the world is final: its normals are
- * normalised there. The part then has no transform left. */
+/* Finishes a smooth field after its position in the world is final. Its normals are
+ * normalised in world space. Afterwards the part has no transform. */
 bool height_field_place(struct reader *reader, struct scene_part *part);
-/* Adds an inside to the height fields of an object that becomes part of a solid or is
+/* Adds a body to the height fields of an object that becomes part of a solid, or is
  * inverted. */
 bool fields_fill(struct reader *reader, struct scene_object *object,
                  const struct scene_token *at);
@@ -118,35 +119,36 @@ bool blob_read(struct reader *reader, struct scene_object *object,
  * primitive. */
 bool mesh_read(struct reader *reader, struct scene_object *object,
                const struct item *item);
-/* Counts n more primitives and lights. Fails above MAX_PRIMITIVES. */
+/* Counts further primitives and lights. Reports an error above MAX_PRIMITIVES. */
 bool shape_count(struct reader *reader, size_t more, const struct scene_token *at);
-/* Adds a primitive whose word is `at`. Fails above MAX_PRIMITIVES. */
+/* Adds a primitive. `at` is its keyword. Reports an error above MAX_PRIMITIVES. */
 bool shape_add(struct reader *reader, struct scene_object *object,
                struct primitive *primitive, const struct scene_token *at);
 /* Reports and skips an invisible shape. */
 bool shape_leave_out(struct reader *reader, struct scene_object *object,
                      const struct scene_token *at, const char *reason);
-/* Chooses the texture of a mesh or blob whose pieces have textures: its own, or that of
- * the first such piece, which its only part has. Reports the choice at `at`. Does
- * nothing if no piece has a texture. */
+/* Chooses the texture of a mesh or blob whose pieces have textures. It is the object's
+ * own texture, or else the first texture of a piece, which its only part has. Reports
+ * the choice at `at`. Does nothing if no piece has a texture. */
 void shape_choose_texture(struct reader *reader, struct scene_object *object,
                           const struct scene_token *at, const char *pieces,
                           const char *own);
 bool light_read(struct reader *reader, struct scene_object *object);
-/* Reads the block of looks_like, an object whose origin is the position of the
+/* Reads the block of looks_like. The origin of its object is the position of the
  * light. */
 bool looks_like_read(struct reader *reader, struct scene_object *object,
                      const double position[3]);
-/* Gives an object an interior of its own, with this index of refraction. */
+/* Gives an object an interior of its own with this refractive index. */
 void object_fill(struct reader *reader, struct scene_object *object, double ior);
-/* Words that modify an object, the subject. */
+/* Keywords that modify an object, which is the subject. */
 item_reader part_read, clipped_by_read, bounded_by_read;
-/* Copies an object; the copy has interiors of its own. Fails above MAX_PRIMITIVES. */
+/* Copies an object. The copy has interiors of its own. Reports an error above
+ * MAX_PRIMITIVES. */
 bool shape_copy(struct reader *reader, struct scene_object *copy,
                 const struct scene_object *object);
 
 item_reader spline_read; /* subject: a value */
-/* Returns true if the current token names a spline without a parameter after it. */
+/* Returns true if the current token names a spline that no parameter follows. */
 bool spline_is_alone(struct reader *reader);
 
 extern const struct grammar file_grammar;

@@ -1,15 +1,15 @@
 /* scene_unit.c - chooses the unit of length in which a scene is traced.
  *
- * Rays start 1e-6 from their surface and shadow rays 1e-3, and nothing beyond 1e12 is
- * visible (rt/kernels/frame/records.s). These lengths suit a scene whose objects are at
- * distances from MIN_ORDINARY to MAX_ORDINARY. The lengths of any other scene are
- * divided by a power of two that brings the median of the distances between 4 and 8.
- * Dividing by a power of two does not round.
+ * Rays start at a distance of 1e-6 from their surface, shadow rays at 1e-3, and nothing
+ * beyond 1e12 is visible (rt/kernels/frame/records.s). These lengths suit a scene whose
+ * objects are at distances from MIN_ORDINARY to MAX_ORDINARY. The lengths of any other
+ * scene are divided by a power of two, so that the median of the distances is between 4
+ * and 8. A division by a power of two does not round.
  *
- * The distance of an object is that of its farthest point from the camera. The median
- * ignores a few objects of another size, such as a sphere for the ground or the sky. If
- * the median object is far away and small, its radius decides instead, so that the
- * start distances stay small for it.
+ * The distance of an object is the distance of its farthest point from the camera. A
+ * few objects of another size, such as a sphere for the ground or the sky, do not
+ * change the median. If the median object is far away and small, its radius is used
+ * instead, because the start distances of rays must be small compared with the object.
  */
 #include "rt/scene/language/scene_unit.h"
 
@@ -21,19 +21,19 @@
 
 #define MIN_ORDINARY 0x1p-1
 #define MAX_ORDINARY 0x1p22
-/* An object farther than this many radii counts as small for its distance. */
+/* An object is small if its distance exceeds this number of radii. */
 #define SIGHT 64
-/* Up to this distance the square of the distance to a light is exact to the start
- * distance of shadow rays. */
+/* Up to this distance, the rounding error of the squared distance to a light is smaller
+ * than the start distance of shadow rays. */
 #define LIGHT_FARTHEST 1e10
 enum { MAX_SAMPLES = 1001, MAX_UNIT_LOG = 200 };
 
 /* ---- The size of a scene ------------------------------------------------- */
 
 struct reach {
-    double distance;  /* of the farthest point from the camera */
-    double radius;    /* of the object */
-    double center[3]; /* of the object */
+    double distance;  /* distance of the farthest point from the camera */
+    double radius;    /* radius of the object */
+    double center[3]; /* centre of the object */
 };
 
 static int compare_reaches(const void *a, const void *b)
@@ -42,8 +42,8 @@ static int compare_reaches(const void *a, const void *b)
     return (one->distance > other->distance) - (one->distance < other->distance);
 }
 
-/* Returns the reach of a plane: its distance is that of its nearest point, but at least
- * that of the nearest light. */
+/* Returns the reach of a plane. Its distance is the distance of its nearest point, but
+ * at least the distance `nearest` of the nearest light. */
 static struct reach reach_plane(const struct primitive *primitive, const double from[3],
                                 double nearest)
 {
@@ -62,8 +62,7 @@ static struct reach reach_plane(const struct primitive *primitive, const double 
     return reach;
 }
 
-/* Bounds a mesh from two of its corners only, because visiting all corners of a large
- * mesh takes long. */
+/* Bounds a mesh by only two of its corners, because a large mesh has too many. */
 static void bound_corners(const struct primitive *mesh, struct bound *bound)
 {
     const struct triangles *triangles = &mesh->shape.mesh.triangles;
@@ -74,7 +73,7 @@ static void bound_corners(const struct primitive *mesh, struct bound *bound)
     bound_about(mesh, first, length3(way), bound);
 }
 
-/* A distance of 0 means that it is not known. */
+/* Returns the reach of a primitive. Its distance is 0 if it is unknown. */
 static struct reach find_reach(const struct primitive *primitive, const double from[3],
                                double nearest)
 {
@@ -94,8 +93,8 @@ static struct reach find_reach(const struct primitive *primitive, const double f
     return reach;
 }
 
-/* Returns the least distance from the camera to a light or the origin, ignoring 0. It
- * is used for planes, and for scenes without an object of known size. */
+/* Returns the least nonzero distance from the camera to a light or the origin. It is
+ * used for planes, and for scenes in which no object has a known size. */
 static double find_nearest(const struct scene *scene, const struct scene_object *world)
 {
     double nearest = length3(scene->camera.location);
@@ -109,7 +108,7 @@ static double find_nearest(const struct scene *scene, const struct scene_object 
     return nearest;
 }
 
-/* Returns the median of the objects; of two middle ones the nearer. */
+/* Returns the median object by distance. Of two middle objects it is the nearer one. */
 static struct reach find_size(const struct scene *scene,
                               const struct scene_object *world)
 {
@@ -165,8 +164,8 @@ static void scale_light(struct light *light, double by)
     light->falloff *= by;
 }
 
-/* The roots of a quartic are most accurate if its own space has the scale of the
- * world. */
+/* Moves a quartic to a space with the scale of the world, where its roots are most
+ * accurate. */
 static void place_quartic(struct primitive *primitive)
 {
     const double(*rows)[4] = (const double(*)[4])primitive->to_world.rows;
@@ -197,7 +196,7 @@ static void scale_world(struct scene *scene, struct scene_object *world, double 
 
 /* ---- Far lights ---------------------------------------------------------- */
 
-/* Computes a length without overflow or underflow of squares. */
+/* Computes a length. Its squares neither overflow nor underflow. */
 static double distance3(const double way[3])
 {
     double size = greatest3(way), unit[3];
@@ -212,7 +211,7 @@ static void shrink_about(const double center[3], double share, double point[3])
         point[i] = center[i] + (point[i] - center[i]) * share;
 }
 
-/* Moves a light towards the centre. Scaling about the centre keeps all angles and
+/* Moves a light towards the centre. Scaling about the centre preserves all angles and
  * ratios. */
 static void bring_point(struct light *light, const double center[3])
 {
@@ -228,8 +227,8 @@ static void bring_point(struct light *light, const double center[3])
     light->fade_distance *= share;
 }
 
-/* Moves a parallel light along its rays. A cylinder keeps its axis; if the axis itself
- * is too far away, it is scaled too. */
+/* Moves a parallel light along its rays. A cylinder keeps its axis. If the axis itself
+ * is too far away, it is scaled, too. */
 static void bring_parallel(struct light *light, const double center[3])
 {
     double beside[3], axis[3], along, near, share;
@@ -255,8 +254,8 @@ static void bring_parallel(struct light *light, const double center[3])
         light->fade_distance *= near / along;
 }
 
-/* Limits the axes of an area light: beyond the limit its points are all in the
- * direction of the axes. */
+/* Limits the axes of an area light. If the axes are longer than the limit, all its
+ * points are in the direction of the axes. */
 static void shrink_area(struct light *light)
 {
     for (int i = 0; i < 2; i++) {

@@ -34,7 +34,7 @@ static struct scene_token next(struct reader *reader)
     return lexer_next(&reader->lexer);
 }
 
-/* Skips the condition of a directive, or the arguments of a macro. */
+/* Skips the brackets of a directive's condition, or of a macro's arguments. */
 static void skip_brackets(struct reader *reader)
 {
     struct scene_token token;
@@ -46,7 +46,7 @@ static void skip_brackets(struct reader *reader)
     } while (open && token.kind != TOKEN_END);
 }
 
-/* Skips from a branch to the end of its condition. */
+/* Skips from a branch of a condition to the end of the condition. */
 static void skip_branches(struct reader *reader)
 {
     struct scene_token token;
@@ -70,8 +70,8 @@ static bool skip_statement(struct reader *reader)
 }
 
 /* Skips the head of a directive, or the branches that would not be read. `open` is the
- * number of conditions that began after the value. Fails if the directive cannot be
- * within a value. */
+ * number of conditions that began after the value. Returns false if the directive
+ * cannot be within a value. */
 static bool skip_directive(struct reader *reader, const struct scene_token *token,
                            size_t *open)
 {
@@ -107,9 +107,9 @@ static bool continues_value(const struct scene_token *token)
 
 static bool frame_below_leads_on(struct reader *reader);
 
-/* Returns true if the value continues: the token, or the first token after directives
- * and macros, is an operator or the ';'. The lookahead executes nothing, and restores
- * the cursors of the frames. */
+/* Returns true if the value continues: the token is an operator or ';', or directives
+ * and macros precede such a token. The lookahead executes nothing, and restores the
+ * cursors of the frames. */
 static bool leads_on(struct reader *reader, struct scene_token token)
 {
     struct lexer *lexer = &reader->lexer;
@@ -162,8 +162,8 @@ void semicolon_missing(struct reader *reader)
         reader_fault(reader, &at, "';' is missing after the value");
 }
 
-/* Records where the value ends. If a macro ends it, that is the place after the
- * call. */
+/* Records where the value ends. If the value ends in a macro, this is the place after
+ * the call. */
 static void end_value(struct reader *reader)
 {
     const struct open_text *frame;

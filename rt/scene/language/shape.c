@@ -1,4 +1,4 @@
-/* shape.c - parses objects, solids made of objects, and their modifiers. */
+/* shape.c - parses objects, solids that consist of objects, and their modifiers. */
 #include "rt/scene/language/scene_statement.h"
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/scene_mesh.h"
@@ -61,15 +61,15 @@ void shape_choose_texture(struct reader *reader, struct scene_object *object,
     part->textured = !object->textured;
 }
 
-/* In old scenes the finish has the index of refraction. */
+/* Takes the refractive index from the finish, where old scenes have it. */
 static void take_ior(struct reader *reader, struct scene_object *object)
 {
     if (object->texture.finish.ior > 0)
         object_fill(reader, object, object->texture.finish.ior);
 }
 
-/* A texture after the first is a layer. Pigment, finish and normal modify the texture
- * of the object, which is the default texture at first. */
+/* Reads a texture. A texture after the first is a layer. Pigment, finish and normal
+ * modify the texture of the object, which initially is the default texture. */
 static bool read_texture(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
@@ -104,7 +104,7 @@ static bool read_interior(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Checks the size of an object before all of it becomes one solid. */
+/* Checks the size of an object before it becomes one solid. */
 static bool check_solid(struct reader *reader, const struct scene_object *object,
                         const struct scene_token *at)
 {
@@ -129,7 +129,8 @@ static bool read_no_shadow(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* A number may follow the word: 0 or less switches it off. */
+/* Reads a switch. A number may follow its keyword; a number that is not positive
+ * switches it off. */
 static bool read_hidden(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
@@ -142,7 +143,8 @@ static bool read_hidden(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Ignores POV-Ray's choice of a root finder; the one used here has no such choice. */
+/* Ignores POV-Ray's choice of a root finder, because there is only one root finder
+ * here. */
 static bool read_sturm(struct reader *reader, const struct item *item)
 {
     double ignored;
@@ -150,7 +152,7 @@ static bool read_sturm(struct reader *reader, const struct item *item)
     return !starts_expression(reader) || read_number(reader, &ignored);
 }
 
-/* Transforms the texture that the material has so far. */
+/* Transforms the texture that the material has at this point. */
 static void material_move(void *subject, const struct placement *step)
 {
     struct scene_object *object = subject;
@@ -208,7 +210,7 @@ static const struct keyword modifiers[] = {
     { "clipped_by", clipped_by_read, 0 },
     { "bounded_by", bounded_by_read, 0 },
     /* Words about media, photons, radiosity and light groups, which are reported
-     * elsewhere, or about the internals of POV-Ray. They have no effect here. */
+     * elsewhere, and about the internals of POV-Ray. They have no effect here. */
     { "global_lights hierarchy hollow no_radiosity photons split_union", item_ignored,
       0 },
     { "color colour cutaway_textures double_illuminate interior_texture radiosity "
@@ -221,7 +223,8 @@ const struct grammar modifier_grammar = { "an object modifier",
                                           { modifiers },
                                           .move = object_move };
 
-/* Reports a surface in an intersection or difference, as POV-Ray does. */
+/* Reports a surface without an inside in an intersection or difference, as POV-Ray
+ * does. */
 static void report_patches(struct reader *reader, const struct scene_object *child,
                            const struct scene_token *at)
 {
@@ -233,9 +236,9 @@ static void report_patches(struct reader *reader, const struct scene_object *chi
         }
 }
 
-/* Reports hidden parts of a solid. POV-Ray hides any part of a merge from these rays,
- * and hides a child of a union inside a solid from reflections. Here they stay
- * visible. */
+/* Reports hidden parts of a solid. POV-Ray hides parts of a merge from all these rays.
+ * It hides a child of a union that is in a solid from reflections. Here these parts
+ * stay visible. */
 static void report_hidden(struct reader *reader, enum joining joining,
                           const struct scene_object *child,
                           const struct scene_token *at)
@@ -288,7 +291,7 @@ static const struct keyword children[] = {
     { NULL, NULL, 0 },
 };
 
-/* Children come before modifiers, because a transform applies only to the children
+/* Children must precede modifiers, because a transform applies only to the children
  * before it. */
 static const struct grammar solid_grammar = { "an object or an object modifier",
                                               { children },
@@ -335,7 +338,7 @@ bool looks_like_read(struct reader *reader, struct scene_object *object,
     return block_items(reader, &block, &modifier_grammar, object, good);
 }
 
-/* Returns true if the shape is a mesh, or triangles that become one. */
+/* Returns true if the shape is a mesh, or if its triangles become a mesh. */
 static bool is_mesh(enum shape_word shape)
 {
     return shape == (enum shape_word)PRIMITIVE_MESH || shape >= SHAPE_TRIANGLE;

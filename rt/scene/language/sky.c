@@ -1,7 +1,8 @@
-/* sky.c - parses sky_sphere { ... }, the background of rays without a hit. */
+/* sky.c - parses sky_sphere { ... }, the background of rays that hit nothing. */
 #include "rt/scene/language/scene_statement.h"
 
-/* If there are several pigments, the first is the lowest layer, as in POV-Ray. */
+/* Reads a pigment. If there are several, the first is the lowest layer, as in
+ * POV-Ray. */
 static bool read_pigment(struct reader *reader, const struct item *item)
 {
     struct pigment pigment = reader->default_texture.pigment;
@@ -33,7 +34,7 @@ bool sky_read(struct reader *reader, struct sky_setting *sky)
     return block_read_from(reader, &grammar, VALUE_SKY, sky, sizeof *sky);
 }
 
-/* Puts a sky into the scene; one of a single colour becomes the background. */
+/* Adds a sky to the scene. A sky of a single colour becomes the background. */
 void sky_take(struct reader *reader, const struct sky_setting *sky,
               const struct scene_token *at)
 {

@@ -21,7 +21,7 @@ static bool accept_kind(struct reader *reader, enum spline_kind *kind)
     return false;
 }
 
-/* Reads t, value. */
+/* Reads a point: t, value. */
 static bool read_point(struct reader *reader, struct spline *spline)
 {
     struct numbers value;
@@ -86,8 +86,8 @@ static bool read_parameter(struct reader *reader, double *t, enum spline_kind *k
            && reader_expect_sign(reader, ')');
 }
 
-/* Reads a call and evaluates it. The spline is held meanwhile, because a macro in the
- * parameter may redeclare its name. */
+/* Reads a call and evaluates it. The spline is held during the call, because a macro in
+ * the parameter may redeclare its name. */
 bool spline_call(struct reader *reader, struct numbers *value)
 {
     struct scene_token at = reader->token;

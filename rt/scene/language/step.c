@@ -1,4 +1,4 @@
-/* step.c - parses transforms: the steps of a block are applied in the order of the
+/* step.c - parses transforms. The steps of a block are applied in the order of the
  * text. */
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/scene_statement.h"
@@ -22,7 +22,7 @@ static bool read_scaling(struct reader *reader, const struct item *item,
     return true;
 }
 
-/* As in POV-Ray a column of zeros, which would make everything flat, gets a 1. */
+/* As in POV-Ray, a column of zeros, which would flatten everything, gets a 1. */
 static void fill_columns(struct reader *reader, const struct item *item,
                          double values[12])
 {
@@ -80,7 +80,7 @@ static bool read_step(struct reader *reader, const struct item *item,
     return true;
 }
 
-/* Reads a step and applies it to the subject, by the grammar of its block. */
+/* Reads a step and applies it to the subject with the mover of the block's grammar. */
 static bool item_step(struct reader *reader, const struct item *item)
 {
     struct placement step;

@@ -36,7 +36,7 @@ static void add(struct made_string *buffer, const char *text, size_t length)
     grown[buffer->length] = '\0';
 }
 
-/* Returns the built text as a string, or frees it after an error. */
+/* Returns the text as a string. After an error, it frees the text. */
 static bool give(struct reader *reader, const struct scene_token *at,
                  struct made_string *buffer, bool good, char **string)
 {
@@ -74,7 +74,7 @@ static int hex_digit(char c)
     return found ? (int)((found - digits) % 16) : -1;
 }
 
-/* Decodes the XXXX of \uXXXX; 0: it is not valid. */
+/* Decodes the XXXX of \uXXXX. Returns 0 if it is not valid. */
 static unsigned read_code(const char *text, size_t length)
 {
     unsigned code = 0;
@@ -89,8 +89,8 @@ static unsigned read_code(const char *text, size_t length)
     return code;
 }
 
-/* Decodes the escape after a backslash. Returns its length in bytes; 0: it is not
- * valid. */
+/* Decodes the escape sequence after a backslash. Returns its length in bytes, or 0 if
+ * it is not valid. */
 static size_t add_escape(struct made_string *buffer, const char *text, size_t length)
 {
     static const char names[] = "abfnrtv\\'\"";
@@ -143,8 +143,8 @@ static bool read_concat(struct reader *reader, struct made_string *buffer)
     return true;
 }
 
-/* Reads ", L, P": the width L, negative for zero padding, and the number P of decimals,
- * negative for 6. */
+/* Reads ", L, P". L is the width; a negative width selects zero padding. P is the
+ * number of decimals; a negative number selects 6. */
 static bool read_format(struct reader *reader, int *width, int *digits)
 {
     struct scene_token at = reader->token;
@@ -250,7 +250,7 @@ static bool read_substr(struct reader *reader, struct made_string *buffer)
     return done;
 }
 
-/* Changes the letters of one case to the other. */
+/* Converts the 26 letters from `first` on to the other case. */
 static bool read_cased(struct reader *reader, struct made_string *buffer, char first,
                        int change)
 {
@@ -297,7 +297,7 @@ bool starts_string(const struct reader *reader)
            || reader_value_of(reader, VALUE_STRING);
 }
 
-/* Reads a call up to its closing bracket, which stays the current token. */
+/* Reads a call. Its closing bracket stays the current token. */
 static bool read_call(struct reader *reader, const struct string_function *function,
                       struct made_string *buffer)
 {

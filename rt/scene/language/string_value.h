@@ -1,8 +1,8 @@
 /* string_value.h - string expressions.
  *
- * Strings are bytes, at most STRING_LONGEST. In the text they are quoted and have
- * escapes as in C; \uXXXX becomes UTF-8. The caller frees a string that is read. Its
- * last token is left with reader_pass.
+ * A string has up to STRING_LONGEST bytes. In the text it is quoted and has escapes as
+ * in C; \uXXXX becomes UTF-8. The caller frees a string. The last token of a string is
+ * left with reader_pass.
  */
 #ifndef RT_SCENE_STRING_VALUE_H
 #define RT_SCENE_STRING_VALUE_H
@@ -14,7 +14,7 @@ enum { STRING_LONGEST = 4096 };
 bool is_string_word(const struct scene_token *token);
 bool starts_string(const struct reader *reader);
 bool string_read(struct reader *reader, char **string);
-/* Reads the name of a file. As in POV-Ray a quoted name has no escapes. */
+/* Reads the name of a file. As in POV-Ray, it has no escapes if it is quoted. */
 bool file_name_read(struct reader *reader, char **name);
 /* Decodes the quoted text of a token. */
 bool quoted_read(struct reader *reader, const struct scene_token *token, char **string);

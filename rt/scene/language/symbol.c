@@ -1,4 +1,4 @@
-/* symbol.c - the symbol table, a hash table with chains. */
+/* symbol.c - the symbol table, which is a hash table with chains. */
 #include "rt/scene/language/symbol.h"
 #include "vm/error.h"
 
@@ -8,14 +8,15 @@
 #include <string.h>
 
 struct declared_name {
-    struct declared_name *next;       /* in its bucket; its level is not higher */
-    struct declared_name *next_local; /* in the list of locals */
+    struct declared_name *next;       /* next symbol in the bucket; its level is not
+                                       * higher */
+    struct declared_name *next_local; /* next symbol in the list of locals */
     size_t level, held;
     struct scene_value value;
-    struct reference target; /* of an alias, with a reference held; symbol is NULL: no
-                              * alias */
+    struct reference target; /* target of an alias, which is held; without a symbol this
+                              * is not an alias */
     size_t length;
-    char name[]; /* without a terminating NUL */
+    char name[]; /* without a NUL at its end */
 };
 
 static size_t bucket_of(const char *name, size_t length)
@@ -47,8 +48,8 @@ struct declared_name *symbols_find_at(const struct declared_names *symbols,
     return symbol;
 }
 
-/* Follows a path of elements from a value. Returns NULL if an element is not set or
- * does not exist any more. */
+/* Follows the indices of nested arrays from a value. Returns NULL if an element is not
+ * set, or if it no longer exists. */
 static struct scene_value **walk(struct scene_value **value, const size_t *element,
                                  size_t hops)
 {
@@ -92,8 +93,8 @@ bool symbol_release(struct declared_name *symbol)
     return false;
 }
 
-/* Adds a symbol to the table. A bucket is sorted by level, highest first, so that a
- * lookup finds the innermost symbol. Returns NULL without memory. */
+/* Adds a symbol to the table. A bucket is sorted by descending level, so that a lookup
+ * finds the innermost symbol. Returns NULL if out of memory. */
 static struct declared_name *add(struct declared_names *symbols, size_t level,
                                  const char *name, size_t length)
 {

@@ -1,9 +1,9 @@
 /* symbol.h - the symbol table: names and their values.
  *
- * Level 0 has the names of #declare. Level n has the names of #local in the n-th open
- * frame; the main file is the first. A symbol may be an alias of another symbol, or of
- * an element of its array: the parameters of a macro are aliases of the names that are
- * passed by reference.
+ * Level 0 contains the names of #declare. Level n contains the names of #local in the
+ * n-th open frame; the main file is the first frame. A symbol may be an alias of
+ * another symbol, or of an element of another symbol's array. The parameters of a macro
+ * are aliases of the names that are passed by reference.
  */
 #ifndef RT_SCENE_SYMBOL_H
 #define RT_SCENE_SYMBOL_H
@@ -13,28 +13,31 @@
 enum { SYMBOL_BUCKETS = 1024 };
 struct declared_names {
     struct declared_name *buckets[SYMBOL_BUCKETS];
-    struct declared_name *locals; /* of levels above 0, innermost level first */
+    struct declared_name *locals; /* symbols of levels above 0; the innermost level is
+                                   * the first */
 };
 
-/* Returns the symbol with the name at the innermost level, or NULL. */
+/* Returns the symbol with this name at the innermost level, or NULL. */
 struct declared_name *symbols_find(const struct declared_names *symbols,
                                    const char *name, size_t length);
-/* Returns the symbol with the name at this level, or NULL. */
+/* Returns the symbol with this name at this level, or NULL. */
 struct declared_name *symbols_find_at(const struct declared_names *symbols,
                                       size_t level, const char *name, size_t length);
 /* Returns a reference to the symbol, or to the target of an alias. */
 struct reference reference_to(struct declared_name *symbol);
-/* Returns NULL if the element is not set or does not exist any more. */
+/* Returns the value of a reference, or NULL if the element is not set or no longer
+ * exists. */
 const struct scene_value *reference_value(const struct reference *reference);
 
-/* These take ownership of the value in any case. They return the reason of a failure,
- * or NULL. A new symbol of a level above 0 must be of the innermost level. */
+/* These functions take ownership of the value even after a failure. They return the
+ * reason of the failure, or NULL. A new symbol at a level above 0 must be at the
+ * innermost level. */
 const char *reference_assign(const struct reference *reference,
                              struct scene_value *value);
 const char *symbols_add(struct declared_names *symbols, size_t level, const char *name,
                         size_t length, struct scene_value *value);
-/* Assigns to a symbol, or to the target of an alias. Without a symbol one with the name
- * of the token is added at the level. */
+/* Assigns to a symbol, or to the target of an alias. If the symbol is NULL, a symbol
+ * with the name of the token is added at the level. */
 const char *symbols_assign(struct declared_names *symbols, struct declared_name *symbol,
                            size_t level, const struct scene_token *name,
                            struct scene_value *value);
@@ -44,17 +47,18 @@ const char *symbols_refer(struct declared_names *symbols, size_t level,
                           const struct reference *reference);
 
 /* Adds a reference to a symbol, which then outlives its removal from the table. */
-void symbol_hold(struct declared_name *symbol); /* NULL: no effect, as below */
+void symbol_hold(struct declared_name *symbol); /* NULL has no effect, here and below */
 /* Drops a reference. Returns false if it was the last one. */
 bool symbol_release(struct declared_name *symbol);
-/* Returns the name, which has no terminating NUL. */
+/* Returns the name, which has no NUL at its end. */
 const char *symbol_name(const struct declared_name *symbol, size_t *length);
-/* Calls `visit` for each symbol of level 0 that is no alias, in no order. */
+/* Calls `visit` for each symbol of level 0 that is not an alias, in an unspecified
+ * order. */
 void symbols_walk(const struct declared_names *symbols,
                   void (*visit)(void *context, const char *name, size_t length,
                                 const struct scene_value *value),
                   void *context);
-/* Removes the innermost symbol of a name. Fails if there is none. */
+/* Removes the innermost symbol with this name. Returns false if there is none. */
 bool symbols_remove(struct declared_names *symbols, const char *name, size_t length);
 /* Removes all symbols above the level. */
 void symbols_leave(struct declared_names *symbols, size_t level);

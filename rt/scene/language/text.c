@@ -1,5 +1,5 @@
-/* text.c - parses text { ttf "font" "string" thickness, offset }: one prism per
- * character, along z. */
+/* text.c - parses text { ttf "font" "string" thickness, offset }. Each character
+ * becomes a prism along z. */
 #include "rt/scene/font.h"
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/scene_statement.h"
@@ -17,12 +17,12 @@ struct text_reading {
     struct scene_object *object;
     const struct scene_token *at;
     const struct font *font;
-    double thickness, offset[3]; /* offset: between two characters */
+    double thickness, offset[3]; /* offset: additional distance of two characters */
     double position[3];
 };
 
-/* Maps the axes of a prism, which lies along y with its path in x and z, to a character
- * that lies along z with its outline in x and y. */
+/* Maps the axes of a prism to the axes of a character. A prism lies along y, and its
+ * path is in x and z. A character lies along z, and its outline is in x and y. */
 static struct placement to_character(const double position[3])
 {
     struct placement placement = placement_none;
@@ -32,7 +32,7 @@ static struct placement to_character(const double position[3])
     return placement;
 }
 
-/* Makes a prism of straight edges. Fails if the glyph is invisible. */
+/* Makes a prism with straight edges. Returns false if the glyph is invisible. */
 static bool make_prism(struct text_reading *text, const struct glyph *glyph,
                        struct primitive *prism)
 {
@@ -42,8 +42,8 @@ static bool make_prism(struct text_reading *text, const struct glyph *glyph,
     return shapes[PRIMITIVE_PRISM]->finish(prism) == NULL;
 }
 
-/* Makes a prism of parabolas. Its path is final already, since it comes from no spline.
- * Fails if the glyph is invisible. */
+/* Makes a prism with parabolas. Its path is final, because it is not made from a
+ * spline. Returns false if the glyph is invisible. */
 static bool make_quadratic_prism(struct text_reading *text, const struct glyph *glyph,
                                  struct primitive *prism)
 {
@@ -74,7 +74,7 @@ static bool add_glyph(struct text_reading *text, const struct glyph *glyph)
     return done;
 }
 
-/* As in POV-Ray the ink of the first character begins at 0. */
+/* Adds a character. As in POV-Ray, the ink of the first character begins at 0. */
 static bool add_character(struct text_reading *text, bool first, uint32_t before,
                           uint32_t character)
 {
@@ -95,7 +95,7 @@ static bool add_character(struct text_reading *text, bool first, uint32_t before
     return reader_spend(reader, TOKEN_COST * (glyph.count + 1));
 }
 
-/* Decodes the next UTF-8 character; an invalid byte counts as Latin-1. */
+/* Decodes the next UTF-8 character. An invalid byte counts as Latin-1. */
 static uint32_t next_character(const unsigned char **string)
 {
     const unsigned char *s = *string;

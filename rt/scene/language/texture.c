@@ -1,11 +1,12 @@
-/* texture.c - parses finishes, and textures of a pigment, a normal and a finish. */
+/* texture.c - parses finishes, and textures that consist of a pigment, a normal and a
+ * finish. */
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/pattern.h"
 
 #include <string.h>
 
-/* A finish while `reflection` modifies it. As in POV-Ray a parameter that is not given
- * keeps its value from an earlier `reflection`. */
+/* A finish while `reflection` modifies it. As in POV-Ray, a parameter that is not
+ * specified keeps its value from an earlier `reflection`. */
 struct mirror_reading {
     struct finish finish;
     bool fresnel; /* set in this block */
@@ -34,7 +35,7 @@ static const struct keyword reflection_words[] = {
 static const struct grammar reflection_grammar = { "a keyword of reflection",
                                                    .tables = { reflection_words } };
 
-/* Reads one reflectivity for all angles. */
+/* Reads the reflectivity for all angles. */
 static bool read_mirror(struct reader *reader, struct finish *finish)
 {
     bool good = read_rgb(reader, finish->reflection);
@@ -42,7 +43,7 @@ static bool read_mirror(struct reader *reader, struct finish *finish)
     return good;
 }
 
-/* Reads one reflectivity, or two: perpendicular and grazing. */
+/* Reads one reflectivity, or two: the perpendicular and the grazing reflectivity. */
 static bool read_mirrors(struct reader *reader, struct finish *finish, bool *two)
 {
     if (!read_mirror(reader, finish))
@@ -65,7 +66,7 @@ static bool read_reflection(struct reader *reader, const struct item *item)
                         read_mirrors(reader, &mirror.finish, &two)))
         return false;
     *finish = mirror.finish;
-    if (mirror.fresnel && !two) /* 0 perpendicular to the surface */
+    if (mirror.fresnel && !two) /* 0 if perpendicular to the surface */
         memset(finish->reflection, 0, sizeof finish->reflection);
     return true;
 }
@@ -137,7 +138,7 @@ bool item_texture_part(struct reader *reader, const struct item *item)
     return texture_part_read(reader, item, item->subject);
 }
 
-/* The texture of the first entry replaces the map. */
+/* Replaces the map by the texture of its first entry. */
 bool texture_map_read(struct reader *reader, struct texture *texture)
 {
     return map_first(reader, VALUE_TEXTURE_MAP, texture_body, texture, sizeof *texture);

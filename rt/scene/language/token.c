@@ -6,15 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define NUMBER_LONGEST 300 /* characters */
+#define NUMBER_LONGEST 300 /* in characters */
 
 struct open_text *lexer_top(struct lexer *lexer)
 {
     return &lexer->frames[lexer->depth - 1];
 }
 
-/* Opens a frame that starts at the beginning of the source. Returns NULL if the nesting
- * is too deep. */
+/* Opens a frame at the beginning of the source. Returns NULL if the nesting is too
+ * deep. */
 static struct open_text *open_frame(struct lexer *lexer,
                                     const struct scene_source *source)
 {
@@ -79,7 +79,7 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\n' || c == '\f' || c == '\v';
 }
 
-/* Returns the byte at this offset from the cursor; NUL beyond the end. */
+/* Returns the byte at this offset from the cursor. It is NUL after the end. */
 static char look(const struct lexer *lexer, size_t ahead)
 {
     const struct open_text *frame = &lexer->frames[lexer->depth - 1];
@@ -206,7 +206,7 @@ static struct scene_token read_number(struct lexer *lexer)
     token.number = strtod(text, NULL);
     if (!isfinite(token.number)) {
         token.fault = "the number is too large: at most 1.8e308";
-        token.number = 1; /* not 0: no shape degenerates because of the error */
+        token.number = 1; /* not 0, so that no shape degenerates because of the error */
     }
     return token;
 }
@@ -246,7 +246,7 @@ static struct scene_token read_sign(struct lexer *lexer)
 {
     struct scene_token token = here(lexer, TOKEN_SIGN);
     char c = look(lexer, 0);
-    size_t rest = 0; /* bytes of a UTF-8 character after the first */
+    size_t rest = 0; /* number of bytes after the first byte of a UTF-8 character */
     token.length = 1;
     token.sign = (unsigned char)c;
     if (look(lexer, 1) == '=' && c && strchr("!<>", c)) {
@@ -263,8 +263,8 @@ static struct scene_token read_sign(struct lexer *lexer)
     return bad(token, 1 + rest, "unknown character");
 }
 
-/* Skips blanks and comments. Fails at a comment that is not closed; *opened is then its
- * start. */
+/* Skips blanks and comments. If a comment is not closed, sets *opened to its start and
+ * returns false. */
 static bool skip_blank(struct lexer *lexer, struct scene_token *opened)
 {
     while (!at_end(lexer)) {
@@ -315,8 +315,8 @@ static bool is_kept(const struct kept_token *kept, const struct open_text *frame
 }
 
 /* Caches a token. The lexer looks at up to two bytes after a token (1e+5). A token that
- * ends closer to the end of the frame is not cached, because a longer frame may
- * continue it. */
+ * ends closer to the end of its frame is not cached, because it may continue in a
+ * longer frame. */
 static void keep(struct kept_token *kept, const struct scene_token *token, size_t from,
                  const struct open_text *frame)
 {

@@ -1,9 +1,9 @@
 /* token.h - the tokens of a scene, across its files and macros.
  *
  * Tokens come from a stack of frames. A frame is a file, or the body of a macro during
- * a call; it lies above the frame that includes or calls it. The end of a frame is a
- * TOKEN_END, which is returned until the frame is closed. The lexer skips comments,
- * which may be nested. Every byte sequence yields tokens: text that is not in the
+ * a call. It is on top of the frame that includes or calls it. At the end of a frame
+ * the lexer returns TOKEN_END until the frame is closed. The lexer skips comments,
+ * which may be nested. Any byte sequence can be tokenised: text that is not in the
  * language becomes TOKEN_BAD with the reason.
  */
 #ifndef RT_SCENE_TOKEN_H
@@ -17,28 +17,28 @@
 enum scene_token_kind {
     TOKEN_END,
     TOKEN_WORD,
-    TOKEN_DIRECTIVE, /* text is the word after '#' */
+    TOKEN_DIRECTIVE, /* the text is the word after '#' */
     TOKEN_NUMBER,
-    TOKEN_STRING, /* text is without the quotes; escapes are not decoded */
+    TOKEN_STRING, /* the text is without quotes; escapes are not decoded */
     TOKEN_SIGN,
     TOKEN_BAD
 };
 
-/* A sign of one character has the code of that character. */
+/* The code of a sign of one character is the code of the character. */
 enum sign { SIGN_UNEQUAL = 256, SIGN_NOT_ABOVE, SIGN_NOT_BELOW };
 
 /* A position between two tokens of a source. */
 struct text_place {
-    size_t at;      /* offset in the source */
-    size_t line;    /* from 1 */
-    size_t line_at; /* offset of its line */
+    size_t at;      /* offset of the position in the source */
+    size_t line;    /* line number from 1 */
+    size_t line_at; /* offset of the line's start */
 };
 
 struct declared_name;
 struct scene_value;
 
 /* Refers to the value of a symbol, or to an element of its array. `hops` is the number
- * of nested arrays on the way; element[i] is the index in the i-th. */
+ * of nested arrays up to the element. element[i] is the index in array i of these. */
 #define MAX_ARRAY_NESTING 5
 struct reference {
     struct declared_name *symbol;
@@ -49,17 +49,19 @@ struct reference {
 struct scene_token {
     enum scene_token_kind kind;
     const struct scene_source *source;
-    struct text_place place; /* before its first byte */
+    struct text_place place; /* position before its first byte */
     size_t depth;            /* number of open frames when it was read */
-    size_t main_line;        /* line in the main file: its own, or that of the #include
-                              * or macro call that led to it */
+    size_t main_line;        /* line of the token in the main file; for a token of
+                              * another file or a macro, the line of the #include or
+                              * call */
     const char *text;
     size_t length;
     double number;
     int sign;
-    const char *fault; /* of TOKEN_BAD, or of a number that is too long or too large */
+    const char *fault; /* reason of TOKEN_BAD, or fault of a number that is too long or
+                        * too large */
 
-    /* The value of a word, after the reader has looked it up; else NULL. */
+    /* The value of a word that the reader has looked up; else NULL. */
     struct reference reference;
     const struct scene_value *value;
 };
@@ -67,52 +69,52 @@ struct scene_token {
 enum {
     INCLUDE_DEPTH = 16,
     MAX_INCLUDE = 1000,
-    MAX_FRAMES = 200 /* nested files and macros */
+    MAX_FRAMES = 200 /* depth of nested files and macros */
 };
 
 struct open_text {
     const struct scene_source *source;
-    struct text_place place; /* of the next token */
-    size_t end;              /* offset */
-    size_t serial;           /* unique to the frame */
+    struct text_place place; /* position of the next token */
+    size_t end;              /* offset of the frame's end */
+    size_t serial;           /* serial number of the frame */
     bool is_macro;
-    bool comes_again;        /* the text may be read again: it belongs to a macro or a
-                              * loop */
+    bool comes_again;        /* the text belongs to a macro or a loop, so it may be read
+                              * again */
     struct scene_token call; /* the name of the macro at its call */
 };
 
 /* A cached token of text that is read repeatedly. */
 struct kept_token {
-    size_t from; /* offset in its source, before blanks and comments */
+    size_t from; /* offset in the source before blanks and comments */
     struct scene_token token;
-    struct text_place behind; /* after the token */
+    struct text_place behind; /* position after the token */
 };
 enum { KEPT_TOKENS = 4096 };
 
 struct lexer {
-    size_t depth, files; /* open frames, and open files */
+    size_t depth, files; /* number of open frames and of open files */
     size_t serial;
     struct open_text frames[MAX_FRAMES];
-    struct kept_token kept[KEPT_TOKENS]; /* cache, indexed by the offset modulo its
-                                          * size */
+    struct kept_token kept[KEPT_TOKENS]; /* cache of tokens, indexed by the offset
+                                          * modulo KEPT_TOKENS */
 };
 
-/* Opens a frame for a source. Fails if the nesting is too deep. */
+/* Opens a frame for a source. Returns false if the nesting is too deep. */
 bool lexer_open(struct lexer *lexer, const struct scene_source *source);
 /* Opens a frame for the body of the macro that `call` calls. */
 bool lexer_call(struct lexer *lexer, const struct scene_source *source,
                 struct text_place place, size_t end, const struct scene_token *call);
 /* Closes the innermost frame. */
 void lexer_close(struct lexer *lexer);
-/* Continues at another place of the frame, where an iteration of a loop begins. */
+/* Continues at another place of the frame: the start of a loop's iteration. */
 void lexer_jump(struct lexer *lexer, const struct text_place *place);
 struct open_text *lexer_top(struct lexer *lexer);
 struct scene_token lexer_next(struct lexer *lexer);
 
 /* Returns true if the token's text is this word. Both must begin with the same byte. */
 bool token_is_text(const struct scene_token *token, const char *word);
-/* Returns true if the token is this word. It compares the first byte inline, since each
- * word is compared with many. */
+/* Returns true if the token is this word. The first byte is compared inline, because
+ * each token is compared with many words. */
 static inline bool is_token(const struct scene_token *token, const char *word)
 {
     return token->kind == TOKEN_WORD && *token->text == *word
@@ -121,8 +123,7 @@ static inline bool is_token(const struct scene_token *token, const char *word)
 /* Returns true if the token's text is one of the words, which are separated by
  * blanks. */
 bool token_is_among(const struct scene_token *token, const char *words);
-/* Returns the row of a table whose first member has the word among its words, or
- * NULL. */
+/* Returns the row whose first member contains the word among its words, or NULL. */
 #define TOKEN_ROW(token, rows) \
     token_row(token, rows, sizeof *(rows), sizeof(rows) / sizeof *(rows))
 const void *token_row(const struct scene_token *token, const void *rows, size_t size,

@@ -6,25 +6,25 @@
 #include "rt/scene/language/scene_object.h"
 #include "rt/scene/language/token.h"
 
-/* A float (1 term), a vector (2 to 5) or a colour (5: red, green, blue, filter,
+/* A float (1 component), a vector (2 to 5) or a colour (5: red, green, blue, filter,
  * transmit). */
 enum { COLOR_TERMS = 5 };
 struct numbers {
     int count;
-    double n[COLOR_TERMS]; /* 0 from count on */
+    double n[COLOR_TERMS]; /* components from `count` on are 0 */
 };
 
 struct numbers numbers_of(double value);
-/* Extends numbers to at least `count` terms: a float is copied to all terms, a vector
- * is filled with zeros. */
+/* Extends numbers to at least `count` components. A float is copied to all components;
+ * a vector is filled with zeros. */
 void numbers_widen(struct numbers *numbers, int count);
 bool numbers_are_finite(const struct numbers *numbers);
 
-/* A camera, with its vectors before and after look_at. */
+/* A camera. look_at may have been applied to its vectors. */
 struct camera_setting {
     struct camera camera;
     double sky[3];
-    bool spanned; /* an orthographic camera whose extent is final */
+    bool spanned; /* an orthographic camera of final size */
 };
 
 /* The lowest pigment of a sky_sphere. */
@@ -35,7 +35,7 @@ struct sky_setting {
 
 struct fog_setting {
     struct fog fog;
-    bool grounded; /* of a type other than constant fog */
+    bool grounded; /* of an unsupported type: not constant fog */
 };
 
 enum scene_value_kind {
@@ -43,13 +43,13 @@ enum scene_value_kind {
     VALUE_PIGMENT,
     VALUE_FINISH,
     VALUE_TEXTURE,
-    VALUE_COLOR_MAP,   /* as a pigment with the map */
-    VALUE_PIGMENT_MAP, /* as a pigment with the map */
-    VALUE_TEXTURE_MAP, /* its first texture */
+    VALUE_COLOR_MAP,   /* stored as a pigment with the map */
+    VALUE_PIGMENT_MAP, /* stored as a pigment with the map */
+    VALUE_TEXTURE_MAP, /* stored as its first texture */
     VALUE_NORMAL,
     VALUE_NORMAL_MAP,
-    VALUE_SLOPE_MAP, /* as a bump with the map */
-    VALUE_LOOK,      /* a feature that is not drawn */
+    VALUE_SLOPE_MAP, /* stored as a bump with the map */
+    VALUE_LOOK,      /* a feature that is not supported */
     VALUE_SKY,
     VALUE_FOG,
     VALUE_INTERIOR,
@@ -63,7 +63,7 @@ enum scene_value_kind {
     VALUE_FUNCTION,
     VALUE_SPLINE,
     VALUE_FILE,
-    VALUE_FAULTY /* the declaration has an error, which has been reported */
+    VALUE_FAULTY /* the declaration has an error that has been reported */
 };
 
 /* An array of values of one kind, with one or more dimensions. */
@@ -72,19 +72,20 @@ enum { MAX_DIMENSIONS = 5 };
 struct array {
     size_t dimensions, sizes[MAX_DIMENSIONS];
     size_t count;               /* product of the sizes */
-    bool typed;                 /* the first value has set the type */
-    enum scene_value_kind kind; /* of all values */
-    int terms;                  /* of all values, if they are numbers */
-    size_t *cells;              /* count of cells in all arrays, this one included */
-    struct scene_value *cell[]; /* row-major order; NULL: not set */
+    bool typed;                 /* the first value has determined the type */
+    enum scene_value_kind kind; /* kind of all values */
+    int terms;                  /* number of components of all values, if they are
+                                 * numbers */
+    size_t *cells;              /* number of cells in all arrays, including this one */
+    struct scene_value *cell[]; /* in row-major order; NULL: not set */
 };
 
-/* A macro: its body, as a range of its source. */
+/* A macro. Its body is a range of its source. */
 enum { MAX_PARAMETERS = 56 };
 struct scene_macro {
     const struct scene_source *source;
     struct text_place body;
-    size_t end; /* offset */
+    size_t end; /* offset of the body's end */
     size_t count;
     struct {
         const char *text;
@@ -92,11 +93,11 @@ struct scene_macro {
     } parameters[MAX_PARAMETERS];
 };
 
-/* A file of #fopen. */
+/* A file that #fopen has opened. */
 struct data_file {
-    bool reads;                        /* false: it is written */
-    const struct scene_source *source; /* NULL: it has been read to its end */
-    struct text_place place;           /* of the next value */
+    bool reads;                        /* it is open for reading, else for writing */
+    const struct scene_source *source; /* NULL: all values have been read */
+    struct text_place place;           /* position of the next value */
 };
 
 struct formula;
@@ -105,7 +106,7 @@ struct scene_value {
     enum scene_value_kind kind;
     union {
         struct numbers numbers;
-        struct pigment pigment; /* also for maps */
+        struct pigment pigment; /* also the value of some maps */
         struct finish finish;
         struct texture texture;
         struct bumps bumps;
@@ -113,8 +114,8 @@ struct scene_value {
         struct bump bump;
         struct sky_setting sky;
         struct fog_setting fog;
-        double interior;              /* index of refraction */
-        struct scene_object material; /* has no parts */
+        double interior;              /* refractive index */
+        struct scene_object material; /* an object without parts */
         struct placement transform;
         struct camera_setting camera;
         struct scene_object object;
@@ -122,27 +123,27 @@ struct scene_value {
         struct array *array;
         struct scene_macro *macro;
         const struct formula *formula;
-        struct spline *spline; /* with a reference held */
+        struct spline *spline; /* held by the value */
         struct data_file file;
     } is;
-    struct value_warnings *value_warnings; /* on its text */
+    struct value_warnings *value_warnings; /* warnings about its text */
 };
 
 void value_free(struct scene_value *value);
-/* Copies a value. Returns the reason of a failure, or NULL. */
+/* Copies a value. Returns the reason of the failure, or NULL. */
 const char *value_copy(struct scene_value *copy, const struct scene_value *value);
 
 /* Functions that return text return the reason of a failure, or NULL. */
 extern const char no_memory[];
 
-/* Returns NULL if all arrays together have more than MAX_CELLS cells, or without
+/* Returns NULL if all arrays together have more than MAX_CELLS cells, or if out of
  * memory. */
 struct array *array_new(size_t dimensions, const size_t *sizes, size_t *cells);
 const char *array_copy(struct array **copy, const struct array *array);
 void array_free(struct array *array);
-/* Takes ownership of the value in any case. */
+/* Takes ownership of the value even after a failure. */
 const char *array_set(struct array *array, size_t element, struct scene_value *value);
-/* Returns the depth of nested arrays, this one included. */
+/* Returns the depth of nested arrays, including this one. */
 size_t array_nesting(const struct array *array);
 /* Returns the number of primitives and lights in all objects of the array. */
 size_t array_primitives(const struct array *array);

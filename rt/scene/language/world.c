@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The defaults of POV-Ray 3.7 in a scene of #version 3.7. */
+/* The defaults of POV-Ray 3.7 for a scene with #version 3.7. */
 static const struct texture texture_default = {
     .pigment = { .kind = PIGMENT_COLOR,
                  .to_local = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } },
@@ -28,8 +28,8 @@ static const struct texture texture_default = {
 enum { TRACE_LEVEL_DEFAULT = 5 };
 #define LANGUAGE_VERSION 3.7
 
-/* Returns true if the space of the bumps has an inverse: normals are mapped to it and
- * back. */
+/* Returns true if the space of the bumps has an inverse. Normals are mapped to the
+ * space and back. */
 static bool has_space(const struct bumps *bumps)
 {
     struct placement placement = { .to_local = bumps->to_local };
@@ -55,8 +55,8 @@ static bool check_part(struct reader *reader, const struct scene_part *part,
     return true;
 }
 
-/* Determines the material. Inverted parts do not count: they only leave their texture
- * on a surface. */
+/* Determines the material. Inverted parts are ignored, because only their texture is
+ * visible. */
 static void find_material(const struct scene_part *parts, size_t count,
                           struct world_object *object)
 {
@@ -86,7 +86,7 @@ static bool scene_warning_object(struct reader *reader, size_t first,
            || reader_no_memory(reader);
 }
 
-/* Removes a primitive whose numbers are out of the machine's range. */
+/* Removes a primitive whose numbers exceed the machine's range. */
 static void leave_out_extremes(struct reader *reader, struct primitive *primitive,
                                const struct scene_token *at)
 {
@@ -100,8 +100,8 @@ static void leave_out_extremes(struct reader *reader, struct primitive *primitiv
     primitive_leave_out(reader, primitive, at, reason);
 }
 
-/* Removes empty parts. Patches are tessellated first, because that shows whether they
- * are empty. */
+/* Removes empty parts. Patches are tessellated first, to find out whether they are
+ * empty. */
 static bool prune(struct reader *reader, struct scene_object *object,
                   const struct scene_token *at)
 {
@@ -216,7 +216,7 @@ static bool take_primitives(struct reader *reader)
     return true;
 }
 
-/* The parts are the leaves, in order. */
+/* Writes the nodes. The parts are the leaves in order. */
 static void fill_nodes(struct scene *scene, const struct scene_object *world)
 {
     size_t leaf = 0;
@@ -273,8 +273,8 @@ static bool take_floats(struct reader *reader)
     return !reader->scene->kept.failed || reader_no_memory(reader);
 }
 
-/* Which rays are inside a body is not known while a scene is parsed, so any clear body
- * in a scene with fog is reported. */
+/* Reports all transparent bodies in a scene with fog, because it is unknown during
+ * parsing which rays are inside a body. */
 static void report_fogged_bodies(struct reader *reader)
 {
     const struct scene *scene = reader->scene;
@@ -317,7 +317,7 @@ static struct scene *new_scene(void)
     return scene;
 }
 
-/* As in POV-Ray the version at the end of the text decides. */
+/* As in POV-Ray, the version at the end of the text is used. */
 static void decide_gamma(struct reader *reader, const struct scene_source *source)
 {
     struct scene_token at = reader->version_at;
@@ -387,7 +387,7 @@ static void cannot_read(struct diagnostics *reports, const char *path,
     diagnostics_add(reports, SEVERITY_ERROR, &position, reason);
 }
 
-/* The reader is on the heap because it is too large for the stack. */
+/* The reader is on the heap, because it is too large for the stack. */
 static struct scene *read_from(const char *name, const char *text,
                                const struct scene_options *options,
                                struct diagnostics *reports)
