@@ -3,8 +3,8 @@
 
 #include <stdlib.h>
 
-/* The columns with a share below 1, and the others. The two lists grow from the
- * two ends of one array. */
+/* The columns with a share below 1 (scarce), and the other columns (ample). The two
+ * lists grow from the two ends of one array. */
 struct columns {
     size_t *list, scarce, ample, count;
 };
@@ -17,9 +17,9 @@ static void put_column(struct columns *columns, const double *share, size_t i)
         columns->list[columns->count - ++columns->ample] = i;
 }
 
-/* Fills each scarce column from an ample one. The ample column loses the same
- * amount and is filed again. Each step completes one column, so the time is
- * linear. */
+/* Fills each scarce column from an ample column. The ample column loses the same
+ * amount, and moves to the list of its new share. Each step completes one column, so
+ * the time is linear. */
 static void fill_columns(struct columns *columns, double *share, size_t *alias)
 {
     while (columns->scarce > 0 && columns->ample > 0) {
@@ -46,7 +46,8 @@ bool alias_build(const double *weights, size_t count, double *share, size_t *ali
         put_column(&columns, share, i);
     }
     fill_columns(&columns, share, alias);
-    for (; columns.scarce > 0; columns.scarce--) /* nonempty only through rounding */
+    for (; columns.scarce > 0; columns.scarce--) /* these columns remain only because of
+                                                  * rounding errors */
         share[columns.list[columns.scarce - 1]] = 1;
     for (; columns.ample > 0; columns.ample--)
         share[columns.list[count - columns.ample]] = 1;

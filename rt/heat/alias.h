@@ -1,9 +1,9 @@
-/* alias.h - builds an alias table, which picks one of many items by its
- * probability in one step (rt/kernels/heat/pieces.s).
+/* alias.h - builds alias tables. An alias table selects one of many items by their
+ * probabilities in one step (rt/kernels/heat/pieces.s).
  *
- * A column i is picked uniformly. The item is i with the probability share[i],
- * else alias[i]. Sources: Walker 1977; Vose, "A linear algorithm for generating
- * random numbers with a given distribution" (1991).
+ * A column i is selected uniformly. The selected item is i with the probability
+ * share[i], else alias[i]. Sources: Walker 1977; Vose, "A linear algorithm for
+ * generating random numbers with a given distribution" (1991).
  */
 #ifndef RT_ALIAS_H
 #define RT_ALIAS_H
@@ -11,9 +11,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Builds the table. There are `count` weights, none negative, at least one
- * positive. An item's probability is its weight over their sum. share and alias
- * have `count` elements; shares are from 0 to 1. Returns false if out of memory. */
+/* Builds the table of `count` weights. No weight is negative, and at least one is
+ * positive. The probability of an item is its weight divided by the sum of the weights.
+ * share and alias have `count` elements. Shares are from 0 to 1. Returns false if out
+ * of memory. */
 bool alias_build(const double *weights, size_t count, double *share, size_t *alias);
 
 #endif

@@ -1,4 +1,4 @@
-/* chords.c - random lines through a sphere, from its emission. */
+/* chords.c - generates random lines through a sphere, by the emission of the sphere. */
 #include "rt/heat/chords.h"
 
 #include <math.h>

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Sizes in dots: a letter and the space after it; then, from top to bottom, a
- * margin, the bar, lines of text with their spacing, and a margin. */
+/* Sizes in dots: a letter, a letter and the space after it. Then the heights from top
+ * to bottom: margin, bar, lines of text with spacing, margin. */
 enum {
     LETTER_WIDTH = 5,
     LETTER_HEIGHT = 7,
@@ -14,10 +14,10 @@ enum {
     MARGIN = 4,
     BAR = 8,
     BAR_END = MARGIN + BAR + 3,
-    COLUMNS = 320 /* picture columns for each pixel of a dot's size */
+    COLUMNS = 320 /* a dot has one pixel for each of these columns of the picture */
 };
 
-/* The rows of a letter from the top. The left dot is the highest of five bits. */
+/* The rows of a letter from top to bottom. The left dot is the highest of five bits. */
 static const struct letter {
     char letter;
     unsigned char rows[LETTER_HEIGHT];
@@ -64,10 +64,10 @@ enum { NUMBER_SIZE = 32 };
 struct scale_layout {
     const struct color_scale *scale;
     struct frame *frame;
-    size_t dot;        /* pixels */
-    size_t first;      /* row of the frame */
-    size_t width;      /* dots */
-    double begin, end; /* shares at the ends of the bar */
+    size_t dot;        /* size of a dot in pixels */
+    size_t first;      /* first row of the scale in the frame */
+    size_t width;      /* width in dots */
+    double begin, end; /* shares at both ends of the bar */
     char least[NUMBER_SIZE], most[NUMBER_SIZE];
     bool apart; /* each number needs a line of its own */
 };

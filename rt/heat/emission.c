@@ -1,4 +1,4 @@
-/* emission.c - generates points of a surface and directions, on a machine. */
+/* emission.c - generates points on a surface, and directions, on a machine. */
 #include "rt/heat/emission.h"
 
 #include <math.h>
@@ -16,8 +16,8 @@
 struct emission {
     struct emission_options options;
     struct object *program;
-    struct image image;    /* the input, without the choice */
-    uint64_t choice, made; /* addresses */
+    struct image image;    /* the input except the choice */
+    uint64_t choice, made; /* addresses of the choice and of the output */
 };
 
 /* ---- Input ---------------------------------------------------------------- */
@@ -30,7 +30,7 @@ static double determinant(const struct transform *map)
     return dot3(rows[0], product);
 }
 
-/* Writes the rows of the transposed inverse, negated for an inverted solid. */
+/* Writes the rows of the transposed inverse. They are negated for an inverted solid. */
 static void put_to_face(struct record *record, const struct transform *inverse,
                         bool inverted)
 {
@@ -56,8 +56,8 @@ static void put_place(struct record *record, const struct primitive *primitive,
     put_to_face(record, &inverse, primitive->inverted);
 }
 
-/* Fills the columns of the table, in this order: shares, aliases, then the words
- * of the pieces. */
+/* Fills the columns of the table in this order: shares, aliases, words of the
+ * pieces. */
 static void fill_columns(const struct emitter *emitter, const double *share,
                          const size_t *alias, c205_word *columns)
 {
@@ -217,7 +217,7 @@ void emission_free(struct emission *emission)
 static bool load_choice(const struct emission *emission, c205 *machine,
                         const struct emission_choice *choice, c205_error *error)
 {
-    /* An integer of the machine is a word with the exponent 0. */
+    /* These are integers of the machine: words with the exponent 0. */
     const c205_word words[] = { choice->seed, choice->first, choice->m, choice->shift };
     return c205_load(machine, &emission->program->program, error)
            && image_load(&emission->image, machine, error)

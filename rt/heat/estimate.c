@@ -11,7 +11,7 @@ static double mean_of(const double *values, size_t count)
     return sum / (double)count;
 }
 
-/* Returns the standard error of a mean of count values, from the sum of their
+/* Returns the standard error of the mean of count values. `squares` is the sum of their
  * squared deviations. */
 static double error_of(double squares, size_t count)
 {

@@ -71,9 +71,8 @@ void factor_row_free(struct factor_row *row)
 
 /* ---- Pieces --------------------------------------------------------------- */
 
-/* The points of a piece. In the source by lines, a line crosses a shape several
- * times. With four crossings per line on average there may still be fewer than
- * MAX_EMISSION. */
+/* The number of points of a piece. A source by lines has several crossings per line.
+ * With up to four crossings on average there are fewer than MAX_EMISSION. */
 enum { PIECE = 1 << 14 };
 
 static size_t piece_count(const struct sampling_options *options)
@@ -86,7 +85,8 @@ static size_t packet_count(const struct sampling_options *options)
     return options->repeats * piece_count(options);
 }
 
-/* Returns the number of points of a piece, and sets the number of its first point. */
+/* Returns the number of points in a piece. Sets *first to the number of its first
+ * point. */
 static size_t find_piece(const struct sampling_options *options, size_t piece,
                          size_t *first)
 {
@@ -96,7 +96,7 @@ static size_t find_piece(const struct sampling_options *options, size_t piece,
                                               : options->points - *first;
 }
 
-/* The input of a row: the packets of all repeats. */
+/* The input for a row: the packets of all repeats. */
 struct repeats {
     size_t count, pieces, points, receivers;
     const struct packet *packets;
@@ -113,7 +113,7 @@ static double share_of(const struct repeats *repeats, size_t k, size_t receiver)
     return sum / (double)repeats->points;
 }
 
-/* Computes the visible area of each repeat: the total less the covered part. */
+/* Computes the visible area of each repeat: the total area minus the covered area. */
 static void find_areas(const struct repeats *repeats)
 {
     for (size_t k = 0; k < repeats->count; k++)
@@ -173,25 +173,26 @@ static bool conclude(const struct packet_programs *programs,
 
 /* ---- Packets as units of a job set --------------------------------------------- */
 
-/* The source of a thread's last packet. The next packet often has the same one. */
+/* The source of a thread's last packet. The next packet often has the same source. */
 struct emitting {
     struct heat_source *source;
     size_t primitive, points;
 };
 
-/* The packets of an emitter that have arrived. */
+/* The packets of an emitter that have been received. */
 struct coming {
-    struct packet *packets; /* of all repeats; NULL before the first */
+    struct packet *packets; /* packets of all repeats; NULL before the first is
+                             * received */
     size_t count;
 };
 
 struct rows_work {
     const struct packet_programs *programs;
-    const size_t *emitters; /* primitives, in order */
+    const size_t *emitters; /* indices of primitives, in increasing order */
     size_t emitter_count, job_count;
-    struct emitting *emitting; /* one for each job */
-    struct coming *coming;     /* one for each emitter */
-    struct factor_row *rows;   /* one for each emitter */
+    struct emitting *emitting; /* one element for each job */
+    struct coming *coming;     /* one element for each emitter */
+    struct factor_row *rows;   /* one row for each emitter */
 };
 
 static bool begin_source(const struct rows_work *work, struct emitting *emitting,
@@ -257,7 +258,8 @@ static bool begin_coming(const struct rows_work *work, struct coming *coming)
     return good;
 }
 
-/* The last packet of an emitter completes its row. The packets are then freed. */
+/* Takes a packet. The last packet of an emitter completes its row; all packets of the
+ * row are then freed. */
 static bool take_unit(void *context, size_t unit, struct serialized_result *words,
                       c205_error *error)
 {
@@ -284,8 +286,8 @@ static size_t unit_count(const struct rows_work *work)
 
 /* ---- All rows ---------------------------------------------------------------- */
 
-/* Opens the files. The key identifies all inputs of the packets, in addition to the
- * scene. */
+/* Opens the checkpoint files. Their key identifies all inputs of the packets, in
+ * addition to the scene. */
 static bool open_files(const struct rows_work *work, struct job_set *job_set,
                        c205_error *error)
 {

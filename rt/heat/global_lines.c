@@ -14,9 +14,9 @@
 #include "rt/trace/form.h"
 #include "rt/trace/ray_query.h"
 
-/* Shorter gaps, a length in the world, are ignored: the surfaces touch there. */
+/* A shorter gap, in world units, is ignored, because the surfaces touch there. */
 static const double least_gap = 1e-7;
-/* The factor by which the sphere exceeds the box around the scene. */
+/* The ratio of the sphere's radius to that of the sphere around the scene's box. */
 static const double larger = 1.001;
 
 enum { MAX_SURFACES = 1023, MAX_ENDS = 65535 };
@@ -28,7 +28,8 @@ struct global_work {
     struct chords chords;
     struct ray_query *lines;
     struct object *gaps;
-    size_t lines_of_packet, packets; /* packets of a repeat */
+    size_t lines_of_packet, packets; /* number of lines in a packet, and of packets in a
+                                      * repeat */
 };
 
 /* Returns the number of surfaces, including the environment. */
@@ -173,12 +174,12 @@ static void lines_end(struct global_work *work)
 struct global_packet {
     const struct global_work *work;
     size_t unit;
-    c205_word *planes; /* of the points where lines end */
+    c205_word *planes; /* planes of the points where the lines end */
     struct scene_ray *lines;
     struct ray_hits seen;
-    c205_word *counts; /* of gaps, a row for each surface */
+    c205_word *counts; /* counts of gaps: a row for each surface */
     struct accounts accounts;
-    uint64_t clocks[HEAT_STEPS]; /* the clocks of these machines, by step */
+    uint64_t clocks[HEAT_STEPS]; /* clocks of these machines for each step */
     c205_error *error;
 };
 
@@ -200,12 +201,12 @@ static bool make_lines(struct global_packet *packet)
     return true;
 }
 
-/* The planes of an end, as in gaps.s. */
+/* The planes of a gap's end, as in gaps.s. */
 enum { GAP_DISTANCE, GAP_SURFACE, GAP_SCENE_DEPTH, GAP_PLANES };
 
 struct ends {
     size_t count;
-    c205_word *planes[GAP_PLANES]; /* consecutive in one allocation */
+    c205_word *planes[GAP_PLANES]; /* adjacent parts of one allocation */
 };
 
 static void add_end(struct ends *ends, c205_word distance, size_t surface, int within)
@@ -222,9 +223,9 @@ static size_t surface_of(const struct global_packet *packet, size_t primitive)
     return surfaces ? surfaces[primitive] : primitive;
 }
 
-/* Lays out the ends of gaps: the crossings of each line, preceded by an end of the
- * environment, with one more after the last line. The distance of these ends is
- * not close to any crossing. */
+/* Lists the ends of gaps: for each line an end that belongs to the environment, then
+ * its crossings. One more environment end follows the last line. The distances of
+ * environment ends differ from those of all crossings. */
 static bool lay_ends(const struct global_packet *packet, struct ends *ends)
 {
     const struct ray_hits *seen = &packet->seen;
@@ -246,7 +247,7 @@ static bool lay_ends(const struct global_packet *packet, struct ends *ends)
     return words != NULL;
 }
 
-/* Adds the `count` gaps from the end `first` on to the packet's counts. */
+/* Adds the `count` gaps that begin with end `first` to the packet's counts. */
 static bool count_gaps(struct global_packet *packet, const struct ends *ends,
                        size_t first, size_t count)
 {
@@ -330,8 +331,8 @@ static void end_packet(struct global_packet *packet)
 
 /* ---- Packets as units of a job set --------------------------------------------- */
 
-/* Writes the counts that are not 0, with their number and indices. Most pairs of
- * surfaces do not see each other. */
+/* Writes only the counts that are not 0: their number, then index and count of each.
+ * Most pairs of surfaces cannot see each other. */
 static void put_counts(const struct global_packet *packet,
                        struct serialized_result *words)
 {
@@ -364,7 +365,7 @@ static bool run_unit(void *context, size_t job, size_t unit,
     return good;
 }
 
-/* A gap from i to j is also a gap from j to i. */
+/* Adds gaps. A gap from i to j is also a gap from j to i. */
 static void add_gaps(const struct global_work *work, size_t unit, uint64_t cell,
                      uint64_t count)
 {
@@ -391,7 +392,7 @@ static bool are_counts(const struct global_work *work,
     return good && !look.failed;
 }
 
-/* Adds all of a packet, or nothing. */
+/* Adds the whole packet, or nothing. */
 static bool take_unit(void *context, size_t unit, struct serialized_result *words,
                       c205_error *error)
 {
@@ -412,8 +413,8 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
     return good || error_set(error, "the result of a packet is incomplete");
 }
 
-/* Opens the files. The key identifies all inputs of the packets, in addition to the
- * scene. */
+/* Opens the checkpoint files. Their key identifies all inputs of the packets, in
+ * addition to the scene. */
 static bool open_files(const struct global_work *work, struct job_set *job_set,
                        c205_error *error)
 {
@@ -486,7 +487,7 @@ static uint64_t count_in(const struct global_lines *found, size_t repeat, size_t
     return found->ends[(repeat * width + i) * width + j];
 }
 
-/* Returns the number of gap ends at i. */
+/* Returns the number of ends of gaps at surface i in a repeat. */
 static uint64_t row_in(const struct global_lines *found, size_t repeat, size_t i)
 {
     uint64_t sum = 0;
@@ -511,9 +512,9 @@ uint64_t global_lines_count(const struct global_lines *found, size_t i, size_t j
     return sum;
 }
 
-/* Returns the standard error of a sum over repeats, from the sum of squared
- * deviations. The repeats of a lattice may all have the same counts. The error
- * then still allows for one line, with its two ends, in one repeat. */
+/* Returns the standard error of a sum over repeats. `squares` is the sum of squared
+ * deviations. All repeats of a lattice may have the same counts. The error is therefore
+ * at least that of one line, with its two ends, in one repeat. */
 static double error_of(const struct global_lines *found, double squares)
 {
     double n = (double)found->repeats;
@@ -533,7 +534,7 @@ struct estimate global_lines_area(const struct global_lines *found, size_t i)
     return (struct estimate){ unit * sum, unit * error_of(found, squares) };
 }
 
-/* Returns a ratio. Its error is that of count - factor * row. */
+/* Returns a ratio. Its error is the error of the sum of count - factor * row. */
 struct estimate global_lines_factor(const struct global_lines *found, size_t i,
                                     size_t j)
 {

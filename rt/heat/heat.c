@@ -14,8 +14,8 @@
 /* The temporary state of a computation. */
 struct heat_work {
     struct heat *heat;
-    size_t emitter_count, *emitters; /* primitives, in order */
-    struct factor_row *rows;         /* of all primitives */
+    size_t emitter_count, *emitters; /* indices of primitives, in increasing order */
+    struct factor_row *rows;         /* one row for each primitive */
     c205_error *error;
 };
 
@@ -41,7 +41,8 @@ static size_t log_of(size_t count)
     return log;
 }
 
-/* Returns the options of a round: heat->drawn points or lines of each repeat. */
+/* Returns the options of a round. heat->drawn is the number of points or lines of each
+ * repeat. */
 static struct sampling_options sampling_of(const struct heat *heat)
 {
     const struct heat_request *request = heat->request;
@@ -87,8 +88,8 @@ static bool find_rows(struct heat_work *work)
     return good;
 }
 
-/* Moves each emitter's row to the index of its primitive. The order is downward,
- * since that index is at least the row's own. */
+/* Moves each row to the index of its emitter. The loop runs backwards, because this
+ * index is not less than the row's old index. */
 static void place_rows(const struct heat_work *work)
 {
     for (size_t i = work->emitter_count; i-- > 0;) {
@@ -155,8 +156,8 @@ bool heat_is_precise(const struct heat *heat)
     return tolerance == 0 || heat->worst <= tolerance;
 }
 
-/* Returns the error of a factor, at least the contribution of one ray. If all
- * repeats agree, their spread is 0, but the factor is not known better than that. */
+/* Returns the error of a factor, which is at least the contribution of one ray. Even if
+ * all repeats agree, the factor is not known more accurately. */
 static double error_of(const struct surface *surface, size_t to)
 {
     return fmax(surface->factor[to].error, 1 / (double)surface->sent);
@@ -177,7 +178,8 @@ static void find_worst(struct heat *heat)
         }
 }
 
-/* Returns the limit. For lines it is rounded down to a power of two. */
+/* Returns the limit of points or lines. For lines it is rounded down to a power of
+ * two. */
 static size_t limit_of(const struct heat_request *request)
 {
     size_t limit = request->limit;
@@ -185,8 +187,8 @@ static size_t limit_of(const struct heat_request *request)
                                           : limit;
 }
 
-/* Returns the number drawn in the next round; 0: no further round is needed or
- * allowed. */
+/* Returns the number of points or lines in the next round. Returns 0 if there is no
+ * further round. */
 static uint64_t find_next(struct heat *heat)
 {
     size_t limit = limit_of(heat->request);
@@ -286,7 +288,7 @@ static bool find_exchange(const struct heat_work *work)
     return true;
 }
 
-/* Converts areas, and the flows of whole areas, to the file's unit of length. */
+/* Converts areas, and the flows of whole surfaces, to the file's unit of length. */
 static void enlarge(struct heat *heat)
 {
     double unit = ldexp(1, 2 * heat->scene->unit_log);

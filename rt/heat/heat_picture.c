@@ -30,9 +30,9 @@ struct heat_drawing {
     const struct heat *heat;
     const struct heat_look *look;
     struct heat_drawn *drawn;
-    double *values;     /* of each surface; NaN: none */
-    size_t from;        /* the emitting surface of factors */
-    struct scene scene; /* with the new colours */
+    double *values;     /* value of each surface; NaN: none */
+    size_t from;        /* surface that emits the factors */
+    struct scene scene; /* the scene in the new colours */
     struct light lamp;
     c205_error *error;
 };
@@ -109,8 +109,8 @@ static bool find_values(struct heat_drawing *drawing)
 
 static const double grey[3] = { .25, .25, .25 }, green[3] = { .1, .55, .1 };
 
-/* Interpolates in a list of count colours. A share of 0 is the first one, and 1
- * the last. */
+/* Interpolates in a list of count colours. Share 0 is the first colour, share 1 the
+ * last. */
 static void mix(const double (*way)[3], size_t count, double share, double color[3])
 {
     double at = fmin(fmax(share, 0), 1) * (double)(count - 1);
@@ -119,8 +119,8 @@ static void mix(const double (*way)[3], size_t count, double share, double color
         color[k] = way[i][k] + (at - (double)i) * (way[i + 1][k] - way[i][k]);
 }
 
-/* Computes a colour of the scale, from -1, the largest gain, to 1, the largest
- * loss or factor. */
+/* Computes the colour of a share. -1 is the largest gain. 1 is the largest loss, or the
+ * largest factor. */
 static void color_at(const void *given, double share, double color[3])
 {
     const struct heat_drawing *drawing = given;
@@ -156,7 +156,7 @@ static void color_of(const struct heat_drawing *drawing, size_t surface,
         color_at(drawing, share, color);
 }
 
-/* Gives a primitive one colour. Half of it does not depend on light. */
+/* Gives a primitive one colour, half of which does not depend on light. */
 static void paint(struct primitive *primitive, const double color[3])
 {
     primitive->pigment = (struct pigment){ .kind = PIGMENT_COLOR };

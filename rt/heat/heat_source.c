@@ -10,14 +10,14 @@
 #include "rt/layout/single_run.h"
 #include "rt/trace/form.h"
 
-/* The factor by which a sphere exceeds its bound. */
+/* The ratio of a sphere's radius to that of the bound. */
 static const double larger = 1.001;
 
 struct heat_source {
     struct emission_options options;
-    struct emission *emission; /* NULL: by lines */
+    struct emission *emission; /* NULL: points come from lines */
     struct chords chords;
-    /* A source by lines has a scene of the primitive alone. */
+    /* A scene that contains only the primitive, for lines. */
     struct scene alone;
     struct tree_node node;
     struct region region;
@@ -28,8 +28,8 @@ struct heat_source {
 
 /* ---- Refusals ----------------------------------------------------------------- */
 
-/* Sets the bounds of a region's primitives from those of its nodes. The bound of a
- * primitive is that of the region, or the smallest bound of its own leaves. */
+/* Sets the bounds of a region's primitives from the bounds of its nodes. A primitive
+ * gets the smallest bound of its leaves, or else the bound of the region. */
 static void bound_in(const struct scene *scene, const struct region *region,
                      const struct bound *nodes, struct bound *bounds)
 {

@@ -47,8 +47,8 @@ size_t heat_invisible(const struct heat *heat)
     return count;
 }
 
-/* Returns the decimals of an area: as many more as the square of the scene's unit
- * has digits after the point. */
+/* Returns the number of decimals of an area. It depends on the size of the scene's
+ * unit, squared. */
 static int decimals_of(const struct heat *heat, const struct table_column *column)
 {
     return column->decimals - (int)(2 * heat->scene->unit_log * log10(2));

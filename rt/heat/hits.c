@@ -1,4 +1,4 @@
-/* hits.c - computes the fraction of radiation that strikes cylinders. */
+/* hits.c - computes the fraction of a surface's radiation that strikes cylinders. */
 #include "rt/heat/hits.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@
 
 /* ---- Cylinders ---------------------------------------------------------------- */
 
-/* The words of a cylinder, as in hits.s. */
+/* The number of words of a cylinder, as in hits.s. */
 enum { CYLINDER_WORDS = 8 };
 
 static void transform_point(const struct transform *map, const double point[3],
@@ -23,7 +23,8 @@ static void transform_point(const struct transform *map, const double point[3],
         to[i] = dot3(map->rows[i], point) + map->rows[i][3];
 }
 
-/* Returns the factor by which a map scales all lengths, or 0 if it is not uniform. */
+/* Returns the factor by which a map scales all lengths, or 0 if the scaling is not
+ * uniform. */
 static double scale_of(const struct transform *map)
 {
     double columns[3][3], scale;
@@ -65,9 +66,9 @@ struct hits_work {
     struct hits *hits;
     struct object *program, *received;
     double *cylinders;    /* [count][CYLINDER_WORDS] */
-    c205_word *planes;    /* of a repeat's points */
-    c205_word *reported;  /* for each point, 1 if its ray strikes */
-    double *share, *area; /* of each repeat: means over its points */
+    c205_word *planes;    /* planes of a repeat's points */
+    c205_word *reported;  /* for each point: 1 if its ray strikes a cylinder */
+    double *share, *area; /* for each repeat: means over its points */
     c205_error *error;
 };
 
@@ -130,8 +131,7 @@ static bool run_hits(struct hits_work *work)
     return single_run_end(&run, made, work->reported, points, &clocks);
 }
 
-/* Computes the sums of weights: of rays that miss, of rays that strike, and of
- * all. */
+/* Computes three sums of weights: rays that miss, rays that strike, all rays. */
 static bool run_received(struct hits_work *work, size_t repeat)
 {
     enum { RECEIVERS = 2, SUMS = 2 * RECEIVERS + 1 };

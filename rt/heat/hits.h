@@ -1,10 +1,9 @@
 /* hits.h - computes the fraction of a surface's radiation that strikes a set of
- * cylinders, by rays that only report whether they strike. This is the case of the
- * paper of 1984.
+ * cylinders. A ray only reports whether it strikes one. This is the case of the paper
+ * of 1984.
  *
- * The emitter radiates from all of its points, and nothing but the cylinders is in
- * the way. The cylinders are solid, each of them an object or an element of a
- * top-level union.
+ * The emitter radiates from all of its points. The cylinders are the only obstacles.
+ * They are solid, and each cylinder is an object or an element of a top-level union.
  */
 #ifndef RT_HITS_H
 #define RT_HITS_H
@@ -14,13 +13,13 @@
 
 struct hits_options {
     enum trace_mode mode; /* scalar or vector */
-    size_t queue;         /* rays against a cylinder; vector mode only */
+    size_t queue;         /* number of rays in a queue; vector mode only */
     size_t points, repeats;
     bool lattice;
     uint64_t seed;
-    const char *from; /* the part or material that emits */
+    const char *from; /* name of the part or material that emits */
     const c205_model *model;
-    const c205_model *projection; /* another machine, on which the scalar form is
+    const c205_model *projection; /* another machine, for which the scalar form is
                                    * projected; NULL: none */
 };
 
@@ -28,12 +27,13 @@ struct hits {
     struct estimate factor;
     uint64_t rays, struck;
     size_t cylinders;
-    struct accounts accounts; /* of the program that decides which rays strike, alone */
-    uint64_t projected;       /* its clocks on the other machine */
+    struct accounts accounts; /* accounts of only the program that decides which rays
+                               * strike */
+    uint64_t projected;       /* clocks of this program on the other machine */
 };
 
-/* Returns false if nothing has this name, if a shape cannot emit or is no
- * cylinder, after a trap, or if out of memory; the error gives the reason. */
+/* Returns false if nothing has this name, if a shape cannot emit or is not a cylinder,
+ * after a trap, or if out of memory, and sets the error. */
 bool hits_find(const struct scene *scene, const struct named_parts *parts,
                const struct hits_options *options, struct hits *hits,
                c205_error *error);

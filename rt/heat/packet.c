@@ -7,7 +7,7 @@
 #include "rt/layout/single_run.h"
 #include "rt/trace/form.h"
 
-/* Lines along the normals of points begin at this distance below the points. */
+/* Lines along the normals begin at this distance below their points. */
 static const double below = 1e-3;
 
 /* ---- Setup ---------------------------------------------------------------- */
@@ -102,8 +102,8 @@ struct packet_work {
     const struct heat_source *source;
     struct packet_choice choice;
     struct packet *packet;
-    struct sourced made; /* all points */
-    c205_word *stays;    /* planes of the points that are kept, then their number */
+    struct sourced made; /* all points of the source */
+    c205_word *stays;    /* planes of the points on visible faces, then their number */
     struct scene_ray *lines;
     c205_error *error;
 };
@@ -114,8 +114,8 @@ static void charge(const struct packet_work *work, enum heat_step step)
     heat_charge(work->packet->clocks, &work->packet->accounts, step);
 }
 
-/* Generates the points. Each primitive and repeat has its own shift, or its own
- * random numbers. */
+/* Generates the points. Each primitive and repeat has its own shift of the lattice, or
+ * its own random numbers. */
 static bool emit_points(struct packet_work *work)
 {
     const struct sampling_options *options = &work->programs->options;
@@ -130,8 +130,8 @@ static bool emit_points(struct packet_work *work)
     return true;
 }
 
-/* Runs the query along the first count points, in directions from the given
- * planes. */
+/* Runs a query along the lines of the first count points. Their directions are the
+ * planes from `direction` on. */
 static bool follow(const struct packet_work *work, const struct ray_query *lines,
                    const c205_word *planes, enum emitted direction, size_t count,
                    struct ray_hits *found)
@@ -202,7 +202,7 @@ static bool run_faces(const struct packet_work *work, const c205_word *list,
     return true;
 }
 
-/* Drops the points that are not on a visible face. */
+/* Removes the points that are not on a visible face. */
 static bool keep_faces(const struct packet_work *work)
 {
     const struct packet_programs *programs = work->programs;
@@ -221,8 +221,8 @@ static bool keep_faces(const struct packet_work *work)
     return good;
 }
 
-/* Returns true if a line leaves more bodies than it enters, so it began within
- * one. */
+/* Returns true if a line leaves more bodies than it enters, so that it began inside a
+ * body. */
 static bool begins_within(const struct ray_hits *found, size_t line)
 {
     for (size_t k = found->first[line]; k < found->first[line + 1]; k++)
@@ -237,8 +237,9 @@ static size_t receiver_of(const struct packet_programs *programs, size_t primiti
     return receivers ? receivers[primitive] : primitive;
 }
 
-/* Lists the receiver of each ray: the first hit, or the environment. A ray from a
- * point that another body covers gets the number after the environment. */
+/* Lists the receivers of the rays. The receiver is the first hit or the environment. If
+ * another body covers the point of a ray, the receiver is the number after the
+ * environment. */
 static void list_receivers(const struct packet_work *work, const struct ray_hits *found,
                            c205_word *list)
 {
@@ -273,7 +274,7 @@ static bool run_received(const struct packet_work *work, const c205_word *list)
     return single_run_end(&run, sums, made->sums, 2 * receivers + 1, &clocks);
 }
 
-/* Adds the weights of rays to their receivers. */
+/* Adds the weights of the rays to their receivers. */
 static bool receive(const struct packet_work *work)
 {
     size_t rays = (size_t)work->packet->stay;

@@ -1,10 +1,11 @@
-/* packet.h - a packet of rays: the points of one repeat of an emitter, or of a
- * piece of it, the visible points among them, and the receivers of their rays.
+/* packet.h - a packet of rays. It consists of the points of a repeat of an emitter (or
+ * of a piece of the repeat), the visible points among them, and the receivers of their
+ * rays.
  *
- * A point of the emitter's source is kept if the surface is visible there, which
- * means that the tree of its region has different values on its two sides. Each
- * kept point sends one ray, and the first hit receives it. A ray that begins
- * within another body is counted as covered.
+ * A point of the emitter's source is visible if the tree of its region has different
+ * values on the two sides of the surface. Each visible point sends one ray, and the
+ * first hit is its receiver. A ray that begins inside another body is counted as
+ * covered.
  */
 #ifndef RT_PACKET_H
 #define RT_PACKET_H
@@ -21,30 +22,31 @@ struct packet_programs {
     struct object *faces, *received;
 };
 
-/* Returns false for invalid options, or if out of memory. Call packet_programs_end
- * in either case. */
+/* Returns false for invalid options, or if out of memory. Call packet_programs_end in
+ * either case. */
 bool packet_programs_begin(struct packet_programs *programs, c205_error *error);
 void packet_programs_end(struct packet_programs *programs);
 
-/* Returns the number of receivers. The last one is the environment. */
+/* Returns the number of receivers. The last receiver is the environment. */
 size_t packet_receivers(const struct packet_programs *programs);
 
 /* The results of a packet, and their cost. */
 struct packet {
-    uint64_t made;     /* points of the source */
-    uint64_t stay;     /* points on visible faces */
-    size_t width;      /* number of words of sums and counts */
-    c205_word *sums;   /* of weights: by receiver, of covered points, of all */
-    c205_word *counts; /* of rays: by receiver, of covered points */
+    uint64_t made;     /* number of points of the source */
+    uint64_t stay;     /* number of points on visible faces */
+    size_t width;      /* number of words in `sums` and `counts` together */
+    c205_word *sums;   /* sums of weights: for each receiver, of covered points, of all
+                        * points */
+    c205_word *counts; /* numbers of rays: for each receiver, of covered points */
     struct accounts accounts;
-    uint64_t clocks[HEAT_STEPS]; /* the clocks of these machines, by step */
+    uint64_t clocks[HEAT_STEPS]; /* clocks of these machines for each step */
 };
 
 /* Returns false if out of memory. Call packet_free in either case. */
 bool packet_begin(struct packet *packet, const struct packet_programs *programs);
 void packet_free(struct packet *packet);
 
-/* Selects the points of a packet: those of a repeat of a primitive, from number
+/* Selects the points of a packet: points of a repeat of a primitive, from number
  * `first` on. */
 struct packet_choice {
     size_t primitive, repeat, first;
@@ -56,10 +58,10 @@ bool packet_run(const struct packet_programs *programs,
                 const struct heat_source *source, const struct packet_choice *choice,
                 struct packet *packet, c205_error *error);
 
-/* Appends the packet to the words of a unit of work. */
+/* Appends the packet to a serialized result. */
 void packet_put(const struct packet *packet, struct serialized_result *words);
-/* Reads a packet from words. Returns false if their format is wrong; the packet
- * then needs no cleanup. */
+/* Reads a packet from a serialized result. Returns false if its format is wrong. The
+ * packet then needs no cleanup. */
 bool packet_take(struct packet *packet, struct serialized_result *words);
 
 #endif

@@ -1,5 +1,5 @@
-/* sampling.h - how shape factors are sampled, by rays (factors.h) or by lines
- * (global_lines.h). */
+/* sampling.h - the options for the sampling of shape factors, by rays (factors.h) or by
+ * lines (global_lines.h). */
 #ifndef RT_HEAT_SAMPLING_H
 #define RT_HEAT_SAMPLING_H
 
@@ -8,20 +8,23 @@
 
 struct sampling_options {
     enum trace_mode mode;
-    size_t queue;     /* of points and of rays or lines; ignored in scalar mode */
-    size_t points;    /* by rays, of each repeat: 1 .. MAX_FACTORS_POINTS; a power of
-                       * two is best for the lattice */
-    size_t lines_log; /* by lines: 2^lines_log lines of each repeat */
-    size_t repeats;   /* 2 or more: their spread gives the errors */
-    bool lattice;     /* use the lattice under independent shifts; else random points */
+    size_t queue;     /* number of points, rays or lines in a queue; ignored in scalar
+                       * mode */
+    size_t points;    /* rays: points of each repeat, 1 .. MAX_FACTORS_POINTS; powers of
+                       * two suit the lattice best */
+    size_t lines_log; /* lines: 2^lines_log lines in each repeat */
+    size_t repeats;   /* at least 2, because the errors are computed from their
+                       * spread */
+    bool lattice;     /* lattice with independent shifts, else random points */
     uint64_t seed;
-    size_t jobs;             /* packets at a time; 0: one */
+    size_t jobs;             /* number of packets computed concurrently; 0: one */
     struct job_set *job_set; /* as in job_set_work */
-    /* Called at intervals with packets. Returns false to stop. May be NULL. */
+    /* Called at intervals with numbers of packets. Returns whether to continue. May be
+     * NULL. */
     bool (*progress)(void *context, size_t done, size_t all);
     void *context;
-    /* The surface of each of the scene's primitives, a number below surfaces. NULL:
-     * each primitive is a surface of its own. */
+    /* The surface of each primitive, a number below `surfaces`. NULL: each primitive is
+     * a separate surface. */
     const size_t *surface_of;
     size_t surfaces;
     const c205_model *model; /* must outlive the computation */

@@ -34,7 +34,7 @@ static bool check_factors(const struct smooth_given *given, c205_error *error)
     return true;
 }
 
-/* Transposes rows to the machine's columns. */
+/* Transposes rows to the columns that the machine needs. */
 static void lay_columns(const double *rows, size_t n, c205_word *words)
 {
     for (size_t i = 0; i < n; i++)
@@ -42,7 +42,7 @@ static void lay_columns(const double *rows, size_t n, c205_word *words)
             words[j * n + i] = c205_from_double(rows[i * (n + 1) + j]);
 }
 
-/* Returns the words of the input: two matrices and a plane. */
+/* Returns the input words: two matrices and a plane. */
 static c205_word *lay_words(const struct smooth_given *given)
 {
     size_t n = given->count, size = n * (n + 1);
@@ -56,7 +56,7 @@ static c205_word *lay_words(const struct smooth_given *given)
     return words;
 }
 
-/* The size of the output: columns, a plane, a word. */
+/* Returns the number of output words: columns, a plane and a word. */
 static size_t made_size(size_t n)
 {
     return n * (n + 1) + n + 1;
@@ -123,12 +123,12 @@ bool smooth_flows(const struct smooth_given *given, double *flows,
 struct smoothing {
     struct surfaces *surfaces;
     size_t count;
-    size_t *seen; /* the index of each visible surface */
+    size_t *seen; /* index of each visible surface */
     const char **names;
     double *areas, *flows, *variances;
 };
 
-/* Returns a flow with its error. If none of the rays arrived, one might have. */
+/* Returns a flow with its error. If no ray arrived, the error is that of one ray. */
 static struct estimate flow_of(const struct surface *from, size_t to)
 {
     double error = from->count[to] > 0 ? from->factor[to].error
@@ -137,7 +137,7 @@ static struct estimate flow_of(const struct surface *from, size_t to)
                               from->area.value * error };
 }
 
-/* Returns the mean of both directions, weighted by their variances. */
+/* Returns the mean of the flows in both directions, weighted by their variances. */
 static struct estimate flow_between(const struct smoothing *smoothing, size_t i,
                                     size_t j)
 {

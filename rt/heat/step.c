@@ -1,4 +1,4 @@
-/* step.c - the names of the steps, and their clocks. */
+/* step.c - the names and the clocks of the steps. */
 #include "rt/heat/step.h"
 
 static const char *const names[HEAT_STEPS] = {

@@ -1,5 +1,5 @@
-/* step.h - the steps of a packet of rays or lines, and of the computations after
- * all packets. */
+/* step.h - the steps of computing a packet of rays or lines, and of the computations
+ * after all packets. */
 #ifndef RT_HEAT_STEP_H
 #define RT_HEAT_STEP_H
 
@@ -7,17 +7,17 @@
 
 enum heat_step {
     STEP_EMISSION,  /* generates points and directions */
-    STEP_FACES,     /* selects the points on visible faces; not by lines */
-    STEP_CROSSINGS, /* computes the crossings of rays, or lines */
-    STEP_COUNTS,    /* counts by receivers, or by pairs of surfaces */
+    STEP_FACES,     /* selects the points on visible faces; only for rays */
+    STEP_CROSSINGS, /* computes the crossings of rays or lines */
+    STEP_COUNTS,    /* counts by receiver, or by pair of surfaces */
     STEP_SMOOTHING, /* if requested */
     STEP_EXCHANGE,  /* if requested */
     HEAT_STEPS
 };
 const char *heat_step_name(enum heat_step step);
 
-/* Charges to a step the clocks of the accounts since the last call. The clocks
- * must start as zeros. */
+/* Charges the clocks of the accounts since the last call to a step. The clocks must
+ * initially be zeros. */
 void heat_charge(uint64_t clocks[HEAT_STEPS], const struct accounts *accounts,
                  enum heat_step step);
 

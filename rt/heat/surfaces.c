@@ -1,4 +1,4 @@
-/* surfaces.c - combines the factors of primitives into those of surfaces. */
+/* surfaces.c - combines the factors of primitives into factors of surfaces. */
 #include "rt/heat/surfaces.h"
 
 #include <math.h>
@@ -30,7 +30,7 @@ static size_t find_named(const struct surfaces *surfaces, const char *name)
     return i;
 }
 
-/* Finds the surface of primitive i, or adds one. */
+/* Finds the surface of primitive i, or adds a surface. */
 static bool place(const struct scene *scene, const struct named_parts *parts,
                   enum surfaces_by by, size_t i, struct surfaces *surfaces)
 {
@@ -107,7 +107,7 @@ static void add_row(struct surface *surface, const struct factor_row *row)
     }
 }
 
-/* Adds the errors of F = sum of A_i F_i / A, from the errors of each F_i and each
+/* Adds the errors of F = sum of A_i F_i / A, which depend on the errors of all F_i and
  * A_i. */
 static void add_errors(struct surface *surface, const struct factor_row *row)
 {
@@ -170,7 +170,7 @@ double surfaces_reciprocity(const struct surfaces *surfaces, size_t from, size_t
     back = other->area.value * other->factor[from].value;
     error = elementary_hypot(one->area.value * one->factor[to].error,
                              other->area.value * other->factor[from].error);
-    if (fabs(there - back) <= 1e-12 * there) /* exact by lines */
+    if (fabs(there - back) <= 1e-12 * there) /* lines have exact reciprocity */
         return 0;
     return error > 0 ? (there - back) / error : NAN;
 }

@@ -16,7 +16,7 @@ static bool is_temperature(double value)
     return value >= 0 && isfinite(value);
 }
 
-/* A value that no temperature has, since none is negative. */
+/* A value that is not a temperature, because temperatures are not negative. */
 enum { ADIABATIC = -1 };
 
 const struct value_kind emissivity_kind = { .name = "emissivity",
@@ -144,7 +144,8 @@ static void fill_factors(const struct thermal_work *work, double *factors)
     }
 }
 
-/* An adiabatic surface returns all that it receives, so its emissivity is 0. */
+/* Splits the values into emissivities and temperatures. An adiabatic surface has the
+ * emissivity 0, because it returns everything that it receives. */
 static void split_values(struct thermal *thermal, double *emissivity)
 {
     for (size_t i = 0; i < thermal->count; i++) {

@@ -7,23 +7,24 @@
 #include "rt/heat/surfaces.h"
 #include "rt/scene/named_values.h"
 
-/* Temperatures are in kelvins, or the word "adiabatic". */
+/* A temperature is in kelvins, or is the word "adiabatic". */
 extern const struct value_kind emissivity_kind, temperature_kind;
-/* The name whose temperature may be given in addition to parts and materials. */
+/* The name of the environment, whose temperature may be specified like that of a
+ * part. */
 extern const char thermal_environment[];
 
 struct thermal {
-    size_t count;        /* surfaces with a visible part */
-    size_t *surface;     /* the index of each of them */
-    double *emissivity;  /* 1 where none is given */
+    size_t count;        /* number of surfaces with a visible part */
+    size_t *surface;     /* index of each of these surfaces */
+    double *emissivity;  /* emissivity; the default is 1 */
     double *temperature; /* NaN: adiabatic */
-    double outside;      /* temperature of the environment; 0 unless given */
+    double outside;      /* temperature of the environment; the default is 0 */
     struct exchange exchange;
 };
 
-/* Returns false for a surface without a temperature, or with parts of different
- * temperatures; for one that only receives; for an exchange without a solution;
- * after a trap; or if out of memory. The error names the surface. */
+/* Returns false if a surface has no temperature, or has parts with different
+ * temperatures, or only receives; if the exchange has no solution; after a trap; or if
+ * out of memory. The error names the surface. */
 bool thermal_find(const struct surfaces *surfaces, const struct named_parts *parts,
                   const struct named_values *emissivities,
                   const struct named_values *temperatures, enum trace_mode mode,

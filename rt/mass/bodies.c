@@ -26,7 +26,7 @@ bool bodies_find_endless(const struct scene *scene, struct named_parts *parts)
     return good;
 }
 
-/* Appends a region with its primitives and nodes, and adjusts their indices. */
+/* Appends a region with its primitives and nodes. Adjusts their indices. */
 static void copy_region(const struct scene *scene, const struct region *region,
                         struct scene *bodies)
 {

@@ -59,7 +59,8 @@ static bool find_box(const struct scene *scene, struct columns_sums *sums,
     return good;
 }
 
-/* Returns the words of a shift, or of a packet: the sums of parts, then of pairs. */
+/* Returns the number of words of a shift, or of a packet: the sums of parts, then of
+ * pairs. */
 static size_t words_of_shift(const struct columns_sums *sums)
 {
     return sums->parts * MOMENTS + sums->pairs;
@@ -67,7 +68,8 @@ static size_t words_of_shift(const struct columns_sums *sums)
 
 /* ---- Data that all packets share ----------------------------------------- */
 
-/* Rays begin at this distance before the centre of the box, in half widths of it. */
+/* Rays begin at this distance before the centre of the box, in units of half the width
+ * of the box. */
 static const double BEHIND = 1.25;
 
 struct columns_work {
@@ -76,9 +78,10 @@ struct columns_work {
     struct columns_sums *sums;
     struct object *rays, *columns, *overlaps, *totals;
     struct ray_query *lines[VIEWS];
-    size_t rays_of_packet, packets; /* packets of a view under a shift */
-    c205_word *words; /* of each packet: [VIEWS][repeats][packets][sums] */
-    uint64_t (*clocks)[COLUMNS_STAGES]; /* of each packet */
+    size_t rays_of_packet, packets; /* number of rays in a packet, and of packets of a
+                                     * view for a shift */
+    c205_word *words; /* [VIEWS][repeats][packets][sums]: the words of each packet */
+    uint64_t (*clocks)[COLUMNS_STAGES]; /* for each packet */
     uint64_t *crossings;
 };
 
@@ -151,19 +154,20 @@ static void end_work(struct columns_work *work)
 
 /* ---- A packet ------------------------------------------------------------ */
 
-/* The planes that the program of rays writes. */
+/* The planes that the program mass/rays writes. */
 enum { PLACE_P, PLACE_Q, ORIGIN_P, ORIGIN_Q, RAY_PLANES };
 
 struct columns_packet {
     const struct columns_work *work;
-    size_t unit, view, shift, first; /* the index of its first ray */
+    size_t unit, view, shift, first; /* `first` is the index of the packet's first
+                                      * ray */
     c205_word *rays;                 /* [RAY_PLANES][rays] */
     struct scene_ray *lines;
     struct ray_hits seen;
     c205_error *error;
 };
 
-/* Returns the axis s, p or q of a view, for which = 0, 1 or 2. They are in cyclic
+/* Returns the axis s, p or q of a view, for which = 0, 1 or 2. The axes are in cyclic
  * order. */
 static size_t axis_of(size_t view, size_t which)
 {
@@ -223,7 +227,7 @@ static bool find_crossings(struct columns_packet *packet)
     return true;
 }
 
-/* Rejects crossings of open surfaces, which have no volume. */
+/* Rejects a crossing of an open surface, because such a surface has no volume. */
 static bool check_crossing(const struct columns_packet *packet,
                            const struct ray_hit *seen)
 {
@@ -281,8 +285,8 @@ static c205_word *words_of(const struct columns_packet *packet)
     return packet->work->words + packet->unit * words_of_shift(packet->work->sums);
 }
 
-/* Writes the crossings, and reserves room for `totals` sums. Returns the address
- * of the sums. */
+/* Writes the crossings, and reserves room for `totals` sums. Returns the address of the
+ * sums. */
 static uint64_t give_crossed(const struct columns_packet *packet,
                              const c205_word *planes, size_t totals,
                              struct single_run *run)
@@ -388,8 +392,9 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
     return !words->failed || error_set(error, "the result of a packet is incomplete");
 }
 
-/* Opens the files. The key identifies all inputs of the packets. If a run has several
- * rounds, the key is that of the first, since the later ones follow from it. */
+/* Opens the checkpoint files. Their key identifies all inputs of the packets. If a run
+ * has several rounds, the key is that of the first round, because it determines the
+ * later rounds. */
 static bool open_files(const struct columns_work *work, struct job_set *job_set,
                        c205_error *error)
 {
@@ -512,7 +517,7 @@ void columns_sums_free(struct columns_sums *sums)
 
 /* ---- Integrals ----------------------------------------------------------- */
 
-/* Returns the integral of the sum at a place of the view and shift. */
+/* Returns the integral for the sum at this place, of a view and a shift. */
 static double integral_of(const struct columns_sums *sums, size_t view, size_t repeat,
                           size_t place)
 {

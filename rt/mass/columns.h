@@ -1,12 +1,12 @@
 /* columns.h - sums over columns through solids, computed on machines.
  *
- * A view looks along an axis, x, y or z. 2^rays_log parallel rays, at points of a
- * lattice, a grid or the random stream, go through the box around the scene's
- * bodies. Programs of the machine (rt/kernels/mass/, rt/kernels/query/) compute
- * their crossings and the contributions to volumes, moments and areas. The work is
- * divided into packets of COLUMNS_PACKET rays, each on machines of its own. A last
- * program adds the sums of the packets in their order. The sums are therefore
- * bitwise equal in both forms, for any queue and any number of jobs.
+ * A view looks along one of the axes x, y and z. It has 2^rays_log parallel rays
+ * through the box around the scene's bodies, at points of a lattice, a grid or the
+ * random stream. Programs of the machine (rt/kernels/mass/, rt/kernels/query/) compute
+ * the crossings, and their contributions to volumes, moments and areas. The rays are
+ * divided into packets of COLUMNS_PACKET rays, which run on separate machines. A final
+ * program adds the sums of the packets in order. The sums are therefore equal bit for
+ * bit in both forms, for any queue length and any number of jobs.
  */
 #ifndef RT_MASS_COLUMNS_H
 #define RT_MASS_COLUMNS_H
@@ -18,8 +18,8 @@ enum { VIEWS = 3, COLUMNS_PACKET = 4096, MAX_COLUMNS_LOG = 20 };
 
 enum columns_points { POINTS_RANDOM, POINTS_LATTICE, POINTS_GRID, POINTS_KINDS };
 
-/* The moments of a part, in a view along s whose other axes are p and q, relative
- * to the centre of the box, with lengths in the world. The order is that of
+/* The moments of a part in a view along s. The other axes are p and q. Coordinates are
+ * relative to the centre of the box, in world units. The order is that of
  * rt/kernels/mass/columns.s. */
 enum moment {
     MOMENT_1,
@@ -35,14 +35,14 @@ enum moment {
     MOMENT_AREA,
     MOMENTS
 };
-/* All sums of a packet form one vector: those of the parts, of all parts together,
- * and of the pairs. */
+/* The sums of a packet are one vector: sums of each part, of all parts together, and of
+ * pairs. */
 enum {
     MAX_COLUMNS_PAIRS = 16384,
     MAX_COLUMNS_PARTS = (65535 - MAX_COLUMNS_PAIRS) / MOMENTS - 1
 };
 
-/* The consecutive steps on the machines. */
+/* The steps on the machines, in order. */
 enum columns_stage {
     STAGE_RAYS,
     STAGE_CROSSINGS,
@@ -55,16 +55,17 @@ const char *columns_stage_name(enum columns_stage stage);
 
 struct columns_options {
     enum trace_mode mode;
-    size_t queue; /* rays at a time; ignored in scalar mode */
+    size_t queue; /* number of rays in a queue; ignored in scalar mode */
     enum columns_points points;
-    size_t rays_log; /* 2^rays_log rays of a view under a shift, at most
-                      * 2^MAX_COLUMNS_LOG */
-    size_t repeats;  /* shifts, each with its own rays */
+    size_t rays_log; /* a view has 2^rays_log rays for each shift; at most
+                      * MAX_COLUMNS_LOG */
+    size_t repeats;  /* number of shifts, each with its own rays */
     size_t seed;
-    size_t jobs;                     /* packets at a time; 0: one */
+    size_t jobs;                     /* number of packets computed concurrently; 0:
+                                      * one */
     size_t part_count;               /* 1 .. MAX_COLUMNS_PARTS */
-    const size_t *part_of;           /* the part of each of the scene's objects */
-    const struct overlaps *overlaps; /* of these parts; NULL: not requested */
+    const size_t *part_of;           /* part of each object of the scene */
+    const struct overlaps *overlaps; /* overlaps of these parts; NULL: not requested */
     const c205_model *model;
     bool (*progress)(void *context, size_t done, size_t all);
     void *context;
@@ -72,29 +73,28 @@ struct columns_options {
 };
 
 struct columns_sums {
-    size_t parts; /* including the last one: all parts together */
+    size_t parts; /* number of parts, including the last one, which is all parts
+                   * together */
     size_t pairs;
-    size_t units; /* packets of all views and shifts */
+    size_t units; /* number of packets of all views and shifts */
     size_t repeats;
-    size_t rays_log;            /* 2^rays_log rays of a view under a shift */
-    double middle[3], width[3]; /* of the box */
-    c205_word *words;           /* the sums over all rays of a shift,
-                                 * [VIEWS][repeats] of them: [parts][MOMENTS], then
-                                 * [pairs] */
+    size_t rays_log;            /* a view has 2^rays_log rays for each shift */
+    double middle[3], width[3]; /* centre and widths of the box */
+    c205_word *words;           /* Sums over all rays of a shift, for [VIEWS][repeats].
+                                 * They are [parts][MOMENTS], then [pairs]. */
     uint64_t clocks[COLUMNS_STAGES];
     uint64_t crossings;
 };
 
-/* Computes the sums. If the job set does not collect packets, the words stay 0.
- * Returns false for invalid options; for a scene without bodies, with an unbounded
- * one, or with an open surface, which the error names; after a trap; or if
- * progress returned false. */
+/* Computes the sums. If the job set does not collect packets, the words stay 0. Returns
+ * false for invalid options; if the scene has no bodies, an unbounded body or an open
+ * surface, which the error names; after a trap; or if progress returned false. */
 bool columns_sum(const struct scene *scene, const struct columns_options *options,
                  struct columns_sums *sums, c205_error *error);
 void columns_sums_free(struct columns_sums *sums);
 
-/* Returns the integral over space of a sum over the rays of a shift: the sum times
- * the area of a ray. */
+/* Returns the integral over space that belongs to a sum over the rays of a shift: the
+ * sum times the area of a ray. */
 double columns_integral(const struct columns_sums *sums, size_t view, size_t repeat,
                         size_t part, enum moment moment);
 /* Returns the volume that both parts of a pair occupy. */

@@ -18,10 +18,11 @@ const char *figure_name(size_t figure)
 
 /* ---- Integrals over a body ----------------------------------------------- */
 
-/* Integrals about the centre of the box. The second moments are xx yy zz xy xz yz. */
+/* Integrals relative to the centre of the box. The second moments are xx yy zz xy xz
+ * yz. */
 struct integrals {
     double volume, area, mass, first[3], second[6];
-    double views[VIEWS]; /* the volume of each view */
+    double views[VIEWS]; /* volume from each view */
 };
 enum { INTEGRALS = sizeof(struct integrals) / sizeof(double) };
 
@@ -42,7 +43,7 @@ static double integral(const struct summand *summand, enum moment moment)
                             summand->part, moment);
 }
 
-/* Adds a third of a view's integrals of a part with this density. */
+/* Adds a third of a view's integrals for a part with this density. */
 static void add_view(const struct summand *summand, double density,
                      struct integrals *sum)
 {
@@ -90,15 +91,14 @@ static void add_integrals(struct integrals *sum, const struct integrals *more,
 /* ---- Figures from integrals ---------------------------------------------- */
 
 /* Computes the inertia tensor about a point. The integrals and the centroid are
- * relative to the centre of the box; the offset goes from the point to the
+ * relative to the centre of the box. `offset` is the vector from the point to the
  * centroid.
  *
  * By the parallel axis theorem the second moments about the point are
  *
  *   second + mass (offset offset^T - centroid centroid^T).
  *
- * The tensor is the trace of these times the identity, less the moments
- * themselves.
+ * The tensor is the identity times the trace of these moments, minus the moments.
  */
 static void find_inertia(const struct integrals *sum, const double centroid[3],
                          const double offset[3], double inertia[6])
@@ -169,8 +169,8 @@ static void find_values(const struct mass_body *body, const struct integrals *su
 
 /* ---- Errors -------------------------------------------------------------- */
 
-/* Returns the 97.5 % quantile of Student's t distribution, for at least 3 degrees
- * of freedom. */
+/* Returns the 97.5 % quantile of Student's t distribution with at least 3 degrees of
+ * freedom. */
 static double student(double freedom)
 {
     const double terms[] = { 1.959964, 2.372271, 2.822500, 2.555852, 1.589534 };
@@ -180,15 +180,15 @@ static double student(double freedom)
     return sum;
 }
 
-/* Returns half the width of the 95 % confidence interval, by the jackknife.
- * squares is the sum of squared deviations of the values that leave out one shift
- * each, from their mean. */
+/* Returns half the width of the 95 % confidence interval by the jackknife. Each value
+ * is computed without one of the `count` shifts. `squares` is the sum of the squared
+ * deviations of these values from their mean. */
 static double interval(double squares, double count)
 {
     return count > 3 ? student(count - 1) * sqrt((count - 1) / count * squares) : NAN;
 }
 
-/* Computes the figures without each shift in turn, and from them the errors. */
+/* Computes the figures without each of the shifts, then their errors. */
 static void find_errors(const struct mass_body *body, const struct integrals *shifts,
                         const struct integrals *sum, struct mass_figures *figures,
                         double (*without)[FIGURES])
@@ -232,7 +232,7 @@ bool mass_figures_find(const struct mass_body *body, struct mass_figures *figure
     return good;
 }
 
-/* Returns the power of a length that a figure has. Densities are masses per cube
+/* Returns the exponent of length in the unit of a figure. Densities are masses per cube
  * of the file's unit. */
 static int dimension_of(size_t figure)
 {
@@ -251,7 +251,8 @@ void mass_figures_enlarge(struct mass_figures *figures, int log)
     }
 }
 
-/* Returns the mean over the views of the sum of all parts, less the union of all. */
+/* Returns the sum of the volumes of all parts minus the volume of their union, as the
+ * mean over the views. */
 static double overlap_of_all(const struct columns_sums *sums, size_t repeat,
                              size_t none)
 {
@@ -273,7 +274,7 @@ static double overlap_of_pair(const struct columns_sums *sums, size_t repeat,
     return volume / VIEWS;
 }
 
-/* Computes the mean over the shifts, and its error. */
+/* Computes the mean of a value over the shifts, and the error of the mean. */
 static void find_mean(const struct columns_sums *sums,
                       double (*of)(const struct columns_sums *sums, size_t repeat,
                                    size_t which),
@@ -295,8 +296,7 @@ void mass_overlap(const struct columns_sums *sums, double *volume, double *error
     find_mean(sums, overlap_of_all, 0, volume, error);
 }
 
-/* The fraction of the box below which a volume is a rounding error of bodies that
- * touch. */
+/* A smaller fraction of the box's volume is a rounding error of bodies that touch. */
 static const double TOUCHING = 0x1p-36;
 
 bool mass_overlap_of(const struct columns_sums *sums, size_t pair, double *volume,
@@ -307,7 +307,7 @@ bool mass_overlap_of(const struct columns_sums *sums, size_t pair, double *volum
     return fabs(*volume) > TOUCHING * width[0] * width[1] * width[2];
 }
 
-/* Returns the value to which an error of the figure is relative. */
+/* Returns the value to which the error of a figure is relative. */
 static double scale_of(const struct mass_figures *figures,
                        const struct columns_sums *sums, size_t figure)
 {
@@ -332,7 +332,7 @@ double mass_worst(const struct mass_figures *figures, const struct columns_sums 
         double scale = scale_of(figures, sums, i);
         double share = figures->error[i] > 0 ? figures->error[i] / scale
                                              : figures->error[i];
-        if (isnan(figures->value[i])) /* the centroid of an empty body */
+        if (isnan(figures->value[i])) /* the centroid of an empty body is NaN */
             continue;
         if (share > worst || isnan(share)) {
             worst = isnan(share) ? INFINITY : share;

@@ -60,7 +60,7 @@ static struct mass_row *find_row(struct mass *mass, const char *name)
     return row;
 }
 
-/* Makes a row for each name, and one for all of them if there are several. */
+/* Makes a row for each name. If there are several, also makes a row for all of them. */
 static bool make_rows(struct mass *mass)
 {
     size_t count = mass->parts.count;
@@ -137,7 +137,7 @@ static bool find_figures(struct mass *mass, c205_error *error)
     return true;
 }
 
-/* Returns the logarithm of a view's rays under each shift, for this total number. */
+/* Returns the logarithm of a view's rays for each shift. `rays` is the total number. */
 static size_t log_of_rays(size_t rays, size_t repeats)
 {
     size_t log = 0;
@@ -152,8 +152,8 @@ bool mass_is_precise(const struct mass *mass)
     return tolerance == 0 || mass->worst <= tolerance;
 }
 
-/* Sets the logarithm of the next round's number of rays, four times as many if the
- * errors exceed the tolerance; 0: no further round. */
+/* Sets the logarithm of the number of rays in the next round. If the errors exceed the
+ * tolerance, there are four times as many rays. 0: no further round. */
 static bool find_next(struct mass *mass, uint64_t *next, c205_error *error)
 {
     const struct mass_request *request = mass->request;

@@ -1,5 +1,5 @@
-/* mass.h - computes the mass properties of a scene's parts and materials, and of
- * all of them together, until their errors are small enough. */
+/* mass.h - computes the mass properties of a scene's parts and materials, until their
+ * errors are small enough. Also computes those of all parts together. */
 #ifndef RT_MASS_H
 #define RT_MASS_H
 
@@ -13,23 +13,25 @@ enum mass_by { MASS_BY_PART, MASS_BY_MATERIAL, MASS_BYS };
 struct mass_request {
     enum trace_mode mode;
     size_t queue, jobs;
-    const char *const *parts; /* or materials; none: all bounded ones */
+    const char *const *parts; /* names of parts or materials; if there are none, all
+                               * bounded parts are measured */
     size_t part_count;
-    const char *const *densities; /* NAME=VALUE */
+    const char *const *densities; /* texts NAME=VALUE */
     size_t density_count;
-    const char *density_file; /* a file with more of them, or NULL */
+    const char *density_file; /* a file with more densities, or NULL */
     struct mass_units units;
-    double about[3]; /* the reference point of the inertia */
+    double about[3]; /* reference point of the inertia */
     enum mass_by by; /* the subject of a row */
     bool overlaps;   /* also compute overlaps */
     enum columns_points points;
-    size_t rays; /* of a view, in all shifts; rounded to a power of two in each */
+    size_t rays; /* number of rays of a view for all shifts; rounded to a power of two
+                  * for each shift */
     size_t repeats;
     uint64_t seed;
-    /* The rays are increased fourfold until no error exceeds the tolerance
-     * (mass_worst); 0: one round. */
+    /* The number of rays is multiplied by four until no error exceeds the tolerance
+     * (mass_worst). 0: only one round. */
     double tolerance;
-    size_t limit;            /* largest number of rays, if there is a tolerance */
+    size_t limit;            /* largest number of rays with a tolerance */
     struct job_set *job_set; /* as in job_set_work */
     const c205_model *model;
     bool (*progress)(void *context, size_t done, size_t all);
@@ -39,34 +41,34 @@ struct mass_request {
 /* A part, a material, or all of them together. */
 struct mass_row {
     const char *name;
-    double *density; /* of each part; 0: the part is not in the row */
+    double *density; /* density of each part; 0: the part is not in the row */
     struct mass_figures figures;
 };
 
 struct mass {
     const struct mass_request *request;
     const struct scene *scene;
-    struct scene bodies; /* the part of the scene that is measured */
+    struct scene bodies; /* the measured parts of the scene */
     struct named_parts parts;
-    struct overlaps overlaps; /* of bodies, if requested */
+    struct overlaps overlaps; /* overlaps of the bodies, if requested */
     size_t row_count;
     struct mass_row *rows;
-    double *weights;   /* densities of parts */
-    double *densities; /* of all rows */
-    size_t rays_log;   /* of a view under a shift */
+    double *weights;   /* density of each part */
+    double *densities; /* densities of all rows */
+    size_t rays_log;   /* a view has 2^rays_log rays for each shift */
     struct columns_sums sums;
-    double worst; /* the largest relative error, with its row and figure */
+    double worst; /* largest relative error, and its row and figure */
     size_t worst_row, worst_figure;
 };
 
-/* Selects the parts to measure, and their densities. The arguments must outlive
- * the mass. Returns false for an unknown name, for a density that is missing or
- * out of range, for a file of densities that cannot be read, which the reports
- * describe, or if out of memory. Call mass_free in either case. */
+/* Selects the parts to measure, and sets their densities. The arguments must outlive
+ * `mass`. Returns false for an unknown name, for a density that is missing or out of
+ * range, if the file of densities cannot be read (the reports give the reason), or if
+ * out of memory. Call mass_free in either case. */
 bool mass_begin(const struct scene *scene, const struct mass_request *request,
                 struct mass *mass, struct diagnostics *reports, c205_error *error);
-/* Computes everything. If the job set does not collect packets, only their number is
- * set. Returns false for the errors of columns_sum. */
+/* Computes the results. If the job set does not collect packets, only their number is
+ * set. Returns false after an error of columns_sum. */
 bool mass_find(struct mass *mass, c205_error *error);
 void mass_free(struct mass *mass);
 

@@ -24,8 +24,8 @@ static const struct table_column clock_columns[] = {
     { "clocks_per_ray", "clocks/ray", TABLE_NUMBER, 1 },
 };
 
-/* Returns the decimals that show two digits of the error, or nine digits of a
- * value without error. */
+/* Returns the number of decimals that shows two digits of the error. A value without
+ * error gets nine digits. */
 static int decimals_of(double value, double error)
 {
     double digits = error > 0    ? 1 - floor(log10(error))
@@ -66,7 +66,8 @@ static void add_figure(struct table *table, const struct mass_units *units,
     table_text(table, text);
 }
 
-/* Returns the volume of a cube of the scene's unit, in cubes of the file's unit. */
+/* Returns the volume of a cube of the scene's unit length, in cubes of the file's
+ * unit. */
 static double cube_of(const struct mass *mass)
 {
     return ldexp(1, 3 * mass->scene->unit_log);

@@ -1,4 +1,4 @@
-/* mass_tables.h - the mass properties of a scene as tables. Functions return NULL
+/* mass_tables.h - the mass properties of a scene as tables. All functions return NULL
  * if out of memory. */
 #ifndef RT_MASS_TABLES_H
 #define RT_MASS_TABLES_H

@@ -9,12 +9,13 @@
 
 /* ---- Objects and their boxes --------------------------------------------- */
 
-/* The boxes of a scene, and its objects with bodies, grouped by part. */
+/* The boxes of a scene. Also the objects with bodies, grouped by part. */
 struct boxes {
-    struct bound *of_objects; /* empty for objects without a body */
+    struct bound *of_objects; /* an empty box for objects without a body */
     struct bound *of_parts;
-    size_t *first; /* of each part, then of the end: an index into list */
-    size_t *list;  /* objects */
+    size_t *first; /* for each part: index of its first object in `list`; then the end
+                    * of the list */
+    size_t *list;  /* numbers of objects */
 };
 
 static const struct bound empty = { .low = { INFINITY, INFINITY, INFINITY },
@@ -105,7 +106,7 @@ static void free_boxes(struct boxes *boxes)
 
 /* ---- Pairs --------------------------------------------------------------- */
 
-/* Returns true if an object of one part may overlap an object of the other. */
+/* Returns true if an object of one part may overlap an object of the other part. */
 static bool may_overlap(const struct boxes *boxes, size_t one, size_t other)
 {
     if (!meet(&boxes->of_parts[one], &boxes->of_parts[other]))
@@ -152,12 +153,13 @@ void overlaps_free(struct overlaps *overlaps)
 
 /* ---- The machine's tables ------------------------------------------------ */
 
-/* The bits of a word of fields, and the levels of a part, as in overlaps.s. */
+/* The number of bits in a word of fields, and the number of levels of a part, as in
+ * overlaps.s. */
 enum { GROUP_BITS = 47, LEVELS_OF_PART = 2 };
 
 struct part_field {
-    size_t group, shift, width; /* width 0: no pair has the part */
-    /* The part's range among all levels. A level without pairs is left out. */
+    size_t group, shift, width; /* width 0: the part is in no pair */
+    /* The range of the part's levels. A level without pairs is omitted. */
     size_t first_level, level_count;
     bool asked[LEVELS_OF_PART];
 };
@@ -165,8 +167,8 @@ struct part_field {
 struct tables {
     const struct overlaps *overlaps;
     struct record_layout *layout;
-    struct part_field *fields; /* of parts */
-    c205_word *words;          /* a buffer for tables */
+    struct part_field *fields; /* one field for each part */
+    c205_word *words;          /* buffer for tables */
     size_t group_count, level_count;
     struct row levels;
 };
@@ -179,17 +181,16 @@ static size_t bits_for(size_t most)
     return bits;
 }
 
-/* Returns true for a pair of a part with itself, which uses the part's second
- * level. */
+/* Returns true for a pair of a part with itself. It uses the part's second level. */
 static bool is_own(const struct overlap_pair *pair)
 {
     return pair->parts[0] == pair->parts[1];
 }
 
-/* Assigns a part its field and its levels. The numbers of a part's objects that a
- * ray is in are fields of words (overlaps.s). A field is wide enough for all
- * objects of the part, so it never overflows, and one addition updates all parts
- * of a group. */
+/* Assigns a field and levels to a part. Several parts form a group, whose word has a
+ * field for each part. The field contains the number of the part's objects that contain
+ * the ray (overlaps.s). A field is wide enough for all objects of the part, so it never
+ * overflows, and one addition updates all parts of a group. */
 static void place_field(struct tables *tables, struct part_field *field, size_t objects,
                         size_t *end)
 {
@@ -251,8 +252,8 @@ static void give_groups(struct tables *tables)
     record_end(&record);
 }
 
-/* Lists the pairs of a level: for each pair the address of the other level and the
- * pair's number. Returns their number. */
+/* Lists the pairs of a level. A pair has the address of the other level and the number
+ * of the pair. Returns the number of pairs. */
 static size_t list_partners(struct tables *tables, size_t part, bool own)
 {
     const struct overlaps *overlaps = tables->overlaps;

@@ -1,10 +1,10 @@
-/* overlaps.h - lists the parts of a scene that may occupy the same space, and
- * writes the tables from which the machine computes their overlaps
+/* overlaps.h - lists the parts of a scene that may occupy the same space. Also writes
+ * the tables with which the machine computes their overlaps
  * (rt/kernels/mass/overlaps.s).
  *
- * A pair is two parts, or a part with itself. The overlap of a part with itself is
- * the volume that several of its objects occupy. Parts whose objects have disjoint
- * boxes form no pair.
+ * A pair consists of two parts, or of a part and itself. The overlap of a part with
+ * itself is the volume that several of its objects occupy. If the boxes of two parts'
+ * objects are disjoint, the parts form no pair.
  */
 #ifndef RT_MASS_OVERLAPS_H
 #define RT_MASS_OVERLAPS_H
@@ -12,26 +12,26 @@
 #include "rt/layout/single_run.h"
 #include "rt/scene/scene.h"
 
-/* A pair. The lower part comes first. */
+/* A pair. parts[0] is the lower number. */
 struct overlap_pair {
     size_t parts[2];
 };
 
 struct overlaps {
     size_t count;
-    struct overlap_pair *pairs; /* sorted by the first part, then by the second */
+    struct overlap_pair *pairs; /* sorted by the first part, then by the second part */
     size_t part_count;
-    size_t *objects; /* of each part: the number of objects with bodies */
+    size_t *objects; /* for each part: number of objects with bodies */
 };
 
-/* Lists the pairs of a scene whose bodies are all bounded. part_of has the part of
+/* Lists the pairs of a scene, whose bodies must be bounded. part_of has the part of
  * each object. Returns false if out of memory. */
 bool overlaps_find(const struct scene *scene, const size_t *part_of, size_t part_count,
                    struct overlaps *overlaps);
 void overlaps_free(struct overlaps *overlaps);
 
-/* Writes the input of the program of overlaps, except the crossings. An error
- * makes the run fail. */
+/* Writes the input of the program of overlaps, except the crossings. After an error,
+ * the run fails. */
 void overlaps_give(const struct overlaps *overlaps, struct single_run *run);
 
 #endif
