@@ -14,13 +14,13 @@
 #include "base/fnv_hash.h"
 #include "rt/platform/processes.h"
 
-/* The file format is a list of 64-bit words, most significant byte first: the
- * magic word and the key; then for each unit its number, its count of words, a
- * checksum of these two, the words, and a checksum of the whole unit. */
-#define MAGIC UINT64_C(0x7274323035756E31) /* rt205un1 */
+/* The file is a list of 64-bit words, most significant byte first. It begins with the
+ * magic word and the key. Each unit has its number, its count of words, a checksum of
+ * these two words, its words, and a checksum of the whole unit. */
+#define MAGIC UINT64_C(0x7274323035756E31) /* "rt205un1" in ASCII */
 enum { WORD = 8, HEAD = 2 * WORD };
 
-/* The position of a unit. */
+/* The position of a unit in the file. */
 struct unit_place {
     uint64_t number;
     long at;
@@ -30,7 +30,7 @@ struct checkpoint_file {
     FILE *stream;
     char *path;
     uint64_t key;
-    long end; /* after the last complete unit */
+    long end; /* position after the last complete unit */
     size_t count;
     struct unit_place *places; /* sorted by number */
 };
@@ -91,7 +91,7 @@ static bool write_unit(FILE *stream, uint64_t number,
 
 /* ---- The list of units --------------------------------------------------- */
 
-/* Returns the first place with this number or a higher one. */
+/* Returns the first place whose number is not below this number. */
 static size_t place_of(const struct checkpoint_file *file, uint64_t number)
 {
     size_t low = 0, high = file->count;
@@ -129,7 +129,8 @@ static bool note_unit(struct checkpoint_file *file, uint64_t number, long at)
     return true;
 }
 
-/* Lists the units up to the last complete one. The caller drops the rest. */
+/* Lists the units up to the last complete unit. The caller removes the rest of the
+ * file. */
 static bool find_units(struct checkpoint_file *file)
 {
     struct serialized_result words = { NULL, 0, 0, 0, false };
@@ -191,8 +192,8 @@ static bool write_file_head(FILE *stream, uint64_t key)
     return write_word(stream, MAGIC) && write_word(stream, key) && fflush(stream) == 0;
 }
 
-/* Returns true if the path still leads to the file. A picture with the same name
- * may have replaced it. */
+/* Returns true if the path still refers to the file. A picture with the same name may
+ * have replaced it. */
 static bool is_there(const struct checkpoint_file *file)
 {
     struct stat kept, named;
@@ -200,8 +201,8 @@ static bool is_there(const struct checkpoint_file *file)
            && kept.st_dev == named.st_dev && kept.st_ino == named.st_ino;
 }
 
-/* Opens the file with an exclusive lock. The system releases the lock when the
- * process ends, in any way. */
+/* Opens the file with an exclusive lock. The system releases the lock when the process
+ * ends, even after a crash. */
 static FILE *open_locked(const char *path, c205_error *error)
 {
     int file = open(path, O_RDWR | O_CREAT, 0666);
@@ -219,8 +220,8 @@ static FILE *open_locked(const char *path, c205_error *error)
     return stream;
 }
 
-/* Opens the file, again if necessary: the run that held the lock before may have
- * removed the file at its end. */
+/* Opens the file. If another run held the lock, that run may have removed the file at
+ * its end; the file is then opened again. */
 static bool open_stream(struct checkpoint_file *file, c205_error *error)
 {
     do {
@@ -308,8 +309,8 @@ static bool add_units(struct checkpoint_file *file, FILE *stream, c205_error *er
     return good;
 }
 
-/* Opens another file with a shared lock. It must not be the same file, because
- * closing it would release the lock of that file. */
+/* Opens another file with a shared lock. It must not be the same file, because closing
+ * it would release the lock on the same file. */
 static FILE *open_other(const struct checkpoint_file *file, const char *path,
                         c205_error *error)
 {

@@ -1,9 +1,9 @@
 /* checkpoint_file.h - stores the finished units of a long run in a file.
  *
- * Each unit, a number and words, is appended with a checksum as soon as it is
- * finished. However the run ends, a later run can therefore continue from the
- * file; an incomplete unit at its end is dropped. The key identifies the run: it
- * is a hash of everything that the units depend on.
+ * A unit consists of a number and words. It is appended with a checksum as soon as it
+ * is finished. If a run ends early, a later run can therefore continue from the file.
+ * An incomplete unit at the end is dropped. The key identifies the run. It is a hash of
+ * all data that the units depend on.
  */
 #ifndef RT_FARM_CHECKPOINT_FILE_H
 #define RT_FARM_CHECKPOINT_FILE_H
@@ -12,25 +12,26 @@
 
 struct checkpoint_file;
 
-/* Opens a file with this key, or creates it. An empty file counts as new. Returns
- * NULL if the file has other contents, cannot be read or written, or is open in
- * another run. */
+/* Opens a file with this key, or creates it. An empty file counts as new. Returns NULL
+ * if the file has other contents, if it cannot be read or written, or if another run
+ * has opened it. */
 struct checkpoint_file *checkpoint_open(const char *path, uint64_t key,
                                         c205_error *error);
-/* Adds all units of another file with the same key that this one lacks. The other
- * file must exist, and is not changed. */
+/* Adds the units of another file with the same key that are not in this file. The other
+ * file must exist. It is not changed. */
 bool checkpoint_merge(struct checkpoint_file *file, const char *path,
                       c205_error *error);
 
 size_t checkpoint_count(const struct checkpoint_file *file);
 bool checkpoint_has(const struct checkpoint_file *file, uint64_t number);
-/* Returns false if the file lacks the unit or cannot be read, or if out of memory. */
+/* Returns false if the unit is not in the file, if the file cannot be read, or if out
+ * of memory. */
 bool checkpoint_read(struct checkpoint_file *file, uint64_t number,
                      struct serialized_result *words);
-/* Adds a unit, unless the file already has it. */
+/* Adds a unit, unless the file contains it. */
 bool checkpoint_add(struct checkpoint_file *file, uint64_t number,
                     const struct serialized_result *words, c205_error *error);
-/* Closes the file. remove_it: also removes it, since it is no longer needed. */
+/* Closes the file. remove_it: also removes it, because it is no longer needed. */
 void checkpoint_close(struct checkpoint_file *file, bool remove_it);
 
 #endif

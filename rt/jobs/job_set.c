@@ -68,13 +68,14 @@ uint64_t job_set_key(const char *kind, const c205 *machine, const uint64_t *opti
 
 struct pool {
     const struct job_set_work *work;
-    struct lock *lock; /* of all fields below */
+    struct lock *lock; /* protects all fields below */
     bool *begun;
-    size_t next;   /* all units before it have been started */
-    size_t done;   /* units that are finished and, if required, taken */
-    bool stopped;  /* by the progress function, or after a file or memory error */
-    size_t failed; /* the lowest unit that failed; count: none */
-    size_t active; /* running threads */
+    size_t next;   /* all earlier units have been started */
+    size_t done;   /* number of units that are finished and, if required, taken */
+    bool stopped;  /* stopped by the progress function, or after an error of a file or
+                    * memory */
+    size_t failed; /* lowest unit that failed; work->count: none */
+    size_t active; /* number of running threads */
     c205_error error;
 };
 
@@ -89,8 +90,8 @@ static bool is_mine(const struct job_set *job_set, size_t unit)
     return job_set->parts == 0 || unit % job_set->parts == job_set->part - 1;
 }
 
-/* Takes the next unit. Called with the lock held, like the other functions of this
- * section. Units before a failed one still run, so the error does not depend on
+/* Takes the next unit. The caller of this function, and of the others in this section,
+ * holds the lock. Units before a failed unit still run, so the error does not depend on
  * timing. */
 static bool take_next(struct pool *pool, size_t *unit)
 {
@@ -150,7 +151,7 @@ static void take_unit(struct pool *pool, size_t unit, struct serialized_result *
     ask(pool);
 }
 
-/* Returns true if the file has the unit, and its result is valid. */
+/* Returns true if the file contains the unit, and its result is valid. */
 static bool has_unit(const struct job_set_work *work, size_t unit,
                      struct serialized_result *words)
 {
@@ -161,7 +162,7 @@ static bool has_unit(const struct job_set_work *work, size_t unit,
                || work->take(work->context, unit, words, &why));
 }
 
-/* Skips the units of other shares, and takes those that the file has. */
+/* Skips the units of other shares, and takes the units that are in the file. */
 static void take_kept(struct pool *pool)
 {
     const struct job_set_work *work = pool->work;
@@ -222,21 +223,21 @@ static size_t begin_hands(struct hand *hands, size_t first, size_t count)
 
 /* ---- Ranks --------------------------------------------------------------- */
 
-/* The number of units that another rank has or has requested. While it runs one
- * unit, the next is on its way.
+/* The number of units that each other rank has requested. It runs one unit while the
+ * next is sent.
  *
- * Each other rank begins with this many requests. Rank 0 answers a request with a
- * unit, or with RANK_ENDS if there is none. The result of a unit is also the
- * request for another. A round is over when all requests have been answered with
- * RANK_ENDS and the threads of rank 0 have stopped.
+ * Each other rank begins with this number of requests. Rank 0 answers a request with a
+ * unit, or with RANK_ENDS if there is none. The result of a unit is also a request for
+ * another unit. A round is over when all requests have been answered with RANK_ENDS,
+ * and the threads of rank 0 have stopped.
  */
 enum { AHEAD = 2 };
 
 struct service {
     struct pool *pool;
     struct ranks *ranks;
-    size_t *open; /* of each rank: units requested and not finished */
-    size_t left;  /* their sum over all ranks */
+    size_t *open; /* for each rank: number of requested units that are not finished */
+    size_t left;  /* sum of `open` over all ranks */
 };
 
 static void close_asked(struct service *service, size_t rank, size_t count)
@@ -256,7 +257,7 @@ static void give_unit(struct service *service, size_t to)
     }
 }
 
-/* Handles a failed unit. A rank that fails before it has a unit stops the run. */
+/* Handles a failed unit. If a rank fails before it has a unit, the run stops. */
 static void receive_failure(struct service *service, size_t from, uint64_t unit,
                             struct serialized_result *letters)
 {
@@ -276,7 +277,7 @@ static void receive_failure(struct service *service, size_t from, uint64_t unit,
     close_asked(service, from, service->open[from]);
 }
 
-/* Takes a unit's words, which follow the first two words of the message. */
+/* Takes the words of a unit. They follow the first two words of the message. */
 static void receive_unit(struct service *service, uint64_t unit,
                          struct serialized_result *message)
 {
@@ -299,7 +300,7 @@ static void answer(struct service *service, size_t from,
     give_unit(service, from);
 }
 
-/* Serves until the other ranks and the threads of this process have nothing to do. */
+/* Serves the other ranks until they and the threads of this process have finished. */
 static void serve(struct service *service)
 {
     struct pool *pool = service->pool;
@@ -351,7 +352,7 @@ static bool do_for_other(const struct job_set_work *work, size_t unit,
     return good;
 }
 
-/* The work of a rank other than 0. */
+/* Does the work of a rank other than 0. */
 static bool work_for_first(const struct job_set_work *work, c205_error *error)
 {
     struct ranks *ranks = work->job_set->ranks;
@@ -373,7 +374,7 @@ static bool work_for_first(const struct job_set_work *work, c205_error *error)
 
 /* ---- All units ----------------------------------------------------------- */
 
-/* Runs all units. If there are other ranks, this thread serves them; else it is
+/* Runs all units. If there are other ranks, this thread serves them. Otherwise it is
  * the first job. */
 static void do_all(struct pool *pool, struct hand *hands, size_t count)
 {

@@ -1,4 +1,4 @@
-/* ranks.c - messages between the ranks of a run. */
+/* ranks.c - sends and receives messages between the ranks of a run. */
 #include "rt/jobs/ranks.h"
 
 #include <stdlib.h>
@@ -14,8 +14,8 @@ bool ranks_are_many(void)
     return count && strtol(count, NULL, 10) > 1;
 }
 
-/* Opens the adapter with global symbols, because plugins of the MPI library look
- * up its names. */
+/* Opens the adapter with global symbols, because plugins of the MPI library look up
+ * names of the library. */
 static const struct ranks_adapter *find_adapter(c205_error *error)
 {
     char path[ADAPTER_PATH];
@@ -73,7 +73,7 @@ bool ranks_receive(const struct ranks *ranks, size_t *from,
 
 void ranks_wait(struct ranks_pause *pause)
 {
-    enum { MIN_MOMENT = 50000, MAX_MOMENT = 4000000 }; /* nanoseconds */
+    enum { MIN_MOMENT = 50000, MAX_MOMENT = 4000000 }; /* in nanoseconds */
     struct timespec moment = { 0, MIN_MOMENT };
     if (pause->nanoseconds > 0)
         moment.tv_nsec = pause->nanoseconds;

@@ -1,4 +1,4 @@
-/* serialized_result.c - a growing row of 64-bit words. */
+/* serialized_result.c - a growing sequence of 64-bit words. */
 #include "rt/jobs/serialized_result.h"
 
 #include <stdlib.h>

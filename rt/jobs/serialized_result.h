@@ -1,5 +1,5 @@
-/* serialized_result.h - a growing row of 64-bit words: the result of a unit of work, as
- * it is stored in files and sent in messages. */
+/* serialized_result.h - a growing sequence of 64-bit words. It is the result of a unit
+ * of work, in files and messages. */
 #ifndef RT_FARM_WORDS_H
 #define RT_FARM_WORDS_H
 
@@ -9,30 +9,31 @@
 
 #include "base/accounts.h"
 
-/* Must start as zeros. */
+/* A serialized result. It must initially be zeros. */
 struct serialized_result {
     uint64_t *items;
     size_t count, room;
     size_t at;   /* index of the next word to take */
-    bool failed; /* no memory, or a read beyond the end */
+    bool failed; /* out of memory, or a read after the last word */
 };
 
 void result_put(struct serialized_result *words, uint64_t word);
 void result_put_all(struct serialized_result *words, const uint64_t *items,
                     size_t count);
-/* Returns the next word. Beyond the end it returns 0 and sets failed. */
+/* Returns the next word. After the last word it returns 0 and sets `failed`. */
 uint64_t result_take(struct serialized_result *words);
-/* Reads count words into items, or none if there are fewer. */
+/* Reads count words into items. If there are fewer words, it reads none. */
 void result_take_all(struct serialized_result *words, uint64_t *items, size_t count);
-/* Sets the number of words, with any values. Returns false if out of memory. */
+/* Sets the number of words. New words have arbitrary values. Returns false if out of
+ * memory. */
 bool result_resize(struct serialized_result *words, size_t count);
 void result_clear(struct serialized_result *words);
 void result_free(struct serialized_result *words);
 
 void result_put_accounts(struct serialized_result *words,
                          const struct accounts *accounts);
-/* Adds the accounts in the words to the existing ones. Returns false if their
- * format is wrong, or if out of memory. */
+/* Reads accounts and adds them to *accounts. Returns false if their format is wrong, or
+ * if out of memory. */
 bool result_take_accounts(struct serialized_result *words, struct accounts *accounts);
 
 #endif

@@ -9,7 +9,7 @@
 
 #include "vm/error.h"
 
-/* The installation folder, relative to the program's folder. */
+/* The installation folder, relative to the folder of the program. */
 #define FROM_BIN "/../lib/rt205"
 
 static bool program_folder(char *folder, size_t size)
@@ -48,8 +48,8 @@ bool dynamic_find(const char *file, char path[ADAPTER_PATH], c205_error *error)
 const void *dynamic_open(const char *path, const char *table, bool shared,
                          c205_error *error)
 {
-    /* Lazy binding saves a third of the load time of a large library, which would go
-     * into names that are never called. */
+    /* Lazy binding saves a third of the load time of a large library, because it does
+     * not resolve functions that are never called. */
     void *object = dlopen(path, RTLD_LAZY | (shared ? RTLD_GLOBAL : RTLD_LOCAL));
     const void *found = object ? dlsym(object, table) : NULL;
 

@@ -1,4 +1,4 @@
-/* framebuffer.c - the words of a whole frame, in memory or in a file. */
+/* framebuffer.c - stores the words of a whole frame, in memory or in a file. */
 #include "rt/platform/framebuffer.h"
 
 #include <fcntl.h>
@@ -8,7 +8,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-/* Opens an unnamed file of this size with its disk space reserved. Returns -1 on
+/* Opens an unnamed file of this size, and reserves its disk space. Returns -1 on
  * failure. */
 static int open_nameless(size_t bytes)
 {
@@ -20,15 +20,15 @@ static int open_nameless(size_t bytes)
     if (file < 0)
         return -1;
     unlink(path);
-    /* Without the reservation, a full disk would kill the process during its work. */
+    /* Without the reservation, a full disk would end the process while it writes. */
     if (posix_fallocate(file, 0, (off_t)bytes) == 0)
         return file;
     close(file);
     return -1;
 }
 
-/* Maps a part of the file. A part that is mapped already loses its memory, not its
- * contents. */
+/* Maps a part of the file. If the part has been mapped, its memory is released, but its
+ * contents stay. */
 static void *map_part(const struct frame_planes *planes, void *where, size_t begin,
                       size_t end)
 {

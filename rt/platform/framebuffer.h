@@ -1,24 +1,23 @@
-/* framebuffer.h - the words of a whole frame, of which only the active part needs
+/* framebuffer.h - the words of a whole frame, of which only the part in use needs
  * memory.
  *
- * A small frame is in memory. A large one is a mapping of an unnamed file, in the
- * folder in the environment variable TMPDIR or in /tmp. A caller that has finished
- * with some words for now calls framebuffer_leave; they then need no memory until
- * the next access. If there is no space for the file, the frame is allocated in
- * memory.
+ * A small frame is in memory. A large frame is a mapping of an unnamed file in the
+ * folder in the environment variable TMPDIR, or in /tmp. framebuffer_leave releases the
+ * memory of words until their next access. If there is no space for the file, the frame
+ * is in memory.
  */
 #ifndef RT_HOST_FRAMEBUFFER_H
 #define RT_HOST_FRAMEBUFFER_H
 
 #include "vm/c205.h"
 
-/* Size in bytes; a larger frame goes to a file. */
+/* A frame with more bytes is stored in a file. */
 #define PLANES_IN_MEMORY ((size_t)1 << 26)
 
 struct frame_planes {
-    c205_word *words; /* initially zeros */
+    c205_word *words; /* initially zero */
     size_t bytes;
-    int file; /* or -1 */
+    int file; /* file descriptor, or -1 */
 };
 
 /* Allocates a frame. Returns false if out of memory. */

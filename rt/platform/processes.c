@@ -11,7 +11,7 @@
 
 /* ---- Running a program --------------------------------------------------- */
 
-/* Called in the child process, which inherits the parent's descriptors. */
+/* Runs in the child process, which inherits the parent's descriptors. */
 static void become_program(const char *folder, char *const words[], int output,
                            int messages)
 {
@@ -22,8 +22,8 @@ static void become_program(const char *folder, char *const words[], int output,
     _exit(PROCESS_NOT_FOUND);
 }
 
-/* Starts the program. Its output can be read from *output. Returns -1 with errno
- * set on failure. */
+/* Starts the program. Sets *output to a descriptor for reading its output. On failure
+ * returns -1 with errno set. */
 static pid_t start(const char *folder, char *const words[], FILE *messages, int *output)
 {
     int ends[2];
@@ -42,8 +42,8 @@ static pid_t start(const char *folder, char *const words[], FILE *messages, int 
     return process;
 }
 
-/* Copies until the end and returns the number of bytes. A write error is recorded
- * in the file. */
+/* Copies until the end of the input, and returns the number of bytes. The error
+ * indicator of the stream records a write error. */
 static size_t copy(int from, FILE *to)
 {
     char bytes[4096];
@@ -89,7 +89,7 @@ int process_run(const char *folder, char *const words[], FILE *output, size_t *w
 
 /* ---- Replacing this process ---------------------------------------------- */
 
-/* Returns the words of this process's own command line. */
+/* Returns the command line of this process, as words. */
 static char **own_words(char *text, size_t size)
 {
     FILE *file = fopen("/proc/self/cmdline", "rb");

@@ -1,5 +1,5 @@
 /* processes.h - runs other programs, replaces this process by another program, and
- * locks files against other processes.
+ * locks files.
  *
  * No other file of rt starts processes.
  */
@@ -13,24 +13,25 @@
  * exist. */
 enum { PROCESS_CANNOT_RUN = 126, PROCESS_NOT_FOUND = 127 };
 
-/* Runs the program words[0] in the folder and waits for its end. The words end
- * with NULL; the others are its arguments. Its standard output is copied to
- * output, and *written is the number of bytes. Its error output can be read from
- * *messages, which the caller closes. Returns its exit code, or one of the above.
- * Returns -1, with errno set and no messages, if no process can be started. */
+/* Runs the program words[0] in the folder, and waits for its end. The other words are
+ * its arguments, and NULL follows the last word. Copies its standard output to
+ * `output`, and sets *written to the number of bytes. *messages receives its error
+ * output; the caller closes it. Returns the exit code of the program, or one of the
+ * codes above. If no process can be started, returns -1 with errno set, without
+ * messages. */
 int process_run(const char *folder, char *const words[], FILE *output, size_t *written,
                 FILE **messages);
 
-/* Replaces this process by the program words[0]. Its arguments are the other
- * words, then this program's path, then this program's own arguments. Returns only
- * on failure, with errno set. */
+/* Replaces this process by the program words[0]. The arguments of the new program are
+ * the other words, the path of this program, and the arguments of this program. Returns
+ * only on failure, with errno set. */
 void process_become(char *const words[]);
 
-/* Locks an open file, exclusively (alone) or shared for reading. The system
- * releases the lock when the process ends, in any way. Returns false with errno
- * set. */
+/* Locks an open file, exclusively (alone) or shared for reading. The system releases
+ * the lock when the process ends, even after a crash. On failure returns false with
+ * errno set. */
 bool process_lock(int file, bool alone);
-/* Returns true if errno means that another process holds a lock of the file. */
+/* Returns true if errno means that another process has locked the file. */
 bool process_lock_is_held(void);
 
 #endif

@@ -7,24 +7,24 @@
 #include "vm/error.h"
 #include "rt/platform/threads.h"
 
-/* The resolution of the common progress. */
+/* The number of steps of the common progress. */
 enum { STEPS = 1000000 };
 
 /* The state of a task. */
 struct state {
     struct crew *crew;
     size_t number;
-    double weight, share; /* share: the finished part, 0 to 1 */
+    double weight, share; /* share: the finished fraction, 0 to 1 */
 };
 
 struct crew {
     const struct thread_pool *pool;
-    struct lock *lock; /* of all fields below */
-    size_t next;       /* the task to start next */
-    bool cancelled;    /* by the observer of the progress */
-    size_t failed;     /* the lowest task that failed; SIZE_MAX: none */
-    c205_error error;  /* of that task, even if another failed earlier */
-    double weight;     /* of all tasks */
+    struct lock *lock; /* protects all fields below */
+    size_t next;       /* next task to start */
+    bool cancelled;    /* cancelled by the progress function */
+    size_t failed;     /* lowest task that failed; SIZE_MAX: none */
+    c205_error error;  /* error of that task, even if another task failed earlier */
+    double weight;     /* sum over all tasks */
     struct state *states;
 };
 
@@ -36,15 +36,16 @@ static size_t steps_done(const struct crew *crew)
     return (size_t)(STEPS * (done / crew->weight));
 }
 
-/* Called with the lock held. A task before a failed one continues, and a task
- * after it is stopped. The error is therefore the same for any timing. */
+/* Returns true if a task may run. The caller holds the lock. A task before a failed
+ * task continues, and a task after it is stopped, so that the error does not depend on
+ * timing. */
 static bool wanted(const struct crew *crew, size_t number)
 {
     return !crew->cancelled && number < crew->failed;
 }
 
-/* Reports progress, but never all steps: the end is reported once, by
- * thread_pool_run. */
+/* Reports the progress, but never all steps, because thread_pool_run reports the end
+ * once. */
 static bool report_progress(void *context, size_t done, size_t all)
 {
     struct state *state = context;
@@ -63,7 +64,7 @@ static bool report_progress(void *context, size_t done, size_t all)
     return go_on;
 }
 
-/* Takes the next task. Returns false if there is nothing more to start. */
+/* Takes the next task. Returns false if there is no task to start. */
 static bool take_next(struct crew *crew, size_t *number)
 {
     bool more;
@@ -99,7 +100,8 @@ static void work(void *context)
         run_one(crew, number);
 }
 
-/* The caller's thread also works. If no thread can be started, it works alone. */
+/* Runs the tasks in threads. The caller's thread also works. If no thread can be
+ * started, it works alone. */
 static void work_together(struct crew *crew)
 {
     size_t jobs = crew->pool->jobs, count = 0;

@@ -1,4 +1,4 @@
-/* threads.c - threads and locks by POSIX threads. */
+/* threads.c - implements threads and locks with POSIX threads. */
 #include "rt/platform/threads.h"
 
 #include <pthread.h>

@@ -5,7 +5,7 @@
 #ifndef RT_HOST_THREADS_H
 #define RT_HOST_THREADS_H
 
-/* A lock that one thread at a time can hold. */
+/* A lock, which one thread at a time can hold. */
 struct lock;
 
 /* Returns NULL if out of memory. */
@@ -17,8 +17,8 @@ void lock_give_back(struct lock *lock);
 
 struct thread;
 
-/* Runs the work in a new thread. Returns NULL if no thread can be started; the
- * work is then not run. */
+/* Runs the work in a new thread. If no thread can be started, returns NULL, and the
+ * work is not run. */
 struct thread *thread_begin(void (*work)(void *context), void *context);
 /* Waits until the thread's work is done, and frees the thread. NULL is ignored. */
 void thread_end(struct thread *thread);

@@ -1,4 +1,4 @@
-/* ranks_mpi.c - the adapter of ranks.h to MPI. */
+/* ranks_mpi.c - adapts ranks.h to MPI. */
 #include <mpi.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ static bool mpi_begin(size_t *rank, size_t *count)
     return true;
 }
 
-/* The last message, which may still be in transit. Sending is asynchronous, so the
+/* The last message, which may still be in transit. Sending is asynchronous, so that the
  * sender does not wait until the receiver polls. */
 static struct {
     MPI_Request request;
