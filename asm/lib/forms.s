@@ -30,6 +30,12 @@
 ;       floor a, c              c = the largest integer not above a, exponent 0
 ;       truncate a, c           c = the integer part of a, exponent 0
 ;       sign a, k, l, c         c = k, or l if a is below 0
+;       minimum a, b, c         c = the lesser of a and b      c is not b
+;       maximum a, b, c         c = the greater of a and b     c is not b
+;       not_above a, c          c = the lesser of c and a     none is indefinite
+;       not_below a, c          c = the greater of c and a    none is indefinite
+;       not_above_number k, c   c = the lesser of c and k     none is indefinite
+;       not_below_number k, c   c = the greater of c and k    none is indefinite
 ;
 ;       line a, k, l, c         c = a k + l
 ;       step x, k, c            c = c x + k, a step of Horner's rule
@@ -79,6 +85,10 @@
 ;       then_negate a, c   then_negate_index a, c    then_clear c
 ;       otherwise_set k, c       if the condition is false
 ;       otherwise_copy a, c      if the condition is false
+;
+;       select if, x, y, a, b, c        c = a if if_.. x, y is true, or b; c is not b
+;       select_number if, x, y, k, b, c the same with a number k
+;                       select less, x, y, a, b, c is c = a if x < y, or b
 ;
 ; These have one branch in the scalar form. Their operands are never indefinite.
 ;
@@ -149,6 +159,34 @@
         CFPGE   \a, r0, sign\@
         RTOR    \l, \c
 sign\@:
+        .endm
+        .macro  \prefix\()minimum a, b, c
+        RTOR    \a, \c
+        CFPLT   \a, \b, minimum\@
+        RTOR    \b, \c
+minimum\@:
+        .endm
+        .macro  \prefix\()maximum a, b, c
+        RTOR    \a, \c
+        CFPGT   \a, \b, maximum\@
+        RTOR    \b, \c
+maximum\@:
+        .endm
+        .macro  \prefix\()not_above a, c
+        CFPGE   \a, \c, not_above\@
+        RTOR    \a, \c
+not_above\@:
+        .endm
+        .macro  \prefix\()not_below a, c
+        CFPGE   \c, \a, not_below\@
+        RTOR    \a, \c
+not_below\@:
+        .endm
+        .macro  \prefix\()not_above_number k, c
+        \prefix\()not_above \k, \c
+        .endm
+        .macro  \prefix\()not_below_number k, c
+        \prefix\()not_below \k, \c
         .endm
         .macro  \prefix\()line a, k, l, c
         MPYS    \a, \k, \c
@@ -316,6 +354,15 @@ sign\@:
         .macro  \prefix\()otherwise_copy a, c
         RTOR    \a, \c
         .endm
+        .macro  \prefix\()select if, x, y, a, b, c
+        RTOR    \b, \c
+        \prefix\()if_\if \x, \y, select\@
+        RTOR    \a, \c
+select\@:
+        .endm
+        .macro  \prefix\()select_number if, x, y, k, b, c
+        \prefix\()select \if, \x, \y, \k, \b, \c
+        .endm
         .endm
 
 ; ---- On vectors --------------------------------------------------------------
@@ -378,6 +425,30 @@ sign\@:
         CMPLTV  [\a], r0, [\bits]
         VTOV    \k, [\c]
         VTOV    \l, [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()minimum a, b, c
+        CMPLTV  [\a], [\b], [\bits]
+        MASKV   [\a], [\b], [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()maximum a, b, c
+        CMPLTV  [\b], [\a], [\bits]
+        MASKV   [\a], [\b], [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()not_above a, c
+        CMPLTV  [\a], [\c], [\bits]
+        VTOV    [\a], [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()not_below a, c
+        CMPLTV  [\c], [\a], [\bits]
+        VTOV    [\a], [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()not_above_number k, c
+        CMPLTV  \k, [\c], [\bits]
+        VTOV    \k, [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()not_below_number k, c
+        CMPLTV  [\c], \k, [\bits]
+        VTOV    \k, [\c] ? [\bits]
         .endm
         .macro  \prefix\()line a, k, l, c
         LINKV
@@ -528,6 +599,14 @@ sign\@:
         .endm
         .macro  \prefix\()otherwise_copy a, c
         VTOV    [\a], [\c] ?! [\bits]
+        .endm
+        .macro  \prefix\()select if, x, y, a, b, c
+        \prefix\()if_\if \x, \y, select\@
+        MASKV   [\a], [\b], [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()select_number if, x, y, k, b, c
+        \prefix\()if_\if \x, \y, select\@
+        MASKV   \k, [\b], [\c] ? [\bits]
         .endm
         .endm
 
