@@ -4,13 +4,13 @@
 ; A program says which form it has, and then writes operations:
 ;
 ;       scalar_form prefix, scratch, second, third
-;       vector_form prefix, bits
+;       vector_form prefix, bits, more_bits
 ;
 ; prefix begins the name of each operation and is empty by default: times,
 ; plus. Code for both forms in one program is a macro with an argument form,
 ; in which operations are written \form\()_times; asm/lib/exp.s is an example.
 ; scratch, second and third are registers that the scalar form changes; bits has
-; the descriptor of the control vector.
+; the descriptor of the control vector, and more_bits of one for otherwise_if.
 ;
 ; Both forms perform the same operations in the same order, so their results are
 ; equal, bit for bit. The vector form links two operations into one stream
@@ -42,6 +42,8 @@
 ;       add_scaled a, k, c      c = c + a k       a is not c
 ;       scaled_plus a, k, b, c  c = b + a k       a is not b
 ;       scaled_lower a, k, l, c c = (a - k) l
+;       scaled_minus a, b, k, c c = (a - b) k
+;       lower_absolute a, k, c  c = |a| - k
 ;
 ; Several at a time, which the scalar form interleaves, because a result takes
 ; five clocks:
@@ -83,12 +85,15 @@
 ;       then_set k, c      then_copy a, c            then_plus a, b, c
 ;       then_from k, a, c  then_raise a, k, c        then_raise_index a, k, c
 ;       then_negate a, c   then_negate_index a, c    then_clear c
+;       then_scale a, k, c then_lower a, k, c        then_set_minus k, c
 ;       otherwise_set k, c       if the condition is false
 ;       otherwise_copy a, c      if the condition is false
 ;
 ;       select if, x, y, a, b, c        c = a if if_.. x, y is true, or b; c is not b
 ;       select_number if, x, y, k, b, c the same with a number k
 ;                       select less, x, y, a, b, c is c = a if x < y, or b
+;       select_number_then if, x, y, k, b, c, label
+;                       the same, and the condition continues up to end_if label
 ;
 ; These have one branch in the scalar form. Their operands are never indefinite.
 ;
@@ -96,6 +101,8 @@
 ;       if_less_number a, k, label      is a < k?
 ;       if_number_less k, a, label      is k < a?
 ;       if_not_less a, b, label         is a >= b?
+;       if_not_nearer a, b, label       is |a| >= |b|?
+;       otherwise_if_less_number a, k, label    is the condition false and a < k?
 
         .ifndef forms.s
         .equ    forms.s, 1
@@ -208,6 +215,14 @@ not_below\@:
         SUBN    \a, \k, \c
         MPYS    \c, \l, \c
         .endm
+        .macro  \prefix\()scaled_minus a, b, k, c
+        SUBN    \a, \b, \c
+        MPYS    \c, \k, \c
+        .endm
+        .macro  \prefix\()lower_absolute a, k, c
+        ABS     \a, \c
+        SUBN    \c, \k, \c
+        .endm
         .macro  \prefix\()add_scaled_two x, k, s, l, t
         MPYS    \x, \k, \scratch
         MPYS    \x, \l, \second
@@ -314,6 +329,14 @@ not_below\@:
         .macro  \prefix\()if_not_less a, b, label
         CFPLT   \a, \b, \label
         .endm
+        .macro  \prefix\()if_not_nearer a, b, label
+        ABS     \a, \scratch
+        ABS     \b, \second
+        CFPLT   \scratch, \second, \label
+        .endm
+        .macro  \prefix\()otherwise_if_less_number a, k, label
+        CFPGE   \a, \k, \label
+        .endm
         .macro  \prefix\()otherwise end, label
         BIM     \end
 \label:
@@ -345,6 +368,15 @@ not_below\@:
         .macro  \prefix\()then_negate a, c
         SUBN    r0, \a, \c
         .endm
+        .macro  \prefix\()then_scale a, k, c
+        MPYS    \a, \k, \c
+        .endm
+        .macro  \prefix\()then_lower a, k, c
+        SUBN    \a, \k, \c
+        .endm
+        .macro  \prefix\()then_set_minus k, c
+        SUBN    r0, \k, \c
+        .endm
         .macro  \prefix\()then_negate_index a, c
         SUBU    r0, \a, \c
         .endm
@@ -363,13 +395,18 @@ select\@:
         .macro  \prefix\()select_number if, x, y, k, b, c
         \prefix\()select \if, \x, \y, \k, \b, \c
         .endm
+        .macro  \prefix\()select_number_then if, x, y, k, b, c, label
+        RTOR    \b, \c
+        \prefix\()if_\if \x, \y, \label
+        RTOR    \k, \c
+        .endm
         .endm
 
 ; ---- On vectors --------------------------------------------------------------
 
 ; The first operation of a link names a vector of its length, a source or the
 ; result, which it does not change.
-        .macro  vector_form prefix=, bits=
+        .macro  vector_form prefix=, bits=, more_bits=
         .macro  \prefix\()times a, b, c
         MPYSV   [\a], [\b], [\c]
         .endm
@@ -475,6 +512,14 @@ select\@:
         SUBNV   [\a], \k, [\c]
         MPYSV   [\c], \l, [\c]
         .endm
+        .macro  \prefix\()scaled_minus a, b, k, c
+        LINKV
+        SUBNV   [\a], [\b], [\c]
+        MPYSV   [\c], \k, [\c]
+        .endm
+        .macro  \prefix\()lower_absolute a, k, c
+        SUBNV   |[\a]|, \k, [\c]
+        .endm
         .macro  \prefix\()add_scaled_two x, k, s, l, t
         \prefix\()add_scaled \x, \k, \s
         \prefix\()add_scaled \x, \l, \t
@@ -563,6 +608,13 @@ select\@:
         .macro  \prefix\()if_not_less a, b, label
         CMPGEV  [\a], [\b], [\bits]
         .endm
+        .macro  \prefix\()if_not_nearer a, b, label
+        CMPGEV  |[\a]|, |[\b]|, [\bits]
+        .endm
+        .macro  \prefix\()otherwise_if_less_number a, k, label
+        CMPLTV  [\a], \k, [\more_bits]
+        ANDNB   [\more_bits], [\bits], [\bits]
+        .endm
         .macro  \prefix\()otherwise end, label
         .endm
         .macro  \prefix\()end_if label
@@ -591,6 +643,15 @@ select\@:
         .macro  \prefix\()then_negate a, c
         SUBNV   r0, [\a], [\c] ? [\bits]
         .endm
+        .macro  \prefix\()then_scale a, k, c
+        MPYSV   [\a], \k, [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()then_lower a, k, c
+        SUBNV   [\a], \k, [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()then_set_minus k, c
+        VTOV    -\k, [\c] ? [\bits]
+        .endm
         .macro  \prefix\()then_negate_index a, c
         SUBUV   r0, [\a], [\c] ? [\bits]
         .endm
@@ -607,6 +668,9 @@ select\@:
         .macro  \prefix\()select_number if, x, y, k, b, c
         \prefix\()if_\if \x, \y, select\@
         MASKV   \k, [\b], [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()select_number_then if, x, y, k, b, c, label
+        \prefix\()select_number \if, \x, \y, \k, \b, \c
         .endm
         .endm
 

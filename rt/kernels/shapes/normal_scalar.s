@@ -14,9 +14,14 @@
         .include "forms.s"
         scalar_form , third, fourth
         .reg    table, here
+        .reg    spare, t7
 
         .macro  dot_product x0, x1, x2, y0, y1, y2, sum, work
         dot     \x0, \x1, \x2, \y0, \y1, \y2, \sum, \work
+        .endm
+
+        .macro  dot_numbers x0, x1, x2, k0, k1, k2, sum, work
+        dot     \x0, \x1, \x2, \k0, \k1, \k2, \sum, \work
         .endm
 
         .macro  matrix_times x0, x1, x2, y0, y1, y2
@@ -36,6 +41,13 @@
 
         .macro  leave_normal
         BIM     0, normal_link
+        .endm
+
+; Leaves the normal, and continues with the points for which the condition of
+; label is false.
+        .macro  leave_or label
+        leave_normal
+\label:
         .endm
 
 ; A normal that is written by hand in each form.

@@ -19,11 +19,12 @@
 ; The operations of the normals that are written once (forms.s), with the names
 ; of their registers in the scalar form.
         .include "forms.s"
-        vector_form , hits0
+        vector_form , hits0, hits1
         .share  normals
         .regs   v0, t0, t1, t2, t3, t4, t5, t6, t7
         .reg    m_zero, r0
         .reg    table, s1
+        .reg    spare, s2
         .reg    m_one, one
         .reg    m_minus_one, minus_one
         .endshare
@@ -34,6 +35,10 @@
 
         .macro  dot_product x0, x1, x2, y0, y1, y2, sum, work
         dot_vectors \x0, \x1, \x2, \y0, \y1, \y2, \sum, \work
+        .endm
+
+        .macro  dot_numbers x0, x1, x2, k0, k1, k2, sum, work
+        dot_constant \x0, \x1, \x2, \k0, \k1, \k2, \sum, \work
         .endm
 
         .macro  matrix_times x0, x1, x2, y0, y1, y2
@@ -50,6 +55,9 @@
 
         .macro  leave_normal
         BIM     0, link_kernel
+        .endm
+
+        .macro  leave_or label
         .endm
 
 ; A normal that is written by hand in each form.
