@@ -1,4 +1,5 @@
-/* arguments.c - parses and checks arguments that several commands of rt205 have. */
+/* arguments.c - parses and checks the arguments that several commands of rt205
+ * share. */
 #include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
@@ -8,7 +9,7 @@
 #include "rt/command/session.h"
 #include "rt/picture/picture.h"
 
-/* Reads a number of digits only. Returns the text after the digits, or NULL. */
+/* Reads a number, which consists only of digits. Returns the text after it, or NULL. */
 static const char *read_digits(const char *text, size_t *number)
 {
     char *end;

@@ -1,4 +1,4 @@
-/* cmd_heat.c - rt205 heat: shape factors between the surfaces of a scene, and
+/* cmd_heat.c - rt205 heat: computes shape factors between the surfaces of a scene, and
  * their radiative exchange. */
 #include <math.h>
 #include <stdio.h>
@@ -14,8 +14,8 @@
 
 /* ---- The request ------------------------------------------------------------ */
 
-/* Returns the lines of each repeat: the smallest power of two such that all
- * repeats have at least the requested number together. */
+/* Returns the number of lines in each repeat: the smallest power of two with which all
+ * repeats together have at least the requested number. */
 static size_t lines_of_repeat(const struct heat_arguments *args)
 {
     size_t lines = 1;
@@ -54,7 +54,7 @@ static struct heat_request request_of(const struct heat_arguments *args)
     };
 }
 
-/* Warns about primitives without emission. Lines need no emission. */
+/* Warns about primitives that cannot emit. With lines, all primitives can. */
 static void warn_of_receivers(const struct heat_arguments *args,
                               const struct heat *heat)
 {
@@ -103,7 +103,7 @@ static bool find_stages(const struct heat *heat, struct stages *stages,
 
 /* ---- Output ----------------------------------------------------------------- */
 
-/* Prints the areas. JSON always has all of them. */
+/* Prints the areas. JSON always contains all surfaces. */
 static bool print_areas(const struct heat *heat, bool details,
                         const struct command_output *results)
 {
@@ -160,7 +160,8 @@ static bool print_result(const struct heat_arguments *args, const struct heat *h
     return print_tables(heat, stages, args->details, results);
 }
 
-/* A larger difference between the two directions is not random. Closure is exact. */
+/* A difference between both directions that is larger than this is not random. Closure
+ * is exact. */
 static const double strict_sigmas = 4.5;
 
 static bool check_strictly(const struct heat *heat, c205_error *error)
@@ -216,7 +217,7 @@ static bool draw(const struct heat_arguments *args, const struct heat *heat,
     return true;
 }
 
-/* Prints everything, then removes the checkpoint files. */
+/* Prints all results, then removes the checkpoint file. */
 static bool print_all(const struct heat_arguments *args, const struct heat *heat,
                       const struct command_output *results, c205_error *error)
 {
@@ -256,7 +257,7 @@ static int find_and_print(struct trace_session *session,
     return good ? CMD_DONE : cmd_failed(args->shared.command, "%s", error.message);
 }
 
-/* Returns the reason why some options exclude each other, or NULL. */
+/* Returns the reason why some of the options exclude each other, or NULL. */
 static const char *contradiction(const struct heat_arguments *args)
 {
     const struct job_arguments *jobs = &args->jobs;

@@ -1,4 +1,4 @@
-/* cmd_heat.h - shared by the files of rt205 heat. */
+/* cmd_heat.h - declarations that the files of rt205 heat share. */
 #ifndef RT_CMD_HEAT_H
 #define RT_CMD_HEAT_H
 
@@ -12,11 +12,12 @@ struct heat_arguments {
     int points;                        /* 0: lattice, 1: random */
     int by, shown;
     bool exchange, smooth, hits, stages;
-    bool details;     /* also the surfaces without visible area */
-    double tolerance; /* 0: none */
+    bool details;     /* also print surfaces without visible area */
+    double tolerance; /* 0: no tolerance */
     size_t limit;
-    const char *from;                                /* the emitter, or NULL: all */
-    struct command_texts emissivities, temperatures; /* NAME=VALUE */
+    const char *from;                                /* name of the emitter; NULL: all
+                                                      * surfaces */
+    struct command_texts emissivities, temperatures; /* texts NAME=VALUE */
 };
 
 /* Runs rt205 heat --hits. Returns the exit code. */

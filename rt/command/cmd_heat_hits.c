@@ -1,5 +1,5 @@
-/* cmd_heat_hits.c - rt205 heat --hits: compares a scalar machine and queues of
- * rays at finding which rays strike. */
+/* cmd_heat_hits.c - rt205 heat --hits: compares the forms that find which rays strike,
+ * on a scalar machine and with queues of rays. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 #include "rt/heat/hits.h"
 #include "rt/study/speedup.h"
 
-/* The forms that are compared. The projection is of the scalar form. */
+/* The forms that are compared. The scalar form is projected. */
 enum way { WAY_PROJECTED, WAY_SCALAR, WAY_QUEUE, WAY_LONGEST, WAYS };
 
 struct hits_ways {
@@ -48,7 +48,7 @@ static bool find_way(struct hits_ways *ways, enum way way)
                      &ways->error);
 }
 
-/* Runs all forms and checks that their results are bitwise equal. */
+/* Runs all forms. Checks that their results are equal bit for bit. */
 static bool find_ways(struct hits_ways *ways)
 {
     for (int way = WAY_SCALAR; way < WAYS; way++)

@@ -1,6 +1,5 @@
-/* cmd_mass.c - rt205 mass: volume, area and mass of solids, their centroids,
- * inertia and principal axes, each with its error, computed along columns by the
- * machine. */
+/* cmd_mass.c - rt205 mass: computes volume, area, mass, centroid, inertia and principal
+ * axes of solids, with their errors. The machine computes them along columns. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,12 +15,13 @@ struct mass_arguments {
     struct trace_arguments shared;
     struct scene_arguments scene;
     struct job_arguments jobs;
-    size_t rays, repeats, limit, seed; /* rays and limit: of a view, in all shifts */
-    double tolerance;                  /* 0: none */
+    size_t rays, repeats, limit, seed; /* rays and limit are numbers of rays of a view,
+                                        * for all shifts */
+    double tolerance;                  /* 0: no tolerance */
     int points, by;
     bool overlaps, stages;
-    struct command_texts parts;   /* names; none: all */
-    struct command_texts density; /* NAME=VALUE */
+    struct command_texts parts;   /* names of parts; none: all parts */
+    struct command_texts density; /* texts NAME=VALUE */
     const char *densities;        /* a file of densities, or NULL */
     double about[3];
     struct mass_units units;
@@ -217,8 +217,8 @@ static int find_and_print(struct trace_session *session,
     return good ? CMD_DONE : cmd_failed(args->shared.command, "%s", error.message);
 }
 
-/* Moves a share such as 1/4 from the list of parts to the job set. No part has a name
- * with a slash. */
+/* Moves a share such as 1/4 from the list of parts to the job set. Names of parts do
+ * not contain a slash. */
 static void take_share(struct mass_arguments *args)
 {
     struct command_texts *parts = &args->parts;

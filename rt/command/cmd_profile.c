@@ -1,4 +1,4 @@
-/* cmd_profile.c - rt205 profile: compares a frame in the three stages. */
+/* cmd_profile.c - rt205 profile: compares the costs of a frame in the three stages. */
 #include <stdio.h>
 
 #include "base/provenance.h"
@@ -33,8 +33,8 @@ static void print_head(const struct profile_arguments *args, const struct trace 
     provenance_json(options->model, json);
 }
 
-/* Selects the output of a table. Text has clocks in groups, in millions; CSV and
- * JSON have exact clocks. */
+/* Selects the output of a table. Text shows groups in millions of clocks. CSV and JSON
+ * have exact clocks. */
 static struct command_output results_of(enum profile_table kind,
                                         const struct command_output *results)
 {

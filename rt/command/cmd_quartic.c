@@ -1,5 +1,5 @@
-/* cmd_quartic.c - rt205 quartic: finds the real roots of polynomials on the
- * machine, and reports the costs. */
+/* cmd_quartic.c - rt205 quartic: finds the real roots of polynomials on the machine,
+ * and reports the cost. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,8 +16,8 @@
 struct quartic_arguments {
     struct trace_arguments shared;
     const char *file;
-    bool all, first; /* roots of a polynomial */
-    int falsi;       /* the rule; FALSI_RULES: compare all */
+    bool all, first; /* print all roots of a polynomial, or only the first */
+    int falsi;       /* rule of falsi; FALSI_RULES: compare all rules */
 };
 
 static const struct table_column root_columns[] = {
@@ -56,7 +56,7 @@ static void print_roots(const struct command_output *results, size_t index,
     putc('\n', results->file);
 }
 
-/* Adds a row for each root, for formats other than text. */
+/* Adds a row for each root, for output formats other than text. */
 static void add_roots(struct table *table, size_t index,
                       const struct polynomial_roots *roots)
 {
@@ -68,7 +68,8 @@ static void add_roots(struct table *table, size_t index,
     }
 }
 
-/* A root outside the range of doubles is null as a number, but has its text. */
+/* Writes the roots as numbers and as texts. A root outside the range of doubles is null
+ * as a number. */
 static void write_roots(size_t index, const struct polynomial_roots *roots,
                         struct json *json)
 {
@@ -88,8 +89,8 @@ static void write_roots(size_t index, const struct polynomial_roots *roots,
     json_end(json);
 }
 
-/* Prints the roots. Returns the number of rejected polynomials, which are reported
- * on stderr. */
+/* Prints the roots. Returns the number of rejected polynomials, which it reports on
+ * stderr. */
 static size_t print_all_roots(const struct quartic_arguments *args,
                               const struct polynomials *polynomials,
                               const struct polynomial_roots *roots, struct table *table,
@@ -120,7 +121,7 @@ static size_t print_all_roots(const struct quartic_arguments *args,
     return refused;
 }
 
-/* Prints the table of roots. Text output has no such table. */
+/* Prints the table of roots, which text output does not have. */
 static bool print_table(const struct table *table, const struct command_output *results)
 {
     struct command_output printed = *results;
@@ -207,7 +208,7 @@ static int solve(const struct quartic_arguments *args,
 
 /* ---- Comparison of the rules of falsi ----------------------------------- */
 
-/* The cost of a rule in a form. */
+/* The cost of a rule in one form of the program. */
 struct rule_run {
     uint64_t clocks;
     struct iterations iterations;
@@ -238,7 +239,8 @@ static bool run_rule(void *context, const struct task *task, c205_error *error)
     return found != NULL;
 }
 
-/* The scalar form takes the host several times as long. */
+/* Returns the host's relative cost. The scalar form takes the host several times as
+ * long as the vector form. */
 static double rule_weight(const void *context, size_t number)
 {
     (void)context;

@@ -1,5 +1,5 @@
-/* cmd_render.c - rt205 render: traces a scene, writes a picture, and reports the
- * clocks; or debugs the program of a frame. */
+/* cmd_render.c - rt205 render: traces a scene, writes a picture and reports the clocks.
+ * With --debug it debugs the program of a frame. */
 #include <stdio.h>
 
 #include "asm/command/repl.h"
@@ -21,8 +21,8 @@ struct render_arguments {
     struct job_arguments jobs;
     bool no_picture, half;
     bool accounts, profile, in_order;
-    struct pixel_arguments pixel; /* given: debug */
-    struct command_texts scripts; /* for the debugger */
+    struct pixel_arguments pixel; /* if specified, the command starts the debugger */
+    struct command_texts scripts; /* commands for the debugger */
 };
 
 static bool write_rows(const struct trace_options *options, const struct trace *trace,
@@ -71,13 +71,13 @@ static bool write_picture(const struct render_arguments *args,
 
 /* ---- Report of a frame --------------------------------------------------- */
 
-/* The results of a run, which are printed as lines, a table or JSON. */
+/* The results of a run. They are printed as lines, as a table or as JSON. */
 struct result {
     const struct render_arguments *args;
     const c205_model *model;
     uint64_t clocks;
-    size_t samples;    /* rays of a pixel, across and down */
-    size_t rays, hits; /* camera rays; pixels that show something */
+    size_t samples;    /* samples x samples rays for each pixel */
+    size_t rays, hits; /* number of camera rays, and of those that hit something */
     char checksum[17];
 };
 
@@ -96,7 +96,8 @@ static struct result result_of(const struct render_arguments *args,
     return result;
 }
 
-/* Prints the number of rays that a threshold saves. */
+/* Prints the number of camera rays with a threshold, and their percentage of all
+ * samples. */
 static void print_rays(const struct result *result,
                        const struct command_output *results)
 {
@@ -212,7 +213,7 @@ static int print_and_check(const struct result *result,
     return code;
 }
 
-/* Prints the accounts if requested. JSON always has them. */
+/* Prints the accounts if requested. JSON always contains them. */
 static int print_accounts(const struct render_arguments *args,
                           const struct trace *trace,
                           const struct command_output *results)
@@ -242,7 +243,7 @@ static int print_trace(const struct render_arguments *args, const struct trace *
 
 /* ---- A run --------------------------------------------------------------- */
 
-/* Reports the bands that the files of --resume have already. */
+/* Reports the number of bands that were in the files of --resume. */
 static void print_kept(const struct render_arguments *args, const struct trace *trace)
 {
     const char *path = args->jobs.resume.items[0];
@@ -255,8 +256,7 @@ static void print_kept(const struct render_arguments *args, const struct trace *
                        args->shared.command, path);
 }
 
-/* After Ctrl-C, writes a picture of the finished rows, and formats a message about
- * it. */
+/* After Ctrl-C, writes a picture of the finished rows. Formats a message about it. */
 static void save_rows(const struct render_arguments *args, const struct trace *trace,
                       char *reported, size_t size)
 {
@@ -295,8 +295,8 @@ static int end_early(const struct render_arguments *args, const struct trace *tr
     return cmd_failed(args->shared.command, "%s%s%s", why->message, rows, bands);
 }
 
-/* Opens the checkpoint files, and starts to load the library that writes pictures. The
- * machine runs while it is loaded. */
+/* Opens the checkpoint files. Also starts to load the library that writes pictures; it
+ * is loaded while the machine runs. */
 static bool prepare(const struct render_arguments *args, struct trace *trace,
                     struct picture_loader **loader, c205_error *error)
 {
@@ -327,7 +327,7 @@ static int finish(const struct render_arguments *args, struct trace *trace,
 
 static int render(struct trace_session *session, const struct render_arguments *args)
 {
-    struct line_profile *profile = NULL; /* set when a band has been observed */
+    struct line_profile *profile = NULL; /* NULL until a band has been observed */
     struct observer observer = frame_profile_observer(&profile);
     const struct observer *const observers[] = { &observer, NULL };
     struct trace_options options = args->shared.trace;
@@ -375,7 +375,7 @@ static int run_debugger(const struct render_arguments *args, struct frame_pixel 
     return repl_run(&repl, &setup);
 }
 
-/* Debugs the program of the frame, in the band that contains the pixel. */
+/* Debugs the program of the frame in the band that contains the pixel. */
 static int debug(struct trace_session *session, const struct render_arguments *args)
 {
     const struct scene *scene = session_scene(session, &args->scene);
@@ -396,7 +396,7 @@ static int debug(struct trace_session *session, const struct render_arguments *a
 
 /* ---- The command --------------------------------------------------------- */
 
-/* Checks the options of --debug, which only starts a debugger. */
+/* Checks the options of --debug. Options for the results of a frame are rejected. */
 static int check_debug(const struct render_arguments *args)
 {
     const struct job_arguments *jobs = &args->jobs;
@@ -428,8 +428,8 @@ static int check_picture(const struct render_arguments *args)
     return code;
 }
 
-/* Checks the options of a frame. Bands of other processes and of earlier runs cannot be
- * profiled. */
+/* Checks the options of a frame. Bands from other processes or from earlier runs cannot
+ * be profiled. */
 static int check_frame(const struct render_arguments *args)
 {
     const struct job_arguments *jobs = &args->jobs;

@@ -1,4 +1,5 @@
-/* cmd_speedup.c - rt205 speedup: compares the paper's Table 1 with this project's. */
+/* cmd_speedup.c - rt205 speedup: compares the paper's Table 1 with the speedups of this
+ * project. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -11,7 +12,7 @@ struct speedup_arguments {
     struct trace_arguments shared;
     struct speedup_view view;
     bool details, passes, formulations;
-    struct command_texts rows; /* of the table; none: all */
+    struct command_texts rows; /* names of rows; none: all rows */
 };
 
 static void print_head(const struct speedup_arguments *args,
@@ -40,7 +41,8 @@ static c205_model *find_projection(const struct speedup_arguments *args, int i,
                            error);
 }
 
-/* Prints the models of the first count projections. Table 1 needs only the first. */
+/* Prints the models of the first `count` projections. Table 1 needs only the first
+ * model. */
 static bool print_projections(const struct speedup_arguments *args, int count,
                               const struct command_output *results, c205_error *error)
 {
@@ -114,7 +116,7 @@ static bool write_json(const struct speedup_arguments *args,
            && speedup_report_json(report, json);
 }
 
-/* Lists the requested rows in the order of the table. Returns their number. */
+/* Lists the requested rows in the order of the table. Returns the number of rows. */
 static size_t choose(const struct speedup_arguments *args,
                      struct speedup_subject *chosen)
 {

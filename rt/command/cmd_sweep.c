@@ -1,4 +1,4 @@
-/* cmd_sweep.c - rt205 sweep: the cost of a ray while one parameter changes. */
+/* cmd_sweep.c - rt205 sweep: measures the cost of a ray while one parameter changes. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 #include "rt/study/sweep/plot_file.h"
 #include "rt/study/sweep/sweep_types.h"
 
-/* Lengths of the queue, in increasing order. */
+/* Queue lengths, in increasing order. */
 struct points {
     size_t count;
     size_t items[MAX_SWEEP_LENGTHS];
@@ -19,10 +19,10 @@ struct points {
 
 struct sweep_arguments {
     struct trace_arguments shared;
-    struct scene_arguments scene; /* possibly the name of a primitive */
-    struct speedup_view view;     /* angle 0: not given */
+    struct scene_arguments scene; /* a scene file or the name of a primitive */
+    struct speedup_view view;     /* angle 0: not specified */
     struct points points;
-    int sweep; /* index of the kind */
+    int sweep; /* index of the sweep type */
 };
 
 /* ---- The request --------------------------------------------------------- */
@@ -68,7 +68,7 @@ static int check_subject(const struct sweep_arguments *args,
     return CMD_DONE;
 }
 
-/* Checks the plot's files, and the JSON. */
+/* Checks the paths of the plot and of the JSON. */
 static int check_files(const struct sweep_arguments *args)
 {
     char svg[PLOT_PATH];
@@ -103,8 +103,8 @@ static int check(const struct sweep_arguments *args)
 
 /* ---- Results ------------------------------------------------------------- */
 
-/* Returns true if the sweep uses the requested frame. A sweep of lengths uses
- * frames of one queue each. */
+/* Returns true if the sweep uses the requested frame. A sweep of lengths uses frames
+ * that consist of one queue. */
 static bool has_frame(const struct sweep_kind *kind)
 {
     return kind != &sweep_length;
@@ -133,7 +133,7 @@ static void print_head(const struct sweep_arguments *args, const struct sweep *s
     output_model(results, trace->model);
 }
 
-/* Writes the parameters of the sweep. Those that it does not use are left out. */
+/* Writes the parameters of the sweep, except those that it does not use. */
 static void write_head(const struct sweep_arguments *args, const struct sweep *sweep,
                        const struct sweep_kind *kind, struct json *json)
 {
@@ -176,7 +176,7 @@ static bool draw(const struct sweep_arguments *args, const struct sweep *sweep,
     return plot_write(&plot, report->plotted, args->shared.output, error);
 }
 
-/* Prints everything except the plot. */
+/* Prints all results except the plot. */
 static bool report_progress(const struct sweep_arguments *args,
                             const struct sweep *sweep, const struct sweep_kind *kind,
                             const struct sweep_report *report,
@@ -209,8 +209,8 @@ static struct sweep sweep_of(const struct sweep_arguments *args,
     return sweep;
 }
 
-/* If only the plot cannot be drawn, the other results are valid: *drawn is then false,
- * and the code CMD_DONE. */
+/* Measures the sweep, prints it and draws the plot. If only the plot fails, the other
+ * results are valid: *drawn is then false, and the exit code is CMD_DONE. */
 static int measure_and_draw(struct trace_session *session,
                             const struct sweep_arguments *args, bool *drawn)
 {
@@ -256,13 +256,13 @@ static const char *kind_choice(size_t number)
     return sweep_kinds[number] ? sweep_kinds[number]->name : NULL;
 }
 
-/* Returns the name of a mode. The scalar form has no queue and is not a choice. */
+/* Returns the name of a mode. The scalar mode is omitted, because it has no queue. */
 static const char *queue_mode_choice(size_t number)
 {
     return number == TRACE_SCALAR ? "" : cmd_mode_choice(number);
 }
 
-/* Parses increasing numbers, separated by commas. */
+/* Parses a list of increasing numbers, separated by commas. */
 static bool take_points(char *text, void *value)
 {
     struct points *points = value;

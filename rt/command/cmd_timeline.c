@@ -1,5 +1,5 @@
 /* cmd_timeline.c - rt205 timeline: shows a queue of a frame clock by clock, as a
- * picture or for a viewer. */
+ * picture or in the format of a viewer. */
 #include <inttypes.h>
 #include <stdio.h>
 
@@ -13,11 +13,12 @@ struct timeline_arguments {
     struct trace_arguments shared;
     struct scene_arguments scene;
     struct pixel_arguments pixel;
-    const char *region; /* of the program, or NULL */
-    uint64_t from, to;  /* clocks; C205_NO_LIMIT: not given */
+    const char *region; /* region of the program, or NULL */
+    uint64_t from, to;  /* range of clocks; C205_NO_LIMIT: not specified */
 };
 
-/* Finds the clocks of the band to show. The default is the pixel's queue. */
+/* Finds the range of clocks to show, in the band. By default it is the queue of the
+ * pixel. */
 static bool find_stretch(const struct timeline_arguments *args,
                          const struct frame_pixel *pixel, struct clock_stretch *stretch,
                          c205_error *error)
@@ -36,7 +37,8 @@ static bool find_stretch(const struct timeline_arguments *args,
     return !args->region || pixel_region_clocks(pixel, args->region, stretch, error);
 }
 
-/* Records whole instructions, up to one that starts after the range. */
+/* Records whole instructions, up to the first instruction that starts after the
+ * range. */
 static bool listen(const struct frame_pixel *pixel, struct timeline *timeline,
                    c205_error *error)
 {
@@ -101,7 +103,7 @@ static bool draw(const struct timeline_arguments *args, const struct frame_pixel
     return good;
 }
 
-/* The default pixel is the one in the centre. */
+/* Traces and draws. The default pixel is in the centre of the frame. */
 static int trace_and_draw(struct trace_session *session,
                           const struct timeline_arguments *args)
 {

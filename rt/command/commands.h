@@ -1,5 +1,5 @@
-/* commands.h - the table of the commands of rt205, in the order of its help. A row is
- * the NAME of a file cmd_NAME.c, which defines NAME_command.
+/* commands.h - the commands of rt205 in the order of its help. A row is the NAME of a
+ * file cmd_NAME.c, which defines NAME_command.
  */
 #ifndef RT_COMMANDS_H
 #define RT_COMMANDS_H

@@ -31,7 +31,7 @@ struct sources {
     struct constants constants;
 };
 
-/* Prints the diagnostics of a file, and sets the error if it cannot be used. */
+/* Prints the diagnostics of a file. Sets the error if the file cannot be used. */
 static bool is_read(bool good, const char *path, struct diagnostics *diagnostics,
                     c205_error *error)
 {
@@ -50,8 +50,8 @@ static bool read_sources(const struct fit_arguments *args, struct sources *sourc
     struct run_options how = { .folder = programs };
     struct diagnostics found = { 0 };
     how.model = sources->model = c205_model_find("cyber205-2pipe-prior", error);
-    /* The vector form has few instructions to emulate, and its queue must be full, so
-     * it has all 100,000 rays. */
+    /* The vector form uses all 100,000 rays: its queue must be full, and it has few
+     * instructions to emulate. */
     how.width[TRACE_VECTOR] = 400;
     how.height[TRACE_VECTOR] = 250;
     how.width[TRACE_SCALAR] = args->width;
@@ -88,7 +88,7 @@ static bool hold_out(const struct fit_arguments *args, const struct observations
 
 /* ---- Writing ------------------------------------------------------------ */
 
-/* Predicts the observations with the models as written, and writes the requested
+/* Predicts the observations with the models as they are written. Writes the requested
  * models. */
 static bool write_models(const struct fit_arguments *args, const struct study *study,
                          double *written, c205_error *error)
@@ -99,7 +99,7 @@ static bool write_models(const struct fit_arguments *args, const struct study *s
     return good;
 }
 
-/* Checks that all files can be written, before the work of about a minute. */
+/* Checks that all files can be written, because the fit takes about a minute. */
 static bool check_files(const struct fit_arguments *args, const struct study *study,
                         c205_error *error)
 {

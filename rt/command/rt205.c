@@ -6,8 +6,8 @@
 #include <malloc.h>
 #endif
 
-/* Keeps freed memory in the process. Machines of some megabytes each are created
- * and freed often, and returning their memory to the host each time would take a
+/* Prevents the C library from returning freed memory to the host. Machines of several
+ * megabytes are created and freed often; returning the memory each time would take a
  * third of the time of heat and mass. */
 static void keep_memory(void)
 {

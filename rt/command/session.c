@@ -1,5 +1,5 @@
-/* session.c - opens and closes what a command of rt205 works with: ranks, model, output
- * and scene. */
+/* session.c - opens and closes the session of a command: ranks, model, output and
+ * scene. */
 #include "rt/command/session.h"
 
 #include <errno.h>
@@ -14,7 +14,8 @@
 
 /* ---- Ranks --------------------------------------------------------------- */
 
-/* Replaces this process by mpirun, which starts that many copies of this program. */
+/* Replaces this process by mpirun, which starts the requested number of copies of this
+ * program. */
 static int begin_ranks(const struct trace_session *session)
 {
     char count[24];
@@ -23,11 +24,11 @@ static int begin_ranks(const struct trace_session *session)
     };
 
     snprintf(count, sizeof count, "%zu", session->jobs->ranks);
-    /* mpirun refuses to run as root without these variables. */
+    /* Without these variables mpirun refuses to run as root. */
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
-    /* Selects communication within a machine. The search for networks of all kinds
-     * would take 0.2 s first. */
+    /* Selects communication within one host. Otherwise the library would search for
+     * networks of all kinds, which takes 0.2 s. */
     setenv("OMPI_MCA_pml", "ob1", 0);
     process_become(words);
     return cmd_failed(session->shared->command,
@@ -36,7 +37,7 @@ static int begin_ranks(const struct trace_session *session)
                                       : "cannot start mpirun");
 }
 
-/* Redirects all output of a rank other than 0. */
+/* Discards the output of a rank other than 0. */
 static void be_silent(struct trace_arguments *shared)
 {
     shared->output = NULL;
@@ -162,7 +163,7 @@ const struct scene *session_scene(struct trace_session *session,
     diagnostics_free(&reports);
     if (!session->scene || session->scene->primitive_count > 0)
         return session->scene;
-    /* A picture of the background is hardly intended. */
+    /* A scene without objects is usually a mistake. */
     cmd_print_line(stderr,
                    "%s: %s: the scene has no objects: every pixel is background",
                    args->path, args->strict ? "error" : "warning");

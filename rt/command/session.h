@@ -1,5 +1,5 @@
-/* session.h - what the commands of rt205 share: groups of arguments, the rows of their
- * options, and the session in which a command works.
+/* session.h - groups of arguments, rows of their options, and the session of a command.
+ * All commands of rt205 share them.
  *
  *   struct trace_session session;
  *   int code = session_open(&session, &args->shared, NULL);
@@ -8,8 +8,8 @@
  *       code = render(&session, args);
  *   return session_close(&session, code);
  *
- * The arguments of a command are a structure in its file, which begins with
- * struct trace_arguments and contains the other groups that the command has.
+ * The file of a command defines a structure of the command's arguments. It begins with
+ * struct trace_arguments, and contains other groups of arguments.
  */
 #ifndef RT_SESSION_H
 #define RT_SESSION_H
@@ -28,21 +28,22 @@
 
 struct trace_arguments {
     const char *command, *model;
-    const char *output; /* NULL: not requested */
+    const char *output; /* file of option -o; NULL: not requested */
     struct command_output results;
-    struct trace_options trace; /* the session sets the model, jobs and progress */
+    struct trace_options trace; /* the session sets model, jobs and progress */
 };
 
 struct scene_arguments {
     const char *path;
     bool strict;
-    struct command_texts search; /* folders for includes */
+    struct command_texts search; /* folders for #include */
 };
 
-/* The arguments of a command whose units of work can be shared with other processes. */
+/* The arguments of a command whose units of work can run in several processes. */
 struct job_arguments {
-    struct command_texts resume; /* checkpoint files; none: no checkpoints */
-    size_t ranks;                /* processes to start; 0: only this one */
+    struct command_texts resume; /* paths of checkpoint files; none: no checkpoints */
+    size_t ranks;                /* number of processes to start; 0: only this
+                                  * process */
     struct job_set job_set;
 };
 
@@ -51,14 +52,14 @@ struct pixel_arguments {
     size_t x, y;
 };
 
-/* Reports a picture that cannot be written, if one is requested, and a pixel outside of
- * the frame. Both return CMD_DONE, or the exit code. */
+/* cmd_check_picture reports a picture that cannot be written. cmd_check_pixel reports a
+ * pixel outside of the frame. Both return CMD_DONE, or the exit code. */
 int cmd_check_picture(const struct trace_arguments *shared);
 int cmd_check_pixel(const struct trace_arguments *shared,
                     const struct pixel_arguments *pixel);
-/* Parses a share such as "1/4". Returns false if the text is none. */
+/* Parses a share such as "1/4". Returns false if the text is not a share. */
 bool cmd_is_part(const char *text, struct job_set *job_set);
-/* Reports the state of the share of this many units. Returns CMD_DONE. */
+/* Reports how many of this number of units the share has finished. Returns CMD_DONE. */
 int cmd_print_share(const char *command, const struct job_set *job_set, size_t units);
 
 /* ---- Rows of options ----------------------------------------------------- */
@@ -114,7 +115,7 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
       .offset = CMD_SHARED(trace.order), .choice = cmd_order_choice, \
       .preset = usual, .help = "order of the pixels; by default tiles in vector form" }
 
-/* The rows of the other groups take the offset of the group. */
+/* The rows of the other groups have the offset of the group as a parameter. */
 #define CMD_SCENE(scene) \
     { .value = "SCENE", .kind = COMMAND_INPUT, \
       .offset = (scene) + offsetof(struct scene_arguments, path), \
@@ -156,17 +157,17 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
 
 struct trace_session {
     struct trace_arguments *shared;
-    struct job_arguments *jobs; /* NULL: the command has none */
+    struct job_arguments *jobs; /* NULL: the command has no such arguments */
     struct ranks ranks;
     c205_model *model;
-    struct command_output results; /* the destination of all results */
-    struct scene *scene;           /* of session_scene, or NULL */
+    struct command_output results; /* output of all results */
+    struct scene *scene;           /* result of session_scene, or NULL */
     struct progress progress;
 };
 
-/* Checks the arguments and starts or joins the ranks. Then opens the model and the
- * output, and completes the trace options. Other ranks print and write nothing. Returns
- * CMD_DONE, or the exit code after an error message. The session must be closed in
+/* Checks the arguments, and starts or joins the ranks. Then opens the model and the
+ * output, and completes the trace options. Ranks other than 0 print and write nothing.
+ * Returns CMD_DONE, or the exit code after an error message. Call session_close in
  * either case. */
 int session_open(struct trace_session *session, struct trace_arguments *shared,
                  struct job_arguments *jobs);
@@ -174,13 +175,13 @@ int session_open(struct trace_session *session, struct trace_arguments *shared,
  * discarded. Returns the exit code. */
 int session_close(struct trace_session *session, int code);
 
-/* Reads the scene, which the session frees. Its diagnostics go to stderr. Returns NULL
- * after reporting its errors. */
+/* Reads the scene, which the session frees. Prints its diagnostics on stderr. Returns
+ * NULL if there are errors. */
 const struct scene *session_scene(struct trace_session *session,
                                   const struct scene_arguments *args);
 
-/* Makes Ctrl-C stop a trace, and a second Ctrl-C end the process, and shows
- * progress on stderr if that is a terminal. Sets the progress of the trace options. */
+/* Makes Ctrl-C stop a trace. A second Ctrl-C ends the process. Also shows progress on
+ * stderr if it is a terminal. Sets the progress function of the trace options. */
 void session_watch(struct trace_session *session);
 
 #endif

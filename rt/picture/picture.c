@@ -22,9 +22,9 @@
 
 struct picture_kind {
     const char *ending;
-    bool srgb;       /* 8-bit encoded colours; else linear */
-    size_t channels; /* number of channels, from the first of enum frame_channel */
-    bool half;       /* can have 16-bit samples in addition to 32-bit ones */
+    bool srgb;       /* colours are 8-bit sRGB, else linear */
+    size_t channels; /* number of channels, from the start of enum frame_channel */
+    bool half;       /* 16-bit samples are possible, in addition to 32-bit samples */
 };
 
 static const struct picture_kind picture_kinds[] = {
@@ -36,12 +36,13 @@ static const struct picture_kind picture_kinds[] = {
     { ".tiff", false, FRAME_CHANNELS, false },
 };
 
-/* The names of channels that are usual in EXR files, and known to their readers. */
+/* The names of the channels, which are conventional for EXR files and known to their
+ * readers. */
 static const char *const channel_names[FRAME_CHANNELS] = {
     "R", "G", "B", "Z", "N.X", "N.Y", "N.Z", "id",
 };
 
-/* The name that selects the kind of a picture for stdout. */
+/* The name with which a picture for stdout is opened. It selects the kind. */
 static const char stream_name[] = "-.png";
 
 static const struct picture_kind *kind_of(const char *path)
@@ -59,7 +60,7 @@ static const struct picture_kind *kind_of(const char *path)
 
 /* ---- Colours -------------------------------------------------------------- */
 
-/* Source: IEC 61966-2-1. */
+/* The transfer function is defined in IEC 61966-2-1. */
 double picture_srgb(double linear)
 {
     if (!(linear > 0))
@@ -114,7 +115,7 @@ static bool is_color(size_t channel)
     return channel <= CHANNEL_BLUE;
 }
 
-/* Returns a plane. The layer follows the channels. */
+/* Returns a plane. The layer is the plane after the channels. */
 static const double *plane_of(const struct frame *frame, size_t channel)
 {
     return channel < FRAME_CHANNELS ? frame->channel[channel] : frame->value;
@@ -148,7 +149,7 @@ static void separate(const struct picture_image *image, const struct frame *fram
 
 /* ---- The adapter ---------------------------------------------------------- */
 
-/* Prefixes the message with a path or a subject. */
+/* Adds a path or a subject to the start of the error message. */
 static bool fail_at(const char *path, c205_error *error)
 {
     c205_error cause = *error;
@@ -161,8 +162,8 @@ static bool adapter_path(char path[ADAPTER_PATH], c205_error *error)
            || fail_at("pictures", error);
 }
 
-/* Returns the adapter. It is opened at the first call and stays open, because the
- * library cannot be closed safely. */
+/* Returns the adapter. The first call opens it. It stays open, because the library
+ * cannot be closed safely. */
 static const struct picture_adapter *adapter(c205_error *error)
 {
     char path[ADAPTER_PATH];
@@ -174,7 +175,7 @@ static const struct picture_adapter *adapter(c205_error *error)
     return table;
 }
 
-/* The thread that loads the adapter, or NULL if none could be started. */
+/* The thread that loads the adapter, or NULL if it could not be started. */
 struct picture_loader {
     struct thread *thread;
 };
@@ -183,7 +184,7 @@ static void load_adapter(void *context)
 {
     c205_error error;
     (void)context;
-    adapter(&error); /* the functions that write open it again and report errors */
+    adapter(&error); /* the writing functions open it again, and report its errors */
 }
 
 struct picture_loader *picture_load(c205_error *error)
@@ -248,13 +249,13 @@ static void choose_formats(struct picture_image *image, bool half)
 
 struct picture {
     const struct picture_adapter *files;
-    struct picture_image image; /* without samples, which come with the parts */
+    struct picture_image image; /* its samples come later, with the parts */
     const char *names[FRAME_CHANNELS + 1];
     char *layer;
     char *path;
     struct atomic_file *whole;
-    void *writing; /* the adapter's state */
-    size_t rows;   /* number of rows written */
+    void *writing; /* state of the adapter */
+    size_t rows;   /* number of rows that have been written */
 };
 
 static bool open_file(struct picture *picture, const struct picture_note *notes,
@@ -279,8 +280,8 @@ static char *copy_of(const char *text)
     return copy ? strcpy(copy, text) : NULL;
 }
 
-/* Names the channels. The layer is one of them if the kind of file has more than
- * colours. */
+/* Sets the names of the channels. If the kind of file has more channels than colours,
+ * the layer is one of them. */
 static void name_channels(struct picture *picture)
 {
     for (size_t i = 0; i < FRAME_CHANNELS; i++)
@@ -363,7 +364,7 @@ bool picture_end(struct picture *picture, bool good, c205_error *error)
     return ended;
 }
 
-/* Returns some of a frame's rows as a frame. */
+/* Returns a part of a frame's rows as a frame. */
 static struct frame part_of(const struct frame *frame, size_t first)
 {
     size_t left = frame->height - first;
@@ -390,7 +391,7 @@ bool picture_write(const char *path, const struct frame *frame,
     return picture && picture_end(picture, good, error);
 }
 
-/* The layer may be NULL. */
+/* Reads a frame. The layer may be NULL. */
 static bool read_frame(const char *path, const char *layer, struct frame *frame,
                        c205_error *error)
 {

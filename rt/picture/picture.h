@@ -1,12 +1,13 @@
 /* picture.h - writes a frame to a picture file, and reads it back.
  *
- * The file's ending selects the kind: .png and .jpg have 8-bit sRGB colours; .exr and
- * .tif have linear colours and the channels Z (distance along the ray), N.X, N.Y, N.Z
- * (unit normal, world) and id (primitive number, from 1; 0 is background). OpenImageIO
- * does the writing. Its adapter, a shared object named rt205_oiio.so, is loaded when a
- * picture is first accessed or announced, so a command without a picture does not load
- * it. It is searched for in the folder in the environment variable RT205_LIBDIR, in the
- * folder of the running program, and in ../lib/rt205 from there, where it is installed.
+ * The file's ending selects the kind. Files .png and .jpg have 8-bit sRGB colours.
+ * Files .exr and .tif have linear colours and the channels Z (distance along the ray),
+ * N.X, N.Y, N.Z (unit normal in world space) and id (primitive number from 1; 0 is
+ * background). OpenImageIO writes the files. Its adapter is the shared object
+ * rt205_oiio.so. It is loaded when the first picture is accessed or announced, so a
+ * command without a picture does not load it. It is searched for in the folder in the
+ * environment variable RT205_LIBDIR, in the folder of the program, and in the
+ * installation folder ../lib/rt205 relative to the program.
  */
 #ifndef RT_PICTURE_H
 #define RT_PICTURE_H
@@ -28,37 +29,37 @@ enum frame_channel {
     FRAME_CHANNELS
 };
 
-/* A frame: planes of height x width samples, top row first. */
+/* A frame. Each plane has height x width samples, with the top row first. */
 struct frame {
     size_t width, height;
     double *channel[FRAME_CHANNELS];
-    bool gamma_off; /* colours are as displayed; files store them unchanged */
-    /* The name of an additional plane, which pictures with linear colours have as a
-     * channel, and the plane, which the caller owns. NULL: none. */
+    bool gamma_off; /* the colours are displayed without correction, so files store them
+                     * unchanged */
+    /* An additional plane and its name. Pictures with linear colours have it as a
+     * channel. The caller owns both. NULL: no such plane. */
     const char *layer;
     double *value;
 };
 
 struct picture_note {
-    const char *name, *text; /* "c205:clocks", "123456" */
+    const char *name, *text; /* such as "c205:clocks", "123456" */
 };
 
-/* Writes the frame, completely or not at all. notes is metadata that ends with a
- * NULL name. Each note is an attribute of its own if the kind of file has them
- * (EXR, PNG), and a line of the picture's description in all kinds. half selects
- * 16-bit colour samples for EXR, instead of 32-bit ones; depth, normal and id
- * always have 32 bits. A picture for stdout, "-", is a .png. The bytes do not
- * depend on the time of day: a picture has a date only if the environment variable
- * SOURCE_DATE_EPOCH gives one. */
+/* Writes the frame, completely or not at all. `notes` is metadata, and ends with a NULL
+ * name. In EXR and PNG files each note is an attribute. In all files each note is also
+ * a line of the picture's description. half: an EXR file has 16-bit colour samples
+ * instead of 32-bit samples; depth, normal and id always have 32 bits. A picture for
+ * stdout, "-", is a .png. The bytes do not depend on the time, because a picture has a
+ * date only if the environment variable SOURCE_DATE_EPOCH contains one. */
 bool picture_write(const char *path, const struct frame *frame,
                    const struct picture_note *notes, bool half, c205_error *error);
 
-/* Writes a frame in parts, from its first row on. picture_begin returns NULL with
- * the reason in the error. picture_rows adds the next rows, as many as the part
- * has. picture_end commits the picture if all rows have been written and good is
- * true, and otherwise leaves the old file; it frees the picture in any case.
- * Either all parts have the layer or none (NULL). The file is the same as by
- * picture_write if all parts except the last have PICTURE_PART rows. */
+/* These functions write a frame in parts, starting with its first row. picture_begin
+ * returns NULL on failure and sets the error. picture_rows adds the rows of a part.
+ * picture_end commits the picture if all rows have been written and `good` is true.
+ * Otherwise the old file stays. It frees the picture in all cases. Either all parts
+ * have the layer or none of them (NULL). If all parts except the last have PICTURE_PART
+ * rows, the file is the same as that of picture_write. */
 enum { PICTURE_PART = 32 };
 struct picture;
 struct picture *picture_begin(const char *path, size_t width, size_t height,
@@ -67,43 +68,43 @@ struct picture *picture_begin(const char *path, size_t width, size_t height,
 bool picture_rows(struct picture *picture, const struct frame *part, c205_error *error);
 bool picture_end(struct picture *picture, bool good, c205_error *error);
 
-/* Loads the adapter in a thread, for a picture that is written later; other
- * functions wait for it. Returns NULL if there is no adapter; any other error is
- * reported by the functions that write. picture_loaded waits for the thread, which
- * must end before the program, and frees the loader. */
+/* picture_load loads the adapter in a thread, for a picture that is written later.
+ * Other functions wait for it. It returns NULL if there is no adapter. The writing
+ * functions report any other error. picture_loaded waits for the thread, and frees the
+ * loader. It must be called before the program ends. */
 struct picture_loader *picture_load(c205_error *error);
 void picture_loaded(struct picture_loader *loader);
 
-/* Checks that the path can be written. Call it before a long frame, to reject an
- * unknown ending or a missing folder. */
+/* Checks that the path can be written. Call this before tracing a long frame, to reject
+ * an unknown ending or a missing folder. */
 bool picture_check_path(const char *path, c205_error *error);
-/* Returns true if the ending is that of a picture. */
+/* Returns true if the name has the ending of a picture. */
 bool picture_is_named(const char *path);
-/* Returns true if a file with that ending can have 16-bit samples. */
+/* Returns true if a file with this name can have 16-bit samples. */
 bool picture_holds_half(const char *path);
 
-/* Reads a picture into a frame, which the caller frees. Colours become linear
- * light. Channels that the file lacks become 0. */
+/* Reads a picture into a frame, which the caller frees. Colours become linear light.
+ * Channels that are not in the file become 0. */
 bool picture_read(const char *path, struct frame *frame, c205_error *error);
 
-/* Does the same with a layer, whose samples become frame->value, which the caller
- * also frees. It is 0 if the file has no layer of that name. A .tif has no names;
- * there the layer is the single plane after the channels. */
+/* Like picture_read, with a layer. Its samples become frame->value, which the caller
+ * frees, too. They are 0 if the file has no layer with this name. The channels of a
+ * .tif have no names; its layer is a single plane after the channels. */
 bool picture_read_layer(const char *path, const char *layer, struct frame *frame,
                         c205_error *error);
 
-/* Reads the text of a note of a picture; "" if it has none. */
+/* Reads the text of a picture's note. It is "" if the picture has no such note. */
 bool picture_read_note(const char *path, const char *name, char *text, size_t size,
                        c205_error *error);
 
-/* Encodes linear light between 0 and 1 as 8-bit pictures do. Other values are
- * clipped, and NaN becomes black. */
+/* Encodes linear light from 0 to 1 as in 8-bit pictures. Other values are clipped. NaN
+ * becomes black. */
 double picture_srgb(double linear);
-/* Returns the value of a colour in a file with 8-bit samples, from 0 to 1. */
+/* Returns the value, from 0 to 1, of a colour in a file with 8-bit samples. */
 double picture_shown(const struct frame *frame, double color);
 
-/* Decodes the bytes of an image file without changing its samples, for the scene
- * reader. */
+/* Decodes the bytes of an image file for the scene reader. It does not change the
+ * samples. */
 raster_reader picture_read_raster;
 
 /* Allocates a frame of at least one pixel, with all samples 0. Returns false if

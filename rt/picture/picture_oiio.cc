@@ -1,7 +1,7 @@
-// picture_oiio.cc - the adapter of picture.c to OpenImageIO.
+// picture_oiio.cc - adapts picture.c to OpenImageIO.
 //
-// It is built as a shared object that exports one table of functions. No
-// exception leaves it: exceptions of the library become error messages.
+// The result is a shared object that exports one table of functions. No exception
+// leaves this file: exceptions of the library become error messages.
 
 #include <algorithm>
 #include <cstdio>
@@ -24,16 +24,16 @@ extern const struct picture_adapter rt205_picture_adapter;
 namespace
 {
 
-// The variable with the date of reproducible builds, in seconds since 1970
+// The environment variable with the date of reproducible builds, in seconds since 1970
 // (reproducible-builds.org/specs/source-date-epoch).
 const char date_variable[] = "SOURCE_DATE_EPOCH";
 
-// JPEG settings for high fidelity to the frame.
+// JPEG settings for an accurate copy of the frame.
 const char jpeg_compression[] = "jpeg:98";
 const char jpeg_subsampling[] = "4:4:4";
 
-// The value of TIFF's PhotometricInterpretation (TIFF 6.0) for pixels that are
-// indices into a table of colours.
+// The value of PhotometricInterpretation in TIFF 6.0 for pixels that are indices into a
+// colour table.
 const int TIFF_PALETTE = 3;
 
 void require(bool good, const std::string &message)
@@ -67,9 +67,9 @@ OIIO::TypeDesc type_of(sample_format format)
     }
 }
 
-// Sets the date of a picture only if one is requested, so that the same frame
-// always gives the same file. Without a DateTime attribute the library would write
-// the time of day. It ignores a number, which is no date, so 0 suppresses the date.
+// Sets the date of a picture only if one is specified, so that the same frame always
+// gives the same file. Without a DateTime attribute the library would write the current
+// time. It ignores a number, because a number is not a date, so 0 suppresses the date.
 void annotate_date(OIIO::ImageSpec &spec)
 {
     const char *text = std::getenv(date_variable);
@@ -109,13 +109,13 @@ OIIO::ImageSpec spec_of(const picture_image &image)
     return spec;
 }
 
-// A file whose writes never fail. The library cannot handle a full disk (its JPEG
-// code ends the process). The owner of the file checks for errors at the end.
+// A file whose writes never fail. The library cannot handle a full disk; its JPEG code
+// would end the process. The owner of the file checks for errors at the end.
 struct patient_file : OIIO::Filesystem::IOFile {
     explicit patient_file(std::FILE *to) : IOFile(to, OIIO::Filesystem::IOProxy::Write)
     {
     }
-    // With the standard name, the JPEG code would bypass this class.
+    // With the standard name, the JPEG code would not use this class.
     const char *proxytype() const override
     {
         return "patient";
@@ -183,8 +183,8 @@ std::unique_ptr<OIIO::ImageInput> opened(const char *path)
     return input;
 }
 
-// Returns the file's channel with the name. TIFF files have no names; if such a
-// file has the requested number of channels, they are taken in their order.
+// Returns the channel of the file with this name. Channels of TIFF files have no names.
+// If such a file has the requested number of channels, they are taken in order.
 int place_of(const OIIO::ImageSpec &spec, const picture_image &image, size_t channel)
 {
     const int place = spec.channelindex(image.names[channel]);
@@ -246,7 +246,7 @@ bool read_note(const char *path, const char *name, char *text, size_t size,
         });
 }
 
-// Describes an image of grey or RGB pixels, with or without opacity.
+// Describes an image of grey or RGB pixels with an optional opacity.
 void describe(const OIIO::ImageSpec &spec, raster &image)
 {
     const size_t width = static_cast<size_t>(spec.width);

@@ -1,7 +1,7 @@
 /* picture_oiio.h - the interface between picture.c and the OpenImageIO adapter.
  *
- * The adapter handles files; picture.c handles frames and colours. They exchange
- * 32-bit samples with interleaved channels, top row first.
+ * The adapter handles files; picture.c handles frames and colours. They exchange 32-bit
+ * samples. The channels are interleaved, and the top row is the first.
  */
 #ifndef RT_PICTURE_OIIO_H
 #define RT_PICTURE_OIIO_H
@@ -16,7 +16,7 @@
 
 enum sample_format { SAMPLE_BYTE, SAMPLE_HALF, SAMPLE_FLOAT };
 
-/* An image in memory. srgb: its first three channels are encoded. */
+/* An image in memory. srgb: the first three channels are sRGB-encoded. */
 struct picture_image {
     size_t width, height, channels;
     bool srgb;
@@ -26,27 +26,27 @@ struct picture_image {
 };
 
 struct picture_adapter {
-    /* Starts a picture of the kind that the path's ending selects, in a file that is
-     * open and stays open. The image is described, but has no samples yet. Returns the
-     * state for the next two functions. */
+    /* Starts a picture, whose kind the path's ending selects. The file is open and
+     * stays open. `image` describes the picture, but has no samples. Returns the state
+     * for the next two functions. */
     void *(*begin)(const char *path, const struct picture_image *image,
                    const struct picture_note *notes, FILE *file, c205_error *error);
-    /* Writes the samples of rows first to last - 1. Each row is written once, in
+    /* Writes the samples of the rows first .. last - 1. Each row is written once, in
      * order. */
     bool (*rows)(void *picture, size_t first, size_t last, const float *samples,
                  c205_error *error);
-    /* Finishes the picture if it is complete, and frees the state in any case. */
+    /* Finishes the picture if it is complete. Frees the state in all cases. */
     bool (*end)(void *picture, bool whole, c205_error *error);
 
-    /* Reads an image. Its channels are those in image->names, in that order; channels
-     * that the file lacks are 0. The caller frees image->samples. */
+    /* Reads an image. It has the channels in image->names, in this order. Channels that
+     * are not in the file are 0. The caller frees image->samples. */
     bool (*read)(const char *path, struct picture_image *image, c205_error *error);
 
     bool (*read_note)(const char *path, const char *name, char *text, size_t size,
                       c205_error *error);
 
-    /* Decodes an image with integer samples of 8 or 16 bits, as `most` shows, from the
-     * bytes of a file. */
+    /* Decodes an image with integer samples from the bytes of a file. The samples have
+     * 8 or 16 bits, which `most` indicates. */
     raster_reader *read_raster;
 };
 
