@@ -48,15 +48,15 @@ bool iterations_begin(struct iterations *iterations, const struct object *progra
     return good;
 }
 
-/* Returns the lanes of an instruction. In the scalar form it has no elements and
- * counts as one lane. */
+/* Returns the number of lanes of an instruction. An instruction of the scalar form has
+ * no elements and counts as one lane. */
 static uint64_t lanes_of(const c205_event *event)
 {
     return event->elements > 0 ? event->elements : 1;
 }
 
-/* Returns the number of brackets that the instruction has put into its register T.
- * The scalar form has one bracket at a time, and the given number. */
+/* Returns the number of brackets that the instruction has written to its register T.
+ * The scalar form has one bracket at a time; the number is then `scalar`. */
 static uint64_t result_of(const struct iterations *iterations, const c205 *machine,
                           const c205_event *event, uint64_t scalar)
 {

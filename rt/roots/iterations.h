@@ -1,7 +1,7 @@
 /* iterations.h - counts the steps of the root solver's refinement.
  *
- * It is a listener of the machine's events. It finds the labels of falsi_scalar.s and
- * falsi_vector.s, and reads the registers there. It costs the machine no clocks.
+ * It listens to the machine's events. At the labels of falsi_scalar.s and
+ * falsi_vector.s it reads registers. This costs the machine no clocks.
  */
 #ifndef RT_ITERATIONS_H
 #define RT_ITERATIONS_H
@@ -13,36 +13,37 @@ const char *stage_name(enum stage stage);
 
 enum { MAX_ITERATIONS = 128 };
 
-/* The counts of one stage: roots of f' (knots), or of f. */
+/* The counts of one stage. A stage finds the roots of f' (knots) or of f. */
 struct stage_count {
-    uint64_t brackets; /* refined brackets */
-    uint64_t passes;   /* of the loop over all its lanes */
-    uint64_t steps;    /* of unfinished brackets */
-    uint64_t lanes;    /* in the loop, summed over the passes */
-    uint64_t halvings; /* of exponents of wide brackets, before the refinement */
-    /* By pass of a refinement, from 0: active brackets, and lanes in the loop. */
+    uint64_t brackets; /* number of refined brackets */
+    uint64_t passes;   /* number of passes of the loop over all lanes */
+    uint64_t steps;    /* number of steps of unfinished brackets */
+    uint64_t lanes;    /* number of lanes in the loop, summed over the passes */
+    uint64_t halvings; /* number of times that exponents of wide brackets are halved,
+                        * before the refinement */
+    /* For each pass of a refinement, from 0: active brackets, and lanes in the loop. */
     uint64_t active[MAX_ITERATIONS], in_loop[MAX_ITERATIONS];
 };
 
 struct iterations {
-    bool vector; /* the form of the program */
+    bool vector; /* the program has the vector form */
     struct stage_count stage[STAGES];
-    /* Private to iterations.c. */
+    /* The following members are private to iterations.c. */
     struct stage_labels {
         uint64_t begin, wide, step, midpoint, left;
     } labels[STAGES];
-    size_t pass;     /* of the current refinement */
-    uint64_t active; /* active brackets in it */
+    size_t pass;     /* current pass of the refinement */
+    uint64_t active; /* number of active brackets in the pass */
 };
 
 /* A c205_listener whose context is a struct iterations. */
 void iterations_listen(void *iterations, const c205 *machine, const c205_event *event);
-/* Sets all counts to 0 and looks up the labels of a program in the vector or
- * scalar form. Returns false if the program lacks a label. */
+/* Sets all counts to 0. Looks up the labels of a program in the vector or scalar form.
+ * Returns false if a label is missing. */
 bool iterations_begin(struct iterations *iterations, const struct object *program,
                       bool vector);
-/* Returns an observer that adds up all bands of a frame. The caller sets the sum
- * to zero, except for its form. */
+/* Returns an observer that sums over all bands of a frame. The caller first sets the
+ * sum to zero, except its form. */
 struct observer iterations_observer(struct iterations *sum);
 
 #endif

@@ -13,7 +13,7 @@ enum { COEFFICIENTS = 5, COLUMNS = 6 };
 
 static const char *const headings[COLUMNS] = { "c4", "c3", "c2", "c1", "c0", "bound" };
 
-/* The state of reading a line. */
+/* The state while a line is read. */
 struct polynomial_line {
     const char *file;
     size_t number;
@@ -119,7 +119,7 @@ static bool take_polynomial(struct polynomial_line *line, struct polynomial *pol
     return take_bound(line, &polynomial->bound);
 }
 
-/* Returns true if the line has the names of the columns. */
+/* Returns true if the line contains the names of the columns. */
 static bool is_heading(struct polynomial_line line)
 {
     for (int i = 0; i < COLUMNS; i++) {
@@ -147,7 +147,7 @@ static bool add_polynomial(struct polynomials *polynomials, size_t line,
                         sizeof *polynomial);
 }
 
-/* Sets the line that begins at text, without its end. Returns the start of the
+/* Sets the line that begins at `text`, without its line end. Returns the start of the
  * next line. */
 static const char *cut_line(struct polynomial_line *line, const char *text,
                             const char *end)

@@ -8,14 +8,14 @@
 #include "base/plural.h"
 #include "rt/layout/program.h"
 
-/* The planes of polynomials and results in the machine's memory, as in
+/* The planes of the polynomials and of the results in the machine's memory, as in
  * rt/kernels/roots/roots_records.s. */
 struct planes {
     uint64_t coefficients, bound, inputs;
     uint64_t count, roots, results;
 };
 
-enum { COEFFICIENTS = 5 }; /* of a polynomial */
+enum { COEFFICIENTS = 5 }; /* number of coefficients of a polynomial */
 
 struct root_search {
     struct roots_options options;
@@ -94,8 +94,8 @@ static bool read_plane(const struct root_search *search, uint64_t plane,
                      words, search->count);
 }
 
-/* Writes the input. The counts of roots start as indefinite values, so that
- * progress can be seen from the machine's writes. */
+/* Writes the input. The numbers of roots are initially indefinite, so that the host can
+ * see from the machine's memory which polynomials are done. */
 static bool write_planes(struct root_search *search,
                          const struct polynomial *polynomials)
 {
@@ -187,7 +187,7 @@ bool roots_watch(struct root_search *search, struct iterations *iterations)
            && c205_listen(search->machine, iterations_listen, iterations);
 }
 
-/* Returns the first polynomial without a count of roots, by binary search. */
+/* Returns the first polynomial without a number of roots, by binary search. */
 static size_t done(const struct root_search *search)
 {
     uint64_t counts = plane_address(search, search->results, search->planes.count);

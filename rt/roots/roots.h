@@ -1,8 +1,8 @@
 /* roots.h - finds the real roots of polynomials on a machine.
  *
- * roots_new assembles the root solver in the requested form, loads it into a
- * machine and lays the polynomials out in its memory. roots_run runs it. The roots
- * and the machine's accounts can be read after that.
+ * roots_new assembles the root solver in the requested form, loads it into a machine
+ * and lays the polynomials out in its memory. roots_run runs the machine. Afterwards
+ * the roots and the machine's accounts can be read.
  */
 #ifndef RT_ROOTS_H
 #define RT_ROOTS_H
@@ -11,9 +11,9 @@
 #include "rt/roots/iterations.h"
 #include "rt/trace/trace.h"
 
-/* The rules by which the root solver's falsi (regula falsi) scales the retained end of a
+/* The rules by which regula falsi in the root solver scales the retained end of a
  * bracket. They are the values of FALSI in rt/kernels/roots/quartic_constants.s, which
- * also has the default. */
+ * also defines the default. */
 enum falsi {
     FALSI_DEFAULT = -1,
     FALSI_PAPER,
@@ -25,11 +25,11 @@ enum falsi {
 const char *falsi_name(enum falsi rule);
 bool falsi_named(const char *name, enum falsi *rule);
 
-/* Returns the rule that a program was assembled with, or FALSI_DEFAULT if it has
- * none. */
+/* Returns the rule with which a program was assembled. If it has none, the result is
+ * FALSI_DEFAULT. */
 enum falsi falsi_of(const struct object *program);
 
-/* The polynomial c[0] t^4 + c[1] t^3 + ... + c[4]. Its roots above the bound are
+/* The polynomial c[0] t^4 + c[1] t^3 + ... + c[4]. Only roots above the bound are
  * computed. */
 struct polynomial {
     c205_word c[5];
@@ -38,42 +38,42 @@ struct polynomial {
 
 enum {
     MAX_ROOTS = 4,
-    ROOTS_REFUSED = -1 /* a count for rejected polynomials: see scaling_vector.s */
+    ROOTS_REFUSED = -1 /* count of a rejected polynomial (scaling_vector.s) */
 };
 struct polynomial_roots {
-    int count;                 /* or ROOTS_REFUSED */
-    c205_word root[MAX_ROOTS]; /* ascending, each of them once */
+    int count;                 /* number of roots, or ROOTS_REFUSED */
+    c205_word root[MAX_ROOTS]; /* distinct roots in ascending order */
 };
 
 struct roots_options {
     enum trace_mode mode;
-    size_t queue; /* polynomials; vector mode only */
-    bool first;   /* only the first root of each polynomial */
+    size_t queue; /* number of polynomials in a queue; vector mode only */
+    bool first;   /* find only the first root of each polynomial */
     enum falsi falsi;
     const c205_model *model; /* must outlive the search */
-    /* As in trace_options. */
+    /* Like trace_options.progress. */
     bool (*progress)(void *context, size_t done, size_t polynomials);
     void *context;
 };
 
 struct root_search;
 
-/* Prepares a search. It copies the polynomials. Returns NULL with the reason in
- * the error. */
+/* Prepares a search. The polynomials are copied. On failure sets the error and returns
+ * NULL. */
 struct root_search *roots_new(const struct polynomial *polynomials, size_t count,
                               const struct roots_options *options, c205_error *error);
 void roots_free(struct root_search *search);
 
-/* Counts the steps of the refinement. Call this before the run. */
+/* Makes the run count the steps of the refinement. Call this before the run. */
 bool roots_watch(struct root_search *search, struct iterations *iterations);
 
 /* Returns false after a trap, or if progress returned false. */
 bool roots_run(struct root_search *search, c205_error *error);
 
-/* Reads the roots of all polynomials, in their order. */
+/* Reads the roots of all polynomials, in the order of the polynomials. */
 bool roots_read(const struct root_search *search, struct polynomial_roots *roots,
                 c205_error *error);
-/* Returns the rule that the program was assembled with. */
+/* Returns the rule with which the program was assembled. */
 enum falsi roots_falsi(const struct root_search *search);
 const c205 *roots_machine(const struct root_search *search);
 

@@ -1,11 +1,12 @@
-/* formulations.c - a table of the cylinder in several formulations. */
+/* formulations.c - makes a table of the cylinder in several formulations. */
 #include "rt/study/formulations.h"
 
 #include <string.h>
 
 #include "rt/study/speedup_report.h"
 
-/* Decimals are those of the paper. Each time has its error. */
+/* The numbers of decimals are those of the paper. Each time is followed by its
+ * error. */
 static const struct table_column columns[] = {
     { "formulation", "formulation", TABLE_TEXT, 0 },
     { "scalar", "205 scalar, s", TABLE_NUMBER, 3 },
@@ -16,7 +17,7 @@ static const struct table_column columns[] = {
     { "cyber720_error", "error %", TABLE_NUMBER, 1 },
 };
 
-/* Returns the cylinder's row of Table 1. */
+/* Returns the row of the cylinder in the paper's Table 1. */
 static const struct speedup_paper *printed(void)
 {
     size_t i = 0;

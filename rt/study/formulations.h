@@ -1,13 +1,13 @@
-/* formulations.h - a table of Table 1's cylinder in several formulations, with
- * their times and the paper's. */
+/* formulations.h - a table of Table 1's cylinder in several formulations, with their
+ * times and the times of the paper. */
 #ifndef RT_FORMULATIONS_H
 #define RT_FORMULATIONS_H
 
 #include "base/table.h"
 #include "rt/study/speedup.h"
 
-/* Returns the table. measures[i] is of speedup_formulations[i], on the model.
- * Returns NULL if out of memory; the caller frees it. */
+/* Returns the table. measures[i] belongs to speedup_formulations[i], on the model.
+ * Returns NULL if out of memory. The caller frees the table. */
 struct table *formulations_table(const c205_model *model,
                                  const struct speedup_measure (*measures)[TRACE_FORMS]);
 

@@ -1,15 +1,16 @@
-/* iterations_table.c - the refinement steps of the root solver as rows. */
+/* iterations_table.c - writes the refinement steps of the root solver as rows of
+ * tables. */
 #include "rt/study/iterations_table.h"
 
 #include <math.h>
 
-/* Returns the mean, or NAN if nothing was counted. */
+/* Returns the mean, or NAN if the count is 0. */
 static double mean(uint64_t sum, uint64_t count)
 {
     return count > 0 ? (double)sum / (double)count : NAN;
 }
 
-/* Returns the active share of the loop's lanes. It has no meaning in the scalar
+/* Returns the percentage of active lanes in the loop. It is meaningless in the scalar
  * form, which refines one bracket after another. */
 static double active_percent(const struct iterations *iterations, uint64_t active,
                              uint64_t lanes)

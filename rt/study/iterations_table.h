@@ -1,8 +1,8 @@
-/* iterations_table.h - the refinement steps of the root solver as rows of tables,
- * the same in every report.
+/* iterations_table.h - the refinement steps of the root solver as rows of tables. All
+ * reports use the same rows.
  *
- * A report puts its own columns before these, and its own cells before the cells
- * that the functions add.
+ * A report adds its own columns before these columns, and its own cells before the
+ * cells that the functions add.
  */
 #ifndef RT_ITERATIONS_TABLE_H
 #define RT_ITERATIONS_TABLE_H
@@ -38,7 +38,7 @@ void iterations_add(struct table *table, const struct iterations *iterations,
 
 /* Returns the number of passes of a stage's longest refinement. */
 size_t iterations_passes(const struct iterations *iterations, enum stage stage);
-/* Adds the cells of ITERATIONS_PASS_COLUMNS for a pass, counted from 0. */
+/* Adds the cells of ITERATIONS_PASS_COLUMNS for a pass. The first pass is 0. */
 void iterations_add_pass(struct table *table, const struct iterations *iterations,
                          enum stage stage, size_t pass);
 

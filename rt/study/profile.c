@@ -1,4 +1,4 @@
-/* profile.c - traces a frame in three stages and compares their costs. */
+/* profile.c - traces a frame in three stages, and compares the costs. */
 #include "rt/study/profile.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 
 const enum trace_mode profile_stages[TRACE_MODES] = { TRACE_SCALAR, TRACE_KERNELS,
                                                       TRACE_VECTOR };
-enum { SERIAL }; /* index of the first one, with which the others are compared */
+enum { SERIAL }; /* index of the first stage, with which the others are compared */
 
 static const char *const part_names[PROFILE_PARTS] = {
     [PART_GENERATE] = "generate",
@@ -22,9 +22,9 @@ static const char *const part_names[PROFILE_PARTS] = {
     [PART_REST] = "rest",
 };
 
-/* The regions that .kernel declares in rt/kernels/. */
+/* The regions that kernels in rt/kernels/ declare with .kernel. */
 struct profile_region {
-    const char *name; /* NULL: those of the shapes */
+    const char *name; /* NULL: the regions of the shapes */
     enum profile_part part;
 };
 static const struct profile_region regions[] = {
@@ -51,7 +51,7 @@ enum {
     MAX_REGIONS = REGIONS + PRIMITIVE_KINDS
 };
 
-/* Returns true if no shape before this one has the same region. */
+/* Returns true if no earlier shape has the same region. */
 static bool is_first_of_region(size_t kind)
 {
     for (size_t i = 0; i < kind; i++)
@@ -124,7 +124,7 @@ static double ratio(uint64_t a, uint64_t b)
 
 static const struct table_column clock_columns[] = {
     { "part", "part", TABLE_TEXT, 0 },
-    { "kernel", "kernel", TABLE_TEXT, 0 }, /* empty: the whole part */
+    { "kernel", "kernel", TABLE_TEXT, 0 }, /* empty: the clocks of the whole part */
     { "scalar_clocks", "scalar", TABLE_COUNT, 0 },
     { "scalar_seconds", "s", TABLE_NUMBER, 3 },
     { "scalar_percent", "%", TABLE_NUMBER, 1 },
@@ -203,7 +203,7 @@ static const struct table_column group_columns[] = {
     { "vector_speedup", "x", TABLE_NUMBER, 2 },
 };
 
-/* Groups of related parts. The part with kernels of its own is listed by kernel. */
+/* Groups of related parts. The part that intersects primitives is listed by kernel. */
 enum { GROUPS = 3 };
 static const struct {
     const char *name;
@@ -231,8 +231,8 @@ static void add_millions(struct table *table, const struct profile *profile,
     }
 }
 
-/* Sums the clocks of a region, or of a part if region is NULL, in each stage.
- * Returns false if all are 0. */
+/* Sums the clocks of a region in each stage. If region is NULL, sums the clocks of the
+ * part. Returns false if all sums are 0. */
 static bool find_clocks(const struct profile *profile, enum profile_part part,
                         const char *region, uint64_t clocks[TRACE_MODES])
 {
@@ -295,7 +295,7 @@ static const struct table_column speedup_columns[] = {
     { "measured", "measured", TABLE_NUMBER, 2 },
 };
 
-/* The parts that a stage has in vector form, in order of importance. */
+/* The parts that have the vector form in a stage, in order of importance. */
 static const struct {
     int stage;
     size_t count;
@@ -309,9 +309,10 @@ static const struct {
 };
 enum { VECTORISED = sizeof vectorised / sizeof *vectorised };
 
-/* Adds a row for each part. The parts up to this one are as fast as in the stage,
- * and the others as slow as in scalar form. The limit assumes that the parts up to
- * this one take no time. The row of the last part also has the measured speedup. */
+/* Adds a row for each part, in order. The prediction assumes that the parts up to this
+ * part take the time of the stage, and that the others take the time of the scalar
+ * form. The limit assumes that the parts up to this part take no time. The row of the
+ * last part also has the measured speedup. */
 static void add_amdahl(struct table *table, const struct profile *profile, size_t row)
 {
     int stage = vectorised[row].stage;
@@ -442,8 +443,8 @@ static bool run_stage(void *context, const struct task *task, c205_error *error)
     return trace && trace_run(trace, error);
 }
 
-/* Returns the host's relative cost of emulating a stage, as measured. The host
- * emulates a whole vector instruction at once, so the vector stage is the cheapest. */
+/* Returns the measured relative cost of a stage on the host. The vector stage is the
+ * cheapest, because the host emulates a whole vector instruction at once. */
 static double stage_weight(const void *context, size_t stage)
 {
     static const double weights[TRACE_MODES] = {

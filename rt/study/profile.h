@@ -1,5 +1,5 @@
 /* profile.h - the cost of each part of a frame in the three stages of the tracer:
- * all scalar, the paper's, and all vector. */
+ * scalar, the paper's stage, vector. */
 #ifndef RT_PROFILE_H
 #define RT_PROFILE_H
 
@@ -8,46 +8,46 @@
 #include "rt/trace/vector_use.h"
 
 enum profile_part {
-    PART_GENERATE,  /* rays of pixels */
-    PART_INTERSECT, /* segments of rays in primitives; the traversal of regions and
-                     * nodes, with their bounding volumes */
-    PART_VISIBLE,   /* the visible surface: trees, the nearest hit */
-    PART_SHADE,     /* normals, pigments, light and shadow */
-    PART_SPAWN,     /* reflected and refracted rays, and adding their colours */
-    PART_REST,      /* the frame's program between the other parts */
+    PART_GENERATE,  /* generates the rays of pixels */
+    PART_INTERSECT, /* intersects rays with primitives; traverses regions and nodes,
+                     * with their bounding volumes */
+    PART_VISIBLE,   /* finds the visible surface: trees, the nearest hit */
+    PART_SHADE,     /* computes normals, pigments, light and shadow */
+    PART_SPAWN,     /* makes reflected and refracted rays, and adds their colours */
+    PART_REST,      /* runs the frame's program between the other parts */
     PROFILE_PARTS
 };
 const char *profile_part_name(enum profile_part part);
-/* Finds the part that a region of the kernels belongs to. Returns false if it is
- * in no list, which is an error of the build. */
+/* Finds the part to which a region of the kernels belongs. If the region is in no list,
+ * which is an error of the build, returns false. */
 bool profile_part_of(const char *region, enum profile_part *part);
 
 /* The stages in the order of the tables: scalar, kernels, vector. */
 extern const enum trace_mode profile_stages[TRACE_MODES];
 
-/* One frame in the three stages, in that order. It must be zero at the start, and
- * must be freed also after a failure. */
+/* A frame in the three stages, in this order. It must initially be zero. It must be
+ * freed even after a failure. */
 struct profile {
     struct trace *traces[TRACE_MODES];
     struct vector_use vectors[TRACE_MODES];
 };
-/* Traces the frame in all stages. The mode and the observers of the options are
- * replaced. Returns false with the reason in the error after a trap, if progress
- * returned false, or if the frames of two stages differ. */
+/* Traces the frame in all stages. Replaces the mode and the observers of the options.
+ * Returns false and sets the error after a trap, if progress returned false, or if the
+ * frames of two stages differ. */
 bool profile_run(struct profile *profile, const struct scene *scene,
                  const struct trace_options *options, c205_error *error);
 void profile_free(struct profile *profile);
 
-/* The tables of a profile that was run. profile_table returns NULL if out of
+/* The tables of a profile after profile_run. profile_table returns NULL if out of
  * memory. */
 enum profile_table {
-    PROFILE_GROUPS,  /* parts and kernels in three groups, in millions of clocks, for
+    PROFILE_GROUPS,  /* parts and kernels in three groups, in millions of clocks; for
                       * readers */
-    PROFILE_CLOCKS,  /* exact clocks of each part, and of each primitive's kernel,
+    PROFILE_CLOCKS,  /* exact clocks of each part, and of the kernel of each primitive;
                       * for other programs */
-    PROFILE_SPEEDUP, /* of the frame, and its prediction by Amdahl's law */
-    PROFILE_VECTORS, /* their length, and the density of control vectors */
-    PROFILE_RAYS,    /* by kind */
+    PROFILE_SPEEDUP, /* speedup of the frame, and its prediction by Amdahl's law */
+    PROFILE_VECTORS, /* lengths of vectors, and density of control vectors */
+    PROFILE_RAYS,    /* number of rays of each kind */
     PROFILE_TABLES
 };
 const char *profile_table_key(enum profile_table kind);

@@ -1,8 +1,7 @@
-/* quartic_costs.h - reports the costs of rt205 quartic after the roots: the
- * clocks, the steps of falsi, and the active brackets in each pass.
+/* quartic_costs.h - reports the costs of rt205 quartic after the roots: the clocks, the
+ * steps of falsi, and the active brackets in each pass.
  *
- * In text output these lines begin with #, so that the roots can be extracted by
- * dropping them.
+ * In text output these lines begin with #, so that a reader of the roots can skip them.
  */
 #ifndef RT_QUARTIC_COSTS_H
 #define RT_QUARTIC_COSTS_H
@@ -13,7 +12,7 @@
 struct quartic_costs {
     const char *file;
     const struct roots_options *options;
-    const struct root_search *search; /* finished, with an observer */
+    const struct root_search *search; /* a search that has been run with an observer */
     const struct iterations *iterations;
     size_t polynomials, roots;
 };
@@ -22,11 +21,11 @@ struct quartic_costs {
 bool quartic_costs_print(const struct quartic_costs *costs,
                          const struct command_output *results);
 
-/* Prints such a table. Returns false if out of memory. */
+/* Prints a table. Returns false if out of memory. */
 bool quartic_costs_part(const struct command_output *results, const struct table *table,
                         const char *key, const char *heading);
 
-/* Prints the reliability of the model in the same format. */
+/* Prints the reliability of the model, in the same format. */
 void quartic_costs_model(const struct command_output *results, const c205_model *model);
 
 #endif

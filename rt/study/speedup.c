@@ -16,7 +16,7 @@ const char *const speedup_projections[SPEEDUP_PROJECTIONS] = {
     [SPEEDUP_720] = "cyber720", [SPEEDUP_6600] = "cdc6600"
 };
 
-/* The 6600 has no fitted constants. */
+/* The model of the 6600 has no fitted constants. */
 const char *speedup_projection_model(const c205_model *model,
                                      enum speedup_projection machine)
 {
@@ -26,7 +26,7 @@ const char *speedup_projection_model(const c205_model *model,
     return provenance_is_fitted(model) ? speedup_projections[machine] : priors[machine];
 }
 
-/* A bent patch that many rays cross twice. Its surface has degree four. */
+/* A curved patch that many rays cross twice. Its surface has degree four. */
 #define PATCH \
     "steiner_patch { <-1.1, -.8, .5>, <1.2, -.8, .5>, <0, .9, .5>," \
     " <.1, -1.5, -1>, <1.3, .6, -.8>, <-1.4, .5, -.8> }"
@@ -35,7 +35,8 @@ const char *speedup_projection_model(const c205_model *model,
 #define CYLINDER_ROW \
     .shape = CYLINDER, .from = { 0, 0, -1 }, .regions = { "call", "cylinder" }
 
-/* Source of the times and of the share: Plunkett, Cychosz, Bailey 1984. */
+/* The times and the fraction of the root solver are from Plunkett, Cychosz, Bailey
+ * 1984. */
 const struct speedup_subject speedup_subjects[] = {
     { .name = "sphere",
       .shape = "sphere { 0, 1 }",
@@ -58,7 +59,8 @@ const struct speedup_subject speedup_subjects[] = {
       .from = { .48, .6, -.64 },
       .regions = { "call", "steiner", speedup_solver } },
     { .name = "torus, ours",
-      .shape = "torus { .8, .35 translate .8*z }", /* the tube in the centre */
+      .shape = "torus { .8, .35 translate .8*z }", /* the tube is in the centre of the
+                                                    * frame */
       .from = { 0, .8, -.6 },
       .regions = { "call", "torus", speedup_solver } },
 };
@@ -145,7 +147,7 @@ const c205_account *speedup_account(const struct accounts *accounts, const char 
     return account;
 }
 
-/* Sums the clocks of the subject's regions, by cause and by region. */
+/* Sums the clocks of the subject's regions, for each cause and for each region. */
 static bool sum_accounts(const struct accounts *accounts,
                          const struct speedup_subject *subject,
                          struct speedup_measure *measure, c205_error *error)
@@ -169,18 +171,18 @@ static bool sum_accounts(const struct accounts *accounts,
 
 /* ---- Projections to other machines --------------------------------------- */
 
-/* The clocks of the subject's regions in a projection. */
+/* The clocks of the subject's regions in a projection to another machine. */
 struct projecting {
     c205_model *model;
     const struct speedup_subject *subject;
     uint64_t clocks;
-    bool failed; /* for the reason in the error */
+    bool failed; /* its error message is the reason of the failure */
     c205_error error;
 };
 
 struct projected_band {
     c205_projection *projection;
-    const c205 *machine; /* of the last event */
+    const c205 *machine; /* machine of the last event */
 };
 
 static void end_projection(void *state)
@@ -358,8 +360,8 @@ static bool measure_form(void *context, const struct task *task, c205_error *err
                            &measuring->measures[subject][mode], error);
 }
 
-/* The host's cost, as measured. The scalar form takes most of the time, and more
- * with long kernels. */
+/* Returns the measured relative cost on the host. The scalar form takes most of the
+ * time, particularly with long kernels. */
 static double form_weight(const void *context, size_t number)
 {
     const struct measuring *measuring = context;

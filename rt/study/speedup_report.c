@@ -8,7 +8,7 @@
 #include "base/accounts.h"
 #include "rt/study/iterations_table.h"
 
-/* Decimals are those of the paper. */
+/* The numbers of decimals are those of the paper. */
 static const struct table_column table1[] = {
     { "primitive", "primitive", TABLE_TEXT, 0 },
     { "figures", "figures", TABLE_TEXT, 0 },
@@ -135,13 +135,14 @@ static double quotient(uint64_t a, uint64_t b)
     return (double)a / (double)b;
 }
 
-/* Returns NAN, an empty cell, for a figure that the paper does not have. */
+/* Returns a figure of the paper. If the paper does not contain it, returns NAN, which
+ * becomes an empty cell. */
 static double reported(double figure)
 {
     return figure > 0 ? figure : NAN;
 }
 
-/* Scales seconds to the paper's number of rays. */
+/* Scales seconds to the number of rays in the paper. */
 static double scaled(double seconds, const struct speedup_measure *measure)
 {
     return seconds * SPEEDUP_PAPER_RAYS / (double)measure->rays;
@@ -238,7 +239,7 @@ static void add_times(struct table *table, const struct speedup_subject *subject
     table_number(table, quotient(measure->total, measure->rays));
 }
 
-/* Adds the projection to the 6600. That to the CYBER 720 is in Table 1. */
+/* Adds the projection to the 6600. The projection to the CYBER 720 is in Table 1. */
 static void add_projected(struct speedup_report *report,
                           const struct speedup_subject *subject,
                           const struct speedup_measure measures[TRACE_FORMS])

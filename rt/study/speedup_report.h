@@ -1,6 +1,6 @@
 /* speedup_report.h - the results of rt205 speedup as tables.
  *
- * The same tables are printed, in several formats, and written as JSON.
+ * The same tables are printed in several formats and written as JSON.
  */
 #ifndef RT_SPEEDUP_REPORT_H
 #define RT_SPEEDUP_REPORT_H
@@ -8,8 +8,8 @@
 #include "base/table.h"
 #include "rt/study/speedup.h"
 
-/* A line of Table 1: CPU seconds for SPEEDUP_PAPER_RAYS, and the speedup of the
- * 205's vector form. */
+/* The figures in a line of Table 1: CPU seconds for SPEEDUP_PAPER_RAYS, and the speedup
+ * of the vector form on the 205. */
 enum speedup_figure {
     SPEEDUP_SCALAR_SECONDS,
     SPEEDUP_VECTOR_SECONDS,
@@ -28,29 +28,30 @@ double speedup_error(double figure, double reported);
 
 struct speedup_report;
 
-/* Returns an empty report, or NULL if out of memory. The model, which converts
- * clocks to seconds, must outlive it. */
+/* Returns an empty report, or NULL if out of memory. The model, which converts clocks
+ * to seconds, must outlive the report. */
 struct speedup_report *speedup_report_new(const c205_model *model);
 void speedup_report_free(struct speedup_report *report);
 
-/* Adds the measures of a subject: both forms on the model, and the scalar form on
- * those of speedup_projection_model. */
+/* Adds the measures of a subject: both forms on the model, and the scalar form on the
+ * models of speedup_projection_model. */
 void speedup_report_add(struct speedup_report *report,
                         const struct speedup_subject *subject,
                         const struct speedup_view *view,
                         const struct speedup_measure measures[TRACE_FORMS]);
 
-/* Prints the paper's Table 1: for each primitive our figures, the paper's, and the
- * errors of ours in percent. Returns false if out of memory. */
+/* Prints the paper's Table 1. Each primitive has the measured figures, the paper's
+ * figures, and the errors of the measured figures in percent. Returns false if out of
+ * memory. */
 bool speedup_report_table1(const struct speedup_report *report,
                            enum table_format format, FILE *file);
-/* Print all other tables, except the long one by pass, and the table by pass.
- * Return false if out of memory. */
+/* speedup_report_detail prints all other tables, except the long table by pass, which
+ * speedup_report_passes prints. Both return false if out of memory. */
 bool speedup_report_detail(const struct speedup_report *report,
                            enum table_format format, FILE *file);
 bool speedup_report_passes(const struct speedup_report *report,
                            enum table_format format, FILE *file);
-/* Writes all tables as JSON. Returns false if out of memory; the JSON must then be
+/* Writes all tables as JSON. If out of memory, returns false; the JSON must then be
  * discarded. */
 bool speedup_report_json(const struct speedup_report *report, struct json *json);
 

@@ -1,4 +1,4 @@
-/* frame_pixel.c - locates a pixel of a frame in the machine of its band. */
+/* frame_pixel.c - locates a pixel of a frame in the machine of a band. */
 #include "rt/view/frame_pixel.h"
 
 #include "vm/error.h"

@@ -1,4 +1,4 @@
-/* frame_pixel.h - locates a pixel of a frame in the machine of its band. */
+/* frame_pixel.h - locates a pixel of a frame in the machine of a band. */
 #ifndef RT_FRAME_PIXEL_H
 #define RT_FRAME_PIXEL_H
 
@@ -7,11 +7,11 @@
 struct frame_pixel {
     const struct trace *trace;
     size_t x, y;
-    size_t band;  /* the band that contains it */
-    size_t place; /* its index in the band's planes */
+    size_t band;  /* band that contains the pixel */
+    size_t place; /* index of the pixel in the band's planes */
 };
 
-/* Locates a pixel that the frame has. Returns false if its pixels have several
+/* Locates a pixel of the frame. Returns false if the frame's pixels have several
  * rays. */
 bool frame_pixel_find(struct frame_pixel *pixel, const struct trace *trace, size_t x,
                       size_t y, c205_error *error);

@@ -5,8 +5,8 @@
 #include "asm/measure/line_profile.h"
 #include "rt/trace/observer.h"
 
-/* Returns an observer that adds up all bands of a frame. *sum must be NULL at the
- * start. Its owner frees it before the frame's program. */
+/* Returns an observer that sums over all bands of a frame. *sum must initially be NULL.
+ * The owner of *sum frees it before the frame's program. */
 struct observer frame_profile_observer(struct line_profile **sum);
 
 #endif

@@ -7,17 +7,17 @@
 #include "rt/layout/program.h"
 #include "rt/view/pixel_rays.h"
 
-/* The state of a listener to the band's machine. It is done when it has found the
- * clocks. */
+/* The state of a listener to the band's machine. The listener is done when it has found
+ * the clocks. */
 struct recording {
     const struct frame_pixel *pixel;
     struct clock_stretch stretch;
     bool here, done;
-    /* Addresses at which the program starts a queue, has generated its rays, and has
-     * finished it. */
+    /* The addresses at which the program starts a queue, at which it has generated the
+     * rays, and at which it has finished the queue. */
     uint64_t begin, made, end;
-    const char *region;          /* the region to find */
-    struct clock_stretch within; /* in these clocks */
+    const char *region;          /* the region to search for */
+    struct clock_stretch within; /* the clocks in which to search */
 };
 
 static void record_queue(void *context, const c205 *machine, const c205_event *event)

@@ -43,7 +43,7 @@ static c205_word word_of(const struct pixel_look *look, const char *name)
     return word_at(look, value_of(look, name));
 }
 
-/* Returns the first register of this name, which is that of queue.s. */
+/* Returns the first register with this name, which is the register of queue.s. */
 static c205_word register_of(const struct pixel_look *look, const char *name)
 {
     const struct asm_register *known = look->program->registers;
@@ -61,10 +61,11 @@ static bool is_between(const struct pixel_look *look, uint64_t address,
 /* ---- The current queue ------------------------------------------------------ */
 
 struct queue {
-    size_t list;    /* number of its list */
+    size_t list;    /* number of the queue's list */
     size_t first;   /* index of its first ray in the list */
-    size_t count;   /* rays */
-    uint64_t order; /* address of the rays' indices in the planes, or 0 */
+    size_t count;   /* number of rays */
+    uint64_t order; /* address of the rays' indices in the planes, or 0 if they are
+                     * consecutive */
 };
 
 /* Returns true if the program is between two queues. */
@@ -88,9 +89,9 @@ static uint64_t list_vector(const struct pixel_look *look, size_t list, uint64_t
                     + vector * value_of(look, "LIST"));
 }
 
-/* Finds the current queue. The descriptor of its importances points to a constant
- * for camera rays, or else into the vector of a list. Returns false if there is no
- * queue. */
+/* Finds the current queue by the descriptor of its importances. For camera rays the
+ * descriptor refers to a constant, for other rays to a vector of a list. Returns false
+ * if there is no queue. */
 static bool find_queue(const struct pixel_look *look, struct queue *queue)
 {
     c205_word importance = word_of(look, "queue_importance");
@@ -112,7 +113,7 @@ static bool find_queue(const struct pixel_look *look, struct queue *queue)
     return true;
 }
 
-/* Returns the index of a camera ray in the planes. */
+/* Returns the index of a camera ray in the band's planes. */
 static size_t place_of_ray(const struct pixel_look *look, const struct queue *queue,
                            size_t ray)
 {
@@ -121,7 +122,7 @@ static size_t place_of_ray(const struct pixel_look *look, const struct queue *qu
                : queue->first + ray;
 }
 
-/* Returns true if a ray of the queue descends from the pixel. */
+/* Returns true if the ray of the queue descends from the pixel. */
 static bool is_of_pixel(const struct pixel_look *look, const struct queue *queue,
                         size_t ray)
 {
@@ -145,7 +146,7 @@ static void notify(const struct pixel_look *look, const struct pixel_element *of
     look->listener(look->context, &element);
 }
 
-/* Reports consecutive vectors, a stride apart. */
+/* Reports consecutive vectors. `stride` is the distance between them. */
 static void list_words(const struct pixel_look *look, const struct pixel_element *of,
                        const char *const *names, uint64_t address, uint64_t stride)
 {
@@ -188,17 +189,17 @@ static void list_queue(const struct pixel_look *look, const struct queue *queue,
                    value_of(look, "LIST"));
 }
 
-/* Returns true if find_nearest has been called and has not returned. No later call
- * has this link. */
+/* Returns true if find_nearest has been called and has not returned. Its link register
+ * is different in all later calls. */
 static bool is_seeking(const struct pixel_look *look)
 {
     return c205_descriptor_address(register_of(look, "link"))
            == value_of(look, "levels_found");
 }
 
-/* Returns true if a kernel tests the current rays and its caller has set their
- * vectors. The kernels of pairs_vector.s have rays of their own, and the root
- * solver uses the registers for other purposes. */
+/* Returns true if a kernel tests the current rays, and its caller has set their
+ * vectors. The kernels of pairs_vector.s test other rays. The root solver uses the
+ * registers for other purposes. */
 static bool meets_near(const struct pixel_look *look)
 {
     static const char *const regions[] = { "bound",     "visible",     "call",
@@ -241,8 +242,8 @@ static void list_near(const struct pixel_look *look, const struct queue *queue,
     }
 }
 
-/* Returns true if the hits of this queue are sorted: neither the program counter
- * nor a link is in the code before that. */
+/* Returns true if the hits of this queue have been sorted: neither the program counter
+ * nor a link register is in the code before the end of the sort. */
 static bool shades_hits(const struct pixel_look *look)
 {
     return mode_of(look) == TRACE_VECTOR && !is_seeking(look)
@@ -275,9 +276,9 @@ static void list_hits(const struct pixel_look *look, const struct queue *queue,
     }
 }
 
-/* Returns true if the pixel is the current one. The scalar form traces pixel by
- * pixel, with column and row as numbers. Its ray and its result are in the record
- * of the first level. */
+/* Returns true if the pixel is the current pixel. The scalar form traces pixel by
+ * pixel; column and row are numbers. The record of the first level contains the ray and
+ * its result. */
 static bool is_pixel_at_hand(const struct pixel_look *look)
 {
     uint64_t at = value_of(look, "pixel");

@@ -1,4 +1,4 @@
-/* pixel_verbs.c - the verbs of a debugger that concern a pixel. */
+/* pixel_verbs.c - the debugger commands that concern a pixel. */
 #include "rt/view/pixel_verbs.h"
 
 #include <string.h>
@@ -18,9 +18,9 @@ c205 *pixel_machine(void *context, c205_error *error)
 struct lane_report {
     const struct frame_pixel *pixel;
     const struct sink *out;
-    const char *vector;        /* only the vector with this name */
-    size_t length;             /* of the name; 0: all vectors */
-    struct pixel_element last; /* the last element that was printed; length 0: none */
+    const char *vector;        /* show only the vector with this name */
+    size_t length;             /* length of the name; 0: show all vectors */
+    struct pixel_element last; /* last element that was printed; length 0: none */
 };
 
 static bool is_asked(const struct lane_report *report, const char *vector)

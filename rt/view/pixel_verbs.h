@@ -1,17 +1,18 @@
-/* pixel_verbs.h - the verbs of a debugger of a band's program that concern a
- * pixel: continue to a queue with a ray of the pixel, and show the vectors'
- * elements of that ray. */
+/* pixel_verbs.h - debugger commands that concern a pixel. They continue to a queue with
+ * a ray of the pixel, and show the elements of this ray in vectors. The debugged
+ * program is that of a band. */
 #ifndef RT_PIXEL_VERBS_H
 #define RT_PIXEL_VERBS_H
 
 #include "asm/debug/debugger.h"
 #include "rt/view/frame_pixel.h"
 
-/* The verbs. Their context is the pixel. */
+/* The commands. Their context is the pixel. */
 extern const struct debugger_verb pixel_verbs[];
 /* Returns the machine of the pixel's band. */
 c205 *pixel_machine(void *pixel, c205_error *error);
-/* Returns the i-th verb: these, then those of every debugger; NULL after the last. */
+/* Returns the name of command i. These commands come first, then those of every
+ * debugger. Returns NULL after the last command. */
 const char *pixel_verb(size_t i);
 
 #endif

@@ -1,7 +1,7 @@
-// ceres_fit.cc - the adapter to Ceres.
+// ceres_fit.cc - adapts the fit to Ceres.
 //
-// All residuals of a point are computed at once, before Ceres requests each of
-// them. No exception leaves this file.
+// All residuals of a point are computed together, before Ceres requests each of them.
+// No exception leaves this file.
 
 #include "rt/study/fit/ceres_fit.h"
 
@@ -23,7 +23,8 @@ void require(bool good, const char *message)
         throw std::runtime_error(message);
 }
 
-// The residuals and derivatives of one point, computed by the problem's function.
+// The residuals and derivatives at one point. The function of the problem computes
+// them.
 class Evaluation : public ceres::EvaluationCallback
 {
   public:

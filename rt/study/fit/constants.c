@@ -10,13 +10,13 @@ enum { NAME, MACHINE, MEMBERS, SOURCE, MIN, MAX, WHY, FIELDS };
 static const char *const columns[FIELDS] = { "name",  "machine", "constants", "source",
                                              "least", "most",    "why" };
 
-/* The relative width of a prior, by its source. */
+/* The relative width of a prior depends on its source. */
 static const struct {
     char source;
     double width;
 } widths[] = { { 'P', .02 }, { 'D', .05 }, { 'S', .1 }, { 'R', .4 } };
 
-/* The model that has a machine's priors. */
+/* The model that contains a machine's priors. */
 static const struct {
     const char *machine, *model;
 } priors[] = {

@@ -1,9 +1,9 @@
-/* constants.h - the constants that the fit may change: the rows of
+/* constants.h - the constants that the fit may change. They are the rows of
  * rt/study/fit/constants.csv.
  *
- * A free constant is a group of a model's constants that change by a common
- * factor. Its place is measured in widths of its prior: 0 is the prior, and 1 is
- * one width more.
+ * A free constant is a group of constants of a model that change by a common factor.
+ * Its place is measured in widths of its prior: 0 is the prior, and 1 is one width
+ * above the prior.
  */
 #ifndef RT_FIT_CONSTANTS_H
 #define RT_FIT_CONSTANTS_H
@@ -17,8 +17,8 @@
 struct free_constant {
     const char *name, *machine;
     char source;
-    double width;       /* of the prior, relative */
-    double prior;       /* of the first member, in its unit */
+    double width;       /* relative width of the prior */
+    double prior;       /* prior of the first member, in its unit */
     double least, most; /* bounds of the first member, in its unit */
     const char *unit;
     size_t member_count;
@@ -37,27 +37,27 @@ struct constants {
     c205_model *priors[FREE_MACHINES];
 };
 
-/* Reads the free constants of a file. The priors are those of built-in models.
- * Returns false with the reason in the diagnostics. */
+/* Reads the free constants of a file. Built-in models contain the priors. On failure
+ * reports diagnostics and returns false. */
 bool constants_read(struct constants *constants, const char *path,
                     struct diagnostics *diagnostics);
 void constants_free(struct constants *constants);
 
-/* Returns the model with a machine's priors, or NULL if there is none. */
+/* Returns the model that contains a machine's priors, or NULL. */
 const c205_model *constants_prior(const struct constants *constants,
                                   const char *machine);
 
-/* Convert a place to the first member's value, and back. */
+/* Convert a place to the value of the first member, and a value to a place. */
 double constant_value(const struct free_constant *constant, double place);
 double constant_place(const struct free_constant *constant, double value);
-/* Returns true if a model is that machine, or like one. The name of such a model,
+/* Returns true if a model is this machine or a variant of it. The name of a variant,
  * such as "cyber205-2pipe", begins with the machine's name. */
 bool model_is_of(const c205_model *model, const char *machine, size_t length);
 /* Returns true if the constant belongs to this model. */
 bool constant_is_of(const struct free_constant *constant, const c205_model *model);
 
-/* Lists the settings of a model for the places of all constants. Returns their
- * number. */
+/* Lists the settings of a model for the places of all constants. Returns the number of
+ * settings. */
 enum { MAX_SETTINGS = MAX_FREE * MAX_MEMBERS };
 size_t constants_settings(const struct constants *constants, const double *places,
                           const c205_model *model, c205_setting settings[MAX_SETTINGS]);

@@ -1,4 +1,4 @@
-/* csv.c - reads tables of fields separated by commas. */
+/* csv.c - reads tables whose fields are separated by commas. */
 #include "rt/study/fit/csv.h"
 
 #include "base/array.h"
@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Reports an error at a place of the text, or of the whole file if `at` is NULL. */
+/* Reports an error at a position of the text. If `at` is NULL, the error concerns the
+ * whole file. */
 static bool csv_fail(const struct csv *csv, size_t line, const char *at,
                      const char *message, struct diagnostics *diagnostics)
 {
@@ -46,7 +47,8 @@ static bool read_source(struct csv *csv, struct diagnostics *diagnostics)
     return true;
 }
 
-/* Splits the next field off a line. The line becomes NULL after the last field. */
+/* Returns the next field and removes it from the line. The line becomes NULL after the
+ * last field. */
 static char *next_field(char **line)
 {
     char *field = *line, *end;

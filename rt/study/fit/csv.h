@@ -1,9 +1,7 @@
-/* csv.h - reads tables from files with one row per line and fields separated by
- * commas.
+/* csv.h - reads tables from files. A line is a row, and commas separate the fields.
  *
- * A field may be in double quotes and may then contain commas. Empty lines and
- * lines that begin with # are skipped. The first other line has the names of the
- * columns.
+ * A field in double quotes may contain commas. Empty lines and lines that begin with #
+ * are skipped. The first other line contains the names of the columns.
  */
 #ifndef RT_FIT_CSV_H
 #define RT_FIT_CSV_H
@@ -11,8 +9,8 @@
 #include "base/diagnostic.h"
 
 struct csv_row {
-    size_t line;   /* line number in the file, from 1 */
-    char **fields; /* one for each column */
+    size_t line;   /* line number in the file from 1 */
+    char **fields; /* one field for each column */
 };
 
 struct csv {
@@ -23,8 +21,8 @@ struct csv {
     struct csv_row *rows;
 };
 
-/* Reads a table. The columns must be these, in this order. Returns false with the
- * reason in the diagnostics. */
+/* Reads a table. It must have these columns in this order. On failure reports
+ * diagnostics and returns false. */
 bool csv_read(struct csv *csv, const char *path, const char *const *columns,
               size_t count, struct diagnostics *diagnostics);
 void csv_free(struct csv *csv);
@@ -32,7 +30,8 @@ void csv_free(struct csv *csv);
 /* Reports an error in a field. Returns false. */
 bool csv_wrong(const struct csv *csv, const struct csv_row *row, size_t field,
                const char *message, struct diagnostics *diagnostics);
-/* Reads a positive number from a field, or reports an error. */
+/* Reads a positive number from a field. Otherwise reports an error and returns
+ * false. */
 bool csv_positive(const struct csv *csv, const struct csv_row *row, size_t field,
                   double *value, struct diagnostics *diagnostics);
 

@@ -9,7 +9,7 @@
 #include "rt/platform/threads.h"
 #include "rt/study/fit/ceres_fit.h"
 
-/* The step of the differences that approximate derivatives, in prior widths. */
+/* Derivatives are approximated by differences with this step, in prior widths. */
 #define STEP 0.1
 
 double fit_error(const struct observation *observation, double predicted)
@@ -21,18 +21,18 @@ double fit_error(const struct observation *observation, double predicted)
 
 struct point {
     double places[MAX_FREE];
-    size_t moved; /* the only constant that differs from the first point; MAX_FREE:
-                   * this is the first point */
+    size_t moved; /* the constant that differs from the first point; MAX_FREE: this is
+                   * the first point */
     bool timed[MAX_FIT_TIMINGS];
     double clocks[MAX_FIT_TIMINGS][MAX_RUN_REGIONS];
 };
 
-/* Programs to time at points, distributed among threads. */
+/* Programs that are timed at points. Threads share the work. */
 struct work {
     const struct fit *fit;
-    const bool *needed; /* of each timing */
+    const bool *needed; /* for each timing: it is needed */
     struct point *points;
-    size_t count, next; /* of points x timings */
+    size_t count, next; /* number of points x timings */
     struct lock *lock;
     bool failed;
     c205_error error;
@@ -75,7 +75,7 @@ static void do_work(void *context)
     lock_give_back(work->lock);
 }
 
-/* This thread is the first worker. */
+/* Runs the work in threads. This thread is the first worker. */
 static void share_out(struct work *work)
 {
     struct thread *threads[MAX_FIT_JOBS];
@@ -88,7 +88,8 @@ static void share_out(struct work *work)
         thread_end(threads[i]);
 }
 
-/* Copies the clocks that an idle constant does not change from the first point. */
+/* Copies clocks from the first point, for programs that the changed constant does not
+ * affect. */
 static void fill_in(const struct fit *fit, struct point *points, size_t count)
 {
     for (size_t i = 1; i < count; i++)
@@ -116,8 +117,8 @@ static bool time_points(const struct fit *fit, const bool *needed, struct point 
     return !work.failed;
 }
 
-/* Makes the first point and, for each constant, a point with that constant changed
- * by STEP. */
+/* Makes the first point. Then makes a point for each constant, which is changed by
+ * STEP. */
 static struct point *points_at(const struct fit *fit, const double *places,
                                size_t *count, c205_error *error)
 {
@@ -165,8 +166,8 @@ static double error_at(const struct asked *asked, size_t i, struct point *point)
                                                point->clocks));
 }
 
-/* Returns the part of a residual that weigh_errors subtracts: b times the mean of
- * a column of errors over the rows of its group. */
+/* Returns the part that weigh_errors subtracts from an error: b times the mean of a
+ * column of errors over the rows of its group. */
 static double shared_error(const struct asked *asked, size_t i, const double *errors,
                            size_t columns)
 {
@@ -181,10 +182,10 @@ static double shared_error(const struct asked *asked, size_t i, const double *er
            * (1 - own / sqrt(own * own + rows * item->shared * item->shared));
 }
 
-/* Converts relative errors to residuals, column by column. The errors of a group
- * of k rows have the covariance u^2 I + s^2 1 1^T, where u is their own
- * uncertainty and s the shared one. The inverse square root of this matrix maps
- * them to
+/* Converts relative errors to residuals, column by column. The errors of a group of k
+ * rows have the covariance u^2 I + s^2 1 1^T, where u is the uncertainty of each row
+ * and s the shared uncertainty. The inverse square root of this matrix maps an error e
+ * to
  *
  *     (e - b mean e) / u,   b = 1 - u / sqrt (u^2 + k s^2).
  */
@@ -229,8 +230,8 @@ static void find_derivatives(const struct asked *asked, struct point *points,
         prior[i * constants + i] = 1 / prior_width(asked, i);
 }
 
-/* The callback of Ceres. The clocks of the last point are reused if the places are
- * the same, since derivatives are often requested after the residuals of a point. */
+/* The callback for Ceres. It reuses the clocks of the last point if the places are the
+ * same, because Ceres often requests the derivatives of a point after its residuals. */
 static bool evaluate(void *context, const double *places, double *residuals,
                      double *derivatives)
 {
@@ -272,8 +273,8 @@ bool fit_predict(const struct fit *fit, const double *places,
     return good;
 }
 
-/* Marks a constant as idle in the programs whose clocks do not change when it
- * moves by one width. */
+/* Marks a constant as idle in a program if the clocks of the program do not change when
+ * the constant changes by one width. */
 static void find_idle(struct fit *fit, const struct point *points, size_t k)
 {
     for (size_t i = 0; i < fit->observations->timing_count; i++)
@@ -282,7 +283,7 @@ static void find_idle(struct fit *fit, const struct point *points, size_t k)
                           == 0;
 }
 
-/* Marks constants as idle in the programs of other machines. */
+/* Marks a constant as idle in the programs of other machines. */
 static void set_strangers_idle(struct fit *fit)
 {
     const struct observations *all = fit->observations;
@@ -292,7 +293,7 @@ static void set_strangers_idle(struct fit *fit)
                                               all->timings[i].model);
 }
 
-/* Marks the timings of the observations in use. */
+/* Marks the timings of the observations that the fit uses. */
 static void find_needed(const struct fit *fit, const struct fit_change *change,
                         bool needed[MAX_FIT_TIMINGS])
 {
@@ -336,9 +337,9 @@ static void choose(struct asked *asked)
             asked->used[asked->use_count++] = i;
 }
 
-/* Computes the standard errors. The covariance assumes correct uncertainties. If
- * the cost shows that they are too small, the variances grow by the factor 2 cost
- * / (residuals - constants). */
+/* Computes the standard errors. The covariance assumes correct uncertainties. If the
+ * cost indicates that they are too small, the variances are multiplied by 2 cost /
+ * (residuals - constants). */
 static void find_errors(const struct ceres_outcome *found, size_t constants,
                         struct fit_outcome *outcome)
 {

@@ -126,7 +126,7 @@ static void fill_held(const struct study *study, const double *written,
             add_observation(study, i, written, table);
 }
 
-/* Returns the relative distance of a figure from a range; 0 inside. */
+/* Returns the relative distance of a figure from a range, or 0 if it is inside. */
 static double outside(const struct observation *item, double predicted)
 {
     return predicted < item->least  ? predicted / item->least - 1
@@ -152,8 +152,8 @@ static void fill_ranges(const struct study *study, const double *written,
     }
 }
 
-/* Adds the range of one figure over the consecutive rows of its group, which are
- * the programs that can compute it. Returns their number. */
+/* Adds the range of one figure over the consecutive rows of its group. The rows are
+ * alternative programs for the figure. Returns the number of rows. */
 static size_t add_span(const struct study *study, size_t first, struct table *table)
 {
     const struct observations *all = study->fit.observations;
@@ -216,8 +216,9 @@ static void fill_speedups(const struct study *study, const double *written,
 
 /* ---- Constants ---------------------------------------------------------- */
 
-/* Adds a constant. The column "known" is the part of the certainty that comes from
- * the data; "moved" means a change of at least a tenth of the prior's width. */
+/* Adds a constant. The column "known" is the fraction of the certainty that comes from
+ * the data. "moved" means that the constant has changed by at least a tenth of the
+ * prior's width. */
 static void add_constant(const struct study *study, size_t i, struct table *table)
 {
     const struct free_constant *constant = &study->fit.constants->items[i];
@@ -265,7 +266,7 @@ static void fill_left_out(const struct study *study, const double *written,
     }
 }
 
-/* Returns the fitted observation whose prediction changes most in another fit. */
+/* Returns the fitted observation whose prediction differs most in another fit. */
 static size_t most_changed(const struct study *study, const struct fit_outcome *other,
                            double *change)
 {
@@ -350,7 +351,7 @@ static const struct report_part {
     const char *key, *heading;
     const struct table_column *columns;
     size_t count;
-    bool always; /* also in a brief report */
+    bool always; /* printed in a brief report, too */
     void (*fill)(const struct study *study, const double *written, struct table *table);
 } parts[] = {
     { "fitted", "What was fitted", TABLE_COLUMNS(observed), true, fill_fitted },
@@ -372,7 +373,7 @@ static const struct report_part {
       TABLE_COLUMNS(doubled), false, fill_doubled },
 };
 
-/* Returns the model of the machine of the first observation. */
+/* Returns the model of the first observation's machine. */
 static const c205_model *fitted_model(const struct study *study)
 {
     return study->fit.observations->timings[0].model;

@@ -5,8 +5,8 @@
 #include "base/command_output.h"
 #include "rt/study/fit/study.h"
 
-/* Prints the report. `written` has the predictions of the model file. Returns
- * false if out of memory. */
+/* Prints the report. `written` has the predictions of the model as written to its file.
+ * Returns false if out of memory. */
 bool report_print(const struct study *study, const double *written,
                   const struct command_output *results);
 

@@ -11,7 +11,7 @@
 
 /* ---- The constants ------------------------------------------------------ */
 
-/* Returns the priors for a model file: NAME-prior for NAME.model. */
+/* Returns the model NAME-prior that contains the priors for a file NAME.model. */
 static const c205_model *prior_of(const struct observations *all, const char *path,
                                   c205_error *error)
 {
@@ -39,8 +39,8 @@ static int decimals(const c205_constant *prior)
     return strcmp(prior->unit, "clk") == 0 ? 0 : 4;
 }
 
-/* Lists the constants of a model as they are written, rounded. Returns their
- * number. */
+/* Lists the constants of a model as they are written, which is rounded. Returns the
+ * number of constants. */
 static size_t written_settings(const struct study *study, const c205_model *model,
                                c205_setting settings[MAX_SETTINGS])
 {
@@ -95,15 +95,15 @@ bool written_check(const struct study *study, const char *path, c205_error *erro
            && atomic_file_check(path, error);
 }
 
-/* Returns the length of the machine's name in a model's name: "cyber205" in
+/* Returns the length of the machine's name within a model's name, such as "cyber205" in
  * "cyber205-2pipe". */
 static size_t machine_length(const char *name)
 {
     return strcspn(name, "-");
 }
 
-/* Returns true if an observation is of the model's machine, with any number of
- * pipes, or of a machine like it. */
+/* Returns true if the machine of an observation is the machine of the model or a
+ * variant of it. */
 static bool is_of(const struct observations *all, const struct observation *item,
                   const c205_model *model)
 {
@@ -116,7 +116,7 @@ static bool is_of(const struct observations *all, const struct observation *item
     return false;
 }
 
-/* Writes "KEYWORD N figures, at most E % off: NAME", a line of model files. */
+/* Writes "KEYWORD N figures, at most E % off: NAME", which is a line of model files. */
 static void write_belief(const struct study *study, const c205_model *model,
                          const double *predicted, bool fitted, FILE *file)
 {

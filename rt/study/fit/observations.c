@@ -1,4 +1,4 @@
-/* observations.c - reads observations and predicts them from clocks. */
+/* observations.c - reads observations, and predicts them from clocks. */
 #include "rt/study/fit/observations.h"
 
 #include "base/array.h"
@@ -41,7 +41,7 @@ static const struct fit_run *find_run(struct observations *all, const char *prog
     return *added;
 }
 
-/* Names the model of a machine before any fit, if it has one of its own. */
+/* Finds the model of a machine before any fit. The machine may have no such model. */
 static void name_prior(const char *machine, char name[MAX_TEXT])
 {
     const char *const *names = c205_model_names();
@@ -83,7 +83,7 @@ static bool find_timing(struct observations *all, const struct fit_run *run,
 
 /* ---- Terms -------------------------------------------------------------- */
 
-/* Splits "A/B". The second part is empty if there is no slash. */
+/* Splits "A/B". Without a slash, the second part is empty. */
 static void split(char *text, const char **second)
 {
     char *slash = strchr(text, '/');
@@ -94,7 +94,7 @@ static void split(char *text, const char **second)
     }
 }
 
-/* Moves ":REGIONS" from a program's name to a string of its own. */
+/* Moves ":REGIONS" from a program's name to another string. */
 static void take_regions(const char *text, char program[MAX_TEXT],
                          char regions[MAX_TEXT])
 {
@@ -136,7 +136,7 @@ static bool add_terms(struct observations *all, struct observation *item,
                     *machine != '\0' ? machine : machines, error);
 }
 
-/* The units, and the quantity that each refers to: a constant of the program, its
+/* The quantity that a unit refers to: a constant of the program, the number of its
  * rays, or the clock period of the machine. */
 enum counted { COUNTED_SYMBOL, COUNTED_RAYS, COUNTED_PERIOD, COUNTED_NOTHING };
 
@@ -156,7 +156,7 @@ static const struct unit {
     { "ratio", COUNTED_NOTHING, NULL, false, 1 },
 };
 
-/* Finds the amount of that quantity. */
+/* Finds the amount of the quantity. */
 static bool find_count(const struct run_timing *timing, const struct unit *unit,
                        double *count, c205_error *error)
 {
@@ -209,7 +209,7 @@ static bool read_use(const struct csv *file, const struct csv_row *row,
            || csv_wrong(file, row, USE, "expected fit, compare or range", diagnostics);
 }
 
-/* Reads "15 to 18", or one number. */
+/* Reads a range such as "15 to 18", or a single number. */
 static bool read_range(const struct csv *file, const struct csv_row *row,
                        struct observation *item, struct diagnostics *diagnostics)
 {

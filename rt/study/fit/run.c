@@ -1,4 +1,4 @@
-/* run.c - runs programs once and times them again with other constants. */
+/* run.c - runs programs once, and times them again with other constants. */
 #include "rt/study/fit/run.h"
 #include "vm/error.h"
 
@@ -23,7 +23,7 @@ static char *copied(const char *text)
 
 /* ---- Frames ------------------------------------------------------------- */
 
-/* Splits a name such as "Steiner scalar" into the subject and the form. */
+/* Splits a name such as "Steiner scalar" into subject and form. */
 static bool find_subject(struct fit_run *run, enum trace_mode *mode)
 {
     for (size_t i = 0; i < speedup_subject_count; i++) {
@@ -54,8 +54,8 @@ static c205 *frame_machine(struct fit_run *run, enum trace_mode mode,
 
 /* ---- Source files ------------------------------------------------------- */
 
-/* Splits "FILE.s NAME=VALUE ..." into the file and the defines, which end with a
- * NULL name. */
+/* Splits "FILE.s NAME=VALUE ..." into the file name and the defines. The defines end
+ * with a NULL name. */
 static bool cut_words(char *words, struct asm_define *defines, c205_error *error)
 {
     size_t count = 0;

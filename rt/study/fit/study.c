@@ -1,4 +1,4 @@
-/* study.c - makes the fit and tests its reliability. */
+/* study.c - computes the fit, and tests its reliability. */
 #include "rt/study/fit/study.h"
 
 #include <math.h>
@@ -22,7 +22,7 @@ static const struct speedup_subject *subject_of(const struct observations *all,
     return all->timings[item->terms[0].timing].run->subject;
 }
 
-/* Lists the primitives with rows in the fit. */
+/* Lists the primitives that have rows in the fit. */
 static void find_subjects(struct study *study)
 {
     const struct observations *all = study->fit.observations;
@@ -40,8 +40,8 @@ static void find_subjects(struct study *study)
 
 /* ---- Rows left out ------------------------------------------------------ */
 
-/* The start of the fits without rows. They must not depend on the row that is left
- * out, so they start where the fit itself did. */
+/* Fits without a row start at the priors, like the fit itself, because their start must
+ * not depend on the omitted row. */
 static const double priors[MAX_FREE];
 
 static bool leave_rows_out(struct study *study, c205_error *error)
@@ -85,8 +85,8 @@ static void add_to_groups(struct study *study, const struct observation *item)
     group->rows++;
 }
 
-/* Lists the groups of several rows. Groups of one row are covered by
- * leave_rows_out. */
+/* Lists the groups of several rows. For a group of one row, leave_rows_out has the
+ * fit. */
 static void find_groups(struct study *study)
 {
     const struct observations *all = study->fit.observations;

@@ -1,4 +1,4 @@
-/* study.h - makes the fit and tests its reliability: the same fit without a row or
+/* study.h - computes the fit, and tests its reliability by fits without a row, without
  * a group of rows, and with doubled priors. */
 #ifndef RT_FIT_STUDY_H
 #define RT_FIT_STUDY_H
@@ -7,8 +7,8 @@
 
 enum { MAX_STUDY_SUBJECTS = 8, MAX_STUDY_GROUPS = 8 };
 
-/* Rows of the fit that share the first words of their names, and the fit without
- * them. */
+/* A group of rows whose names begin with the same words, and the fit without the
+ * group. */
 struct study_group {
     char name[32];
     size_t rows;
@@ -17,28 +17,28 @@ struct study_group {
 
 struct study {
     struct fit fit;
-    struct fit_change held; /* observations that the user leaves out of all fits */
-    bool brief;             /* only the fit was made */
+    struct fit_change held; /* observations that the user omits from all fits */
+    bool brief;             /* only the fit was computed, without tests */
     double at_prior[MAX_FIT_OBSERVATIONS];
     struct fit_outcome best;
-    size_t subject_count; /* primitives of Table 1 */
+    size_t subject_count; /* number of primitives of Table 1 */
     const struct speedup_subject *subjects[MAX_STUDY_SUBJECTS];
-    /* For each row, the prediction of a fit without it, started from the priors. */
+    /* For each row: its prediction by a fit without the row, which starts at the
+     * priors. */
     double left_out[MAX_FIT_OBSERVATIONS];
-    size_t group_count; /* of more than one row */
+    size_t group_count; /* number of groups of more than one row */
     struct study_group groups[MAX_STUDY_GROUPS];
     struct unidentifiable_list unidentifiable;
-    /* Fits with the width of each constant's prior doubled, and with the prior itself
-     * doubled. */
+    /* For each constant: a fit with twice the width of its prior, and a fit with twice
+     * the prior. */
     struct fit_outcome wide[MAX_FREE], moved[MAX_FREE];
 };
 
-/* Makes the fit and, unless brief is set, the tests. Returns false with the reason
- * in the error. */
+/* Computes the fit and, unless `brief` is set, the tests. On failure sets the error and
+ * returns false. */
 bool study_make(struct study *study, c205_error *error);
 
-/* Returns true if an observation is a row of Table 1, which is the time of a
- * frame. */
+/* Returns true if an observation is a row of Table 1: the time of a frame. */
 bool study_is_row(const struct observation *observation);
 /* Returns true if the observation is in the fit. */
 bool study_is_fitted(const struct study *study, size_t observation);
@@ -46,18 +46,19 @@ bool study_is_fitted(const struct study *study, size_t observation);
 bool study_is_of(const struct study_group *group,
                  const struct observation *observation);
 
-/* Return the number of constants that the data determine. A constant counts with
- * the part of its certainty that does not come from its prior. */
+/* Return the number of constants that the data determine. Each constant counts as the
+ * fraction of its certainty that does not come from its prior. */
 double study_known(const struct study *study);
 double study_known_of(const struct study *study, size_t constant);
 
-/* Returns the row of a primitive in a form on a machine, or the number of
- * observations if there is none. */
+/* Returns the row of a primitive in a form on a machine, or the number of observations
+ * if there is no such row. */
 size_t study_row(const struct study *study, const struct speedup_subject *subject,
                  enum trace_mode mode, const char *machine);
 
-/* Returns the predicted speedup of the vector form over the scalar one, which may
- * be on the other machine, and sets the value of Table 1. NaN: none. */
+/* Returns the predicted speedup of the vector form over the scalar form. The scalar
+ * form may be on the other machine. Also sets the value of Table 1. NaN: there is
+ * none. */
 double study_speedup(const struct study *study, const double *predicted,
                      const struct speedup_subject *subject, bool other,
                      double *reported);

@@ -9,14 +9,14 @@
 
 typedef double region_clocks[MAX_RUN_REGIONS];
 
-/* The data for testing all constants. */
+/* Data that the tests of all constants share. */
 struct question {
     const struct fit *fit;
     const struct fit_change *change;
-    region_clocks *before; /* of each timing */
+    region_clocks *before; /* clocks of each timing */
 };
 
-/* The relative change of a time that counts. */
+/* A larger relative change of a time counts as a change. */
 #define CHANGED .01
 
 static double sum_of(const struct term *term, const struct fit_run *run,
@@ -29,8 +29,8 @@ static double sum_of(const struct term *term, const struct fit_run *run,
     return sum;
 }
 
-/* Returns true if the constant changes a time. A value that the model rejects
- * counts as no change. */
+/* Returns true if a new value of the constant changes a time. A value that the model
+ * rejects counts as no change. */
 static bool changes(const struct question *question, const struct term *term,
                     const char *name)
 {
@@ -64,7 +64,7 @@ static bool changes_any(const struct question *question, const struct observatio
 }
 
 /* Returns true if a constant changes a fitted time. The clock period changes all
- * of them. */
+ * times. */
 static bool is_touched(const struct question *question, const char *machine,
                        const c205_constant *constant)
 {
@@ -104,7 +104,7 @@ static void add_machine(const struct question *question, const char *machine,
     }
 }
 
-/* Adds each machine once. */
+/* Adds each machine once, although several observations may have it. */
 static void add_machines(const struct question *question,
                          struct unidentifiable_list *unidentifiable)
 {

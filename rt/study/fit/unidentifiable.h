@@ -1,6 +1,5 @@
-/* unidentifiable.h - finds the constants of the models on which no fitted
- * observation depends. The fit cannot determine them, even if they change together
- * with others. */
+/* unidentifiable.h - finds the constants of models that affect no fitted observation.
+ * The fit cannot determine them, even in combination with other constants. */
 #ifndef RT_FIT_UNIDENTIFIABLE_H
 #define RT_FIT_UNIDENTIFIABLE_H
 
@@ -11,7 +10,7 @@ enum { MAX_UNTOUCHED = 128 };
 struct unidentifiable {
     const char *machine;
     const c205_constant *constant;
-    const struct free_constant *moved_by; /* the group that it changes with; NULL: it
+    const struct free_constant *moved_by; /* the group with which it changes; NULL: it
                                            * does not change */
 };
 
@@ -20,9 +19,9 @@ struct unidentifiable_list {
     struct unidentifiable items[MAX_UNTOUCHED];
 };
 
-/* Lists constants of the machines with free constants. A constant is listed if no
- * fitted time changes by a hundredth when it is doubled, halved or divided by
- * eight, as far as the model permits. Returns false with the reason in the error. */
+/* Lists constants of the machines that have free constants. A constant is listed if no
+ * fitted time changes by 1 % when the constant is doubled, halved or divided by eight,
+ * as far as the model permits. On failure sets the error and returns false. */
 bool unidentifiable_find(const struct fit *fit, const struct fit_change *change,
                          struct unidentifiable_list *unidentifiable, c205_error *error);
 

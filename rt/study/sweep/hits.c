@@ -1,10 +1,10 @@
-/* hits.c - sweeps the share of rays that hit.
+/* hits.c - sweeps the fraction of rays that hit.
  *
- * A scout frame finds where the primitive is hit. The eye does not move. A narrow
- * frame, a little smaller than the largest square of the scout that is hit
- * everywhere, first looks there, then farther and farther to the nearer side, and
- * finally just past the primitive. The density of rays is therefore constant, and
- * only their direction changes.
+ * A scout frame finds the pixels where rays hit the primitive. The narrow frames that
+ * are measured have the size of its largest square of hits, reduced a little. The eye
+ * does not move. The first frame shows this square. The next ones are shifted towards
+ * the nearer side of the scout, and the last one is just past the primitive. The
+ * density of rays is therefore constant, and only their direction changes.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -15,16 +15,16 @@
 #include "vm/min_max.h"
 
 enum { SIDE = 256, SHARES = 10 };
-static const double degrees = 57.29577951308232; /* of a radian */
+static const double degrees = 57.29577951308232; /* in a radian */
 
 struct scout {
     bool *hit;                /* SIDE x SIDE pixels */
-    size_t side, row, column; /* a square, its first pixel */
+    size_t side, row, column; /* side and first pixel of a square */
 };
 
-/* Finds the largest square of hits by dynamic programming. The side of the largest
- * square that ends at a pixel is one more than the smallest of those that end to
- * its left, above it, and above to the left. */
+/* Finds the largest square of hits by dynamic programming. Consider the largest square
+ * that ends at a pixel. Its side is 1 plus the least side of the largest squares that
+ * end at the left, upper and upper left neighbours. */
 static bool find_square(struct scout *scout)
 {
     size_t *sides = calloc(SIDE * SIDE, sizeof *sides);
@@ -48,7 +48,7 @@ static bool find_square(struct scout *scout)
     return true;
 }
 
-/* Shrinks the square so far that every ray hits, wherever it is in its pixel. */
+/* Shrinks the square so that every ray hits, at any position within its pixel. */
 static void shrink(struct scout *scout)
 {
     size_t edge = scout->side / 10;
@@ -89,7 +89,7 @@ static bool send_scout(const struct sweep *sweep, struct scout *scout,
 
 /* ---- Directions ---------------------------------------------------------- */
 
-/* Counts the hits in the square when it is moved by at most SIDE columns. */
+/* Counts the hits in the square after a shift by up to SIDE columns. */
 static size_t hits_at(const struct scout *scout, ptrdiff_t shift)
 {
     size_t hits = 0;
@@ -101,13 +101,13 @@ static size_t hits_at(const struct scout *scout, ptrdiff_t shift)
     return hits;
 }
 
-/* Returns the direction of the side of the frame that is nearer to the square. */
+/* Returns the direction towards the side of the frame that is nearer to the square. */
 static ptrdiff_t direction(const struct scout *scout)
 {
     return 2 * scout->column + scout->side < SIDE ? -1 : 1;
 }
 
-/* Returns true if the primitive may continue beyond that side. */
+/* Returns true if the primitive may continue beyond this side of the frame. */
 static bool reaches_side(const struct scout *scout)
 {
     size_t column = direction(scout) < 0 ? 0 : SIDE - 1;
@@ -117,7 +117,8 @@ static bool reaches_side(const struct scout *scout)
     return false;
 }
 
-/* Returns the shift past the last hit, with a margin for the error of a pixel. */
+/* Returns the shift to just past the last hit, with a margin for the error of one
+ * pixel. */
 static ptrdiff_t shift_past(const struct scout *scout)
 {
     ptrdiff_t shift = SIDE;
@@ -126,7 +127,8 @@ static ptrdiff_t shift_past(const struct scout *scout)
     return shift + 1 + (ptrdiff_t)scout->side / 10;
 }
 
-/* Returns the first shift at which at most a share of the square is hit. */
+/* Returns the first shift at which the fraction of hits in the square is at most
+ * `share`. */
 static ptrdiff_t shift_to(const struct scout *scout, double share)
 {
     size_t most = (size_t)(share * (double)(scout->side * scout->side));
@@ -150,16 +152,16 @@ static void normalise(double vector[3])
         vector[i] /= length;
 }
 
-/* Returns the width of a frame that fits into a square, as a fraction of the
- * square's. */
+/* Returns the width of the largest frame in a square, relative to the width of the
+ * square. */
 static double width_of_square(const struct trace_options *trace)
 {
     return trace->width < trace->height ? (double)trace->width / (double)trace->height
                                         : 1;
 }
 
-/* Computes the view as the scene language's camera does: y is up, and right is to
- * the right. */
+/* Computes the view like the camera of the scene language: y is up, and `right` points
+ * to the right. */
 static struct speedup_view look(const struct sweep *sweep, const struct scout *scout,
                                 ptrdiff_t shift)
 {
@@ -265,7 +267,7 @@ static bool report_hits(struct sweep *sweep, struct sweep_report *report,
 const struct sweep_kind sweep_hits = {
     .name = "hits",
     .title = "Rays that hit",
-    .angle = 37, /* the shape and its surroundings */
+    .angle = 37, /* shows the shape and some background */
     .primitive_only = true,
     .measure = measure,
     .report = report_hits,

@@ -1,16 +1,16 @@
 /* length.c - sweeps the length of the vectors.
  *
- * There are as many rays as the queue is long, in one row across the centre of the
- * frame, so all work per queue is done once. Pages count as already in memory,
- * since such a short run touches each of them for the first time.
+ * The frame is one row across the centre, with as many rays as the queue length, so
+ * that all work per queue is done once. Page faults do not count, because such a short
+ * run accesses each page for the first time.
  */
 #include <stdlib.h>
 
 #include "vm/error.h"
 #include "rt/study/sweep/sweep_types.h"
 
-/* If the crossover is at a longer queue, the lengths before it are not measured
- * one by one. */
+/* Beyond this queue length, the lengths around the crossover are not measured one by
+ * one. */
 enum { MAX_TRIED = 256 };
 
 static bool run_lengths(struct sweep *sweep, const size_t *lengths, size_t count,
@@ -49,7 +49,7 @@ static void sort(struct sweep *sweep)
 
 /* ---- Refinement ---------------------------------------------------------- */
 
-/* Returns the last measure whose speedup is at most this one, or -1. */
+/* Returns the index of the last measure whose speedup is at most `speedup`, or -1. */
 static ptrdiff_t last_not_above(const struct sweep *sweep, double speedup)
 {
     ptrdiff_t i = (ptrdiff_t)sweep->count - 1;
@@ -58,7 +58,7 @@ static ptrdiff_t last_not_above(const struct sweep *sweep, double speedup)
     return i;
 }
 
-/* Returns the first measure with at least this speedup. */
+/* Returns the index of the first measure with at least this speedup. */
 static size_t first_with(const struct sweep *sweep, double speedup)
 {
     size_t i = 0;
@@ -67,7 +67,7 @@ static size_t first_with(const struct sweep *sweep, double speedup)
     return i;
 }
 
-/* Measures every length from the first to the last that has not been measured. */
+/* Measures all lengths between the first and the last that have not been measured. */
 static bool run_between(struct sweep *sweep, size_t first, size_t last,
                         c205_error *error)
 {
@@ -84,8 +84,8 @@ static bool run_between(struct sweep *sweep, size_t first, size_t last,
     return good;
 }
 
-/* Measures all lengths from the last at which the scalar form is not slower to
- * twice the next, so that the crossover and its surroundings are known exactly. */
+/* Determines the crossover exactly. Measures all lengths from the last length at which
+ * the scalar form is at least as fast, to twice the next measured length. */
 static bool approach_crossover(struct sweep *sweep, c205_error *error)
 {
     ptrdiff_t below = last_not_above(sweep, 1);
@@ -107,7 +107,7 @@ static double best_speedup(const struct sweep *sweep)
     return best;
 }
 
-/* Bisects the interval before the first measure with a speedup until its ends are
+/* Bisects the interval before the first measure with this speedup, until its ends are
  * adjacent. */
 static bool approach_speedup(struct sweep *sweep, double speedup, c205_error *error)
 {
@@ -138,7 +138,8 @@ static bool measure(struct sweep *sweep, c205_error *error)
 
 /* ---- Findings ------------------------------------------------------------ */
 
-/* Returns the last length of the consecutive ones that were measured. */
+/* Returns the last length of the sequence of consecutive measured lengths that starts
+ * with measure i. */
 static size_t checked_from(const struct sweep *sweep, size_t i)
 {
     while (i + 1 < sweep->count
@@ -147,7 +148,8 @@ static size_t checked_from(const struct sweep *sweep, size_t i)
     return length_of(&sweep->measures[i]);
 }
 
-/* Returns true if the length before was measured, too, so that none is missed. */
+/* Returns true if the previous length was measured, too, so that this length is certain
+ * to be the first. */
 static bool is_exact(const struct sweep *sweep, size_t length)
 {
     return length == 1 || sweep_with_queue(sweep, length - 1);

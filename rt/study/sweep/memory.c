@@ -1,4 +1,4 @@
-/* memory.c - computes the memory that a queue takes. */
+/* memory.c - computes the memory that a queue needs. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,7 +7,8 @@
 
 enum { SMALLEST_PAGE = 512, SIDE = 32 };
 
-/* Computes the words that a frame of one queue of side x side rays touches. */
+/* Computes the number of words that a frame of one queue accesses. The frame has side x
+ * side rays. */
 static bool touched(struct sweep *sweep, size_t side, double *words, c205_error *error)
 {
     struct sweep_point point = sweep->base;
@@ -20,8 +21,8 @@ static bool touched(struct sweep *sweep, size_t side, double *words, c205_error 
     return true;
 }
 
-/* Finds the room for crossings that rt/layout/layout.c reserves for each ray: that
- * of the region with most crossings. */
+/* Finds the number of crossings for which rt/layout/layout.c reserves room for each
+ * ray. It is the number of the region with most crossings. */
 static bool count_crossings(const struct scene *scene, size_t *crossings,
                             c205_error *error)
 {
@@ -33,8 +34,8 @@ static bool count_crossings(const struct scene *scene, size_t *crossings,
     return plans != NULL;
 }
 
-/* Compares two frames of the same picture with different resolutions. The
- * difference is the memory of the additional rays. */
+/* Compares two frames of the same picture with different resolutions. The difference is
+ * the memory of the additional rays. */
 bool sweep_memory(struct sweep *sweep, struct sweep_memory *memory, c205_error *error)
 {
     double rays = SIDE * SIDE;

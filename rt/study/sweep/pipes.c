@@ -1,10 +1,10 @@
-/* pipes.c - sweeps the number of pipes, and operands of 32 bits. */
+/* pipes.c - sweeps the number of pipes, with operands of 64 and 32 bits. */
 #include <math.h>
 
 #include "vm/error.h"
 #include "rt/study/sweep/sweep_types.h"
 
-/* The machines, from the slowest on, in the order of the table. */
+/* The machines, in the order of the table. The slowest is the first. */
 static const struct {
     unsigned pipes, bits;
 } machines[] = { { 1, 64 }, { 2, 64 }, { 4, 64 }, { 1, 32 }, { 2, 32 }, { 4, 32 } };
@@ -67,7 +67,8 @@ static double faster_than(const struct sweep *sweep, size_t than, size_t machine
     return (double)queued_total(sweep, than) / (double)queued_total(sweep, machine);
 }
 
-/* Returns the speedup over one pipe if only its stream became `times` as fast. */
+/* Returns the speedup over one pipe if only the stream of one pipe became `times` as
+ * fast. */
 static double amdahl(const struct sweep *sweep, double times)
 {
     const struct sweep_form *one = &sweep->measures[ONE_PIPE].forms[SWEEP_QUEUED];

@@ -9,7 +9,7 @@
 #include "rt/platform/processes.h"
 #include "vm/error.h"
 
-enum { ENDING = 4 }; /* bytes of ".svg" and ".png" */
+enum { ENDING = 4 }; /* length of ".svg" and ".png" in bytes */
 
 static bool is_png(const char *path)
 {
@@ -38,7 +38,7 @@ bool plot_check_path(const char *path, c205_error *error)
     return atomic_file_check(svg, error) && atomic_file_check(path, error);
 }
 
-/* Ends a file. Returns true if it is good and has been written. */
+/* Ends a file. Returns true if `good` is true and the file has been written. */
 static bool end_plot(struct atomic_file *whole, bool good, c205_error *error)
 {
     if (good)
@@ -58,7 +58,7 @@ static bool write_svg(const struct plot *plot, const struct table *table,
     return end_plot(whole, plot_draw(plot, table, &sink, error), error);
 }
 
-/* Runs the converter. The error is its last message. */
+/* Runs the converter. The error is the last message of the converter. */
 static bool convert(const char *svg, FILE *png, c205_error *error)
 {
     char path[PLOT_PATH + 2], line[180], last[180] = "no picture was written";
@@ -67,7 +67,7 @@ static bool convert(const char *svg, FILE *png, c205_error *error)
     size_t written;
     int code;
 
-    /* A name must not be read as an option. */
+    /* the name must not look like an option */
     snprintf(path, sizeof path, "%s%s", *svg == '/' ? "" : "./", svg);
     code = process_run(".", words, png, &written, &messages);
     if (code < 0)
@@ -81,7 +81,8 @@ static bool convert(const char *svg, FILE *png, c205_error *error)
     return (code == 0 && written > 0) || error_set(error, "rsvg-convert: %s", last);
 }
 
-/* Opens the .png before the .svg is written. If one cannot be written, none is. */
+/* Opens the .png before it writes the .svg, so that if one of them cannot be written,
+ * neither is. */
 static bool write_both(const struct plot *plot, const struct table *table,
                        const char *svg, const char *png, c205_error *error)
 {

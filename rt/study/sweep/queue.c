@@ -4,8 +4,9 @@
 #include "vm/error.h"
 #include "rt/study/sweep/sweep_types.h"
 
-/* A band must contain the queue, or the queue would never be full. A queue that is
- * longer than the tracer's own bands therefore also has longer planes. */
+/* Measures the queues. A band must contain the queue, or the queue would never be full.
+ * For a queue that is longer than the default band, the planes are therefore longer,
+ * too. */
 static bool measure(struct sweep *sweep, c205_error *error)
 {
     struct sweep_point points[MAX_SWEEP_LENGTHS];
@@ -71,7 +72,7 @@ static void fill_memory(struct table *table, const struct sweep_memory *memory,
     add_memory(table, "real memory", memory->real);
 }
 
-/* The three queues that are compared. The paper's may be missing. */
+/* The three queues that are compared. The paper's queue may be missing. */
 struct trio {
     const struct sweep_measure *best, *paper, *longest;
 };
@@ -88,7 +89,7 @@ static double group_cost(const struct sweep_measure *measure, int group)
                              : form->total);
 }
 
-/* Adds a line for each group of causes, and one for all. */
+/* Adds a line for each group of causes, and a line for all groups. */
 static void fill_difference(struct table *table, const struct trio *trio)
 {
     for (int group = 0; group <= SWEEP_GROUPS; group++) {
@@ -120,7 +121,7 @@ static double percent_above(const struct sweep_measure *measure,
            * (sweep_cost(measure, SWEEP_QUEUED) / sweep_cost(best, SWEEP_QUEUED) - 1);
 }
 
-/* Returns the group of causes that rises most from one queue to another. */
+/* Returns the group of causes whose clocks increase most from one queue to another. */
 static enum sweep_group rises_most(const struct sweep_measure *from,
                                    const struct sweep_measure *to)
 {
@@ -148,7 +149,8 @@ static void print_other(struct sweep_report *report, const char *what,
                       group_cost(other, (int)most) - group_cost(best, (int)most));
 }
 
-/* Prints the range of queues around the best that cost at most 2 % more. */
+/* Prints the range of queue lengths around the best whose cost is at most 2 %
+ * higher. */
 static void print_flat(struct sweep_report *report, const struct sweep *sweep,
                        const struct sweep_measure *best)
 {
@@ -192,13 +194,14 @@ static void print_queues(struct sweep_report *report, const struct sweep *sweep,
     print_memory(report, memory);
 }
 
-/* The groups from the bottom of the plot. Those that change most are on top. */
+/* The groups in the plot from bottom to top. The groups that change most are at the
+ * top. */
 static const enum sweep_group drawn[SWEEP_GROUPS] = { SWEEP_STREAM, SWEEP_CONFLICT,
                                                       SWEEP_SERIAL, SWEEP_STARTUP,
                                                       SWEEP_MISS,   SWEEP_FAULT };
 
-/* The plot ends at this multiple of the best cost. It shows the flat part and
- * where that ends. */
+/* The height of the plot, as a multiple of the best cost. The plot shows the flat part
+ * and its end. */
 enum { SHOWN_TIMES = 3 };
 
 static void draw_queues(struct sweep_report *report, const struct trio *trio)

@@ -11,8 +11,8 @@
 
 /* ---- A frame ------------------------------------------------------------- */
 
-/* Returns the trace of a point. The caller frees it, then *scene, which is NULL if
- * the sweep's own scene is traced. */
+/* Returns the trace of a point. The caller frees it, then *scene. *scene is NULL if the
+ * trace uses the scene of the sweep. */
 static struct trace *open_trace(const struct sweep *sweep,
                                 const struct sweep_point *point, struct scene **scene,
                                 c205_error *error)
@@ -57,9 +57,9 @@ static void leave_out(struct sweep_form *form, c205_cause cause)
     form->clocks[cause] = 0;
 }
 
-/* A frame of a point in one of its forms, and its results. */
+/* A frame of a point in one form, and its results. */
 struct form_run {
-    size_t point; /* index of its measure */
+    size_t point; /* index of the point's measure */
     int form;
     struct sweep_form found;
     size_t hits;
@@ -84,7 +84,7 @@ static bool read_form(const struct sweep *sweep, const struct trace *trace,
     return true;
 }
 
-/* Returns the host's cost in rays. A vector instruction without elements costs the
+/* Returns the host's cost, in rays. A vector instruction without elements costs the
  * host as much as a hundred elements. */
 static size_t weight_of(const struct sweep_point *point, int form)
 {
@@ -92,7 +92,7 @@ static size_t weight_of(const struct sweep_point *point, int form)
     return form == SWEEP_SCALAR ? rays : rays + 100 * (rays / point->trace.queue);
 }
 
-/* The frames that measure some points. */
+/* The frames with which points are measured. */
 struct plan {
     struct sweep *sweep;
     struct form_run *runs;
@@ -112,7 +112,7 @@ static double run_weight(const void *context, size_t number)
     return (double)weight_of(point_of(plan, run), run->form);
 }
 
-/* Adds the failing point to the error. */
+/* Adds the name of the failing point to the error. */
 static void name_point(const struct sweep_point *point, c205_error *error)
 {
     const char *model = c205_model_name(point->trace.model);
@@ -151,7 +151,8 @@ static bool trace_form(void *context, const struct task *task, c205_error *error
 
 /* ---- Points -------------------------------------------------------------- */
 
-/* Returns true if two points have the same scalar form, which has no queue. */
+/* Returns true if two points have the same scalar form. The scalar form does not depend
+ * on the queue. */
 static bool are_one_in_scalar_form(const struct sweep_point *a,
                                    const struct sweep_point *b)
 {
@@ -160,7 +161,7 @@ static bool are_one_in_scalar_form(const struct sweep_point *a,
            && memcmp(&a->view, &b->view, sizeof a->view) == 0;
 }
 
-/* Returns the last measured point. Its scalar form may also serve the next point. */
+/* Returns the last measured point. The next point may use its scalar form, too. */
 static const struct sweep_point *last_point(const struct sweep *sweep)
 {
     return sweep->count > 0 ? &sweep->measures[sweep->count - 1].point : NULL;
@@ -177,8 +178,8 @@ static void plan_run(struct plan *plan, size_t point, int form)
     plan->runs[plan->count++] = (struct form_run){ .point = point, .form = form };
 }
 
-/* Plans the frames: each point in queues, and in scalar form where that differs
- * from the point before. */
+/* Plans the frames. Each point has a frame in queues. It has a scalar frame only if
+ * that differs from the scalar frame of the previous point. */
 static void plan_runs(struct plan *plan, const struct sweep_point *points, size_t count)
 {
     struct sweep *sweep = plan->sweep;
@@ -207,7 +208,7 @@ static bool finish_queued(const struct form_run *run, struct sweep_measure *meas
                      trace->queue, trace_mode_name(trace->mode));
 }
 
-/* Copies the results to the measures. A scalar form serves all following points up
+/* Copies the results to the measures. A scalar form applies to all following points up
  * to the next scalar form. */
 static bool finish_row(const struct plan *plan, c205_error *error)
 {
@@ -290,8 +291,8 @@ void sweep_free(struct sweep *sweep)
 
 /* ---- Memory -------------------------------------------------------------- */
 
-/* Counts pages by their faults. With memory for all pages each is loaded once, and
- * a fault takes one clock here. */
+/* Counts pages by counting page faults. With memory for all pages, each page is loaded
+ * only once. The model sets the time of a fault to one clock. */
 bool sweep_touched(struct sweep *sweep, const struct sweep_point *point,
                    unsigned page_words, uint64_t *words, c205_error *error)
 {

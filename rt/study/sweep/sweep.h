@@ -1,13 +1,13 @@
 /* sweep.h - measures the cost of a ray while one parameter changes.
  *
- * A sweep measures one target, a primitive's kernel or a scene's frame, at several
- * points, in scalar form and in queues. The four kinds of sweep differ in their
- * points and in their findings. Measuring (sweep.c), tables and output (report.h)
- * are common to all.
+ * A sweep measures one target at several points, in scalar form and in queues. The
+ * target is the kernel of a primitive or the frame of a scene. The four sweep types
+ * differ in their points and findings. Measuring (sweep.c), tables and output
+ * (sweep_report.h) are common to all types.
  *
- * The clocks of a primitive are those of its kernel and its calls, as in the
- * paper's Table 1 (speedup.h). The clocks of a scene are those of its whole frame.
- * If both forms are run, their frames must be equal bit for bit.
+ * For a primitive, the clocks of its kernel and its calls count, as in the paper's
+ * Table 1 (speedup.h). For a scene, all clocks of its frame count. If both forms are
+ * run, their frames must be equal bit for bit.
  */
 #ifndef RT_SWEEP_SWEEP_H
 #define RT_SWEEP_SWEEP_H
@@ -16,8 +16,8 @@
 
 /* The parameters of a measurement. */
 struct sweep_point {
-    struct trace_options trace; /* its mode is the form in queues */
-    struct speedup_view view;   /* of a primitive */
+    struct trace_options trace; /* its mode is the form that is used in queues */
+    struct speedup_view view;   /* view of a primitive */
 };
 
 struct sweep_form {
@@ -28,49 +28,50 @@ enum { SWEEP_SCALAR, SWEEP_QUEUED, SWEEP_FORMS };
 
 struct sweep_measure {
     struct sweep_point point;
-    size_t rays; /* camera rays: pixels */
-    size_t hits; /* of these rays */
+    size_t rays; /* number of camera rays, one for each pixel */
+    size_t hits; /* number of these rays that hit */
     uint64_t checksum;
     struct sweep_form forms[SWEEP_FORMS];
 };
 
 struct sweep {
-    const struct speedup_subject *subject; /* or NULL: a scene */
+    const struct speedup_subject *subject; /* NULL: the target is a scene */
     const struct scene *scene;
-    struct sweep_point base; /* the user's options; points change some of them */
-    const size_t *lengths;   /* the queues that the user requested, in increasing
+    struct sweep_point base; /* the user's options, some of which points change */
+    const size_t *lengths;   /* queue lengths that the user requested, in increasing
                               * order */
-    size_t length_count;     /* 0: the default ones */
-    bool pages_in_place;     /* misses and faults are left out of the clocks */
+    size_t length_count;     /* 0: default lengths */
+    bool pages_in_place;     /* cache misses and page faults do not count */
 
     struct sweep_measure *measures;
     size_t count;
-    c205_model **models; /* owned, for the points */
+    c205_model **models; /* models of the points; the sweep owns them */
     size_t model_count;
 };
 
-/* Before the first call the caller sets the subject or the scene, base and lengths,
- * and zeroes the other fields. sweep_free frees the memory of the sweep. */
+/* The caller initialises the structure: it sets the subject or the scene, base and
+ * lengths, and sets the other fields to zero. sweep_free frees the memory of the
+ * sweep. */
 void sweep_free(struct sweep *sweep);
 
-/* Measures these points, too, base.trace.jobs frames at a time. Progress covers
- * all of them together. Returns false with the reason in the error. */
+/* Measures further points. Runs base.trace.jobs frames concurrently. The progress is
+ * that of all points together. On failure sets the error and returns false. */
 bool sweep_run(struct sweep *sweep, const struct sweep_point *points, size_t count,
                c205_error *error);
 
-/* Returns the user's model with other constants, which the sweep owns. Returns
- * NULL with the reason in the error. */
+/* Returns the user's model with other constants. The sweep owns the model. On failure
+ * sets the error and returns NULL. */
 const c205_model *sweep_model(struct sweep *sweep, const c205_setting *settings,
                               size_t count, c205_error *error);
 
-/* Computes the memory that the program of a point touches in its whole frame, as
- * words in pages of page_words. Returns false with the reason in the error. */
+/* Computes the memory that the program of a point accesses for its whole frame, in
+ * words of pages with page_words words. On failure sets the error and returns false. */
 bool sweep_touched(struct sweep *sweep, const struct sweep_point *point,
                    unsigned page_words, uint64_t *words, c205_error *error);
 
-/* Groups of causes that have the same meaning for the length of a queue. */
+/* Groups of causes that depend on the queue length in the same way. */
 enum sweep_group {
-    SWEEP_SERIAL, /* scalar instructions, their waits and branches */
+    SWEEP_SERIAL, /* scalar instructions and branches, and waiting for them */
     SWEEP_STARTUP,
     SWEEP_STREAM,
     SWEEP_CONFLICT,
@@ -82,7 +83,7 @@ const char *sweep_group_name(enum sweep_group group);
 uint64_t sweep_group_clocks(const struct sweep_form *form, enum sweep_group group);
 
 double sweep_per_ray(const struct sweep_measure *measure, uint64_t clocks);
-/* Returns the clocks per ray of a form, of all causes. */
+/* Returns the clocks per ray of a form, for all causes together. */
 double sweep_cost(const struct sweep_measure *measure, int form);
 double sweep_speedup(const struct sweep_measure *measure);
 double sweep_hit_percent(const struct sweep_measure *measure);

@@ -99,7 +99,8 @@ bool sweep_report_write(const struct sweep_report *report, enum table_format for
 }
 
 static const struct table_column causes[] = {
-    { "point", "point", TABLE_COUNT, 0 }, /* from 1, in the order of measurement */
+    { "point", "point", TABLE_COUNT, 0 }, /* counted from 1, in the order of
+                                           * measurement */
     { "queue", "queue", TABLE_COUNT, 0 }, { "form", "form", TABLE_TEXT, 0 },
     { "cause", "cause", TABLE_TEXT, 0 },  { "clocks", "clocks", TABLE_COUNT, 0 },
 };

@@ -1,7 +1,7 @@
 /* sweep_report.h - the results of a sweep as text, JSON and a plot.
  *
- * A report has tables, and lines of text with numbers. All of them are computed
- * from the measures.
+ * A report consists of tables, and of lines of text with numbers. All of them are
+ * computed from the measures.
  */
 #ifndef RT_SWEEP_REPORT_H
 #define RT_SWEEP_REPORT_H
@@ -25,14 +25,13 @@ struct sweep_part {
 };
 
 struct sweep_report {
-    /* The first one has all points. */
+    /* The first part is the table of all points. */
     struct sweep_part parts[MAX_SWEEP_PARTS];
     size_t part_count;
     char lines[MAX_SWEEP_LINES][SWEEP_LINE_SIZE];
     size_t line_count;
 
-    /* The plot, which shows one of the tables. The caller sets its title and
-     * subtitles. */
+    /* The plot shows one of the tables. The caller sets its title and subtitles. */
     struct plot plot;
     const struct table *plotted;
     struct plot_curve curves[MAX_SWEEP_CURVES];
@@ -41,7 +40,8 @@ struct sweep_report {
     size_t label_count;
 };
 
-/* The columns of every table of points, after those that identify a point. */
+/* The columns that all tables of points have, after the columns that identify a
+ * point. */
 /* clang-format off */
 #define SWEEP_COLUMNS \
     { "hit_percent", "% hit", TABLE_NUMBER, 1 }, \
@@ -55,34 +55,35 @@ struct sweep_report {
     { "miss", "miss", TABLE_NUMBER, 2 }, \
     { "fault", "page fault", TABLE_NUMBER, 2 }
 /* clang-format on */
-/* Their indices, from the first of them. */
+/* The indices of these columns, starting with 0. */
 enum sweep_column {
     SWEEP_COLUMN_HITS,
     SWEEP_COLUMN_SCALAR,
     SWEEP_COLUMN_QUEUED,
     SWEEP_COLUMN_SPEEDUP,
-    SWEEP_COLUMN_GROUPS /* one each */
+    SWEEP_COLUMN_GROUPS /* one column for each group */
 };
 extern const char sweep_points_heading[];
-/* Adds the cells of those columns. */
+/* Adds the cells of SWEEP_COLUMNS. */
 void sweep_add_cells(struct table *table, const struct sweep_measure *measure);
 
 void sweep_report_free(struct sweep_report *report);
-/* Adds a new table to the report, which owns it. Returns NULL if out of memory. */
+/* Adds a new table to the report, which owns the table. Returns NULL if out of
+ * memory. */
 struct table *sweep_report_table(struct sweep_report *report, const char *key,
                                  const char *heading,
                                  const struct table_column *columns, size_t count);
 void sweep_report_line(struct sweep_report *report, const char *format, ...);
 void sweep_report_curve(struct sweep_report *report, size_t column, const char *title);
-/* Add a mark or a level. NaN: none. */
+/* Add a mark or a level to the plot. NaN: add nothing. */
 void sweep_report_mark(struct sweep_report *report, double x, const char *format, ...);
 void sweep_report_level(struct sweep_report *report, double y, const char *format, ...);
 
-/* Prints all tables, then the lines. Returns false if out of memory. */
+/* Prints all tables, then the lines of text. Returns false if out of memory. */
 bool sweep_report_write(const struct sweep_report *report, enum table_format format,
                         FILE *file);
-/* Writes the same as JSON, with all causes of both forms for each point. Returns
- * false if out of memory. */
+/* Writes the tables and lines as JSON, with all causes of both forms for each point.
+ * Returns false if out of memory. */
 bool sweep_report_json(const struct sweep_report *report, const struct sweep *sweep,
                        struct json *json);
 

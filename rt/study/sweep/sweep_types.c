@@ -1,4 +1,4 @@
-/* sweep_types.c - the list of sweeps, and their lengths. */
+/* sweep_types.c - the list of sweep types, and their lengths. */
 #include "rt/study/sweep/sweep_types.h"
 
 #include <string.h>

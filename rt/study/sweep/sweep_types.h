@@ -1,4 +1,4 @@
-/* sweep_types.h - the kinds of sweep: queue, pipes, hits, length. */
+/* sweep_types.h - the sweep types: queue, pipes, hits, length. */
 #ifndef RT_SWEEP_SWEEP_TYPES_H
 #define RT_SWEEP_SWEEP_TYPES_H
 
@@ -6,55 +6,54 @@
 
 struct sweep_kind {
     const char *name;
-    const char *title; /* of a plot: "TITLE: target" */
-    double angle;      /* of a primitive's view, unless the user sets it */
+    const char *title; /* title of the plot: "TITLE: target" */
+    double angle;      /* default angle of view for a primitive */
     bool primitive_only;
-    bool takes_lengths; /* sweep.lengths */
-    /* Measures the points. Returns false with the reason in the error. */
+    bool takes_lengths; /* uses sweep.lengths */
+    /* Measures the points. On failure sets the error and returns false. */
     bool (*measure)(struct sweep *sweep, c205_error *error);
-    /* Makes the report. Returns false if out of memory, or with the reason in the
-     * error. */
+    /* Makes the report. If out of memory, or after another failure, which sets the
+     * error, returns false. */
     bool (*report)(struct sweep *sweep, struct sweep_report *report, c205_error *error);
 };
 
 extern const struct sweep_kind sweep_queue, sweep_pipes, sweep_hits, sweep_length;
-/* All kinds, ending with NULL. */
+/* All sweep types. The list ends with NULL. */
 extern const struct sweep_kind *const sweep_kinds[];
 
 /* ---- Queues and lengths -------------------------------------------------- */
 
-/* Lists the user's lengths, or by default 1, 2, 4 .. 32,768, 65,535 and the
- * paper's 2,000, those of them that are at most `most`. */
+/* Lists the user's lengths that are at most `most`. The defaults are 1, 2, 4 .. 32,768,
+ * 65,535 and 2,000, the paper's length. */
 enum { MAX_SWEEP_LENGTHS = 64 };
 size_t sweep_lengths(const struct sweep *sweep, size_t most,
                      size_t lengths[MAX_SWEEP_LENGTHS]);
 
 /* ---- Findings, also for tests -------------------------------------------- */
 
-/* The memory that a queue takes, derived from frames of one queue in the smallest
- * pages. */
+/* The memory of a queue, computed from frames of one queue with the smallest pages. */
 struct sweep_memory {
-    double a_ray, fixed; /* words */
-    size_t crossings;    /* words of a_ray for crossings, which are stored until the
-                          * visible surface is known; in scenes of solids */
-    double real;         /* words of real memory */
-    double fills;        /* rays of the queue that fills it */
+    double a_ray, fixed; /* in words */
+    size_t crossings;    /* number of words of a_ray for crossings, which scenes of
+                          * solids store until the visible surface is known */
+    double real;         /* real memory, in words */
+    double fills;        /* number of rays in the queue that fills it */
 };
 bool sweep_memory(struct sweep *sweep, struct sweep_memory *memory, c205_error *error);
 
-/* Returns the measure with the lowest cost of a ray in queues. */
+/* Returns the measure with the lowest cost per ray in queues. */
 const struct sweep_measure *sweep_best(const struct sweep *sweep);
-/* Returns the measure with that queue, or NULL. */
+/* Returns the measure with this queue length, or NULL. */
 const struct sweep_measure *sweep_with_queue(const struct sweep *sweep, size_t queue);
 
-/* The findings of a sweep of lengths; 0: none. */
+/* The findings of a sweep of lengths. 0: none. */
 struct sweep_lengths_found {
     size_t crossover;   /* queues are faster from this length on, as far as measured */
-    size_t checked;     /* all lengths from the one before the crossover to this one
-                         * were measured; 0: the one before was not, so the crossover
-                         * may be earlier */
-    size_t half;        /* the first length with half of the best speedup */
-    bool half_is_exact; /* the length before it was measured */
+    size_t checked;     /* All lengths from the length before the crossover up to this
+                         * length were measured. 0: the length before was not measured,
+                         * so the crossover may be earlier. */
+    size_t half;        /* first length with half of the best speedup */
+    bool half_is_exact; /* the length before `half` was measured */
     double best;
 };
 struct sweep_lengths_found sweep_find_lengths(const struct sweep *sweep);
