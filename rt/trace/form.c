@@ -194,9 +194,12 @@ struct object *form_assemble_lines(enum trace_mode mode, size_t queue, bool norm
 struct object *form_assemble_beside(const char *name, enum trace_mode mode,
                                     const struct asm_define *defines, c205_error *error)
 {
-    static const struct asm_define none[] = { { NULL, 0 } };
+    struct defines all = { .count = 0 };
     char path[64];
-    snprintf(path, sizeof path, "%s_%s.s", name,
-             trace_mode_name(trace_mode_besides(mode)));
-    return program_assemble(path, defines ? defines : none, error);
+    for (; defines && defines->name; defines++)
+        define(&all, defines->name, (size_t)defines->value);
+    if (trace_mode_besides(mode) == TRACE_SCALAR)
+        define(&all, "SCALAR", 1);
+    snprintf(path, sizeof path, "%s.s", name);
+    return program_assemble(path, all.list, error);
 }

@@ -22,8 +22,8 @@ struct object *form_assemble_lines(enum trace_mode mode, size_t queue, bool norm
                                    c205_error *error);
 
 /* Assembles a program that intersects no primitives, such as "heat/faces". The source
- * is heat/faces_scalar.s or heat/faces_vector.s, as trace_mode_besides selects. The
- * defines may be NULL. */
+ * is heat/faces.s, with the constant SCALAR if trace_mode_besides selects the scalar
+ * form. The defines may be NULL. */
 struct object *form_assemble_beside(const char *name, enum trace_mode mode,
                                     const struct asm_define *defines,
                                     c205_error *error);

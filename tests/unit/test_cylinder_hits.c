@@ -4,8 +4,8 @@
  * fails here.
  */
 #include "rt/heat/hits.h"
-#include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
+#include "rt/trace/form.h"
 #include "tests/oracle/plain_shapes.h"
 #include "tests/random.h"
 #include "tests/unit/prior_model.h"
@@ -85,14 +85,15 @@ static int strikes(const double o[3], const double d[3], const double words[WORD
     return from < to;
 }
 
-static void run(const struct bundle *bundle, const char *form, size_t queue,
+static void run(const struct bundle *bundle, enum trace_mode mode, size_t queue,
                 c205_word *reported)
 {
     const struct asm_define defines[] = { { "QUEUE", (int64_t)queue }, { NULL, 0 } };
     static c205_word planes[6 * MAX_RAYS], words[WORDS * MAX_CYLINDERS];
     size_t n = bundle->rays;
     struct single_run run;
-    SCOPED(object) *program = NON_NULL(program_assemble(form, defines, &failure));
+    SCOPED(object) *program = NON_NULL(
+        form_assemble_beside("heat/hits", mode, defines, &failure));
     uint64_t clocks = 0;
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < 3; k++) {
@@ -117,7 +118,7 @@ TEST(rays)
     static c205_word scalar[MAX_RAYS], vector[MAX_RAYS];
     for (int i = 0; i < 60; i++) {
         draw(&bundle);
-        run(&bundle, "heat/hits_scalar.s", 1, scalar);
+        run(&bundle, TRACE_SCALAR, 1, scalar);
         for (size_t ray = 0; ray < bundle.rays; ray++) {
             int expected = 0;
             for (size_t k = 0; k < bundle.cylinders && expected != 1; k++) {
@@ -129,7 +130,7 @@ TEST(rays)
                     "ray %zu of %zu, %zu cylinders: told %d, not %d", ray, bundle.rays,
                     bundle.cylinders, (int)c205_to_integer(scalar[ray]), expected);
         }
-        run(&bundle, "heat/hits_vector.s", queues[(size_t)i % COUNT(queues)], vector);
+        run(&bundle, TRACE_VECTOR, queues[(size_t)i % COUNT(queues)], vector);
         assert_memory_equal(scalar, vector, bundle.rays * sizeof *scalar);
     }
 }

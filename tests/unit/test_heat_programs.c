@@ -1,8 +1,8 @@
 /* test_heat_programs.c - the programs that choose points, sum the flow to receivers and
  * count gaps are compared with plain loops, over random lists, and both forms bit for
  * bit. A lane that is lost at the end of a queue fails here. */
-#include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
+#include "rt/trace/form.h"
 #include "tests/random.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
@@ -22,10 +22,9 @@ static size_t some_length(size_t most)
     return length < most ? length : most;
 }
 
-static struct object *assemble(const char *name)
+static struct object *assemble(const char *name, enum trace_mode mode)
 {
-    static const struct asm_define none[] = { { NULL, 0 } };
-    return NON_NULL(program_assemble(name, none, &failure));
+    return NON_NULL(form_assemble_beside(name, mode, NULL, &failure));
 }
 
 static void begin(struct single_run *run, const struct object *program)
@@ -50,8 +49,8 @@ TEST(received)
 {
     static c205_word weights[MAX_RAYS], list[MAX_RAYS];
     static c205_word words[2][2 * MAX_RECEIVERS + 1];
-    SCOPED(object) *scalar = assemble("heat/received_scalar.s");
-    SCOPED(object) *vector = assemble("heat/received_vector.s");
+    SCOPED(object) *scalar = assemble("heat/received", TRACE_SCALAR);
+    SCOPED(object) *vector = assemble("heat/received", TRACE_VECTOR);
     const struct object *const forms[] = { scalar, vector };
     for (int i = 0; i < 60; i++) {
         size_t rays = some_length(MAX_RAYS);
@@ -135,8 +134,8 @@ TEST(staying)
 {
     static struct staying given;
     static c205_word made[PLANES * MAX_POINTS + 1];
-    SCOPED(object) *scalar = assemble("heat/faces_scalar.s");
-    SCOPED(object) *vector = assemble("heat/faces_vector.s");
+    SCOPED(object) *scalar = assemble("heat/faces", TRACE_SCALAR);
+    SCOPED(object) *vector = assemble("heat/faces", TRACE_VECTOR);
     const struct object *const forms[] = { scalar, vector };
     for (int i = 0; i < 60; i++) {
         given.points = some_length(MAX_POINTS);
@@ -194,8 +193,8 @@ TEST(gaps)
 {
     static c205_word planes[3 * (MAX_GAPS + 1)];
     c205_word counts[MAX_SURFACES * MAX_SURFACES];
-    SCOPED(object) *scalar = assemble("heat/gaps_scalar.s");
-    SCOPED(object) *vector = assemble("heat/gaps_vector.s");
+    SCOPED(object) *scalar = assemble("heat/gaps", TRACE_SCALAR);
+    SCOPED(object) *vector = assemble("heat/gaps", TRACE_VECTOR);
     const struct object *const forms[] = { scalar, vector };
     for (int i = 0; i < 60; i++) {
         size_t gaps = i ? some_length(MAX_GAPS) : MAX_GAPS;

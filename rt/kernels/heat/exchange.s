@@ -23,6 +23,7 @@
 ;      flows, and the number of the surface, from 1, without a solution, or 0.
 ; Source: Hottel and Sarofim, Radiative Transfer (1967); sigma: CODATA 2018.
 
+        .include "points/planes.s"
         .include "heat/elimination.s"
 
         .data
@@ -65,3 +66,5 @@ exchange_outside: .word 0.0             ; T_e
         MPYS    exc_sigma, exc_outside, exc_outside     ; J of the environment
         .endm
 
+        .entry  exchange
+        by_hand heat/exchange

@@ -1,7 +1,5 @@
 ; exchange_scalar.s - the exchange of exchange.s, word by word.
 
-        .include "heat/exchange.s"
-
         .include "heat/elimination_scalar.s"
 
 ; Replaces lin_left words at the address, at least one, by their sum.
@@ -25,7 +23,6 @@ fold_whole\@:
         IBXNE   lin_left, r0, lin_one, fold_halve\@
         .endm
 
-        .entry  exchange
         .kernel exchange
 exchange:
         exchange_begin

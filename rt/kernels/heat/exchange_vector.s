@@ -1,7 +1,5 @@
 ; exchange_vector.s - the exchange of exchange.s, by whole columns.
 
-        .include "heat/exchange.s"
-
         .include "heat/elimination_vector.s"
 
 ; Replaces lin_left words at the address, at least one, by their sum.
@@ -20,7 +18,6 @@ fold_whole\@:
         IBXNE   lin_left, r0, lin_one, fold_halve\@
         .endm
 
-        .entry  exchange
         .kernel exchange
 exchange:
         exchange_begin

@@ -18,6 +18,8 @@
 ;      integer.
 ; Source: derived here, from the project's notes on radiant heat.
 
+        .include "points/planes.s"
+
         .record FACE                    ; a crossing's words: planes
         .field  FACE_DISTANCE           ; from the origin of its line
         .field  FACE_PRIMITIVE          ; number of the primitive, an integer
@@ -57,3 +59,6 @@ faces_kept:     .word 0                 ; address of a plane of zeros; later the
         SHIFTI  face_points, 6, face_stride
         SHIFTI  face_crossings, 6, face_step
         .endm
+
+        .entry  faces
+        by_hand heat/faces

@@ -1,7 +1,5 @@
 ; faces_scalar.s - selects the points of faces.s, one after another.
 
-        .include "heat/faces.s"
-
         .regs   r31, face_distance, face_own, face_point, face_sign, face_found
         .regs   r36, face_plane_left, face_zero, face_inward, face_turned
 
@@ -26,7 +24,6 @@
         BIM     \again
         .endm
 
-        .entry  faces
         .kernel faces
 faces:
         faces_begin

@@ -1,7 +1,5 @@
 ; faces_vector.s - selects the points of faces.s, STRIP crossings at a time.
 
-        .include "heat/faces.s"
-
         .equ    STRIP, 4096
         .regs   r31, v_distance, v_primitive, v_point, v_sign, v_list, v_signs, v_kept
         .regs   r38, b_near, b_own, b_kept, b_inward, face_n, face_zero, face_inward
@@ -61,7 +59,6 @@ strip_full\@:
         BIM     \again
         .endm
 
-        .entry  faces
         .kernel faces
 faces:
         faces_begin

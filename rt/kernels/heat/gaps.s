@@ -14,6 +14,8 @@
 ; computation" (1993); the program is derived here.
 
 ; The planes of an end.
+        .include "points/planes.s"
+
         .record GAP_END
         .field  GAP_DISTANCE            ; along the line
         .field  GAP_SURFACE             ; an integer from 0
@@ -46,3 +48,6 @@ gaps_least:     .word 0                 ; a length
         ADDX    gap_kinds, gap_work, gap_scene_depths
         SHIFTI  gap_surfaces, 6, gap_row
         .endm
+
+        .entry  gaps
+        by_hand heat/gaps

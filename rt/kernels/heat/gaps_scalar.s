@@ -1,10 +1,7 @@
 ; gaps_scalar.s - the counts of gaps.s, gap by gap.
 
-        .include "heat/gaps.s"
-
         .regs   r30, gap_at, gap_near, gap_far, gap_cell
 
-        .entry  gaps
         .kernel gaps
 gaps:
         gaps_begin

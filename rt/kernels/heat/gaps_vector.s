@@ -3,8 +3,6 @@
 ; For each surface it compresses the gaps that begin there, and counts those
 ; that end at each surface.
 
-        .include "heat/gaps.s"
-
         .regs   r30, v_near, v_far, v_length, v_kind, v_next, v_scene_depth, v_from, v_to, v_row
         .regs   r39, b_gap, b_open, b_own, gap_left, gap_own, gap_zero
 
@@ -45,7 +43,6 @@ gap_bits:       .space 65536 / 64 * 2
         ANDB    [b_gap], [b_open], [b_gap]
         .endm
 
-        .entry  gaps
         .kernel gaps
 gaps:
         gaps_begin

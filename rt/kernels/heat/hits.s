@@ -20,6 +20,8 @@
 ; Source: derived here; "it is only of interest knowing that the ray strikes the
 ; tube and not where": Plunkett, Cychosz and Bailey 1984.
 
+        .include "points/planes.s"
+
         .record CYLINDER
         .field  CYLINDER_BASE, 3
         .field  CYLINDER_AXIS, 3
@@ -59,3 +61,6 @@ hits_results:   .word 0                 ; address of a plane
         SWAP    [hit_at], cyl_x, [r0]
         IX      hit_at, 64 * CYLINDER_SIZE
         .endm
+
+        .entry  hits
+        by_hand heat/hits

@@ -1,7 +1,5 @@
 ; hits_scalar.s - the test of hits.s: each ray against cylinders up to a hit.
 
-        .include "heat/hits.s"
-
         .regs   r32, ox, oy, oz, dx, dy, dz
         .regs   r39, s0, s1, s2, s3, s4, s5, s6
         .regs   r46, hit_reported
@@ -25,7 +23,6 @@
         SUBN    \result, \w, \result
         .endm
 
-        .entry  hits
         .kernel hits
 hits:
         hits_begin

@@ -2,8 +2,6 @@
 ;
 ; It uses 14 vectors. Seven of them hold the rays and the results.
 
-        .include "heat/hits.s"
-
         .regs   r32, ox, oy, oz, dx, dy, dz, v_results
         .regs   r39, v0, v1, v2, v3, v4, v5, v6
         .regs   r46, u0, u1, u2, u3, u4, u5, u6         ; of the near rays
@@ -58,7 +56,6 @@ hits_bits:      .space (QUEUE + 63) / 64 * 6
         ANDNB   [b_ok], [b_one], [b_ok]
         .endm
 
-        .entry  hits
         .kernel hits
 hits:
         hits_begin

@@ -14,6 +14,8 @@
 ;      received_counts.
 ; Source: derived here, from the project's notes on radiant heat.
 
+        .include "points/planes.s"
+
         .data
 received_arguments:
 received_rays:  .word 0                 ; number of rays, 1 .. 65535, an integer
@@ -37,3 +39,6 @@ received_places: .word 0                ; address of a word for each receiver
         ELEN    rec_work, RECEIVED_ARGUMENTS
         SWAP    [rec_work], rec_rays, [r0]
         .endm
+
+        .entry  received
+        by_hand heat/received

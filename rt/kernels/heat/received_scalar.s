@@ -3,8 +3,6 @@
 ; It counts the rays of each receiver, moves each weight after the others of its
 ; receiver, and sums by halves.
 
-        .include "heat/received.s"
-
         .regs   r30, rec_ray, rec_receiver, rec_first, rec_low
 
 ; Replaces rec_count words from rec_first on by their sum, and stores it as the
@@ -31,7 +29,6 @@ fold_whole\@:
         STO     [rec_sums], rec_work
         .endm
 
-        .entry  received
         .kernel received
 received:
         received_begin

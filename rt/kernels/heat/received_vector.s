@@ -2,8 +2,6 @@
 ;
 ; It compresses the weights of each receiver and sums them by halves.
 
-        .include "heat/received.s"
-
         .regs   r30, v_receivers, v_weights, b_own, rec_receiver
 
         .data
@@ -29,7 +27,6 @@ fold_whole\@:
         STO     [rec_sums], rec_work
         .endm
 
-        .entry  received
         .kernel received
 received:
         received_begin

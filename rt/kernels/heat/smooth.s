@@ -30,6 +30,7 @@
 ; direct-exchange areas in zonal analysis", J. Heat Transfer 108 (1986); the
 ; equations are derived here.
 
+        .include "points/planes.s"
         .include "heat/elimination.s"
 
         .data
@@ -71,3 +72,6 @@ smooth_singular:
         STO     [smo_end], lin_k
         EXIT
         .endm
+
+        .entry  smooth
+        by_hand heat/smooth

@@ -1,11 +1,9 @@
 ; smooth_scalar.s - the adjustment of smooth.s, word by word.
 
-        .include "heat/smooth.s"
         .include "heat/elimination_scalar.s"
 
         .reg    smo_flow, r48
 
-        .entry  smooth
         .kernel smooth
 smooth:
         smooth_begin

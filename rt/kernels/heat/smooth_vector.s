@@ -1,6 +1,5 @@
 ; smooth_vector.s - the adjustment of smooth.s, by whole columns.
 
-        .include "heat/smooth.s"
         .include "heat/elimination_vector.s"
 
         .reg    smo_bits, r49
@@ -9,7 +8,6 @@
 smooth_bits:    .space 1 + 4096 / 64
         .code
 
-        .entry  smooth
         .kernel smooth
 smooth:
         smooth_begin

@@ -12,6 +12,7 @@
 ; Source: M. Sbert, "An integral geometry based method for fast form-factor
 ; computation" (1993).
 
+        .include "points/planes.s"
         .include "heat/emitted.s"
 
         .record CROSSED                 ; a crossing's words: planes
@@ -72,3 +73,6 @@ spots_weight:   .word 0.0               ; an area
         ADDX    result_face, spot_stride, result_face
         ADDX    result_ray, spot_stride, result_ray
         .endm
+
+        .entry  spots
+        by_hand heat/spots

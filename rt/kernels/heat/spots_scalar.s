@@ -1,7 +1,5 @@
 ; spots_scalar.s - the points of spots.s, one after another.
 
-        .include "heat/spots.s"
-
         .regs   r30, spot_i, spot_number, spot_t, spot_d, spot_o
 
         .macro  spots_axis
@@ -21,7 +19,6 @@ spots_word\@:
         IBXNE   spot_i, spot_one, spot_count, spots_word\@, spot_i
         .endm
 
-        .entry  spots
         .kernel spots
 spots:
         spots_begin

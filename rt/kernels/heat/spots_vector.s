@@ -1,7 +1,5 @@
 ; spots_vector.s - the points of spots.s, all at once.
 
-        .include "heat/spots.s"
-
         .regs   r30, v_line, v_distance, v_spot, v_ray, v_temp, v_plane
 
         .macro  as_vector plane, vector
@@ -20,7 +18,6 @@
         SUBNV   r0, [v_plane], [v_spot]
         .endm
 
-        .entry  spots
         .kernel spots
 spots:
         spots_begin

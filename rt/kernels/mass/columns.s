@@ -24,6 +24,7 @@
 ; Source: derived here, from the project's notes on heat and mass properties;
 ; the divergence theorem.
 
+        .include "points/planes.s"
         .include "mass/crossed.s"
 
         .record MOMENT
@@ -61,3 +62,6 @@ column_places:  .word 0                 ; address of p and q, two planes of
         SHIFTI  col_rays, 6, col_q_at
         ADDX    col_places, col_q_at, col_q_at
         .endm
+
+        .entry  columns
+        by_hand mass/columns

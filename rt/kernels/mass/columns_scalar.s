@@ -1,6 +1,5 @@
 ; columns_scalar.s - the sums of columns.s, one crossing after another.
 
-        .include "mass/columns.s"
         .include "mass/crossed_scalar.s"
 
         .regs   r42, col_p, col_q, col_c
@@ -39,7 +38,6 @@
         .endr
         .endm
 
-        .entry  columns
         .kernel columns
 columns:
         columns_begin

@@ -1,6 +1,5 @@
 ; columns_vector.s - the sums of columns.s, LANES crossings at a time.
 
-        .include "mass/columns.s"
         .include "mass/crossed_vector.s"
 
         .regs   r46, v_p, v_q, v_c
@@ -44,7 +43,6 @@ column_store:   .space LANES * (MOMENT_SIZE + 3)
         .endr
         .endm
 
-        .entry  columns
         .kernel columns
 columns:
         columns_begin

@@ -24,6 +24,7 @@
 ; Out: crossed_sums, one sum for each pair.
 ; Source: derived here.
 
+        .include "points/planes.s"
         .include "mass/crossed.s"
 
         .record GROUP                   ; parts whose fields share a word
@@ -79,3 +80,6 @@ overlap_bits:   .word 0                 ; address of LEVEL_BITS bits per level
         ELEN    col_work0, OVERLAPS_ARGUMENTS
         SWAP    [col_work0], ovl_groups, [r0]
         .endm
+
+        .entry  overlaps
+        by_hand mass/overlaps

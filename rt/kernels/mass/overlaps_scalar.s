@@ -1,6 +1,5 @@
 ; overlaps_scalar.s - the overlaps of overlaps.s, one crossing after another.
 
-        .include "mass/overlaps.s"
         .include "mass/crossed_scalar.s"
 
         .regs   r60, ovl_level, ovl_level_left, ovl_count       ; of PART
@@ -56,7 +55,6 @@ level_done\@:
         IBXNE   ovl_level_left, col_index_minus_one, r0, level_next\@, ovl_level_left
         .endm
 
-        .entry  overlaps
         .kernel overlaps
 overlaps:
         overlaps_begin

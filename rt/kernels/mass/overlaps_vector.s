@@ -6,7 +6,6 @@
 ; first crossing.
 ; Source of the sums: Kogge and Stone 1973, for recurrences.
 
-        .include "mass/overlaps.s"
         .include "mass/crossed_vector.s"
 
         .regs   r60, v_counts, v_other, v_before, v_field
@@ -94,7 +93,6 @@ add_next\@:
         CNTOB   [b_visible], col_count
         .endm
 
-        .entry  overlaps
         .kernel overlaps
 overlaps:
         overlaps_begin

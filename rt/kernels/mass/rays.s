@@ -23,6 +23,9 @@
 ; Source: random shifts, R. Cranley, T. N. L. Patterson (1976); the rest is
 ; derived here.
 
+        .include "points/planes.s"
+        .include "points/lattice_scalar.s"
+
         .ifndef POINTS
         .equ    POINTS, 1
         .endif
@@ -75,3 +78,6 @@ rays_middle:    .word 0.0, 0.0          ; c_p, c_q
         SHIFT   stream_one, ray_work2, lattice_z1
         .endif
         .endm
+
+        .entry  rays
+        by_hand mass/rays

@@ -1,8 +1,5 @@
 ; rays_scalar.s - generates the rays of rays.s one by one.
 
-        .include "points/lattice_scalar.s"
-        .include "mass/rays.s"
-
         .regs   r71, ray_at, ray_p, ray_q, ray_x0, ray_x1
         .regs   r76, ray_y0, ray_y1, ray_y2, ray_y3, ray_y4
 
@@ -26,7 +23,6 @@
         .endif
         .endm
 
-        .entry  rays
         .kernel rays
 rays:
         rays_begin

@@ -7,7 +7,6 @@
         .endif
 
         .include "points/lattice_vector.s"
-        .include "mass/rays.s"
 
         stream_vector_registers r71
         .regs   r73, ray_states_at, ray_states, ray_to, ray_u, ray_scratch, ray_high
@@ -40,7 +39,6 @@ ray_store:      .space 2 * RAYS
         ADDLEN  ray_u, ray_count, ray_u
         .endm
 
-        .entry  rays
         .kernel rays
 rays:
         rays_begin

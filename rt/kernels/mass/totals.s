@@ -8,6 +8,8 @@
 ; Out: totals_results, total_groups rows.
 ; Source: derived here.
 
+        .include "points/planes.s"
+
         .data
 totals_arguments:
 total_groups:   .word 0                 ; integers
@@ -29,3 +31,6 @@ totals_results: .word 0                 ; address of the totals
         SWAP    [tot_work0], tot_groups, [r0]
         SHIFTI  tot_width, 6, tot_stride
         .endm
+
+        .entry  totals
+        by_hand mass/totals

@@ -1,8 +1,5 @@
 ; totals_scalar.s - the totals of totals.s, word by word.
 
-        .include "mass/totals.s"
-
-        .entry  totals
         .kernel totals
 totals:
         totals_begin

@@ -1,8 +1,5 @@
 ; totals_vector.s - the totals of totals.s, row by row, of at most 65535 words.
 
-        .include "mass/totals.s"
-
-        .entry  totals
         .kernel totals
 totals:
         totals_begin
