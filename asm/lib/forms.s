@@ -23,7 +23,8 @@
 ;       minus a, b, c           c = a - b         quotient a, b, c    c = a / b
 ;       scale a, k, c           c = a k           raise a, k, c       c = a + k
 ;       lower a, k, c           c = a - k         from k, a, c        c = k - a
-;       into k, a, c            c = k / a         root a, c           c = sqrt a
+;       into k, a, c            c = k / a         over a, k, c        c = a / k
+;       root a, c               c = sqrt a
 ;       absolute a, c           c = |a|           copy a, c           c = a
 ;       set k, c                c = k             clear c             c = 0
 ;       normal a, c             c = a, normalised
@@ -136,6 +137,9 @@
         .endm
         .macro  \prefix\()into k, a, c
         DIVS    \k, \a, \c
+        .endm
+        .macro  \prefix\()over a, k, c
+        DIVS    \a, \k, \c
         .endm
         .macro  \prefix\()root a, c
         SQRT    \a, \c
@@ -433,6 +437,9 @@ select\@:
         .endm
         .macro  \prefix\()into k, a, c
         DIVSV   \k, [\a], [\c]
+        .endm
+        .macro  \prefix\()over a, k, c
+        DIVSV   [\a], \k, [\c]
         .endm
         .macro  \prefix\()root a, c
         SQRTV   [\a], [\c]

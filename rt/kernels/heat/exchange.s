@@ -1,6 +1,6 @@
 ; exchange.s - computes the radiation between grey diffuse surfaces.
 ;
-; This is the common part of the two forms. Surface i has the area A_i, the
+; Surface i has the area A_i, the
 ; emissivity e_i and the temperature T_i. J_i is its radiosity, H_i its
 ; irradiation, F_ij the view factor from i to j. Beyond the surfaces is the
 ; environment, black, with the temperature T_e:
@@ -16,15 +16,13 @@
 ; MIN_DIAGONAL occurs if an exchange has no solution: adiabatic surfaces that see only
 ; each other.
 ;
-; Sums are formed by halves: of m words, the last m / 2 are added to the first.
-;
 ; In:  the words below.
 ; Out: exchange_results: planes J, H, Q of n words, then Q_e, the sum of all
 ;      flows, and the number of the surface, from 1, without a solution, or 0.
 ; Source: Hottel and Sarofim, Radiative Transfer (1967); sigma: CODATA 2018.
 
-        .include "points/planes.s"
         .include "heat/elimination.s"
+        .include "heat/fold.s"
 
         .data
 exchange_arguments:
@@ -43,28 +41,137 @@ exchange_outside: .word 0.0             ; T_e
         .code
 
         .regs   r10, lin_n, exc_factors, exc_areas, exc_emissivities, exc_temperatures
-        .regs   r15, lin_matrix, exc_results, exc_outside, exc_sigma, exc_unit, lin_least
+        .regs   r15, lin_matrix, lin_x, exc_outside, exc_sigma, exc_unit, lin_least
         .regs   r21, lin_one, lin_minus_one
         .regs   r23, lin_stride         ; bits between columns, or planes
         .regs   r24, lin_b, exc_spare   ; addresses of b and of the next column
-        .regs   r26, lin_x, exc_h, exc_q, exc_end
+        .regs   r26, exc_h, exc_q, exc_end
 
-        .macro  exchange_begin
-        EX      lin_work0, exchange_arguments
-        ELEN    lin_work0, EXCHANGE_ARGUMENTS
-        SWAP    [lin_work0], lin_n, [r0]
+        .regs   r50, factor, emissivity, rest, right, radiosity, irradiation, area, net, entry, exc_bits
+        .regs   r60, at_factor, at_entry
+
+        planes  lin_i, lin_one, lin_n, lin_scratch, exc_bits
+
+        .entry  exchange
+        .kernel exchange
+exchange:
+        EX      lin_work, exchange_arguments
+        ELEN    lin_work, EXCHANGE_ARGUMENTS
+        SWAP    [lin_work], lin_n, [r0]
         SHIFTI  lin_n, 6, lin_stride
         MPYX    lin_n, lin_stride, lin_b
         ADDX    lin_matrix, lin_b, lin_b
         ADDX    lin_b, lin_stride, exc_spare
-        RTOR    exc_results, lin_x
         ADDX    lin_x, lin_stride, exc_h
         ADDX    exc_h, lin_stride, exc_q
         ADDX    exc_q, lin_stride, exc_end
         MPYS    exc_outside, exc_outside, exc_outside
         MPYS    exc_outside, exc_outside, exc_outside
         MPYS    exc_sigma, exc_outside, exc_outside     ; J of the environment
-        .endm
 
-        .entry  exchange
-        by_hand heat/exchange
+; b = e sigma T^4; the spare column: e - 1.
+        plane   exc_spare, rest
+        plane   lin_b, right
+        each    exchange_right
+        load    exc_temperatures, factor
+        load    exc_emissivities, emissivity
+        times   factor, factor, right
+        times   right, right, right
+        scale   right, exc_sigma, right
+        times   right, emissivity, right
+        lower   emissivity, exc_unit, rest
+        store   right, lin_b
+        store   rest, exc_spare
+        next    exchange_right
+
+; Computes the columns of the matrix and its diagonal.
+        column  exc_factors, factor
+        column  lin_matrix, entry
+        RTOR    lin_n, lin_left
+        RTOR    lin_matrix, lin_at
+exchange_column:
+        each    exchange_entry
+        fetch   exc_spare, rest
+        fetch   at_factor, factor
+        times   rest, factor, entry
+        store   entry, at_entry
+        next    exchange_entry
+        LOD     [lin_at], lin_work
+        ADDN    lin_work, exc_unit, lin_work
+        STO     [lin_at], lin_work
+        advance factor, lin_stride
+        advance entry, lin_stride
+        ADDX    lin_at, lin_stride, lin_at
+        IX      lin_at, 64
+        IBXNE   lin_left, lin_minus_one, r0, exchange_column, lin_left
+
+; Stores the irradiation from outside in H. Subtracts (e - 1) F_e J_e from b.
+        plane   exc_h, irradiation
+        plane   exc_q, net
+        each    exchange_outer
+        fetch   at_factor, factor
+        fetch   exc_spare, rest
+        fetch   lin_b, right
+        scale   factor, exc_outside, irradiation
+        store   irradiation, exc_h
+        times   rest, irradiation, net
+        minus   right, net, right
+        store   right, lin_b
+        next    exchange_outer
+
+        eliminate exchange_singular
+        solve   exchange_flows
+
+; H := H + F_j J_j
+exchange_flows:
+        plane   exc_h, irradiation
+        column  exc_factors, factor
+        ES      lin_k, 0
+exchange_incident:
+        LOD     [lin_x, lin_k], lin_work
+        each    exchange_add
+        fetch   at_factor, factor
+        fetch   exc_h, irradiation
+        add_scaled factor, lin_work, irradiation
+        store   irradiation, exc_h
+        next    exchange_add
+        advance factor, lin_stride
+        IBXNE   lin_k, lin_one, lin_n, exchange_incident, lin_k
+
+; Q = A (J - H). The spare column gets A F_e (J_e - J) of the environment.
+        each    exchange_net
+        load    lin_x, radiosity
+        fetch   exc_h, irradiation
+        plane   exc_q, net
+        load    exc_areas, area
+        minus   radiosity, irradiation, net
+        times   net, area, net
+        store   net, exc_q
+        plane   exc_spare, rest
+        fetch   at_factor, factor
+        from    exc_outside, radiosity, rest
+        times   rest, factor, rest
+        times   rest, area, rest
+        store   rest, exc_spare
+        next    exchange_net
+        RTOR    lin_n, lin_left
+        fold    exc_spare, lin_left, lin_one, lin_at
+        LOD     [exc_spare], lin_pivot
+        STO     [exc_end], lin_pivot
+        each    exchange_copy
+        fetch_into exc_q, net, rest
+        store   rest, exc_spare
+        next    exchange_copy
+        RTOR    lin_n, lin_left
+        fold    exc_spare, lin_left, lin_one, lin_at
+        LOD     [exc_spare], lin_work
+        ADDN    lin_work, lin_pivot, lin_work
+        STO     [exc_end, lin_one], lin_work
+        EXIT
+
+exchange_singular:
+        ADDX    lin_k, lin_one, lin_k
+        IX      exc_end, 128
+        STO     [exc_end], lin_k
+        EXIT
+        .endkernel

@@ -1,13 +1,11 @@
 ; received.s - sums up the radiation that each receiver gets.
 ;
-; This is the common part of the two forms. It counts the rays of each receiver
-; and adds their weights:
+; It counts the rays of each receiver and adds their weights:
 ;
 ;   count_r = number of i with receiver_i = r      sum_r = sum of their weight_i
 ;
-; It also computes the sum of all weights. A sum is formed by halves: of m
-; weights, in the order of points, the last m / 2 are added to the first, until
-; one is left. So it depends only on the weights.
+; It also computes the sum of all weights. A sum is formed by halves (fold.s), in
+; the order of points.
 ;
 ; In:  the words below.
 ; Out: received_sums: the sum of each receiver, then that of all;
@@ -15,6 +13,7 @@
 ; Source: derived here, from the project's notes on radiant heat.
 
         .include "points/planes.s"
+        .include "heat/fold.s"
 
         .data
 received_arguments:
@@ -32,12 +31,18 @@ received_places: .word 0                ; address of a word for each receiver
 
         .regs   r10, rec_rays, rec_left, rec_weights, rec_list, rec_sums, rec_counts
         .regs   r16, rec_buffer, rec_places, rec_one, rec_minus_one
-        .regs   r20, rec_count, rec_half, rec_at, rec_upper, rec_work
+        .regs   r20, rec_count, rec_at, rec_work
 
         .macro  received_begin
         EX      rec_work, received_arguments
         ELEN    rec_work, RECEIVED_ARGUMENTS
         SWAP    [rec_work], rec_rays, [r0]
+        .endm
+
+; Stores the word at the address as the next sum.
+        .macro  store_sum address
+        LOD     [\address], rec_work
+        STO     [rec_sums], rec_work
         .endm
 
         .entry  received

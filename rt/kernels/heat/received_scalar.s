@@ -3,31 +3,7 @@
 ; It counts the rays of each receiver, moves each weight after the others of its
 ; receiver, and sums by halves.
 
-        .regs   r30, rec_ray, rec_receiver, rec_first, rec_low
-
-; Replaces rec_count words from rec_first on by their sum, and stores it as the
-; next sum.
-        .macro  fold_weights
-        BIM     fold_whole\@
-fold_halve\@:
-        ADDX    rec_count, rec_one, rec_half
-        SHIFTI  rec_half, -1, rec_half  ; words that remain
-        SUBX    rec_count, rec_half, rec_count
-        SHIFTI  rec_half, 6, rec_work
-        ADDX    rec_first, rec_work, rec_upper
-        ES      rec_at, 0
-fold_next\@:
-        LOD     [rec_first, rec_at], rec_low
-        LOD     [rec_upper, rec_at], rec_work
-        ADDN    rec_low, rec_work, rec_low
-        STO     [rec_first, rec_at], rec_low
-        IBXNE   rec_at, rec_one, rec_count, fold_next\@, rec_at
-        RTOR    rec_half, rec_count
-fold_whole\@:
-        IBXNE   rec_count, r0, rec_one, fold_halve\@
-        LOD     [rec_first], rec_work
-        STO     [rec_sums], rec_work
-        .endm
+        .regs   r30, rec_ray, rec_receiver, rec_first
 
         .kernel received
 received:
@@ -63,7 +39,8 @@ received_next:
         LOD     [rec_counts], rec_count
         IBXEQ   rec_count, r0, r0, received_none
         SHIFTI  rec_count, 6, rec_receiver
-        fold_weights
+        fold    rec_first, rec_count, rec_one, rec_at
+        store_sum rec_first
         ADDX    rec_first, rec_receiver, rec_first
 received_none:
         IX      rec_sums, 64
@@ -71,6 +48,7 @@ received_none:
         IBXNE   rec_left, rec_minus_one, r0, received_next, rec_left
         RTOR    rec_weights, rec_first
         RTOR    rec_rays, rec_count
-        fold_weights
+        fold    rec_first, rec_count, rec_one, rec_at
+        store_sum rec_first
         EXIT
         .endkernel
