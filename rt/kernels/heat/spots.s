@@ -1,8 +1,7 @@
 ; spots.s - makes radiating points of a surface from its crossings with lines.
 ;
-; This is the common part of the two forms. The lines are isotropic and uniform,
-; so the points are uniform over the surface and the directions follow the
-; cosine law on both sides of it. A crossing at the distance t along its line
+; The lines are isotropic and uniform, so the points are uniform over the surface
+; and the directions follow the cosine law on both sides of it. A crossing at the distance t along its line
 ; makes the point o + t d with the direction d and the normal -n. The crossing's
 ; normal n is against the line. If the line enters a body there, the direction
 ; and the normal point inward, and faces.s reverses them.
@@ -47,7 +46,43 @@ spots_weight:   .word 0.0               ; an area
         ADDX    \base, spot_work, \into
         .endm
 
-        .macro  spots_begin
+        .regs   r30, line, distance, spot, ray, origin, normal, face, spot_i, spot_bits
+
+        planes  spot_i, spot_one, spot_count, spot_work, spot_bits
+
+; Computes one axis of the points, directions and normals.
+        .macro  spots_axis
+        each    spots_next\@
+        fetch   spot_line, line
+        fetch   spot_distance, distance
+        plane   result_ray, ray
+        plane   result_spot, spot
+        pick    line, spot_direction, ray
+        pick    line, spot_origin, origin
+        times   distance, ray, spot
+        plus    origin, spot, spot
+        store   ray, result_ray
+        store   spot, result_spot
+        load    spot_normal, normal
+        plane   result_face, face
+        from    r0, normal, face
+        store   face, result_face
+        next    spots_next\@
+        .endm
+
+; Advances to the planes of the next axis.
+        .macro  spots_advance
+        ADDX    spot_origin, spot_line_stride, spot_origin
+        ADDX    spot_direction, spot_line_stride, spot_direction
+        ADDX    spot_normal, spot_stride, spot_normal
+        ADDX    result_spot, spot_stride, result_spot
+        ADDX    result_face, spot_stride, result_face
+        ADDX    result_ray, spot_stride, result_ray
+        .endm
+
+        .entry  spots
+        .kernel spots
+spots:
         EX      spot_work, spots_arguments
         ELEN    spot_work, SPOTS_ARGUMENTS
         SWAP    [spot_work], spot_lines, [r0]
@@ -62,17 +97,16 @@ spots_weight:   .word 0.0               ; an area
         plane_at spot_results, spot_stride, EMITTED_FACE, result_face
         plane_at spot_results, spot_stride, EMITTED_WEIGHT, result_weight
         plane_at spot_results, spot_stride, EMITTED_RAY, result_ray
-        .endm
-
-; Advances to the planes of the next axis.
-        .macro  spots_next
-        ADDX    spot_origin, spot_line_stride, spot_origin
-        ADDX    spot_direction, spot_line_stride, spot_direction
-        ADDX    spot_normal, spot_stride, spot_normal
-        ADDX    result_spot, spot_stride, result_spot
-        ADDX    result_face, spot_stride, result_face
-        ADDX    result_ray, spot_stride, result_ray
-        .endm
-
-        .entry  spots
-        by_hand heat/spots
+        plane   spot_line, line
+        plane   spot_distance, distance
+        plane   result_weight, origin   ; until the weights are known
+        spots_axis
+        spots_advance
+        spots_axis
+        spots_advance
+        spots_axis
+        each    spots_weigh
+        fill    spot_weight, result_weight, origin
+        next    spots_weigh
+        EXIT
+        .endkernel

@@ -1,7 +1,5 @@
 ; totals.s - adds the sums of packets to the sums of their shifts.
 ;
-; This is the common part of the two forms.
-;
 ;   total_g = row_g0 + row_g1 + ..          word by word, in packet order
 ;
 ; In:  the words below: total_groups times total_rows rows of total_width words.
@@ -23,14 +21,36 @@ totals_results: .word 0                 ; address of the totals
 
         .regs   r10, tot_groups, tot_rows, tot_width, tot_from, tot_results
         .regs   r15, tot_index_one, tot_index_minus_one
-        .regs   r17, tot_stride, tot_left, tot_at, tot_work0, tot_work1, tot_row
+        .regs   r17, tot_stride, tot_left, tot_i, tot_work, tot_bits
+        .regs   r22, total, row, at_row
 
-        .macro  totals_begin
-        EX      tot_work0, totals_arguments
-        ELEN    tot_work0, TOTALS_ARGUMENTS
-        SWAP    [tot_work0], tot_groups, [r0]
-        SHIFTI  tot_width, 6, tot_stride
-        .endm
+        planes  tot_i, tot_index_one, tot_width, tot_work, tot_bits
 
         .entry  totals
-        by_hand mass/totals
+        .kernel totals
+totals:
+        EX      tot_work, totals_arguments
+        ELEN    tot_work, TOTALS_ARGUMENTS
+        SWAP    [tot_work], tot_groups, [r0]
+        SHIFTI  tot_width, 6, tot_stride
+totals_next:
+        plane   tot_results, total
+        each    totals_word
+        column  tot_from, row
+        fetch_into at_row, row, total
+        RTOR    tot_rows, tot_left
+        BIM     totals_more
+totals_row:
+        advance row, tot_stride
+        fetch   at_row, row
+        plus    total, row, total
+totals_more:
+        IBXNE   tot_left, tot_index_minus_one, r0, totals_row, tot_left
+        store   total, tot_results
+        next    totals_word
+        MPYX    tot_rows, tot_stride, tot_work
+        ADDX    tot_results, tot_stride, tot_results
+        ADDX    tot_from, tot_work, tot_from
+        IBXNE   tot_groups, tot_index_minus_one, r0, totals_next, tot_groups
+        EXIT
+        .endkernel
