@@ -8,12 +8,12 @@
 ;   q = w_q (u_1 - 1/2)     x_q = c_q + q
 ;
 ; where c is the middle of the box around the solids and w its width. Points are
-; those of a lattice (points/lattice_scalar.s), of a shifted square grid,
+; those of a lattice (points/lattice.s), of a shifted square grid,
 ;
 ;   u_0 = i 2^-h + shift_0 mod 1        h = m / 2, rounded down
 ;   u_1 = (i / 2^h, rounded down) 2^(h-m) + shift_1 mod 1
 ;
-; or the first two draws of a ray of the random stream (points/stream_scalar.s),
+; or the first two draws of a ray of the random stream (points/stream.s),
 ; with the number rays_number + first + i.
 ;
 ; Constants: POINTS, 0: of the stream, 1: of the lattice, 2: of the grid.
@@ -24,7 +24,7 @@
 ; derived here.
 
         .include "points/planes.s"
-        .include "points/lattice_scalar.s"
+        .include "points/lattice.s"
 
         .ifndef POINTS
         .equ    POINTS, 1

@@ -6,7 +6,6 @@
         .equ    RAYS, 4096
         .endif
 
-        .include "points/lattice_vector.s"
 
         stream_vector_registers r71
         .regs   r73, ray_states_at, ray_states, ray_to, ray_u, ray_scratch, ray_high

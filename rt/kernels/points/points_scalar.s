@@ -1,6 +1,6 @@
 ; points_scalar.s - generates the points of points_program.s one by one.
 
-        .include "points/lattice_scalar.s"
+        .include "points/lattice.s"
         .include "points/points_program.s"
 
         .reg    points_x, r16           ; state of the ray

@@ -1,6 +1,6 @@
 ; points_vector.s - generates the points of points_program.s in queues.
 
-        .include "points/lattice_vector.s"
+        .include "points/lattice.s"
         .include "points/points_program.s"
 
         .regs   r16, points_x, states_at, states, leap

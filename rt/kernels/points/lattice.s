@@ -1,4 +1,4 @@
-; lattice_scalar.s - points of a shifted rank-1 lattice, one point at a time.
+; lattice.s - points of a shifted rank-1 lattice, in both forms.
 ;
 ; A point has up to six coordinates, each in (0, 1). Coordinate j of point i of
 ; N = 2^m points, m = 0 .. 20, with shift number k of a seed, is
@@ -23,7 +23,7 @@
 
         .ifndef lattice_registers
 
-        .include "points/stream_scalar.s"
+        .include "points/stream.s"
 
         .equ    LATTICE_DIMENSIONS, 6
 
@@ -73,6 +73,15 @@ lattice_vector:
         .rept   \count
         AND     \word, lattice_mask, \word
         .endr
+        .endm
+
+; [words] := y of one coordinate, 0 .. 5, of the points with the numbers [i], which
+; are integers in any order.
+        .macro  lattice_coordinate i, coordinate, words
+        LINKV
+        MPYLV   [\i], lattice_z\coordinate, [\words]
+        ADDXV   [\words], lattice_shift\coordinate, [\words]
+        ANDV    [\words], lattice_mask, [\words]
         .endm
 
         .endif
