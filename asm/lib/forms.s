@@ -53,6 +53,7 @@
 ;       add_scaled_three x, k, s, l, t, m, u  also u = u + x m
 ;       step_four x, p, k, q, l, r, m, s, n   p = p x + k, likewise q, r and s
 ;       scaled_sum_two x, y, k, l, s, m, n, t  s = x k + y l,  t = x m + y n
+;       scaled_lower_two a, k, m, s, b, l, n, t  s = (a - k) m,  t = (b - l) n
 ;       scaled_lower_three a, k, s, b, l, t, c, m, u, n
 ;               s = (a - k) n, likewise t = (b - l) n and u = (c - m) n
 ;
@@ -258,6 +259,12 @@ not_below\@:
         MPYS    \y, \n, \second
         ADDN    \scratch, \s, \s
         ADDN    \second, \t, \t
+        .endm
+        .macro  \prefix\()scaled_lower_two a, k, m, s, b, l, n, t
+        SUBN    \a, \k, \s
+        SUBN    \b, \l, \t
+        MPYS    \s, \m, \s
+        MPYS    \t, \n, \t
         .endm
         .macro  \prefix\()scaled_lower_three a, k, s, b, l, t, c, m, u, n
         SUBN    \a, \k, \s
@@ -547,6 +554,10 @@ select\@:
         \prefix\()add_scaled \y, \l, \s
         \prefix\()scale \x, \m, \t
         \prefix\()add_scaled \y, \n, \t
+        .endm
+        .macro  \prefix\()scaled_lower_two a, k, m, s, b, l, n, t
+        \prefix\()scaled_lower \a, \k, \m, \s
+        \prefix\()scaled_lower \b, \l, \n, \t
         .endm
         .macro  \prefix\()scaled_lower_three a, k, s, b, l, t, c, m, u, n
         \prefix\()scaled_lower \a, \k, \n, \s

@@ -1,7 +1,6 @@
 ; rays.s - the parallel rays of one view, for a part of one shift.
 ;
-; This is the common part of the two forms. Columns through a solid are made of
-; these rays. A view looks along one axis, k. The other axes, p and q, follow it
+; Columns through a solid are made of these rays. A view looks along one axis, k. The other axes, p and q, follow it
 ; in the order x, y, z, x, y. Ray i begins at
 ;
 ;   p = w_p (u_0 - 1/2)     x_p = c_p + p       u: the point number first + i
@@ -16,7 +15,8 @@
 ; or the first two draws of a ray of the random stream (points/stream.s),
 ; with the number rays_number + first + i.
 ;
-; Constants: POINTS, 0: of the stream, 1: of the lattice, 2: of the grid.
+; Constants: POINTS, 0: of the stream, 1: of the lattice, 2: of the grid; RAYS, the
+; most rays of the vector form.
 ; In:  the words below.
 ; Out: at rays_results planes of rays_count words: p, q, x_p, x_q, lengths in the
 ;      world.
@@ -28,6 +28,9 @@
 
         .ifndef POINTS
         .equ    POINTS, 1
+        .endif
+        .ifndef RAYS
+        .equ    RAYS, 4096
         .endif
         .equ    POINTS_RANDOM, 0
         .equ    POINTS_GRID, 2
@@ -54,8 +57,75 @@ rays_middle:    .word 0.0, 0.0          ; c_p, c_q
         .regs   r62, ray_work0, ray_work1, ray_work2, ray_work3, ray_work4, ray_work5
         .regs   r68, ray_state, ray_stride, ray_low
 
-; Loads arguments and constants.
-        .macro  rays_begin
+        .regs   r71, ray_i, ray_q_at, ray_x0_at, ray_x1_at, ray_scratch, ray_bits
+        .regs   r77, ray_y0, ray_y1, ray_y2, ray_y3, ray_y4, ray_x0, ray_x1
+
+        planes  ray_i, stream_one, ray_count, ray_scratch, ray_bits
+
+        .ifdef  SCALAR
+; Computes the words of the next ray's point, ray_y0 and ray_y1.
+        .macro  ray_words
+        .if     POINTS == POINTS_RANDOM
+        stream_words ray_state, ray_y\+, ray_work\+
+        .else
+        .if     POINTS == POINTS_GRID
+        SHIFT   ray_point, ray_low, ray_work0
+        MPYL    lattice_z0, ray_point, ray_y0
+        MPYL    lattice_z1, ray_work0, ray_y1
+        ADDX    ray_y0, lattice_shift0, ray_y0
+        ADDX    ray_y1, lattice_shift1, ray_y1
+        AND     ray_y0, lattice_mask, ray_y0
+        AND     ray_y1, lattice_mask, ray_y1
+        .else
+        lattice_words ray_point, 2, ray_y\+
+        .endif
+        ADDX    ray_point, stream_one, ray_point
+        .endif
+        .endm
+
+        .macro  ray_units
+        stream_units 2, ray_y\+, ray_y\+
+        .endm
+        .else
+        stream_vector_registers r90
+        .regs   r92, ray_states_at, ray_states
+
+        .data
+        .align  64
+ray_store:      .space RAYS
+        .code
+
+; The same for all rays.
+        .macro  ray_words
+        stream_vector_load
+        EX      ray_states_at, ray_store
+        ADDLEN  ray_states_at, ray_count, ray_states
+        plane   ray_results, ray_y0
+        .if     POINTS == POINTS_RANDOM
+        stream_seeds ray_states_at, ray_count, ray_state, ray_work0, ray_work1, ray_work2, ray_work3, ray_work4
+        plane   ray_q_at, ray_y1
+        stream_draw ray_states, 0, ray_y0, ray_y1
+        stream_draw ray_states, 1, ray_y1, ray_y0
+        .else
+        INTVLV  ray_point, stream_one, [ray_states]
+        plane   ray_q_at, ray_y1
+        lattice_coordinate ray_states, 0, ray_y0
+        .if     POINTS == POINTS_GRID
+        SHIFTV  [ray_states], ray_low, [ray_states]
+        .endif
+        lattice_coordinate ray_states, 1, ray_y1
+        .endif
+        .endm
+
+        .macro  ray_units
+        stream_unit ray_y0, ray_y0
+        stream_unit ray_y1, ray_y1
+        .endm
+        .endif
+
+        .entry  rays
+        .kernel rays
+rays:
         EX      ray_work0, rays_arguments
         ELEN    ray_work0, RAYS_ARGUMENTS
         SWAP    [ray_work0], ray_seed, [r0]
@@ -77,7 +147,21 @@ rays_middle:    .word 0.0, 0.0          ; c_p, c_q
         SUBX    ray_work1, ray_work2, ray_work2
         SHIFT   stream_one, ray_work2, lattice_z1
         .endif
-        .endm
-
-        .entry  rays
-        by_hand mass/rays
+        ADDX    ray_results, ray_stride, ray_q_at
+        ADDX    ray_q_at, ray_stride, ray_x0_at
+        ADDX    ray_x0_at, ray_stride, ray_x1_at
+        each    rays_next
+        ray_words
+        ray_units
+        plane   ray_x0_at, ray_x0
+        plane   ray_x1_at, ray_x1
+        scaled_lower_two ray_y0, ray_half, ray_width_p, ray_y0, ray_y1, ray_half, ray_width_q, ray_y1
+        raise   ray_y0, ray_middle_p, ray_x0
+        raise   ray_y1, ray_middle_q, ray_x1
+        store   ray_y0, ray_results
+        store   ray_y1, ray_q_at
+        store   ray_x0, ray_x0_at
+        store   ray_x1, ray_x1_at
+        next    rays_next
+        EXIT
+        .endkernel
