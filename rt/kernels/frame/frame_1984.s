@@ -57,6 +57,7 @@ frame:
         .include "frame/bound_scalar.s"
         .include "solids/visible_scalar.s"
         .include "solids/span_scalar.s"
+        .include "light/forms_scalar.s"
         .include "light/transmitted_scalar.s"
         .include "frame/nearest_1984.s"
         .include "light/power_scalar.s"

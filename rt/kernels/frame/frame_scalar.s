@@ -39,6 +39,7 @@
         .include "solids/nodes_scalar.s"
         .include "frame/hierarchy_scalar.s"
         .include "frame/regions_scalar.s"
+        .include "light/forms_scalar.s"
         .include "light/transmitted_scalar.s"
         .include "light/shadow_scalar.s"
         .include "light/power_scalar.s"

@@ -54,7 +54,6 @@ frame:
         .include "solids/visible_vector.s"
         .include "solids/visible_every_vector.s"
         .include "solids/levels_vector.s"
-        .include "light/resolve_vector.s"
         .if     LENS
         .include "frame/lens.s"
         .include "frame/lens_vector.s"
@@ -63,6 +62,8 @@ frame:
         .include "frame/order_vector.s"
         .include "shapes/normal_vector.s"
         .include "shapes/every_normal.s"
+        .include "light/forms_vector.s"
+        .include "light/resolve_vector.s"
         .include "light/shade_vector.s"
         .include "light/pigment_vector.s"
         .include "light/light_vector.s"
@@ -80,9 +81,6 @@ frame:
         .include "frame/average_vector.s"
         .endif
         .include "solids/invisible_vector.s"
-        .if     FOG
-        .include "light/fog_vector.s"
-        .endif
         .if     PATTERNS
         .include "light/pattern_vector.s"
         .endif

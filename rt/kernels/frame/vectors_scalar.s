@@ -3,6 +3,10 @@
 ; Results take five clocks, so independent products precede the sums that depend
 ; on them.
 
+; The operations of kernels that are written once.
+        .include "forms.s"
+        scalar_form , third, fourth
+
 ; sum = x . u, in the order (x1 u1 + x0 u0) + x2 u2.
         .macro  dot x0, x1, x2, u0, u1, u2, sum, work
         MPYS    \x0, \u0, \sum
@@ -10,6 +14,10 @@
         MPYS    \x2, \u2, third
         ADDN    \work, \sum, \sum
         ADDN    third, \sum, \sum
+        .endm
+
+        .macro  dot_product x0, x1, x2, y0, y1, y2, sum, work
+        dot     \x0, \x1, \x2, \y0, \y1, \y2, \sum, \work
         .endm
 
 ; Computes three such sums of x with the rows a, b, c at a time, without waits.

@@ -24,8 +24,8 @@
 ; [v0] = the smallest square of a distance so far, [v6] = rho, [v7] = Y.
         .macro  take_segment
         nearest_edge v6, v7, foot_radius, foot_height, back_r, back_y, back_length, outward_r, outward_y, none
-        VTOV    outward_r, [nx] ? [hits0]
-        VTOV    outward_y, [ny] ? [hits0]
+        then_set outward_r, nx
+        then_set outward_y, ny
         .endm
 
 normal_lathe:

@@ -10,15 +10,8 @@
         SWAP    [t0], sh0, [r0]
         .endm
 
-; The operations of the normals that are written once (forms.s).
-        .include "forms.s"
-        scalar_form , third, fourth
         .reg    table, here
         .reg    spare, t7
-
-        .macro  dot_product x0, x1, x2, y0, y1, y2, sum, work
-        dot     \x0, \x1, \x2, \y0, \y1, \y2, \sum, \work
-        .endm
 
         .macro  dot_numbers x0, x1, x2, k0, k1, k2, sum, work
         dot     \x0, \x1, \x2, \k0, \k1, \k2, \sum, \work

@@ -16,10 +16,10 @@
         RTOR    \x2, qz
         .endm
 
-; The operations of the normals that are written once (forms.s), with the names
-; of their registers in the scalar form.
+; The operations of kernels that are written once (forms.s), with the names of
+; registers in the scalar form.
         .include "forms.s"
-        vector_form , hits0, hits1
+        vector_form , hits1, hits2
         .share  normals
         .regs   v0, t0, t1, t2, t3, t4, t5, t6, t7
         .reg    m_zero, r0
@@ -27,6 +27,11 @@
         .reg    spare, s2
         .reg    m_one, one
         .reg    m_minus_one, minus_one
+        .reg    m_half, half
+        .reg    m_two, two
+        .reg    m_tiny, tiny
+        .reg    m_checker_shift, checker_shift
+        .reg    m_index_one, one_index
         .endshare
 
         .macro  load_shape number

@@ -54,7 +54,6 @@ hit:            .space 2                ; distance, primitive
 
         .if     FOG
         .include "light/fog.s"
-        .include "light/fog_scalar.s"
         .endif
 
         .macro  of_level offset
