@@ -1,11 +1,11 @@
-# make demo renders a scene on the emulated machine; make check runs all tests;
-# make help lists the other targets.
+# make demo renders a scene on the emulated machine. make check runs all tests. make
+# help lists the other targets.
 
 BUILD ?= build
 OPT ?= -O3
 CFLAGS ?= -g
 CXXFLAGS ?= -g
-# The number of compilers, unit tests and scenes at a time.
+# Maximum number of concurrent compilers, unit tests and scenes.
 JOBS ?= 2
 
 .DEFAULT_GOAL = all
@@ -21,7 +21,7 @@ demo: ## installs missing packages, builds, renders a scene, prints the speedup 
 	$(BUILD)/rt205 speedup
 	@echo "The picture is in $(BUILD)/bracket.png"
 
-# Debug information without local variables makes the build a quarter faster.
+# Without debug information on local variables the build takes a quarter less time.
 check: ## builds and runs all tests (docs/testing.md)
 	@sh .ci/need $(test_packages)
 	@mkdir -p $(BUILD) && date +%s >$(BUILD)/check.begin
@@ -30,7 +30,7 @@ check: ## builds and runs all tests (docs/testing.md)
 	@sh tests/run_all.sh "$(MAKE)" $(JOBS) $(check_parts); code=$$?; \
 		sh tests/speed.sh $(BUILD)/check.begin; exit $$code
 
-# An edit is checked in about a minute, including the build.
+# Checking an edit takes about a minute, including the build.
 check-quick: ## runs the tests that the changed files can affect
 	@sh tests/check_quick.sh $(BUILD) "$(MAKE)" 45
 
@@ -53,7 +53,7 @@ fit: ## fits the timing model, writes the fitted models and the pages
 	$(BUILD)/fit205 --write vm/models/cyber205-2pipe.model \
 		--write vm/models/cyber720.model \
 		--json $(BUILD)/fit.json
-	@$(MAKE) --no-print-directory docs # they contain the default model's times
+	@$(MAKE) --no-print-directory docs # they contain times of the default model
 
 formatted = $$(git ls-files "*.c" "*.h" "*.cc")
 scripts = $$(git ls-files "*.sh") $$(git grep -l "^\#!/bin/sh" -- ":!*.sh")

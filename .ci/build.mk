@@ -1,4 +1,4 @@
-# build.mk - how the libraries and programs are built.
+# build.mk - builds the libraries and programs.
 
 # The version, as defined in vm/c205.h.
 VERSION := $(shell sed -n 's/^.define C205_VERSION "\(.*\)"/\1/p' vm/c205.h)
@@ -6,13 +6,13 @@ VERSION := $(shell sed -n 's/^.define C205_VERSION "\(.*\)"/\1/p' vm/c205.h)
 WARN = -Wall -Wextra -Wshadow
 C_WARN = $(WARN) -pedantic -Wconversion -Wstrict-prototypes \
 	-Wmissing-prototypes
-# Doubles follow C99, but the code never reads their exception flags, which allows
-# vectorised loops.
+# Doubles follow C99, except that the code never reads their exception flags. This
+# allows vectorised loops.
 C_FLAGS = -std=c99 -D_POSIX_C_SOURCE=200809L $(C_WARN) -ffp-contract=off \
 	-fno-trapping-math -fno-math-errno $(OPT) $(CFLAGS) -I. -MMD -MP
 CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
 
-# Layers of the rooms, from the lowest: vm, base, asm, rt.
+# The sources of rooms. The order of the rooms is vm, base, asm, rt.
 c_of = $(foreach room,$(1),$(wildcard $(room)/*.c))
 vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
@@ -24,7 +24,7 @@ engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))
 rt_c = $(call c_of,$(addprefix rt/,platform jobs scene bvh scene/language shapes layout \
 	trace view picture roots study study/sweep heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
-# Sources that read observations, and sources that fit them.
+# Sources that read observations, and sources of the fit.
 observing_c = $(addprefix rt/study/fit/,csv.c run.c observations.c constants.c \
 	unidentifiable.c)
 fit205_c = rt/command/fit205.c \
@@ -51,7 +51,8 @@ $(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
 $(engine): $(call objects,$(engine_c))
 $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	$(BUILD)/rt/scene_texts.o
-# With q, not r: files of two folders may have the same name.
+# Appends members (q) instead of replacing them (r), because files of two folders may
+# have the same name.
 %.a:
 	@rm -f $@
 	$(AR) qcs $@ $^
@@ -60,7 +61,7 @@ $(BUILD)/c205: $(call objects,$(c205_c)) \
 		$(addprefix $(BUILD)/asm/,isa_example_texts.o card_texts.o) \
 		$(filter-out %librt205.a,$(libraries))
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl
-# Both commands have an interactive debugger.
+# Both commands contain an interactive debugger.
 $(BUILD)/rt205: $(call objects,$(rt205_c) asm/command/repl.c \
 		asm/command/line_editor.c) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
@@ -70,11 +71,11 @@ $(BUILD)/fit205: $(call objects,$(fit205_c) $(observing_c)) \
 $(BUILD)/rt/study/fit/ceres_fit.o: rt/study/fit/ceres_fit.cc
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) -isystem /usr/include/eigen3 -c -o $@ $<
-# FreeType's headers may cause warnings that are errors for our code.
+# Headers of FreeType may cause warnings, which are errors for our code.
 $(BUILD)/rt/scene/font.o: override C_FLAGS += \
 	$(subst -I,-isystem ,$(shell pkg-config --cflags freetype2))
 
-# The library that carries messages between ranks; demo does not need it.
+# The library that passes messages between ranks. demo does not need it.
 mpi: ## builds the library for runs over several hosts
 	@sh .ci/need $(mpi_packages)
 	@$(MAKE) --no-print-directory $(ranks)
@@ -87,7 +88,7 @@ $(adapter): rt/picture/picture_oiio.cc
 	$(CXX) $(CXX_FLAGS) $$(pkg-config --cflags OpenImageIO) -shared -o $@ $< \
 		$$(pkg-config --libs OpenImageIO)
 
-# Texts that are compiled into the programs.
+# Texts that are part of the programs.
 $(BUILD)/vm/model_texts.c: texts_in = vm/models
 $(BUILD)/vm/model_texts.c: $(wildcard vm/models/*.model)
 $(BUILD)/asm/library_texts.c: texts_in = asm/lib
@@ -96,7 +97,7 @@ $(BUILD)/asm/isa_example_texts.c: texts_in = asm/isa_examples
 $(BUILD)/asm/isa_example_texts.c: $(wildcard asm/isa_examples/*.s)
 $(BUILD)/asm/card_texts.c: texts_in = asm/card
 $(BUILD)/asm/card_texts.c: $(wildcard asm/card/*.roff)
-# Solutions are excluded.
+# Solutions are not included.
 $(BUILD)/asm/lesson_texts.c: texts_in = docs/course
 $(BUILD)/asm/lesson_texts.c: $(sort $(foreach file,lesson.md start.s test-*.s,\
 	$(wildcard docs/course/*/$(file)))) $(wildcard docs/course/ docs/course/*/)
@@ -115,7 +116,7 @@ $(BUILD)/%.o: %.c
 $(BUILD)/%.o: $(BUILD)/%.c
 	$(CC) $(C_FLAGS) -c -o $@ $<
 
-# Loops that select one of two doubles are vectorised only if neither can trap.
+# The compiler vectorises loops that select one of two doubles only if neither can trap.
 $(BUILD)/vm/number/lanes.o $(BUILD)/vm/number/halves.o \
 	$(BUILD)/vm/number/spans.o: \
 	C_FLAGS += -fno-trapping-math

@@ -1,7 +1,7 @@
 #!/bin/sh
-# export.sh LIBRARY HEADER .. -- OBJECT .. - makes a library of one object. Its global
-# names are the functions and objects that the headers declare; all others are local.
-# An archive among the objects contributes the members that the objects need.
+# export.sh LIBRARY HEADER .. -- OBJECT .. - makes a library of one object. Functions
+# and objects that the headers declare are global; all other names become local. An
+# archive among the objects contributes the members that the objects need.
 set -eu
 library=$1
 shift
@@ -13,10 +13,10 @@ done
 shift
 ${LD:-ld} -r -o "$library.o" "$@"
 
-# Candidates are the names that the object defines and that are words of the headers. A
-# word may be in a comment or in a row of a table, so the compiler decides which names
-# are declared: a generated function uses each name, in a "file" of that name, so that an
-# error message begins with the name.
+# Candidates are words of the headers that are also names of the object. A word may be
+# in a comment or in a row of a table, so the compiler determines which names are
+# declared. A generated function uses each name, in a "file" of that name, so an error
+# message begins with the name.
 # shellcheck disable=SC2086
 cat $headers | grep -oE '[A-Za-z_][A-Za-z_0-9]*' | sort -u >"$library.words"
 ${NM:-nm} -g --defined-only "$library.o" | awk '{ print $3 }' | sort -u |
@@ -28,7 +28,7 @@ uses() {
     awk '{ printf "#line 1 \"%s\"\nvoid use_%d(void) { (void)%s; }\n", $0, NR, $0 }' \
         "$library.api"
 }
-# A compiler may stop after some errors, so it is run until it reports none.
+# Repeats until the compiler reports no errors, because it may stop after some errors.
 until uses | ${CC:-cc} -std=c99 -I. -fsyntax-only -x c - 2>"$library.errors"
 do
     sed -n 's/^\([A-Za-z_][A-Za-z_0-9]*\):[0-9:]* error:.*/\1/p' \

@@ -1,11 +1,11 @@
-# install.mk - the installed files: programs, libraries, headers and pages.
+# install.mk - installs programs, libraries, headers and pages.
 
 PREFIX ?= /usr/local
 LIBDIR = $(PREFIX)/lib/rt205
 DOCDIR = $(PREFIX)/share/doc/c205
 
-# The installed files: three libraries, each with only the names of these headers, and
-# with its own copy of the parts of base that it needs and of vm/error.o.
+# The installed files. Each of the three libraries defines only the names in these
+# headers, and contains a copy of the parts of base that it needs and of vm/error.o.
 api = $(BUILD)/api
 vm_api = $(addprefix vm/,c205.h c205_word.h c205_model.h c205_machine.h c205_time.h \
 	c205_history.h insn.def arith.def)
@@ -24,7 +24,7 @@ $(api)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(api)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
 		$(BUILD)/asm/lesson_texts.o \
 		$(BUILD)/libbase.a $(BUILD)/vm/error.o
-# Views need internal names of the assembler's library, so they are excluded.
+# Views are excluded, because they need internal names of the assembler's library.
 $(api)/librt205.a: $(call objects,$(filter-out rt/view/%,$(rt_c))) \
 		$(BUILD)/rt/kernel_texts.o \
 		$(BUILD)/rt/scene_texts.o $(BUILD)/libbase.a $(BUILD)/vm/error.o
@@ -35,8 +35,7 @@ $(api)/%.a: .ci/export.sh
 	@mkdir -p $(@D)
 	sh .ci/export.sh $@ $(headers) -- $(filter %.o %.a,$^)
 
-# Arguments of pc: the name, the description, the required packages, the private
-# libraries.
+# Arguments of pc: name, description, required packages, private libraries.
 define pc
 prefix=$(PREFIX)
 libdir=$${prefix}/lib
@@ -60,7 +59,7 @@ $(api)/%.pc: .ci/install.mk
 installed = $(addprefix $(api)/,libc205.a libc205asm.a librt205.a)
 installed_pc = $(addprefix $(api)/,c205.pc c205asm.pc rt205.pc)
 
-# The man pages and shell completions, as the programs print them.
+# The man pages and shell completions, printed by the programs.
 share = $(BUILD)/share
 pages = $(foreach program,$(notdir $(programs)),$(addprefix $(share)/,\
 	man/man1/$(program).1 bash-completion/completions/$(program) \

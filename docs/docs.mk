@@ -1,4 +1,4 @@
-# docs.mk - the printed blocks of the pages, the card, the slides and the site.
+# docs.mk - prints the blocks of the pages, the card, the slides and the site.
 
 # The reference of the instructions, and the printed blocks of the pages.
 shown = $(programs) $(BUILD)/fit205 $(BUILD)/tests/oracle/check_quartic \

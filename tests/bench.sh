@@ -3,7 +3,7 @@
 #
 #   machine   host nanoseconds per element, instructions per second
 #   hosts     nanoseconds per element by compiler and by vector unit
-#   frames    the trace of a frame, compared with POV-Ray's
+#   frames    the time of tracing a frame, compared with POV-Ray
 #   jobs      two concurrent bands compared with one
 #   ranks     two processes compared with one; the work of rank 0 per unit and its size
 #   stages    clocks of the machine for each method of tracing a frame
@@ -12,13 +12,12 @@
 #   growth    time, clocks and memory by number of objects
 #   goals     target values for these figures
 #
-# Without names, all parts run. TRIALS is the number of runs, of which the fastest
-# counts (5). SIZE=small runs each part once, in its smallest size, to check that it
-# works. The figures are also in BUILD/bench.csv, one per line; BENCH_CSV names another
-# file.
+# All parts run if none is named. The fastest of TRIALS runs counts (5). SIZE=small runs
+# each part once in its smallest size, which checks that it works. BUILD/bench.csv, or
+# the file BENCH_CSV, also contains the figures, one per line.
 #
-# The exit status is 1 if a part fails: one of its commands failed, or a row has no
-# figure.
+# The exit status is 1 if a part fails. A part fails if one of its commands fails or a
+# row has no figure.
 set -eu
 build=$1
 shift

@@ -1,10 +1,11 @@
 #!/bin/sh
-# bench_frames.sh BUILD - the time of tracing a frame of each scene, in vector form,
-# compared with POV-Ray's trace time of the same file; one thread each, in turn.
+# bench_frames.sh BUILD - measures the time of tracing a frame of each scene in vector
+# form, and compares it with the trace time of POV-Ray for the same file. Both use one
+# thread and run in turn.
 #
 # The figures are processor seconds, the minimum of several runs. They exclude reading
-# the scene and writing a picture. The first scene was made for this comparison; in
-# POV-Ray its Steiner patches are meshes.
+# the scene and writing a picture. The first scene was made for this comparison. Its
+# Steiner patches are meshes in POV-Ray.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"

@@ -1,12 +1,13 @@
 #!/bin/sh
-# bench_growth.sh BUILD - the cost of a frame by the number of its objects: spheres of a
-# flake, small solids in a field, holes and knobs of one plate, triangles of a mesh.
+# bench_growth.sh BUILD - measures the cost of a frame by the number of its objects:
+# spheres of a flake, small solids in a field, holes and knobs of a plate, triangles of
+# a mesh.
 #
-# The figures are the processor seconds of our trace and of POV-Ray's, the machine's
-# clocks, and the maximum memory of the process. The exponent is that of a power law in
-# the number of objects, fitted by least squares in logarithms for 90 to 10,000 objects.
-# A row is skipped if its time, extrapolated in proportion to the number of objects,
-# would exceed LIMIT seconds (100).
+# The figures are the processor seconds of this tracer and of POV-Ray, the clocks of the
+# machine, and the maximum memory of the process. The exponent belongs to a power law in
+# the number of objects. It is fitted by least squares in logarithms for 90 to 10,000
+# objects. A row is skipped if its time would exceed LIMIT seconds (100), by
+# extrapolation in proportion to the number of objects.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
@@ -18,7 +19,7 @@ flake() { # DEPTH
     sed "s/^#declare Depth = .*/#declare Depth = $1;/" scenes/flake.pov
 }
 
-# The scene above a square of $1 places.
+# The head of a scene: a camera above a square of $1 places.
 above() { # COUNT
     cat <<END
 #version 3.7;
@@ -38,7 +39,7 @@ light_source { Side*<2, 1, -0.5>, rgb 0.3 }
 END
 }
 
-# Bored boxes and lenses in turn; neighbours differ.
+# A field of bored boxes and lenses, in turn, so neighbours differ.
 field() { # COUNT
     above "$1"
     cat <<END
@@ -107,7 +108,7 @@ mesh {
 END
 }
 
-exponent() { # COLUMN: fits lines of a number and a measurement
+exponent() { # COLUMN: fits a power law to lines of a number and a measurement
     awk -v column="$1" '$1 >= 90 && $1 <= 10000 && $column > 0 {
             x = log($1); y = log($column)
             n++; sx += x; sy += y; sxx += x*x; sxy += x*y
@@ -116,14 +117,14 @@ exponent() { # COLUMN: fits lines of a number and a measurement
                   printf "%.2f", (n*sxy - sx*sy) / (n*sxx - sx*sx) }'
 }
 
-measure() { # SCENE: prints our figures, then POV-Ray's
+measure() { # SCENE: prints the figures of this tracer and then of POV-Ray
     for _ in $(seq "$trials"); do
         echo "$(ours "$1" "$width" "$height" | cut -d ' ' -f 1,3,4)" \
             "$(theirs "$1" "$width" "$height")"
     done | least
 }
 
-is_too_long() { # COUNT: compared with the last row
+is_too_long() { # COUNT: extrapolates from the last row
     tail -n 1 "$work/rows" | awk -v n="$1" -v limit="$limit" -v t="$trials" \
         'END { exit !(NR && $2 * t * n / $1 > limit) }'
 }

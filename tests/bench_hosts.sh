@@ -1,14 +1,15 @@
 #!/bin/sh
-# bench_hosts.sh BUILD - host nanoseconds per element of spans of words (those of
-# tests/bench_lanes.c), for each compiler, also for less capable hosts: with AVX2 alone,
-# or word by word without a vector unit. The last rows are the largest ratios between two
+# bench_hosts.sh BUILD - measures the host nanoseconds per element of spans of words
+# (tests/bench_lanes.c) for each compiler. It also measures less capable hosts, with
+# AVX2 alone or without a vector unit. The last rows are the largest ratios between two
 # builds, over all operations on words of several kinds.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
 
 : >"$work/names"
-# The smallest size compares this build with one of check-hosts, to compile little.
+# The smallest size compares this build with a variant of check-hosts, which saves
+# compiling.
 folder_of() { # NAME
     case $1 in
     gcc-best) sized "$build/bench/$1" "$build" ;;

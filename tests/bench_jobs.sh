@@ -1,6 +1,6 @@
 #!/bin/sh
-# bench_jobs.sh BUILD - two concurrent bands compared with one: wall seconds, the
-# minimum of several runs, in turn.
+# bench_jobs.sh BUILD - compares two concurrent bands with a single band in wall
+# seconds, the minimum of several runs. The runs alternate.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"

@@ -1,14 +1,14 @@
 #!/bin/sh
-# bench_ranks.sh BUILD - two ranks compared with one process, in wall seconds of entire
-# commands. The rows also have two separate processes with half of the units each, which
-# is the limit of a machine with two processors; the number and size of the units; and
-# the work of rank 0 per unit of another rank. docs/cluster.md derives a model from
-# them. RANKS: the rows; empty: none.
+# bench_ranks.sh BUILD - compares two ranks with one process, in wall seconds of
+# complete commands. The rows also contain two separate processes with half of the units
+# each, which is the limit on a machine with two processors; the number and size of the
+# units; and the work of rank 0 per unit of another rank. docs/cluster.md derives a
+# model from them. RANKS lists the rows; empty: none.
 #
 # The speed of a shared processor changes by a tenth within a minute, and the minimum of
-# several runs would compare the best moments of different runs. The three commands are
-# therefore timed one after the other in each of several trials. The trial with the
-# median ratio counts; the lowest and the highest ratio are printed next to it.
+# several runs would compare the best moments of different runs. Each trial therefore
+# times the three commands in sequence. The trial with the median ratio counts. The
+# lowest and the highest ratio are printed next to it.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
@@ -35,7 +35,7 @@ tracer() { # OPTION ..: runs the command of the kind
     run "$build/rt205" $(command_of "$kind") "$@" 2>>"$messages"
 }
 
-seconds() { # OPTION ..: prints those of the command of the kind
+seconds() { # OPTION ..: prints the seconds of the command of the kind
     case $kind in frame | tiny) set -- "$@" -o "$work/frame.png" ;; esac
     before=$(date +%s%N)
     tracer "$@" >/dev/null
@@ -53,7 +53,7 @@ seconds_apart() {
     echo "$before $(date +%s%N)" | awk '{ printf "%.3f\n", ($2 - $1) / 1e9 }'
 }
 
-# Prints the number of units and their bytes in a file.
+# Prints the number of units and their size in a file, in bytes.
 units_of() {
     rm -f "$work/units"
     tracer --part 1/1 --resume "$work/units" >/dev/null
@@ -62,7 +62,8 @@ units_of() {
 }
 
 # Reads lines with the seconds of one process, of two ranks and of two separate
-# processes. Prints the median ratio, its line, the lowest and the highest ratio.
+# processes. Prints the median ratio, the line with this ratio, and the lowest and
+# highest ratio.
 middle() {
     awk '{ printf "%.2f %s\n", $1 / $2, $0 }' | sort -n |
         awk '{ line[NR] = $0; ratio[NR] = $1 }

@@ -1,6 +1,6 @@
 #!/bin/sh
-# bench_ray_query.sh BUILD - the machine's clocks of all-hits ray queries, in both forms
-# (tests/bench_ray_query.c).
+# bench_ray_query.sh BUILD - measures the clocks of the machine for all-hits ray
+# queries, in both forms (tests/bench_ray_query.c).
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# bench_stages.sh BUILD - the machine's clocks for a frame of each scene, for each
-# method of tracing it. Frames that are not equal, bit for bit, end the script.
+# bench_stages.sh BUILD - measures the clocks of the machine for a frame of each scene
+# by each tracing method. The script fails if two methods give different frames.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"

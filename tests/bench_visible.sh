@@ -1,18 +1,18 @@
 #!/bin/sh
-# bench_visible.sh BUILD - the cost of finding the visible crossing, by stepping and by
-# testing every crossing (rt/kernels/solids/visible_vector.s).
+# bench_visible.sh BUILD - measures the cost of finding the visible face of a solid, by
+# stepping and by testing every crossing (rt/kernels/solids/visible_vector.s).
 #
-# The figures are the machine's clocks, in thousands: of the region `visible` of the
-# kernels and of the whole frame. The scenes are those of the tests, and solids of 1 to
-# 32 spheres: a box minus spheres across the view, a box minus spheres in a row along
-# the view, and an intersection of spheres.
+# The figures are thousands of clocks of the machine: in the region `visible` of the
+# kernels, and in the whole frame. The scenes are the scenes of the tests, and solids of
+# 1 to 32 spheres: a box minus spheres across the view, a box minus spheres in a row
+# along the view, and an intersection of spheres.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
 width=$(sized 160 16) height=$(sized 120 12)
 ways="stepping every"
 
-spheres() { # COUNT LENGTH RADIUS AXIS: a row about the origin
+spheres() { # COUNT LENGTH RADIUS AXIS: a row centred at the origin
     awk -v n="$1" -v length_of="$2" -v r="$3" -v axis="$4" 'BEGIN {
         for (i = 0; i < n; i++)
             printf "sphere { %.6f*%s, %.6f }\n",
@@ -48,7 +48,7 @@ write_solid() { # KIND COUNT
     fi
 }
 
-clocks() { # SCENE METHOD: of `visible` and of the frame, and the frame's checksum
+clocks() { # SCENE METHOD: prints clocks of `visible` and the frame, and the checksum
     run "$build/rt205" render "$1" --no-picture -W "$width" \
         -H "$height" --visible "$2" --accounts --format csv 2>>"$messages" | awk -F, '
         /^scene,/ { for (i = 1; i <= NF; i++) at[$i] = i; next }
@@ -78,7 +78,7 @@ compare() { # NAME SCENE
 
 echo "thousands of clocks of a frame of $width x $height pixels"
 printf '%-30s %19s %19s\n' "" visible frame
-# Each method is a heading.
+# The methods are the headings.
 # shellcheck disable=SC2086
 printf '%-30s %9s %9s %9s %9s\n' scene $ways $ways
 [ "$(sized full small)" = small ] || for scene in scenes/bench.pov tests/scenes/csg_*.pov; do

@@ -1,7 +1,7 @@
 #!/bin/sh
-# check_adaptive.sh BUILD - pixels that get more rays because they differ from their
-# neighbours are compared with POV-Ray's +AM1: at most one pixel in a thousand may
-# differ by more than .02.
+# check_adaptive.sh BUILD - compares adaptive sampling with POV-Ray's +AM1. Pixels that
+# differ from their neighbours get more rays. At most one pixel in a thousand may differ
+# from POV-Ray by more than .02.
 #
 # In these scenes POV-Ray and the tracer agree ray by ray. They include colours beyond
 # white, gammas, glass, mirrors, fogs and normals.
@@ -12,7 +12,7 @@ command -v povray >/dev/null || { echo "(POV-Ray is not installed)"; exit 0; }
 
 # SCENE WIDTH HEIGHT SAMPLES THRESHOLD
 while read -r scene how; do
-    # The words of a line.
+    # The line consists of words.
     # shellcheck disable=SC2086
     found=$("$build/tests/oracle/check_sample" "$scene" $how)
     echo "$found" | awk -F '\t' '

@@ -1,6 +1,6 @@
 #!/bin/sh
 # check_bench.sh BUILD [PART ..] - runs each part of the benchmarks in its smallest
-# size, and checks that it fails if one of its commands fails or prints nothing.
+# size. A part must fail if one of its commands fails or prints nothing.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd)
@@ -16,7 +16,7 @@ sh tests/bench.sh "$build" "$@" >"$said" 2>&1
 verdict $? "the benchmark fails: $*"
 said=
 
-# A build whose commands call those of BUILD, except for one that is broken.
+# A build whose commands call the commands of BUILD. One of them is broken.
 mkdir -p "$work/broken/tests" "$work/broken/hosts/gcc-O1-avx2/tests"
 for library in "$build"/*.so; do
     ln -s "$library" "$work/broken"

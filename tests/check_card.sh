@@ -1,7 +1,7 @@
 #!/bin/sh
-# check_card.sh C205 FOLDER - checks the card in FOLDER, in both paper sizes: it has two
-# pages, every instruction as in the table, every directive and every command of the
-# debugger. No text is outside of the page or its column, or overlaps other text.
+# check_card.sh C205 FOLDER - checks the card in FOLDER in both paper sizes. It must
+# have two pages, every instruction of the table, every directive and every command of
+# the debugger. No text may be outside of the page or its column, or overlap other text.
 set -u
 . "$(dirname "$0")/count.sh"
 c205=$1 folder=$2
@@ -10,7 +10,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 said=$work/said
 
-# The rows without blanks: name and code, class, operands and effect; | is written as !.
+# Prints the rows of the table without blanks: name and code, class, operands and
+# effect. ! replaces |.
 "$c205" isa --format md |
     sed '1,2d; s/^| //; s/ *|$//; s/\\|/!/g; s/\\//g' |
     awk -F '[|]' '{ gsub(/ /, ""); print $1 $2, $7, $4 $9 }' >"$work/rows"
@@ -20,15 +21,15 @@ echo help >"$work/help"
 "$c205" debug -x "$work/help" asm/examples/first.s |
     sed -n 's/^\([a-z][-a-z]*\)[ |].*/\1/p' >>"$work/words"
 
-# Prints the text of a card, without blanks and in the notation of the table.
+# Prints the text of a card without blanks, in the notation of the table.
 plain_text() { # PDF
     pdftotext -raw "$1" - | tr -d ' \n\f' |
         sed "s/×/x/g; s/≥/>=/g; s/≤/<=/g; s/≠/isnot/g; s/[−‐]/-/g; s/’/'/g
             s/±//g; s/|/!/g"
 }
 
-# Prints the rows that are not in the text: after a name and its code marks come the
-# class, optionally the letter of a part of the vector unit, the operands and the
+# Prints the rows that the text lacks. A row of the text has a name, a code, marks, the
+# class, an optional letter for the part of the vector unit, the operands and the
 # effect.
 missing_rows() { # TEXT ROWS
     awk '
@@ -44,8 +45,8 @@ missing_rows() { # TEXT ROWS
         }' "$1" "$2"
 }
 
-# Prints words that are outside of the printable area, reach from the left column into
-# the right one, or begin before the word to their left ends.
+# Prints words that are outside of the printable area, extend from the left column into
+# the right column, or begin before the end of the word to their left.
 astray() { # PDF
     pdftotext -bbox "$1" - | awk -F '"' '
         /<page / { page++; width = $2; height = $4 }

@@ -1,7 +1,7 @@
 #!/bin/sh
-# check_commands.sh BUILD - the commands as a user calls them: exit codes, output
-# streams, complete files and Ctrl-C are compared with the rows of commands.txt and, if
-# a row cannot express a check, with this script.
+# check_commands.sh BUILD - checks commands as a user calls them: exit codes, output
+# streams, complete files and Ctrl-C. Most checks are rows of commands.txt. Others are
+# in this script.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd)
@@ -74,7 +74,7 @@ narrow() { # COMMAND: prints no long lines, except names of files
     verdict $? "lines of more than 100 characters: $1"
 }
 
-# Help and wrong usage of every command and option that the programs list.
+# Checks help and wrong usage of every command and option that the programs list.
 for program in c205 rt205; do
     ends 0 "$build/$program" --help
     cp out summary
@@ -96,7 +96,7 @@ for program in c205 rt205 fit205; do
     ends 2 "$build/$program" help --completion tcsh
 done
 
-names() { # prints every option and operand in the help of the command
+names() { # checks that the help of the command has every option and operand
     while read -r what its_command name letter kind choices; do
         [ "$what" != command ] || continue
         [ "$its_command" = "$command" ] || continue
@@ -112,13 +112,13 @@ names() { # prints every option and operand in the help of the command
     done <"$program.list"
 }
 refuses() { # ARGUMENT ..: reports wrong usage, with the choices and a reference to the help
-    # No word means no argument.
+    # An empty word means no argument.
     # shellcheck disable=SC2086
     ends 2 "$build/$program" $word "$@"
     tells err "$program $word${word:+ }--help prints the usage"
     expect "wrong usage prints on stdout: $*" [ ! -s out ]
 }
-wrong_values() { # for each option a value that it rejects, and no value
+wrong_values() { # checks for each option an invalid value and a missing value
     while read -r what its_command name letter kind choices; do
         [ "$what" = option ] || continue
         [ "$its_command" = "$command" ] || continue
@@ -150,7 +150,7 @@ for program in c205 rt205 fit205; do
         [ "$what" = command ] || continue
         word=$command
         [ "$command" = - ] && word=
-        # No word means no argument.
+        # An empty word means no argument.
         # shellcheck disable=SC2086
         ends 0 "$build/$program" $word --help
         cp out help.txt
@@ -176,8 +176,8 @@ for program in c205 rt205 fit205; do
     done <"$program.list"
 done
 rows usage
-# The account, a message and the trace each begin on a new line, whether or not the
-# program has ended its last line, and no empty line is added.
+# The account, a message and the trace each begin on a new line, even if the program has
+# not ended its last line. No empty line is added.
 own_line() { # FILE ARGUMENT ..: stdout and stderr in one stream
     "$build/c205" run "$@" >joined 2>&1 </dev/null
     grep -qx '1.5' joined && ! grep -q '1[.]5.' joined &&
@@ -235,7 +235,7 @@ done | cmp -s - summed
 verdict $? "a sweep has other clocks than run"
 rows sweep
 
-# Each value takes some tenths of a second, all of them a long time.
+# A value takes some tenths of a second, so all values would take long.
 printf '        ES r1, n\n        EX r10, 20000000\n%s' \
     '        EX r11, loop
 loop:   DBNZ r10, [r11]
@@ -254,7 +254,7 @@ tells err "^c205 sweep: slow.s with n = [0-9]*: interrupted$"
 printf '        .data\nv:      .word   1\n' >data.s
 for file in empty.s data.s; do
     for verb in run debug "run --check" "sweep --define n=1:2"; do
-        # The words are of one command.
+        # The words belong to one command.
         # shellcheck disable=SC2086
         ends 1 "$build/c205" $verb "$file"
         cat err >>out
@@ -278,7 +278,7 @@ narrow "c205 isa"
 "$build/c205" isa --names >names
 awk 'NR > 1 && !/^ / { print $1 }' out | cmp -s - names
 verdict $? "not a row of each instruction"
-# The names are words.
+# The list consists of names.
 # shellcheck disable=SC2046
 ends 0 "$build/c205" isa $(cat names)
 narrow "c205 isa MNEMONIC"
@@ -411,7 +411,7 @@ for ending in jpg exr tif; do
     ends 0 "$build/rt205" render "$scene" -o a.$ending -W 40 -H 30
     expect "no a.$ending" [ -s a.$ending ]
 done
-dated() { # DATE: a.exr has this date
+dated() { # DATE: sets the date of a.exr
     grep -a -q -e "$1" a.exr
 }
 ends 0 "$build/rt205" render "$scene" -o a.exr -W 40 -H 30
@@ -439,7 +439,7 @@ rows sweep_views
 ends 0 sweep length sphere --points 1,2,4,8,64 -o "the plot.svg"
 grep -q '^</svg>$' "the plot.svg"
 verdict $? "a sweep draws a plot"
-# Without rsvg-convert, only the picture in this format is missing.
+# Without rsvg-convert, the picture is missing only in this format.
 ends 1 env PATH=missing "$build/rt205" sweep length sphere --points 1,2,4 \
     -o plain.png --json plain.json
 tells err "rsvg-convert is not found"
@@ -461,7 +461,7 @@ done
 rows sweep_models
 
 # The accuracy of the figures, in one line and in full.
-whole() { # COMMAND ..: with --provenance the line continues
+whole() { # COMMAND ..: the line continues with --provenance
     ends 0 "$@"
     tells out 'on the model cyber205-2pipe; details: --provenance$'
     ends 0 "$@" --provenance
@@ -486,7 +486,7 @@ whole "$build/rt205" mass parts.pov --density default=1 --rays 512
 ends 0 "$build/c205" model cyber205-2pipe
 tells out 'compared with 1 published figure,'
 
-# Every result in every format, from and to streams.
+# Checks every result in every format, from and to streams.
 formats() { # COMMAND ..: prints its results as text, CSV, Markdown and JSON
     ends 0 "$@" --format csv
     [ -z "$(sed "/^#/d; /^\$/d; /,/d" out)" ] && grep -q , out
@@ -523,7 +523,7 @@ formats "$build/rt205" mass parts.pov --density default=1 --rays 512
 ends 0 "$build/c205" run good.s --format csv
 tells err '^1.5$'
 
-pipes() { # WHAT: the last pipe succeeded
+pipes() { # WHAT: checks that the last pipe succeeded
     verdict $? "$1"
 }
 "$build/c205" asm good.s -o - | cmp -s - good.o
@@ -549,7 +549,7 @@ pipes "no polynomials from stdin"
 pipes "no scene to sweep from stdin"
 rows streams
 
-# Several jobs give the same results in the same order.
+# Several jobs must give the same results in the same order.
 several() { # COMMAND ..: --jobs 3 prints the same as --jobs 1
     ends 0 "$build/rt205" "$@" --jobs 1
     cp out alone
@@ -587,8 +587,8 @@ tells err "--order: expected .*, found .spiral."
 ends 0 "$build/rt205" profile "$scene" -W 40 -H 30 --order tiles
 ends 0 "$build/rt205" sweep queue "$scene" --points 1,50 -W 16 -H 12 --order tiles
 
-# A missing library for pictures is reported before a long frame begins, and no file is
-# left.
+# A missing library for pictures must be reported before a long frame begins, and no
+# file may remain.
 mkdir alone.bin
 cp "$build/rt205" alone.bin
 begun=$(date +%s)
@@ -612,8 +612,8 @@ tells err 'long.png has .* of 3000 rows, the others are black'
 [ "$(find . -name '*long*')" = ./long.png ] && tail -c 8 long.png | grep -q IEND
 verdict $? "an interrupted render leaves not one whole picture"
 
-# Ctrl-C while a scene with many spheres is laid out, or traced on a fast machine: it
-# stops soon. The frame is too large to be complete by then.
+# Ctrl-C stops a program soon while it lays out a scene with many spheres, and while it
+# traces the scene on a fast machine. The frame is too large to be complete by then.
 printf '#version 3.7;\ncamera { location -30*z } light_source { -30*z, 1 }\n%s' \
     '#for (I, 1, 100000) sphere { <mod(I, 317), I / 317, 0> / 20 - 8, .02 } #end' \
     >many.pov
@@ -642,7 +642,7 @@ verdict $? "an interrupted sweep does not end with 1"
 [ ! -s out ] && [ ! -e long.json ]
 verdict $? "an interrupted sweep leaves results"
 
-# Finished bands are saved, and a later run continues from them.
+# Finished bands must be saved, and a later run must continue from them.
 frame() { # OPTION ..: prints the checksum and the clocks of a frame
     "$build/rt205" render "$scene" -o bands.png -W 640 -H 480 "$@" 2>err \
         | grep -e checksum -e 'clocks,'

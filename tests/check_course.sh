@@ -1,7 +1,7 @@
 #!/bin/sh
-# check_course.sh BUILD - checks every lesson against docs/grading.md: its parts exist,
-# its starting program assembles, runs and does not pass, its solution gets gold, and
-# other answers in its text are correct.
+# check_course.sh BUILD - checks every lesson against docs/grading.md. All parts must
+# exist. The starting program must assemble, run and fail, the solution must get gold,
+# and other answers in the text must be correct.
 set -u
 build=$(cd "$1" && pwd)
 . "$(dirname "$0")/count.sh"
@@ -15,7 +15,7 @@ c205() {
     "$build/c205" "$@" >"$said" 2>&1 </dev/null
 }
 
-# Prints the headings of a text, and the summaries of its hints.
+# Prints the headings of a text and the summaries of its hints.
 headings() {
     sed -n 's/^## \(Exercise\|Hints\|What to remember\)$/\1/p
         s|^<details><summary>\(.* hint\)</summary>$|\1|p' "$1"
@@ -43,7 +43,7 @@ check_parts() { # FOLDER
     verdict $? "$1/lesson.md: hints without an end"
 }
 
-# A built-in lesson is named, another one is given as a folder.
+# A built-in lesson is given by name, and any other lesson by folder.
 check_programs() { # FOLDER LESSON
     for program in start solution; do
         c205 asm "$1/$program.s" -o "$work/object" && [ ! -s "$said" ]
@@ -87,7 +87,7 @@ for folder in docs/course/*/ tests/lessons/*/; do
     esac
 done
 
-# The built-in lessons must be those of the folders.
+# The built-in lessons must be the same as the lessons of the folders.
 c205 check --format csv
 sed 1d "$said" | cut -d, -f1,2 >"$work/built-in"
 for folder in docs/course/*/; do

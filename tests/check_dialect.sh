@@ -1,8 +1,8 @@
 #!/bin/sh
 # check_dialect.sh - checks the rules of the house style that clang-format cannot check:
 #
-# - A local variable is not const, whether it is a value or a pointer. The target of a
-#   pointer may be const, and so may a table, which is initialised in braces.
+# - A local variable is not const, neither a value nor a pointer. The target of a
+#   pointer may be const. So may a table, which is initialised in braces.
 # - A pointer is tested by if (!p), not by a comparison with NULL.
 # - No blank line is between the declarations at the beginning of a block and its
 #   statements (blank_lines.awk).

@@ -4,17 +4,17 @@
 #
 #     <!-- printed by: COMMAND -->        (or: <!-- printed slowly by: COMMAND -->)
 #
-# is above an indented block, which must be the output of the command. The shell runs it
-# with the programs of the build first in its path and the folder of the build in BUILD;
-# the command before the first " | " runs once for all blocks. Pictures that it draws in
-# the folder DRAWN must be those of docs/pictures with the same names. Below a block is
-# the command that prints it (printed_by.awk).
+# precedes an indented block, which must be the output of the command. In the shell, the
+# programs of the build are first in the path, and BUILD is the folder of the build. The
+# part of the command before the first pipe runs once for all blocks. Pictures in the
+# folder DRAWN must equal the pictures in docs/pictures with the same names. The command
+# is printed below the block (printed_by.awk).
 #
 # The pages must have none of the faults that page_faults.awk lists. Each kind of fault
 # is planted in a copy of the pages and must be found.
 #
 # quick skips slow commands, which take more than about two seconds. --write writes the
-# output and the pictures into the pages instead.
+# output into the pages and replaces the pictures.
 set -u
 . "$(dirname "$0")/count.sh"
 BUILD=$(cd "$1" && pwd) size=$2
@@ -45,8 +45,8 @@ print() {
     sed -i 's/[ ]*$//' "$work/out"
 }
 
-# Writes the blocks of a page to files block1 .., their commands to `commands`, and the
-# other lines to `page`, with a line "@N" for each block.
+# Splits a page: blocks go to files block1, block2 and so on, their commands to
+# `commands`, and other lines to `page`, with a line "@N" for each block.
 cut_blocks() {
     awk -v work="$work" -v size="$size" '
         /^<!-- printed( slowly)? by: .* -->$/ {
@@ -138,7 +138,7 @@ rules=$PWD/tests/page_faults.awk
 awk -f "$rules" "$@" >"$said"
 expect "faults of pages" [ ! -s "$said" ]
 
-# The copy links to all files that pages refer to; its pages are separate files.
+# The copy links to all files that pages refer to. Pages are copied.
 mkdir "$work/copy"
 for file in *; do
     ln -s "$PWD/$file" "$work/copy"
@@ -157,7 +157,7 @@ planted() { # PAGE LINE FAULT: adds the line at the end of the first section
     cp --remove-destination "$OLDPWD/$1" "$1"
 }
 
-# The figure and its unit may be far apart.
+# A figure may be far from its unit.
 planted README.md 'All in vector form is 16.7 and 2.31 times as fast.' 'the figure 16.7'
 planted README.md 'All in vector form is 16.7 and 2.31 times as fast.' 'the figure 2.31'
 planted README.md 'All in vector form is 16.7\ntimes as fast.' 'the figure 16.7'

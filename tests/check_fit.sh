@@ -1,6 +1,6 @@
 #!/bin/sh
-# check_fit.sh BUILD - checks the fit: every run gives the same result, the shipped
-# models are reproduced, and commands accept them.
+# check_fit.sh BUILD - checks the fit. Every run must give the same result, the shipped
+# models must be reproduced, and commands must accept them.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1
@@ -21,8 +21,9 @@ fit 1 "$here/b"
 diff -r "$here/a" "$here/b"
 verdict $? "two fits differ"
 
-# The error of a constant is the posterior fraction of its prior width, scaled up if the
-# cost shows that the uncertainties are too small.
+# Relative to the prior width, the standard error of a constant must be sqrt(1 - known),
+# where `known` is the share of the prior uncertainty that the observations remove. It
+# is scaled up if the cost shows that the uncertainties are too small.
 awk -F "[:,]" '
     /"cost":/ && !cost { cost = $2 }
     /"observations":/ && !used { used = $2 }
@@ -50,9 +51,9 @@ done
 grep -q '^fitted to [1-9]' "$here/speedup"
 verdict $? "rt205 speedup does not say that the model is fitted"
 
-# The figures in a model must equal those of the machine on this model, and on a model
-# that extends it.
-shown() { # NAME MODEL PROGRAM FIGURE: prints the figure from the clocks of the regions
+# The figures in a model must equal the figures of the machine with this model, and with
+# a model that extends it.
+shown() { # NAME MODEL PROGRAM FIGURE: computes the figure from clocks of regions
     "$build/c205" run -I rt/kernels --model "$2" \
         "rt/study/fit/programs/$3" --format csv 2> "$here/warnings" |
         awk -F, -v name="$1" '
@@ -78,7 +79,7 @@ verdict $? "fit205 --angle"
 verdict $? "--angle makes no other view"
 for arguments in "--hold-out nothing" "--write $here/other.model" \
     "--data $here"; do
-    # The arguments are words, so they are not quoted.
+    # The arguments are words.
     # shellcheck disable=SC2086
     ! "$build/fit205" --brief -W 16 -H 10 $arguments \
         > "$here/out" 2> "$here/errors"

@@ -1,7 +1,6 @@
 #!/bin/sh
-# check_grading.sh BUILD - c205 check as students and teachers use it: the verdicts on a
-# lesson, an answer (rows of commands.txt), and a class of thirty are compared with the
-# known ones.
+# check_grading.sh BUILD - checks c205 check as students and teachers use it: the
+# verdicts on a lesson, an answer (rows of commands.txt) and a class of thirty.
 set -u
 . "$(dirname "$0")/count.sh"
 cd "$(dirname "$0")/.." || exit 1
@@ -74,7 +73,8 @@ for folder in class one-lesson; do
     verdict $? "not all are in the JSON: $folder"
 done
 
-# Every file is a row of every format, with the reason if it was not graded.
+# Every file has a row in every format. It contains the reason if the file was not
+# graded.
 hand_in() { # KIND PATH
     mkdir -p "$(dirname "$2")"
     case $1 in

@@ -1,13 +1,13 @@
 #!/bin/sh
-# check_hosts.sh BUILD MAKE [full] - compares bits and clocks of the machine as compiled
-# by gcc and clang, with and without optimisation, with this host's vector unit, with
-# AVX2 alone, and word by word without a vector unit. full: all of these, and valgrind.
+# check_hosts.sh BUILD MAKE [full] - compares results and clocks of the machine between
+# builds: by gcc and clang, with and without optimisation, with this host's vector unit,
+# with AVX2 alone, and without a vector unit. full: all combinations, and valgrind.
 #
-# The machine (vm) of each variant is built in a separate folder and linked with the
-# assembler and the random programs of the build; with full, those are built by the same
-# compiler too. Each variant prints one number for the final states, clocks and accounts
-# of the examples, the test programs and some random programs (tests/oracle/digest.c).
-# All numbers must be equal.
+# Each variant builds the machine (vm) in a separate folder. It is linked with the
+# assembler and the random programs of the build; with full, the same compiler builds
+# these, too. Each variant prints a number for the final states, clocks and accounts of
+# the examples, the test programs and some random programs (tests/oracle/digest.c). All
+# numbers must be equal.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1 make=$2 size=${3:-quick}
@@ -17,7 +17,7 @@ mkdir -p "$place"
 
 avx2=-DHOST_VECTORS=HOST_AVX2
 words=-DHOST_VECTORS=HOST_WORDS
-# Without AVX2, the AVX2 variant uses plain lanes.
+# The AVX2 variant uses plain lanes on a host without AVX2.
 grep -qw avx2 /proc/cpuinfo || avx2=-DHOST_VECTORS=HOST_LANES
 [ "$size" = full ] && programs=20000 || programs=4000
 

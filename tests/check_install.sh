@@ -1,9 +1,9 @@
 #!/bin/sh
-# check_install.sh BUILD MAKE - checks that the installed files are sufficient: rt205
-# finds its dynamic library, and C programs that use only the headers, the libraries and
-# the files of pkg-config run a program of the machine, assemble one and trace a scene.
-# The libraries define only names that the headers declare, a program may use all other
-# names, and each header compiles alone.
+# check_install.sh BUILD MAKE - checks that the installed files are sufficient. rt205
+# must find its dynamic libraries. C programs with only the headers, the libraries and
+# the files of pkg-config must run a program of the machine, assemble a program and
+# trace a scene. The libraries must define only names that the headers declare, a
+# program may use all other names, and each header must compile alone.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1 make=$2
@@ -57,7 +57,7 @@ client program c205asm
 client scene rt205
 succeeds grep -q '^status 205 after [1-9][0-9]* clocks$' machine.txt
 succeeds grep -q '^status 205 after [1-9][0-9]* clocks$' program.txt
-# Both forms see the sphere, with equal bits. The fields are those of awk.
+# Both forms must see the sphere with equal results. $2 and $4 are fields of awk.
 # shellcheck disable=SC2016
 succeeds awk '{ hits += $2 > 100; last = sum; sum = $4 }
     END { exit !(NR == 2 && hits == 2 && last == sum) }' scene.txt
@@ -78,7 +78,7 @@ include=$root/include/c205
 done | awk '/^#/ { file = "header" ++n ".c" } !/^\/\/ end/ { print > file }'
 succeeds test -s header1.c
 for header in header*.c; do
-    # The compiler may be given with options.
+    # The compiler may have options.
     # shellcheck disable=SC2086
     succeeds ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror \
         -I"$include" -I"$include/vm" -fsyntax-only "$header"
@@ -95,15 +95,15 @@ for library in libc205 libc205asm librt205; do
     cat header*.c | grep '^#' >declared.c
     sed 's/.*/void use_&(void);\nvoid use_&(void) { (void)&; }/' names.txt \
         >>declared.c
-    # The compiler may be given with options.
+    # The compiler may have options.
     # shellcheck disable=SC2086
     succeeds ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror \
         -I"$include" -I"$include/vm" -fsyntax-only declared.c
 done
 succeeds [ -z "$(names "$root/lib/libc205.a" | grep -v '^c205_')" ]
 
-# A client may define functions with all other names that the libraries use internally,
-# and its output does not change.
+# A client defines functions with all other names that the libraries use internally. Its
+# output must not change.
 for library in libc205 libbase libc205asm librt205; do
     names "$archives/$library.a"
 done | sort -u >inside.txt

@@ -1,6 +1,6 @@
 #!/bin/sh
 # check_isa.sh C205 - checks that docs/isa.md and the grammar for editors equal the
-# output of the command, and that every instruction has an example that uses it, has
+# output of the command. Every instruction must have an example that uses it, has
 # expectations, and runs.
 set -u
 . "$(dirname "$0")/count.sh"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# check_language.sh - compares the files tests/language/*.txt with POV-Ray's output. A
-# unit test compares them with the output of our reader.
+# check_language.sh - compares the files tests/language/*.txt with the output of
+# POV-Ray. A unit test compares them with the output of this project's reader.
 set -u
 . "$(dirname "$0")/count.sh"
 root=$(dirname "$0")/..

@@ -1,12 +1,12 @@
 #!/bin/sh
-# check_library.sh BUILD [FILE ..] - compares the declarations of the files of
-# rt/scene/library, as rendered and as reported, with those of POV-Ray's files of the
-# same names: all names of POV-Ray's files, and calls of macros (tests/library.txt).
+# check_library.sh BUILD [FILE ..] - compares the declarations in the files of
+# rt/scene/library with POV-Ray's files of the same names, by pictures and by reports.
+# It compares all names of POV-Ray's files, and calls of macros (tests/library.txt).
 #
-# A scene shows up to 192 declarations. Materials and numbers have a pixel each, and
-# must be the same to the last bit. Shapes, which may be constructed differently, have
-# 16 pixels, and must be the same in an 8-bit picture. If two scenes differ, each
-# declaration gets its own scene.
+# A scene shows up to 192 declarations. A material or a number has one pixel, which must
+# be the same to the last bit. A shape, which may be constructed differently, has 16
+# pixels, which must be the same in an 8-bit picture. If two scenes differ, each
+# declaration gets a separate scene.
 set -u
 . "$(dirname "$0")/count.sh"
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -14,13 +14,13 @@ build=$(cd "$1" && pwd)
 ours=$root/rt/scene/library
 shift
 list=$root/tests/library.txt
-# Used by macros that are not supported: derivatives of functions.
+# Macros that are not supported, derivatives of functions, use this name.
 left_out=__Gradient_Fn_Accuracy_
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 
-# Our files include only our files.
+# Our files must include only our files.
 for file in "$ours"/*.inc; do
     sed -n 's/^#include "\(.*\)"$/\1/p' "$file" >"$work/included"
     while read -r name; do
@@ -34,8 +34,7 @@ for folder in /usr/share /usr/local/share; do
         theirs=$folder/povray-3.7/include
 done
 
-# Prints the declarations of a file outside of its macros: the kind of each, and its
-# name.
+# Prints the kind and the name of each declaration of a file outside of macros.
 declared() { # FILE
     sed 's|//.*||' "$1" | tr '\n\t\r' '   ' | awk '
     {
@@ -76,7 +75,7 @@ declared() { # FILE
     }' | sort -u
 }
 
-# Prints a scene from lines "KIND TEXT" of stdin, with the declarations of FILE.
+# Reads lines "KIND TEXT" and prints a scene, with the declarations of FILE.
 scene() { # FILE
     cat <<END
 #version 3.7;
@@ -117,8 +116,8 @@ END
     }'
 }
 
-# Prints the picture and the reports of a scene, without reports about bounds, which do
-# not change a picture.
+# Prints the picture and the reports of a scene. Reports about bounds are omitted,
+# because bounds do not change a picture.
 shown() { # SCENE FOLDER SIZE
     picture=--no-picture
     [ "$3" -eq 1 ] || picture="-o $work/picture.png"
@@ -129,7 +128,7 @@ shown() { # SCENE FOLDER SIZE
     if [ "$3" -eq 1 ]; then
         sed -n 's/^frame checksum //p' "$work/out"
     else
-        # Pixels begin at the first IDAT; the texts before it differ.
+        # Pixels begin at the first IDAT. The texts before it differ.
         at=$(grep -abo IDAT "$work/picture.png" | sed 's/:.*//; q')
         tail -c "+$at" "$work/picture.png" | cksum
     fi

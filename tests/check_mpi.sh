@@ -1,10 +1,11 @@
 #!/bin/sh
-# check_mpi.sh BUILD - a frame, mass and heat over several processes are compared with
-# one process, byte for byte, for any number of ranks and after kills.
+# check_mpi.sh BUILD - compares a frame, mass and heat over several processes with a
+# single process, byte for byte, for several numbers of ranks and after kills.
 #
-# KILLS: that many runs of each kind are killed at random times, by killing rank 0,
-# another rank or mpirun, and continue from their file with another number of ranks (3).
-# SEED: the seed of these times (1). USES=all: also heat and mass of every scene.
+# KILLS is the number of runs of each kind that are killed at a random time, by killing
+# rank 0, another rank or mpirun (3). They continue from their file with another number
+# of ranks. SEED is the seed of the times (1). USES=all adds heat and mass of every
+# scene.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd)
@@ -16,7 +17,7 @@ RT205_LIBDIR=$build
 export RT205_LIBDIR
 cp "$here/scenes/bracket.pov" "$here/scenes/burner.pov" "$work"
 
-# The runs: file names are the same in all folders, because the output contains them.
+# File names are the same in all folders, because the output contains them.
 kinds="frame mass rays lines"
 command_of() { # KIND
     case $1 in
@@ -51,8 +52,7 @@ in_folder() { # FOLDER KIND OPTION ..: writes all output of the command there
     (cd "$folder" && asked "$kind" "$@" --json figures.json)
 }
 
-# Compares a folder with the files of a single process. The picture is one word, or
-# none.
+# Compares a folder with the files of a single process. The picture is one word or none.
 # shellcheck disable=SC2046
 alike() { # FOLDER KIND
     for file in told figures.json $(is_drawn "$2" && echo picture.png); do
@@ -96,7 +96,7 @@ done
 
 # ---- Kills ---------------------------------------------------------------------
 
-# Prints the processes of a program in this folder: all, or those of a rank.
+# Prints the processes of a program in this folder, or only the processes of a rank.
 pids() { # PROGRAM [RANK]
     for pid in $(pgrep -x "$1"); do
         [ "$(readlink "/proc/$pid/cwd" 2>/dev/null)" = "$work/killed" ] || continue
@@ -122,8 +122,8 @@ chance() { # BELOW: sets $drawn
     drawn=$((state / 65536 % $1))
 }
 
-# Kills one of three ranks, or mpirun, or a process with threads. All other processes
-# must end too. The options are two words, the processes any number of words.
+# Kills one of three ranks, mpirun, or a process with threads. All other processes must
+# then end. The options are two words, and the processes are words.
 # shellcheck disable=SC2046,SC2086
 kill_at() { # KIND MILLISECONDS WHO
     way="--ranks 3"
@@ -139,7 +139,7 @@ kill_at() { # KIND MILLISECONDS WHO
     wait "$runner" && echo "$1: $2 ms: it was done before" >>"$work/killed/said"
 }
 
-# Ranks that have lost mpirun end after a short delay.
+# Waits until ranks without mpirun have ended, which takes a short time.
 are_gone() {
     for _ in 1 2 3 4 5 6 7 8 9 10; do
         pids rt205 | grep -q . || return 0

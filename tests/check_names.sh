@@ -1,6 +1,6 @@
 #!/bin/sh
-# check_names.sh BUILD - checks that a name has one meaning: no struct, union or enum is
-# defined in two files, and no symbol in two libraries.
+# check_names.sh BUILD - checks that a name has one meaning. No struct, union or enum
+# may be defined in two files, and no symbol in two libraries.
 set -u
 build=$1
 here=$(dirname "$0")

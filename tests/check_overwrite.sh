@@ -1,11 +1,11 @@
 #!/bin/sh
 # check_overwrite.sh BUILD - checks that no command overwrites one of its inputs. For
-# every command, each option that names an output and each file that it reads (operands,
-# included files, data, images, models), the output is the input: by the same path,
-# another path, a symbolic link or a hard link. The command must fail and all inputs
-# keep their bytes. With another output the same command must succeed.
+# every command, each option that names an output is given each file that the command
+# reads (operands, included files, data, images, models). The file is named by the same
+# path, another path, a symbolic link or a hard link. The command must fail, and all
+# inputs must be unchanged. The same command must succeed with another output.
 #
-# Some variables are several words.
+# Some variables consist of several words.
 # shellcheck disable=SC2086
 set -u
 . "$(dirname "$0")/count.sh"
@@ -132,7 +132,7 @@ for output in --json --resume; do
         --densities input/densities.pov $machine.pov
 done
 over --output svg "$scenes machine" rt205 timeline input/scene.svg $small $machine.svg
-for output in --json --write; do # a fit itself takes long
+for output in --json --write; do # a fit takes long
     texts csv
     cp -r "$fitted"/*.csv "$fitted/observations" "$fitted/programs" input/fit
     echo "fit205 - $output" >>covered
@@ -141,7 +141,7 @@ for output in --json --write; do # a fit itself takes long
     done
 done
 
-# A .png plot has one more file, with the same name but another suffix.
+# A .png plot has another file with the same name and another suffix.
 texts svg
 for input in world map machine; do
     before=$(sums)
@@ -154,17 +154,17 @@ done
 # Stdin is an input, too.
 texts s
 before=$(sums)
-# The command must refuse to overwrite its stdin.
+# The command must not overwrite its stdin.
 # shellcheck disable=SC2094
 c205 asm - -o input/main.s <input/main.s >said 2>&1
 [ $? -eq 1 ] && grep -q 'output of this command' said && [ "$(sums)" = "$before" ]
 verdict $? 'the file that stdin is was written over'
-# A file without contents may be both input and output; two streams are not one file.
+# A file without contents may be both input and output. Two streams are not one file.
 echo '        EXIT' | c205 asm - -o - >object.o
 verdict $? 'stdin to stdout is refused'
 c205 asm /dev/null -o /dev/null >said 2>&1
 verdict $? '/dev/null to /dev/null is refused'
-# A link to another file remains, and the contents of that file are replaced completely.
+# A link to another file must remain, and the contents of that file must be replaced.
 mkdir -p links/far
 seq 10000 >links/far/old
 ln -s far/old links/one
@@ -174,7 +174,7 @@ c205 asm input/main.s -o plain.o >said 2>&1
 [ -L links/two ] && [ -L links/one ] && cmp links/far/old plain.o
 verdict $? 'a link to an output is not followed'
 
-# All outputs that the programs list.
+# Checks all outputs that the programs list.
 for program in c205 rt205 fit205; do
     "$program" help --list | awk -v program=$program '
         $1 == "option" && ($5 == "output" || $5 == "file") {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # check_pages.sh BUILD - checks the manual pages and completions that the programs
-# print: every option is included, groff reports no problem, and bash and, if it is
-# installed, fish complete.
+# print. Every option must be included, groff must report no problem, and bash and (if
+# it is installed) fish must complete.
 set -u
 build=$(cd "$1" && pwd)
 work=$(mktemp -d)
@@ -30,7 +30,7 @@ found_for() { # PROGRAM WORD ..: completions of the last word, sorted
         sort | tr '\n' ' ')
 }
 
-completes() { # EXPECTED PROGRAM WORD ..: with blanks between
+completes() { # EXPECTED PROGRAM WORD ..: candidates are separated by blanks
     expected=$1
     shift
     found_for "$@"
@@ -38,7 +38,7 @@ completes() { # EXPECTED PROGRAM WORD ..: with blanks between
     verdict $? "bash completes '$*' to '$found', not '$expected'"
 }
 
-offers() { # WORD PROGRAM WORD ..: checks one of several completions
+offers() { # WORD PROGRAM WORD ..: the word must be one of the completions
     offered=$1
     shift
     found_for "$@"
@@ -48,8 +48,8 @@ offers() { # WORD PROGRAM WORD ..: checks one of several completions
     esac
 }
 
-# The manual page has the words of the help of each command.
-paragraphs() { # PATTERN: the words after the second paragraph, and not of examples
+# The manual page must have the words of the help of each command.
+paragraphs() { # PATTERN: prints words after the second paragraph, without examples
     awk -v skipped="$1" 'BEGIN { RS = "" } NR > 2 && !(skipped && $0 ~ skipped)' |
         tr -s '[:space:]' '\n' | sed '/^$/d'
 }
@@ -109,7 +109,7 @@ for program in c205 rt205 fit205; do
         [ "$what" = option ] || continue
         word=$command
         [ "$command" = - ] && word=
-        # No word means no command.
+        # An empty word means no command.
         # shellcheck disable=SC2086
         offers "$name" $program $word "${name%?}"
         # shellcheck disable=SC2086

@@ -1,7 +1,7 @@
 #!/bin/sh
-# check_plurals.sh BUILD - checks that a count of one has a singular noun. Commands get
-# one of everything: an instruction, a clock, an element, a pixel, a ray, a polynomial,
-# a breakpoint. Their output must not contain "1 clocks" or the like.
+# check_plurals.sh BUILD - checks that a count of one has a singular noun. The commands
+# get inputs with one instruction, clock, element, pixel, ray, polynomial or breakpoint.
+# Their output must not contain "1 clocks" or similar text.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd)
@@ -12,7 +12,7 @@ cd "$work" || exit 1
 PATH=$build:$PATH
 said=$work/plurals
 
-# These are not plurals: the size of a picture, the number of a table, a verb.
+# Exceptions that are not plurals: the size of a picture, the number of a table, a verb.
 allowed='x 1 rays|Table 1 lacks|part 1 of 1 is'
 singular() { # COMMAND ..: checks its output and the files that it writes
     mkdir files

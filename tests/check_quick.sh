@@ -1,11 +1,11 @@
 #!/bin/sh
 # check_quick.sh BUILD MAKE SECONDS - runs the tests that the changed files can affect.
 #
-# Changed files are those that git reports as different from the last commit, or, if
-# there are none, those of the last commit. make reports which objects it would compile
-# for them, and each linked test has the list of its objects (X.objects). Tests with a
-# changed object run, two at a time, the shortest of the last run first. None begins
-# after SECONDS; their number is printed.
+# Changed files differ from the last commit, or are part of it if no file differs. make
+# reports which objects it would compile for them, and each linked test has a list of
+# its objects (X.objects). Tests with a changed object run, two at a time, with the
+# shortest of the last run first. No test begins after SECONDS; the number of omitted
+# tests is printed.
 set -u
 build=$1 make=$2 limit=$3
 . "$(dirname "$0")/count.sh"
@@ -24,7 +24,7 @@ echo "changed: $(tr '\n' ' ' <"$work/changed")"
 
 "$make" --no-print-directory -k -j 2 all >"$work/made" 2>&1 ||
     { grep -E 'error|warning' "$work/made"; fail "it does not build"; }
-# Each file is a word.
+# The list consists of files.
 # shellcheck disable=SC2046
 "$make" --no-print-directory -n $(sed "s|^|-W |" "$work/changed") all tests 2>/dev/null |
     sed -n 's|.* -c -o [^ ]*/\([^ /]*\)\.o .*|[(/]\1[.]o|p' | sort -u >"$work/objects"
@@ -39,7 +39,7 @@ for list in "$build"/tests/unit/*.objects "$build"/tests/oracle/*.objects; do
     esac
     echo "$(cat "$program.seconds" 2>/dev/null || echo 1) $program $part"
 done | sort -n >"$work/tests"
-part_of() { # PATTERN PART VARIABLE: a part of make check for the matching changed files
+part_of() { # PATTERN PART VARIABLE: adds a part for matching changed files
     files=$(grep "$1" "$work/changed" | tr "\n" " ")
     [ -z "$files" ] || echo "5 $work/$2 $2 $3=$files" >>"$work/tests"
 }
@@ -65,7 +65,7 @@ check-*) "$5" --no-print-directory JOBS=1 "$2" ${3:+"$3"} >"$1.log" 2>&1 ;;
 esac && echo "passed: $2" || { cat "$1.log"; echo "failed: $2"; }
 echo "$(($(date +%s) - from))" >"$1.seconds"
 END
-# A line has the seconds, the program, its part and a variable of the part.
+# A line has the seconds, the program, its part, and a variable of the part.
 while read -r _ program part variable; do
     printf '%s\n' "$program" "$part" "$variable" "$((begin + limit))" "$make"
 done <"$work/tests" | xargs -r -d '\n' -n 5 -P 2 sh "$work/one" >"$work/results"

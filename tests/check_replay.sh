@@ -1,10 +1,10 @@
 #!/bin/sh
 # check_replay.sh BUILD [--write] - compares the output of debugger scripts, byte for
-# byte, from a file, from a pipe, and from a second run.
+# byte, between a file, a pipe and a second run.
 #
-# The output of tests/debugger/forty.lines, 40 commands, over five programs is compared
-# with the recorded files next to it; --write records them again. The other scripts are
-# those that test_debugger_scripts draws, with 40 lines each.
+# The output of tests/debugger/forty.lines, 40 commands, over five programs is also
+# compared with the recorded files next to it. --write records them again. The other
+# scripts are drawn by test_debugger_scripts, with 40 lines each.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1 write=${2:-}
@@ -13,7 +13,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 said=$work/said
 
-# Models with round constants do not change.
+# The models have round constants, which do not change.
 debug() { # PROGRAM [OPTION ..]
     program=$1
     shift

@@ -1,7 +1,8 @@
 #!/bin/sh
 # check_rooms.sh [BUILD] - checks that no file includes a file of a higher room
-# (tests/rooms.txt) and, with BUILD, that no object needs a symbol of a higher room, that
-# every file is in a room, and that C++ and JavaScript are only in their folders.
+# (tests/rooms.txt). With BUILD, it also checks that no object needs a symbol of a
+# higher room, that every file is in a room, and that C++ and JavaScript are only in
+# their folders.
 set -u
 build=${1:-}
 cd "$(dirname "$0")/.." || exit 1
@@ -61,8 +62,8 @@ find vm base asm web/engine web/tracer/platform rt -name '*.[ch]' -o -name '*.cc
     }
     END { report("include") }' || exit 1
 
-# A symbol belongs to the room of its file, or of the header with the name of the file. Of
-# two programs that define the same symbol, the lower one counts.
+# A symbol belongs to the room of its file, or of the header with the same name as the
+# file. If two programs define the same symbol, the lower room counts.
 [ -z "$build" ] || find vm base asm web/engine rt -name '*.c' | while read -r source; do
     [ ! -e "$build/${source%.c}.o" ] || echo "$build/${source%.c}.o"
 done | xargs nm -A -P -g | awk -v build="$build/" "$rooms"'
@@ -101,14 +102,14 @@ others=$(find vm base asm web/engine web/tracer/platform rt \( -name '*.cc' -o -
     grep -vx -e rt/picture/picture_oiio.cc -e rt/study/fit/ceres_fit.cc)
 [ -z "$others" ] || { echo "not C, and no adapter: $others"; exit 1; }
 
-# docs/architecture.md has a row for each room and names only files that exist.
+# docs/architecture.md must have a row for each room and name only files that exist.
 . tests/count.sh
 page=docs/architecture.md
 for room in $(grep -v '^#' tests/rooms.txt | tr '| ' '\n' | grep -v '[.]'); do
     grep -q "^| \`$room\` |" "$page"
     verdict $? "$page has no row for $room"
 done
-# The quotes are those of the page.
+# The quotes are part of the page.
 # shellcheck disable=SC2016
 for file in $(grep -o '`[a-z][a-z0-9_/.]*`' "$page" | tr -d '`' | grep /); do
     [ -e "$file" ]

@@ -1,19 +1,19 @@
 #!/bin/sh
-# check_samples.sh BUILD - traces the sample scenes of POV-Ray: reports which can be
-# read and why others cannot, the reports of each, the number of pixels that differ from
-# POV-Ray's picture of scenes without reports, and the trace times.
+# check_samples.sh BUILD - traces the sample scenes of POV-Ray. It prints which scenes
+# can be read, why others cannot, the reports of each scene, the number of pixels that
+# differ from POV-Ray's picture (for scenes without reports), and the trace times.
 #
-# SAMPLES: folders or scenes, all by default. WIDTH, HEIGHT: of the pictures.
-# MAX_SECONDS: per scene. JOBS: concurrent scenes. The list is written to
-# BUILD/samples.txt.
+# SAMPLES lists folders or scenes; all by default. WIDTH and HEIGHT are the size of the
+# pictures. MAX_SECONDS is the limit for a scene. JOBS is the number of concurrent
+# scenes. The list is written to BUILD/samples.txt.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd)
 samples=${SAMPLES:-/usr/share/doc/povray/examples}
 width=${WIDTH:-160} height=${HEIGHT:-120} seconds=${MAX_SECONDS:-300}
 list=$build/samples.txt
-# Minimum counts: scenes that can be read, those without a report, and those of the
-# latter with at most .1 % of their pixels beyond .02.
+# Minimum counts: scenes that can be read, scenes without a report, and scenes without a
+# report in which at most .1 % of the pixels differ by more than .02.
 least_read=280 least_plain=60 least_equal=55
 
 work=$(mktemp -d)
@@ -38,7 +38,7 @@ esac
 printf '%s\t%s\n' "$1" "${found:-untraced	it ended with $status}"
 END
 
-# The folders are words.
+# The list consists of folders.
 # shellcheck disable=SC2086
 find $samples -name '*.pov' | sort | xargs -P "${JOBS:-2}" -I SCENE \
     sh "$work/one" SCENE "$build" "$width" "$height" "$seconds" |

@@ -1,8 +1,8 @@
 #!/bin/sh
-# check_site.sh BUILD - checks the manual as a site: every link, anchor and picture has
-# a target, nothing is loaded from another host, and every page of docs/ is included, in
-# the navigation and in the search index, as is every instruction. Faults that are
-# planted in a copy must be found.
+# check_site.sh BUILD - checks the manual as a site. Every link, anchor and picture must
+# have a target. Nothing may be loaded from another host. Navigation and search index
+# must contain every page of docs/ and every instruction. Faults are planted in a copy
+# and must be found.
 set -u
 . "$(dirname "$0")/count.sh"
 BUILD=$(cd "$1" && pwd)
@@ -17,7 +17,7 @@ find README.md docs -name '*.md' ! -path 'docs/slides/*' |
 sed -n 's/^### //p' docs/isa.md | tr '[:upper:]' '[:lower:]' |
     sort >"$work/instructions"
 
-# Prints the lines of the first list that are not in the second, each after the text.
+# Prints the lines of the first list that the second lacks, each after the text.
 missing() { # TEXT LIST LIST
     sort -u "$3" | comm -23 "$2" - | sed "s|^|$1: |"
 }
@@ -29,7 +29,7 @@ faults() { # SITE
     [ -f "$1/$worker" ] || echo "nobody searches"
     (cd "$1" && find . -name '*.html' | sed 's|^\./||') >"$work/there"
     missing "no page" "$work/pages" "$work/there"
-    # The page for unknown addresses has the navigation only.
+    # The page for unknown addresses has only the navigation.
     grep -o 'href="/[^"]*"' "$1/404.html" |
         sed 's|^href="/||; s|"$||; s|^\.$|index.html|' >"$work/there"
     missing "not in the navigation" "$work/pages" "$work/there"

@@ -1,14 +1,14 @@
 #!/bin/sh
-# check_state.sh BUILD - checks that no library has global state: bands are traced in
-# threads, and a caller may have several machines. Writable data are reported, with two
-# exceptions: the state of signals, and the list of the files that the process writes,
-# which is empty unless a command line is parsed.
+# check_state.sh BUILD - checks that no library has global state, because bands are
+# traced in threads and a caller may have several machines. Writable data are reported,
+# with two exceptions: the state of signals, and the list of the files that the process
+# writes. The list is empty unless a command line is parsed.
 set -u
 build=$1
 allowed='interrupt.o:came interrupt.o:files interrupt.o:owner outputs.o:outputs'
 libraries="$build/libc205.a $build/libbase.a $build/libc205asm.a $build/libengine.a $build/librt205.a"
 
-# The words are files.
+# The list consists of files.
 # shellcheck disable=SC2086
 LC_ALL=C objdump -t $libraries | awk -v allowed="$allowed" '
     / file format / { file = $1; sub(/:$/, "", file); files++ }

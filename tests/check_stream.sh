@@ -1,14 +1,14 @@
 #!/bin/sh
-# check_stream.sh BUILD - runs dieharder on the machine's random stream: the words that
-# its programs make, 32 bits of each draw, ray by ray.
+# check_stream.sh BUILD - runs dieharder on the random stream of the machine: the words
+# of its programs, 32 bits of each draw, ray by ray.
 #
-# A good stream is rated weak (a probability below .005 or above .995) once in a hundred
-# tests, so a test that is weak for one seed must pass for another. The generator
-# without its mixed output must fail, which shows that the tests work. The words and the
-# ratings are the same on every run.
+# A good stream is rated weak (a probability below .005 or above .995) in one of a
+# hundred tests. A test that is weak for one seed must therefore pass for another seed.
+# The generator without mixed output must fail, which shows that the tests work. Words
+# and ratings are the same in every run.
 #
-# TESTS: numbers of dieharder's tests, separated by commas; by default all except those
-# that dieharder itself rates as suspect, and one that takes minutes.
+# TESTS lists numbers of dieharder's tests, separated by commas. The default is all
+# tests, except tests that dieharder rates as suspect and a test that takes minutes.
 set -u
 . "$(dirname "$0")/count.sh"
 words=$1/tests/oracle/draw_words

@@ -1,11 +1,11 @@
 #!/bin/sh
-# check_texts.sh BUILD [EVERY] - compares what all readers of texts make of different
-# encodings.
+# check_texts.sh BUILD [EVERY] - compares the results of all readers of texts for
+# different encodings.
 #
-# The programs, scenes, models, scripts and tables of the tests are rewritten with CR as
-# line ends, and with a byte order mark, CR LF, and the end mark of DOS files with bytes
-# after it. The output of the commands for the copies, including errors with their lines
-# and columns, must be the same byte for byte. Every EVERY-th scene is rendered.
+# The programs, scenes, models, scripts and tables of the tests are rewritten in two
+# forms: with CR as line ends, and with a byte order mark, CR LF, and the end mark of
+# DOS files followed by further bytes. The output of the commands must be the same byte
+# for byte, including errors with lines and columns. Every EVERY-th scene is rendered.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd) every=${2:-80}
@@ -162,7 +162,7 @@ for order in little big; do
             "c205 run lf/programs/sieve.s --model bare.model" \
             "c205 check lf/lesson program.s" \
             "rt205 render scene.pov -o never.png" "rt205 quartic table.csv"; do
-            # The words are a command.
+            # The words form a command.
             # shellcheck disable=SC2086
             ends 1 "$build/"$call
             tells err 'UTF-16'
@@ -182,7 +182,7 @@ done
 rm -rf names
 mkdir names
 cd names || exit 1
-# A title, a colour, a line that is overwritten, and a reversed direction.
+# The name contains a title, a colour, an overwritten line, and a reversed direction.
 name=$(printf 'a\033]0;t\007\033[31m\302\233\r\233\342\200\256')
 safe() { # COMMAND ..: its output contains no terminal commands
     "$@" >"$work/out" 2>"$work/err" </dev/null
@@ -210,7 +210,7 @@ printf 'list\nprint %s\nbreak %s:3\nrun\nwhere\n' "$name" "$name" >"$name.lines"
 for file in "$name.s" "bad$name.s" "no$name.s"; do
     for verb in run asm debug "run --check" "run --profile" timeline compare sweep \
         "asm --listing" dis "check $name"; do
-        # The words are of one command.
+        # The words belong to one command.
         # shellcheck disable=SC2086
         safe "$c205" $verb "$file"
     done

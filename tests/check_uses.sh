@@ -3,7 +3,7 @@
 # all stages, queues and numbers of jobs.
 #
 # The figures must be the same in all significant digits. A scene without figures must
-# give the same error. USES: some of the methods, or all.
+# give the same error. USES selects some of the methods, or all.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1 scene=$2
@@ -16,7 +16,7 @@ figures() { # COMMAND ..
         sed '/^# .*[Cc]locks/,$d; /^#/d'
 }
 
-# Without figures there must be an error.
+# A command without figures must report an error.
 outcome() { # COMMAND ..
     figures "$@" >"$work/outcome"
     [ -s "$work/outcome" ] ||
@@ -24,8 +24,7 @@ outcome() { # COMMAND ..
     cat "$work/outcome"
 }
 
-# Compares all methods; standard input has a line of options for each. A line is several
-# options.
+# Compares all methods. Each line of stdin contains the options of a method.
 # shellcheck disable=SC2086
 same() { # COMMAND OPTION ..
     command=$1

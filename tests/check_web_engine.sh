@@ -1,6 +1,7 @@
 #!/bin/sh
 # check_web_engine.sh BUILD JOBS - compares the engine of the page, run in node, with
-# c205, on every third program, or on all with THOROUGH=1 (web/tests/node/engine.mjs).
+# c205. It runs every third program, or all programs with THOROUGH=1
+# (web/tests/node/engine.mjs).
 set -u
 build=$1 jobs=$2
 cd "$(dirname "$0")/.." || exit 1

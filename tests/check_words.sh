@@ -2,10 +2,11 @@
 # check_words.sh - checks that no comment, page or name contains a word that
 # tests/words.txt replaces.
 #
-# Comments are those of C files, JavaScript, CSS, programs, scenes, scripts, models and
-# observations; identifiers are those of C files and of the web page: names in JavaScript,
-# names in CSS, and the ids and classes of HTML. Pages are the text of README.md and docs
-# outside of code blocks. A fault of each kind is planted in a copy and must be found.
+# Comments are comments of C files, JavaScript, CSS, programs, scenes, scripts, models
+# and observations. Names are identifiers of C files and of the web page: names in
+# JavaScript and CSS, and the ids and classes of HTML. Pages are the text of README.md
+# and docs outside of code blocks. A fault of each kind is planted in a copy and must be
+# found.
 set -u
 . "$(dirname "$0")/count.sh"
 cd "$(dirname "$0")/.." || exit 1
@@ -28,7 +29,7 @@ faults() { # FILE ..
     }
     FNR == 1 {
         page = FILENAME ~ /[.]md$/
-        # The start of a comment up to the end of its line; "": C comments.
+        # The start of a comment that extends to the end of its line; "": C comments.
         mark = FILENAME ~ /[.]([ch]|css|m?js)$/ ? "" : "#"
         script = FILENAME ~ /[.]m?js$/
         html = FILENAME ~ /[.]html$/

@@ -1,10 +1,10 @@
-# commands.sh - functions that compare commands, as a user calls them, with expectations
-# of a script or a row of a table: exit codes, output, and files that are written or
-# not.
+# commands.sh - functions that run commands as a user calls them. They compare exit
+# codes, output and files with expectations, which are in a script or in a row of a
+# table.
 #
 #   . "$here/tests/commands.sh"
 #
-# The script has sourced count.sh, and works in the folder $work.
+# The script must have sourced count.sh, and works in the folder $work.
 # shellcheck shell=sh
 : "${work:?}" "${here:?}"
 
@@ -16,7 +16,7 @@ ends() { # CODE COMMAND ..: exits with the code; its output is in out and err
     verdict $? "exit code is not $wanted: $*"
 }
 
-tells() { # FILE TEXT: the last command's out or err contains the text
+tells() { # FILE TEXT: out or err of the last command contains the text
     expect "$1 does not say '$2'" grep -q -e "$2" "$work/$1"
 }
 
@@ -40,7 +40,7 @@ holds() { # CHECK [=> CHECK] ..: checks the results of the last command
     verdict $? "not $1: $call"
 }
 
-calls() { # CODE WORDS: a command, or one for each choice in braces
+calls() { # CODE WORDS: runs a command, or one command for each choice in braces
     choices='' before=$2 after=''
     case $2 in
     *' { '*' }'*)
@@ -78,7 +78,7 @@ row() { # ROW
     esac
 }
 
-rows() { # NAME: the rows of this name in tests/commands.txt
+rows() { # NAME: runs the rows of this name in tests/commands.txt
     awk -v name="$1" '/^@ / { on = $2 == name; next } on' \
         "$here/tests/commands.txt" >"$work/$1.rows"
     while IFS= read -r line <&3; do

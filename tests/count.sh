@@ -3,11 +3,11 @@
 #   . "$(dirname "$0")/count.sh"
 #
 # Such a script ends with "counted", which prints the line that run_all.sh sums. Its
-# status is that of the script.
+# status is the status of the script.
 # shellcheck shell=sh
 
 passed=0 failed=0
-said= # a file that a failure prints: the output of the last command
+said= # the output of the last command, which a failure prints
 
 pass() {
     passed=$((passed + 1))

@@ -1,8 +1,8 @@
 #!/bin/sh
-# cover.sh BUILD - reports the coverage of vm/, base/ and asm/ by the tests, from the
-# profiles in BUILD/profile: a table of files, and the totals, which must reach 95 % of
-# the lines and 85 % of the branches (each condition both ways). BUILD/uncovered.txt
-# gets the lines that were not executed.
+# cover.sh BUILD - reports how the tests cover vm/, base/ and asm/, from the profiles in
+# BUILD/profile. It prints a table of files and the totals, which must reach 95 % of the
+# lines and 85 % of the branches (each condition both ways). BUILD/uncovered.txt lists
+# the lines that were not executed.
 set -eu
 build=$1
 lines_least=95 branches_least=85
@@ -14,7 +14,7 @@ llvm-cov show "$build/c205" -instr-profile "$build/profile.data" vm base asm |
     awk '/^[^ ].*:$/ { file = $0 } /^ *[0-9]+\| +0\|/ { print file $0 }' |
     sed "s|^$PWD/||" >"$build/uncovered.txt"
 
-# Columns 8 and 9: lines and missed lines; 11 and 12: branches.
+# Columns 8 and 9 are lines and missed lines; columns 11 and 12 are branches.
 awk -v lines_least=$lines_least -v branches_least=$branches_least '
     function share(all, missed) {
         return all ? sprintf("%6.2f %%", 100 * (all - missed) / all) : "       -"

@@ -12,7 +12,7 @@
 # the script checks that file and every row that the part added to BENCH_CSV.
 # shellcheck shell=sh
 
-sized() { # FULL SMALL: prints the one that SIZE selects
+sized() { # FULL SMALL: prints the value that SIZE selects
     case ${SIZE:-full} in
     full) echo "$1" ;;
     small) echo "$2" ;;
@@ -20,13 +20,13 @@ sized() { # FULL SMALL: prints the one that SIZE selects
     esac
 }
 
-# The parts use the number of trials.
+# Scripts that source this file use the variable.
 # shellcheck disable=SC2034
 trials=${TRIALS:-$(sized 5 1)}
 results=${BENCH_CSV:-${build:?}/bench.csv}
 work=$(mktemp -d)
 messages=$work/messages # stderr of the commands
-failures=$work/failures # the commands that failed
+failures=$work/failures # commands that failed
 RT205_LIBDIR=$(cd "${build:?}" && pwd)
 export RT205_LIBDIR
 : >>"$results"
@@ -84,7 +84,7 @@ least() { # prints the minimum of each column
                   printf "%s%s", least[i], i < fields ? " " : "\n" }'
 }
 
-keep() { # PART WHAT QUANTITY VALUE ..: pairs of the last two; a fault ends the part
+keep() { # PART WHAT QUANTITY VALUE ..: records the pairs; a failure ends the part
     [ ! -s "$failures" ] || exit 1
     part=$1 what=$2
     shift 2
@@ -99,8 +99,9 @@ quotient() { # A B: prints the quotient with two decimals
     awk -v a="$1" -v b="$2" 'BEGIN { if (b > 0) printf "%.2f", a / b }'
 }
 
-# Prints a table's figures, cell by cell: PROGRAM, "row", column, value. A cell ends at
-# the column at which its heading ends. A row without a figure has an empty value.
+# Prints the figures of a table, cell by cell: PROGRAM, "row", column, value. A cell
+# ends at the column at which its heading ends. The value of a row without a figure is
+# empty.
 cells() { # PROGRAM: reads its output
     awk -v program="$1" '
         function ends_of(line,    at) {

@@ -1,6 +1,6 @@
 #!/bin/sh
-# run_all.sh MAKE JOBS PART .. [-- PART ..] - makes every part, also after failures, and
-# sums the counts of the parts: their lines "N passed, N failed", and those of cmocka. A
+# run_all.sh MAKE JOBS PART .. [-- PART ..] - makes every part, even after failures, and
+# sums the counts of the parts: lines "N passed, N failed", and the counts of cmocka. A
 # part that fails without counts is one failure.
 #
 # JOBS + 1 parts run concurrently, with one job each, because some of them wait for
@@ -13,7 +13,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 
-# Prints the output of a part at its end, so that outputs are not mixed.
+# Prints the output of a part at its end, so outputs are not mixed.
 cat >"$work/part" <<'END'
 begin=$(date +%s)
 code=0

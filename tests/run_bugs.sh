@@ -1,7 +1,7 @@
 #!/bin/sh
-# run_bugs.sh BUILD - runs the inputs with which fuzzing begins, including those that
-# caused earlier failures (tests/bugs/TARGET/*), through their fuzz targets
-# (tests/fuzz/). At least one input of each target must pass its first check.
+# run_bugs.sh BUILD - runs inputs through their fuzz targets (tests/fuzz/): the inputs
+# with which fuzzing begins, including inputs that caused earlier failures
+# (tests/bugs/TARGET/*). At least one input of each target must pass its first check.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1

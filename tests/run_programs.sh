@@ -1,7 +1,7 @@
 #!/bin/sh
-# run_programs.sh C205 - compares the registers and memory after the test programs and
-# examples with their expectations. Each instruction of the table must be named by a
-# program that executes it, and cause the warnings that the program expects.
+# run_programs.sh C205 - runs the test programs and examples and compares registers and
+# memory with their expectations. Each instruction of the table must be named by a
+# program that executes it. It must cause the warnings that the program expects.
 set -eu
 c205=$1
 cd "$(dirname "$0")/.."
@@ -14,7 +14,8 @@ done
 mkdir "$work/alone"
 cp "$work"/*.inc "$work/alone"
 
-# The instructions that the programs name, and those of them that they execute.
+# The instructions that the programs name, and the instructions among them that they
+# execute.
 for path in tests/programs/*.s; do
     "$c205" run --trace -Wno-all "$path" 2>&1 | awk '
         FNR == NR && /^; tests: / { for (i = 3; i <= NF; i++) named[$i] }
@@ -28,8 +29,8 @@ for name in $("$c205" isa --names); do
     fi
 done
 
-# A warning is reported once for a line of a macro, so each instruction is also run
-# alone, in a copy without the lines that name another one.
+# A warning is reported once for a line of a macro. Each instruction is therefore also
+# run alone, in a copy without the lines that name other instructions.
 awk -v folder="$work/alone" '
     function names_other(text, only, words, n, i) {
         if (text !~ /^;/)

@@ -1,6 +1,6 @@
 #!/bin/sh
-# speed.sh FILE - prints the seconds since the time in FILE and, since that depends on the
-# machine, the time of a loop on one processor.
+# speed.sh FILE - prints the seconds since the time in FILE. They depend on the machine,
+# so it also prints the time of a loop on one processor.
 set -eu
 seconds=$(($(date +%s) - $(cat "$1")))
 begin=$(date +%s%N)

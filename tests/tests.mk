@@ -1,4 +1,4 @@
-# tests.mk - the parts of make check, and other tests; docs/testing.md describes them.
+# tests.mk - the parts of make check, and other tests (docs/testing.md).
 
 unit_tests = $(addprefix $(BUILD)/tests/unit/,$(UNITS))
 oracles = $(BUILD)/tests/oracle/check_arithmetic \
@@ -16,17 +16,17 @@ oracles = $(BUILD)/tests/oracle/check_arithmetic \
 fuzz_targets = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,\
 	$(wildcard tests/fuzz/fuzz_*.c))
 replays = $(subst /fuzz_,/replay_,$(fuzz_targets))
-# The scripts call bench_trace, one of these.
+# Benchmarks that scripts call, such as bench_trace.
 benches = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench_*.c))
 
 test_packages = $(build_packages) $(fit_packages) $(exact_packages) $(mpi_packages) \
 	libcmocka-dev groff-base povray povray-includes \
 	clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 
-# The parts of check and their sizes: cases per operation, pairs of narrow words, random
-# programs, polynomials per kind, scenes of solids, of many regions, with lines and
-# masses, and as texts, tries per row of the table, compilers. The slowest parts come
-# first.
+# The parts of check, the slowest first, and their sizes: cases per operation, pairs of
+# narrow words, random programs, polynomials per kind, scenes of solids, scenes of many
+# regions, scenes with lines and masses, scenes as texts, tries per row of the table,
+# compilers.
 check_parts = check-unit check-scenes check-commands check-hosts check-web-tracer \
 	check-uses check-bench check-web-engine check-faces check-random check-docs \
 	check-language-scenes check-course check-regions check-fit check-arithmetic \
@@ -47,14 +47,15 @@ USES ?= some
 LANGUAGE ?= 100
 TEXTS ?= 10
 TRIES ?= 300
-# FIRST=1: a generator stops at its first failure without reducing it.
+# FIRST=1 stops a generator at its first failure, which is then not reduced.
 first = $(if $(FIRST),--first)
 HOSTS ?= quick
 DOCS ?= quick
 # The selected unit tests, scenes, scenes for heat and mass, and pages.
 UNITS ?= $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
 SCENES ?= $(wildcard scenes/*.pov tests/scenes/*.pov)
-# Named scenes are traced with all methods; otherwise each with a third of them.
+# A named scene is traced with all methods; without names each scene is traced with a
+# third of them.
 WAYS ?= $(if $(filter file,$(origin SCENES)),some,all)
 USED ?= $(wildcard scenes/*.pov)
 PAGES ?= $(wildcard README.md docs/*.md docs/*/*.md docs/course/*/*.md)
@@ -62,8 +63,8 @@ PAGES ?= $(wildcard README.md docs/*.md docs/*/*.md docs/course/*/*.md)
 sanitizers = address,undefined
 
 
-# Freed memory stays in the process, as in rt205 (rt/command/rt205.c), and uses large
-# pages if the host has them: a compiler or a test takes a tenth less time.
+# Freed memory remains in the process, as in rt205 (rt/command/rt205.c), and uses large
+# pages if the host has them. Compilers and tests then take a tenth less time.
 export MALLOC_MMAP_THRESHOLD_ = 33554432
 export MALLOC_TRIM_THRESHOLD_ = 536870912
 export GLIBC_TUNABLES = glibc.malloc.hugetlb=1
@@ -107,17 +108,18 @@ check-long: export THOROUGH = 1
 
 # --- Tests ------------------------------------------------------------------
 
-# Test programs are not in the folder of the dynamic library.
+# Test programs are not in the folder of the dynamic libraries.
 export RT205_LIBDIR = $(abspath $(BUILD))
 
-# Test programs are built fast, with only the lines of a stack trace; the other debug
-# information remains in the objects.
+# Test programs are built fast, with debug information only for the lines of a stack
+# trace. The objects contain the other debug information.
 $(BUILD)/tests/%.o: override CFLAGS := $(patsubst -g,-g1,$(CFLAGS))
 $(BUILD)/tests/unit/%.o: OPT = -O1
 lld := $(if $(shell command -v ld.lld),-fuse-ld=lld)
 test_link = $(LDFLAGS) $(lld) $(if $(findstring sanitize,$(CFLAGS)),,-Wl,-S)
 
-# A unit test and its main, which is generated from its TEST lines (tests/unit/unit.h).
+# A unit test and its main function, which is generated from its TEST lines
+# (tests/unit/unit.h).
 $(BUILD)/tests/unit/%.main.c: tests/unit/%.c tests/unit/main.awk
 	@mkdir -p $(@D)
 	awk -f tests/unit/main.awk $< >$@.new
@@ -130,18 +132,19 @@ helpers = $(BUILD)/tests/libhelpers.a
 $(helpers): $(call objects,$(filter-out tests/unit/test_% $(oracles:$(BUILD)/%=%.c),\
 	$(wildcard tests/unit/*.c tests/oracle/*.c)))
 
-# Assembled kernels are cached (saved_programs.c), except where memory is limited.
+# Assembled kernels are cached (saved_programs.c). Tests with limited memory have no
+# cache.
 keeping = -Wl,--wrap=program_assemble,--wrap=object_free,-u,__wrap_object_free
 $(BUILD)/tests/unit/test_allocation: keeping =
-# This test counts unfreed allocations itself.
+# This test counts unfreed allocations without the leak sanitizer.
 $(BUILD)/tests/unit/test_allocation: leaks =
-# All allocations go through the test, which makes them fail.
+# This test makes allocations fail, so all allocations pass through it.
 $(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
 	-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
-# A unit test that leaks memory fails, if a program with a leak fails when it is linked
-# this way. Tests that run machines, and those that mention the leak sanitizer, are
-# linked without it: their large blocks are mapped again each time, which takes up to
-# ten times as long.
+# A unit test that leaks memory fails. It is linked with the leak sanitizer, if the
+# sanitizer detects leaks on this host. Tests that run machines, and tests that mention
+# the leak sanitizer, are linked without it. Their large blocks would be mapped again
+# each time, which takes up to ten times as long.
 leaks = $(if $(shell grep -lE "traced_frame|machine|model|debugger|session|engine|lesson|leak sanitizer" $(@:$(BUILD)/%=%.c)),,$(file <$(BUILD)/leaks))
 $(BUILD)/leaks:
 	@mkdir -p $(@D)
@@ -153,13 +156,14 @@ $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(helpers) $(engine) $(libraries)
 		| $(BUILD)/leaks
 	$(CC) $(test_link) $(keeping) $(leaks) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl \
 		-lpthread -Wl,--trace >$@.objects
-# The client starts the command.
+# The client starts the command c205.
 $(filter $(BUILD)/tests/unit/test_dap%,$(unit_tests)) \
 		$(BUILD)/tests/unit/test_breakpoints: | $(BUILD)/c205
 # These tests run all commands.
 $(BUILD)/tests/unit/test_signals $(BUILD)/tests/unit/test_terminal: | \
 		$(programs) $(adapter)
-# objective.c alone: the test defines the functions of the fit that it calls.
+# Links objective.c alone, because the test defines the functions of the fit that it
+# calls.
 $(BUILD)/tests/unit/test_objective: $(BUILD)/tests/unit/test_objective.o \
 		$(BUILD)/rt/study/fit/objective.o $(BUILD)/libbase.a \
 		$(BUILD)/libc205.a
@@ -169,8 +173,8 @@ $(BUILD)/tests/unit/test_fit: $(BUILD)/tests/unit/test_fit.o \
 		$(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lm -ldl -lpthread
 $(BUILD)/tests/oracle/check_sample: $(BUILD)/tests/timed_program.o
-# Random programs and the plain interpreter, without the tracer. check_hosts.sh links
-# them also with the machine as built by other compilers.
+# Random programs and the plain interpreter, without the tracer. check_hosts.sh also
+# links them with the machine as built by other compilers.
 digest_parts = $(BUILD)/tests/oracle/digest.o $(call objects,$(wildcard \
 	$(addprefix tests/oracle/,random_*.c reference*.c operand*.c plain_memory.c \
 	*_oracle.c))) $(BUILD)/libc205asm.a $(BUILD)/libbase.a
@@ -229,8 +233,7 @@ check-narrow: $(BUILD)/tests/oracle/check_narrow
 check-random: $(BUILD)/tests/oracle/check_random
 	$< $(PROGRAMS) $(first)
 
-# The random stream, tested by dieharder; a part of check-long. TESTS=0,205 selects
-# tests.
+# Tests the random stream by dieharder; a part of check-long. TESTS=0,205 selects tests.
 check-stream: $(BUILD)/tests/oracle/draw_words
 	@sh .ci/need dieharder
 	sh tests/check_stream.sh $(BUILD)
@@ -238,7 +241,7 @@ check-stream: $(BUILD)/tests/oracle/draw_words
 check-quartic: $(BUILD)/tests/oracle/check_quartic
 	$< $(POLYNOMIALS)
 
-# A scene that fails is left in the build's folder.
+# A scene that fails remains in the folder of the build.
 by_shares = @seq 0 $$(($(JOBS) - 1)) | (cd $(BUILD) && xargs -I{} -P $(JOBS) \
 	tests/oracle/$(subst -,_,$@) $(1) $(JOBS) {} $(first))
 
@@ -248,7 +251,7 @@ check-faces: $(BUILD)/tests/oracle/check_faces
 check-regions: $(BUILD)/tests/oracle/check_regions
 	$(call by_shares,$(REGIONS))
 
-# Solids with coincident faces; transparent ones are also compared with POV-Ray.
+# Solids with coincident faces. Transparent solids are also compared with POV-Ray.
 check-coincident: $(BUILD)/tests/oracle/check_coincident $(adapter)
 	$(call by_shares,$(COINCIDENT))
 
@@ -261,11 +264,11 @@ check-heat: $(BUILD)/tests/oracle/check_heat
 check-mass: $(BUILD)/tests/oracle/check_mass
 	$(call by_shares,$(MASSES))
 
-# Each text is compared with POV-Ray's picture of it.
+# Compares each text with the picture by POV-Ray.
 check-language-scenes: $(BUILD)/tests/oracle/check_language_scenes $(adapter)
 	$(call by_shares,$(LANGUAGE))
 
-# This is a part of check-unit, here with more tries.
+# The test is a part of check-unit; this target makes more tries.
 check-poison: $(BUILD)/tests/unit/test_poison
 	$< $(TRIES)
 
@@ -279,22 +282,23 @@ check-timing: $(BUILD)/tests/unit/test_timing $(BUILD)/tests/unit/test_renaming
 	$(BUILD)/tests/unit/test_timing $(TRIES)
 	$(BUILD)/tests/unit/test_renaming $(PROGRAMS)
 
-# Runs over several processes; not a part of check.
+# Runs over several processes. Not a part of check.
 check-mpi: $(programs) $(adapter) ## runs over several processes
 	@sh .ci/need $(test_packages)
 	@$(MAKE) --no-print-directory mpi
 	sh tests/check_mpi.sh $(BUILD)
 
-# Not a part of check: N random faults in the sources, drawn with SEED, that the parts
-# of check should find, in all rooms or in ONLY one. With WITHIN=25, six parts and the
-# others of 25 s of processor time try each fault (tests/mutants/run.sh).
+# Makes N random faults in the sources, drawn with SEED, in all rooms or in ONLY one
+# room. The parts of check should find them. With WITHIN=25, each fault is tried by six
+# parts, and by further parts until 25 s of processor time have passed
+# (tests/mutants/run.sh). Not a part of check.
 N ?= 100
 SEED ?= 1
 WITHIN ?= 0
 covered_parts = $(UNITS:%=check-unit:UNITS=%) $(SCENES:%=check-scenes:SCENES=%) \
 	$(filter-out check-unit check-scenes check-hosts check-web-% check-language \
 		check-install check-rooms,$(check_parts))
-# The build without a fault.
+# Builds the sources without a fault.
 mutants-whole: all $(BUILD)/fit205 $(engine) $(helpers) \
 		$(call objects,$(wildcard $(foreach kind,unit oracle fuzz,tests/$(kind)/*.c)))
 check-mutants: ## makes N random faults, which the tests should find
@@ -302,13 +306,13 @@ check-mutants: ## makes N random faults, which the tests should find
 	@sh tests/mutants/run.sh $(BUILD) "$(MAKE)" $(JOBS) $(N) $(SEED) "$(ONLY)" \
 		$(WITHIN) $(covered_parts)
 
-# Not a part of check: earlier faults of the project; ONLY=text selects those whose
-# description contains the text.
+# Makes earlier faults of the project again. ONLY=text selects faults whose description
+# contains the text. Not a part of check.
 check-planted: ## makes the faults of tests/planted again
 	@sh .ci/need $(test_packages)
 	@sh tests/mutants/run.sh $(BUILD) "$(MAKE)" $(JOBS) planted 0 "$(ONLY)" 0
 
-# Every compiler must give the same bits and clocks.
+# The results and clocks of all compilers must be the same.
 check-hosts: $(BUILD)/tests/bench_lanes $(BUILD)/tests/oracle/digest
 	@sh .ci/need $(test_packages) $(if $(filter full,$(HOSTS)),valgrind)
 	sh tests/check_hosts.sh $(BUILD) "$(MAKE)" $(HOSTS)
@@ -323,7 +327,7 @@ check-uses: $(programs)
 	@printf '%s\n' $(USED) | \
 		USES="$(USES)" xargs -n 1 -P $(JOBS) sh tests/check_uses.sh $(BUILD)
 
-# Adaptive sampling, compared with POV-Ray's.
+# Compares adaptive sampling with POV-Ray.
 check-adaptive: $(BUILD)/tests/oracle/check_sample $(adapter)
 	sh tests/check_adaptive.sh $(BUILD)
 
@@ -333,7 +337,7 @@ check-language:
 check-library: $(BUILD)/rt205 $(adapter)
 	sh tests/check_library.sh $(BUILD)
 
-# POV-Ray's sample scenes; slow, and not a part of check-long.
+# Traces POV-Ray's sample scenes. It is slow and not a part of check-long.
 check-samples: ## compares POV-Ray's sample scenes
 	@sh .ci/need $(test_packages) povray-examples
 	@$(MAKE) --no-print-directory all $(BUILD)/tests/oracle/check_sample
@@ -360,14 +364,14 @@ check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
 check-install: all
 	sh tests/check_install.sh $(BUILD) "$(MAKE)"
 
-# All messages of the programs and the page, for reading; not a part of check.
+# Lists all messages of the programs and the page for reading. Not a part of check.
 messages: ## lists all messages with their places
 	@awk -f tests/messages.awk $(sort $(vm_c) $(base_c) $(asm_c) $(c205_c) $(engine_c) \
 		$(rt_c) $(rt205_c) $(fit205_c) $(observing_c)) vm/rules.def \
 		asm/object/warning.def $(wildcard web/page/*.js web/tracer/*.js)
 
-# The leak checker would look for thread-local variables of OpenImageIO's libraries
-# where there are none.
+# Otherwise the leak checker would look for thread-local variables of OpenImageIO's
+# libraries at invalid addresses.
 san: export ASAN_OPTIONS = intercept_tls_get_addr=0
 san: ## runs tests with the sanitizers
 	@sh .ci/need $(test_packages)
@@ -376,7 +380,7 @@ san: ## runs tests with the sanitizers
 		LDFLAGS="-fsanitize=$(sanitizers)" \
 		check-unit check-programs check-bugs
 
-# The coverage of vm, base and asm by lines and branches.
+# Measures the coverage of vm, base and asm by lines and branches.
 cover: export LLVM_PROFILE_FILE = $(abspath $(BUILD))/cover/profile/%m.profraw
 cover: ## measures the coverage of vm, base and asm
 	@sh .ci/need $(test_packages) libclang-rt-14-dev
@@ -392,8 +396,8 @@ cover-tests:
 		check-isa check-bugs check-commands check-course check-arithmetic \
 		check-random
 
-# Each benchmark in its smallest size; hosts is a part of check-hosts, which builds its
-# variants.
+# Runs each benchmark in its smallest size. hosts is a part of check-hosts, which builds
+# its variants.
 check-bench: $(benches) $(programs) $(adapter) $(ranks)
 	sh tests/check_bench.sh $(BUILD) machine frames jobs ranks stages visible ray_query \
 		growth goals

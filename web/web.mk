@@ -1,10 +1,10 @@
-# web.mk - the page and the commands for WebAssembly.
+# web.mk - builds the page and the commands for WebAssembly.
 
 WASM_CC ?= clang --target=wasm32-wasi --sysroot=/usr
 
-# For WebAssembly: vm and asm, the c205 command, and the engine of the page, with its
-# size. The page contains the texts of lessons itself. A lock prevents concurrent
-# builds.
+# Builds vm and asm, the c205 command and the engine of the page for WebAssembly, and
+# prints the size of the engine. The engine contains only the titles of lessons, because
+# the page contains their texts. A lock prevents concurrent builds.
 in_wasm = @mkdir -p $(BUILD)/wasm && TITLES=yes flock $(BUILD)/wasm/lock \
 	$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" AR=llvm-ar \
 	$(addprefix $(BUILD)/wasm/,$(1))
@@ -16,18 +16,19 @@ web-engine:
 	@cp $(BUILD)/wasm/engine.wasm $(BUILD)/web
 	@wc -c $(BUILD)/web/engine.wasm
 
-# The stack is before the data, so that an overflow is detected.
+# The stack is before the data, so an overflow is detected.
 $(BUILD)/engine.wasm: $(BUILD)/web/engine/wasm.o $(addprefix $(BUILD)/,\
 		libengine.a libc205asm.a libbase.a libc205.a)
 	$(CC) -mexec-model=reactor -Wl,--stack-first -Wl,-z,stack-size=262144 \
 		-Wl,--max-memory=1073741824 -Wl,--strip-all -o $@ $^ -lm
 
-# The engine in node is compared with c205, if node is installed.
+# Compares the engine in node with c205, if node is installed.
 check-web-engine: $(BUILD)/c205 wasm-check
 	@$(MAKE) --no-print-directory web-engine
 	sh tests/check_web_engine.sh $(BUILD) $(JOBS)
 
-# The page: one file, and a small site. Debian's node and npm are installed if missing.
+# The page: one file, and a small site. Installs Debian's node and npm if they are
+# missing.
 web_packages = clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 npm_done = web/node_modules/.package-lock.json
 web: ## the page: one file, and a small site
@@ -40,7 +41,7 @@ $(npm_done): web/package.json web/package-lock.json
 	cd web && npm ci --ignore-scripts
 	@touch $@
 
-# The page in real browsers is compared with c205. BROWSERS="chromium" selects one;
+# Compares the page in real browsers with c205. BROWSERS="chromium" selects a browser.
 # WEB_TESTS=text selects tests whose name contains the text.
 browser_packages = chromium firefox-esr
 BROWSERS ?= chromium firefox
@@ -49,7 +50,7 @@ check-web: ## compares the page in browsers with c205
 	@$(MAKE) --no-print-directory web $(programs) $(adapter)
 	node web/tests/browser/run.mjs $(BUILD) "$(BROWSERS)" "$(WEB_TESTS)"
 
-# rt205 for the page: files in web/tracer/platform/ replace the files of rt with the same
+# rt205 for the page. Files in web/tracer/platform/ replace files of rt with the same
 # names.
 web_tracer_own = $(wildcard web/tracer/platform/*.c)
 web_tracer_c = $(filter-out $(addprefix %/,$(notdir $(web_tracer_own))),$(rt_c) \
@@ -66,8 +67,8 @@ $(BUILD)/rt205.wasm: $(call objects,$(web_tracer_c)) $(BUILD)/rt/kernel_texts.o 
 	$(CC) -Wl,--stack-first -Wl,-z,stack-size=1048576 \
 		-Wl,--max-memory=1073741824 -Wl,--strip-all -o $@ $^ -lm
 
-# rt205 in node is compared with rt205, if node is installed; TRACED=text selects runs
-# whose command lines contain the text.
+# Compares rt205 in node with rt205, if node is installed. TRACED=text selects runs
+# whose command line contains the text.
 drawn = $(BUILD)/web/drawn
 check-web-tracer: $(BUILD)/rt205 $(adapter) $(BUILD)/tests/oracle/draw_scenes
 	@if ! command -v node >/dev/null; then \

@@ -1,6 +1,7 @@
 #!/bin/sh
-# check.sh - checks mutate.awk: random faults of some files of every room change these
-# files, the same seed draws the same faults, and short texts have every kind of fault.
+# check.sh - checks mutate.awk. Random faults in some files of every room must change
+# these files. The same seed must draw the same faults. Short texts must have every kind
+# of fault.
 set -u
 . "$(dirname "$0")/../count.sh"
 mutate="awk -f $(dirname "$0")/masked.awk -f $(dirname "$0")/mutate.awk"

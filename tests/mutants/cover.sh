@@ -1,9 +1,9 @@
 #!/bin/sh
 # cover.sh PLACE MAKE JOBS PART .. - measures which lines each part of make check
-# executes, JOBS parts at a time.
+# executes. JOBS parts run concurrently.
 #
-# A part is GOAL or GOAL:VARIABLE=VALUE. PLACE/whole has the sources; they are built
-# with the counters of gcov in PLACE/whole/cover. For each part PLACE/covered gets
+# A part is GOAL or GOAL:VARIABLE=VALUE. PLACE/whole has the sources. They are built
+# with the counters of gcov in PLACE/whole/cover. For each part, PLACE/covered contains
 #
 #   PART.lines    FILE:LINE of each executed line, FILE of each file with such a line
 #                 and of each text that is assembled
@@ -58,7 +58,7 @@ measure() { # PART
     [ ! -e "$here.lines" ] && mkdir "$here.claim" 2>/dev/null || return
     find "$GCOV_PREFIX" -name '*.gcda' -delete
     : >"$TEXTS_READ"
-    # The words are a goal and its variable. The last line of "times" is that of ended
+    # The words are a goal and its variable. The last line of "times" counts ended
     # processes.
     # shellcheck disable=SC2046
     if ! (in_cover $(echo "$1" | tr : ' ') && times >"$here.times") >"$here.log" 2>&1; then
@@ -71,7 +71,7 @@ measure() { # PART
     mv "$here.new" "$here.lines"
 }
 
-# The counters of each job are in a folder of its own, with the notes that gcov needs.
+# The counters of each job are in a separate folder, with the notes that gcov needs.
 work() { # JOB PART ..
     job=$1 GCOV_PREFIX=$covered/counters.$1 TEXTS_READ=$covered/texts.$1
     GCOV_PREFIX_STRIP=$(pwd | tr -cd / | wc -c)

@@ -7,8 +7,8 @@ function repeated(c, n,    text) {
     return substr(text, 1, n)
 }
 
-# Returns the line with comments, the first lines of directives and the contents of
-# quotes masked, at the same length.
+# Returns the line at the same length with comments, the first lines of directives and
+# the contents of quotes masked.
 function masked(line,    done, found, n) {
     if (!assembly && !commented && line ~ /^#/)
         return repeated(" ", length(line))

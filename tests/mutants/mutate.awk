@@ -5,11 +5,11 @@
 #     awk -f masked.awk -f mutate.awk -v number=3 FILE
 #         prints the file with this fault
 #
-# A line that can have faults is drawn, each with the same probability, then one of its
-# faults. C is formatted by clang-format: a binary operator has a blank or the end of a
-# line on both sides, and no unary operator or declarator has. A line of the assembler
-# is an optional label, the name of an instruction or macro, operands, and for a vector
-# instruction "? [z]" or "?! [z]", its control vector.
+# Each line that can have faults has the same probability of being drawn. One of its
+# faults is then drawn. C is formatted by clang-format: a binary operator has a blank or
+# the end of a line on both sides. Unary operators and declarators have none. A line of
+# the assembler is an optional label, the name of an instruction or macro, operands, and
+# for a vector instruction "? [z]" or "?! [z]", its control vector.
 
 function pairs(table, text,    word, n, k) {
     n = split(text, word, " ")
@@ -17,7 +17,7 @@ function pairs(table, text,    word, n, k) {
         table[word[k]] = word[k + 1]
 }
 
-# ---- Sites: lines first .. last of the file are replaced by another text ----
+# ---- Sites: another text replaces lines first .. last of the file ----
 
 # Joins the next lines to the current one until its brackets are closed.
 function join_until_closed(from,    depth, c, p) {
@@ -50,7 +50,7 @@ function add(kind, at, length_of, by) {
     changed[sites] = substr(text, 1, at - 1) by substr(text, at + length_of)
 }
 
-# Exchanges two parts, unless they are equal, or only one begins with a bracket.
+# Exchanges two parts, unless they are equal or only one of them begins with a bracket.
 function exchange(kind, a, a_length, b, b_length,    one, two) {
     one = substr(text, a, a_length)
     two = substr(text, b, b_length)
@@ -58,7 +58,8 @@ function exchange(kind, a, a_length, b, b_length,    one, two) {
         add(kind, a, b + b_length - a, two substr(text, a + a_length, b - a - a_length) one)
 }
 
-# Splits the code from .. to at commas outside of brackets: start[], size[].
+# Splits the code from .. to at commas outside of brackets. The parts are start[] and
+# size[].
 function split_at_commas(from, to, start, size,    n, depth, p, c) {
     n = 0
     for (p = from; from <= to + 1; p++) {
@@ -77,8 +78,8 @@ function split_at_commas(from, to, start, size,    n, depth, p, c) {
     return n > 1 || size[1] > 0 ? n : 0
 }
 
-# Returns the position of the next number of the code from p on, or 0; its length is in
-# RLENGTH.
+# Returns the position of the next number in the code from p on, or 0. RLENGTH is its
+# length.
 function next_number(p,    at) {
     while (match(substr(code, p), /[0-9]([eEpP][-+][0-9]|[A-Za-z0-9.])*/)) {
         at = p + RSTART - 1
@@ -97,8 +98,7 @@ function is_declaration() {
         code !~ /^ *(return|else|case|goto|sizeof) /
 }
 
-# A larger array is not a fault, nor is a change of the elements that "{ 0 }"
-# initialises.
+# Larger arrays and changes of the elements that "{ 0 }" initialises are not faults.
 function find_constants_of_c(    p, n, number) {
     for (p = 1; (p = next_number(p)) > 0; p += n) {
         n = RLENGTH
@@ -154,7 +154,7 @@ function find_statement(at,    start) {
         add("statement", start, RSTART - start, "")
 }
 
-# Exchanges NAME(column, ..) with the next row of that name.
+# Exchanges NAME(column, ..) with the next row of the same name.
 function find_row(at,    open, close_at, next_open, next_close, n, m, k) {
     join_line(at)
     if (!match(code, /^[A-Z_]+\(/))
@@ -192,7 +192,7 @@ function find_in_c(at) {
 
 # ---- The assembler's texts --------------------------------------------------
 
-# Integers change by one, other numbers in their first digit.
+# An integer changes by one. Other numbers change in their first digit.
 function find_constants(p,    n, number, digit) {
     for (; (p = next_number(p)) > 0; p += n) {
         n = RLENGTH
@@ -223,8 +223,8 @@ function can_replace(a, b) {
         a ~ /^\\/ && b ~ /^\\/)
 }
 
-# An operand is exchanged with the next one, or replaced by one of the previous
-# instruction.
+# An operand is exchanged with the next operand, or an operand of the previous
+# instruction replaces it.
 function find_operands(name, n,    k, m) {
     for (k = 1; k <= n; k++) {
         if (k < n && (k > 1 || name ~ /^(ANDN|ORN)/ || name !~ commutative))
@@ -279,7 +279,7 @@ function find_sites(    at) {
             find_in_c(at)
 }
 
-# For each line of all files: the file, its line, and its faults.
+# Takes each line of all files: the file, the line, and the faults of the line.
 function take_lines(    k) {
     for (k = 1; k <= sites; k++) {
         if (k == 1 || firsts[k] != firsts[k - 1])

@@ -4,9 +4,10 @@
 #
 #   sh tests/mutants/run.sh BUILD MAKE JOBS N SEED ONLY SECONDS PART ..
 #
-# N random faults are tried, the same number in each room: in the room ONLY, or in files
-# whose path contains ONLY. With N = planted, the faults of tests/planted/bugs.list are
-# tried, each by the parts that it names. All files are in BUILD/mutants:
+# N random faults are tried, the same number in each room. ONLY restricts them to a
+# room, or to files whose path contains ONLY. With N = planted, the faults of
+# tests/planted/bugs.list are tried by the parts that they name. All files are in
+# BUILD/mutants:
 #
 #   whole     the sources, and their build without a fault
 #   covered   the lines that each part executes (cover.sh), measured once
@@ -14,10 +15,10 @@
 #   results   a line for each fault that was tried; after an interruption, or with a
 #             larger N, it is not tried again
 #
-# A fault that does not build, or changes no object file, is discarded. For each other
-# fault, the parts that execute its line run, the fastest first, until one fails or
-# hangs. If SECONDS is not 0, no more parts run after six parts and that processor time; a
-# run with more SECONDS tries a fault again that has survived in this way.
+# A fault that does not build, or changes no object file, is discarded. For every other
+# fault, the parts that execute its line run until a part fails or hangs, the fastest
+# first. If SECONDS is not 0, a fault survives after six parts and this processor time.
+# A later run with more SECONDS tries such a fault again.
 set -u
 build=$1 make=$2 jobs=$3 total=$4 seed=$5 only=$6 seconds=$7
 shift 7
@@ -38,8 +39,8 @@ job=0 # number of this process; 0 makes no faults
 export LSAN_OPTIONS=hard_rss_limit_mb=8000 # limits the memory
 touch "$results"
 
-# Runs a goal; it is stopped after SECONDS of processor time, or after 20 times as long
-# on the wall clock.
+# Runs a goal. It is stopped after SECONDS of processor time, or after 20 times as many
+# seconds on the wall clock.
 in_tree() { # TREE SECONDS GOAL ..
     within=$1 limit=$2
     shift 2
@@ -53,7 +54,7 @@ in_tree() { # TREE SECONDS GOAL ..
     return "$1"
 }
 
-# Prints the files of a room in which faults are made.
+# Prints the files of a room that may have faults.
 room_files() { # ROOM
     case $1 in
     asm) find asm -name '*.[ch]' -o -name '*.def' -o -path 'asm/lib/*.s' ;;
@@ -102,7 +103,8 @@ is_changed() { # TREE
 
 # Prints "SECONDS PART" for each part that executes the line, or the line at which its
 # statement begins. A line outside of functions has all parts that execute a line of its
-# file or, for a header or table, of a file that includes it.
+# file. For a header or table, these are the parts that execute a line of a file that
+# includes it.
 covering() { # FILE LINE
     at=$1
     if cmp -s "$1" "$covered/sources/$1"; then
@@ -123,7 +125,7 @@ covering() { # FILE LINE
     done
 }
 
-# Prints the parts to run; the one that assembles all programs of the kernels is first.
+# Prints the parts to run. The part that assembles all programs of the kernels is first.
 parts_of() { # FILE LINE NUMBER
     if [ "$total" = planted ]; then
         $plant -v number="$3" -v parts=1 "$list" | sed 's/^/30 /'
@@ -135,7 +137,7 @@ parts_of() { # FILE LINE NUMBER
         END { printf "%s", rest }'
 }
 
-# Returns whether the last part failed because this file, or a program, was not built.
+# Returns true if the last part failed because this file or a program was not built.
 is_rejected() { # FILE
     grep -qE '^make.*\[.*build/.*\.(o|a)\] Error' "$log" && return
     case $1 in
@@ -191,7 +193,7 @@ try() { # ROOM KEY FILE NUMBER LINE KIND
 
 # ---- All faults -----------------------------------------------------------
 
-# Returns whether a fault needs no other trial.
+# Returns true if a fault needs no other trial.
 is_decided() { # KEY
     awk -F '\t' -v key="$1" -v seconds="$seconds" '
         $1 == key {
@@ -245,7 +247,7 @@ report() {
         FNR == NR { drawn[$1]; next }
         !($1 in drawn) { next }
         !($1 in last) { order[++all] = $1 }
-        { last[$1] = $0 } # the last trial decides
+        { last[$1] = $0 } # the last trial counts
         END {
             for (i = 1; i <= all; i++)
                 fault(last[order[i]])
@@ -260,7 +262,7 @@ report() {
         }' - "$results"
 }
 
-# Copies the sources with their times; built files remain.
+# Copies the sources with their times. Built files remain.
 refresh() {
     mkdir -p "$whole"
     for name in vm base asm rt web tests scenes docs .ci Makefile README.md LICENSE; do

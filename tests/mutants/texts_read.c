@@ -1,7 +1,7 @@
 /* texts_read.c - records which texts the assembler reads.
  *
- * The file is linked into the programs of cover.sh with --wrap=source_find. It appends
- * the name of each text to the file that the environment variable TEXTS_READ names.
+ * cover.sh links the file into programs with --wrap=source_find. It appends the name of
+ * each text to the file that the environment variable TEXTS_READ names.
  */
 #include "asm/text/source.h"
 
