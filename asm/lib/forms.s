@@ -42,6 +42,8 @@
 ;       step x, k, c            c = c x + k, a step of Horner's rule
 ;       add_scaled a, k, c      c = c + a k       a is not c
 ;       scaled_plus a, k, b, c  c = b + a k       a is not b
+;       scaled_minus a, k, b, c c = a k - b       a is not b
+;       minus_scaled a, k, b, c c = b - a k       a is not b
 ;       scaled_lower a, k, l, c c = (a - k) l
 ;       scaled_minus a, b, k, c c = (a - b) k
 ;       lower_absolute a, k, c  c = |a| - k
@@ -54,6 +56,7 @@
 ;       step_four x, p, k, q, l, r, m, s, n   p = p x + k, likewise q, r and s
 ;       scaled_sum_two x, y, k, l, s, m, n, t  s = x k + y l,  t = x m + y n
 ;       scaled_lower_two a, k, m, s, b, l, n, t  s = (a - k) m,  t = (b - l) n
+;       scaled_difference_two x, y, k, l, s, m, n, t  s = x k - y l,  t = x m - y n
 ;       scaled_lower_three a, k, s, b, l, t, c, m, u, n
 ;               s = (a - k) n, likewise t = (b - l) n and u = (c - m) n
 ;
@@ -216,6 +219,14 @@ not_below\@:
         MPYS    \a, \k, \scratch
         ADDN    \scratch, \b, \c
         .endm
+        .macro  \prefix\()scaled_minus a, k, b, c
+        MPYS    \a, \k, \scratch
+        SUBN    \scratch, \b, \c
+        .endm
+        .macro  \prefix\()minus_scaled a, k, b, c
+        MPYS    \a, \k, \scratch
+        SUBN    \b, \scratch, \c
+        .endm
         .macro  \prefix\()scaled_lower a, k, l, c
         SUBN    \a, \k, \c
         MPYS    \c, \l, \c
@@ -265,6 +276,14 @@ not_below\@:
         SUBN    \b, \l, \t
         MPYS    \s, \m, \s
         MPYS    \t, \n, \t
+        .endm
+        .macro  \prefix\()scaled_difference_two x, y, k, l, s, m, n, t
+        MPYS    \x, \k, \s
+        MPYS    \y, \l, \scratch
+        MPYS    \x, \m, \t
+        MPYS    \y, \n, \second
+        SUBN    \s, \scratch, \s
+        SUBN    \t, \second, \t
         .endm
         .macro  \prefix\()scaled_lower_three a, k, s, b, l, t, c, m, u, n
         SUBN    \a, \k, \s
@@ -521,6 +540,16 @@ select\@:
         MPYSV   [\a], \k, [\a]
         ADDNV   [\a], [\b], [\c]
         .endm
+        .macro  \prefix\()scaled_minus a, k, b, c
+        LINKV
+        MPYSV   [\a], \k, [\a]
+        SUBNV   [\a], [\b], [\c]
+        .endm
+        .macro  \prefix\()minus_scaled a, k, b, c
+        LINKV
+        MPYSV   [\a], \k, [\a]
+        SUBNV   [\b], [\a], [\c]
+        .endm
         .macro  \prefix\()scaled_lower a, k, l, c
         LINKV
         SUBNV   [\a], \k, [\c]
@@ -558,6 +587,12 @@ select\@:
         .macro  \prefix\()scaled_lower_two a, k, m, s, b, l, n, t
         \prefix\()scaled_lower \a, \k, \m, \s
         \prefix\()scaled_lower \b, \l, \n, \t
+        .endm
+        .macro  \prefix\()scaled_difference_two x, y, k, l, s, m, n, t
+        \prefix\()scale \x, \k, \s
+        \prefix\()minus_scaled \y, \l, \s, \s
+        \prefix\()scale \x, \m, \t
+        \prefix\()minus_scaled \y, \n, \t, \t
         .endm
         .macro  \prefix\()scaled_lower_three a, k, s, b, l, t, c, m, u, n
         \prefix\()scaled_lower \a, \k, \n, \s

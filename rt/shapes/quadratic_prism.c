@@ -160,7 +160,7 @@ static bool is_ahead(const struct parabola *parabola, double w, const double poi
 }
 
 /* Returns how often the ray from a point crosses the parabola. As in
- * quadratic_prism_vector.s, the sides of the ray on which the two ends are decide. If
+ * quadratic_prism.s, the sides of the ray on which the two ends are decide. If
  * `own` is true, the point is on this parabola at its middle, and the crossing at the
  * point is not counted. */
 static size_t crossings_ahead(const struct parabola *parabola, bool own,

@@ -151,9 +151,8 @@ const char *shape_empty(struct primitive *primitive, const char *reason);
 
 /* The kernels of all shapes, as texts that a program includes:
  *
- *   shapes/every_scalar.s         shapes/NAME_scalar.s of each row of shapes.def
- *   shapes/every_vector.s         shapes/NAME_vector.s
- *   shapes/every_normal.s         shapes/normal_NAME.s, for both forms
+ *   shapes/every.s                shapes/NAME.s of each row of shapes.def
+ *   shapes/every_normal.s         shapes/normal_NAME.s
  *
  * If a row has no kernels, the program therefore does not assemble.
  */

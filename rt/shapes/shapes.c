@@ -44,14 +44,8 @@ const char *shape_empty(struct primitive *primitive, const char *reason)
 
 #define INCLUDE(file) "        .include \"shapes/" file "\"\n",
 
-static const char *const scalar[] = {
-#define SHAPE(KIND, name, ...) INCLUDE(#name "_scalar.s")
-#include "rt/shapes/shapes.def"
-    NULL
-};
-
-static const char *const vector[] = {
-#define SHAPE(KIND, name, ...) INCLUDE(#name "_vector.s")
+static const char *const kernels[] = {
+#define SHAPE(KIND, name, ...) INCLUDE(#name ".s")
 #include "rt/shapes/shapes.def"
     NULL
 };
@@ -63,8 +57,7 @@ static const char *const normals[] = {
 };
 
 const struct text shape_texts[] = {
-    { "shapes/every_scalar.s", scalar },
-    { "shapes/every_vector.s", vector },
+    { "shapes/every.s", kernels },
     { "shapes/every_normal.s", normals },
     { NULL, NULL },
 };

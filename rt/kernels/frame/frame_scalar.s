@@ -24,9 +24,8 @@
         .regs   r156, column, width, row, last_row, hit_id, plane_size
         .reg    plane_at, r162
 
-        .include "shapes/slab_scalar.s"
-        .include "shapes/quadratic_scalar.s"
-        .include "shapes/every_scalar.s"
+        .include "shapes/form_scalar.s"
+        .include "shapes/every.s"
         .include "frame/transform_scalar.s"
         .include "frame/camera.s"
         .if     LENS

@@ -56,7 +56,7 @@
         .equ    LATHES, 0
         .endif
 
-; 1: there are prisms of quadratic splines (shapes/quadratic_prism_vector.s).
+; 1: there are prisms of quadratic splines (shapes/quadratic_prism.s).
         .ifndef QUADRATIC_PRISMS
         .equ    QUADRATIC_PRISMS, 0
         .endif

@@ -4,13 +4,19 @@
         .share  local
         .regs   r95, crossed_at, least  ; a crossing; the smallest t that counts
         .regs   r99, list_end, list_last, list_at
+        .regs   r79, row0, row1, row2, row3, row4       ; a row of the table
+        .regs   r84, lane_at, lane_ox, lane_oy, lane_oz, lane_dx, lane_dy, lane_dz
+        .regs   r91, lane_along, lane_low, lane_high    ; values of the ray
+        .regs   r97, set4, set0                         ; sets it may belong to
+        .regs   r102, row5, row6, row7, row8, row9, row10, row11
+        .regs   r109, set1, set2, set3
         .endshare
 
         .equ    LIST_REGISTERS, 5
 
 ; The list of crossings is ascending, from a_segment to list_last.  If there is
 ; no room before list_end, the largest one is dropped.
-        .macro  begin_list
+        .macro  begin_columns
         RTOR    a_primitive, t0
         IX      t0, 64 * P_SEGMENTS
         LOD     [t0], t0
@@ -20,7 +26,7 @@
         RTOR    a_segment, list_last
         .endm
 
-        .macro  insert
+        .macro  insert  bits=
         IBXNE   list_last, r0, list_end, insert_here\@
         IX      list_last, -64
         LOD     [list_last], t1
@@ -63,4 +69,99 @@ list_even\@:
         BIM     list_even\@
 list_filled\@:
         leave_segments \save, \registers
+        .endm
+
+        .macro  all_lanes
+        .endm
+
+        .macro  if_any_less_number a, k, set, label
+        CFPGE   \a, \k, \label
+        .endm
+
+        .macro  set_ahead a, b, set, all
+        .endm
+
+        .macro  note_side a, left
+        .endm
+
+        .macro  mark_side a, left
+        ES      \left, 0
+        CFPLT   \a, r0, marked\@
+        ES      \left, 1
+marked\@:
+        .endm
+
+        .macro  if_side_changes a, before, left, left_before, set, out
+        CFPGE   \a, r0, side_left\@
+        CFPLT   \before, r0, \out
+        BIM     side_changes\@
+side_left\@:
+        CFPGE   \before, r0, \out
+side_changes\@:
+        .endm
+
+        .macro  keep_before a, before
+        RTOR    \a, \before
+        .endm
+
+        .macro  keep_set_before set, before
+        .endm
+
+        .macro  find_turning bend, lead, left, once, twice, out
+        IBXNE   \once, r0, r0, turning\@
+        ADDN    \lead, \bend, t0
+        CFPLT   \lead, r0, turning_falls\@
+        IBXNE   \left, r0, r0, \out
+        CFPGE   t0, r0, \out
+        BIM     turning\@
+turning_falls\@:
+        IBXEQ   \left, r0, r0, \out
+        CFPLT   t0, r0, \out
+turning\@:
+        .endm
+
+        .macro  keep_positive a, twice, once, out
+        CFPLT   r0, \a, positive\@
+        IBXEQ   \once, r0, r0, \out
+positive\@:
+        .endm
+
+        .macro  clear_negative a
+        CFPGE   \a, r0, not_negative\@
+        ADDN    r0, r0, \a
+not_negative\@:
+        .endm
+
+        .macro  sum_away b, root, q, set
+        ABS     \b, third
+        ADDN    third, \root, \q
+        CFPLT   \b, r0, away\@
+        SUBN    r0, \q, \q
+away\@:
+        .endm
+
+        .macro  turned_by b, set, chosen
+        RTOR    \set, \chosen
+        CFPLT   \b, r0, turned_by\@
+        XOR     \chosen, index_one, \chosen
+turned_by\@:
+        .endm
+
+        .macro  leave_at_nearest shape, miss
+        CFPGE   tin, big, \miss
+        RTOR    tin, tout
+        leave_solver \shape\()_save, \shape\()_registers
+        .endm
+
+        .macro  missed_columns label, shape
+\label:
+        miss_near \shape\()_save, \shape\()_registers
+        .endm
+
+        .macro  fill_columns shape, passed, fill
+        BIM     \fill
+\passed:
+        begin_columns
+\fill:
+        leave_list \shape\()_save, \shape\()_registers
         .endm

@@ -10,6 +10,20 @@
         .reg    column_at, s8
         .reg    columns_left, s9
 
+; Words of a row of the table, and sets.
+        .reg    row0, s3
+        .reg    row1, s4
+        .reg    row2, s5
+        .reg    row3, s6
+        .reg    row4, s7
+        .share  shape
+        .regs   r43, row5, row6, row7, row8, row9, row10, row11
+        .endshare
+        .share  hits
+        .regs   r164, set0, set1, set2, set3
+        .endshare
+        .reg    set4, bits2
+
         .equ    SEGMENT_COLUMNS, 2
 
         .macro  trade a, b
@@ -32,7 +46,7 @@
         IBXNE   columns_left, minus_one_index, r0, \again, columns_left
         .endm
 
-        .macro  clear_columns
+        .macro  begin_columns
         ES      columns_used, 0
         first_column
 clear_column\@:
@@ -84,4 +98,104 @@ fill_segment\@:
         next_column
         next_segment fill_segment\@
         BIM     0, link_kernel
+        .endm
+
+        .macro  all_lanes
+        set_lanes near
+        .endm
+
+; What follows, up to label, is for the rays with a < k: the set.
+        .macro  if_any_less_number a, k, set, label
+        CMPLTV  [\a], \k, [\set]
+        skip_empty \set, \label
+        .endm
+
+; set = the rays of `all` with a >= b, which is so for all that did not miss.
+        .macro  set_ahead a, b, set, all
+        CMPGEV  [\a], [\b], [\set]
+        ANDB    [\all], [\set], [\set]
+        .endm
+
+; left = the rays with a >= 0.
+        .macro  note_side a, left
+        CMPGEV  [\a], r0, [\left]
+        .endm
+
+; The same; the set is a word in the scalar form.
+        .macro  mark_side a, left
+        CMPGEV  [\a], r0, [\left]
+        .endm
+
+; set = the rays for which exactly one of a and `before` is >= 0.
+        .macro  if_side_changes a, before, left, left_before, set, out
+        XORB    [\left], [\left_before], [\set]
+        skip_empty \set, \out
+        .endm
+
+; before = a, whose place is used again.
+        .macro  keep_before a, before
+        trade   \a, \before
+        .endm
+
+        .macro  keep_set_before set, before
+        trade   \set, \before
+        .endm
+
+; twice = the rays, not in once, for which a polynomial with slope lead at its
+; begin and lead + bend at its end first approaches 0, then turns.  w1 changes.
+        .macro  find_turning bend, lead, left, once, twice, out
+        ADDNV   [\lead], [\bend], [t1]
+        CMPLTV  [\lead], r0, [bits0]
+        CMPLTV  [t1], r0, [\twice]
+        XORB    [bits0], [\twice], [\twice]
+        XORB    [\left], [bits0], [bits0]
+        ORB     [bits0], [\once], [bits0]
+        ANDNB   [\twice], [bits0], [\twice]
+        skip_both \twice, \once, \out
+        .endm
+
+        .macro  skip_both set, other, out
+        ORB     [\set], [\other], [bits0]
+        skip_empty bits0, \out
+        .endm
+
+; Keeps the rays of twice with a > 0.
+        .macro  keep_positive a, twice, once, out
+        CMPLTV  r0, [\a], [bits0]
+        ANDB    [bits0], [\twice], [\twice]
+        skip_both \twice, \once, \out
+        .endm
+
+        .macro  clear_negative a
+        CMPLTV  [\a], r0, [bits0]
+        VTOV    r0, [\a] ? [bits0]
+        .endm
+
+; q = -(b + sign(b) root), sign(0) = +; set = the rays with b >= 0.
+        .macro  sum_away b, root, q, set
+        ADDNV   |[\b]|, [\root], [\q]
+        CMPGEV  [\b], r0, [\set]
+        VTOV    -[\q], [\q] ? [\set]
+        .endm
+
+; chosen: in the set, or b >= 0, but not both.  sum_away has computed b >= 0 in
+; chosen.
+        .macro  turned_by b, set, chosen
+        XORB    [\chosen], [\set], [\chosen]
+        .endm
+
+; tout = tin, or a miss.
+        .macro  leave_at_nearest shape, miss
+        CMPLTV  [tin], big, [bits0]
+        VTOV    minus_big, [tout]
+        VTOV    [tin], [tout] ? [bits0]
+        BIM     0, link_kernel
+        .endm
+
+        .macro  missed_columns label, shape
+        .endm
+
+        .macro  fill_columns shape, passed, fill
+\fill:
+        leave_columns
         .endm

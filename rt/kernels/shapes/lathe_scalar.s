@@ -275,16 +275,16 @@ lathe_miss:
 
 lathe_solid:
         enter_lathe lathe_passed
-        begin_list
+        begin_columns
         walk_segments sh4, insert
         BIM     lathe_fill
 open_lathe_crossings:
         enter_lathe lathe_passed
-        begin_list
+        begin_columns
         walk_segments sh3, insert
         BIM     lathe_fill
 lathe_passed:
-        begin_list
+        begin_columns
 lathe_fill:
         leave_list lathe_save, LATHE_REGISTERS
         .endkernel

@@ -33,7 +33,7 @@
 ; The cone is a t^2 + 2 b t + c = 0, with b^2 - a c = nr^2 E.  In E nothing
 ; large cancels if the line is nearly level.  For either sign of a the ray
 ; crosses to the axis' side at t = (-b - root)/a and back at (-b + root)/a.
-; These are q/a and c/q with q = -(b + sign(b) root) (quadratic_vector.s).
+; These are q/a and c/q with q = -(b + sign(b) root) (form_vector.s).
 ;
 ; Once:  the root whose side the corners show, clamped to the heights of the
 ;        segment.
@@ -364,13 +364,13 @@ lathe_miss:
         miss_all
 
 lathe_solid:
-        clear_columns
+        begin_columns
         begin_lathe lathe_filled
         walk_segments sh4, insert
         BIM     lathe_filled
 
 open_lathe_crossings:
-        clear_columns
+        begin_columns
         begin_lathe lathe_filled
         walk_segments sh3, insert
 lathe_filled:

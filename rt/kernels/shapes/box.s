@@ -1,0 +1,23 @@
+; box.s - intersects rays with a box with edges along the axes.
+;
+; The segment inside is the intersection of three slabs (form_vector.s).
+;
+;       CALL BOX (RAY, PRIMITIVE, SEGMENT)
+;
+; In:  ox oy oz dx dy dz; the primitive's record.
+; Out: tin, tout; a miss is big, minus_big.
+; Source: the slab method (Kay and Kajiya 1986 describe it in this form).
+
+        saves   box, 26, r52                    ; after t3
+        .kernel box
+box:
+        enter_shape box, 6
+        ray_set minus_big, tin
+        ray_set big, tout
+        slab    ox, dx, sh0, sh3, box_missed
+        slab    oy, dy, sh1, sh4, box_missed
+        slab    oz, dz, sh2, sh5, box_missed
+        close_segment
+        leave_shape
+        missed  box_missed
+        .endkernel

@@ -1,0 +1,3 @@
+; cone.s - the cone, by hand in each form.
+
+        shape_by_hand cone

@@ -1,0 +1,264 @@
+; form_scalar.s - the scalar form of the shapes: the operations on one ray.
+; form_vector.s describes them.
+
+        .include "forms.s"
+        scalar_form ray_, third, fourth
+        .reg    number, t9
+        .reg    chosen, t0
+
+        .macro  load_field offset, register
+        RTOR    a_primitive, \register
+        IX      \register, 64 * (\offset)
+        LOD     [\register], \register
+        .endm
+
+        .macro  shape_by_hand shape
+        .include "shapes/\shape\()_scalar.s"
+        .endm
+
+        .macro  dot_constant x0, x1, x2, u0, u1, u2, sum, work
+        dot     \x0, \x1, \x2, \u0, \u1, \u2, \sum, \work
+        .endm
+
+        .macro  dot_vectors x0, x1, x2, y0, y1, y2, sum, work
+        dot     \x0, \x1, \x2, \y0, \y1, \y2, \sum, \work
+        .endm
+
+        .macro  include_columns
+        .ifndef LANE_REGISTERS
+        .include "shapes/lanes_scalar.s"
+        .endif
+        .ifndef LIST_REGISTERS
+        .include "shapes/columns_scalar.s"
+        .endif
+        .endm
+
+; ---- Begin and end -----------------------------------------------------------
+
+; A shape saves `registers` registers; its words begin at `words`.
+        .macro  saves shape, registers, words
+        shape_from \words
+        .equ    \shape\()_registers, \registers
+        .data
+\shape\()_save: .space \registers
+        .code
+        .endm
+
+        .macro  enter_shape shape, words, first=one
+        enter_kernel \shape\()_save, \shape\()_registers, \words, \first
+        .endm
+
+        .macro  enter_columns shape, words
+        enter_solver \words, \shape\()_save, \shape\()_registers
+        RTOR    lower, least
+        .endm
+
+        .macro  leave_shape first=one
+        leave_kernel \first
+        .endm
+
+        .macro  missed label, first=one
+\label:
+        RTOR    big, tin
+        RTOR    minus_big, tout
+        leave_kernel \first
+        .endm
+
+; ---- Sets of rays ------------------------------------------------------------
+
+        .macro  set_number_not_less k, a, set, out
+        CFPLT   \k, \a, \out
+        .endm
+
+        .macro  keep_less a, b, set, out
+        CFPGE   \a, \b, \out
+        .endm
+
+        .macro  keep_not_less a, b, set, out
+        CFPLT   \a, \b, \out
+        .endm
+
+        .macro  keep_not_less_number a, k, set, out, work=
+        CFPLT   \a, \k, \out
+        .endm
+
+        .macro  keep_less_or_turn a, b, set, other, out
+        CFPLT   \a, \b, kept\@
+        XOR     \other, index_one, \other
+        BIM     \out
+kept\@:
+        .endm
+
+        .macro  remove bits, set
+        .endm
+
+        .macro  turn_if_less a, b, set, other
+        CFPGE   \a, \b, not_turned\@
+        XOR     \other, index_one, \other
+not_turned\@:
+        .endm
+
+        .macro  turn set, other
+        XOR     \other, index_one, \other
+        .endm
+
+        .macro  exclusive set, other, c
+        XOR     \set, \other, \c
+        .endm
+
+        .macro  clear_set set
+        ES      \set, 0
+        .endm
+
+        .macro  in_set set, out
+        IBXEQ   \set, r0, r0, \out
+        .endm
+
+        .macro  if_any set, out
+        IBXEQ   \set, r0, r0, \out
+        .endm
+
+        .macro  done label
+        BIM     \label
+        .endm
+
+        .macro  copy_set set, other
+        .endm
+
+        .macro  skip_empty set, out
+        .endm
+
+        .macro  copy_in set, a, c
+        RTOR    \a, \c
+        .endm
+
+        .macro  either_number set, k, a, c
+        RTOR    \k, \c
+        .endm
+
+        .macro  either_two set, a, b, c, x, y, z
+        RTOR    \b, \c
+        RTOR    \y, \z
+        IBXEQ   \set, r0, r0, either\@
+        RTOR    \a, \c
+        RTOR    \x, \z
+either\@:
+        .endm
+
+        .macro  quotient_in set, a, b, c
+        DIVS    \a, \b, \c
+        .endm
+
+; ---- Segments ----------------------------------------------------------------
+
+        .macro  divide_unless_parallel a, b, c, out
+        ABS     \b, \c
+        CFPLT   \c, tiny, \out
+        DIVS    \a, \b, \c
+        .endm
+
+        .macro  parallel_rays label, end
+\label:
+        .endm
+
+        .macro  inside_if_not_less_number a, k, miss
+        CFPLT   \a, \k, \miss
+        RTOR    minus_big, tin
+        RTOR    big, tout
+        .endm
+
+        .macro  leave_on_half_line a, k, t, first=one
+        CFPLT   \a, \k, enters\@
+        RTOR    minus_big, tin
+        RTOR    \t, tout
+        leave_kernel \first
+enters\@:
+        RTOR    \t, tin
+        RTOR    big, tout
+        leave_kernel \first
+        .endm
+
+        .macro  point_in set, t
+        RTOR    \t, tin
+        RTOR    \t, tout
+        .endm
+
+        .macro  slab o, d, low, high, miss
+        ABS     \d, t0
+        CFPLT   t0, tiny, slab_parallel\@
+        DIVS    one, \d, t0
+        SUBN    \low, \o, t1
+        SUBN    \high, \o, t2
+        MPYS    t1, t0, t1
+        MPYS    t2, t0, t2
+        CFPGE   t2, t1, slab_ordered\@
+        RTOR    t1, t3
+        RTOR    t2, t1
+        RTOR    t3, t2
+slab_ordered\@:
+        CFPGE   tin, t1, slab_far\@
+        RTOR    t1, tin
+slab_far\@:
+        CFPGE   t2, tout, slab_cut\@
+        RTOR    t2, tout
+slab_cut\@:
+        CFPLT   tout, tin, \miss
+        BIM     slab_end\@
+slab_parallel\@:
+        CFPLT   \o, \low, \miss
+        CFPLT   \high, \o, \miss
+slab_end\@:
+        .endm
+
+        .macro  close_segment
+        .endm
+
+; ---- Quadratics --------------------------------------------------------------
+
+; Registers of the kernels that solve a quadratic, after t9.
+        .share  local
+        .regs   r58, shift, quad_a, quad_b, quad_c, o_along, d_along, k_along
+        .endshare
+
+        .macro  discriminant a, b, c, disc, work
+        MPYS    \b, \b, \disc
+        MPYS    \a, \c, \work
+        SUBN    \disc, \work, \disc
+        .endm
+
+        .macro  quadratic_roots a, b, c, disc, first, second, no_first, no_second
+        SQRT    \disc, \disc
+        ABS     \b, \first
+        ADDN    \first, \disc, \disc
+        CFPLT   \b, r0, quadratic_signed\@
+        SUBN    r0, \disc, \disc
+quadratic_signed\@:
+        CFPEQ   \disc, r0, \no_second
+        DIVS    \c, \disc, \second
+        CFPEQ   \a, r0, \no_first
+        DIVS    \disc, \a, \first
+        .endm
+
+        .macro  sort_roots first, second
+        RTOR    \first, tin
+        RTOR    \second, tout
+        CFPGE   \second, \first, sorted\@
+        RTOR    \second, tin
+        RTOR    \first, tout
+sorted\@:
+        .endm
+
+        .macro  closest_approach x0, x1, x2, o0, o1, o2, along, work0, work1
+        dot     \x0, \x1, \x2, dx, dy, dz, \along, \work0
+        MPYS    \along, dx, \work0
+        MPYS    \along, dy, \work1
+        MPYS    \along, dz, third
+        SUBN    \x0, \work0, \o0
+        SUBN    \x1, \work1, \o1
+        SUBN    \x2, third, \o2
+        .endm
+
+        .macro  move_back along
+        SUBN    tin, \along, tin
+        SUBN    tout, \along, tout
+        .endm

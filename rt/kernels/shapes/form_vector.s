@@ -1,0 +1,318 @@
+; form_vector.s - the vector form of the shapes: the operations on a queue of
+; rays.
+;
+; A shape NAME.s is written once, with the operations below and those of forms.s
+; with the prefix ray_.  The scalar form (form_scalar.s) intersects one ray, the
+; vector form the near rays of the queue.  Both call words of the ray and of its
+; segment by the same names: ox oy oz dx dy dz tin tout, and t0 .. t9.
+;
+; A set of rays is a bit vector.  In the scalar form a ray that does not belong
+; to the set branches to `out`; only sets that are turned are words there, 0
+; or 1.
+
+        .include "forms.s"
+        vector_form ray_, bits0
+        .reg    t0, w0
+        .reg    t1, w1
+        .reg    t2, w2
+        .reg    t3, w3
+        .reg    t4, w4
+        .reg    t5, w5
+        .reg    t6, w6
+        .reg    t7, w7
+        .reg    t8, w8
+        .reg    t9, w6
+        .reg    number, s1
+        .reg    least, lower
+        .reg    chosen, bits0
+
+; A shape that is written by hand in each form.
+        .macro  shape_by_hand shape
+        .include "shapes/\shape\()_vector.s"
+        .endm
+
+        .macro  include_columns
+        .ifndef LANE_VECTORS
+        .include "shapes/lanes_vector.s"
+        .endif
+        .ifndef SEGMENT_COLUMNS
+        .include "shapes/columns_vector.s"
+        .endif
+        .endm
+
+; ---- Begin and end -----------------------------------------------------------
+
+; Declares what the scalar form saves.
+        .macro  saves shape, registers, words
+        .endm
+
+        .macro  enter_shape shape, words, first=one
+        load_record P_SHAPE, \words, sh0
+        .endm
+
+        .macro  enter_columns shape, words
+        load_record P_SHAPE, \words, sh0
+        .endm
+
+        .macro  leave_shape first=one
+        BIM     0, link_kernel
+        .endm
+
+; The rays that branched to label miss.
+        .macro  missed label, first=one
+        .endm
+
+; ---- Sets of rays ------------------------------------------------------------
+
+; The rays with k >= a.
+        .macro  set_number_not_less k, a, set, out
+        CMPGEV  \k, [\a], [\set]
+        .endm
+
+; Keep those rays of the set with a < b, or a >= b.
+        .macro  keep_less a, b, set, out
+        CMPLTV  [\a], [\b], [bits0]
+        ANDB    [bits0], [\set], [\set]
+        .endm
+
+        .macro  keep_not_less a, b, set, out
+        CMPGEV  [\a], [\b], [bits0]
+        ANDB    [bits0], [\set], [\set]
+        .endm
+
+        .macro  keep_not_less_number a, k, set, out, work=bits0
+        CMPGEV  [\a], \k, [\work]
+        ANDB    [\work], [\set], [\set]
+        .endm
+
+; Removes rays that have branched in the scalar form.
+        .macro  remove bits, set
+        ANDNB   [\set], [\bits], [\set]
+        .endm
+
+; Turning a ray of other: it belongs to other if it did not.  turn turns those
+; of set, turn_if_less those of set with a < b.  keep_less_or_turn turns those
+; with a >= b and keeps the rest.
+        .macro  turn set, other
+        XORB    [\other], [\set], [\other]
+        .endm
+
+        .macro  turn_if_less a, b, set, other
+        CMPLTV  [\a], [\b], [bits0]
+        ANDB    [bits0], [\set], [bits0]
+        XORB    [\other], [bits0], [\other]
+        .endm
+
+        .macro  keep_less_or_turn a, b, set, other, out
+        CMPGEV  [\a], [\b], [bits0]
+        ANDB    [bits0], [\set], [bits0]
+        XORB    [\other], [bits0], [\other]
+        keep_less \a, \b, \set, \out
+        .endm
+
+; c = the rays of one of the sets that are not in the other.
+        .macro  exclusive set, other, c
+        XORB    [\set], [\other], [\c]
+        .endm
+
+        .macro  clear_set set
+        XORB    [\set], [\set], [\set]
+        .endm
+
+; The following operations are for the rays of a set that is a word in the scalar
+; form.
+        .macro  in_set set, out
+        .endm
+
+        .macro  skip_empty set, out
+        CNTOB   [\set], s0
+        IBXEQ   s0, r0, r0, \out
+        .endm
+
+; What follows, up to out, is for the rays of a set that is a word.
+        .macro  if_any set, out
+        skip_empty \set, \out
+        .endm
+
+; The end of what follows if_any; the scalar form goes to label.
+        .macro  done label
+        .endm
+
+        .macro  copy_set set, other
+        ANDB    [\set], [\set], [\other]
+        .endm
+
+; Operations for the rays of a set.
+        .macro  copy_in set, a, c
+        VTOV    [\a], [\c] ? [\set]
+        .endm
+
+; c = k, or a for other rays.
+        .macro  either_number set, k, a, c
+        MASKV   \k, [\a], [\c] ? [\set]
+        .endm
+
+; c = a and z = x for the rays of the set, else c = b and z = y.
+        .macro  either_two set, a, b, c, x, y, z
+        MASKV   [\a], [\b], [\c] ? [\set]
+        MASKV   [\x], [\y], [\z] ? [\set]
+        .endm
+
+; c = a / b; b changes.
+        .macro  quotient_in set, a, b, c
+        MASKV   [\b], one, [\b] ? [\set]
+        DIVSV   [\a], [\b], [\c]
+        .endm
+
+; ---- Segments ----------------------------------------------------------------
+
+; c = a / b.  Rays with |b| < tiny are parallel: bits0.  Their b becomes 1.
+        .macro  divide_unless_parallel a, b, c, out
+        CMPLTV  |[\b]|, tiny, [bits0]
+        MASKV   one, [\b], [\b] ? [bits0]
+        DIVSV   [\a], [\b], [\c]
+        .endm
+
+; What follows, up to end, is for the parallel rays.
+        .macro  parallel_rays label, end
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, \end
+        .endm
+
+; They are inside everywhere if a >= k, else nowhere.
+        .macro  inside_if_not_less_number a, k, miss
+        CMPGEV  [\a], \k, [bits1]
+        everywhere_or_nowhere
+        .endm
+
+        .macro  everywhere_or_nowhere
+        ANDB    [bits1], [bits0], [bits1]
+        VTOV    big, [tin] ? [bits0]
+        VTOV    minus_big, [tout] ? [bits0]
+        VTOV    minus_big, [tin] ? [bits1]
+        VTOV    big, [tout] ? [bits1]
+        .endm
+
+; The segment is t, big if a < k, else minus_big, t.  A ray that is not parallel
+; leaves.
+        .macro  leave_on_half_line a, k, t, first=one
+        CMPLTV  [\a], \k, [bits1]
+        MASKV   [\t], minus_big, [tin] ? [bits1]
+        MASKV   big, [\t], [tout] ? [bits1]
+        .endm
+
+; tin = tout = t for the rays of the set; the others miss.
+        .macro  point_in set, t
+        MASKV   [\t], big, [tin] ? [\set]
+        MASKV   [\t], minus_big, [tout] ? [\set]
+        .endm
+
+; Cuts the segments of the rays to the part between two parallel planes.
+;
+; Along one axis, with origin o, direction d and planes at low and high, near
+; and far are the smaller and the greater of (low - o)/d, (high - o)/d.  The
+; segment tin .. tout is cut to near .. far.
+;
+; The machine has no infinities.  A ray with |d| < tiny is parallel, and inside
+; everywhere (minus_big, big) or nowhere (big, minus_big).
+;
+; Changes w0-w4, bits0-bits2, s0.
+
+        .macro  slab o, d, low, high, miss=
+        CMPLTV  |[\d]|, tiny, [bits0]
+        MASKV   one, [\d], [w0] ? [bits0]
+        DIVSV   one, [w0], [w0]
+        LINKV
+        SUBNV   \low, [\o], [w1]
+        MPYSV   [w1], [w0], [w1]
+        LINKV
+        SUBNV   \high, [\o], [w2]
+        MPYSV   [w2], [w0], [w2]
+        CMPLTV  [w2], [w1], [bits1]
+        MASKV   [w2], [w1], [w3] ? [bits1]
+        MASKV   [w1], [w2], [w4] ? [bits1]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, slab_crossed\@
+        VTOV    minus_big, [w3] ? [bits0]
+        VTOV    big, [w4] ? [bits0]
+        CMPLTV  [\o], \low, [bits1]
+        CMPLTV  \high, [\o], [bits2]
+        ORB     [bits1], [bits2], [bits1]
+        ANDB    [bits1], [bits0], [bits1]
+        VTOV    big, [w3] ? [bits1]
+        VTOV    minus_big, [w4] ? [bits1]
+slab_crossed\@:
+        CMPLTV  [tin], [w3], [bits1]
+        VTOV    [w3], [tin] ? [bits1]
+        CMPLTV  [w4], [tout], [bits1]
+        VTOV    [w4], [tout] ? [bits1]
+        .endm
+
+; Changes an empty segment to a miss.
+        .macro  close_segment
+        CMPLTV  [tout], [tin], [bits0]
+        VTOV    big, [tin] ? [bits0]
+        VTOV    minus_big, [tout] ? [bits0]
+        .endm
+
+; ---- Quadratics --------------------------------------------------------------
+
+; Solves a queue of quadratics  a t^2 + 2 b t + c.
+;
+;   disc = b^2 - a c              disc < 0: no root
+;   q = -(b + sign(b) sqrt(disc)) (sign(0) = +)
+;   first = q / a,  second = c / q
+;
+; Nothing cancels in q.  The root that would cancel is c / q.  The caller
+; handles two rare kinds of lanes and counts them: a = 0 (bits1) has no first
+; root, q = 0 (bits2) has no second one.  There the quotient is indefinite.  q =
+; 0 means b = 0 and a c = 0.
+;
+; In:  a, b, c.  Out: disc; then q in its place, first, second; bits0 = the root
+;      is real.
+; Source: textbook; the project's notes on ray tracing, 4.2.
+
+        .macro  discriminant a, b, c, disc, work
+        MPYSV   [\b], [\b], [\disc]
+        MPYSV   [\a], [\c], [\work]
+        SUBNV   [\disc], [\work], [\disc]
+        .endm
+
+        .macro  quadratic_roots a, b, c, disc, first, second
+        CMPGEV  [\disc], r0, [bits0]
+        SQRTV   [\disc], [\disc] ? [bits0]
+        ADDNV   |[\b]|, [\disc], [\disc]
+        CMPGEV  [\b], r0, [bits1]
+        VTOV    -[\disc], [\disc] ? [bits1]
+        DIVSV   [\disc], [\a], [\first]
+        DIVSV   [\c], [\disc], [\second]
+        CMPEQV  [\a], r0, [bits1]
+        CMPEQV  [\disc], r0, [bits2]
+        .endm
+
+; tin = the smaller of first and second, tout = the greater.
+        .macro  sort_roots first, second
+        CMPLTV  [\second], [\first], [bits1]
+        MASKV   [\second], [\first], [tin] ? [bits1]
+        MASKV   [\first], [\second], [tout] ? [bits1]
+        .endm
+
+; Moves the rays' origins x, relative to the shape's centre, to o, their closest
+; approach to it:  along = x . D,  o = x - along D.  A distance from o is
+; greater by along than that from x.
+        .macro  closest_approach x0, x1, x2, o0, o1, o2, along, work
+        dot_vectors \x0, \x1, \x2, dx, dy, dz, \along, \work
+        MPYSV   [\along], [dx], [\work]
+        SUBNV   [\x0], [\work], [\o0]
+        MPYSV   [\along], [dy], [\work]
+        SUBNV   [\x1], [\work], [\o1]
+        MPYSV   [\along], [dz], [\work]
+        SUBNV   [\x2], [\work], [\o2]
+        .endm
+
+; Measures the segments from the original origin again.
+        .macro  move_back along
+        CMPGEV  [tout], [tin], [bits0]
+        SUBNV   [tin], [\along], [tin] ? [bits0]
+        SUBNV   [tout], [\along], [tout] ? [bits0]
+        .endm

@@ -1,0 +1,3 @@
+; lathe.s - the lathe, by hand in each form.
+
+        shape_by_hand lathe

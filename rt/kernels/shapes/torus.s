@@ -1,0 +1,3 @@
+; torus.s - the torus, by hand in each form.
+
+        shape_by_hand torus
