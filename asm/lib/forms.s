@@ -42,10 +42,9 @@
 ;       step x, k, c            c = c x + k, a step of Horner's rule
 ;       add_scaled a, k, c      c = c + a k       a is not c
 ;       scaled_plus a, k, b, c  c = b + a k       a is not b
-;       scaled_minus a, k, b, c c = a k - b       a is not b
 ;       minus_scaled a, k, b, c c = b - a k       a is not b
 ;       scaled_lower a, k, l, c c = (a - k) l
-;       scaled_minus a, b, k, c c = (a - b) k
+;       scaled_difference a, b, k, c  c = (a - b) k
 ;       lower_absolute a, k, c  c = |a| - k
 ;
 ; Several at a time, which the scalar form interleaves, because a result takes
@@ -219,10 +218,6 @@ not_below\@:
         MPYS    \a, \k, \scratch
         ADDN    \scratch, \b, \c
         .endm
-        .macro  \prefix\()scaled_minus a, k, b, c
-        MPYS    \a, \k, \scratch
-        SUBN    \scratch, \b, \c
-        .endm
         .macro  \prefix\()minus_scaled a, k, b, c
         MPYS    \a, \k, \scratch
         SUBN    \b, \scratch, \c
@@ -231,7 +226,7 @@ not_below\@:
         SUBN    \a, \k, \c
         MPYS    \c, \l, \c
         .endm
-        .macro  \prefix\()scaled_minus a, b, k, c
+        .macro  \prefix\()scaled_difference a, b, k, c
         SUBN    \a, \b, \c
         MPYS    \c, \k, \c
         .endm
@@ -540,11 +535,6 @@ select\@:
         MPYSV   [\a], \k, [\a]
         ADDNV   [\a], [\b], [\c]
         .endm
-        .macro  \prefix\()scaled_minus a, k, b, c
-        LINKV
-        MPYSV   [\a], \k, [\a]
-        SUBNV   [\a], [\b], [\c]
-        .endm
         .macro  \prefix\()minus_scaled a, k, b, c
         LINKV
         MPYSV   [\a], \k, [\a]
@@ -555,7 +545,7 @@ select\@:
         SUBNV   [\a], \k, [\c]
         MPYSV   [\c], \l, [\c]
         .endm
-        .macro  \prefix\()scaled_minus a, b, k, c
+        .macro  \prefix\()scaled_difference a, b, k, c
         LINKV
         SUBNV   [\a], [\b], [\c]
         MPYSV   [\c], \k, [\c]
