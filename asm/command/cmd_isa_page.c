@@ -346,18 +346,18 @@ int isa_page(const char *command, const c205_model *model)
          "<!-- made from vm/insn.def and asm/isa_examples by "
          "make docs -->\n");
     printf("This page describes all %zu instructions in the order of their table. The "
-           "rules that hold\n"
-           "for many of them are in [machine.md](machine.md), the bits of the "
+           "rules for\n"
+           "many instructions are in [machine.md](machine.md), the bits of the "
            "arithmetic in\n"
            "[arithmetic.md](arithmetic.md), and the clock in [timing.md](timing.md). "
-           "The clocks here are\n"
-           "those of the model `%s`; n is the number of elements (of bits in a bit "
-           "string), rounded\n"
-           "up. Special values are described where they have rules of their own. In "
-           "every instruction\n"
-           "a result above the range is indefinite (flags 42 and 46), and one below "
-           "it is machine zero\n"
-           "(flag 43). The tests assemble, run and check each example.\n",
+           "The clocks are for\n"
+           "the model `%s`; n is the number of elements (bits of a bit string), "
+           "rounded up.\n"
+           "Special values are described if an instruction has special rules. In "
+           "every instruction a\n"
+           "result above the range is indefinite (flags 42 and 46), and a result "
+           "below the range is\n"
+           "machine zero (flag 43). The tests assemble, run and check each example.\n",
            c205_insn_count, c205_model_name(model));
     put_contents();
     put_formats();

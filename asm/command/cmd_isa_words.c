@@ -23,7 +23,7 @@ static const struct operand_meaning {
     { 'f', "register, read as a number; r0 is machine zero", NULL },
     { 'i', "register, read as bits, an index or an address; r0 is 0", NULL },
     { 'w', "register, written", NULL },
-    { 'p', "register, an even one, and the one after it, written", NULL },
+    { 'p', "even register, written, with the next register", NULL },
     { 'm', "register, read as bits, then written", NULL },
     { 'k', "register, written with an index", NULL },
     { 'F', "half register, read as a number; h0, h1 are machine zero", NULL },
@@ -42,13 +42,13 @@ static const struct operand_meaning {
     { 'c', "vector, written; the machine sets its length", NULL },
     { 'o', "bit vector, written; the machine sets its length", NULL },
     { 'g',
-      "bit vector: `, [z]`, written, the machine sets its length; `? [z]`, "
-      "given: C has an element where it has ones",
+      "bit vector: `, [z]` is written, and the machine sets its length; `? [z]` is "
+      "an input: C has an element where it has ones",
       NULL },
     { 'x', "address of a table; its length is not used", NULL },
     { 'n', "immediate", NULL },
     { 't', "branch target, a label", NULL },
-    { 'z', "control vector: ? where it has ones, ?! where zeros", NULL },
+    { 'z', "control vector: ? selects where it has ones, ?! where it has zeros", NULL },
 };
 enum { MEANINGS = sizeof operand_meanings / sizeof *operand_meanings };
 
@@ -72,7 +72,7 @@ const char *isa_provenance(char letter)
     return meaning_of(provenances, letter);
 }
 
-/* Returns NULL if the flag has no explanation. */
+/* Returns the explanation of a flag, or NULL. */
 static const char *flag_note(const c205_insn *insn, unsigned flag)
 {
     if (flag != C205_INSN_SIGN)
@@ -210,14 +210,14 @@ static const struct {
     c205_format format;
     const char *length, *clocked;
 } lengths[] = {
-    { C205_FORMAT_SCAN, "that of C; each element of A is used with all of B",
+    { C205_FORMAT_SCAN, "the length of C; each element of A is used with all of B",
       "n the total number of elements of B that are read" },
-    { C205_FORMAT_PERIODIC, "that of C", "" },
-    { C205_FORMAT_SPACED, "that of B", "" },
+    { C205_FORMAT_PERIODIC, "the length of C", "" },
+    { C205_FORMAT_SPACED, "the length of B", "" },
     { C205_FORMAT_SPARSE,
-      "that of X or Y, the longer; C's and Z's are set. With `? [z]` that "
-      "of Z; C's is set",
-      "n the most elements present in A, B or C" },
+      "the longer of X and Y; the machine sets the lengths of C and Z. With `? [z]`: "
+      "the length of Z; the machine sets the length of C",
+      "n the number of elements of the longest of A, B and C" },
 };
 enum { LENGTHS = sizeof lengths / sizeof *lengths };
 
@@ -239,21 +239,22 @@ static const char *length_rule(const c205_insn *insn)
             return lengths[i].length;
     if (has_operand(insn, "co")) {
         return must_have_control(insn)
-                   ? "that of Z; C's is set"
-                   : "that of A, or of B if A is broadcast; C's is set";
+                   ? "the length of Z; the machine sets the length of C"
+                   : "the length of A, or of B if A is broadcast; the machine sets the "
+                     "length of C";
     }
     if (has_operand(insn, "x")) {
-        return has_operand(insn, "d") ? "that of C, or of A if A is shorter"
-                                      : "that of A";
+        return has_operand(insn, "d") ? "the length of C, or of A if A is shorter"
+                                      : "the length of A";
     }
     if (has_operand(insn, "dDe")) {
-        return strchr(c205_format_syntax(insn->format), 'C') ? "that of C"
-                                                             : "that of T";
+        return strchr(c205_format_syntax(insn->format), 'C') ? "the length of C"
+                                                             : "the length of T";
     }
-    return has_operand(insn, "b") ? "that of R"
+    return has_operand(insn, "b") ? "the length of R"
            : strchr(c205_format_syntax(insn->format), 'b')
-               ? "that of A, or of B if A is broadcast"
-               : "that of A";
+               ? "the length of A, or of B if A is broadcast"
+               : "the length of A";
 }
 
 /* Describes the padding of a short source. The only source of an instruction is never
@@ -262,7 +263,7 @@ static const char *padding_rule(const c205_insn *insn)
 {
     bool sparse = insn->format == C205_FORMAT_SPARSE;
     if (insn->flags & C205_INSN_PADZ) {
-        return sparse ? "continues with machine zeros, as for absent ones"
+        return sparse ? "continues with machine zeros, like absent elements"
                       : "continues with machine zeros";
     }
     if (insn->flags & C205_INSN_PADO)
@@ -279,12 +280,12 @@ static const char *control_rule(const c205_insn *insn)
     if (!has_operand(insn, "z"))
         return "";
     if (must_have_control(insn)) {
-        return "required: Z selects, `? [z]` with its ones, `?! [z]` "
-               "with its zeros";
+        return "required; `? [z]` selects where Z has ones, `?! [z]` where "
+               "it has zeros";
     }
     return has_operand(insn, "wkp")
                ? "`? [z]`: only elements where Z has ones take part; "
-                 "`?! [z]`: zeros"
+                 "`?! [z]`: where it has zeros"
                : "`? [z]`: C keeps its values where Z has zeros; "
                  "`?! [z]`: where it has ones";
 }

@@ -7,7 +7,7 @@
         words   c
         bits    z, "00000"
         ADDNS   [a, x], [b, y], [c], [z]
-        .regs   r22, d, e, f            ; the same of 32 bits
+        .regs   r22, d, e, f            ; operands of 32 bits
         halves  d, 1.0, 2.0, 3.0
         halves  e, 10.0, 20.0
         halves  f

@@ -5,7 +5,7 @@
         words   c
         bits    z, "1011"
         ADDNV   [a], [b], [c] ? [z]
-        .regs   r20, d, e               ; the same of 32 bits
+        .regs   r20, d, e               ; operands of 32 bits
         halves  d, 1.0, -2.0, 3.0, 4.5
         halves  e
         load_half h60, 0.5, r9

@@ -4,7 +4,7 @@ value:  .word   5
         EX      r10, value
         ES      r11, 63                 ; the rightmost bit
         EX      r12, there
-        BAB     [r10, r11], [r12], 10   ; on a one; make it zero
+        BAB     [r10, r11], [r12], 10   ; branch on one; set to zero
         ES      r13, 1                  ; skipped
 there:  EXIT
 ; expect: [value] = 4

@@ -1,7 +1,7 @@
         ES      r10, 5
         ES      r11, 63                 ; the rightmost bit
         EX      r12, there
-        BARB    r10, r11, [r12], 10     ; on a one; make it zero
+        BARB    r10, r11, [r12], 10     ; branch on one; set to zero
         ES      r13, 1                  ; skipped
 there:  EXIT
 ; expect: r10 = 4

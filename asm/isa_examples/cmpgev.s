@@ -4,7 +4,7 @@
         words   b, 4.0, 2.0, 1.0, 4.0
         bits    c, "0000"
         CMPGEV  [a], [b], [c]
-        .regs   r19, d, e               ; numbers of 32 bits
+        .regs   r19, d, e               ; operands of 32 bits
         halves  d, 1.0, 2.0, 3.0, 4.0
         bits    e, "0000"
         load_half h60, 3.0, r9

@@ -5,7 +5,7 @@
         bits    z, "1011"
         CPSV    [a], [c] ? [z]
         LTOR    c, n
-        .regs   r20, d, e               ; the same of 32 bits
+        .regs   r20, d, e               ; operands of 32 bits
         halves  d, 1.0, 2.0, 3.0, 4.0
         halves  e
         CPSV,H  [d], [e] ? [z]

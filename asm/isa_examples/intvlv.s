@@ -4,7 +4,7 @@
         load_constant step, 0.5
         words   c
         INTVLV  first, step, [c]
-        .reg    d, r19                  ; the same of 32 bits
+        .reg    d, r19                  ; operands of 32 bits
         load_half h60, 1.5, r9
         load_half h61, 0.5, r9
         halves  d

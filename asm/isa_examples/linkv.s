@@ -7,7 +7,7 @@
         LINKV                           ; c := 2 a + b
         MPYSV   [a], factor, [c]
         ADDNV   [c], [b], [c]
-        .regs   r20, d, e, f            ; the same of 32 bits
+        .regs   r20, d, e, f            ; operands of 32 bits
         halves  d, 1.0, -2.0, 3.0, 4.5
         halves  e, 10.0, 0.5, -3.0, 1.5
         halves  f

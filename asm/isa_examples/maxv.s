@@ -2,9 +2,9 @@
         .regs   r16, a, index, value, d
         words   a, 1.0, -2.0, 3.0, 4.5
         MAXV    [a], index, value
-        MAXV    |[a]|, r20, r0          ; the index alone
-        halves  d, 1.0, -2.0, 3.0, 4.5  ; the same of 32 bits
-        MAXV,H  [d], r21, h60           ; the value in a half of r30
+        MAXV    |[a]|, r20, r0          ; only the index
+        halves  d, 1.0, -2.0, 3.0, 4.5  ; operands of 32 bits
+        MAXV,H  [d], r21, h60           ; value in a half of r30
         EXIT
 ; expect: index = 3
 ; expect: value = 4.5

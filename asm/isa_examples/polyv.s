@@ -4,7 +4,7 @@
         words   b, 2.0, 0.0, -1.0, 3.0  ; 2 x^3 - x + 3
         words   c
         POLYV   [a], [b], [c]
-        .regs   r19, d, e, f            ; the same of 32 bits
+        .regs   r19, d, e, f            ; operands of 32 bits
         halves  d, 0.0, 1.0, 2.0, -1.0
         halves  e, 2.0, 0.0, -1.0, 3.0
         halves  f

@@ -3,7 +3,7 @@
         words   load, 1, 2, 3, 4
         words   save
         ES      r20, 9
-        SWAP    [load], r20, [save]     ; r20 to r23 saved, then loaded
+        SWAP    [load], r20, [save]     ; saves, then loads r20-r23
         EXIT
 ; expect: [save.words] = 9, 0, 0, 0
 ; expect: r20 = 1

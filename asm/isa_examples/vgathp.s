@@ -6,10 +6,10 @@
         ES      period, 2
         VGATHP  period, [a], [column]
         words   back
-        EX      last, a.words + 3*64    ; a negative one goes backwards
+        EX      last, a.words + 3*64    ; a negative period goes back
         ES      period, -1
         VGATHP  period, [last], [back]
-        .regs   r21, d, e               ; of 32 bits
+        .regs   r21, d, e               ; operands of 32 bits
         halves  d, 11.0, 12.0, 21.0, 22.0
         halves  e
         ELEN    e, 2

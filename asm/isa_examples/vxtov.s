@@ -4,7 +4,7 @@
         words   table, 10.0, 11.0, 12.0, 13.0
         words   c
         VXTOV   [list], [table], [c]
-        .regs   r19, d, e               ; of 32 bits, but for the list
+        .regs   r19, d, e               ; 32 bits, except the list
         halves  d, 10.0, 11.0, 12.0, 13.0
         halves  e
         VXTOV,H [list], [d], [e]
