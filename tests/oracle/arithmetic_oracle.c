@@ -4,7 +4,8 @@
 #include <assert.h>
 #include <gmp.h>
 
-/* GMP's short operands are longs; the oracle needs a host whose long has 64 bits. */
+/* GMP's short operands are of type long. The oracle needs a host whose long has 64
+ * bits. */
 typedef char long_holds_a_word[sizeof(long) == sizeof(c205_word) ? 1 : -1];
 
 const struct oracle_format oracle_full = { 64, 47, -28672, 28671 };
@@ -21,10 +22,11 @@ struct number {
     mpz_t coefficient;
 };
 
-/* The operands and one long register, which every rule uses again. */
+/* The operands and a long register. All rules use these variables. */
 static struct number left, right;
 static mpz_t wide, aligned, complement;
-static c205_word special; /* the result, if it is no product or quotient */
+static c205_word special; /* the result, if it is a special result of a product or
+                           * quotient */
 static mpfr_t left_value, right_value, radicand, root;
 
 void oracle_begin(void)
@@ -86,13 +88,13 @@ static c205_word indefinite(uint64_t cause, uint64_t *flags)
     return C205_INDEFINITE;
 }
 
-/* Returns the result for a special operand that is not copied. */
+/* Returns the result if an operand is special and is not copied. */
 static c205_word plain(enum kind kind, uint64_t *flags)
 {
     return kind == INDEFINITE ? indefinite(0, flags) : machine_zero(flags);
 }
 
-/* Returns a special operand unchanged, as its own result. */
+/* Returns a special operand unchanged. */
 static c205_word kept(c205_word word, enum kind kind, uint64_t *flags)
 {
     if (kind == MACHINE_ZERO)
@@ -102,18 +104,18 @@ static c205_word kept(c205_word word, enum kind kind, uint64_t *flags)
     return word;
 }
 
-/* Returns the smallest n with -2^n <= c < 2^n. */
+/* Returns the least n for which -2^n <= c < 2^n. */
 static long significant_bits(const mpz_t c)
 {
     if (mpz_sgn(c) == 0 || mpz_cmp_si(c, -1) == 0)
         return 0;
     if (mpz_sgn(c) > 0)
         return (long)mpz_sizeinbase(c, 2);
-    mpz_com(complement, c); /* -2^n <= c is -c - 1 < 2^n */
+    mpz_com(complement, c); /* -2^n <= c is equivalent to -c - 1 < 2^n */
     return (long)mpz_sizeinbase(complement, 2);
 }
 
-/* Returns the word of a coefficient that fits, by the range rule. */
+/* Applies the range rule to a coefficient that fits, and returns the word. */
 static c205_word make(const struct oracle_format *format, const mpz_t coefficient,
                       long exponent, uint64_t *flags)
 {
@@ -128,7 +130,7 @@ static c205_word make(const struct oracle_format *format, const mpz_t coefficien
     return ((c205_word)exponent * end + c) << (64 - format->width);
 }
 
-/* Sets c to floor(c / 2^k), for k of either sign. */
+/* Sets c to floor(c / 2^k). k may be negative. */
 static void scale_down(mpz_t c, long k)
 {
     if (k >= 0)
@@ -137,8 +139,8 @@ static void scale_down(mpz_t c, long k)
         mpz_mul_2exp(c, c, (mp_bitcnt_t)-k);
 }
 
-/* Shortens a coefficient that is one bit too long; returns its exponent.  All rules use
- * this. */
+/* Shortens a coefficient that is one bit too long. Returns its exponent. All rules use
+ * this function. */
 static long shorten(const struct oracle_format *format, mpz_t c, long exponent)
 {
     if (significant_bits(c) <= format->digits)
@@ -171,8 +173,9 @@ static long less_significant_operand(void)
 
 enum form { UPPER, LOWER, NORMALISED };
 
-/* Shifts a coefficient to the place of the larger exponent.  Bits that fall below it
- * are kept in the low part of the register; the rest is lost. */
+/* Shifts a coefficient to the position of the larger exponent. Bits that are shifted
+ * out of the high part of the register go to its low part. Bits below the low part are
+ * lost. */
 static void align(mpz_t place, const struct oracle_format *format,
                   const struct number *number, long exponent)
 {
@@ -180,15 +183,15 @@ static void align(mpz_t place, const struct oracle_format *format,
     scale_down(place, exponent - number->exponent);
 }
 
-/* A machine zero counts as a number with the smaller exponent and the coefficient 0. */
+/* Gives a machine zero the smaller exponent and the coefficient 0. */
 static void weaken(struct number *number, long exponent)
 {
     number->exponent = exponent;
     mpz_set_si(number->coefficient, 0);
 }
 
-/* Computes the sum or difference in a register of twice the digits and a sign.  Returns
- * its exponent. */
+/* Computes the sum or difference in a register with a sign and twice the digits.
+ * Returns its exponent. */
 static long add_aligned(const struct oracle_format *format, bool subtract)
 {
     if (left.kind == MACHINE_ZERO)
@@ -272,8 +275,8 @@ ORACLE_RULE(average_difference)
 
 /* ---- Multiply ----------------------------------------------------------- */
 
-/* Computes the product in wide.  Returns false if the result is special, and then sets
- * special. */
+/* Computes the product in `wide`. If the result is special, sets `special` instead and
+ * returns false. */
 static bool multiply(const struct oracle_format *format, c205_word a, c205_word b,
                      uint64_t *flags)
 {
@@ -314,8 +317,8 @@ ORACLE_RULE(multiply_significant)
 
 /* ---- Divide ------------------------------------------------------------- */
 
-/* Computes the quotient in wide.  Returns false if the result is special, and then sets
- * special. */
+/* Computes the quotient in `wide`. If the result is special, sets `special` instead and
+ * returns false. */
 static bool divide(const struct oracle_format *format, c205_word a, c205_word b,
                    uint64_t *flags)
 {
@@ -368,7 +371,8 @@ ORACLE_RULE(square_root)
     long exponent = left.exponent - places;
     long odd = (exponent - format->digits) % 2 != 0;
     long k = format->digits - odd;
-    /* The root has this many digits, so rounding it down gives the floor. */
+    /* The root has exactly this number of digits, so MPFR's rounding down gives the
+     * floor. */
     mpfr_set_prec(root, format->digits);
     mpfr_set_z_2exp(radicand, left.coefficient, k, MPFR_RNDD);
     mpfr_sqrt(root, radicand, MPFR_RNDD);
@@ -401,8 +405,8 @@ INTEGER_PART(truncate, mpz_tdiv_q_2exp)
 INTEGER_PART(floor, mpz_fdiv_q_2exp)
 INTEGER_PART(ceiling, mpz_cdiv_q_2exp)
 
-/* Special words are negated too.  The range rule returns their plain special result,
- * but an operand that is no number causes no exponent overflow. */
+/* Special words are negated, too. The range rule returns their special result. An
+ * operand that is not a number causes no exponent overflow. */
 ORACLE_RULE(negate)
 {
     take(&left, format, a);
@@ -437,8 +441,8 @@ ORACLE_RULE(exponent)
 
 /* ---- Adjust ------------------------------------------------------------- */
 
-/* Shifts the coefficient left by up to wanted places and at most limit places, one at a
- * time, while it fits.  Returns the number of places. */
+/* Shifts the coefficient left, one place at a time, while it fits. Shifts by up to
+ * `wanted` and up to `limit` places. Returns the number of places. */
 static long shift_left(const struct oracle_format *format, long wanted, long limit)
 {
     long places = 0;
@@ -450,7 +454,8 @@ static long shift_left(const struct oracle_format *format, long wanted, long lim
     return places;
 }
 
-/* No format has more than 100 digits, so only the sign is left after 100 places. */
+/* Shifts the coefficient right. After 100 places only the sign is left, because all
+ * formats have fewer digits. */
 static void shift_right(long places)
 {
     scale_down(left.coefficient, places > 100 ? 100 : places);
@@ -486,7 +491,8 @@ ORACLE_RULE(adjust_exponent)
 
 /* ---- Between the sizes -------------------------------------------------- */
 
-/* Cuts to a half word.  The addend turns the cut into a rounding; 0 leaves a cut. */
+/* Shortens a word to a half word. `addend` makes the result rounded; with 0 it is
+ * truncated. */
 static c205_word contract(c205_word a, unsigned long addend, uint64_t *flags)
 {
     long places = oracle_full.digits - oracle_half.digits;
@@ -532,7 +538,8 @@ void oracle_value(const struct oracle_format *format, mpfr_t value, c205_word wo
         mpfr_set_z_2exp(value, left.coefficient, left.exponent, MPFR_RNDD);
 }
 
-/* MPFR's predicates are false for NaN, as the machine's are for indefinite. */
+/* MPFR's predicates are false for NaN. The machine's comparisons are false for
+ * indefinite. */
 #define COMPARISON(name, holds) \
     ORACLE_RULE(name) \
     { \

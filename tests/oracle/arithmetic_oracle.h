@@ -1,12 +1,12 @@
 /* arithmetic_oracle.h - a second implementation of the machine's arithmetic.
  *
- * It is written from docs/arithmetic.md alone, with integers of any length (GMP) and,
- * for rules about real values, MPFR.  It shares only the names of the flags with
- * vm/number/arith.c.  It is slow and simple, and not thread safe.
+ * Its only source is docs/arithmetic.md. It uses integers of any length (GMP) and, for
+ * rules about real values, MPFR. It shares only the names of the flags with
+ * vm/number/arith.c. It is slow and simple, and not thread safe.
  *
- * Every rule has one signature: an operation of one operand ignores b, a comparison
- * returns 1 or 0, a shift takes its count from b as an integer.  Words shorter than 64
- * bits are in the left bits of a c205_word; the other bits are zeros.
+ * All rules have the same signature. An operation of one operand ignores b. A
+ * comparison returns 1 or 0. A shift takes its count from b as an integer. Words
+ * shorter than 64 bits are in the left bits of a c205_word; the other bits are zeros.
  */
 #ifndef ARITHMETIC_ORACLE_H
 #define ARITHMETIC_ORACLE_H
@@ -15,19 +15,19 @@
 
 #include <mpfr.h>
 
-/* A coefficient has `digits` bits and a sign; the exponent field has the rest of the
- * width.  The values 8 and 7 of its top four bits are machine zero and indefinite, and
- * the limits are the exponents between them. */
+/* A word consists of an exponent field and a coefficient with a sign and `digits` bits.
+ * If the top four bits of the exponent field are 8, the word is machine zero; if they
+ * are 7, it is indefinite. The other exponents are valid. */
 struct oracle_format {
     long width, digits;
     long exponent_min, exponent_max;
 };
 
-/* 16 + 48 bits and 8 + 24 bits; 6 + 8 bits are few enough to test all pairs of
- * words. */
+/* Words of 16 + 48 bits and of 8 + 24 bits. Words of 6 + 8 bits are few enough to test
+ * all pairs. */
 extern const struct oracle_format oracle_full, oracle_half, oracle_narrow;
 
-/* Call oracle_begin before the first rule and oracle_end after the last. */
+/* Call oracle_begin before the first rule, and oracle_end after the last rule. */
 void oracle_begin(void);
 void oracle_end(void);
 
@@ -41,13 +41,14 @@ typedef c205_word oracle_rule(const struct oracle_format *format, c205_word a,
                             c205_word a, c205_word b ORACLE_UNUSED, \
                             uint64_t *flags ORACLE_UNUSED)
 
-/* Declares a rule for each elementwise operation of vm/arith.def.  For conversions
- * between the sizes (contract, contract_rounded: to half words; extend: to full ones)
- * the format is fixed and the argument is ignored. */
+/* A rule for each elementwise operation of vm/arith.def. Conversions between word sizes
+ * have a fixed format and ignore the argument: contract and contract_rounded return
+ * half words, extend returns full words. */
 #define ELEMENTWISE(name, specials) oracle_rule oracle_##name;
 #include "vm/arith.def"
 
-/* Define call_NAME, which calls a function of arith.h, as a rule without a format. */
+/* Each macro defines call_NAME, which calls a function of arith.h, as a rule without a
+ * format. */
 #define CALL_BINARY(function) \
     static c205_word call_##function(c205_word a, c205_word b, uint64_t *flags) \
     { \
@@ -66,12 +67,12 @@ typedef c205_word oracle_rule(const struct oracle_format *format, c205_word a,
         return function(a, b); \
     }
 
-/* Sets value to the value of a word; it is exact if value has enough digits.  Machine
- * zero is +0, indefinite is NaN. */
+/* Sets value to the value of a word. The result is exact if value has enough digits.
+ * Machine zero becomes +0, indefinite NaN. */
 void oracle_value(const struct oracle_format *format, mpfr_t value, c205_word word);
 
-/* Returns the normalised word of a value that was cut to the digits of the format.
- * docs/arithmetic.md defines the results for NaN, infinity and the ends of the
+/* Returns the normalised word of a value that has been truncated to the digits of the
+ * format. docs/arithmetic.md defines the results for NaN, infinity and the ends of the
  * range. */
 c205_word oracle_word(const struct oracle_format *format, const mpfr_t value);
 

@@ -1,14 +1,15 @@
-/* bits_oracle.c - the rules of operations on words as rows of bits: shift, logical
+/* bits_oracle.c - the rules of operations on words as bit strings: shifts, logical
  * operations, pack, sums of indices. */
 #include "arithmetic_oracle.h"
 
-/* Returns bit i of a word, counted from the left. */
+/* Returns bit i of a word. Bit 0 is the leftmost bit. */
 static c205_word bit(c205_word word, long i)
 {
     return word >> (63 - i) & 1;
 }
 
-/* Joins the exponent field of one word and the coefficient field of another. */
+/* Returns a word with the exponent field of `high` and the coefficient field of
+ * `low`. */
 static c205_word join(const struct oracle_format *format, c205_word high, c205_word low)
 {
     long middle = format->width - format->digits - 1;
@@ -49,7 +50,7 @@ ORACLE_RULE(subtract_index)
                 justified(format, as_number(format, a) - as_number(format, b)));
 }
 
-/* Returns the coefficient field as an integer; its first bit is negative. */
+/* Returns the coefficient field as a two's complement integer. */
 static long as_integer(const struct oracle_format *format, c205_word word)
 {
     long first = format->width - format->digits - 1;
@@ -73,7 +74,8 @@ ORACLE_RULE(shift)
     return justified(format, shifted);
 }
 
-/* Computes each bit of the result as truth[a][b], from one bit of a and one of b. */
+/* Computes each bit of the result as truth[a][b], where a and b are bits of the
+ * operands. */
 static c205_word bitwise(const struct oracle_format *format, c205_word a, c205_word b,
                          const unsigned truth[2][2])
 {

@@ -1,4 +1,4 @@
-/* chance.h - random numbers for scenes and programs; the state is never 0. */
+/* chance.h - random numbers for scenes and programs. The state is never 0. */
 #ifndef CHANCE_H
 #define CHANCE_H
 
@@ -24,14 +24,15 @@ static inline double between(uint64_t *state, double low, double high)
     return xorshift_real(state, low, high);
 }
 
-/* Returns a number with a uniform logarithm: 1 to 2 is as likely as 100 to 200. */
+/* Returns a number whose logarithm is uniform: a number from 1 to 2 is as likely as a
+ * number from 100 to 200. */
 static inline double of_any_size(uint64_t *state, double low, double high)
 {
     return exp(between(state, log(low), log(high)));
 }
 
-/* Returns the state of a second stream.  The numbers of the first stream do not depend
- * on it.  Several streams from one state have different multipliers, the first one
+/* Returns the state of a second stream, which does not change the first stream. Several
+ * streams from the same state need different multipliers; the first multiplier must be
  * odd. */
 static inline uint64_t stream_beside(uint64_t state, uint64_t times, uint64_t more)
 {

@@ -2,9 +2,9 @@
  *
  *     check_arithmetic [--seed N] [--operation NAME] [cases]
  *
- * Each operation is computed three times for the same random operands: by arith.h one
- * pair at a time, by lanes.h over spans, and by the oracle.  The test fails if a word
- * or a flag differs; it prints the first case that does.
+ * Each operation is computed in three ways for the same random operands: by arith.h for
+ * single pairs, by lanes.h for spans, and by the oracle. The test fails if a word or a
+ * flag differs, and prints the first such case.
  */
 #include "arithmetic_oracle.h"
 #include "operands.h"
@@ -19,7 +19,8 @@
 
 /* ---- One operation ------------------------------------------------------ */
 
-/* Operations only set flags.  No operation sets this one, so it must remain. */
+/* No operation sets this flag. Operations do not clear flags, so it must still be set
+ * afterwards. */
 #define EARLIER_FLAG UINT64_C(1)
 
 struct outcome {
@@ -56,7 +57,7 @@ static void show_mismatch(const char *room, const char *name, c205_word a, c205_
     printf("    got      %016" PRIX64 " flags %06" PRIX64 "\n", got.word, got.flags);
 }
 
-/* Operands and results of one span.  c has one more word, which must not change. */
+/* Operands and results of a span. c has one more word, which must not change. */
 struct span {
     size_t n;
     c205_word a[SPAN], b[SPAN], c[SPAN + 1];
@@ -80,7 +81,7 @@ static bool check_scalars(const struct operation *operation, struct span *span)
     return true;
 }
 
-/* Compares the words of a span, and the union of its flags. */
+/* Compares the words of a span, and the union of the flags of its elements. */
 static bool check_span(const struct operation *operation, struct span *span)
 {
     c205_word guard = UINT64_C(0x0123456789ABCDEF);
@@ -106,14 +107,15 @@ static bool check_span(const struct operation *operation, struct span *span)
     return false;
 }
 
-/* Short spans show a wrong flag, long ones test the vectorised loops. */
+/* Returns a random length. Short spans detect wrong flags, long spans test vectorised
+ * loops. */
 static size_t span_length(uint64_t *random)
 {
     int64_t longest = random_bits(random) % 2 == 0 ? 9 : SPAN;
     return (size_t)random_between(random, 1, longest);
 }
 
-/* Both checks of an operation. */
+/* Makes both checks of an operation. */
 static bool check_operation(const void *what, struct span *span)
 {
     const struct operation *operation = what;
@@ -165,7 +167,7 @@ static bool check_masked_store(const void *random, struct span *span)
 
 struct run {
     uint64_t seed, cases;
-    const char *only; /* NULL: all */
+    const char *only; /* NULL: all operations */
     unsigned passed, failed;
 };
 
@@ -182,7 +184,8 @@ static void count(struct run *run, const char *name, size_t cases, bool pass)
     fflush(stdout);
 }
 
-/* Checks spans of random operands.  The masks of stores come from the lengths' stream. */
+/* Checks spans of random operands. The masks of stores come from the random stream of
+ * the lengths. */
 static void check_spans(struct run *run, const char *name,
                         const struct oracle_format *format,
                         bool (*check)(const void *what, struct span *span),

@@ -4,12 +4,12 @@
  *     check_coincident [SCENES [OF SHARE]] [--first]
  *
  * Traces random scenes (random_scenes.h), or every OF-th of them from number SHARE on.
- * The test fails unless all forms give the same frame bit for bit, and every pixel off
- * the outlines equals the plain tracer's.  POV-Ray loses one of two coincident faces,
- * so its picture is of the scene with a ground that is higher by LIFT; scenes of other
- * bodies have no such picture.  A failing scene is printed and written to
- * coincident_N.pov.  With --first the test stops at the first failure.  Exit status 1: a
- * scene failed.
+ * The test fails unless all forms give the same frame bit for bit, and the plain tracer
+ * gives the same frame at all pixels that are not on outlines. POV-Ray loses one of two
+ * coincident faces, so it draws the scene with a ground that is higher by LIFT. Scenes
+ * of other bodies are not compared with POV-Ray. A failing scene is printed and written
+ * to coincident_N.pov. With --first the test stops at the first failure. Exit status 1:
+ * a scene failed.
  */
 #include "rt/trace/trace.h"
 #include "tests/oracle/chance.h"
@@ -31,11 +31,12 @@ enum {
     PATH = 80
 };
 
-/* Lifting the ground moves its image through a body by about the same distance. */
+/* The height by which the ground is raised. The image of the ground, seen through a
+ * body, moves by about the same distance. */
 #define LIFT 1e-5
 
-/* On an edge seen through a body the lift decides.  At some pixels POV-Ray's picture of
- * the lifted scene differs from both other tracers. */
+/* At edges that are seen through a body, the raised ground can decide what is visible.
+ * Therefore POV-Ray's picture may differ from both other tracers at some pixels. */
 static const struct comparison with_povray = { "colour", CHANNEL_RED, 3,  1,
                                                false,    1e-3,        .01 };
 
@@ -48,7 +49,7 @@ static uint64_t seed_of(size_t number)
 
 /* ---- Forms --------------------------------------------------------------- */
 
-/* The forms; each is compared with the first one. */
+/* The forms. Each form is compared with the first. */
 static const struct trace_options forms[] = {
     { .mode = TRACE_SCALAR, .queue = 1 },
     { .mode = TRACE_SCALAR, .queue = 1, .no_bounds = true },
@@ -74,7 +75,7 @@ static bool same_pictures(const struct comparison *comparison, const char *who,
     return (double)is.beyond <= comparison->share * (double)is.compared;
 }
 
-/* Allows no different pixel. */
+/* No pixel may differ. */
 static bool same_as_plain(const struct frame *plain, const struct frame *ours,
                           const bool *inner, char *reason)
 {
@@ -88,7 +89,7 @@ static bool same_as_plain(const struct frame *plain, const struct frame *ours,
     return good;
 }
 
-/* A ring of running POV-Ray processes, first in, first out. */
+/* A queue of running POV-Ray processes in a ring buffer. */
 static struct povray *runs[AHEAD + 1];
 static size_t begun, ended;
 

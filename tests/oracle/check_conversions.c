@@ -1,5 +1,6 @@
 /* check_conversions.c - compares conversions of random doubles, integers and texts with
- * MPFR.  A conversion fails if a word, a text or the end of a parsed number differs. */
+ * MPFR. A conversion fails if a word or a text differs, or the end of a parsed
+ * number. */
 #include "operands.h"
 #include "operations.h"
 
@@ -34,7 +35,7 @@ static bool same_text(c205_word word, const char *expected, const char *got)
     return false;
 }
 
-/* An exact value, and one with the digits of the format. */
+/* An exact value, and a value with the digits of the format. */
 static mpfr_t exact, cut;
 
 /* ---- Doubles ------------------------------------------------------------ */
@@ -46,8 +47,8 @@ static double double_from_bits(uint64_t bits)
     return value;
 }
 
-/* Returns a power of the range that full words and doubles share, or one near the
- * largest and smallest half words, 2^134 and 2^-90. */
+/* Returns a power of two in the range that full words and doubles share, or one near
+ * 2^134 and 2^-90, the largest and the smallest half word. */
 static int64_t usual_power(uint64_t *random)
 {
     static const int64_t ends[] = { 134, -90 };
@@ -56,8 +57,8 @@ static int64_t usual_power(uint64_t *random)
                                         : random_between(random, -60, 60);
 }
 
-/* Returns a random double; every second one of common size, every third with few
- * bits. */
+/* Returns a random double. Every second double is of common size. Every third double
+ * has few bits. */
 static double random_double(uint64_t *random)
 {
     uint64_t choice = random_bits(random);
@@ -80,7 +81,7 @@ static bool from_double_agrees(const struct converters *as, uint64_t *random)
     return same_word(what, oracle_word(as->format, cut), as->from_double(value));
 }
 
-/* Returns a word near the range of a double or far from it. */
+/* Returns a word that is near the range of a double, or far outside of it. */
 static c205_word word_near_doubles(const struct oracle_format *format, uint64_t *random)
 {
     long bits = format->width - format->digits - 1;
@@ -140,8 +141,8 @@ static const char *chosen(uint64_t *random, const char *const *texts, size_t cou
 
 #define CHOSEN(random, texts) chosen(random, texts, sizeof texts / sizeof texts[0])
 
-/* Makes the decimal digits of 0.DDD * 10^*exponent: those of a random word, rounded
- * down or up, or random ones. */
+/* Makes the decimal digits of 0.DDD * 10^*exponent. They are random, or the digits of a
+ * random word, rounded down or up. */
 static void random_digits(const struct converters *as, uint64_t *random,
                           char digits[DIGITS + 2], long *exponent)
 {
@@ -158,8 +159,8 @@ static void random_digits(const struct converters *as, uint64_t *random,
     *exponent = point;
 }
 
-/* Makes a text: sign, digits with a point at a random place, the exponent if needed,
- * and characters that do not belong to the number. */
+/* Makes a text of a sign, digits with a point at a random position, an exponent if
+ * needed, and characters that do not belong to the number. */
 static void random_text(const struct converters *as, uint64_t *random, char text[TEXT])
 {
     static const char *const signs[] = { "", "", "+", "-", "-" };
@@ -219,7 +220,7 @@ static bool from_text_agrees(const struct converters *as, uint64_t *random)
 
 /* ---- Words to text ------------------------------------------------------ */
 
-/* Returns the number of digits without zeros at the ends. */
+/* Returns the number of digits without leading and trailing zeros. */
 static size_t significant_digits(const char *text)
 {
     size_t digits = 0, zeros = 0;
@@ -234,9 +235,9 @@ static size_t significant_digits(const char *text)
     return digits;
 }
 
-/* Reading cuts, so the texts that read back as value are those in [value, the next
- * word).  Therefore only the smallest number of n digits that is not below value is
- * tested. */
+/* Reading truncates, so the texts that read back as `value` are those from `value` up
+ * to the next word. It therefore suffices to test the least number with n digits that
+ * is not below `value`. */
 static bool fewer_digits_do(const mpfr_t value, size_t digits)
 {
     bool negative = mpfr_sgn(value) < 0;
@@ -251,7 +252,8 @@ static bool fewer_digits_do(const mpfr_t value, size_t digits)
     return mpfr_equal_p(cut, value) != 0;
 }
 
-/* Reads the text by MPFR and, within its range, by the machine. */
+/* Reads the text with MPFR. If the value is in the machine's range, also reads it with
+ * the machine. */
 static bool reads_back(const struct converters *as, const mpfr_t value,
                        const char *text)
 {

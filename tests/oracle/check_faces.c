@@ -2,18 +2,18 @@
  *
  *     check_faces [SCENES [OF SHARE]] [--first]
  *
- * Traces random scenes (random_scenes.h), or every OF-th of them from number SHARE on: in
- * scalar form, in vector form and in the form of 1984, with several queue lengths, with
- * both methods for the visible surface of solids, with and without bounding spheres.
- * The test fails unless all frames are equal bit for bit.
+ * Traces random scenes (random_scenes.h), or every OF-th of them from number SHARE on.
+ * Each scene is traced in scalar form, in vector form and in the form of 1984, with
+ * several queue lengths, both CSG methods, and with and without bounding spheres. The
+ * test fails unless all frames are equal bit for bit.
  *
- * It also fails if parts in another order change a depth.  Depths must be equal bit for
- * bit, or nearly equal if faces of two regions may coincide, because then the order
- * decides which of them is visible.  If the camera looks at faces obliquely, the plain
- * tracer must see the same objects at the same depths.
+ * It also fails if another order of the parts changes a depth. Depths must be equal bit
+ * for bit. If faces of two regions may coincide, the order decides which face is
+ * visible, and the depths need only be nearly equal. If the camera looks at faces
+ * obliquely, the plain tracer must see the same objects at the same depths.
  *
- * A failing scene is reduced while it fails, printed, and written to faces_N.pov.  With
- * --first the test stops at the first failure without reducing it.  Exit status 1: a
+ * A failing scene is reduced while it fails, printed, and written to faces_N.pov. With
+ * --first the test stops at the first failure without reducing it. Exit status 1: a
  * scene failed.
  */
 #include "rt/layout/interiors.h"
@@ -29,7 +29,7 @@ enum { WIDTH = GRID_WIDTH, HEIGHT = GRID_HEIGHT, PIXELS = WIDTH * HEIGHT };
 
 /* ---- Forms --------------------------------------------------------------- */
 
-/* The forms; each is compared with the first one. */
+/* The forms. Each form is compared with the first. */
 static const struct trace_options forms[] = {
     { .mode = TRACE_SCALAR, .queue = 1 },
     { .mode = TRACE_SCALAR, .queue = 1, .flat = true },
@@ -56,8 +56,8 @@ enum { FORMS = sizeof forms / sizeof *forms, ANY_ORDER = 4 };
 
 /* --- comparisons ---------------------------------------------------------- */
 
-/* Returns the first pixel with another depth.  If nearly, depths may differ in the last
- * bits: of two coincident faces the later one is visible. */
+/* Returns the first pixel whose depth differs. If `nearly` is true, depths may differ
+ * in the last bits, because the later of two coincident faces is visible. */
 static size_t first_apart(const c205_word *depth, const c205_word *expected,
                           bool nearly)
 {
@@ -95,7 +95,7 @@ static bool same_in_any_order(const struct random_scene *grid,
     return other == PIXELS;
 }
 
-/* Where two opaque regions touch, rounding decides which is nearer and thus visible. */
+/* Where two opaque regions touch, rounding decides which of them is nearer. */
 static bool in_one_region(const struct scene *scene, size_t id, size_t other)
 {
     for (size_t i = 0; i < scene->region_count; i++) {
@@ -126,7 +126,8 @@ static bool same_sight(const struct scene *scene, const struct frame *plain,
                    && !in_one_region(scene, id, other)));
 }
 
-/* Allows 1 % of different pixels: rounding decides at edges and outlines. */
+/* Up to 1 % of the pixels may differ, because rounding decides at edges and
+ * outlines. */
 static bool same_as_plain(const struct scene *scene, const struct trace *expected,
                           char *reason)
 {

@@ -1,15 +1,17 @@
-/* check_heat.c - compares view factors of random scenes, computed by two independent
- * methods.
+/* check_heat.c - compares two independent methods for the view factors of random
+ * scenes.
  *
  *     check_heat [SCENES [OF SHARE]] [--first]
  *
- * A few solids (placed_solid.h) exchange radiation.  Rays from points of their surfaces
- * and lines through the whole scene must give the same areas and factors, within the
- * errors that both report.  By lines reciprocity is exact; by rays the rows sum to 1.
- * The other modes, with another queue length, must equal the vector form bit for bit.
- * The rows of smoothed factors must sum to 1, and smoothed factors must be reciprocal.
- * The test fails if one of these rules does not hold; the scene is then printed and
- * written to heat_N.pov.
+ * A few solids (placed_solid.h) exchange radiation. The test checks these rules:
+ *
+ * - Rays from points of the surfaces and lines through the scene give the same areas
+ *   and factors, within the errors that both report.
+ * - With lines, reciprocity is exact. With rays, each row sums to 1.
+ * - The other modes, with another queue length, equal the vector form bit for bit.
+ * - Smoothed factors are reciprocal, and each of their rows sums to 1.
+ *
+ * If a scene fails, it is printed and written to heat_N.pov.
  */
 #include "rt/heat/heat.h"
 #include "rt/heat/heat_source.h"
@@ -39,8 +41,8 @@ static struct heat_request usual(void)
 
 /* ---- Scenes -------------------------------------------------------------- */
 
-/* Lines see a surface without an inside from both sides; rays leave it from one side
- * only. */
+/* Returns true for a closed shape. Lines see a surface without an inside from both
+ * sides, but rays leave it only from one side. */
 static bool is_closed(const char *text)
 {
     static const char *const words[] = {
@@ -52,7 +54,7 @@ static bool is_closed(const char *text)
     return !strstr(text, "mesh") || strstr(text, "inside_vector");
 }
 
-/* Returns the text of a solid; the caller frees it. */
+/* Returns the text of a closed solid. The caller frees it. */
 static char *closed_solid(uint64_t *state, const struct place *place)
 {
     for (;;) {
@@ -92,8 +94,8 @@ static bool differs(double a, double a_error, double b, double b_error, double l
     return !(fabs(a - b) <= SIGMAS * hypot(a_error, b_error) + least);
 }
 
-/* With few rays the spread of the repeats may be 0.  One ray with another target is
- * counted as possible. */
+/* Returns the error of a factor. With few rays the spread of the repeats may be 0, so
+ * one ray with another receiver is the least error. */
 static double error_of(const struct surface *surface, size_t to)
 {
     return hypot(surface->factor[to].error, 1 / (double)surface->sent);
@@ -124,7 +126,8 @@ static bool same_factors(const struct heat *rays, const struct heat *lines, size
 static bool same_areas(const struct surface *one, const struct surface *other,
                        double largest, char *reason)
 {
-    double single = largest / (double)(1 + other->sent); /* the area of one line */
+    double single = largest / (double)(1 + other->sent); /* area that one line
+                                                          * represents */
     if (!differs(one->area.value, one->area.error, other->area.value,
                  hypot(other->area.error, single), 1e-4 * largest))
         return true;
@@ -171,7 +174,7 @@ static bool find(const struct scene *scene, const struct heat_request *request,
     return heat_begin(scene, request, heat, error) && heat_find(heat, error);
 }
 
-/* Compares another mode, queue length and number of jobs, with fewer points. */
+/* Compares with another mode, queue length and number of jobs, for fewer points. */
 static bool same_stages(const struct scene *scene, struct heat_request request,
                         uint64_t *state, char *reason)
 {

@@ -3,24 +3,23 @@
  *     check_language_scenes [SCENES [OF SHARE]] [--first]
  *
  * Generates scene texts (language_scene.h), or every OF-th of them from number SHARE
- * on.  The test fails if rt205 or POV-Ray reports an error or a warning for a text.
- * The three modes, by rows and by tiles, with random queue lengths, in one job and in
- * two, must give the same frame bit for bit.  That frame must equal POV-Ray's picture:
- * a pixel differs if a channel differs by more than .02 of white, as in check_sample,
- * and at most one pixel in a thousand may differ.
+ * on.  The test fails if rt205 or POV-Ray reports an error or a warning for a text. The
+ * three modes, by rows and by tiles, with random queue lengths, in one job and in two,
+ * must give the same frame bit for bit.  This frame must equal POV-Ray's picture. As in
+ * check_sample, a pixel differs if a channel differs by more than .02 of white. One
+ * pixel in a thousand may differ.
  *
- * Rounding can decide which side of an edge a pixel shows.  So a different pixel is
- * excused if POV-Ray's own picture changes there when the camera is moved by a
- * hundredth of a pixel to one of four sides.  The moved camera is the one that rt205
- * has read, and its picture is compared with POV-Ray's picture from that same camera
- * before the move.  A camera that was read wrongly therefore excuses nothing.  At most
- * one pixel in fifty is excused.
+ * Rounding can decide which side of an edge a pixel shows. A different pixel is
+ * therefore excused if POV-Ray's picture changes there when the camera moves by a
+ * hundredth of a pixel in one of four directions. POV-Ray draws the pictures before and
+ * after the move with the camera that rt205 has read, so that a camera that was read
+ * wrongly excuses nothing. At most one pixel in fifty is excused.
  *
  * A failing scene is reduced, line by line and block by block, while it fails in the
- * same way; it is printed with its seed and written to language_N.pov.  Only the first
- * three of a run are reduced, because this takes minutes.  With --first the test stops
- * at the first failure without reducing it.  Exit status 1: a scene failed; 2: POV-Ray
- * is missing.
+ * same way. It is printed with its seed and written to language_N.pov. Only the first
+ * three failing scenes are reduced, because this takes minutes.  With --first the test
+ * stops at the first failure without reducing it.  Exit status 1: a scene failed; 2:
+ * POV-Ray is missing.
  */
 #include "rt/picture/picture.h"
 #include "rt/scene/language/scene_read.h"
@@ -44,24 +43,24 @@ enum {
     PIXELS = WIDTH * HEIGHT,
     MAX_OTHERS = PIXELS / 1000,
     MAX_FORGIVEN = PIXELS / 50,
-    AHEAD = 8,        /* runs of POV-Ray that are started early */
-    MAX_TRIALS = 400, /* trials to reduce a scene */
-    MAX_SMALLER = 3,  /* scenes that are reduced */
+    AHEAD = 8,        /* number of POV-Ray runs that are started in advance */
+    MAX_TRIALS = 400, /* number of trials to reduce a scene */
+    MAX_SMALLER = 3,  /* number of scenes that are reduced */
     REASON = MANY_REASON,
     PATH = 80
 };
 #define TOLERANCE .02
-#define MOVED .01 /* pixels */
+#define MOVED .01 /* in pixels */
 
-/* The kind of failure, which must not change while a scene is reduced. */
+/* The kind of failure. It must not change while a scene is reduced. */
 enum fault { NO_FAULT, NOT_READ, NOT_BY_POVRAY, OTHER_FRAME, OTHER_PICTURE };
 
 struct judgement {
-    size_t number; /* of the scene */
+    size_t number; /* number of the scene */
     enum fault fault;
-    char message[REASON]; /* the error, without its position */
+    char message[REASON]; /* the error message without its position */
     char reason[REASON];
-    size_t pixel; /* the pixel that differs most */
+    size_t pixel; /* the pixel with the greatest difference */
 };
 
 static bool blame(struct judgement *judgement, enum fault fault, const char *message)
@@ -94,7 +93,7 @@ static struct scene *read_text(const char *text, struct judgement *judgement)
 
 /* ---- Forms --------------------------------------------------------------- */
 
-/* The forms; each is compared with the first one.  Queue lengths are random. */
+/* The forms. Each form is compared with the first. Queue lengths are random. */
 static const struct trace_options forms[] = {
     { .mode = TRACE_SCALAR, .queue = 1 },
     { .mode = TRACE_VECTOR, .order = ORDER_TILES, .jobs = 2 },
@@ -127,7 +126,7 @@ static bool same_in_all_forms(const struct scene *scene, const struct trace *exp
 
 /* ---- POV-Ray ------------------------------------------------------------- */
 
-/* Starts a run; its input file is in the current folder. */
+/* Starts a run. Its input file is in the current folder. */
 static struct povray *begin_run(const char *text, size_t number, const char *what)
 {
     char path[PATH];
@@ -135,7 +134,8 @@ static struct povray *begin_run(const char *text, size_t number, const char *wha
     return povray_begin(path, text, WIDTH, HEIGHT);
 }
 
-/* Returns the text with the camera as it was read, moved by right and up pixels. */
+/* Returns the text with the camera that rt205 has read, moved by `right` and `up`
+ * pixels. */
 static char *text_seen_from(const char *text, const struct camera *camera, double right,
                             double up)
 {
@@ -167,7 +167,7 @@ static double shown(double sample)
     return fmin(1, fmax(0, sample));
 }
 
-/* Flags the pixels that differ, and returns their number. */
+/* Marks the pixels that differ. Returns their number. */
 static size_t others(const struct frame *a, const struct frame *b, bool other[PIXELS],
                      double *greatest)
 {
@@ -189,7 +189,7 @@ static const double sides[SIDES][2] = {
     { 0, 0 }, { MOVED, 0 }, { -MOVED, 0 }, { 0, MOVED }, { 0, -MOVED }
 };
 
-/* Flags the pixels at which POV-Ray's picture changes when the camera is moved. */
+/* Marks the pixels at which POV-Ray's picture changes when the camera is moved. */
 static bool find_edges(const char *text, const struct camera *camera, size_t number,
                        bool edge[PIXELS])
 {
@@ -301,7 +301,7 @@ static struct judgement judge_again(const char *text, size_t number)
 
 /* ---- Failures ------------------------------------------------------------ */
 
-/* Messages of POV-Ray are not compared: their last words name a position. */
+/* Messages of POV-Ray are not compared, because they end with a position. */
 static bool fails_as(const char *text, void *context)
 {
     const struct judgement *first = context;
@@ -323,7 +323,7 @@ static void show(const char *text, size_t number)
 
 /* ---- The command --------------------------------------------------------- */
 
-/* A ring of running POV-Ray processes, first in, first out. */
+/* A queue of running POV-Ray processes in a ring buffer. */
 static struct povray *runs[AHEAD + 1];
 static size_t begun, ended;
 
@@ -348,7 +348,8 @@ static bool check_scene(size_t number, bool first)
     return judgement.fault == NO_FAULT;
 }
 
-/* Writes the image atomically, because several processes may run here at once. */
+/* Writes the image atomically, because several processes may run in this folder at the
+ * same time. */
 static void keep_image(void)
 {
     char path[PATH];

@@ -1,16 +1,20 @@
-/* check_mass.c - compares the mass properties of random solids with those of
- * transformed copies and with counts of points.
+/* check_mass.c - compares the mass properties of random solids with transformed copies,
+ * and with counts of points.
  *
  *     check_mass [SCENES [OF SHARE]] [--first]
  *
  * Measures a solid (placed_solid.h) and a copy that is scaled, rotated and moved at
- * random.  The volume must be multiplied by the determinant, the centroid must be
- * transformed, and the second moments must become M S M^T times the determinant.  With
- * a uniform scale the area must be multiplied by its square.  A count of random points
- * inside (plain_regions.h), in a larger box, must give the same volume and centroid.  The
- * scalar form and a vector form with another queue length must be equal bit for bit.
- * Solids without volume must be rejected in both places.  A failing scene is printed
- * and written to mass_N.pov.
+ * random by a matrix M. The test checks these rules:
+ *
+ * - The volume is multiplied by the determinant of M. The centroid is transformed. The
+ *   second moments S become M S M^T times the determinant.
+ * - The area is multiplied by the square of the scale, if the scale is uniform.
+ * - A count of random points inside (plain_regions.h), in a larger box, gives the same
+ *   volume and centroid.
+ * - The scalar form and a vector form with another queue length are equal bit for bit.
+ * - Solids without volume are rejected, before and after the transform.
+ *
+ * A failing scene is printed and written to mass_N.pov.
  */
 #include "tests/oracle/chance.h"
 #include "tests/oracle/many_scenes.h"
@@ -22,7 +26,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#define STUDENT 2.1314 /* with 15 degrees of freedom */
+#define STUDENT 2.1314 /* Student's t for 15 degrees of freedom */
 enum { SIGMAS = 7 };
 
 static struct columns_options usual(void)
@@ -39,12 +43,12 @@ static struct columns_options usual(void)
 
 struct motion {
     double scale[3], turn[3], move[3];
-    bool alike;        /* by the same factor on all axes */
-    double rows[3][3]; /* the combined matrix */
+    bool alike;        /* the scale is uniform */
+    double rows[3][3]; /* combined matrix */
     double determinant;
 };
 
-/* Rotates about x, then y, then z, left-handed as in the scene language. */
+/* Rotates about one axis. As in the scene language, the axes are left-handed. */
 static void turn_rows(double rows[3][3], size_t axis, double degrees)
 {
     double angle = degrees * acos(-1) / 180;
@@ -97,8 +101,8 @@ struct comparing {
     bool good;
 };
 
-/* Compares two figures with their errors, as in struct mass_figures; scale is the size to which rounding
- * errors are relative. */
+/* Compares two figures within their errors, as in struct mass_figures. Rounding errors
+ * are relative to `scale`. */
 static void compare(struct comparing *comparing, double a, double a_error, double b,
                     double b_error, double scale, const char *what)
 {
@@ -110,7 +114,7 @@ static void compare(struct comparing *comparing, double a, double a_error, doubl
     }
 }
 
-/* Computes the second moments from the inertia tensor about the centroid; returns their
+/* Computes the second moments from the inertia tensor about the centroid. Returns their
  * size. */
 static double second_moments(const double inertia[6], double second[3][3])
 {
@@ -172,7 +176,7 @@ static bool same_moved(const struct measured *one, const struct measured *other,
     return comparing.good;
 }
 
-/* Compares with random points of a box that is a quarter larger. */
+/* Compares with a count of random points in a box that is a quarter larger. */
 static bool same_plain(const char *text, const struct measured *measured,
                        uint64_t *state, char *reason)
 {
@@ -184,7 +188,7 @@ static bool same_plain(const char *text, const struct measured *measured,
     for (size_t i = 0; i < 3; i++)
         width[i] = 1.25 * measured->width[i];
     plain_mass(scene, measured->middle, width, state, value, error);
-    /* The sum is not the integral if bodies of one object overlap; none do here. */
+    /* The sum equals the integral, because no bodies of an object overlap here. */
     compare(&comparing, volume, figures->error[FIGURE_VOLUME], value[0],
             STUDENT * error[0], volume, "volume, and points inside");
     for (size_t i = 0; i < 3; i++)
@@ -228,7 +232,7 @@ static bool is_empty(const struct measured *measured, char *reason)
     return empty;
 }
 
-static struct motion motion; /* of the text; the other text is not transformed */
+static struct motion motion; /* transform of the second text */
 
 static struct random_scene draw(uint64_t *state, size_t number UNUSED)
 {

@@ -3,11 +3,11 @@
  *
  *     check_narrow [--operation NAME] [some | all]
  *
- * vm/number/rule.h is one text for words of any format.  Here it is compiled for words
- * of 6 + 8 bits and computes every word, or every pair of them.  Without "all" some
- * exponents are omitted, but no coefficient.  The test fails if a word or a flag
- * differs from narrow_oracle.c, which is first compared with the oracle of the larger
- * formats on a sample.
+ * vm/number/rule.h is compiled for words of any format. Here it is compiled for words
+ * of 6 + 8 bits, and is applied to every word or to every pair of words. Unless "all"
+ * is specified, some exponents are omitted, but no coefficients. The test fails if a
+ * word or a flag differs from narrow_oracle.c. That oracle is first compared, on a
+ * sample, with the oracle of the larger formats.
  */
 #include "arithmetic_oracle.h"
 #include "narrow_oracle.h"
@@ -69,8 +69,9 @@ static void every_word(struct words *words)
         add_words(words, e);
 }
 
-/* Adds the words with these exponents: machine zero, indefinite, the ends of the range;
- * alignments of less than a coefficient, of one, and of the whole range. */
+/* Adds all words with these exponents: machine zero, indefinite, the ends of the range,
+ * and exponents whose distances are below, equal to and above the length of a
+ * coefficient. */
 static void some_words(struct words *words)
 {
     static const int64_t exponents[] = { NARROW_EXPONENT_MIN - 1,
@@ -89,7 +90,8 @@ static void some_words(struct words *words)
 
 /* ---- One operation ------------------------------------------------------ */
 
-/* Operations only set flags.  No operation sets this one, so it must remain. */
+/* No operation sets this flag. Operations do not clear flags, so it must still be set
+ * afterwards. */
 #define EARLIER_FLAG UINT64_C(1)
 
 static void show(const char *which, c205_word word, uint64_t flags)
@@ -124,7 +126,7 @@ static bool check_operation(const struct operation *operation,
     return true;
 }
 
-/* Compares the two oracles, for every word as the first operand. */
+/* Compares the two oracles. Every word is the first operand. */
 static bool oracles_agree(const struct operation *operation, const struct words *words)
 {
     enum { PARTNERS = 16 };

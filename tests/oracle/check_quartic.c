@@ -3,10 +3,10 @@
  *     check_quartic [--seed N] [--falsi RULE] [polynomials of each kind]
  *     check_quartic [--seed N] --print KIND [polynomials]
  *
- * The first form tests random polynomials of each kind: the roots must obey
- * quartic_rule.h, and the scalar form, the vector form with any queue length and the
- * search for the first root must give the same roots bit for bit.  The second form
- * prints polynomials for rt205 quartic.
+ * The first form tests random polynomials of each kind. The roots must obey
+ * quartic_rule.h. The scalar form, the vector form with any queue length and the search
+ * for the first root must give the same roots bit for bit. The second form prints
+ * polynomials for rt205 quartic.
  */
 #include "arithmetic_oracle.h"
 #include "quartic_rule.h"
@@ -74,7 +74,8 @@ static bool same_roots(const struct polynomial_roots *a,
     return true;
 }
 
-/* Solves with other options and returns the number of polynomials with other roots. */
+/* Computes the roots with other options. Returns the number of polynomials whose roots
+ * differ. */
 static unsigned long compare(const struct polynomial *polynomials, size_t count,
                              const struct polynomial_roots *expected,
                              const struct roots_options *options)
@@ -137,7 +138,7 @@ static unsigned long report(const struct tally *tallies)
 struct arguments {
     uint64_t seed, each;
     enum falsi falsi;
-    const char *print; /* a kind, or NULL */
+    const char *print; /* the kind to print, or NULL */
 };
 
 static int print_kind(const struct arguments *arguments)

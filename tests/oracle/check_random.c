@@ -2,12 +2,12 @@
  *
  *     check_random [programs] [--seed N] [--first]
  *
- * Both run each program instruction by instruction.  After each instruction the
- * registers, data flags, program counter, trap, clock and accounts must be equal, and
- * also the words in and around all data areas if the instruction may have stored some;
- * at the end all of memory.  Some programs are also run in other modes (random_machine.h).
- * A program that fails is reduced and printed; with --first the run ends there without
- * reducing it.
+ * Both run each program instruction by instruction. After each instruction the
+ * registers, data flags, program counter, trap, clock and accounts must be equal. If
+ * the instruction may have stored words, the words in and around all data areas must be
+ * equal, too. At the end all memory must be equal. Some programs are also run in other
+ * modes (random_machine.h). A failing program is reduced and printed. With --first the
+ * run ends at the first failure without reducing it.
  */
 #include "tests/oracle/compare_states.h"
 #include "tests/oracle/read_options.h"
@@ -19,7 +19,7 @@
 
 /* ---- Reducing a program -------------------------------------------------- */
 
-/* Keeps the trial if the results still differ. */
+/* Replaces the program by the trial if the results of the trial still differ. */
 static bool keep_if_differing(struct random_program *program,
                               const struct random_program *trial)
 {
@@ -43,7 +43,8 @@ static bool without_insns(struct random_program *program)
     return smaller;
 }
 
-/* Simpler words than a given one, the simplest first; the last is the word itself. */
+/* Lists words that are simpler than a given word. The simplest is the first, and the
+ * last is the word itself. */
 enum { SIMPLER = 6 };
 static void simpler_words(c205_word word, c205_word simpler[SIMPLER])
 {
@@ -109,7 +110,7 @@ static void shrink_program(struct random_program *program)
 
 struct run {
     uint64_t seed, programs;
-    bool first; /* stop at the first difference, do not reduce it */
+    bool first; /* stop at the first difference, and do not reduce it */
     uint64_t passed, failed;
 };
 
@@ -140,7 +141,7 @@ static void check_one(struct run *run, uint64_t seed)
     report(&program);
 }
 
-/* Fails for each row of the instruction table without a rule in the reference. */
+/* Each row of the instruction table that has no rule in the reference is a failure. */
 static void check_rules(struct run *run)
 {
     for (size_t i = 0; i < c205_insn_count; i++)

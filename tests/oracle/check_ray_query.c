@@ -2,13 +2,15 @@
  *
  *     check_ray_query [SCENES [OF SHARE]] [--first]
  *
- * Follows lines through random scenes, or every OF-th of them from number SHARE on:
- * alternately scenes with coincident faces (random_scenes.h) and scenes of many regions
- * (random_scenes.h).  The test fails unless the scalar form and some random
- * configurations of the vector form (queues, packets, bounds) find the same hits bit
- * for bit, and the hits obey the rules of ray_query_rules.h.  Parts in another order must
- * give the same distances bit for bit.  Where rounding does not decide, the plain
- * tracer must find the same hits.
+ * Follows lines through random scenes (random_scenes.h), or through every OF-th of them
+ * from number SHARE on. The scenes alternately have coincident faces and many regions.
+ * The test checks these rules:
+ *
+ * - The scalar form and some random configurations of the vector form (queues, packets,
+ *   bounds) find the same hits bit for bit.
+ * - The hits obey the rules of ray_query_rules.h.
+ * - Another order of the parts gives the same distances bit for bit.
+ * - Where rounding does not decide, the plain tracer finds the same hits.
  *
  * A failing scene is reduced line by line while it fails, printed, and written to
  * lines_N.pov.  With --first the test stops at the first failure without reducing it.
@@ -53,8 +55,8 @@ static struct random_scene draw(uint64_t *state, size_t number)
     return number % 2 ? many_regions(state) : grid_scene(state);
 }
 
-/* Generates the lines for a scene.  In scenes on the grid every other line is on the
- * grid, unless the plain tracer also follows the lines. */
+/* Generates the lines for a scene. In scenes on the grid, every second line is on the
+ * grid, unless the plain tracer follows the lines, too. */
 static void draw_lines(const struct random_scene *sight, const struct scene *scene,
                        struct scene_ray list[LINES])
 {

@@ -3,12 +3,12 @@
  *
  *     check_regions [SCENES [OF SHARE]] [--first]
  *
- * Traces random scenes (random_scenes.h), or every OF-th of them from number SHARE on:
- * in vector form with every ray tested against every region, in scalar form, and in
- * some random configurations of modes, queues, bounds, methods for solids, bands and
- * jobs.  The test fails unless all give the same frame bit for bit and trace the same
- * rays.  The plain tracer must agree within the tolerances of check_scene, except for
- * pixels where rounding decides.
+ * Traces random scenes (random_scenes.h), or every OF-th of them from number SHARE on.
+ * Each scene is traced in vector form with every ray tested against every region, in
+ * scalar form, and in some random configurations of modes, queues, bounds, CSG methods,
+ * bands and jobs. The test fails unless all of them give the same frame bit for bit and
+ * trace the same rays. The plain tracer must agree within the tolerances of
+ * check_scene, except for pixels where rounding decides.
  *
  * A failing scene is reduced while it fails in the same way, printed, and written to
  * regions_N.pov.  With --first the test stops at the first failure without reducing it.
@@ -27,13 +27,14 @@
 
 enum { WAYS = 5 };
 
-/* Share of the pixels, plus one pixel, at which rounding may decide: on edges of faces,
- * shadows and checks.  In so small a frame the share is larger than in check_scene. */
+/* The fraction of pixels, plus one pixel, at which rounding may decide: on edges of
+ * faces, shadows and checkers. It is larger than in check_scene, because the frame is
+ * small. */
 #define ROUNDED .01
 
 /* --- ways to trace -------------------------------------------------------- */
 
-/* Tests every ray against every region, one after the other. */
+/* Tests every ray against every region, one after another. */
 static const struct trace_options plainest = {
     .mode = TRACE_VECTOR, .queue = TRACE_QUEUE, .no_bounds = true, .order = ORDER_ROWS
 };
@@ -57,7 +58,7 @@ static struct trace_options random_way(uint64_t *state, size_t pixels)
     return way;
 }
 
-/* Estimates the processor time on the host in seconds. */
+/* Estimates the processor time on the host, in seconds. */
 static double seconds_of(const struct trace_options *way, double work)
 {
     if (way->mode == TRACE_SCALAR)
@@ -108,8 +109,8 @@ static bool same_as_plain(const struct random_scene *regions, const struct scene
 
 /* ---- Scenes -------------------------------------------------------------- */
 
-/* Configurations that must give one frame, and whether the plain tracer must agree.
- * After a failure only the failing one remains. */
+/* The configurations that must give the same frame, and whether the plain tracer must
+ * agree. After a failure only the failing configuration remains. */
 static struct ways {
     size_t count;
     struct trace_options way[WAYS];

@@ -10,11 +10,12 @@
  *     read 0 SECONDS BEYOND PIXELS
  *
  * SECONDS is the processor time of the trace, in vector form.  If there are no reports,
- * the picture is compared with POV-Ray's picture of the same file: BEYOND of the
- * PIXELS pixels have a channel that differs by more than .02.  Exit status 1: POV-Ray
- * made no picture; 2: wrong usage.
+ * the picture is compared with POV-Ray's picture of the same file. BEYOND is the number
+ * of pixels with a channel that differs by more than .02. PIXELS is the number of all
+ * pixels. Exit status 1: POV-Ray made no picture; 2: wrong usage.
  *
- * With a threshold both trace more rays for pixels that differ from their neighbours.
+ * With a threshold both tracers trace more rays for pixels that differ from their
+ * neighbours.
  */
 #include "rt/picture/picture.h"
 #include "rt/scene/language/scene_read.h"
@@ -30,8 +31,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Different samples of one picture: the tolerance at which a user sees the same
- * picture. */
+/* The samples of the two pictures differ. Up to this tolerance a user sees no
+ * difference. */
 static const struct comparison with_povray = { "colour", CHANNEL_RED, 3, 1,
                                                false,    .02,         1 };
 
@@ -51,7 +52,7 @@ static size_t count_reports(const struct diagnostics *reports)
     return count;
 }
 
-/* Clamps colours to 0, as a picture file does. */
+/* Replaces negative colours by 0, as in a picture file. */
 static void cut(struct frame *frame)
 {
     for (int i = CHANNEL_RED; i <= CHANNEL_BLUE; i++)

@@ -4,16 +4,18 @@
  *     check_scene all|some SCENE.pov ..
  *
  * The frame of a scene must be equal bit for bit in all three modes, with queues of any
- * length, by tiles and by rows, with and without bounds and a hierarchy.  It must equal
- * the plain tracer's frame, and that must equal POV-Ray's picture of the same file,
- * within the tolerances of compare_pictures.h.  The forms of the method of 1984 for
- * patches and cylinders must be equal and must also give the plain tracer's frame.
+ * length, by tiles and by rows, with and without bounds and a hierarchy. It must also
+ * equal the plain tracer's frame, and the plain tracer's frame must equal POV-Ray's
+ * picture of the same file, within the tolerances of compare_pictures.h. The forms of
+ * the method of 1984 for patches and cylinders must be equal to each other and to the
+ * plain tracer's frame.
  *
- * all: each scene in all configurations; some: in a third of them, selected by the name
- * of the scene.  Each third contains all three modes.  Frames are small.
+ * "all" tests each scene in all configurations. "some" tests it in a third of them,
+ * which the name of the scene selects. Each third contains all three modes. Frames are
+ * small.
  *
  * Prints a line for each comparison with a tracer and for each failure, then the
- * counts.  Exit status 1: a comparison failed; 2: wrong usage.
+ * counts. Exit status 1: a comparison failed; 2: wrong usage.
  */
 #include "rt/picture/picture.h"
 #include "rt/scene/language/scene_read.h"
@@ -27,14 +29,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Half a step of POV-Ray's 16-bit samples is 7.6e-6.  It also computes colours in 24
- * bits, so a whole step is allowed. */
+/* Half a step of POV-Ray's 16-bit samples is 7.6e-6. POV-Ray also computes colours with
+ * 24 bits, so a whole step is allowed. */
 #define POVRAY_TOLERANCE (1. / 65535)
 
 static const struct comparison with_povray = {
     "colour", CHANNEL_RED, 3, 1, false, POVRAY_TOLERANCE, DECIDED_BY_ROUNDING
 };
-/* POV-Ray sends hundreds of random rays through a lens, this tracer a few. */
+/* With a lens, POV-Ray traces hundreds of random rays for a pixel, this tracer only a
+ * few. */
 static const struct comparison roughly = {
     "colour", CHANNEL_RED, 3, 1, false, .05, .002
 };
@@ -44,9 +47,11 @@ static const struct comparison roughly = {
 enum {
     NO_POVRAY = 1,
     ROUGH_POVRAY = 2,
-    NO_HISTORICAL = 4, /* its frame is not compared with the plain tracer's */
-    FEWER_PIXELS = 8,  /* thousands of triangles, or many rays per pixel */
-    ALL_PIXELS = 16,   /* POV-Ray differs at a few pixels, for frames of any size */
+    NO_HISTORICAL = 4, /* the frame of the historical method is not compared with the
+                        * plain tracer's */
+    FEWER_PIXELS = 8,  /* the scene has thousands of triangles, or many rays per
+                        * pixel */
+    ALL_PIXELS = 16,   /* POV-Ray may differ at a few pixels in frames of any size */
 };
 static const struct exception {
     const char *scene;
@@ -57,22 +62,22 @@ static const struct exception {
     { "scenes/steiner.pov", NO_POVRAY },
     { "tests/scenes/patches.pov", NO_POVRAY },
     { "tests/scenes/csg_patches.pov", NO_POVRAY },
-    /* POV-Ray's picture has one colour with a lens and an orthographic camera. */
+    /* With a lens and an orthographic camera, POV-Ray's picture has only one colour. */
     { "tests/scenes/lens_orthographic.pov", NO_POVRAY },
     { "tests/scenes/lens.pov", ROUGH_POVRAY },
-    /* POV-Ray loses one of two coincident faces of a transparent body and another
-     * body. */
+    /* If a transparent body and another body coincide, POV-Ray loses one of the two
+     * faces. */
     { "tests/scenes/coincident.pov", NO_POVRAY },
     { "tests/scenes/csg_coincident.pov", NO_POVRAY },
     { "tests/scenes/standing.pov", NO_POVRAY },
     { "tests/scenes/touching.pov", NO_POVRAY },
-    /* POV-Ray stores characters in 32 bits, decides rays to the edges of a mesh by
-     * rounding, and interpolates the normals of a height_field over its cells. */
+    /* POV-Ray stores characters in 32 bits. At the edges of a mesh rounding decides its
+     * hits. It interpolates the normals of a height_field over the cells. */
     { "tests/scenes/text.pov", NO_POVRAY },
     { "tests/scenes/mesh_closed.pov", NO_POVRAY },
     { "scenes/terrain.pov", NO_POVRAY | FEWER_PIXELS },
-    /* Random rays through a lens.  POV-Ray does not hit a blob nearer than .01, where a
-     * reflected ray may start. */
+    /* These scenes use random rays through a lens. POV-Ray does not hit a blob at
+     * distances below .01, where a reflected ray may start. */
     { "scenes/stage.pov", NO_POVRAY | FEWER_PIXELS },
     { "scenes/mist.pov", NO_POVRAY | FEWER_PIXELS },
     { "scenes/marbles.pov", NO_POVRAY | FEWER_PIXELS },
@@ -82,8 +87,8 @@ static const struct exception {
     { "scenes/vase.pov", FEWER_PIXELS },
     { "tests/scenes/areas.pov", ALL_PIXELS },
     { "tests/scenes/in_glass.pov", ALL_PIXELS },
-    /* A face of a cylinder is in a face of a box; cylinders occur only as parts of
-     * blobs. */
+    /* In these scenes a face of a cylinder is in a face of a box, or cylinders occur
+     * only as components of blobs. */
     { "scenes/bearing.pov", NO_HISTORICAL },
     { "tests/scenes/blobs.pov", NO_HISTORICAL },
 };
@@ -111,13 +116,14 @@ struct file {
     const char *path;
     unsigned exceptions;
     unsigned turn;        /* 0 to 2, or ALL_TURNS */
-    bool patches, lens;   /* it has Steiner patches or cylinders; a lens */
-    size_t width, height; /* of the scene as last read */
+    bool patches, lens;   /* the scene has Steiner patches or cylinders; has a lens */
+    size_t width, height; /* size for which the scene was last read */
     struct scene *scene;
 };
 enum { TURNS = 3, ALL_TURNS = TURNS };
 
-/* Returns a side length that gives a third of the pixels, or all with THOROUGH. */
+/* Returns the side length of a frame with a third of the pixels, or with all pixels if
+ * the test is THOROUGH. */
 static size_t length_of(size_t length)
 {
     return getenv("THOROUGH") ? length : length * 60 / 100;
@@ -135,7 +141,7 @@ static bool contains(const char *path, const char *word)
     return found;
 }
 
-/* Reads the scene for a picture size, because the default camera depends on it. */
+/* Reads the scene for a picture size. The default camera depends on the size. */
 static const struct scene *scene_at(struct file *file, size_t width, size_t height)
 {
     const struct scene_options options = { .width = (int)width,
@@ -166,7 +172,7 @@ struct way {
     struct trace_options options;
 };
 
-/* Forms whose frames must equal that of the scalar form. */
+/* Forms whose frames must equal the frame of the scalar form. */
 static const struct way ways[] = {
     { 1, { .mode = TRACE_VECTOR, .queue = 77 } },
     { 2, { .mode = TRACE_VECTOR } },
@@ -181,8 +187,8 @@ static const struct way ways[] = {
 };
 enum { WAYS = sizeof ways / sizeof *ways };
 
-/* Options with which the three modes must give the same frame.  Frames are smaller: a
- * queue of one ray is slow, and samples are many rays. */
+/* Options with which the three modes must give the same frame. The frames are smaller,
+ * because a queue of one ray is slow, and samples need many rays. */
 static const struct way stages[] = {
     { 0, { .width = 18, .height = 14, .queue = 1 } },
     { 1, { .width = 20, .height = 15, .samples = 2 } },
@@ -197,7 +203,7 @@ static struct trace_options in_mode(struct trace_options options, enum trace_mod
     return options;
 }
 
-/* Compares frames with that of the scalar form, in its size. */
+/* Compares frames with the frame of the scalar form, in its size. */
 static void check_ways(struct file *file, struct trace_options scalar,
                        const struct way *others, size_t count)
 {
@@ -236,7 +242,7 @@ static bool report(const char *who, const struct comparison *comparison,
     return good;
 }
 
-/* Makes the machine's frame, which the caller frees. */
+/* Traces the machine's frame, which the caller frees. */
 static bool same_as_plain(struct file *file, const struct frame *plain,
                           const bool *inner, bool historical, struct frame *frame)
 {
@@ -254,7 +260,7 @@ static bool same_as_plain(struct file *file, const struct frame *plain,
     return good;
 }
 
-/* Compares POV-Ray's picture with the plain tracer's and the machine's. */
+/* Compares POV-Ray's picture with the frames of the plain tracer and of the machine. */
 static bool same_as_povray(const struct file *file, const struct frame *plain,
                            const struct frame *frame, const bool *inner)
 {
@@ -317,7 +323,8 @@ static unsigned turn_of(const char *path)
     return sum % TURNS;
 }
 
-/* Uses fewer pixels for the example scenes, which have many parts. */
+/* Checks a file. The example scenes have many parts, so their frames have fewer
+ * pixels. */
 static void check_file(const char *path, bool all)
 {
     bool large = strncmp(path, "scenes/", 7) == 0;

@@ -12,7 +12,7 @@ struct stand {
     double x, y, z, size, height;
 };
 
-/* Defines the function that prints a shape with the half width s, the height h and a
+/* Defines a function that prints a shape with the half width s, the height h and a
  * random number r. */
 #define SHAPE(name, random, ...) \
     static void name##_words(uint64_t *state, const struct stand *at, char *words) \
@@ -73,7 +73,7 @@ static void mesh_words(uint64_t *state, const struct stand *at, char *words)
 struct drawing {
     uint64_t state;
     enum coincident_kind kind;
-    char motion[WORDS]; /* of the whole scene */
+    char motion[WORDS]; /* transform of the whole scene */
     FILE *text;
 };
 
@@ -94,7 +94,7 @@ static struct stand random_stand(struct drawing *drawing)
                            (double)below(state, 2) - .5, .5, .5 };
 }
 
-/* Prints a shape, whose block is closed after its look and motion. */
+/* Prints a shape, then its look and motion, and closes its block. */
 static void put_body(struct drawing *drawing, bool clear)
 {
     uint64_t *state = &drawing->state;

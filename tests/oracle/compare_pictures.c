@@ -5,8 +5,8 @@
 
 #include <math.h>
 
-/* A file has samples of 24 bits (6e-8).  The machine has 47 bits, and the exponent of a
- * highlight multiplies the relative error. */
+/* A sample in a file has 24 bits, which is a relative error of 6e-8. The machine has 47
+ * bits, but the exponent of a highlight multiplies the relative error. */
 #define COLOR_TOLERANCE 1e-6
 #define GEOMETRY_TOLERANCE 1e-6
 
@@ -39,7 +39,7 @@ bool *inner_pixels(const struct frame *frame)
     return inner;
 }
 
-/* Returns infinity for NaN. */
+/* Returns the difference of two samples. If one is NaN, the difference is infinite. */
 static double difference_of(const struct comparison *comparison, double expected,
                             double found)
 {
@@ -50,7 +50,7 @@ static double difference_of(const struct comparison *comparison, double expected
     return isnan(difference) ? INFINITY : difference;
 }
 
-/* Adds the differences of one pixel to the sum; returns the largest. */
+/* Adds the differences of a pixel to the sum. Returns the largest difference. */
 static double add_pixel(const struct comparison *comparison,
                         const struct frame *expected, const struct frame *found,
                         size_t pixel, double *sum)
@@ -91,7 +91,7 @@ struct picture_difference compare_pictures(const struct comparison *comparison,
     return result;
 }
 
-/* A comparison of no pixel at all is a failure. */
+/* If no pixel was compared, the comparison fails. */
 bool within(const struct comparison *comparison,
             const struct picture_difference *difference)
 {

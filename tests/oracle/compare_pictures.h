@@ -1,7 +1,7 @@
 /* compare_pictures.h - measures how much two frames of one scene differ.
  *
- * On a silhouette rounding decides which primitive a pixel shows.  So a pixel counts
- * only if it and its eight neighbours show the same primitive.
+ * On a silhouette rounding decides which primitive a pixel shows. Therefore a pixel is
+ * only compared if it and its eight neighbours show the same primitive.
  */
 #ifndef COMPARE_PICTURES_H
 #define COMPARE_PICTURES_H
@@ -13,32 +13,33 @@ struct comparison {
     const char *name;
     enum frame_channel first;
     size_t channels;
-    double ceiling;   /* greater samples count as this; POV-Ray's PNG ends at 1 */
-    bool relative;    /* differences of samples above 1 are divided by them */
-    double tolerance; /* a pixel that differs more is beyond */
-    double share;     /* allowed share of such pixels */
+    double ceiling;   /* greater samples are reduced to this value, because POV-Ray's
+                       * PNG ends at 1 */
+    bool relative;    /* the difference of samples above 1 is relative */
+    double tolerance; /* larger differences are counted */
+    double share;     /* allowed fraction of pixels with larger differences */
 };
 
-/* The share of pixels at which rounding decides: on the edge between two faces of a
- * box, between two squares of a checker, or of a shadow; the primitive, where two touch
- * face to face. */
+/* The fraction of pixels at which rounding decides the colour or the primitive. Such
+ * pixels are on an edge between two faces of a box or two cells of a checker, on the
+ * edge of a shadow, or where the faces of two primitives touch. */
 #define DECIDED_BY_ROUNDING .0005
 
-/* The comparisons of a frame of rt205 with the plain tracer's. */
+/* The comparisons of a frame of rt205 with the plain tracer's frame. */
 enum { WITH_FRAME = 4 };
 extern const struct comparison with_frame[WITH_FRAME];
 
 struct picture_difference {
-    size_t compared, ignored, beyond; /* pixels */
-    double mean, greatest;            /* over all samples */
+    size_t compared, ignored, beyond; /* numbers of pixels */
+    double mean, greatest;            /* mean and greatest difference of all samples */
     size_t worst_x, worst_y;          /* pixel with the greatest difference */
 };
 
-/* Returns height * width flags of the pixels that count; the caller frees
- * them. */
+/* Returns height * width flags, which are true for the pixels that are compared. The
+ * caller frees them. */
 bool *inner_pixels(const struct frame *frame);
 
-/* Compares two frames of one size. */
+/* Compares two frames of the same size. */
 struct picture_difference compare_pictures(const struct comparison *comparison,
                                            const struct frame *expected,
                                            const struct frame *found,

@@ -14,9 +14,10 @@
 enum {
     WORD = 64,
     HALF = 32,
-    MARGIN = 64, /* words compared on either side of an area */
+    MARGIN = 64, /* number of words compared before and after an area */
     STEPS = 120,
-    ONE_OTHERWISE_IN = 12 /* programs, in addition to loops */
+    ONE_OTHERWISE_IN = 12 /* fraction of programs run in other modes, in addition to
+                           * loops */
 };
 
 /* State for one program. */
@@ -28,7 +29,7 @@ struct trial {
     struct difference *difference;
 };
 
-static c205_word *scratch; /* a page */
+static c205_word *scratch; /* a buffer of one page */
 
 /* ---- Begin and end ----------------------------------------------------- */
 
@@ -97,7 +98,7 @@ static const c205_word *image_at(const struct trial *trial, uint64_t address)
     return plain_words(&trial->reference.memory, address);
 }
 
-/* Compares words of one page. */
+/* Compares words that are on the same page. */
 static void compare_memory(struct trial *trial, uint64_t address, size_t count)
 {
     const c205_word *image = image_at(trial, address);
@@ -108,7 +109,7 @@ static void compare_memory(struct trial *trial, uint64_t address, size_t count)
         compare_words(trial, "address", address + WORD * i, scratch[i], image[i]);
 }
 
-/* Compares the words of an area and its margins, where pages exist. */
+/* Compares the words of an area and of its margins, if their pages exist. */
 static void compare_area(struct trial *trial, const struct random_area *area)
 {
     uint64_t margin = WORD * MARGIN;
@@ -123,7 +124,7 @@ static void compare_area(struct trial *trial, const struct random_area *area)
     }
 }
 
-/* Compares the words that the reference stored. */
+/* Compares the words that the reference has stored. */
 static void compare_changes(struct trial *trial)
 {
     const struct plain_memory *memory = &trial->reference.memory;
@@ -131,8 +132,8 @@ static void compare_changes(struct trial *trial)
         compare_memory(trial, memory->changes[i].address, 1);
 }
 
-/* Returns whether the instruction may store.  If another one changes memory, the
- * difference is found after the next storing instruction or at the end. */
+/* Returns true if the instruction may store words. If another instruction changes
+ * memory, the difference is found after the next storing instruction, or at the end. */
 static bool may_store(const struct deed *deed)
 {
     return deed->insn_count == 0 || c205_unit_is_vector(deed->insns[0]->unit)
@@ -190,8 +191,8 @@ static void compare_clocks(struct trial *trial)
 
 /* ---- Traps ------------------------------------------------------------- */
 
-/* Returns whether the trap gives the address at fault.  For a misaligned operand that
- * may be its beginning. */
+/* Returns true if the trap reports the faulting address. For a misaligned operand, this
+ * may be the start of the operand. */
 static bool names_address(c205_trap trap)
 {
     return trap == C205_TRAP_UNMAPPED_ADDRESS || trap == C205_TRAP_PROTECTED_ADDRESS;
@@ -218,8 +219,8 @@ static void differ_in_faults(struct trial *trial, const c205_stop *stop)
     }
 }
 
-/* Skips a trapped instruction, so that the program continues.  Returns false if it
- * cannot. */
+/* Skips an instruction that has trapped, so that the program continues. Returns false
+ * if it cannot be skipped. */
 static bool skip(struct trial *trial)
 {
     uint64_t pc = trial->reference.deed.pc;
@@ -230,7 +231,7 @@ static bool skip(struct trial *trial)
     return halves != 0;
 }
 
-/* Returns whether the program continues. */
+/* Returns true if the program continues. */
 static bool after_trap(struct trial *trial, bool done, const c205_stop *stop)
 {
     if (!has_fault(&trial->reference, stop)) {
@@ -285,7 +286,7 @@ static c205_word word_at(const struct trial *trial, uint64_t address)
     return address % WORD == 0 ? first : first << HALF | second >> HALF;
 }
 
-/* Runs until the program ends, differs, gets lost, or reaches the limit of steps. */
+/* Runs until the program ends, differs or gets lost, or until the limit of steps. */
 static void run_steps(struct trial *trial)
 {
     struct difference *difference = trial->difference;
@@ -301,7 +302,7 @@ static void run_steps(struct trial *trial)
             compare_memory(trial, random_pages[i].address, C205_PAGE_WORDS);
 }
 
-/* Compares other modes of execution, which load the machine again. */
+/* Compares other modes of execution. They load the machine again. */
 static void compare_other_ways(struct trial *trial)
 {
     uint64_t hash = machine_hash(trial->machine);

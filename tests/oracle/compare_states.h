@@ -8,19 +8,19 @@
 
 enum { DIFFERENCES = 16, DIFFERENCE_TEXT = 120 };
 
-/* The instruction after which the states differed, and the differences. */
+/* The instruction after which the states differ, and the differences. */
 struct difference {
     uint64_t step, pc;
     c205_word word; /* the instruction at pc */
-    size_t count;   /* may exceed the number of texts */
+    size_t count;   /* may exceed the number of stored texts */
     char texts[DIFFERENCES][DIFFERENCE_TEXT];
 };
 
-/* Machines are made once for each model and loaded again for each program. */
+/* Machines are created once for each model, and loaded again for each program. */
 void compare_begin(void);
 void compare_end(void);
 
-/* Returns true if they agree. */
+/* Returns true if the machine and the reference agree. */
 bool compare_run(const struct random_program *program, struct difference *difference);
 
 void print_program(const struct random_program *program);

@@ -2,9 +2,9 @@
  *
  *   digest [-v] [-n PROGRAMS] FILE ..
  *
- * Runs the program texts and PROGRAMS random programs, each up to a limit of clocks,
- * and prints a hash of the complete state of each machine: registers, memory, clock,
- * accounts, operations in flight.  The hash must not depend on the compiler or the
+ * Runs the program texts and PROGRAMS random programs, each up to a limit of clocks.
+ * Prints a hash of the complete states of the machines: registers, memory, clock,
+ * accounts and operations in flight.  The hash must not depend on the compiler or the
  * host; tests/check_hosts.sh fails if it does.  -v also prints a line for each program.
  */
 #include "asm/text/assemble.h"
@@ -60,7 +60,7 @@ static void run_texts(struct digest *digest, char **paths)
 
 /* ---- Random programs ---------------------------------------------------- */
 
-/* Runs a program; an instruction that traps is skipped, so that the program
+/* Runs a program. An instruction that traps is skipped, so that the program
  * continues. */
 static void run_on(c205 *machine)
 {

@@ -2,8 +2,8 @@
  *
  *     draw_scenes FOLDER FIRST COUNT
  *
- * Writes language_N.pov (language_scene.h) for COUNT seeds N from FIRST on, and the
- * image that they show.
+ * Writes language_N.pov (language_scene.h) for COUNT seeds N from FIRST on. Also writes
+ * the image that the scenes show.
  */
 #include "tests/oracle/language_scene.h"
 

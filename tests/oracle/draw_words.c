@@ -3,9 +3,10 @@
  *     draw_words [--bare] SEED
  *
  * Writes the upper 32 of the 47 bits of each number to stdout, ray by ray, in the
- * host's byte order, until the reader closes the pipe.  The machine computes them in
- * vector form (rt/kernels/points).  --bare: the numbers of the generator without its
- * mixed output, by its definition; these are known to be bad.
+ * host's byte order, until the reader closes the pipe.  The machine computes the
+ * numbers in vector form (rt/kernels/points). --bare: writes the states of the
+ * generator, computed from its definition, without its output function; these numbers
+ * are known to be bad.
  */
 #include "tests/oracle/give_up.h"
 #include "tests/oracle/points.h"

@@ -1,5 +1,5 @@
-/* exact_roots.c - isolates roots between the roots of the derivative and refines them;
- * computes the islands of a polynomial from the roots of its neighbours. */
+/* exact_roots.c - isolates roots between the roots of the derivative, and refines them.
+ * Computes the islands of a polynomial from the roots of neighbouring polynomials. */
 #include "exact_roots.h"
 
 enum { MAX_NEWTON = 80, CLOSE_BITS = EXACT_BITS - 40 };
@@ -47,8 +47,8 @@ static bool is_zero_at(mpfr_t *c, int degree, const mpfr_t x, const mpfr_t value
     return zero;
 }
 
-/* Returns the exponent of Cauchy's bounds: all positive roots are from 2^-bound
- * to 2^bound.  c[0] and c[degree] are not 0. */
+/* Returns the exponent of Cauchy's bounds: all positive roots are between 2^-bound and
+ * 2^bound. c[0] and c[degree] must not be 0. */
 static long bound_exponent(mpfr_t *c, int degree)
 {
     mpfr_exp_t largest = mpfr_get_exp(c[0]);
@@ -65,7 +65,7 @@ static long bound_exponent(mpfr_t *c, int degree)
 struct search {
     mpfr_t *c;
     int degree;
-    int sign; /* of the polynomial at b */
+    int sign; /* sign of the polynomial at b */
     mpfr_t a, b, x, f, slope, step;
     mpfr_t derivative[EXACT_DEGREE];
 };
@@ -97,7 +97,7 @@ static void halve_wide(struct search *s)
     }
 }
 
-/* Makes a Newton step from x, or takes the middle of the bracket. */
+/* Makes a Newton step from x, or a step to the middle of the bracket. */
 static void step_from(struct search *s, int steps)
 {
     exact_value(s->slope, s->derivative, s->degree - 1, s->x);
@@ -110,7 +110,7 @@ static void step_from(struct search *s, int steps)
     }
 }
 
-/* Sets x to the root in (a, b), where the signs differ. */
+/* Sets x to the root in (a, b). The signs at a and b differ. */
 static void close_in(struct search *s)
 {
     halve_wide(s);
@@ -154,7 +154,8 @@ static void add_root(struct exact_roots *roots, const mpfr_t x, bool multiple)
     roots->multiple[roots->count++] = multiple;
 }
 
-/* Searches between the knots and up to the bound; s->a is the left end. */
+/* Searches for roots between successive knots, and up to the bound. s->a is the left
+ * end. */
 static void search_between(struct search *s, const struct exact_roots *knots,
                            struct exact_roots *roots, long bound)
 {
@@ -222,8 +223,8 @@ void islands_clear(struct islands *islands)
         mpfr_clears(islands->island[i].low, islands->island[i].high, (mpfr_ptr)NULL);
 }
 
-/* Computes the points with f = +-2^-ISLAND_BITS sum |c_i| x^i: roots of a polynomial
- * whose coefficients are changed by that much. */
+/* Computes the points where f = +-2^-ISLAND_BITS sum |c_i| x^i. They are roots of a
+ * polynomial whose coefficients are changed by this amount. */
 static void find_shores(struct exact_roots *shores, mpfr_t *c, int degree, int sign)
 {
     mpfr_t moved[EXACT_DEGREE + 1];
@@ -239,7 +240,7 @@ static void find_shores(struct exact_roots *shores, mpfr_t *c, int degree, int s
         mpfr_clear(moved[i]);
 }
 
-/* Returns whether |f| is within the bound between two shores. */
+/* Returns true if |f| is within the bound between two shores. */
 static bool is_land(mpfr_t *c, int degree, const mpfr_t a, const mpfr_t b)
 {
     mpfr_t x, value, size;

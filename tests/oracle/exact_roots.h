@@ -1,8 +1,9 @@
-/* exact_roots.h - computes the positive roots of polynomials to many digits, and
- * their islands.
+/* exact_roots.h - computes the positive roots of polynomials to many digits, and their
+ * islands.
  *
- * It uses MPFR and the roots of the derivatives: between two of them a polynomial is
- * monotone.  Coefficients are exact; c[i] belongs to x^i.
+ * It uses MPFR. Between two roots of its derivative a polynomial is monotone, so the
+ * roots of the derivatives separate its roots. Coefficients are exact. c[i] is the
+ * coefficient of x^i.
  */
 #ifndef EXACT_ROOTS_H
 #define EXACT_ROOTS_H
@@ -13,15 +14,15 @@
 #include <mpfr.h>
 
 enum {
-    EXACT_BITS = 320,      /* of all numbers here */
+    EXACT_BITS = 320,      /* precision of all numbers here */
     EXACT_ZERO_BITS = 200, /* |f| < 2^-200 sum |c_i| x^i counts as 0 */
     EXACT_DEGREE = 4
 };
 
 struct exact_roots {
     size_t count;
-    mpfr_t x[EXACT_DEGREE];      /* ascending, distinct */
-    bool multiple[EXACT_DEGREE]; /* f' is 0 there, too */
+    mpfr_t x[EXACT_DEGREE];      /* distinct, in ascending order */
+    bool multiple[EXACT_DEGREE]; /* true if f' is also 0 there */
 };
 
 void exact_init(struct exact_roots *roots);
@@ -30,17 +31,18 @@ void exact_clear(struct exact_roots *roots);
 /* c has degree + 1 elements; leading and trailing zeros are allowed. */
 void exact_positive_roots(struct exact_roots *roots, mpfr_t *c, int degree);
 
-/* Set value to f(x), and size to the sum of |c_i| x^i, for x > 0. */
+/* exact_value sets value to f(x). exact_size sets size to the sum of |c_i| x^i. x must
+ * be positive. */
 void exact_value(mpfr_t value, mpfr_t *c, int degree, const mpfr_t x);
 void exact_size(mpfr_t size, mpfr_t *c, int degree, const mpfr_t x);
 
 /* Islands: where a polynomial is 0 within the accuracy of 47 bits.
  *
- * On t > 0 the set |f(t)| <= 2^-ISLAND_BITS sum |c_i| t^i consists of a few intervals,
- * the islands.  Every root of f is on one.  An error of 2^-ISLAND_BITS in each
- * coefficient may move a root anywhere on its island, join the roots of an island, or
- * remove them in pairs.  It changes nothing outside.  So the width of an island is the
- * condition of its roots.
+ * For t > 0 the inequality |f(t)| <= 2^-ISLAND_BITS sum |c_i| t^i holds in a few
+ * intervals, the islands. Every root of f is on an island. A relative error of
+ * 2^-ISLAND_BITS in each coefficient can move a root to any point of its island, join
+ * the roots of an island, or remove them in pairs. It cannot add roots outside of the
+ * islands. The width of an island is therefore the condition of its roots.
  */
 enum { ISLAND_BITS = 43, MAX_ISLANDS = 2 * EXACT_DEGREE };
 

@@ -1,4 +1,4 @@
-/* give_up.h - ends a test program after an error that is no result of the test. */
+/* give_up.h - ends a test program after an error other than a failed test. */
 #ifndef GIVE_UP_H
 #define GIVE_UP_H
 
@@ -9,7 +9,7 @@
 #include "tests/scoped.h"
 #include "vm/c205.h"
 
-/* The error of the last call that failed. */
+/* The error of the last failed call. */
 static c205_error last_error __attribute__((unused)) = { "out of memory" };
 
 /* Prints the message and ends the program with status 2. */

@@ -12,10 +12,10 @@ enum { MAX_PARTS = 3, MAX_SOLIDS = 2, MAX_LAMPS = 2, DEPTH = 4, WORDS = SOLID_WO
 struct grid {
     char view[WORDS];
     bool aslant;
-    double scale; /* of everything except the lamps */
+    double scale; /* scale of everything except the lamps */
     size_t lamp_count, solid_count;
     char lamps[MAX_LAMPS][WORDS];
-    struct solid *solids[MAX_SOLIDS + 1]; /* with a ground */
+    struct solid *solids[MAX_SOLIDS + 1]; /* the solids, then the ground */
 };
 
 /* ---- Random cases -------------------------------------------------------- */
@@ -25,7 +25,7 @@ static double on_grid(uint64_t *state)
     return .5 * (double)below(state, 5) - 1;
 }
 
-/* Returns another coordinate of the grid. */
+/* Returns a grid coordinate that differs from `place`. */
 static double off(uint64_t *state, double place)
 {
     double other = on_grid(state);
@@ -58,7 +58,7 @@ static void random_sphere(uint64_t *state, char *shape)
     solid_words(shape, "sphere { <%g, %g, %g>, %g ", x, y, z, size_on_grid(state));
 }
 
-/* Makes an axis parallel to a coordinate axis, from base to cap. */
+/* Makes an axis from base to cap, parallel to a coordinate axis. */
 static void random_axis(uint64_t *state, double base[3], double cap[3])
 {
     size_t along = below(state, 3);
@@ -93,7 +93,7 @@ static void random_plane(uint64_t *state, char *shape)
                 on_grid(state));
 }
 
-/* Makes a disc in the plane of a box face. */
+/* Makes a disc in the plane of a face of a box. */
 static void random_disc(uint64_t *state, char *shape)
 {
     char axis = "xyz"[below(state, 3)];
@@ -114,7 +114,7 @@ static void random_torus(uint64_t *state, char *shape)
                     size_on_grid(state) / 2, size_on_grid(state));
 }
 
-/* Makes a cylinder, slab, cone, ball, half space or the outside of a hyperboloid. */
+/* Makes a cylinder, slab, cone, ball, half space, or the outside of a hyperboloid. */
 static void random_quadric(uint64_t *state, char *shape)
 {
     static const char *const quadrics[] = {
@@ -133,7 +133,7 @@ static void random_quartic(uint64_t *state UNUSED, char *shape)
                        "0,0,0,0,0,0,1,0,0,0,-1> ");
 }
 
-/* Makes a flat patch in a plane of the grid, or a bent one. */
+/* Makes a flat patch in a plane of the grid, or a curved patch. */
 static void random_patch(uint64_t *state, char *shape)
 {
     double z = on_grid(state), bend = below(state, 2) ? .5 : 0;
@@ -143,7 +143,7 @@ static void random_patch(uint64_t *state, char *shape)
                 z, z, z, z + bend, z + bend, z - bend);
 }
 
-/* Boxes and cylinders are more frequent, because their whole faces can coincide. */
+/* Boxes and cylinders are more frequent, because whole faces of them can coincide. */
 static void random_shape(uint64_t *state, char *shape)
 {
     static void (*const shapes[])(uint64_t *, char *) = {
@@ -193,7 +193,7 @@ static struct solid *random_joining(uint64_t *state)
     return solid_new(joining, 2 + below(state, MAX_PARTS - 1));
 }
 
-/* Clips one in eight solids.  The other random choices do not depend on it. */
+/* Clips one in eight solids. The other random choices do not depend on this choice. */
 static struct solid *random_clip(uint64_t state)
 {
     static void (*const shapes[])(uint64_t *, char *) = {
@@ -210,8 +210,8 @@ static struct solid *random_clip(uint64_t state)
     return clip;
 }
 
-/* Makes one in ten shapes a box of triangles.  The other random choices do not depend
- * on it. */
+/* Makes one in ten shapes a box of triangles. The other random choices do not depend on
+ * this choice. */
 static void random_box_mesh(uint64_t state, char *shape)
 {
     double corner[2][3];
@@ -247,7 +247,7 @@ static struct solid *random_solid(uint64_t *state, size_t depth)
     return solid;
 }
 
-/* Makes three of the four triangles into which the diagonals divide a square, flat or
+/* The diagonals divide a square into four triangles. Makes three of them, flat or
  * bent. */
 static struct solid *random_mesh(uint64_t *state)
 {
@@ -271,7 +271,7 @@ static void random_view(uint64_t *state, struct grid *scene)
     double s = scene->scale = below(state, 8) ? 1 : 1e-4;
     double x = s * on_grid(state), y = s * on_grid(state);
     double z = s * on_grid(state);
-    bool parallel = *state % 8 == 0; /* no other choice depends on it */
+    bool parallel = *state % 8 == 0; /* no other choice depends on this choice */
     size_t which = below(state, 8);
     scene->aslant = which > 2;
     if (which > 2)
@@ -281,7 +281,7 @@ static void random_view(uint64_t *state, struct grid *scene)
                     parallel ? "orthographic " : "", s, between(state, -6, 6),
                     between(state, -4, 6), between(state, 5, 9), s, GRID_WIDTH,
                     GRID_HEIGHT, between(state, 20, 40));
-    else /* rays start in faces, or run within them */
+    else /* rays start on faces, or run along them */
         solid_words(scene->view,
                     "location <%g, %g, %g> direction %d*z right %d*x up %d*y", x, y,
                     which == 2 ? z : -5 * s, which == 2 ? 14 : 28, GRID_WIDTH,
@@ -304,8 +304,8 @@ static void random_lamp(uint64_t *state, char *lamp)
                     below(state, 3) ? "" : "shadowless ");
 }
 
-/* Puts the solids of one in three scenes on a ground and makes them transparent.  The
- * other random choices do not depend on it. */
+/* Puts the solids of one in three scenes on a ground, and makes them transparent. The
+ * other random choices do not depend on this choice. */
 static void put_on_ground(uint64_t state, struct grid *scene)
 {
     state = stream_beside(state, 7, 1);
@@ -358,7 +358,7 @@ static void shuffle(struct solid **solids, size_t count, uint64_t *state)
     }
 }
 
-/* The subtracted parts of a difference may be shuffled. */
+/* Shuffles the subtracted parts of a difference, whose order does not matter. */
 static void shuffle_parts(struct solid *solid, uint64_t *state)
 {
     size_t kept = solid->joining == DIFFERENCE && solid->count > 0;

@@ -13,8 +13,8 @@ const char language_image[] =
     "183 48 179  183 41 32  56 67 65  95 207 46  154 229 68  176 134 217  185 190 135  78 176 89\n"
     "89 157 208  180 250 128  253 79 136  89 252 198  156 115 126  138 99 223  196 238 191  51 232 133\n";
 
-/* An image that is shown once, planar or cylindrical, is surrounded by a transparent
- * colour. */
+/* Writes an image. An image that is not repeated, planar or cylindrical, is surrounded
+ * by a transparent colour. */
 static void write_image(struct language *draw, bool clear)
 {
     static const char *const types[] = { "", "map_type 0", "map_type 2", "map_type 1",
@@ -26,7 +26,7 @@ static void write_image(struct language *draw, bool clear)
     write_text(draw, "image_map { $2[ppm|$] \"%s\" %s %s %s", LANGUAGE_IMAGE,
                gammas[gamma], types[type], between_them[smooth]);
     write_text(draw, clear ? " once }\n" : type >= 3 ? "$3[ once|$] }\n" : " }\n");
-    /* Borders of pixels are off the planes of the objects. */
+    /* The borders of pixels must not be in the planes of the objects. */
     write_text(draw, "$2[rotate <^2-90:90^, ^2-90:90^, ^2-90:90^>\n|$]scale ^4.7:2^\n"
                      "$.translate <^4.1:.3^, ^4.1:.3^, ^4.1:.3^>\n");
 }

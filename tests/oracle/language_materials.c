@@ -4,7 +4,7 @@
 
 /* --- pigments ------------------------------------------------------------- */
 
-/* Entries may have equal positions, and need not cover 0 to 1. */
+/* Writes a map. Its entries may have equal positions, and need not cover 0 to 1. */
 void write_map(struct language *draw)
 {
     double at = between(&draw->state, -.1, .3);
@@ -23,7 +23,7 @@ void write_plain_color(struct language *draw)
     end_image(draw);
 }
 
-/* A closed solid that transmits light, and its texture. */
+/* Writes the look of a closed solid that transmits light. */
 void write_clear_look(struct language *draw)
 {
     open_solid_shape(draw, true);
@@ -66,8 +66,9 @@ void write_slopes(struct language *draw)
     write_text(draw, "}\n");
 }
 
-/* Adds a normal to some textures; on mirrors it is less steep.  A reflected ray along
- * the surface hits it again or not, depending on POV-Ray's tolerance. */
+/* Adds a normal to some textures. On mirrors it is less steep, because POV-Ray's
+ * tolerance decides whether a reflected ray along the surface hits the surface
+ * again. */
 static void write_normal_of(struct language *draw, double steep)
 {
     uint64_t before = draw->state;

@@ -1,16 +1,16 @@
-/* language_objects.c - random solids, and objects at random places. */
+/* language_objects.c - random solids, and objects at random positions. */
 #include "tests/oracle/language_parts.h"
 
-/* The use of a solid: in a list, as a part of another solid, or as a subtracted part of
- * a difference or intersection. */
+/* The use of a solid: in a list, as part of another solid, or as a subtracted part of a
+ * difference or intersection. */
 enum standing { LISTED, JOINED, CUTTING };
 
 static void write_solid(struct language *draw, int depth, enum standing standing);
 
-/* Clips by a bounded shape that is not inverted: POV-Ray searches quadrics and
- * quartics in the box of the clipping shape, inverted or not.  Meshes do not clip,
+/* Clips by a bounded shape that is not inverted. POV-Ray searches quadrics and quartics
+ * only in the box of the clipping shape, even if it is inverted. Meshes do not clip,
  * because POV-Ray loses crossings of a mesh while it tests whether they are inside
- * another one. */
+ * another mesh. */
 void write_clip(struct language *draw)
 {
     write_text(draw, "clipped_by {\n");
@@ -39,9 +39,10 @@ static void write_cutter(struct language *draw, int depth)
         write_solid(draw, depth, CUTTING);
 }
 
-/* A disc is not used as a part: POV-Ray drops the parts of an intersection outside the
- * box of its disc.  A union is used only in a list: as a part of a solid it keeps its
- * inner faces in POV-Ray, which are visible where something is clipped or open. */
+/* A disc is not used as a part, because POV-Ray drops the parts of an intersection
+ * outside the box of its disc. A union is only used in a list. As a part of a solid it
+ * keeps its inner faces in POV-Ray, which are visible where something is clipped or
+ * open. */
 static void write_joined(struct language *draw, int depth, enum standing standing)
 {
     static const char *const words[] = { "union", "merge", "intersection", "difference",
@@ -104,7 +105,7 @@ void write_for(struct language *draw)
     write_text(draw, "#end\n");
 }
 
-/* Makes a macro with a number, a colour and a position, and two calls. */
+/* Makes a macro with a number, a colour and a position as parameters, and two calls. */
 void write_macro(struct language *draw)
 {
     write_text(

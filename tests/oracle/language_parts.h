@@ -1,8 +1,8 @@
 /* language_parts.h - the generator of random scene texts: its state and its parts, from
  * values to objects.
  *
- * Texts are generated from patterns.  A pattern is text with parts, which are evaluated
- * from left to right.
+ * Texts are generated from patterns. A pattern is a text that contains parts, which are
+ * evaluated from left to right.
  *
  *     ~LOW:HIGH~     a number between these, as a literal or an expression
  *     @LOW:HIGH@     a vector of three such numbers
@@ -35,10 +35,10 @@ enum language_name {
     NAME_FLOAT,
     NAME_VECTOR,
     NAME_COLOR,
-    NAME_ARRAY,   /* of floats */
-    NAME_PALETTE, /* of colours */
+    NAME_ARRAY,   /* array of floats */
+    NAME_PALETTE, /* array of colours */
     NAME_FUNCTION,
-    NAME_VALUE, /* a macro that is a float */
+    NAME_VALUE, /* a macro whose value is a float */
     NAME_PIGMENT,
     NAME_FINISH,
     NAME_TEXTURE,
@@ -50,21 +50,22 @@ enum language_name {
 struct language {
     uint64_t state;
     FILE *text;
-    FILE *text_of_all; /* the text to continue after an image, or NULL */
+    FILE *text_of_all; /* the stream of the whole text while an image replaces a
+                        * pigment, or NULL */
     size_t names[LANGUAGE_NAMES];
-    double steep;  /* maximum slope of a normal */
-    bool streams;  /* Stream is a seed */
-    bool library;  /* colors.inc is included */
-    bool turning;  /* I is the variable of a loop */
-    bool calling;  /* a macro may be called */
-    bool clear;    /* light may be transmitted: no fog */
-    bool metals;   /* no light is transmitted: metals are allowed */
-    bool clipping; /* the object clips: it is no mesh */
+    double steep;  /* largest slope of a normal */
+    bool streams;  /* `Stream` is declared and is a random stream */
+    bool library;  /* colors.inc has been included */
+    bool turning;  /* `I` is declared and is the variable of a loop */
+    bool calling;  /* macros may be called */
+    bool clear;    /* objects may transmit light, because there is no fog */
+    bool metals;   /* metals are allowed, because no light is transmitted */
+    bool clipping; /* the object clips, so it must not be a mesh */
 };
 
 typedef void language_writer(struct language *draw);
 
-/* A rule is a pattern, or a function if the text depends on previous choices. */
+/* A rule: a pattern, or a function if the text depends on previous choices. */
 struct language_rule {
     const char *name;
     language_writer *write_text;
@@ -73,21 +74,21 @@ struct language_rule {
 extern const struct language_rule language_rules[];
 extern const size_t language_rule_count;
 
-/* Evaluates the pattern that the format makes. */
+/* Evaluates the pattern that printf makes of the format. */
 void write_text(struct language *draw, const char *format, ...);
 void write_pattern(struct language *draw, const char *pattern);
 
-/* Writes an image as the pigment, with the probability 1/one_of.  clear: a transparent
- * colour surrounds the image.  The pattern up to end_image is then evaluated but not
+/* With the probability 1/one_of, writes an image as the pigment. clear: a transparent
+ * colour surrounds the image. The pattern up to end_image is then evaluated, but not
  * printed. */
 void begin_image(struct language *draw, size_t one_of, bool clear);
 void end_image(struct language *draw);
 
-/* Opens a block of a shape, for modifiers.  The shape is at the origin, within a ball
- * of radius 1.3.  closed: it has an inside and no opening. */
+/* Opens the block of a shape, which modifiers may follow. The shape is at the origin,
+ * within a ball of radius 1.3. closed: the shape has an inside and no opening. */
 void open_solid_shape(struct language *draw, bool closed);
 
-/* The functions of the rules. */
+/* The functions that rules call. */
 language_writer write_map, write_plain_color, write_clear_look, write_steepness,
     write_bump_map, write_slopes, write_normal, write_steep_normal, write_component,
     write_looking_camera, write_area, write_clip, write_listed_solid, write_great_solid,

@@ -9,7 +9,8 @@
     "$" in "[no_shadow\n|$]$" in "[$6[no_image off|no_image$]\n|$]$" in \
     "[no_reflection\n|$]"
 #define AFTER_TURNED "location <.021, .033, -8>\ndirection <.02, .01, ^31.2:2^>\n"
-/* Patterns with a map; the rules write out all others, which take arguments. */
+/* The patterns with a map. Rules name all other patterns, because they have
+ * arguments. */
 #define CHOICE_map(name) #name "|"
 #define CHOICE_gradient(name)
 #define CHOICE_list(name)
@@ -65,17 +66,17 @@ const struct language_rule language_rules[] = {
     { "turn", NULL,
       "$5[rotate @-90:90@|rotate ~-90:90~$[*x|*y|*z$]|scale @.6:1.2@|scale ~.7:1.1~"
       "|matrix <1, ^3-.3:.3^, 0, ^3-.3:.3^, .9, 0, 0, ^3-.3:.3^, 1, 0, ^3-.2:.2^, 0>$]\n" },
-    /* Rotations and scales; an object at the origin stays there. */
+    /* Rotations and scales about the origin. */
     { "turns", NULL,
       "$*0:3[$?Motion5[transform { $=Motion;$[| inverse$] }\n|$turn;$]$]" },
     /* --- pigments --- */
-    /* Steps of a pattern are off the planes of the objects, where rounding would decide
-     * between two of its colours. */
+    /* The steps of a pattern must not be in the planes of the objects, where rounding
+     * would decide the colour. */
     { "pattern_place", NULL, "scale ^4.3:.9^\n$2[$turn;|$]" PLACE_OFF },
     { "checker", NULL, "checker$8[| $color;$[, | $]$color;$]\n$pattern_place;" },
     { "map", write_map, NULL },
     { "gradient", NULL, "gradient $arrow;$6[\n|$map;$]$pattern_place;" },
-    /* More than two repetitions have edges as narrow as a pixel. */
+    /* With more than two repetitions the edges would be as narrow as a pixel. */
     { "waves", NULL,
       "$2[$[ramp_wave|triangle_wave|sine_wave|scallop_wave|cubic_wave|poly_wave$]\n|$]"
       "$6[poly_wave ^3.3:4^\n|$]$3[frequency ~-2:2~\n|$]$3[phase ~-1:2~\n|$]" },
@@ -96,16 +97,16 @@ const struct language_rule language_rules[] = {
     { "pigment", NULL,
       "pigment {\n$8[$?Paint[$=Paint;\n$turns;|$checker;$]|$checker;|$checker;|$mapped;"
       "|$mapped;|$plain_color;$]}\n" },
-    /* A pigment for unbounded objects.  Far away POV-Ray's gradient differs, because
-     * its values are reduced modulo 1.00001 below -1. */
+    /* A pigment for unbounded objects. It is not a gradient, because POV-Ray reduces
+     * its values modulo 1.00001 below -1, which matters at large distances. */
     { "far_pigment", NULL, "pigment {\n$2[$checker;|$plain_color;$]}\n" },
     /* ---- Finishes ---- */
     { "reflection", NULL,
       "$3[reflection { ^3.1:.5^ }\n|" SHARE("reflection", ".5") "$]" },
-    /* Metals are not used where light is transmitted: for a checker whose colours
-     * transmit different shares, POV-Ray computes a metal differently. */
+    /* Metals are not used where light is transmitted. If the colours of a checker
+     * transmit different fractions, POV-Ray computes a metal differently. */
     { "metallic", NULL, "$?metals3[$3[metallic\n|metallic ~.2:1~\n$]|$]" },
-    /* A mirror that depends on the angle. */
+    /* A mirror whose reflection depends on the angle. */
     { "turned_mirror", NULL,
       "reflection {\nrgb <^30:.4^, ^30:.4^, ^30:.4^>, ^3.2:.9^\n"
       "$2[fresnel\n|$2[falloff ~.5:4~\n|$]$]$metallic;}\n" },
@@ -123,8 +124,8 @@ const struct language_rule language_rules[] = {
     { "finish", NULL, "finish {\n$5[$mirror_words;|$shine_words;$]}\n" },
     { "ground_finish", NULL, "finish {\n$3[$mirror_words;|$shine_words;$]}\n" },
     /* --- normals --- */
-    /* Without the functions and streams of other numbers, so that the other random
-     * choices do not depend on normals. */
+    /* These patterns use no functions and no numbers of other streams, so that the
+     * other random choices do not depend on normals. */
     { "bump", NULL,
       "$[gradient x|gradient <1, -1, .5>|radial frequency 3|"
 #define PATTERN(KIND, name, pigment, ...) CHOICE_##pigment(name)
@@ -155,14 +156,14 @@ const struct language_rule language_rules[] = {
       "|texture {\n$texture_words;}\n$]" },
     { "clear_look", write_clear_look, NULL },
     /* ---- Shapes ---- */
-    /* With a negative radius POV-Ray's bounding box is inside out: it shows the ball
-     * only if there are fewer than three objects. */
+    /* The radius is positive. With a negative radius POV-Ray's bounding box is
+     * inverted, and the ball is visible only if there are fewer than three objects. */
     { "ball", NULL, "sphere {\n@-.2:.2@$[, | $]^4.4:.9^\n" },
     { "box", NULL, "box {\n@-.8:-.2@, @.2:.8@\n" },
     { "cylinder", NULL, "cylinder {\n@-.7:-.2@, @.2:.7@, ~.2:.6~\n" },
     { "cone", NULL, "cone {\n@-.7:-.2@, ~.3:.6~, @.2:.7@, $3[0|~.2:.6~$]\n" },
-    /* The tube does not intersect itself: POV-Ray returns normals of another part for
-     * surfaces that are visible only from inside. */
+    /* The tube does not intersect itself. Otherwise POV-Ray returns normals of another
+     * part for surfaces that are only visible from inside. */
     { "torus", NULL, "torus {\n~.5:.8~, ~.1:.4~\nsturm\n" },
     { "ellipsoid", NULL, "quadric {\n@1.4:4@, @-.5:.5@, @-.2:.2@, -^4.6:1^\n" },
     /* x^4 + y^4 + z^4 and terms of the second order. */
@@ -173,25 +174,25 @@ const struct language_rule language_rules[] = {
     { "blob_begin", NULL,
       "blob {\nthreshold ^4.2:.6^\n$.sphere { <^3-.3:.3^, 0, ^3-.3:.3^>, .8, 1.3 }\n" },
     { "shape", open_solid, NULL },
-    /* Unbounded shapes, for cutting. */
+    /* Unbounded shapes, which are used to cut. */
     { "plane", NULL, "plane {\n$arrow;, ^4-.2:.5^\n" },
     { "quadric", open_quadric, NULL },
     { "cubic", NULL,
       "$2[cubic {\n|poly { 3,\n$]<^3.2:1^, 0,0,.2, 0,0,0, 0,0,1, ^3-.5:.5^, 0,0, 0,0,1, "
       "^3-1:-.2^, .1,-1, .02>\nsturm\n" },
     { "endless", NULL, "$6[$quadric;|$cubic;|$plane;$]" },
-    /* Shapes without an inside; some have textures of their own. */
+    /* Shapes without an inside. Some have textures of their own. */
     { "disc", NULL, "disc {\n@-.2:.2@, $arrow;, ^4.5:1^$2[, ^4.1:.4^|$]\n" },
     { "triangle", open_lone_triangle, NULL },
     { "bent_triangle", open_bent_triangle, NULL },
     { "mesh", NULL, "mesh {\n$*1:4[$bent_triangle;}\n$]" },
     { "net", open_net, NULL },
     { "bicubic", open_bicubic, NULL },
-    /* An outline with a hole, or a star, which intersects itself. */
+    /* An outline with a hole, or a star that intersects itself. */
     { "polygon", NULL,
       "polygon {\n$3[6, <0, .9>, <.53, -.73>, <-.86, .28>, <.86, .28>, <-.53, -.73>, "
       "<0, .9>|5, <-.8, -.7>, <.8, -.6>, <.7, .8>, <-.9, .6>, <-.8, -.7>$]\n" },
-    /* Characters with few curves: POV-Ray stores them in 32 bits, which shows in
+    /* Characters with few curves. POV-Ray stores curves in 32 bits, which is visible in
      * highlights. */
     { "sign", NULL,
       "text {\nttf \"timrom.ttf\" \"$[A|H|M|L$]\" ^3.1:.5^, ^20:.2^*x\n" },
@@ -199,11 +200,11 @@ const struct language_rule language_rules[] = {
       "$12[$sign;|$[$disc;|$disc;|$triangle;|$mesh;|$net;|$bicubic;|$polygon;$]$]" },
     /* ---- Modifiers ---- */
     { "place", NULL, "translate <~-2.2:2.2~, ~-1:1.6~, ~-2:2~>\n" },
-    /* For a part of a solid, so that no faces coincide. */
+    /* Moves a part of a solid, so that no faces coincide. */
     { "shift", NULL, SHIFT },
     { "clip", write_clip, NULL },
     { "cuts", NULL, "$8[$clip;|$]$10[hollow\n|$]" HIDDEN("10") },
-    /* A texture before, between or after the transforms. */
+    /* A texture before, between or after transforms. */
     { "dress", NULL, "$turns;$look;$turns;" },
     /* ---- Solids ---- */
     { "listed_solid", write_listed_solid, NULL },
@@ -222,13 +223,13 @@ const struct language_rule language_rules[] = {
     { "listed", NULL, "$3[$sheet;$turns;" SHIFT "}\n|$listed_solid;$]" },
     { "group", NULL,
       "union {\n$2[|$listed;$]$listed;$listed;$dress;" HIDDEN("12") "$place;}\n" },
-    /* An object inside a box or a ball, given as its bound. */
+    /* An object inside a box or a ball, which is its bound. */
     { "bounded_thing", NULL,
       "union {\nbox {\n@-.6:-.1@, @.1:.6@\n$2[$look;|$]}\n"
       "sphere {\n@-.6:-.1@, ~.2:.5~\n$2[$look;|$]}\n"
       "bounded_by {\n$2[box { -1.7, 1.7 }|sphere { 0, 1.9 }$]\n}\n$dress;$place;}\n" },
-    /* Closed solids without an opening: a camera ray enters an open one from the back
-     * in POV-Ray, while here it leaves. */
+    /* Closed solids without an opening. In POV-Ray a camera ray enters an open solid
+     * from the back; here the ray leaves it. */
     { "clear_thing", NULL, "$2[$bent;|$unbent;$]" HIDDEN("6") "$place;}\n" },
     { "bent", NULL, "$unbent;interior { ior ~1.1:1.7~ }\n" },
     { "unbent", write_clear_look, NULL },
@@ -260,12 +261,12 @@ const struct language_rule language_rules[] = {
       "$[right x*image_width/image_height|right 4/3*x|right -x*4/3|right x*4/3 up y"
       "|up 1.2*y right 1.6*x$]\n" },
     { "aim", NULL, "look_at @-.4:.4@\n$4[sky <~-.6:.6~, 1, .2>\n|$]" },
-    /* A camera by its vectors, rotated as a whole. */
+    /* A camera that is defined by its vectors, and rotated as a whole. */
     { "turned_camera", NULL,
       "$3[orthographic\n" AFTER_TURNED "$.right ^35:8^*x up ^34:6^*y\n"
       "|" AFTER_TURNED "$2[$width;|$]$]rotate <~-5:35~, ~-180:180~, ~-20:20~>\n" },
     { "looking_camera", write_looking_camera, NULL },
-    /* The target is below all lamps. */
+    /* The point is below all lamps. */
     { "point_at", NULL, "point_at @-3:3@\n" },
     { "spotlight", NULL,
       "spotlight\n$point_at;$2[radius ~5:60~\n|$]$2[falloff ~10:100~\n|$]"
@@ -275,8 +276,8 @@ const struct language_rule language_rules[] = {
       "$2[tightness ~0:8~\n|$]" },
     { "area", write_area, NULL },
     { "fading", NULL, "$area;$5[fade_distance ~1:12~\nfade_power ~.5:4~\n|$]" },
-    /* Of beams only a cone of rays that are not parallel fades: POV-Ray fades the far
-     * side of the others differently (docs/povray.md). */
+    /* Only a cone of rays that are not parallel fades. POV-Ray fades the far side of
+     * other beams differently (docs/povray.md). */
     { "beam", NULL,
       "$2[$4[parallel\n$point_at;|$spotlight;$fading;$]"
       "|$4[parallel\n$point_at;|$light_cylinder;$]$]" },
@@ -284,7 +285,7 @@ const struct language_rule language_rules[] = {
       "light_source {\n<~-9:9~, ~4:12~, ~-9:9~>, $color;\n"
       "$5[shadowless\n$fading;|$3[$beam;|$fading;$]$]"
       "$5[translate <^3-2:2^, 1, .5>\n|$]}\n" },
-    /* The ground is below all objects.  It is hollow, because an orthographic picture
+    /* The ground is below all objects. It is hollow, because an orthographic picture
      * may start below it, and POV-Ray shows no fog inside a body that is not hollow. */
     { "ground", NULL,
       "$2[plane {\ny, -2.6137 hollow\n$far_pigment;|disc {\n-2.6137*y, y, 6\n$pigment;$]"

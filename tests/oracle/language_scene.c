@@ -9,7 +9,8 @@
 
 /* ---- Declarations -------------------------------------------------------- */
 
-/* Without macros: POV-Ray does not call them there. */
+/* Declares an array. Its elements contain no macro calls, because POV-Ray does not call
+ * macros there. */
 void declare_array(struct language *draw)
 {
     draw->calling = false;
@@ -69,8 +70,8 @@ static void write_sky(struct language *draw)
         write_text(draw, "sky_sphere { Heaven rotate <0, ^2-90:90^, 20> }\n");
 }
 
-/* With fog no object is transparent: here fog fills such an object, in POV-Ray only if
- * the object is hollow. */
+/* Writes a fog. No object of the scene is then transparent, because here fog fills such
+ * an object, but in POV-Ray only if the object is hollow. */
 static void write_fog(struct language *draw)
 {
     size_t which = below(&draw->state, 5);
@@ -94,7 +95,7 @@ void write_looking_camera(struct language *draw)
         far * sin(turn), -far * cos(turn));
 }
 
-/* The other random choices do not depend on it. */
+/* Writes an area light. The other random choices do not depend on it. */
 void write_area(struct language *draw)
 {
     uint64_t kept = draw->state;

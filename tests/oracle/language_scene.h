@@ -1,24 +1,26 @@
 /* language_scene.h - generates random scenes as texts in the scene language.
  *
- * The texts have declarations of every kind, expressions with every operator and
- * function, conditions, loops, macros and arrays; all shapes that POV-Ray also has,
- * solids, clipped and bounded objects, transforms, textures, lights, fogs, skies and
- * cameras.  They use everything that means the same in both programs by docs/scenes.md.
- * The differences listed in docs/povray.md are avoided; comments mark the places.
+ * The texts contain declarations of every kind, expressions with every operator and
+ * function, conditions, loops, macros and arrays. They also contain all shapes that
+ * POV-Ray has, solids, clipped and bounded objects, transforms, textures, lights, fogs,
+ * skies and cameras. They use everything that has the same meaning in both programs,
+ * according to docs/scenes.md. Differences that docs/povray.md lists are avoided;
+ * comments mark these places.
  */
 #ifndef LANGUAGE_SCENE_H
 #define LANGUAGE_SCENE_H
 
 #include <stdint.h>
 
-/* Size of the pictures for which they are made. */
+/* The size of the pictures for which the scenes are made. */
 enum { LANGUAGE_WIDTH = 40, LANGUAGE_HEIGHT = 30 };
 
-/* The image of their image_map is a file of this name in the same folder. */
+/* The name of the image file of their image_map. The file is in the folder of the
+ * scene. */
 #define LANGUAGE_IMAGE "language_image.ppm"
 extern const char language_image[];
 
-/* Returns the text of a scene; the caller frees it. */
+/* Returns the text of a scene. The caller frees it. */
 char *language_scene_text(uint64_t seed);
 
 #endif

@@ -1,5 +1,5 @@
-/* language_shapes.c - random shapes; each function leaves the block open for
- * modifiers. */
+/* language_shapes.c - random shapes. Each function leaves the block of its shape open
+ * for modifiers. */
 #include "tests/oracle/language_parts.h"
 #include "tests/oracle/solid_text.h"
 
@@ -8,8 +8,9 @@
 
 /* ---- Solids -------------------------------------------------------------- */
 
-/* Makes an outline that does not intersect itself, sometimes with a hole.  Its edges
- * are straight, or parabolas, where each loop has a point before its first. */
+/* Makes an outline that does not intersect itself, sometimes with a hole. Its edges are
+ * straight or are parabolas. A loop of parabolas has an additional point before its
+ * first point. */
 static void open_prism(struct language *draw)
 {
     uint64_t state = stream_beside(draw->state, 5, 1);
@@ -44,9 +45,9 @@ static void open_prism(struct language *draw)
     write_text(draw, "\n");
 }
 
-/* Adds a ball or rod to a blob; a negative strength leaves a dent.  Parts are not
- * small, because POV-Ray finds no blob within a hundredth of the start of a ray.  sturm
- * is not used, because POV-Ray sometimes loses a crossing with it. */
+/* Adds a ball or a rod to a blob. A negative strength makes a dent. Components are not
+ * small, because POV-Ray finds no blob within a hundredth of the start of a ray. sturm
+ * is not used, because with it POV-Ray sometimes loses a crossing. */
 void write_component(struct language *draw)
 {
     write_text(draw, "$2[cylinder {\n@-.4:.4@, @.1:.5@, |sphere {\n@-.4:.4@, $]~.4:.7~"
@@ -58,8 +59,7 @@ void write_component(struct language *draw)
         "$3[scale <^3.7:1.2^, ^3.7:1.2^, 1> rotate <0, ^10:90^, ^10:90^>\n|$]}\n");
 }
 
-/* Replaces some shapes by blobs.  Scenes without blobs are the same as before blobs
- * existed. */
+/* Replaces some shapes by blobs. Scenes without blobs do not depend on this choice. */
 static bool opens_blob(struct language *draw)
 {
     uint64_t kept = draw->state, state = stream_beside(kept, 7, 3);
@@ -88,8 +88,8 @@ static void open_closed(struct language *draw, size_t which)
         write_pattern(draw, closed_shapes[which]);
 }
 
-/* Makes a path from axis to axis, or with open ends.  It rises, with some level and
- * some vertical segments.  It starts with the numbers of a torus. */
+/* Makes a path from axis to axis, or with open ends. It rises, with some level and some
+ * vertical segments. It uses the random numbers of a torus first. */
 static void open_lathe(struct language *draw, uint64_t *state, bool closed)
 {
     bool open = !closed && one_in(state, 3);
@@ -111,7 +111,7 @@ static void open_lathe(struct language *draw, uint64_t *state, bool closed)
     write_text(draw, open ? "\n" : ", <0, %.4f>\n", height);
 }
 
-/* Replaces a shape by a body of triangles; the shape is generated but not printed. */
+/* Replaces a shape by a body of triangles. The shape is generated, but not printed. */
 static void open_star(struct language *draw, size_t which)
 {
     struct language unseen = *draw;
@@ -129,7 +129,7 @@ void open_solid_shape(struct language *draw, bool closed)
 {
     if (opens_blob(draw))
         return;
-    /* The other random choices do not depend on it. */
+    /* the other random choices do not depend on this choice */
     bool star = draw->state % 10 == 0 && !draw->clipping;
     size_t which = below(&draw->state, CLOSED);
     uint64_t state = stream_beside(draw->state, 5, 1);
@@ -167,9 +167,9 @@ void open_quadric(struct language *draw)
 
 /* ---- Surfaces ------------------------------------------------------------ */
 
-/* bent: how much its normals, if any, and its plane are tilted.  POV-Ray does not show
- * a single triangle if its normals are not all on one side of it, in every intermediate
- * position of its transforms. */
+/* Makes a triangle. Its plane and its normals, if any, are tilted by `bent`. POV-Ray
+ * does not show a single triangle if its normals are on different sides of it, even at
+ * an intermediate step of its transforms. */
 static void open_triangle(struct language *draw, double bent)
 {
     static const double corner[3][2] = { { -.9, -.6 }, { .8, -.7 }, { 0, 1 } };
@@ -197,7 +197,7 @@ void open_bent_triangle(struct language *draw)
     open_triangle(draw, .5);
 }
 
-/* Makes a bent net of squares, each of two triangles. */
+/* Makes a bent net of squares. Each square consists of two triangles. */
 void open_net(struct language *draw)
 {
     enum { NET = 3, POINTS = NET * NET };

@@ -1,4 +1,5 @@
-/* language_values.c - evaluates patterns; generates names and random expressions. */
+/* language_values.c - evaluates patterns, and generates names and random
+ * expressions. */
 #include "tests/oracle/language_parts.h"
 
 #include <stdarg.h>
@@ -19,7 +20,7 @@ static bool is_word(const char *word, const char *text, size_t length)
     return strlen(word) == length && strncmp(word, text, length) == 0;
 }
 
-/* Prints an existing name or a new one. */
+/* Prints an existing name, or a new name. */
 static void write_name(struct language *draw, enum language_name kind, char use)
 {
     size_t *count = &draw->names[kind];
@@ -35,7 +36,8 @@ static void write_name(struct language *draw, enum language_name kind, char use)
 static void write_float(struct language *draw, int depth);
 static void write_vector(struct language *draw, int depth);
 
-/* Prints an operation: # becomes a float, @ a vector; other characters are copied. */
+/* Prints an operation. # becomes a float, and @ a vector. Other characters are
+ * copied. */
 static void write_operation(struct language *draw, const char *operation, int depth)
 {
     for (; *operation; operation++)
@@ -47,8 +49,8 @@ static void write_operation(struct language *draw, const char *operation, int de
             putc(*operation, draw->text);
 }
 
-/* Arguments are in the domains of the functions.  No value grows so large that its sine
- * is inaccurate. */
+/* Arguments are in the domains of the functions. No value becomes so large that its
+ * sine is inaccurate. */
 static const char *const float_patterns[] = {
     /* operators */
     "(# + #)", "(# - #)", "(# * #)", "#*#", "(# + # * #)", "(# - # - #)",
@@ -124,7 +126,7 @@ static void write_number(struct language *draw, double low, double high)
 
 static void expand(struct language *draw, const char *pattern, const char *end);
 
-/* Reads LOW:HIGH; returns the position of the character that ends it. */
+/* Reads LOW:HIGH. Returns the position of the character that ends the range. */
 static const char *read_range(const char *text, double *low, double *high)
 {
     char *end;
@@ -133,7 +135,7 @@ static const char *read_range(const char *text, double *low, double *high)
     return end + 1;
 }
 
-/* Prints the numbers in ^, up to the next other part. */
+/* Prints the numbers in ^, up to the next part of another kind. */
 static const char *write_numbers(struct language *draw, const char *pattern,
                                  const char *end)
 {
@@ -177,7 +179,8 @@ static const char *alternative_end(const char *p)
     return p;
 }
 
-/* Lists the alternatives of the brackets at p; returns the position after them. */
+/* Lists the alternatives of the brackets at p. Returns the position after the
+ * brackets. */
 static const char *list_alternatives(const char *p, const char *alternative[16],
                                      size_t *count)
 {

@@ -10,15 +10,17 @@ enum { MEASURED_PARTS = 4 };
 
 struct measured {
     size_t parts;
-    struct mass_figures part[MEASURED_PARTS + 1]; /* the last: all parts */
+    struct mass_figures part[MEASURED_PARTS + 1]; /* the last element is all parts
+                                                   * together */
     double overlap, overlap_error;
-    double middle[3], width[3]; /* of the bounding box */
+    double middle[3], width[3]; /* centre and widths of the bounding box */
     uint64_t checksum;
     c205_error error; /* set on failure */
 };
 
-/* Measures a scene with density one; the inertia is about the origin.  options need no
- * model and no parts.  Returns false and an error if it cannot be measured. */
+/* Measures a scene with density one. The inertia is about the origin. The options need
+ * no model and no parts. If the scene cannot be measured, sets the error and returns
+ * false. */
 bool measure_scene(const char *text, struct columns_options options,
                    struct measured *measured);
 

@@ -24,8 +24,8 @@ struct regions {
 struct drawing {
     uint64_t *state;
     struct regions *scene;
-    struct place places[MAX_MANY_REGIONS]; /* positions of the scene's solids */
-    bool whole;                            /* integer coordinates */
+    struct place places[MAX_MANY_REGIONS]; /* places of the scene's solids */
+    bool whole;                            /* coordinates are integers */
     bool endless;                          /* some objects are unbounded */
 };
 
@@ -33,7 +33,7 @@ struct drawing {
 
 /* The properties of a group, and the function that places its members. */
 struct group {
-    size_t count, side; /* side: of a lattice */
+    size_t count, side; /* side: side length of a lattice, in objects */
     double centre[3], spread, size;
     bool same, endless, scattered;
     void (*place)(uint64_t *state, const struct group *group, size_t i,
@@ -57,7 +57,7 @@ PLACE(in_cloud)
                   / cbrt((double)group->count);
 }
 
-/* Places clusters at the eight corners of a cube. */
+/* Places clusters at the corners of a cube. */
 PLACE(in_clusters)
 {
     double centre[3];
@@ -128,7 +128,7 @@ static struct solid *copy_of_one(struct drawing *drawing, size_t count)
     return solid_copy(drawing->scene->solids[i]);
 }
 
-/* Copies of existing objects have the same position, bit for bit. */
+/* Adds a solid. A copy of an existing object has exactly the same position. */
 static void add_solid(struct drawing *drawing, const struct group *group, size_t i)
 {
     uint64_t *state = drawing->state;
@@ -166,8 +166,8 @@ static void add_groups(struct drawing *drawing, size_t count)
     }
 }
 
-/* Adds a plane that contains the bottoms of objects with integer coordinates.  The
- * other random choices do not depend on it. */
+/* Adds a plane that contains the bottoms of objects with integer coordinates. The other
+ * random choices do not depend on it. */
 static void add_ground(struct drawing *drawing)
 {
     uint64_t state = stream_beside(*drawing->state, 7, 1);
@@ -181,7 +181,7 @@ static void add_ground(struct drawing *drawing)
     scene->solids[scene->solid_count++] = ground;
 }
 
-/* Joins some or all of the scene's objects to one solid. */
+/* Joins some or all objects of the scene to one solid. */
 static void join_some(struct drawing *drawing)
 {
     struct regions *scene = drawing->scene;
@@ -225,7 +225,7 @@ static void look_from_afar(const struct drawing *drawing)
     uint64_t *state = drawing->state;
     struct place place = one_in(state, 4) ? some_place(drawing) : whole_place(drawing);
     double far = fmax(place.size * between(state, 1.2, 4), 1e-3);
-    bool parallel = *state % 6 == 0; /* no other choice depends on it */
+    bool parallel = *state % 6 == 0; /* no other choice depends on this choice */
     solid_words(drawing->scene->view,
                 "%slocation <%.12g, %.12g, %.12g> "
                 "look_at <%.12g, %.12g, %.12g> "
@@ -238,7 +238,7 @@ static void look_from_afar(const struct drawing *drawing)
                 drawing->scene->height, between(state, 15, 70));
 }
 
-/* Rays are parallel to faces. */
+/* Directs the camera along an axis, so that rays are parallel to faces. */
 static void look_along_an_axis(const struct drawing *drawing)
 {
     uint64_t *state = drawing->state;
@@ -289,8 +289,8 @@ static void random_lamp(const struct drawing *drawing, char *lamp)
                 at[1], at[2], bright, shadowless, beam);
 }
 
-/* Gives fog to one scene in six, with a depth like that of the scene.  The other random
- * choices do not depend on it. */
+/* Adds fog to one scene in six. Its depth is similar to the depth of the scene. The
+ * other random choices do not depend on it. */
 static void random_fog(uint64_t state, char *fog)
 {
     state = stream_beside(state, 5, 1);

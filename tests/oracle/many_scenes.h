@@ -1,5 +1,5 @@
-/* many_scenes.h - shared parts of checks with random scenes: arguments, exit status,
- * files. */
+/* many_scenes.h - functions that checks with random scenes share: arguments, exit
+ * status, files. */
 #ifndef MANY_SCENES_H
 #define MANY_SCENES_H
 
@@ -12,68 +12,72 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Returns the model for the traces; the caller frees it. */
+/* Returns the model for the traces. The caller frees it. */
 c205_model *usual_model(void);
-/* Reads a scene.  After an error it prints the text and the messages, and ends the
- * program with status 2. */
+/* Reads a scene. After an error, prints the text and the messages, and ends the program
+ * with status 2. */
 struct scene *scene_of(const char *text);
-/* Returns a form for frames of a size. */
+/* Returns the options for a frame of this size. */
 struct trace_options sized(struct trace_options form, size_t width, size_t height);
-/* Returns a finished trace on the model of check_many; gives up if it fails. */
+/* Returns a finished trace on the model of check_many. If the trace fails, ends the
+ * program. */
 struct trace *traced_in(const struct scene *scene, struct trace_options options);
-/* Traces the scene with other options, in the same size.  Frames must be equal bit for
- * bit, and numbers of rays.  Returns false and a reason of at most MANY_REASON
- * characters, which ends with the options. */
+/* Traces the scene with other options, in the same size. The frames must be equal bit
+ * for bit, and the numbers of rays must be equal. Otherwise writes a reason of at most
+ * MANY_REASON characters, which ends with the options, and returns false. */
 bool same_in_form(const struct scene *scene, const struct trace *expected,
                   struct trace_options form, char *reason);
-/* Writes the text to a file in the current folder.  Errors are ignored, because the
- * text is also printed. */
+/* Writes the text to a file in the current folder. Errors are ignored, because the text
+ * is also printed. */
 void keep_scene(const char *path, const char *text);
 
-/* The model of the traces, during check_many. */
+/* The model for the traces, valid during check_many. */
 extern c205_model *check_model;
-/* Parses CHECK [SCENES [OF SHARE]] [--first] and checks the scenes 0 to SCENES - 1
- * (300), or every OF-th of them from SHARE on; first: until one fails, which is not
- * reduced.  begin, or NULL, is called for each scene, up to ahead scenes before it is
- * checked.  Prints the counts; returns the exit status. */
+/* Parses CHECK [SCENES [OF SHARE]] [--first], and checks the scenes 0 to SCENES - 1
+ * (default 300), or every OF-th of them from SHARE on. With --first it stops at the
+ * first failure, which is not reduced. begin may be NULL. It is called for each scene,
+ * up to `ahead` scenes before that scene is checked. Prints the counts, and returns the
+ * exit status. */
 int check_many(int count, char **words, bool (*check)(size_t number, bool first),
                void (*begin)(size_t number), size_t ahead);
 
-/* The values in which all tracers must agree.  Where faces of several objects may
- * coincide, rounding decides which is visible; if the camera may be in a face, rounding
- * decides whether it is visible at all. */
+/* The values in which all tracers must agree. Where faces of several objects may
+ * coincide, rounding decides which face is visible. If the camera may be in a face,
+ * rounding decides whether the face is visible. */
 enum certainty { NOTHING_CERTAIN, DEPTH_CERTAIN, ALL_CERTAIN };
 
-/* A random scene.  other: a text with the same objects in another order or place, or
- * NULL. */
+/* A random scene. other: a text with the same objects in another order or at another
+ * position, or NULL. */
 struct random_scene {
     size_t number;
     char *text, *other;
-    size_t width, height; /* of its frame, in pixels; 0: any */
+    size_t width, height; /* size of the frame in pixels; 0: any */
     enum certainty certainty;
-    double work;    /* approximate number of ray-primitive tests in that frame */
-    uint64_t state; /* after the scene was generated */
+    double work;    /* approximate number of tests of a ray with a primitive in this
+                     * frame */
+    uint64_t state; /* random state after the scene was generated */
 };
 
-/* A check of random scenes; number N starts from the state RANDOM_SEED ^ (N + 1) *
- * seed. */
+/* A check of random scenes. The random state of number N is initially RANDOM_SEED ^ (N
+ * + 1) * seed. */
 struct random_check {
     const char *kind;
     uint64_t seed;
     struct random_scene (*draw)(uint64_t *state, size_t number);
-    /* Returns false and a reason of at most MANY_REASON characters. */
+    /* Checks a scene. On failure writes a reason of at most MANY_REASON characters, and
+     * returns false. */
     bool (*passes)(struct random_scene *scene, char *reason);
-    bool shrinks; /* a scene may be checked without its other text */
+    bool shrinks; /* the reduced text is checked without `other` */
     void (*begin)(size_t number);
     size_t ahead;
 };
 enum { MANY_REASON = 600 };
 
-/* Calls check_many.  A failing scene is reduced while it fails, printed, and written to
- * KIND_NUMBER.pov.  With --first it is not reduced, and the check stops. */
+/* Calls check_many. A failing scene is reduced while it fails, printed, and written to
+ * KIND_NUMBER.pov. With --first it is not reduced, and the check stops. */
 int check_random(int count, char **words, const struct random_check *check);
 
-/* Defines a main that makes the check with these members. */
+/* Defines main for a check with these members. */
 #define RANDOM_CHECK(...) \
     int main(int count, char **words) \
     { \

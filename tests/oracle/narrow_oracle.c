@@ -1,5 +1,5 @@
-/* narrow_oracle.c - the rules of docs/arithmetic.md in plain integers, for the narrow
- * format. */
+/* narrow_oracle.c - the rules of docs/arithmetic.md for the narrow format, in plain
+ * integers. */
 #include "narrow_oracle.h"
 
 /* ---- Words -------------------------------------------------------------- */
@@ -8,7 +8,7 @@ enum {
     DIGITS = NARROW_DIGITS,
     SUM_DIGITS = 2 * DIGITS,
     PADDING = 64 - NARROW_WIDTH,
-    LARGEST = (1 << DIGITS) - 1, /* coefficient */
+    LARGEST = (1 << DIGITS) - 1, /* largest coefficient */
     SMALLEST = -(1 << DIGITS)
 };
 
@@ -73,7 +73,7 @@ static c205_word unchanged(c205_word word, uint64_t *flags)
     return word;
 }
 
-/* Makes a word by the range rule. */
+/* Applies the range rule and returns the word. */
 static c205_word make(int64_t exponent, int64_t coefficient, uint64_t *flags)
 {
     if (exponent > NARROW_EXPONENT_MAX) {
@@ -87,7 +87,8 @@ static c205_word make(int64_t exponent, int64_t coefficient, uint64_t *flags)
 
 /* ---- Significant bits --------------------------------------------------- */
 
-/* Bits of the longest integer: a sum before it is shortened, a product, a quotient. */
+/* The number of bits of the longest integer: a product, a quotient, or a sum before it
+ * is shortened. */
 enum { LONGEST = SUM_DIGITS + 1 };
 static signed char significant[2 << LONGEST];
 
@@ -101,7 +102,7 @@ void small_begin(void)
     }
 }
 
-/* Returns the smallest n with -2^n <= c < 2^n. */
+/* Returns the least n for which -2^n <= c < 2^n. */
 static int64_t significant_bits(int64_t c)
 {
     return significant[c + (1 << LONGEST)];
@@ -115,7 +116,7 @@ static int64_t less_significant(struct number a, struct number b)
     return least < 1 ? 1 : least;
 }
 
-/* Returns floor(c / 2^places), for any number of places. */
+/* Returns floor(c / 2^places). places may be any integer. */
 static int64_t right(int64_t c, int64_t places)
 {
     return c >> (places > 63 ? 63 : places);
@@ -209,7 +210,7 @@ SMALL_RULE(average_difference)
 
 /* ---- Multiply, divide --------------------------------------------------- */
 
-/* Returns the product, or sets *special if an operand is special. */
+/* Returns the product. If an operand is special, sets *special instead. */
 static int64_t product(struct number a, struct number b, c205_word *special,
                        uint64_t *flags)
 {
@@ -413,7 +414,8 @@ SMALL_RULE(shift)
 
 /* ---- Compare ------------------------------------------------------------ */
 
-/* Returns the value in units of the smallest exponent; machine zero is 0. */
+/* Returns the value in units of the smallest exponent. The value of machine zero is
+ * 0. */
 static int64_t value(struct number a)
 {
     return a.zero || a.indefinite

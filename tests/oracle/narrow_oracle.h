@@ -1,8 +1,8 @@
 /* narrow_oracle.h - a third implementation of the arithmetic, for the narrow format.
  *
- * It follows docs/arithmetic.md with 7 digits instead of 47, in plain integers that
- * hold every exact result, and is fast enough for all pairs of words.  Words and
- * arguments of the rules are those of arithmetic_oracle.h with oracle_narrow.
+ * It follows docs/arithmetic.md with 7 digits instead of 47. It uses plain integers
+ * that can hold every exact result, and is fast enough for all pairs of words. Words
+ * and arguments have the format of arithmetic_oracle.h with oracle_narrow.
  */
 #ifndef NARROW_ORACLE_H
 #define NARROW_ORACLE_H
@@ -17,7 +17,7 @@ enum {
     NARROW_EXPONENT_MIN = -28
 };
 
-/* Call it before the first rule. */
+/* Call this before the first rule. */
 void small_begin(void);
 
 typedef c205_word small_rule(c205_word a, c205_word b, uint64_t *flags);
@@ -27,14 +27,14 @@ typedef c205_word small_rule(c205_word a, c205_word b, uint64_t *flags);
 #define RELATION(name) small_rule small_##name;
 #include "vm/arith.def"
 
-/* The machine's exact rules in this format: narrow_add_upper and so on, like
- * arith_add_upper of arith.h. */
+/* The machine's exact rules in this format. narrow_add_upper corresponds to
+ * arith_add_upper of arith.h, and so on. */
 #define BINARY(name, ...) arith_binary narrow_##name;
 #define UNARY(name, ...) arith_unary narrow_##name;
 #define RELATION(name) arith_relation narrow_##name;
 #include "vm/arith.def"
 
-/* Returns the word of an exponent and a coefficient, which may be out of range. */
+/* Returns the word with this exponent and coefficient, which may be out of range. */
 c205_word narrow_word(int64_t exponent, int64_t coefficient);
 int64_t narrow_exponent_of(c205_word word);
 int64_t narrow_coefficient_of(c205_word word);

@@ -1,5 +1,5 @@
-/* operand_letters.h - the operands of an instruction by the instruction table: their
- * letters (vm/insn.def), and which are half registers. */
+/* operand_letters.h - the operands of an instruction according to the instruction
+ * table: their letters (vm/insn.def), and which of them are half registers. */
 #ifndef OPERAND_LETTERS_H
 #define OPERAND_LETTERS_H
 
@@ -12,15 +12,15 @@ enum role { ROLE_A, ROLE_B, ROLE_C, ROLE_X, ROLE_Y, ROLE_Z, ROLES };
 int role_of_letter(char letter);
 uint8_t *field_of_role(c205_fields *fields, const c205_insn *row, enum role role);
 
-/* Returns the letter of a role, or 0 if the row does not have it. */
+/* Returns the letter of a role, or 0 if the row does not have this role. */
 char letter_of(const c205_insn *row, enum role role);
 
-/* Returns the same letter, a capital if the operand has 32 bits.  For an operand that
- * may be made or given, it returns the letter of the case in g. */
+/* Returns the letter of a role as a capital if the operand has 32 bits. An operand may
+ * be a result in some cases and a source in others; g decides which letter it has. */
 char sized_letter(const c205_insn *row, unsigned g, enum role role);
 
-/* Returns whether the operand is a register and not a vector; it may be broadcast as
- * one. */
+/* Returns true if the operand is a register, not a vector. The register may be
+ * broadcast as a vector. */
 bool is_scalar(const c205_insn *row, unsigned g, enum role role);
 bool is_half_register(const c205_insn *row, unsigned g, enum role role);
 

@@ -1,5 +1,5 @@
 /* operands.c - generates pairs of operands: all pairs of edge words, and random
- * families. */
+ * families of pairs. */
 #include "operands.h"
 
 /* splitmix64: Steele, Lea, Flood, "Fast splittable pseudorandom number generators",
@@ -18,7 +18,7 @@ int64_t random_between(uint64_t *random, int64_t low, int64_t high)
     return low + (int64_t)(random_bits(random) % span);
 }
 
-/* The source of a family: the format and the random numbers. */
+/* The format and the random numbers of a family. */
 struct draw {
     const struct oracle_format *format;
     uint64_t *random;
@@ -50,7 +50,8 @@ static int64_t two(int64_t n)
 }
 
 /* clang-format off */
-/* An exponent relative to a place of the format: digits times its digits, plus more. */
+/* An exponent relative to an exponent of the format. The distance is `digits` times the
+ * digits of the format, plus `more`. */
 static const struct {
     enum { FIRST, SMALLEST, NOUGHT, LARGEST, LAST } beside;
     int64_t digits, more;
@@ -68,7 +69,7 @@ static const struct {
 /* clang-format on */
 
 /* clang-format off */
-/* times * 2^(digits * halves / 2 + places) + more */
+/* Coefficients times * 2^(digits * halves / 2 + places) + more. */
 static const struct {
     int64_t times, halves, places, more;
 } edge_coefficients[] = {
@@ -116,7 +117,7 @@ static c205_word edge(const struct oracle_format *format, size_t i)
 
 /* ---- Coefficients and words --------------------------------------------- */
 
-/* Returns a coefficient of either sign with this number of significant bits; one in
+/* Returns a coefficient of either sign with this number of significant bits. One in
  * four has long runs of zeros or ones. */
 static int64_t coefficient(struct draw draw, int64_t digits)
 {
@@ -148,15 +149,15 @@ static c205_word normalised(struct draw draw, int64_t exponent)
     return pack(draw.format, exponent, coefficient(draw, draw.format->digits));
 }
 
-/* Returns an exponent of values around one, far from the ends of the range. */
+/* Returns an exponent of values around one, which is far from the ends of the range. */
 static int64_t usual_exponent(struct draw draw)
 {
     int64_t digits = draw.format->digits;
     return between(draw, -2 * digits - 16, digits / 2 - 3);
 }
 
-/* Returns a difference of exponents that may exceed the digits of a sum, in either
- * direction. */
+/* Returns a difference of exponents. It may exceed the number of digits of a sum, in
+ * both directions. */
 static int64_t difference(struct draw draw)
 {
     int64_t past = 2 * draw.format->digits + 6;
@@ -202,7 +203,7 @@ static void aligned_unnormalised(struct draw draw, c205_word *a, c205_word *b)
     *b = any_digits(draw, exponent + difference(draw));
 }
 
-/* b is plus or minus a, or nearly so. */
+/* b is nearly or exactly a or -a. */
 static void cancelling(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t most = draw.format->digits;
@@ -215,7 +216,7 @@ static void cancelling(struct draw draw, c205_word *a, c205_word *b)
     *b = pack(draw.format, exponent + doubled, sign * (c / (1 + doubled)) + near);
 }
 
-/* a and b have the same value, or nearly so, with different exponents. */
+/* a and b have different exponents, but nearly or exactly the same value. */
 static void equal_values(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t digits = between(draw, 1, draw.format->digits);
@@ -232,8 +233,8 @@ static int64_t end_of_range(struct draw draw)
     return one_in(draw, 2) ? draw.format->exponent_max : draw.format->exponent_min;
 }
 
-/* Makes results near the ends of the range: the sum or difference of the exponents is
- * near the largest or smallest exponent. */
+/* Makes results near the ends of the range: the sum or the difference of the exponents
+ * is near the largest or the smallest exponent. */
 static void extreme_exponents(struct draw draw, int64_t *a, int64_t *b)
 {
     const struct oracle_format *format = draw.format;
@@ -269,7 +270,8 @@ static void extreme_sums(struct draw draw, c205_word *a, c205_word *b)
     *b = any_digits(draw, second);
 }
 
-/* a is a square, or one off it; roots go up to just below that of 2^digits. */
+/* a is a square, or differs from a square by one. Roots are less than the root of
+ * 2^digits. */
 static void squares(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t last = two(draw.format->digits / 2) * 1414 / 1000;
@@ -279,7 +281,7 @@ static void squares(struct draw draw, c205_word *a, c205_word *b)
     *b = pack(draw.format, usual_exponent(draw), root);
 }
 
-/* a is a multiple of b, or one off it. */
+/* a is a multiple of b, or differs from a multiple by one. */
 static void multiples(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t most = draw.format->digits - 1;
@@ -299,7 +301,7 @@ static void counts(struct draw draw, c205_word *a, c205_word *b)
     *b = pack(draw.format, 0, between(draw, -most, most));
 }
 
-/* Some of the numbers are special. */
+/* Some of the words are special. */
 static void sprinkled(struct draw draw, c205_word *a, c205_word *b)
 {
     fast_path(draw, a, b);
@@ -319,7 +321,7 @@ static void with_zeros(struct draw draw, c205_word *a, c205_word *b)
         *b = C205_MACHINE_ZERO;
 }
 
-/* b is an exponent near that of a, for an adjustment. */
+/* b is an exponent near the exponent of a, for an adjustment. */
 static void other_exponents(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t digits = draw.format->digits;
@@ -331,8 +333,8 @@ static void other_exponents(struct draw draw, c205_word *a, c205_word *b)
     *b = pack(draw.format, 0, exponent + distance);
 }
 
-/* The part of a that is cut off for a half word is about half a unit; half words are
- * near the ends of their range. */
+/* The part of a that is removed for a half word is about half of a unit. The half words
+ * are near the ends of their range. */
 static void nearly_halves(struct draw draw, c205_word *a, c205_word *b)
 {
     const struct oracle_format *format = draw.format;
@@ -367,12 +369,12 @@ struct operands operands_begin(const struct oracle_format *format, uint64_t seed
     return (struct operands){ .format = format, .random = seed };
 }
 
-/* Pairs one edge word with all of them.  Successive blocks use distant edges, so that a
- * short run covers all kinds. */
+/* Pairs one edge word with all edge words. Successive blocks use distant edge words, so
+ * that a short run covers all kinds. */
 static void edge_pair(const struct oracle_format *format, size_t block, size_t i,
                       c205_word *a, c205_word *b)
 {
-    enum { STRIDE = 199 }; /* prime to EDGES */
+    enum { STRIDE = 199 }; /* no common divisor with EDGES */
     *a = edge(format, block * STRIDE % EDGES);
     *b = edge(format, i);
 }

@@ -1,4 +1,4 @@
-/* operations.c - tables of the operations with the functions of the oracle and the
+/* operations.c - tables of the operations, with the functions of the oracle and of the
  * machine. */
 #include "operations.h"
 
@@ -20,8 +20,8 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
 
 /* ---- How the functions of the machine are called ------------------------ */
 
-/* Adapters of each kind to the signatures of scalar_rule and span_rule; function is a
- * name of arith.h or lanes.h. */
+/* Adapt each kind of function to the signatures of scalar_rule and span_rule.
+ * `function` is a name of arith.h or lanes.h. */
 #define SPAN_OF(function) \
     static void call_##function(c205_word *c, const c205_word *a, const c205_word *b, \
                                 size_t n, uint64_t *flags)
@@ -36,7 +36,7 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
         (void)b; \
         function(c, a, n, flags); \
     }
-/* Clears the flags if the bitmap has bits after its end; comparisons do not change
+/* Clears the flags if the bitmap has bits after its end. Comparisons do not change
  * flags. */
 #define CALL_RELATION_SPAN(function) \
     SPAN_OF(function) \
@@ -68,7 +68,7 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
 /* clang-format on */
 #include "vm/arith.def"
 
-/* One word at a time, by the fast path for common operands. */
+/* These functions compute one word at a time by the fast path for common operands. */
 /* clang-format off */
 #define CALL_BINARY_COMMON(name) CALL_BINARY(fast_##name)
 #define CALL_UNARY_COMMON(name) CALL_UNARY(fast_##name)

@@ -1,5 +1,5 @@
-/* operations.h - tables of all operations of the arithmetic, in both sizes, with the
- * functions of the oracle and of the machine, and of the conversions between words and
+/* operations.h - tables of the arithmetic operations in both sizes, with the functions
+ * of the oracle and of the machine. Also tables of the conversions between words and
  * doubles, integers and text. */
 #ifndef OPERATIONS_H
 #define OPERATIONS_H
@@ -10,11 +10,11 @@ typedef c205_word scalar_rule(c205_word a, c205_word b, uint64_t *flags);
 typedef void span_rule(c205_word *c, const c205_word *a, const c205_word *b, size_t n,
                        uint64_t *flags);
 
-/* scalar: as in arith.h; NULL if only lanes.h has the operation.  span: of at most SPAN
- * elements; NULL if only the fast path has it. */
+/* scalar: signature of arith.h; NULL if only lanes.h has the operation. span: for up to
+ * SPAN elements; NULL if only the fast path has the operation. */
 struct operation {
-    const char *name; /* half_NAME: half words; fast_NAME: fast paths */
-    const struct oracle_format *format; /* of the operands */
+    const char *name; /* half_NAME: for half words; fast_NAME: on the fast path */
+    const struct oracle_format *format; /* format of the operands */
     oracle_rule *expected;
     scalar_rule *scalar;
     span_rule *span;
@@ -25,7 +25,7 @@ enum { SPAN = 512, BITMAP = SPAN / 64 };
 extern const struct operation operations[];
 extern const size_t operation_count;
 
-/* span starts with *accumulator and continues element by element. */
+/* A reduction. span starts with *accumulator, and continues element by element. */
 struct reduction {
     const char *name;
     const struct oracle_format *format;
@@ -48,7 +48,7 @@ struct converters {
 struct conversion {
     const char *name;
     const struct converters *converters;
-    /* Tests one random case and prints the difference. */
+    /* Tests one random case, and prints the difference. */
     bool (*agrees)(const struct converters *converters, uint64_t *random);
 };
 
@@ -57,7 +57,7 @@ extern const size_t conversion_count;
 
 bool check_conversion(const struct conversion *conversion, uint64_t seed, size_t cases);
 
-/* Writes a word 1 or 0 for each of n bits. */
+/* Writes n words. Each is a bit as 1 or 0. */
 void spread_bits(c205_word *words, const uint64_t *bits, size_t n);
 
 #endif

@@ -1,5 +1,5 @@
-/* placed_solid.c - random shapes of every kind, random finishes, and CSG trees of them
- * at a given place (placed_solid.h). */
+/* placed_solid.c - random shapes of every kind, random finishes, and CSG trees of such
+ * shapes at a place (placed_solid.h). */
 #include "tests/oracle/placed_solid.h"
 
 #include "tests/oracle/solid_text.h"
@@ -50,8 +50,8 @@ SHAPE_AT(random_box)
     }
 }
 
-/* Prints a cone or a cylinder along an axis: both ends, the radii, and the keyword open
- * or none. */
+/* Prints a cone or cylinder along an axis: both ends, the radii, and optionally the
+ * keyword `open`. */
 static void print_axis(uint64_t *state, const struct place *place, struct solid *solid,
                        bool cone)
 {
@@ -120,7 +120,7 @@ SHAPE_AT(random_torus)
     move_to(state, place, solid);
 }
 
-/* Half of the prisms have quadratic splines. */
+/* Makes a prism. Half of the prisms have quadratic splines. */
 SHAPE_AT(random_prism)
 {
     uint64_t other = stream_beside(*state, 5, 1);
@@ -162,8 +162,8 @@ SHAPE_AT(random_plane)
                          : -place->at[axis] - place->size);
 }
 
-/* Replaces one shape in 15 by a blob.  The other shape's random numbers are drawn
- * nevertheless, so the rest of the scene does not change. */
+/* Replaces one shape in 15 by a blob. The random numbers of the replaced shape are used
+ * nevertheless, so that the rest of the scene does not change. */
 SHAPE_AT(random_blob)
 {
     uint64_t own = stream_beside(*state, 7, 3);
@@ -187,7 +187,7 @@ static struct solid *shape_at(uint64_t *state, const struct place *place)
         random_cylinder, random_cone,   random_torus,  random_prism,
     };
     struct solid *solid = solid_new(SHAPE, 0);
-    uint64_t own = *state; /* nothing else depends on it */
+    uint64_t own = *state; /* no other choice depends on this state */
     if (one_in(state, 60)) /* the layout of a patch is slow */
         random_patch(state, place, solid);
     else
@@ -203,7 +203,7 @@ static struct solid *shape_at(uint64_t *state, const struct place *place)
 }
 
 /* Makes a pyramid with an open front, a random top and one smooth side, or a closed
- * body.  No other random number depends on the choice. */
+ * body. No other random number depends on this choice. */
 struct solid *mesh_at(uint64_t *state, const struct place *place)
 {
     struct solid *solid = solid_new(SHAPE, 0);

@@ -1,5 +1,5 @@
 /* placed_solid.h - random objects at a place: a shape or a small CSG tree, with its
- * finish.  All random numbers come from a state, which is never 0. */
+ * finish. All random numbers come from a state, which is never 0. */
 #ifndef PLACED_SOLID_H
 #define PLACED_SOLID_H
 
@@ -11,26 +11,26 @@
 /* The position of an object and its approximate size. */
 struct place {
     double at[3], size;
-    bool whole; /* children are moved by whole quarters of the size */
+    bool whole; /* children are moved by multiples of a quarter of the size */
 };
 
-/* Rounds the place to few digits, so that its text is short; the coordinates of tiny
- * objects differ in their last digits. */
+/* Rounds the place to few digits, so that its text is short. The coordinates of tiny
+ * objects still differ in their last digits. */
 void place_make_short(struct place *place);
 
 /* The finishes of the objects of a scene. */
 enum mood { DULL, MIXED, CLEAR, MOODS };
 
-/* Returns a shape or, if depth is not 0, possibly a tree of at most that depth; the
+/* Returns a shape. If depth is not 0, it may be a tree of at most this depth. The
  * caller frees it. */
 struct solid *solid_at(uint64_t *state, const struct place *place, enum mood mood,
                        int depth);
-/* Returns an open mesh or a closed one. */
+/* Returns an open or a closed mesh. */
 struct solid *mesh_at(uint64_t *state, const struct place *place);
-/* Returns a shape without bounds. */
+/* Returns an unbounded shape. */
 struct solid *endless_at(uint64_t *state, const struct place *place);
 
-/* Writes a pigment, a finish and so on, at most SOLID_WORDS characters. */
+/* Writes a pigment, a finish and so on. The text has at most SOLID_WORDS characters. */
 void random_look(uint64_t *state, enum mood mood, char *look);
 enum solid_joining random_joining(uint64_t *state);
 

@@ -1,4 +1,4 @@
-/* plain_adaptive.c - adaptive refinement, one block of pixels at a time
+/* plain_adaptive.c - refines pixels adaptively, one block of pixels at a time
  * (plain_adaptive.h). */
 #include "tests/oracle/plain_adaptive.h"
 
@@ -10,9 +10,9 @@ enum { BLOCK = 32, COLOURS = 3 };
 
 struct visit {
     const struct frame *first, *sampled;
-    size_t samples, width; /* of first: the picture's width plus one */
+    size_t samples, width; /* width of `first`: the width of the picture plus 1 */
     double threshold, power;
-    struct frame shown; /* of first's size */
+    struct frame shown; /* has the size of `first` */
     bool *refined;
     struct plain_refined result;
 };

@@ -7,15 +7,15 @@
 #include "rt/picture/picture.h"
 
 struct plain_refined {
-    size_t count;  /* pixels that are refined */
-    double margin; /* smallest difference of a distance from the threshold */
+    size_t count;  /* number of refined pixels */
+    double margin; /* least distance of a difference from the threshold */
 };
 
-/* Refines a picture.  first: the samples of rays through the pixel centres, with one
- * more column on the left and one more row on top than the picture.  sampled: the same
- * pixels with samples times as many rows and columns.  Sets the picture's colours to
- * those of first, or to means of sampled.  All frames are of one scene, whose
- * assumed_gamma is gamma. */
+/* Refines a picture. `first` contains the samples of rays through the pixel centres. It
+ * has one column on the left and one row at the top more than the picture. `sampled`
+ * contains the same pixels, with `samples` times as many rows and columns. Takes the
+ * colours of the picture from `first`, or from means of `sampled`. All frames are of
+ * the same scene, whose assumed_gamma is gamma. */
 struct plain_refined plain_adaptive(const struct frame *first,
                                     const struct frame *sampled, size_t samples,
                                     double threshold, double gamma,

@@ -1,4 +1,4 @@
-/* plain_area.c - areas and centroids of surfaces, as sums over grids of parameters
+/* plain_area.c - computes areas and centroids of surfaces as sums over parameter grids
  * (plain_area.h). */
 #include "tests/oracle/plain_area.h"
 
@@ -9,8 +9,8 @@
 
 #define TURN 6.28318530717958647692
 
-/* Sets point, in local space, to the point of a piece of the surface at the parameters
- * u and v, each in [0, 1]. */
+/* Computes the point of a piece of the surface at the parameters u and v, in local
+ * space. Both parameters are in [0, 1]. */
 typedef void place_point(const struct primitive *primitive, size_t piece, double u,
                          double v, double point[3]);
 #define UNUSED __attribute__((unused))
@@ -37,7 +37,8 @@ PLACE(place_torus)
     point[2] = from_axis * sin(TURN * v);
 }
 
-/* Sets point on the circle about a point, in the plane perpendicular to an axis. */
+/* Computes a point of a circle about `center`, in the plane perpendicular to the
+ * axis. */
 static void place_on_circle(const double center[3], const double axis[3], double radius,
                             double v, double point[3])
 {
@@ -55,7 +56,7 @@ static void place_on_circle(const double center[3], const double axis[3], double
     add_scaled(point, point, radius * sin(TURN * v), second);
 }
 
-/* Places a point on the side, or on the disc of the base or the cap. */
+/* Computes a point on the side, or on the disc of the base or the cap. */
 PLACE(place_cone)
 {
     struct round cone = round_of(primitive);
@@ -111,7 +112,8 @@ PLACE(place_steiner_patch)
 struct surface_grid {
     const struct primitive *primitive;
     place_point *place;
-    size_t pieces, cells; /* along u and along v of each piece */
+    size_t pieces, cells; /* numbers of pieces, and of cells of a piece along u and
+                           * along v */
 };
 
 static struct surface_grid grid_over(const struct primitive *primitive)
@@ -145,7 +147,7 @@ static void place_in_world(const struct surface_grid *grid, size_t piece, size_t
     transform_point(&grid->primitive->to_world, point);
 }
 
-/* Adds a cell, as the quadrilateral of its corners. */
+/* Adds the area of a cell: the quadrilateral of its corners. */
 static void add_cell(const struct surface_grid *grid, size_t piece, size_t i, size_t j,
                      struct plain_area *sum)
 {

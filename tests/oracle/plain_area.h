@@ -1,5 +1,5 @@
-/* plain_area.h - the areas of primitives and the centroids of their surfaces, from
- * parameter grids.  No code is shared with the kernels. */
+/* plain_area.h - computes the areas of primitives and the centroids of their surfaces
+ * from parameter grids. It shares no code with the kernels. */
 #ifndef PLAIN_AREA_H
 #define PLAIN_AREA_H
 
@@ -10,8 +10,8 @@ struct plain_area {
     double middle[3]; /* centroid of the surface, in world space */
 };
 
-/* Computes the area of a primitive whose kind can emit light; the relative error is
- * about 1e-6. */
+/* Computes the area of a primitive that can emit light. The relative error is about
+ * 1e-6. */
 struct plain_area plain_area(const struct primitive *primitive);
 
 #endif

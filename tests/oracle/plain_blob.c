@@ -1,7 +1,7 @@
-/* plain_blob.c - blobs.  The field is evaluated at points, from the distance to each
- * component.  Along a line it is a quartic between the distances at which the line
- * enters or leaves a component or passes an end plane of a cylinder.  Five values of
- * the field give each quartic. */
+/* plain_blob.c - blobs. The field at a point is computed from the distance to each
+ * component. A line is divided at the distances at which it enters or leaves a
+ * component, or passes an end plane of a cylinder. Between two of these distances the
+ * field is a quartic, which is computed from five values of the field. */
 #include "tests/oracle/plain_roots.h"
 #include "tests/oracle/plain_shapes.h"
 
@@ -11,7 +11,8 @@ enum { NODES = HIGHEST_DEGREE + 1 };
 
 /* ---- The field ----------------------------------------------------------- */
 
-/* Computes the vector from the nearest point of the axis, or from the centre. */
+/* Computes the vector to a point from the nearest point of the axis, or from the
+ * centre. */
 static void way_from(const struct blob_part *part, const double own[3], double way[3])
 {
     double axis[3];
@@ -49,7 +50,7 @@ ENCLOSE(in_blob)
     return field_at(primitive, point) > 0;
 }
 
-/* The normal is opposite to the gradient of the field. */
+/* Computes the normal, which is opposite to the gradient of the field. */
 static void blob_normal(const struct primitive *primitive, const double point[3],
                         double normal[3])
 {
@@ -123,7 +124,7 @@ static int by_place(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Adds at most eight distances for each component. */
+/* Adds up to eight distances for each component. */
 static void find_places(const struct primitive *primitive, const struct ray *ray,
                         struct places *places)
 {
@@ -144,8 +145,8 @@ static void find_places(const struct primitive *primitive, const struct ray *ray
 
 /* ---- Roots in an interval ------------------------------------------------ */
 
-/* Computes the polynomial in x, -1 to 1 over the interval, with the given values at the
- * nodes. */
+/* Computes the polynomial that has the given values at the nodes. Its variable is -1 at
+ * one end of the interval and 1 at the other. */
 static void interpolate(const long double nodes[NODES], const long double values[NODES],
                         long double c[NODES])
 {

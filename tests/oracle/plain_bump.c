@@ -8,7 +8,7 @@
 
 /* ---- Heights ------------------------------------------------------------- */
 
-/* Interpolates between two ends with their slopes, by a cubic Hermite spline. */
+/* Interpolates between two ends with given slopes, by a cubic Hermite spline. */
 static double between_ends(const struct slope_stop *a, const struct slope_stop *b,
                            double u)
 {
@@ -43,7 +43,7 @@ static double triple(const double a[3], const double b[3], const double c[3])
     return dot(a, product);
 }
 
-/* The inverse of transposed, by Cramer's rule. */
+/* Computes the inverse of `transposed` by Cramer's rule. */
 static void there_from(const struct transform *map, const double normal[3],
                        double there[3])
 {
@@ -58,8 +58,8 @@ static void there_from(const struct transform *map, const double normal[3],
 
 /* ---- Bumps --------------------------------------------------------------- */
 
-/* Tilts the normal away from the pattern's gradient, by differences between the corners
- * of a tetrahedron. */
+/* Tilts the normal away from the gradient of the pattern. The gradient is computed from
+ * differences between the corners of a tetrahedron. */
 static void push(const struct bump *bump, const double point[3], double normal[3])
 {
     double r = sqrt(8) / 3, h = sqrt(2. / 3), amount = -.1 * bump->amount;
@@ -74,7 +74,7 @@ static void push(const struct bump *bump, const double point[3], double normal[3
     }
 }
 
-/* Tilts the normal by the position of the point within its unit cube. */
+/* Tilts the normal, which depends on the position of the point within its unit cube. */
 static void quilt(const struct bump *bump, const double point[3], double normal[3])
 {
     double from[3];

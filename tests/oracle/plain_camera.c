@@ -10,15 +10,15 @@ size_t plain_samples(const struct camera *camera)
     return (size_t)ceil(sqrt(camera->lens_points));
 }
 
-/* Returns the centre of a cell of the interval -1 to 1, which is divided into cells
- * parts. */
+/* Divides the interval from -1 to 1 into `cells` cells, and returns the centre of a
+ * cell. */
 static double in_cell(size_t number, size_t cells)
 {
     return ((double)(number % cells) + .5) * 2 / (double)cells - 1;
 }
 
-/* Maps the square -1 to 1 to the unit disk: concentric squares become circles, and each
- * of their sides a quarter. */
+/* Maps the square from -1 to 1 to the unit disk. Concentric squares become circles, and
+ * each side of a square becomes a quarter of its circle. */
 static void to_disk(double a, double b, double *x, double *y)
 {
     double radius = fmax(fabs(a), fabs(b)), angle = 0;
@@ -30,8 +30,8 @@ static void to_disk(double a, double b, double *x, double *y)
     *y = radius * sin(angle);
 }
 
-/* Moves the ray's origin to a point of the lens and directs it to the focal point of
- * the ray through the lens centre.  The points follow the rule of rt/layout/lens.c. */
+/* Moves the origin of a ray to a point of the lens, and directs it to the focal point
+ * of the ray through the centre of the lens. rt/layout/lens.c defines the points. */
 static void leave_lens(const struct camera *camera, size_t row, size_t column,
                        struct ray *ray)
 {

@@ -4,17 +4,18 @@
 
 #include <math.h>
 
-/* POV-Ray's images start earlier by this distance. */
+/* POV-Ray shifts images by this distance. */
 #define EARLIER 1e-10
 
-/* Returns the angle from a to b as a fraction of a full turn. */
+/* Returns the angle from a to b as a fraction of a turn. */
 static double turn(double a, double b)
 {
     double share = atan2(b, a) / (2 * acos(-1));
     return share < 0 ? share + 1 : share;
 }
 
-/* Computes the coordinates along the image, 0 to 1 over its width, and up. */
+/* Computes the coordinates on the image: u from 0 to 1 over its width, and v
+ * upwards. */
 static void place_of(const struct image_map *map, const double point[3], double *u,
                      double *v)
 {
@@ -44,7 +45,7 @@ bool plain_image_misses(const struct image_map *map, const double point[3])
            || (map->mapping == IMAGE_CYLINDRICAL && is_beyond(v));
 }
 
-/* Wraps an index into count columns or rows; if once, clamps it to them instead. */
+/* Wraps an index to `count` columns or rows. If `once` is true, clamps it instead. */
 static size_t within(double place, size_t count, bool once)
 {
     double last = (double)count - 1;
@@ -53,8 +54,8 @@ static size_t within(double place, size_t count, bool once)
     return (size_t)fmin(place - floor(place / (double)count) * (double)count, last);
 }
 
-/* Returns the colour of the pixel at a column from the left and a row from the top,
- * both of any size. */
+/* Returns the colour of the pixel at a column from the left and a row from the top.
+ * Both may be out of range. */
 static void pixel_at(const struct image_map *map, double column, double row,
                      double color[3])
 {
@@ -73,7 +74,7 @@ static double weight_of(enum image_sampling sampling, double along, double acros
     return (1 - fabs(along)) * (1 - fabs(across));
 }
 
-/* Interpolates between the pixels whose centres surround the place. */
+/* Interpolates between the pixels whose centres surround the position. */
 static void between_pixels(const struct image_map *map, double column, double row,
                            double color[3])
 {

@@ -1,10 +1,10 @@
-/* plain_lathe.c - lathes: each segment of the path is a part of a cone, of a cylinder
- * or a ring.  A point is inside if the closed path winds round it an odd number of
- * times. */
+/* plain_lathe.c - lathes. A segment of the path is a part of a cone, a part of a
+ * cylinder, or a ring. A point is inside if the closed path winds around it an odd
+ * number of times. */
 #include "tests/oracle/plain_shapes.h"
 
-/* Returns whether y is on the segment; its lower end is included, its upper end is
- * not. */
+/* Returns true if the segment includes the height y. The segment includes its lower
+ * end, but not its upper end. */
 static bool has_height(const double from[2], const double to[2], double y)
 {
     return y >= fmin(from[1], to[1]) && y < fmax(from[1], to[1]);
@@ -18,8 +18,8 @@ static double least_radius(const struct outline *path)
     return least;
 }
 
-/* Returns the signed angle that the segment subtends at a point, and sets from to its
- * end. */
+/* Returns the signed angle of the segment as seen from a point. Sets `from` to the end
+ * of the segment. */
 static double turn_to(const double point[2], double from[2], const double to[2])
 {
     double r0 = from[0] - point[0], y0 = from[1] - point[1];
@@ -29,9 +29,9 @@ static double turn_to(const double point[2], double from[2], const double to[2])
     return atan2(r0 * y1 - y0 * r1, r0 * r1 + y0 * y1);
 }
 
-/* Closes the path and returns the angle of the closing lines: horizontal ones, and a
- * vertical one at the path's least radius.  A line that would lie on a segment is moved
- * by 1e-4. */
+/* Closes the path, and returns the angle of the closing lines as seen from a point.
+ * They are horizontal lines, and a vertical line at the smallest radius of the path. A
+ * closing line that coincides with a segment is moved by 1e-4. */
 static double turn_back(const struct outline *path, const double point[2], double at[2])
 {
     const double(*points)[2] = (const double(*)[2])path->points;
@@ -81,8 +81,8 @@ static size_t cross_ring(const double from[2], const double to[2],
     return (away >= from[0]) != (away >= to[0]);
 }
 
-/* Accepts the crossing at a distance if it is at a height of the segment and on this
- * half of the double cone.  Its normal is perpendicular to the segment. */
+/* Accepts the crossing at a distance if the segment includes its height, and if it is
+ * on the same half of the double cone. The normal is perpendicular to the segment. */
 static size_t cross_at(const double from[2], const double to[2], double distance,
                        const struct ray *ray, struct crossing *crossing)
 {

@@ -2,17 +2,17 @@
  * rules (plain_light.h). */
 #include "tests/oracle/plain_light.h"
 
-/* POV-Ray 3.7's limits.  A light more oblique than the first adds nothing, and a point
- * nearer than that to the next cell of a pattern is in that cell.  The second is the
- * least distance of a shadow's blocker from the point, from the light and, within one
- * solid, from the next blocker. */
+/* The limits of POV-Ray 3.7. SMALL_ANGLE: a light that is more oblique adds nothing,
+ * and a point that is nearer to the next cell of a pattern is in that cell.
+ * SHADOW_DISTANCE: the least distance of a surface that casts a shadow from the point,
+ * from the light and, within a solid, from the next surface. */
 #define SMALL_ANGLE 1e-10
 #define SHADOW_DISTANCE 1e-3
 
 /* ---- Surfaces ------------------------------------------------------------ */
 
-/* Returns which of the checker's two cells contains the point, or whether the point is
- * outside the image. */
+/* Returns the cell of a checker that contains the point. For an image, returns 1 if the
+ * point is outside. */
 static int pigment_cell(const struct pigment *pigment, const double point[3])
 {
     double local[3], sum = 0;
@@ -83,9 +83,9 @@ void plain_describe(const struct scene *scene, const struct ray *ray,
     }
 }
 
-/* phong: the reflected eye ray against the light.  specular: the direction halfway
- * between eye and light, against the normal.  Neither depends on the surface's colour
- * or its transparency. */
+/* phong uses the angle between the reflected eye ray and the light. specular uses the
+ * angle between the normal and the direction halfway between eye and light. Neither
+ * depends on the colour or the transparency of the surface. */
 static double highlight(const struct finish *finish, const double eye[3],
                         const double normal[3], const double to_light[3])
 {
@@ -102,8 +102,8 @@ static double highlight(const struct finish *finish, const double eye[3],
     return sum;
 }
 
-/* POV-Ray's rule: a metal shows less of its own colour the more obliquely it is seen or
- * lit. */
+/* By POV-Ray's rule, a metal shows less of its own colour the more obliquely it is seen
+ * or lit. */
 static void add_metal(double metallic, double cosine, const double pigment[3],
                       double color[3])
 {
@@ -114,7 +114,7 @@ static void add_metal(double metallic, double cosine, const double pigment[3],
         color[i] *= 1 - own + own * pigment[i];
 }
 
-/* Returns the share of unpolarised light that an interface between two media
+/* Returns the fraction of unpolarised light that an interface between two media
  * reflects. */
 static double fresnel_share(double index, double cosine)
 {
@@ -151,8 +151,8 @@ static bool casts_shadow(const struct scene *scene, const struct region *region)
     return false;
 }
 
-/* Multiplies by the transmission of each surface on the straight way, where the ray
- * enters and where it leaves. */
+/* Multiplies the colour by the transmission of each surface between the point and the
+ * light, both where the ray enters and where it leaves. */
 static void pass_region(const struct plain_tracer *tracer, const struct region *region,
                         const struct ray *ray, double distance, double color[3])
 {
@@ -181,7 +181,7 @@ static void pass_scene(const struct plain_tracer *tracer, const struct ray *ray,
 
 /* ---- Light --------------------------------------------------------------- */
 
-/* Computes the vector from a point to the light.  Parallel rays start on a plane. */
+/* Computes the vector from a point to the light. Parallel rays start on a plane. */
 static double way_to_light(const struct light *light, const double point[3],
                            double way[3])
 {
@@ -199,8 +199,8 @@ static double way_to_light(const struct light *light, const double point[3],
     return distance;
 }
 
-/* Returns 3 t^2 - 2 t^3 between low and high; all points above high are 1, even if low
- * is not below high. */
+/* Returns 3 t^2 - 2 t^3, where t is 0 at low and 1 at high. Above high the result is 1,
+ * even if high is below low. */
 static double spline(double low, double high, double at)
 {
     if (at >= high)
@@ -246,7 +246,7 @@ static double share_in_cylinder(const struct light *light, const double point[3]
                                 : 1);
 }
 
-/* Returns the share of a light that arrives, with POV-Ray's attenuation. */
+/* Returns the fraction of a light that remains after POV-Ray's attenuation. */
 static double share_of_light(const struct light *light, const double point[3],
                              const double way[3], double distance)
 {
@@ -261,8 +261,8 @@ static double share_of_light(const struct light *light, const double point[3],
     return share;
 }
 
-/* Returns the weight of a place on one side of an area light.  Each of two places has
- * half of it; longer ranges are bisected. */
+/* Returns the weight of a point on one side of an area light. Each of two points has
+ * the weight 1/2. Longer ranges are bisected. */
 static double side_share(int from, int to, int place)
 {
     if (place < from || place > to)
@@ -292,8 +292,8 @@ static void area_place(const struct light *light, int u, int v, double place[3])
     add_scaled(place, place, b, light->area_axes[1]);
 }
 
-/* Sums the contributions of all places of an area light, each attenuated by the
- * surfaces in front of it. */
+/* Sums the contributions of all points of an area light. The surfaces in front of a
+ * point attenuate it. */
 static void pass_from_area(const struct plain_tracer *tracer, const struct light *light,
                            const struct ray *to_light, double color[3])
 {
@@ -313,8 +313,8 @@ static void pass_from_area(const struct plain_tracer *tracer, const struct light
     copy(color, sum);
 }
 
-/* Adds one light.  A light on the far side of the surface adds nothing; a shadowless
- * light has no highlights. */
+/* Adds one light. A light on the far side of the surface adds nothing. A shadowless
+ * light makes no highlights. */
 static void add_light(const struct plain_tracer *tracer, const struct light *light,
                       const struct plain_surface *surface, double color[3])
 {

@@ -1,11 +1,11 @@
-/* plain_light.h - the plain tracer's surfaces, lights and camera rays, by POV-Ray's
+/* plain_light.h - surfaces, lights and camera rays of the plain tracer, by POV-Ray's
  * rules. */
 #ifndef PLAIN_LIGHT_H
 #define PLAIN_LIGHT_H
 
 #include "tests/oracle/plain_regions.h"
 
-/* A scene, and a buffer for the crossings with any of its regions. */
+/* A scene, and a buffer for the crossings with one region. */
 struct plain_tracer {
     const struct scene *scene;
     struct crossing_list *crossings;
@@ -17,47 +17,48 @@ struct plain_surface {
     const struct ray *ray;
     const struct finish *finish;
     const struct bumps *bumps;
-    double point[3], before[3]; /* the normal, against the ray */
-    double normal[3];           /* the normal after bumps */
+    double point[3], before[3]; /* point, and the normal before bumps, opposed to the
+                                 * ray */
+    double normal[3];           /* normal after bumps */
     double pigment[3];
-    double color[3];   /* of the opaque share */
-    double passing[3]; /* transmission of each channel */
+    double color[3];   /* colour of the opaque part */
+    double passing[3]; /* transmitted fraction of each channel */
 };
 
-/* Returns the position in the pigment's map of a point in the pattern's space. */
+/* Returns the position in the pigment's map for a point in the pattern's space. */
 double plain_pattern(const struct pigment *pigment, const double point[3]);
 
-/* Changes a unit normal at a point by the bumps; unit is the scene's unit of length. */
+/* Changes a unit normal at a point by the bumps. unit is the scene's unit of length. */
 void plain_bumps(const struct bumps *bumps, double unit, const double point[3],
                  double normal[3]);
 
-/* Returns whether a point of the pigment's space is outside of the image. */
+/* Returns true if a point in the pigment's space is outside of the image. */
 bool plain_image_misses(const struct image_map *map, const double point[3]);
-/* Sets the image's colour at a point that is not outside. */
+/* Computes the image's colour at a point that is not outside. */
 void plain_image(const struct image_map *map, const double point[3], double color[3]);
 
-/* Sets the colour of a pigment with a map or an image: at a point or, for a sky, in a
- * direction. */
+/* Computes the colour of a pigment with a map or an image, at a point. For a sky, the
+ * point is a direction. */
 void plain_map_color(const struct pigment *pigment, const double point[3],
                      double color[3]);
 
 void plain_describe(const struct scene *scene, const struct ray *ray,
                     const struct plain_hit *hit, struct plain_surface *surface);
 
-/* Sets color to the share of the reflected ray's colour that the surface adds.  index,
- * the refractive index of the far side divided by that of the near side, is used by
- * Fresnel's formulas.  Returns POV-Ray's weight of the ray: the greatest channel of
- * color before the metallic change; for a reflection by a power of the angle, the
- * greatest over all angles. */
+/* Sets color to the fraction of the reflected ray's colour that the surface adds. index
+ * is the refractive index of the far side divided by the index of the near side;
+ * Fresnel's formulas use it. Returns POV-Ray's weight of the ray: the greatest channel
+ * of color before the metallic change. For a reflection by a power of the angle it is
+ * the greatest weight over all angles. */
 double plain_mirror(const struct plain_surface *surface, double index, double color[3]);
 
-/* Computes the surface's colour without refraction and reflection: the ambient light,
- * and each light after attenuation by the surfaces in front of it. */
+/* Computes the colour of the surface without refraction and reflection: the ambient
+ * light, and the lights, attenuated by the surfaces in front of them. */
 void plain_shade(const struct plain_tracer *tracer, const struct plain_surface *surface,
                  double color[3]);
 
-/* Returns the number of rays per pixel in each direction: 1 for a camera without a
- * lens. */
+/* Returns the number of rays across a pixel and down a pixel. It is 1 for a camera
+ * without a lens. */
 size_t plain_samples(const struct camera *camera);
 
 /* Returns the ray of sample x, y in a picture of width x height samples. */

@@ -20,7 +20,7 @@ static double place_in(uint64_t *state, double width, size_t cell)
     return width * (((double)cell + between(state, 0, 1)) / CELLS - .5);
 }
 
-/* Adds the points of one line along z that are inside a region. */
+/* Adds the points on a line along z that are inside a region. */
 static void add_line(const struct box *box, uint64_t *state, double x, double y,
                      double sum[PLAIN_MASS_FIGURES])
 {

@@ -1,8 +1,7 @@
-/* plain_memory.h - memory as pages of words.
+/* plain_memory.h - memory as pages of words, for the reference interpreter.
  *
- * Written from docs/machine.md alone, for the reference interpreter.  Stores are
- * recorded until plain_commit or plain_undo, so that all stores of an instruction that
- * traps can be undone.
+ * Its only source is docs/machine.md. Stores are recorded until plain_commit or
+ * plain_undo, so that the stores of an instruction that traps can be undone.
  */
 #ifndef PLAIN_MEMORY_H
 #define PLAIN_MEMORY_H
@@ -27,8 +26,8 @@ struct plain_memory {
     size_t change_count, change_room;
 };
 
-/* Addresses are bit addresses of words.  Returns the low 48 bits of one, because the
- * others do not count. */
+/* Addresses are bit addresses of words. Returns the low 48 bits of an address, because
+ * the other bits are ignored. */
 uint64_t plain_address(uint64_t address);
 
 void plain_begin(struct plain_memory *memory);
@@ -39,20 +38,21 @@ void plain_map(struct plain_memory *memory, uint64_t address, size_t words,
 bool plain_is_mapped(const struct plain_memory *memory, uint64_t address);
 bool plain_is_writable(const struct plain_memory *memory, uint64_t address);
 
-/* Returns the word at an address and those after it in the same page; NULL: there is no
- * such page. */
+/* Returns a pointer to the word at an address, which the following words of the same
+ * page follow. Returns NULL if there is no such page. */
 c205_word *plain_words(const struct plain_memory *memory, uint64_t address);
-/* Words that were never stored are zero, mapped or not.  A store outside of the pages,
+/* Words that were never stored are zero, mapped or not. A store outside of the pages,
  * which is a fault, has no effect. */
 c205_word plain_read(const struct plain_memory *memory, uint64_t address);
 void plain_store(struct plain_memory *memory, uint64_t address, c205_word word);
 
-/* Keeps or undoes the stores since the last call of either function. */
+/* plain_commit keeps the stores since the last call of either function. plain_undo
+ * undoes them. */
 void plain_commit(struct plain_memory *memory);
 void plain_undo(struct plain_memory *memory);
 
-/* Resizes an array to count items and keeps the first ones; exits if the host is out of
- * memory. */
+/* Resizes an array to count items, and keeps the first items. If the host is out of
+ * memory, ends the program. */
 void *plain_room(void *items, size_t count, size_t size);
 
 #endif

@@ -1,14 +1,14 @@
-/* plain_mesh.c - meshes, by a test of every triangle.
+/* plain_mesh.c - meshes, by testing every triangle.
  *
  * The test solves origin + t direction = a + u (b - a) + v (c - a) by Cramer's rule, in
  * long doubles.
  */
 #include "tests/oracle/plain_shapes.h"
 
-#define EDGE 1e-13L     /* a point this far outside of a triangle is on it */
-#define SAME 1e-12L     /* two distances that count as one */
-#define UNSURE 1e-10L   /* a ray this near to an edge may miss it */
-#define PARALLEL 1e-14L /* a line this nearly parallel misses */
+#define EDGE 1e-13L     /* a point this near to a triangle is on it */
+#define SAME 1e-12L     /* distances that differ by less are equal */
+#define UNSURE 1e-10L   /* a ray that is nearer to an edge may miss it */
+#define PARALLEL 1e-14L /* a line that is more nearly parallel misses */
 
 typedef long double accurate[3];
 
@@ -31,8 +31,8 @@ static long double sum_of(const accurate a, const accurate b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* The intersection of a line with a triangle's plane: the barycentric coordinates,
- * whose sum is 1. */
+/* The intersection of a line with a triangle's plane, in barycentric coordinates, whose
+ * sum is 1. */
 struct meeting {
     long double distance, shares[3];
 };
@@ -65,8 +65,7 @@ static bool meet_plane(const struct triangle *triangle, const struct ray *ray,
     return true;
 }
 
-/* Interpolates the corner normals, which count by their directions only, as in
- * POV-Ray. */
+/* Interpolates the normals at the corners. Their lengths are ignored, as in POV-Ray. */
 static void smooth_normal(const struct triangle *triangle,
                           const struct meeting *meeting, double normal[3])
 {
@@ -109,7 +108,8 @@ static bool cross_triangle(const struct triangle *triangle, const struct ray *ra
 
 /* ---- Nearest and sorted crossings ---------------------------------------- */
 
-/* Orders crossings: those ahead of the origin first, then by distance. */
+/* Compares two distances. Crossings ahead of the origin precede the others. Both groups
+ * are in order of distance. */
 static bool goes_before(double a, double b)
 {
     if ((a >= 0) != (b >= 0))
@@ -117,8 +117,9 @@ static bool goes_before(double a, double b)
     return fabs(a) < fabs(b);
 }
 
-/* Returns whether a crossing is known at this distance.  If several triangles
- * have the same crossing with the line, as on an edge, the first counts. */
+/* Returns true if the list has a crossing at this distance. If a line crosses several
+ * triangles at the same point, such as on an edge, only the first crossing is
+ * stored. */
 static bool is_known(const struct crossing *crossings, size_t count, double distance)
 {
     long double within = SAME * (1 + fabsl(distance));
@@ -128,7 +129,7 @@ static bool is_known(const struct crossing *crossings, size_t count, double dist
     return false;
 }
 
-/* Inserts a crossing; if there is no room the last one is dropped. */
+/* Inserts a crossing. If there is no room, the last crossing is dropped. */
 static size_t keep(struct crossing *crossings, size_t count,
                    const struct crossing *found)
 {
@@ -159,8 +160,8 @@ CROSS(cross_mesh)
 
 /* ---- Inside -------------------------------------------------------------- */
 
-/* Counts the crossings of a ray from a point; -1: the ray is so near to an edge that
- * the count is uncertain. */
+/* Counts the crossings of a ray from a point. Returns -1 if the ray is so near to an
+ * edge that the count is uncertain. */
 static long count_ahead(const struct triangles *triangles, const struct ray *ray)
 {
     long count = 0;
@@ -177,8 +178,8 @@ static long count_ahead(const struct triangles *triangles, const struct ray *ray
     return count;
 }
 
-/* Returns whether a ray from the point crosses the mesh an odd number of times, as in
- * POV-Ray; any direction is used.  For a closed mesh the direction does not matter. */
+/* Returns true if a ray from the point crosses the mesh an odd number of times, as in
+ * POV-Ray. The direction is arbitrary, because it does not matter for a closed mesh. */
 ENCLOSE(in_mesh)
 {
     enum { DIRECTIONS = 20 };

@@ -5,9 +5,9 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* POV-Ray's frequency wraps at this value, not at 1. */
+/* The period of the frequency in POV-Ray, which is not 1. */
 #define ROUND 1.00001
-/* Bricks and cubes start earlier by this distance. */
+/* Bricks and cubes are shifted by this distance. */
 #define EARLIER 1e-10
 
 static double half_turn(void)
@@ -28,15 +28,15 @@ static double leopard(const double point[3])
     return sum * sum;
 }
 
-/* Returns whether a point is in the joint between adjacent bricks of a length. */
+/* Returns true if a point is in a joint between bricks of this length. */
 static bool in_joint(double at, double length, double mortar)
 {
     double part = at / length;
     return part - floor(part) <= mortar / length;
 }
 
-/* Courses are layered along y.  In every second course the joints along x are above the
- * middle of bricks; in the other courses, those along z. */
+/* Courses are layered along y. In every second course the joints along x are above the
+ * middles of bricks; in the other courses the joints along z are. */
 static double brick(const struct pattern *pattern, const double point[3])
 {
     const double *size = pattern->own.brick_size;
@@ -48,7 +48,7 @@ static double brick(const struct pattern *pattern, const double point[3])
            && !in_joint(point[2] + more + (first ? size[2] / 2 : 0), size[2], m);
 }
 
-/* Returns the number of the nearest hexagon centre. */
+/* Returns the number of the nearest centre of a hexagon. */
 static double hexagon(const double point[3])
 {
     double column = floor(point[0] / 1.5), best = INFINITY, number = 0;
@@ -85,7 +85,7 @@ static double value_at(const struct pigment *pigment, const double point[3])
         return fabs(
             fmod(floor(x + EARLIER) + floor(y + EARLIER) + floor(z + EARLIER), 2));
     case PATTERN_HEXAGON: return hexagon(point);
-    case PATTERN_QUILTED: /* has no values: plain_bump.c */
+    case PATTERN_QUILTED: /* no values; see plain_bump.c */
     case PATTERN_FUNCTIONS: break;
     }
     return NAN;

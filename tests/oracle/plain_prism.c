@@ -1,9 +1,9 @@
-/* plain_prism.c - prisms of linear splines: each side is a rectangle; a cap covers the
+/* plain_prism.c - prisms of linear splines. Each side is a rectangle. A cap covers the
  * points that an odd number of loops encloses. */
 #include "tests/oracle/plain_shapes.h"
 
-/* Iterates over the edges of a path.  Each loop ends with its start point; no edge
- * leads from there to the next loop. */
+/* Iterates over the edges of a path. Each loop ends with its first point. There is no
+ * edge from there to the next loop. */
 struct edges {
     const struct outline *path;
     size_t next, first;
@@ -24,8 +24,8 @@ static bool take_edge(struct edges *edges)
     return true;
 }
 
-/* Returns whether the path encloses a point, by the sum of the angles that its edges
- * subtend: a loop round the point adds a full turn. */
+/* Returns true if the path encloses a point. The edges of a loop around the point
+ * subtend angles whose sum is a full turn. */
 static bool is_round(const struct outline *path, double x, double z)
 {
     struct edges edges = { .path = path };
@@ -45,7 +45,8 @@ ENCLOSE(in_prism)
            && is_round(&primitive->shape.prism.path, point[0], point[2]);
 }
 
-/* Intersects the plane of the side, then tests the bounds of its rectangle. */
+/* Intersects the line with the plane of the side, then tests the bounds of the
+ * rectangle. */
 static bool cross_side(const struct edges *edge, double low, double high,
                        const struct ray *ray, struct crossing *crossing)
 {

@@ -1,5 +1,5 @@
-/* plain_quadratic_prism.c - prisms of quadratic splines: each side is a parabola that
- * is extruded along y; a cap covers the points that an odd number of loops encloses. */
+/* plain_quadratic_prism.c - prisms of quadratic splines. Each side is a parabola that
+ * is extruded along y. A cap covers the points that an odd number of loops encloses. */
 #include "tests/oracle/plain_shapes.h"
 
 /* The curve from (1 - w)^2 + 2 handle w (1 - w) + to w^2. */
@@ -37,8 +37,8 @@ static double slope_at(const struct arc *arc, int k, double w)
            + 2 * (arc->to[k] - arc->handle[k]) * w;
 }
 
-/* Computes the parameters w at which x nx + z nz = c.  If both ends are on one side of
- * the line, there are two or none; otherwise there is one. */
+/* Computes the parameters w at which x nx + z nz = c. If both ends are on the same side
+ * of the line, there are two or none. Otherwise there is one. */
 static size_t meet_line(const struct arc *arc, double nx, double nz, double c,
                         double w[2])
 {
@@ -56,8 +56,8 @@ static size_t meet_line(const struct arc *arc, double nx, double nz, double c,
     return 1;
 }
 
-/* Returns whether the path encloses a point: counts the crossings at the same z with a
- * greater x. */
+/* Returns true if the path encloses a point. It counts the crossings at the same z with
+ * a greater x. */
 static bool is_round(const struct outline *path, double x, double z)
 {
     struct arcs arcs = { .path = path };

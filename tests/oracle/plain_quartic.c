@@ -1,17 +1,17 @@
-/* plain_quartic.c - surfaces of the fourth degree.  The polynomial along the line is
- * composed of those of its coordinates. */
+/* plain_quartic.c - surfaces of degree four. The polynomial along a line is composed of
+ * the polynomials of the line's coordinates. */
 #include "tests/oracle/plain_roots.h"
 #include "tests/oracle/plain_shapes.h"
 
 enum { TERMS = HIGHEST_DEGREE + 1 };
 
-/* A polynomial's coefficients, in ascending order. */
+/* The coefficients of a polynomial in ascending order. */
 struct along {
     long double c[TERMS];
 };
 
-/* The line from its point nearest to the origin, with steps of length one: its
- * coordinates, and the ray parameters of its start and of one step. */
+/* A line, parametrised from its point nearest to the origin, with unit length: its
+ * coordinates, and the ray parameters of this point and of a unit step. */
 struct centred_line {
     struct along coordinate[3];
     long double start, step;
@@ -34,7 +34,7 @@ static struct centred_line centre(const struct ray *ray)
     return line;
 }
 
-/* Multiplies two polynomials; terms above the fourth degree are dropped. */
+/* Multiplies two polynomials. Terms above degree four are dropped. */
 static struct along times(const struct along *a, const struct along *b)
 {
     struct along product = { { 0 } };
@@ -50,7 +50,7 @@ static void add_times(struct along *sum, long double factor, const struct along 
         sum->c[i] += factor * what->c[i];
 }
 
-/* Sets the distances and normals of the roots. */
+/* Computes the distances and normals at the roots. */
 typedef void set_normal(const void *surface, const double point[3], double normal[3]);
 
 static size_t cross_surface(const struct along *along, const struct centred_line *line,

@@ -6,8 +6,8 @@
 
 /* ---- Bodies -------------------------------------------------------------- */
 
-/* Returns whether a lathe's path ends where it starts, or has both ends on the axis,
- * where no surface is missing. */
+/* Returns true if a lathe's path ends where it starts, or if both of its ends are on
+ * the axis. No surface is then missing. */
 static bool path_is_closed(const struct outline *path)
 {
     const double *first = path->points[0];
@@ -61,8 +61,8 @@ struct seen_list {
     size_t count, room;
 };
 
-/* Inserts a crossing after those that are not farther; those of one region arrive in
- * order. */
+/* Inserts a crossing after the crossings that are not farther. The crossings of a
+ * region arrive in order. */
 static void insert(struct seen_list *seen, const struct plain_crossing *crossing)
 {
     size_t at = seen->count++;

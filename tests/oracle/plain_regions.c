@@ -1,4 +1,4 @@
-/* plain_regions.c - crossings of a ray with a CSG tree, evaluated by point tests
+/* plain_regions.c - finds crossings of a ray with a CSG tree, by point tests
  * (plain_regions.h). */
 #include "tests/oracle/plain_regions.h"
 
@@ -9,7 +9,7 @@
 struct place {
     const struct primitive *primitive;
     double distance;
-    double normal[3]; /* in the primitive's space, of either orientation */
+    double normal[3]; /* in the primitive's space, on either side */
 };
 
 struct crossing_list {
@@ -44,7 +44,7 @@ void crossing_list_free(struct crossing_list *list)
     free(list);
 }
 
-/* Inserts a crossing by its distance; at equal distances the primitive that is earlier
+/* Inserts a crossing by its distance. At equal distances the primitive that is earlier
  * in the scene comes first. */
 static void insert(struct crossing_list *list, const struct place *place)
 {
@@ -104,8 +104,8 @@ static bool is_near(const struct place *place, double distance)
     return fabs(place->distance - distance) <= PLAIN_DELTA;
 }
 
-/* Returns whether a patch counts as solid at the probe: a patch has no inside, so it is
- * solid only just after a crossing with it. */
+/* Returns true if a patch counts as solid at the probe. A patch has no inside. It is
+ * therefore solid only just after a crossing with it. */
 static bool is_behind(const struct probe *probe, const struct primitive *patch)
 {
     for (size_t i = 0; probe->behind && i < probe->list->count; i++)
@@ -166,8 +166,8 @@ struct sides {
     struct probe before, behind;
 };
 
-/* Returns whether a crossing is visible below a node: the state of the primitive, and
- * of every node that contains it, must change there. */
+/* Returns true if a crossing is visible below a node. The states of the primitive, and
+ * of every node that contains it, must change at the crossing. */
 static bool shows_below(const struct sides *sides, size_t at,
                         const struct primitive *primitive)
 {
@@ -183,15 +183,16 @@ static bool shows_below(const struct sides *sides, size_t at,
     return false;
 }
 
-/* Returns whether a crossing is visible; for a region of one primitive, all are. */
+/* Returns true if a crossing is visible. For a region of one primitive, all crossings
+ * are. */
 static bool shows(const struct sides *sides, const struct primitive *primitive)
 {
     const struct region *region = sides->before.list->region;
     return is_alone(region) || shows_below(sides, region->first_node, primitive);
 }
 
-/* Returns the crossing within the tolerance that belongs to the first primitive that is
- * visible there. If this primitive has several, returns the nearest. */
+/* Finds the first primitive that is visible within the tolerance, and returns its
+ * crossing. If it has several crossings there, returns the nearest. */
 static const struct place *first_shown(const struct crossing_list *list,
                                        const struct sides *sides,
                                        const struct place *seen)
@@ -209,9 +210,9 @@ static const struct place *first_shown(const struct crossing_list *list,
     return seen;
 }
 
-/* Returns whether the ray enters a solid.  A ray always enters a mesh without an
- * inside.  But if the mesh is opaque and alone, the side to which its normal points
- * counts, as for a patch. */
+/* Returns true if the ray enters a solid. A ray always enters a mesh without an inside.
+ * If such a mesh is opaque and alone, the side to which its normal points decides, as
+ * for a patch. */
 static bool comes_into(const struct crossing_list *list, const struct place *place,
                        double along)
 {
@@ -226,7 +227,7 @@ static void describe(const struct crossing_list *list, const struct place *place
 {
     const double *direction = list->ray->direction;
     hit->primitive = place->primitive;
-    /* by the transpose of the inverse */
+    /* by the transposed inverse */
     transposed(&place->primitive->to_local, place->normal, hit->normal);
     normalise(hit->normal);
     double along = dot(hit->normal, direction);

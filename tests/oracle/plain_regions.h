@@ -1,9 +1,10 @@
 /* plain_regions.h - crossings of a ray with a region, for the plain tracer.
  *
- * A crossing is visible if the inside tests of its primitive, and of every node of the
- * region's tree that contains it, differ just before and just after it: at points
- * PLAIN_DELTA away along the ray.  So surfaces nearer to each other than that vanish
- * together or count as one, which belongs to the first visible primitive.
+ * A crossing is visible if the states of its primitive, and of every node of the
+ * region's tree that contains the primitive, differ just before and just after the
+ * crossing. These states are tested at the distance PLAIN_DELTA from it along the ray.
+ * Surfaces that are nearer to each other therefore vanish together, or count as one
+ * surface, which belongs to the first visible primitive.
  */
 #ifndef PLAIN_REGIONS_H
 #define PLAIN_REGIONS_H
@@ -15,11 +16,11 @@
 struct plain_hit {
     const struct primitive *primitive; /* NULL: none */
     double distance;
-    double normal[3]; /* world, unit, against the ray */
+    double normal[3]; /* unit normal in world space, opposed to the ray */
     bool entering;    /* the ray enters a solid */
 };
 
-/* A ray's crossings with one region, with room for any region of the scene. */
+/* The crossings of a ray with one region. There is room for any region of the scene. */
 struct crossing_list;
 struct crossing_list *crossing_list_new(const struct scene *scene);
 void crossing_list_free(struct crossing_list *list);
@@ -28,50 +29,51 @@ void crossing_list_free(struct crossing_list *list);
 void plain_cross_region(struct crossing_list *list, const struct scene *scene,
                         const struct region *region, const struct ray *ray);
 
-/* Sets hit to the nearest visible crossing beyond `last` and before `limit`; returns
+/* Sets hit to the nearest visible crossing after `last` and before `limit`. Returns
  * false if there is none. */
 bool plain_next_hit(const struct crossing_list *list, double last, double limit,
                     struct plain_hit *hit);
 
-/* Returns whether the line is inside the region at that distance. */
+/* Returns true if the line is inside the region at this distance. */
 bool plain_holds(const struct crossing_list *list, double distance);
 
 /* --- lines ---------------------------------------------------------------------
  *
- * All visible crossings of a scene along a line, by the rule of docs/solids.md alone.
- * The visible crossings of each region are taken in order; one that is at most
- * PLAIN_DELTA after a visible one is omitted.  The crossings of all regions are then
- * sorted by distance. */
+ * Finds all visible crossings of a line with a scene, only by the rule of
+ * docs/solids.md. The visible crossings of a region are examined in order. A crossing
+ * is omitted if its distance from the previous visible crossing is at most PLAIN_DELTA.
+ * The crossings of all regions are then sorted by distance. */
 
 struct plain_crossing {
     double distance;
     size_t primitive; /* index in the scene */
     size_t region;
     int crossing;     /* 1 enters the region's body, -1 leaves it, 0: no body */
-    double normal[3]; /* against the line */
+    double normal[3]; /* opposed to the line */
 };
 
-/* Returns whether all primitives of a region are visible and closed. */
+/* Returns true if all primitives of a region are visible and closed. */
 bool plain_is_closed(const struct scene *scene, const struct region *region);
 
-/* Returns whether the point of a line at that distance is inside the region.  The
- * direction has length one. */
+/* Returns true if the point of a line at this distance is inside the region. The
+ * direction must have length 1. */
 bool plain_is_inside(const struct scene *scene, const struct region *region,
                      const struct ray *line, double distance);
 
-/* Lists the crossings of a line farther than `least`, up to room of them, and returns
- * their total number.  The direction has length one. */
+/* Lists up to `room` crossings of a line that are farther than `least`, and returns the
+ * number of all such crossings. The direction must have length 1. */
 size_t plain_line(const struct scene *scene, const struct ray *line, double least,
                   struct plain_crossing *list, size_t room);
 
 /* --- mass ----------------------------------------------------------------------
  *
- * Volume and centroid of a scene's solids by sampling points. */
+ * Computes the volume and centroid of a scene's solids by sampling points. */
 
 /* The volume and the three first moments about the centre of the box. */
 enum { PLAIN_MASS_FIGURES = 4 };
 
-/* Samples the box with one random point in each cell; error is the standard error. */
+/* Samples the box with one random point in each cell. error receives the standard
+ * errors. */
 void plain_mass(const struct scene *scene, const double middle[3],
                 const double width[3], uint64_t *state,
                 double value[PLAIN_MASS_FIGURES], double error[PLAIN_MASS_FIGURES]);

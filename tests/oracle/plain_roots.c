@@ -1,4 +1,4 @@
-/* plain_roots.c - real roots by bisection between the roots of the derivative
+/* plain_roots.c - finds real roots by bisection between the roots of the derivative
  * (plain_roots.h). */
 #include "tests/oracle/plain_roots.h"
 
@@ -29,7 +29,7 @@ static struct polynomial derivative(const struct polynomial *f)
 /* Bisects an interval whose ends have different signs. */
 static long double bisect(const struct polynomial *f, long double low, long double high)
 {
-    long double close = 1e-24L; /* far below a double's last bit */
+    long double close = 1e-24L; /* far below the last bit of a double */
     bool below = is_below(f, low);
     while (high - low > close) {
         long double middle = low + (high - low) / 2;
@@ -60,9 +60,9 @@ static size_t roots_between(const struct polynomial *f, long double low,
     return count;
 }
 
-/* Roots beyond 1 are the reciprocals of those of the polynomial with reversed
- * coefficients.  So no bound of the roots is needed, and a leading coefficient of 0
- * loses none. */
+/* Roots outside of -1 to 1 are reciprocals of roots of the polynomial with reversed
+ * coefficients. Therefore no bound of the roots is needed, and a leading coefficient of
+ * 0 loses no root. */
 size_t plain_roots(const long double *c, int degree, long double roots[HIGHEST_DEGREE])
 {
     struct polynomial forward = { degree, { 0 } };

@@ -1,7 +1,7 @@
-/* plain_shapes.c - planes, boxes and surfaces of the second degree. */
+/* plain_shapes.c - planes, boxes and surfaces of degree two. */
 #include "tests/oracle/plain_shapes.h"
 
-/* Computes the real roots of a t^2 + 2 b t + c, by the form without cancellation. */
+/* Computes the real roots of a t^2 + 2 b t + c without cancellation. */
 static size_t quadratic(double a, double b, double c, double roots[2])
 {
     double discriminant = b * b - a * c;
@@ -46,7 +46,8 @@ bool cross_level(double height, const struct ray *ray, struct crossing *crossing
     return true;
 }
 
-/* Intersects the intervals of the line between each pair of opposite faces. */
+/* Computes the intersection of the three intervals of the line between opposite
+ * faces. */
 CROSS(cross_box)
 {
     const double(*const corner)[3] = primitive->shape.box.corner;
@@ -68,13 +69,14 @@ CROSS(cross_box)
     return crossings[0].distance <= crossings[1].distance ? 2 : 0;
 }
 
-/* The axis of a cone, its length, and a ray split into its parts along and across the
- * axis.  The radius at the height h is radius + slope h; a cylinder is a cone with
- * slope 0. */
+/* The axis of a cone, its length, and the components of a ray along and across the
+ * axis. The radius at height h is radius + slope h. A cylinder is a cone with slope
+ * 0. */
 struct axial_view {
     double axis[3], length;
-    double height, rise;          /* of origin and direction, along the axis */
-    double from[3], direction[3]; /* across, relative to the axis */
+    double height, rise;          /* components of origin and direction along the
+                                   * axis */
+    double from[3], direction[3]; /* components across the axis, relative to it */
     double radius, slope;
 };
 
@@ -93,8 +95,8 @@ static void view_along(const struct round *cone, const struct ray *ray,
     add_scaled(view->direction, ray->direction, -view->rise, view->axis);
 }
 
-/* On the wall the distance from the axis equals the radius.  The difference of their
- * squares is 0, and its gradient is the normal. */
+/* On the wall, the distance from the axis equals the radius. The difference of their
+ * squares is therefore 0, and its gradient is the normal. */
 static size_t cross_wall(const struct axial_view *view, struct crossing *crossings)
 {
     double radius = view->radius + view->slope * view->height;
@@ -162,7 +164,7 @@ CROSS(cross_plane)
     return 1;
 }
 
-/* Intersects the plane; the crossing counts if it is on the ring. */
+/* Intersects the line with the plane. The crossing is valid if it is on the ring. */
 CROSS(cross_disc)
 {
     const double *normal = primitive->shape.disc.normal;
@@ -178,8 +180,8 @@ CROSS(cross_disc)
     return away >= primitive->shape.disc.hole && away <= primitive->shape.disc.radius;
 }
 
-/* Computes a quadric's gradient at a point; with linear 0, the Hessian times a
- * direction. */
+/* Computes the gradient of a quadric at a point. If linear is 0, computes the Hessian
+ * times a direction. */
 static void quadric_gradient(const double c[QUADRIC_TERMS], const double at[3],
                              double linear, double gradient[3])
 {
@@ -190,7 +192,7 @@ static void quadric_gradient(const double c[QUADRIC_TERMS], const double at[3],
 }
 
 /* Uses f(o + t d) = f(o) + t d.grad f(o) + t^2 / 2 d.H d with the constant Hessian H.
- * f(o) comes from Euler's rule for its quadratic and linear parts. */
+ * f(o) is computed by Euler's rule from the quadratic and linear parts. */
 CROSS(cross_quadric)
 {
     const double *c = primitive->shape.quadric.coefficients;

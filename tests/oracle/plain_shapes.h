@@ -1,7 +1,7 @@
-/* plain_shapes.h - intersections of lines with the primitives, for the plain tracer.
+/* plain_shapes.h - intersections of lines with primitives, for the plain tracer.
  *
- * They follow from the geometry of each shape, in its own space; no code is shared with
- * the kernels.
+ * They are derived from the geometry of each shape in its own space. They share no code
+ * with the kernels.
  */
 #ifndef PLAIN_SHAPES_H
 #define PLAIN_SHAPES_H
@@ -12,20 +12,20 @@
 #include <stdbool.h>
 
 struct ray {
-    double origin[3], direction[3]; /* of any length but 0 */
+    double origin[3], direction[3]; /* of any nonzero length */
 };
 
 /* A crossing of a ray with a surface, at origin + distance * direction. */
 struct crossing {
     double distance;
-    double normal[3]; /* of any length and either orientation */
+    double normal[3]; /* of any length, on either side */
 };
 
-/* The limit of a prism; a quartic has 4.  A mesh with more has the first ones ahead of
- * the origin. */
+/* The largest number of crossings of a prism. A quartic has up to 4. A mesh may have
+ * more; the list then has its first crossings ahead of the origin. */
 enum { MAX_CROSSINGS = 40 };
 
-/* Computes every crossing of the whole line, in no order, and returns their number. */
+/* Computes all crossings of the whole line, in any order, and returns their number. */
 typedef size_t cross_shape(const struct primitive *primitive, const struct ray *ray,
                            struct crossing crossings[MAX_CROSSINGS]);
 cross_shape plain_crossings;
@@ -33,14 +33,15 @@ cross_shape plain_crossings;
     size_t name(const struct primitive *primitive, const struct ray *ray, \
                 struct crossing crossings[MAX_CROSSINGS])
 
-/* Returns whether a point of the primitive's own space is inside.  A patch has no
- * inside, nor has a mesh without an inside_vector. */
+/* Returns true if a point of the primitive's own space is inside. A patch and a mesh
+ * without an inside_vector have no inside. */
 typedef bool enclose_point(const struct primitive *primitive, const double point[3]);
 enclose_point plain_encloses;
 #define ENCLOSE(name) \
     bool name(const struct primitive *primitive, const double point[3])
 
-/* A cylinder is a cone with equal radii, and a torus is an elliptical one. */
+/* A cone or a torus. A cylinder is a cone with equal radii. A circular torus is an
+ * elliptical torus. */
 struct round {
     const double *base, *cap;
     double base_radius, cap_radius;
@@ -49,14 +50,16 @@ struct round {
 struct torus {
     double major, radial, axial;
 };
-/* Intersects the plane at a height; sets the point, too. */
+/* Intersects the line with the horizontal plane at this height. Also computes the
+ * point. */
 bool cross_level(double height, const struct ray *ray, struct crossing *crossing,
                  double point[3]);
 struct round round_of(const struct primitive *primitive);
 struct torus torus_of(const struct primitive *primitive);
 
-/* Implementations: plain_shapes.c, plain_solids.c, plain_quartic.c, plain_steiner.c,
- * plain_prism.c, plain_quadratic_prism.c, plain_lathe.c, plain_blob.c, plain_mesh.c. */
+/* The files plain_shapes.c, plain_solids.c, plain_quartic.c, plain_steiner.c,
+ * plain_prism.c, plain_quadratic_prism.c, plain_lathe.c, plain_blob.c and plain_mesh.c
+ * define these functions. */
 #define SHAPE(KIND, name, ...) \
     cross_shape cross_##name; \
     enclose_point in_##name;
@@ -75,7 +78,7 @@ static inline double greatest(const double a[3])
     return fmax(fabs(a[0]), fmax(fabs(a[1]), fabs(a[2])));
 }
 
-/* Computes result = a + scale b; result may be a or b. */
+/* Computes result = a + scale b. result may alias a or b. */
 static inline void add_scaled(double result[3], const double a[3], double scale,
                               const double b[3])
 {

@@ -46,7 +46,7 @@ ENCLOSE(in_plane)
     return dot(primitive->shape.plane.normal, point) < primitive->shape.plane.distance;
 }
 
-/* The inside of a disc is a half space, as in POV-Ray. */
+/* The inside of a disc is a half-space, as in POV-Ray. */
 ENCLOSE(in_disc)
 {
     double from[3];
@@ -54,9 +54,9 @@ ENCLOSE(in_disc)
     return dot(primitive->shape.disc.normal, from) < 0;
 }
 
-/* Returns whether a point is between the planes of the ends and nearer to the axis than
- * the radius there.  An open cylinder or cone encloses the same points as the closed one,
- * as in POV-Ray. */
+/* Returns true if a point is between the planes of the ends, and nearer to the axis
+ * than the radius at its height. As in POV-Ray, an open cylinder or cone encloses the
+ * same points as a closed one. */
 ENCLOSE(in_cone)
 {
     struct round cone = round_of(primitive);
@@ -74,8 +74,8 @@ ENCLOSE(in_cylinder)
     return in_cone(primitive, point);
 }
 
-/* A tube thicker than its ring intersects itself.  Its core, where the ellipses of both
- * sides overlap, is outside: the polynomial is positive there. */
+/* A tube that is thicker than its ring intersects itself. The core, where the ellipses
+ * of both sides overlap, is outside, because the polynomial is positive there. */
 ENCLOSE(in_torus)
 {
     struct torus torus = torus_of(primitive);

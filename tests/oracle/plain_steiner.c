@@ -1,9 +1,10 @@
 /* plain_steiner.c - quadratic triangular patches with weights.
  *
- * Two planes through the line cut the patch in two conics of its parameters.  If the
- * Bezier coefficients of a conic have one sign on a triangle, neither the conic nor the
- * line crosses the triangle (convex hull property).  The triangles that remain after
- * some subdivisions are the starts of Newton's rule.
+ * Two planes through the line intersect the patch in two conics of its parameters. If
+ * all Bezier coefficients of a conic on a triangle have the same sign, the conic does
+ * not cross the triangle, and neither does the line (convex hull property). The
+ * triangles that remain after some subdivisions are the starting points of Newton's
+ * method.
  */
 #include "tests/oracle/plain_shapes.h"
 
@@ -11,13 +12,13 @@
 
 enum {
     HALVINGS = 12,
-    STEPS = 60 /* of Newton's rule; near a tangent each adds one bit */
+    STEPS = 60 /* number of Newton steps; near a tangent each step adds one bit */
 };
 #define CONVERGED 1e-15L /* length of the last step */
-#define SAME 1e-9L       /* distance of two roots that count as one */
-#define EDGE 1e-14L      /* a point this far outside of the patch is on it */
+#define SAME 1e-9L       /* roots that are nearer are equal */
+#define EDGE 1e-14L      /* a point this near to the patch is on it */
 
-/* Bezier coefficients in the order of the control points. */
+/* Bezier coefficients, in the order of the control points. */
 struct conic {
     long double c[STEINER_POINTS];
 };
@@ -40,8 +41,8 @@ static const struct place corners[3] = { { { 1, 0, 0 } },
                                          { { 0, 1, 0 } },
                                          { { 0, 0, 1 } } };
 
-/* The polar form: it is linear in both places, and is the conic's value if they are
- * equal. */
+/* The polar form is linear in both places. If they are equal, it is the value of the
+ * conic. */
 static long double polar(const struct conic *conic, const struct place *a,
                          const struct place *b)
 {
@@ -72,7 +73,8 @@ static void plane_normals(const struct ray *ray, double normals[2][3])
     normalise(normals[1]);
 }
 
-/* The coefficient of a control point is its height over the plane times its weight. */
+/* The coefficient of a control point is its height above the plane, times its
+ * weight. */
 static struct conic conic_of(const struct primitive *primitive, const struct ray *ray,
                              const double normal[3])
 {
@@ -104,7 +106,8 @@ static void note(struct search *search, const struct place *place)
         search->found[search->count++] = *place;
 }
 
-/* Computes a conic's value and its derivatives by s and t, with u = 1 - s - t. */
+/* Computes a conic's value and its derivatives with respect to s and t, where u = 1 - s
+ * - t. */
 static void linearise(const struct conic *conic, const struct place *at,
                       long double terms[3])
 {
@@ -173,8 +176,8 @@ static void look_within(struct search *search, const struct place of[3], int hal
 
 /* ---- Normals and distances ----------------------------------------------- */
 
-/* H is the sum of the rows times s, t, u; half of its derivative by one of them is that
- * row. */
+/* H is the sum of the rows times s, t and u. A row is half of the derivative with
+ * respect to its parameter. */
 struct homogeneous {
     double xyz[3], w;
 };
@@ -195,7 +198,8 @@ static struct homogeneous row_of(const struct primitive *primitive, int row,
     return sum;
 }
 
-/* Computes the derivative of the point by s (or t) against u, over 2 / w. */
+/* Computes the derivative of the point with respect to s (or t), relative to u, divided
+ * by 2 / w. */
 static void tangent(const struct homogeneous *by, const struct homogeneous *against,
                     const double point[3], double result[3])
 {

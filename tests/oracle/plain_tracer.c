@@ -7,32 +7,33 @@
 #include <assert.h>
 #include <math.h>
 
-/* Nearer hits belong to the surface where the ray starts. */
+/* Nearer hits are ignored, because they are on the surface where the ray starts. */
 #define NEAREST_HIT 1e-6
 /* Surfaces farther along a ray are invisible. */
 #define FARTHEST_HIT 1e12
-/* POV-Ray's limit: ratios nearer to 1 than this do not bend a ray. */
+/* POV-Ray's limit: if the ratio of indices is nearer to 1, a ray is not bent. */
 #define SAME_INDEX 1e-10
 
-/* The interiors that contain a ray, the outermost first, each as one of the primitives
- * that have it. */
+/* The interiors that contain a ray. The outermost is the first. Each interior is
+ * represented by a primitive that has it. */
 enum { MAX_INTERIORS = 64 };
 struct interiors {
-    bool known; /* false for rays from the eye */
+    bool known; /* false for rays from the camera */
     size_t count;
     const struct primitive *of[MAX_INTERIORS];
 };
 
-/* A ray.  level: the number of rays from the eye to this one, both included, without
- * those that continued straight.  importance: the largest share of the pixel's colour
- * that the ray can add. */
+/* A ray. level: number of rays from the camera to this ray, both included, without
+ * straight transmitted rays. importance: largest fraction of the pixel's colour that
+ * the ray can add. */
 struct path {
     struct ray ray;
     int level;
     double importance;
     struct interiors interiors;
-    size_t passed;  /* rank of the region that it passed at its start; 0: none */
-    bool reflected; /* at least once since the eye */
+    size_t passed;  /* rank of the region that the ray has passed at its start; 0:
+                     * none */
+    bool reflected; /* the ray has been reflected since the camera */
 };
 
 static void trace_path(const struct plain_tracer *tracer, const struct path *path,
@@ -49,13 +50,14 @@ static bool has_clear_part(const struct scene *scene, size_t region)
     return false;
 }
 
-/* A region's index among all, or among those with transparent parts, from 1. */
+/* The index of a region from 1, among all regions or among those with transparent
+ * parts. */
 struct rank {
     size_t place, count;
 };
 
-/* Returns the amount that is added to a hit's distance for comparisons: less for later
- * regions, and more on a transparent surface than on any opaque one. */
+/* Returns the amount that is added to the distance of a hit for comparisons. It is less
+ * for later regions, and more for a transparent surface than for any opaque surface. */
 static double yield_of(const struct plain_hit *hit, struct rank all, struct rank clear)
 {
     bool is_clear = pigment_is_clear(&hit->primitive->pigment);
@@ -63,7 +65,7 @@ static double yield_of(const struct plain_hit *hit, struct rank all, struct rank
     return (1 + is_clear - (double)rank.place / (double)rank.count) * PLAIN_DELTA;
 }
 
-/* POV-Ray's rule: refraction does not change which objects a ray sees. */
+/* By POV-Ray's rule, refraction does not change which objects a ray sees. */
 static bool is_seen(const struct scene *scene, const struct region *region,
                     const struct path *path)
 {
@@ -74,8 +76,8 @@ static bool is_seen(const struct scene *scene, const struct region *region,
     return false;
 }
 
-/* Sets hit to the nearest hit.  Returns the rank of its region: its number among those
- * with transparent parts, or 0. */
+/* Finds the nearest hit. Returns the rank of its region among the regions with
+ * transparent parts, or 0. */
 static size_t find_nearest(const struct plain_tracer *tracer, const struct path *path,
                            struct plain_hit *hit)
 {
@@ -108,8 +110,8 @@ static size_t find_nearest(const struct plain_tracer *tracer, const struct path 
 
 /* ---- Bodies that contain a ray ------------------------------------------- */
 
-/* Initializes the interiors of a ray from the eye: none, or the one that it leaves
- * first. */
+/* Initialises the interiors of a ray from the camera. There is none, or the interior
+ * that the ray leaves first. */
 static void find_interiors(struct interiors *in, const struct plain_hit *hit)
 {
     if (!in->known && !hit->entering)
@@ -122,7 +124,8 @@ static double innermost_index(const struct interiors *in)
     return in->count ? in->of[in->count - 1]->ior : 1;
 }
 
-/* Returns the index of an interior, or the count if it is not present. */
+/* Returns the index of an interior, or the number of interiors if it is not in the
+ * list. */
 static size_t find(const struct interiors *in, size_t interior)
 {
     size_t at = 0;
@@ -131,9 +134,9 @@ static size_t find(const struct interiors *in, size_t interior)
     return at;
 }
 
-/* Leaves the surface's interior if the ray is in it; otherwise enters it.  Returns the
- * refractive index before divided by that after: 1 if the interior that it leaves was
- * not the innermost. */
+/* Removes the interior of the surface if it contains the ray. Otherwise adds it.
+ * Returns the refractive index before the surface divided by the index after it. If the
+ * removed interior was not the innermost, the result is 1. */
 static double cross(struct interiors *in, const struct primitive *surface)
 {
     double from = innermost_index(in);
@@ -149,9 +152,8 @@ static double cross(struct interiors *in, const struct primitive *surface)
     return from / innermost_index(in);
 }
 
-/* Returns the relative index for Fresnel's formulas, by POV-Ray's rule: where a ray
- * leaves the innermost of several interiors it is 1, and the reflection is the minimal
- * one. */
+/* Returns the relative index for Fresnel's formulas, by POV-Ray's rule. Where a ray
+ * leaves the innermost of several interiors, it is 1, and the reflection is minimal. */
 static double mirror_index(const struct interiors *in, const struct primitive *surface)
 {
     double innermost = innermost_index(in);
@@ -162,17 +164,17 @@ static double mirror_index(const struct interiors *in, const struct primitive *s
 
 /* ---- Spawned rays -------------------------------------------------------- */
 
-/* A hit, and the colour to which its rays are added. */
+/* A hit, and the colour to which the colours of its rays are added. */
 struct branching {
     const struct plain_tracer *tracer;
     const struct path *path;
     const struct plain_surface *surface;
     double *color;
-    size_t rank; /* of the region that is hit */
+    size_t rank; /* rank of the region of the hit */
 };
 
-/* Traces a secondary ray, whose direction, level and interiors are set, unless it adds
- * too little; adds its colour by weight. */
+/* Traces a secondary ray, unless it would add too little, and adds its colour times
+ * `weight`. The direction, level and interiors of the ray have been set. */
 static void follow(const struct branching *from, struct path *path, double share,
                    const double weight[3])
 {
@@ -189,9 +191,10 @@ static void follow(const struct branching *from, struct path *path, double share
         from->color[i] += weight[i] * seen[i];
 }
 
-/* Computes the reflected direction.  A normal changed by bumps may send it below the
- * surface.  POV-Ray then reflects it again at the original normal; if it also points
- * below the changed normal, POV-Ray reflects the original ray there instead. */
+/* Computes the reflected direction. If bumps have changed the normal, the direction may
+ * point below the surface. POV-Ray then reflects it again at the original normal. If
+ * the result points below the changed normal, POV-Ray reflects the original ray at the
+ * original normal instead. */
 static void mirror(const struct plain_surface *surface, double direction[3])
 {
     const double *d = surface->ray->direction;
@@ -209,8 +212,9 @@ static bool goes_straight(double ratio)
     return fabs(ratio - 1) < SAME_INDEX;
 }
 
-/* Applies Snell's law: the part of the direction that is perpendicular to the normal is
- * scaled by `ratio`.  Returns false if its length then exceeds 1: total reflection. */
+/* Applies Snell's law: scales the component of the direction that is perpendicular to
+ * the normal by `ratio`. If its length then exceeds 1, the reflection is total, and the
+ * result is false. */
 static bool refract(const struct plain_surface *surface, double ratio,
                     double direction[3])
 {
@@ -219,7 +223,7 @@ static bool refract(const struct plain_surface *surface, double ratio,
     copy(direction, surface->ray->direction);
     if (goes_straight(ratio))
         return true;
-    if (dot(direction, n) > 0) /* seen from the far side */
+    if (dot(direction, n) > 0) /* the ray comes from the far side */
         scale_by(n, -1);
     add_scaled(across, direction, -dot(direction, n), n);
     scale_by(across, ratio);
@@ -230,7 +234,7 @@ static bool refract(const struct plain_surface *surface, double ratio,
     return true;
 }
 
-/* POV-Ray's rule: no ray is refracted if the brightness of the transmission is below
+/* By POV-Ray's rule, no ray is refracted if the brightness of the transmission is below
  * the limit. */
 static bool is_clear(const struct scene *scene, const double passing[3])
 {
@@ -238,9 +242,9 @@ static bool is_clear(const struct scene *scene, const double passing[3])
            > scene->adc_bailout;
 }
 
-/* Traces the reflected and the refracted ray.  A total reflection keeps its whole
- * colour, and the surface then has no other reflection.  In a scene without transparent
- * objects each surface determines again on which side of it a ray is. */
+/* Traces the reflected and the refracted ray. A total reflection keeps its whole
+ * colour, and the surface then has no other reflection. In a scene without transparent
+ * objects, each surface determines on which side a ray is. */
 static void branch(const struct branching *from, const struct plain_hit *hit)
 {
     static const double all[3] = { 1, 1, 1 };
@@ -275,8 +279,8 @@ static void branch(const struct branching *from, const struct plain_hit *hit)
         follow(from, &refracted, greatest(passing), passing);
 }
 
-/* Applies the fogs.  Each transmits e^(-depth / distance), but at least its transmit,
- * tinted by its filter; the rest is its own colour. */
+/* Applies the fogs. A fog transmits e^(-depth / distance), but at least its transmit.
+ * The transmitted light is tinted by its filter. The rest is the colour of the fog. */
 static void see_through_fogs(const struct scene *scene, double depth, double color[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -311,7 +315,7 @@ static void trace_clearly(const struct plain_tracer *tracer, const struct path *
     copy(hit->normal, surface.normal);
 }
 
-/* POV-Ray's background is 2e10 away. */
+/* The background of POV-Ray is at a distance of 2e10. */
 static void trace_path(const struct plain_tracer *tracer, const struct path *path,
                        struct plain_hit *hit, double color[3])
 {
@@ -321,7 +325,7 @@ static void trace_path(const struct plain_tracer *tracer, const struct path *pat
 
 /* ---- The frame ----------------------------------------------------------- */
 
-/* Converts colours that were computed for a display with a gamma to linear light. */
+/* Converts a colour that was computed for a display with a gamma to linear light. */
 static double as_light(const struct scene *scene, double color)
 {
     double gamma = scene->assumed_gamma;
@@ -342,7 +346,7 @@ static void store(const struct scene *scene, const struct frame *frame, size_t p
     frame->channel[CHANNEL_ID][pixel] = id;
 }
 
-/* Adds one sample's share to the light of a pixel. */
+/* Adds the fraction of one sample to the light of a pixel. */
 static struct plain_hit trace_sample(const struct plain_tracer *tracer,
                                      const struct frame *frame, size_t samples,
                                      size_t x, size_t y, double light[3])
@@ -361,7 +365,8 @@ static struct plain_hit trace_sample(const struct plain_tracer *tracer,
     return hit;
 }
 
-/* Depth, normal and number are those of the sample at half of the rows and columns. */
+/* Depth, normal and number of a pixel come from the sample at half of its rows and
+ * columns. */
 static void trace_pixel(const struct plain_tracer *tracer, const struct frame *frame,
                         size_t x, size_t y)
 {

@@ -1,5 +1,5 @@
-/* points.c - the random stream and the lattice by their definition, and by a program of
- * the machine (points.h). */
+/* points.c - computes the random stream and the lattice by their definitions, and by a
+ * program of the machine (points.h). */
 #include "tests/oracle/points.h"
 
 #include <stdlib.h>
@@ -11,7 +11,8 @@
 
 static const uint64_t mask = (UINT64_C(1) << 47) - 1;
 
-/* Unsigned products are exact in their low 64 bits, and so in their low 47. */
+/* Products of unsigned integers are exact in their low 64 bits, and therefore in their
+ * low 47 bits. */
 uint64_t stream_state_at(uint64_t p)
 {
     if (p == 0)
@@ -57,7 +58,7 @@ struct point_maker {
     struct object *program;
     c205_model *model;
     c205 *machine;
-    uint64_t given, made; /* addresses */
+    uint64_t given, made; /* addresses of input and output */
 };
 
 static bool prepare(struct point_maker *maker, c205_error *error)
@@ -111,7 +112,7 @@ void point_maker_free(struct point_maker *maker)
 c205 *point_maker_load(struct point_maker *maker, const struct point_choice *choice,
                        c205_error *error)
 {
-    /* Integers have the exponent 0. */
+    /* An integer of the machine has the exponent 0. */
     c205_word given[] = { choice->seed, choice->first, choice->m, choice->shift };
     if (!c205_load(maker->machine, &maker->program->program, error))
         return NULL;

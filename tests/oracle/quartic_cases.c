@@ -1,5 +1,5 @@
-/* quartic_cases.c - random polynomials, mostly from their exact roots
- * (quartic_rule.h). */
+/* quartic_cases.c - random polynomials, most of which are computed from their exact
+ * roots (quartic_rule.h). */
 #include "quartic_rule.h"
 
 #include <math.h>
@@ -90,8 +90,8 @@ static void add_pair(struct product *product, double x, double y)
     mpfr_clears(first, term, (mpfr_ptr)NULL);
 }
 
-/* Scales by factor 10^exponent and truncates the coefficients to words, the leading
- * ones first. */
+/* Multiplies the coefficients by factor * 10^exponent, and truncates them to words. The
+ * leading coefficient is the first. */
 static void cut(struct polynomial *polynomial, const struct product *product,
                 double factor, long exponent)
 {
@@ -177,7 +177,7 @@ static void make_grazing(struct product *product, uint64_t *state)
 
 static const struct {
     const char *name;
-    make_product *make; /* NULL: not from roots */
+    make_product *make; /* NULL: not made from roots */
 } kinds[QUARTIC_KINDS] = {
     [QUARTIC_COEFFICIENTS] = { "coefficients", NULL },
     [QUARTIC_INTEGERS] = { "integers", NULL },
@@ -254,7 +254,8 @@ static void make_coefficients(struct polynomial *polynomial, enum quartic_kind k
                                : c205_from_double(signed_unit(state));
 }
 
-/* Leading coefficients near 0 add a root far away. */
+/* Replaces leading coefficients that are 0 by numbers near 0, which add a root far
+ * away. */
 static void weaken(struct polynomial *polynomial, uint64_t *state)
 {
     for (int i = 0; i < 3 && unit(state) < 0.6; i++)

@@ -1,4 +1,4 @@
-/* quartic_rule.c - checks computed roots against exact roots and islands
+/* quartic_rule.c - compares computed roots with exact roots and islands
  * (quartic_rule.h). */
 #include "quartic_rule.h"
 
@@ -57,7 +57,7 @@ static void half_take(struct half *half, const struct polynomial *polynomial,
     islands_find(&half->islands, half->c, EXACT_DEGREE);
 }
 
-/* Returns whether x, on this side, is above the bound. */
+/* Returns true if x, on this side of zero, is above the bound. */
 static bool is_above(const struct half *half, const mpfr_t x)
 {
     int order = mpfr_cmp(x, half->bound);
@@ -69,14 +69,14 @@ static bool is_between(const mpfr_t x, const mpfr_t low, const mpfr_t high)
     return mpfr_lessequal_p(low, x) && mpfr_lessequal_p(x, high);
 }
 
-/* Sets low and high to the island, widened by the last bits of its root. */
+/* Sets low and high to the ends of the island, widened by the last bits of its root. */
 static void take_shores(struct half *half, const struct island *island)
 {
     mpfr_mul_d(half->low, island->low, 1 - 0x1p-40, MPFR_RNDD);
     mpfr_mul_d(half->high, island->high, 1 + 0x1p-40, MPFR_RNDU);
 }
 
-/* Sets half->found to a computed root.  Returns whether it is on the island. */
+/* Sets half->found to a computed root. Returns true if it is on the island. */
 static bool take_found(struct half *half, int i)
 {
     oracle_value(&oracle_full, half->found, half->roots->root[i]);
@@ -92,7 +92,7 @@ static int count_found(struct half *half)
     return count;
 }
 
-/* Returns the error of the computed root on the island relative to an exact root. */
+/* Returns the error of the computed root on the island, relative to an exact root. */
 static double error_of_only_root(struct half *half, size_t exact)
 {
     for (int i = 0; i < half->roots->count && !take_found(half, i); i++)
@@ -110,12 +110,13 @@ static bool is_narrower(struct half *half, const struct island *island, double w
     return mpfr_cmp_d(half->error, width) < 0;
 }
 
-/* Exact properties of an island, within the limits of take_shores. */
+/* Properties of an island, computed exactly within the ends of take_shores. */
 struct facts {
-    int roots, multiple; /* on it; a multiple root is also a knot */
-    int knots, bends;    /* roots of f' and f'' on it */
-    int above, at_bound; /* roots above the bound, roots there */
-    size_t root;         /* index of one of those above */
+    int roots, multiple; /* number of roots on the island, and of multiple roots, which
+                          * are also knots */
+    int knots, bends;    /* number of roots of f' and of f'' on the island */
+    int above, at_bound; /* number of roots above the bound, and equal to the bound */
+    size_t root;         /* index of a root above the bound */
     bool bounded;        /* the bound is on the island */
 };
 
@@ -141,11 +142,11 @@ static struct facts find_facts(const struct half *half)
     return facts;
 }
 
-/* Returns the largest number of roots that may be computed on an island.  Between n
- * roots, counted with multiplicity, there are n - 1 knots, and the multiple roots are
- * knots.  A pair of complex roots nearby adds two knots, or one if there is no real
- * root.  A bend on a wide island also indicates a pair, that of nearly a triple
- * root. */
+/* Returns the largest number of roots that may be computed on an island. n roots,
+ * counted with multiplicity, have n - 1 knots between them; multiple roots are knots,
+ * too. A pair of complex roots nearby adds two knots, or one if there is no real root.
+ * A bend on a wide island also indicates a pair, as for a root that is nearly
+ * triple. */
 static int most_roots(struct half *half, const struct island *island,
                       const struct facts *facts)
 {
@@ -210,7 +211,7 @@ static const char *check_half(struct half *half, struct tally *tally)
 
 /* ---- One polynomial ----------------------------------------------------- */
 
-/* Roots must ascend, be above the bound, and include 0 if 0 is a root. */
+/* Checks that the roots ascend, are above the bound, and include 0 if 0 is a root. */
 static const char *check_order(const struct polynomial *polynomial,
                                const struct polynomial_roots *roots)
 {

@@ -1,4 +1,4 @@
-/* random_insn.c - random instructions, chosen from the instruction table. */
+/* random_insn.c - random instructions of the instruction table. */
 #include "random_parts.h"
 
 #include "tests/oracle/operand_letters.h"
@@ -62,8 +62,8 @@ static bool is_prefix(const c205_insn *insn)
     return insn->format == C205_FORMAT_NONE;
 }
 
-/* Chooses an instruction that can be linked, each unit with equal probability; mostly
- * of another unit than the first of the pair. */
+/* Chooses an instruction that can be linked. All units have the same probability, but
+ * the unit of the first instruction of the pair is rarely chosen for the second. */
 static const c205_insn *draw_linked(uint64_t *random, const c205_insn *first)
 {
     c205_unit unit;
@@ -74,7 +74,7 @@ static const c205_insn *draw_linked(uint64_t *random, const c205_insn *first)
     return draw_of_unit(random, unit);
 }
 
-/* After a prefix, mostly chooses two instructions that can be linked.  Otherwise it
+/* After a prefix, mostly chooses two instructions that can be linked. Otherwise it
  * often repeats the last instruction, to keep units and memory busy. */
 static const c205_insn *draw_insn(uint64_t *random, const c205_insn *const *rows,
                                   size_t i)
@@ -99,8 +99,8 @@ static bool is_transfer(const c205_insn *insn)
     return false;
 }
 
-/* Like draw_insn, but for programs of scalar instructions, which the machine translates
- * to blocks; rarely chooses a vector instruction. */
+/* Like draw_insn, for programs of scalar instructions, which the machine translates to
+ * blocks. Rarely chooses a vector instruction. */
 static const c205_insn *draw_scalar(uint64_t *random, const c205_insn *const *rows,
                                     size_t i)
 {
@@ -151,7 +151,7 @@ static char vector_role(uint64_t *random, unsigned g, char role)
     return one_in(random, role == 'v' ? 20 : 6) ? of_other_size : role;
 }
 
-/* A sparse result has no offset. */
+/* Removes the offset of a sparse result, which has none. */
 static unsigned result_bits(const c205_insn *insn, unsigned g)
 {
     return insn->format == C205_FORMAT_SPARSE ? g & ~C205_G_OFFSET : g;
@@ -245,7 +245,7 @@ static int64_t draw_immediate(uint64_t *random, const struct random_program *pro
     }
 }
 
-/* Chooses the operands in the order of the syntax; a letter after + is an offset. */
+/* Chooses the operands in the order of the syntax. A letter after + is an offset. */
 static void draw_registers(uint64_t *random, const c205_insn *insn, c205_fields *fields)
 {
     const char *syntax = c205_format_syntax(insn->format);
@@ -261,10 +261,10 @@ static void draw_registers(uint64_t *random, const c205_insn *insn, c205_fields 
     }
 }
 
-/* Changes the result register.  A sum is mostly in an even register.  The index of an
- * extreme is sometimes in the register of its value.  Another result is sometimes in
- * the register of its first source or an adjacent one; the vectors then start near each
- * other, and the result is a recurrence. */
+/* Changes the result register. A sum is mostly in an even register. The index of an
+ * extreme is sometimes in the register of its value. Another result is sometimes in the
+ * register of its first source, or in an adjacent register. The vectors then start near
+ * each other, and the result is a recurrence. */
 static void draw_result(uint64_t *random, const c205_insn *insn, c205_fields *fields)
 {
     char letter = reference_letter(insn, fields->g, 'C');
@@ -340,9 +340,9 @@ static bool has_b(const c205_insn *insn)
     return reference_bits_of_g(insn) & C205_G_BROADCAST_B;
 }
 
-/* Broadcasts one source that is neither the linked one nor needed as a vector: one of
- * the first instruction, or the other one of the second.  So memory has to feed at most
- * two. */
+/* Broadcasts one source that is neither linked nor needed as a vector. It is a source
+ * of the first instruction, or the other source of the second instruction. Memory then
+ * supplies at most two sources. */
 static void spare_a_stream(uint64_t *random, const c205_insn *const *rows,
                            c205_fields *first, c205_fields *second, bool a)
 {
@@ -352,7 +352,7 @@ static void spare_a_stream(uint64_t *random, const c205_insn *const *rows,
         broadcast(random, second, !a);
 }
 
-/* Makes the second instruction of a pair mostly read the result of the first. */
+/* Mostly makes the second instruction of a pair read the result of the first. */
 static void link_fields(uint64_t *random, const c205_insn *const *rows,
                         c205_fields *first, c205_fields *second)
 {
@@ -365,7 +365,7 @@ static void link_fields(uint64_t *random, const c205_insn *const *rows,
     if (!one_in(random, 20))
         *(a ? &second->a : &second->b) = first->c;
     if (!one_in(random, 3))
-        second->c = first->c; /* of equal length */
+        second->c = first->c; /* has the same length */
     if (!one_in(random, 20))
         spare_a_stream(random, rows, first, second, a);
     if (has_b(rows[1]) && one_in(random, 12))
@@ -389,7 +389,7 @@ static void link_pairs(uint64_t *random, struct random_program *program,
     }
 }
 
-/* Ends the loop with a branch back, by registers of its own. */
+/* Ends the loop with a branch back. The branch has registers of its own. */
 static void close_loop(struct random_program *program)
 {
     const c205_insn *insn = c205_insn_named("DBNZ", 4);
@@ -397,7 +397,7 @@ static void close_loop(struct random_program *program)
     put_insn(program, program->insn_count - 2, insn, &fields);
 }
 
-/* Puts a scatter to the program itself in the second half of the loop. */
+/* Puts a scatter to the program's own code into the second half of the loop. */
 static void rewrite_in_loop(uint64_t *random, struct random_program *program,
                             const c205_insn **rows)
 {

@@ -7,10 +7,10 @@
 
 enum {
     CODE_WORDS = PROGRAM_INSNS + 2,
-    MAX_AREA = 4096 /* words, more than any area has */
+    MAX_AREA = 4096 /* number of words, more than any area has */
 };
 
-/* Long instructions may start in the middle of a word. */
+/* Writes the instructions. Long instructions may start in the middle of a word. */
 static void put_code(c205 *machine, const struct random_program *program)
 {
     uint64_t begin = program->code / WORD * WORD;
@@ -26,7 +26,7 @@ static void put_code(c205 *machine, const struct random_program *program)
     c205_write(machine, begin, code, CODE_WORDS);
 }
 
-/* all: also that of writable areas. */
+/* Writes the data. If `all` is true, also writes the data of writable areas. */
 static void put_data(c205 *machine, const struct random_program *program, bool all)
 {
     c205_word words[MAX_AREA];

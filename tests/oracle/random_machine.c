@@ -9,7 +9,7 @@
 
 enum { WORD = 64 };
 
-static c205 **machines; /* one per model */
+static c205 **machines; /* one machine for each model */
 static c205_model **models;
 
 /* ---- Begin and end ----------------------------------------------------- */
@@ -91,7 +91,7 @@ uint64_t machine_hash(const c205 *machine)
 
 /* ---- Memory ------------------------------------------------------------ */
 
-/* Copies the words from an address to another, of one page or more. */
+/* Copies words from `address` to `end`. The range may have several pages. */
 static void take_words(const c205 *machine, struct plain_memory *memory,
                        uint64_t address, uint64_t end)
 {

@@ -39,7 +39,7 @@ const char *const random_models[] = {
 };
 const size_t random_model_count = sizeof random_models / sizeof random_models[0];
 
-/* Page 5 is not mapped, nor are pages 0, 7 and those from 9. */
+/* Page 5 is not mapped. Neither are pages 0, 7, 9 and above. */
 const struct random_page random_pages[RANDOM_PAGES] = {
     { IN_PAGE(1, 0), C205_READ_WRITE }, { IN_PAGE(2, 0), C205_READ_WRITE },
     { IN_PAGE(3, 0), C205_READ_WRITE }, { IN_PAGE(4, 0), C205_READ_WRITE },
@@ -88,8 +88,9 @@ static c205_word number(uint64_t *random, const struct oracle_format *format)
     return one_in(random, 2) ? a : b;
 }
 
-/* A word at or between two half words, where rounding may carry: the digits below a
- * half word are about half of its unit or nearly a whole unit. */
+/* Returns a word that is equal to a half word, or between two half words, where
+ * rounding may carry. The digits below a half word are about half of its unit, or
+ * nearly a whole unit. */
 static c205_word near_half(uint64_t *random)
 {
     static const c205_word beyond[] = { 0, 0x7FFFFF, 0x800000, 0xFFFFFF };
@@ -104,7 +105,7 @@ static c205_word word_number(uint64_t *random)
     return one_in(random, 12) ? near_half(random) : number(random, &oracle_full);
 }
 
-/* Two half words. */
+/* Returns two half words. */
 static c205_word half_numbers(uint64_t *random)
 {
     c205_word left = number(random, &oracle_half);
@@ -133,8 +134,8 @@ uint64_t draw_length(uint64_t *random)
 
 /* ---- Data -------------------------------------------------------------- */
 
-/* Mostly on the page of the table; otherwise on another one, which may contain code, be
- * read-only or not be mapped. */
+/* Returns an index that is mostly on the page of the table. Otherwise it is on another
+ * page, which may contain code, be read-only or not be mapped. */
 static c205_word far_index(uint64_t *random)
 {
     int64_t pages = one_in(random, 40) ? random_between(random, -2, 3) : 0;
@@ -166,8 +167,8 @@ static c205_word plain_datum(const struct random_area *area)
     }
 }
 
-/* Words of an area after the first DISTINCT repeat earlier ones at random, because
- * generating numbers is slow. */
+/* The first DISTINCT words of an area are generated. Later words repeat them at random,
+ * because generating numbers is slow. */
 enum { DISTINCT = 200 };
 
 void program_data(const struct random_program *program, const struct random_area *area,
@@ -283,14 +284,15 @@ c205_word draw_code_address(uint64_t *random, const struct random_program *progr
     return one_in(random, 30) ? address + 8 : address;
 }
 
-/* A vector of words of the program itself. */
+/* Returns a vector of words of the program's own code. */
 static c205_word code_vector(uint64_t *random, const struct random_program *program)
 {
     uint64_t address = draw_code_address(random, program);
     return (c205_word)random_between(random, 1, 5) << 48 | address / WORD * WORD;
 }
 
-/* Returns a table in the program, on a read-only page, or at the end of a page. */
+/* Returns a table in the program's code, on a read-only page, or at the end of a
+ * page. */
 static c205_word table_elsewhere(uint64_t *random, const struct random_program *program)
 {
     uint64_t before = (uint64_t)random_between(random, 0, 90);
@@ -337,7 +339,8 @@ static c205_word preset(uint64_t *random, const struct random_program *program,
     }
 }
 
-/* Returns a vector near the previous one, or of half words near one of words. */
+/* Returns a vector near the previous vector, or a vector of half words near a vector of
+ * words. */
 static c205_word near_another(uint64_t *random, const struct random_program *program,
                               char role, unsigned number)
 {
@@ -348,7 +351,7 @@ static c205_word near_another(uint64_t *random, const struct random_program *pro
                  * (uint64_t)random_between(random, -3, 3);
 }
 
-/* Every fourth vector starts near another one, so that they overlap. */
+/* Every fourth vector starts near another vector, so that both overlap. */
 static void preset_registers(uint64_t *random, struct random_program *program)
 {
     for (size_t p = 0; p < POOLS; p++)
@@ -362,7 +365,7 @@ static void preset_registers(uint64_t *random, struct random_program *program)
         }
 }
 
-/* A loop starts in the first half of the program. */
+/* Chooses the start of a loop, which is in the first half of the program. */
 static void preset_loop(uint64_t *random, struct random_program *program)
 {
     int64_t half = (int64_t)program->insn_count / 2, most = one_in(random, 3) ? 90 : 25;
@@ -371,8 +374,8 @@ static void preset_loop(uint64_t *random, struct random_program *program)
     program->registers[LOOP_BEGIN] = program_address(program, first);
 }
 
-/* The table is a range of words around one of the loop.  The words stored there are
- * numbers, few of which are instructions. */
+/* Chooses a table for the scatter: a range of words around a word of the loop. The
+ * stored words are numbers, few of which are instructions. */
 static void preset_rewrites(uint64_t *random, struct random_program *program)
 {
     uint64_t code = draw_code_address(random, program) / WORD * WORD;
@@ -396,7 +399,7 @@ uint64_t program_address(const struct random_program *program, size_t i)
     return address;
 }
 
-/* Any address of page 1; often the program continues in the next page. */
+/* Returns any address of page 1. The program often continues on the next page. */
 static uint64_t draw_beginning(uint64_t *random)
 {
     uint64_t words = one_in(random, 3)
@@ -411,7 +414,7 @@ struct random_program random_program(uint64_t seed)
 {
     uint64_t random = seed;
     struct random_program program = { .seed = seed };
-    random = random_bits(&random); /* unrelated to those of other seeds */
+    random = random_bits(&random); /* so that seeds have unrelated numbers */
     program.model = (size_t)random_between(&random, 0, (int64_t)random_model_count - 1);
     program.code = draw_beginning(&random);
     program.loop = seed % ONE_LOOP_IN == 0;

@@ -1,4 +1,5 @@
-/* ray_query_rules.c - generates lines and checks the hits of the all-hits ray query. */
+/* ray_query_rules.c - generates lines, and checks the hits of the all-hits ray
+ * query. */
 #include "tests/oracle/ray_query_rules.h"
 
 #include "tests/oracle/chance.h"
@@ -10,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MIN_DISTANCE 1e-6 /* k_tmin: nearer hits are ignored */
+#define MIN_DISTANCE 1e-6 /* k_tmin of the kernels: nearer hits are ignored */
 enum { ROUNDED_EACH = 50 };
 
 /* ---- Lines --------------------------------------------------------------- */
@@ -107,7 +108,7 @@ bool same_distances(const struct ray_hits *expected, const struct ray_hits *foun
 
 /* ---- Rules --------------------------------------------------------------- */
 
-/* One line, its hits, and the distance before its origin. */
+/* A line, its hits, and the distance of its start before its origin. */
 struct along {
     const struct scene *scene;
     const struct scene_ray *line;
@@ -174,7 +175,7 @@ static bool begins_inside(const struct along *along, const struct region *region
     return plain_is_inside(along->scene, region, &ray, MIN_DISTANCE - along->behind);
 }
 
-/* Returns whether a bounded region contains distant points: it is a complement. */
+/* Returns true if the region is a complement, so that it contains distant points. */
 static bool is_complement(const struct along *along, const struct region *region)
 {
     struct ray ray = ray_of(along->line);
@@ -205,7 +206,7 @@ static bool region_keeps_rules(const struct along *along, const struct region *r
            || object_depth == is_complement(along, region);
 }
 
-/* Returns whether a hit is in the plane of its triangle. */
+/* Returns true if a hit is in the plane of its triangle. */
 static bool is_on_triangle(const struct along *along, const struct ray_hit *seen)
 {
     const struct primitive *mesh = &along->scene->primitives[seen->primitive];

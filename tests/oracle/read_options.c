@@ -8,7 +8,7 @@
 
 enum { MAX_OPTIONS = 8 };
 
-/* Returns false if the text is no number from 0, or is too large. */
+/* Returns false if the text is not a non-negative integer, or is too large. */
 static bool set(const struct check_option *option, const char *text)
 {
     char *end = "";

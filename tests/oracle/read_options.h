@@ -5,15 +5,16 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* An option --name VALUE or --name, or a value without a name; one pointer is set. */
+/* An option --name VALUE or --name, or an argument without a name. One of the pointers
+ * is set. */
 struct check_option {
-    const char *name; /* NULL: an argument that is no option */
-    uint64_t *number; /* from 0 */
+    const char *name; /* NULL: an argument that is not an option */
+    uint64_t *number; /* receives a non-negative integer */
     const char **text;
     bool *flag;
 };
 
-/* Sets the values of the arguments.  After an error it prints the usage and ends the
+/* Stores the values of the arguments. After an error, prints the usage and ends the
  * program with status 2. */
 void read_options(int argc, char **argv, const char *usage,
                   const struct check_option *options, int count);

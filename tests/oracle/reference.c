@@ -1,4 +1,4 @@
-/* reference.c - fetches, decodes and executes one instruction, or undoes it
+/* reference.c - fetches, decodes and executes an instruction, and undoes it
  * (reference.h). */
 #include "reference_parts.h"
 
@@ -38,8 +38,8 @@ static bool certain_fault(const struct reference *reference)
 
 /* ---- Operands by their letters ----------------------------------------- */
 
-/* Applies G: with 32-bit operands some letters become capitals.  An order vector is a
- * source if it is given, and a result otherwise. */
+/* Applies G to a letter. With 32-bit operands some letters become capitals. An order
+ * vector is a source if it is given, otherwise a result. */
 static char by_g(const c205_insn *insn, unsigned g, char letter)
 {
     bool half = insn->flags & C205_INSN_HALF && g & C205_G_HALF;
@@ -49,7 +49,7 @@ static char by_g(const c205_insn *insn, unsigned g, char letter)
                                                         : letter;
 }
 
-/* An offset follows a + in the syntax and has no letter. */
+/* An offset follows a + in the syntax, and has no letter. */
 char reference_table_letter(const c205_insn *insn, char field)
 {
     const char *syntax = c205_format_syntax(insn->format);
@@ -94,7 +94,7 @@ void write_register(struct reference *reference, unsigned number, c205_word word
         reference->now.registers[number] = word;
 }
 
-/* Returns the full register that contains a half register. */
+/* Returns the number of the register that contains a half register. */
 static unsigned whole_register(unsigned number)
 {
     return number / 2;
@@ -153,7 +153,8 @@ static void check_write(struct reference *reference, uint64_t address, unsigned 
         add_fault(reference, C205_TRAP_PROTECTED_ADDRESS, address, certain);
 }
 
-/* Returns the bits of a word that belong to an operand; bit 0 is the leftmost. */
+/* Returns a mask of the bits of a word that belong to an operand. Bit 0 is the leftmost
+ * bit. */
 static uint64_t bits_in_word(uint64_t address, unsigned width)
 {
     return UINT64_MAX << (BITS - width) >> address % BITS;
@@ -199,8 +200,8 @@ void add_extent(struct reference *reference, uint64_t address, uint64_t bits)
 
 /* ---- Fetching ---------------------------------------------------------- */
 
-/* Fetches the instruction at the program counter, which advances.  Returns false if
- * there is none, or if memory ends within it. */
+/* Fetches the instruction at the program counter, and advances the program counter.
+ * Returns false if there is no instruction, or if memory ends within it. */
 static bool fetch(struct reference *reference)
 {
     struct deed *deed = &reference->deed;
@@ -227,8 +228,9 @@ static bool fetch(struct reference *reference)
 
 /* ---- The bits of G ----------------------------------------------------- */
 
-/* Derives the bits from the operands of the row: which may be broadcast or signed, and
- * whether there is a control vector, or a result that may have an offset. */
+/* Derives the bits of G from the operands of the row: which operands may be broadcast
+ * or signed, whether there is a control vector, and whether a result may have an
+ * offset. */
 static unsigned vector_bits(const c205_insn *insn)
 {
     const char *syntax = c205_format_syntax(insn->format);
@@ -240,7 +242,7 @@ static unsigned vector_bits(const c205_insn *insn)
         bits |= C205_G_BROADCAST_B;
     if (strstr(syntax, "?Z") || strstr(syntax, "!Z"))
         bits |= C205_G_ZEROS;
-    /* for a sparse vector, C205_G_GIVEN is the same bit */
+    /* for a sparse vector this bit means C205_G_GIVEN */
     if (strstr(syntax, "[C]") && insn->format != C205_FORMAT_SPREAD
         && insn->format != C205_FORMAT_SPACED)
         bits |= C205_G_OFFSET;
@@ -272,9 +274,10 @@ static bool is_sum(const c205_insn *insn)
     return strchr(insn->operands, 'p');
 }
 
-/* Checks the reserved fields.  Fields that a format lacks are zero; so are the offset
- * of a broadcast operand, and the zeros bit if there is no control vector.  r255 has no
- * register after it.  A sum in two registers starts with an even one. */
+/* Checks the reserved fields. Fields that a format does not have must be zero. The
+ * offset of a broadcast operand must be zero, and so must the zeros bit without a
+ * control vector. r255 has no register after it. A sum in two registers must start with
+ * an even register. */
 static bool has_only(const c205_insn *insn, c205_word word, const c205_fields *fields)
 {
     unsigned g = fields->g;
@@ -296,7 +299,7 @@ static void check_code(struct reference *reference, size_t i)
     if (!has_only(deed->insns[i], deed->words[i], deed->fields + i))
         add_fault(reference, C205_TRAP_UNDEFINED_INSTRUCTION, deed->pc, true);
     if (strstr(c205_format_syntax(deed->insns[i]->format), "!Z")
-        && deed->fields[i].z == 0) /* without a control vector */
+        && deed->fields[i].z == 0) /* there is no control vector */
         add_fault(reference, C205_TRAP_BAD_DESCRIPTOR, 0, true);
 }
 
@@ -350,7 +353,7 @@ static void do_fetched(struct reference *reference)
         do_one(reference, deed->insns[0], deed->fields);
 }
 
-/* Sets the flag of the timer; a timer that has expired stops. */
+/* Sets the flag of the timer if it has expired. An expired timer stops. */
 static void look_at_timer(struct reference *reference)
 {
     reference->now.flags = reference_flags(reference, reference->clock);

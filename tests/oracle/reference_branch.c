@@ -8,7 +8,8 @@
 
 enum relation { LESS = 1, EQUAL = 2, GREATER = 4, UNORDERED = 8 };
 
-/* Returns the relations on which an instruction branches, by the end of its name. */
+/* Returns the relations on which an instruction branches, according to the end of its
+ * name. */
 static unsigned branches_on(const c205_insn *insn)
 {
     static const struct {
@@ -52,7 +53,8 @@ static void go_to(struct reference *reference, uint64_t target, bool taken)
     reference->now.pc = target;
 }
 
-/* Returns the target of a 64-bit branch: relative to itself, or (Y) + (B). */
+/* Returns the target of a 64-bit branch, which is relative to the branch, or is (Y) +
+ * (B). */
 static uint64_t long_target(const struct reference *reference,
                             const c205_fields *fields)
 {
@@ -96,7 +98,7 @@ static void count_and_branch(struct reference *reference, const c205_fields *fie
 
 enum alteration { LEAVE, CHANGE, MAKE_ZERO, MAKE_ONE };
 
-/* I4 is 4 x condition + alteration.  Conditions: never, always, one, zero. */
+/* I4 is 4 x condition + alteration. The conditions are never, always, one and zero. */
 static bool holds(int64_t i4, bool bit)
 {
     const bool answers[] = { false, true, bit, !bit };
@@ -109,8 +111,8 @@ static bool altered(int64_t i4, bool bit)
     return answers[i4 & 3];
 }
 
-/* Returns the altered word, and branches to C if the bit meets the condition.  Only the
- * low 6 bits of the bit's number count. */
+/* Returns the altered word. If the bit meets the condition, branches to C. Only the low
+ * 6 bits of the bit's number are used. */
 static c205_word branch_on_bit(struct reference *reference, const c205_fields *fields,
                                c205_word word, c205_word number)
 {
@@ -148,7 +150,7 @@ static void branch_on_one_bit(struct reference *reference, const c205_insn *insn
 
 enum request { END, PRINT_TEXT = 4, PRINT_NUMBERS = 6, PRINT_BITS = 7, REQUESTS };
 
-/* Reads the memory that the monitor will print, which must be mapped. */
+/* Reads the memory that the monitor prints. It must be mapped. */
 static void look_at(struct reference *reference, c205_word descriptor, int64_t request)
 {
     for (uint64_t i = 0; i < length_of(descriptor); i++)

@@ -47,7 +47,7 @@ static void pass(struct reference_clock *clock, c205_cause cause, uint64_t clock
     charge(clock, clock->region, cause, clock->now + clocks);
 }
 
-/* Charges each part of the wait to the phase of the vector unit in it. */
+/* Charges each part of the wait to the phase of the vector unit during this part. */
 static void wait_for_vector(struct reference_clock *clock, uint64_t until)
 {
     for (size_t i = 0; i < clock->phase_count; i++)
@@ -67,8 +67,8 @@ static void wait_for(struct reference_clock *clock, const struct awaited *awaite
 
 /* ---- Registers --------------------------------------------------------- */
 
-/* The registers that an instruction names, in the order of its syntax; each vector is
- * followed by its offset. */
+/* The registers that an instruction names, in the order of its syntax. The offset of a
+ * vector follows the vector. */
 struct named {
     const c205_insn *insn;
     const c205_fields *fields;
@@ -82,7 +82,7 @@ static void name_register(struct named *named, unsigned number)
         named->numbers[named->count++] = number;
 }
 
-/* The wait for a half register is that for the register which contains it. */
+/* A half register waits for the register that contains it. */
 static void name_operand(struct named *named, char field, unsigned number)
 {
     unsigned bit = field == 'A'   ? C205_G_BROADCAST_A
@@ -94,14 +94,15 @@ static void name_operand(struct named *named, char field, unsigned number)
                              : number);
 }
 
-/* C is only written, so its wait is the last. */
+/* Returns true for a reduction. It only writes C, so its wait for C is the last. */
 static bool is_reduction(const c205_insn *insn)
 {
     return insn->format == C205_FORMAT_REDUCE || insn->format == C205_FORMAT_REDUCE2
            || insn->format == C205_FORMAT_EXTREME;
 }
 
-/* A sum has two registers, but none if the first is 0. */
+/* Returns true if a sum has a second register. If its first register is 0, it has no
+ * registers. */
 static bool has_second_part(const c205_insn *insn, const c205_fields *fields)
 {
     return strchr(insn->operands, 'p') && fields->c != 0;
@@ -172,7 +173,7 @@ static void wait_for_registers(struct reference_clock *clock, const c205_insn *i
         wait_for(clock, clock->registers + named.numbers[i]);
 }
 
-/* Returns the field that an instruction writes; 0: none. */
+/* Returns the field that an instruction writes, or 0. */
 static char written_field(const c205_insn *insn)
 {
     const char *letters = insn->operands;
@@ -186,7 +187,8 @@ static char written_field(const c205_insn *insn)
     return strchr("wmWM", letters[0]) && letters[1] != '\0' ? 'R' : 'T';
 }
 
-/* Returns the register of the result, full or half, plus `behind`. */
+/* Returns the register of the result plus `behind`. The register of a half register is
+ * the register that contains it. */
 static unsigned written(const c205_insn *insn, const c205_fields *fields,
                         unsigned behind)
 {
@@ -200,7 +202,7 @@ static unsigned written(const c205_insn *insn, const c205_fields *fields,
     return reference_is_half_register(letter, false) ? number / 2 : number;
 }
 
-/* Delivers a result.  A result for register 0 is never read, but is in flight too. */
+/* Delivers a result. A result for register 0 is never read, but is in flight, too. */
 static void deliver_to(struct reference_clock *clock, unsigned number,
                        struct awaited awaited)
 {
@@ -229,7 +231,7 @@ struct translation {
     uint64_t misses, faults;
 };
 
-/* Real memory has at least one page. */
+/* Real memory has room for at least one page. */
 static struct translation nothing_met(const struct reference_clock *clock)
 {
     uint64_t words = constant(clock, "page", "words");
@@ -307,7 +309,7 @@ static void issue(struct reference_clock *clock)
     pass(clock, C205_ISSUE, constant(clock, "issue", "interval"));
 }
 
-/* Memory belongs to the vector unit until it has finished. */
+/* Waits until the vector unit has finished, because memory belongs to it until then. */
 static void reach_memory(struct reference_clock *clock, const struct deed *deed)
 {
     wait_for_vector(clock, clock->vector_done);
@@ -351,8 +353,8 @@ static void step_scalar(struct reference_clock *clock, const struct deed *deed)
 
 /* ---- Branches ---------------------------------------------------------- */
 
-/* Extends the instruction stack by the sequential code, up to and including this
- * instruction. */
+/* Extends the instruction stack by the sequential code up to this instruction, which is
+ * included. */
 static void run_on(struct reference_clock *clock, const struct deed *deed)
 {
     uint64_t halves = 0, end;
@@ -384,7 +386,7 @@ static void step_branch(struct reference_clock *clock, const struct deed *deed)
 
 /* ---- The vector unit --------------------------------------------------- */
 
-/* Returns the clocks that gather or scatter wait for busy banks. */
+/* Returns the number of clocks that a gather or scatter waits for busy banks. */
 static uint64_t conflicts(const struct reference_clock *clock, const struct deed *deed)
 {
     uint64_t banks = constant(clock, "memory", "banks");
@@ -402,8 +404,8 @@ static uint64_t conflicts(const struct reference_clock *clock, const struct deed
     return deed->indexed_count > 0 ? time - (deed->indexed_count - 1) : 0;
 }
 
-/* Returns the clocks of a stream: the pipes process several elements at once if its
- * rate is per pipe. */
+/* Returns the number of clocks of a stream. If its rate is per pipe, the pipes process
+ * several elements at the same time. */
 static uint64_t stream(const struct reference_clock *clock, c205_timing timing,
                        bool halves, uint64_t elements)
 {
@@ -435,7 +437,7 @@ static void forget_phases(struct reference_clock *clock)
     clock->phase_count = kept;
 }
 
-/* Part of the start-up overlaps the previous stream. */
+/* Waits until the start-up can overlap the previous stream. */
 static void wait_for_overlap(struct reference_clock *clock, uint64_t startup)
 {
     uint64_t hidden = lesser(lesser(constant(clock, "vector", "overlap"),
@@ -445,8 +447,8 @@ static void wait_for_overlap(struct reference_clock *clock, uint64_t startup)
         wait_for_vector(clock, clock->vector_done - hidden);
 }
 
-/* The start-up of a linked pair is longer by the excess of each instruction's start-up
- * over that of an addition. */
+/* Returns the start-up time. For a linked pair it is longer by the excess of each
+ * instruction's start-up over the start-up of an addition. */
 static uint64_t startup_of(const struct reference_clock *clock, const struct deed *deed)
 {
     uint64_t addition = of_class(clock, "startup", C205_TIMING_vadd);
@@ -458,8 +460,8 @@ static uint64_t startup_of(const struct reference_clock *clock, const struct dee
     return clocks;
 }
 
-/* A linked pair runs at the rate of its slowest instruction.  Each recurrent element
- * waits for the previous one. */
+/* Returns the time of the stream. A linked pair has the rate of its slower instruction.
+ * Each recurrent element waits for the previous element. */
 static uint64_t stream_of(const struct reference_clock *clock, const struct deed *deed,
                           uint64_t startup)
 {
@@ -508,8 +510,8 @@ void reference_clock_enter(struct reference_clock *clock, uint64_t pc)
     clock->stack_low = clock->stack_high = pc / WORD;
 }
 
-/* Returns the floating-point operations of one element, or of one scalar instruction,
- * by the prefix of the mnemonic. */
+/* Returns the number of floating-point operations of one element or of one scalar
+ * instruction. It depends on the prefix of the mnemonic. */
 static unsigned flops(const c205_insn *insn)
 {
     static const char ones[][7] = { "ADDU", "ADDN", "SUBU",   "SUBL",  "SUBN",
@@ -537,8 +539,8 @@ static uint64_t operations(const struct deed *deed)
     return all;
 }
 
-/* Counts instructions, elements, operations and entries to the region from
- * elsewhere. */
+/* Counts instructions, elements, operations, and entries to the region from other
+ * regions. */
 static void count(struct reference_clock *clock, const struct deed *deed, size_t region)
 {
     struct counts *counts = clock->counts + region;

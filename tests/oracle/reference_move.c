@@ -1,7 +1,7 @@
 /* reference_move.c - vector instructions that move elements. */
 #include "reference_vector.h"
 
-/* Uses n elements of A, B and Z, then stored elements of C. */
+/* Records the use of n elements of A, B and Z, then of `stored` elements of C. */
 static void use_operands(struct reference *reference, const struct vector *vector,
                          uint64_t n, uint64_t stored)
 {
@@ -35,7 +35,8 @@ static void note_index(struct reference *reference, uint64_t address)
     deed->indexed[deed->indexed_count++] = address;
 }
 
-/* Returns the address of index i: that number of elements after the table's address. */
+/* Returns the address of index i. It is that number of elements after the address of
+ * the table. */
 static uint64_t indexed(struct reference *reference, const struct vector *vector,
                         uint64_t i, const struct target *table)
 {
@@ -76,7 +77,7 @@ static void scatter_one(struct reference *reference, const struct vector *vector
         leave_memory(reference, to, vector->c.width);
 }
 
-/* The table of a gather is B. */
+/* Returns the table of a gather, which is B. */
 static struct target gathered_table(struct reference *reference,
                                     const struct vector *vector)
 {
@@ -86,7 +87,7 @@ static struct target gathered_table(struct reference *reference,
     };
 }
 
-/* The length is the lesser of those of the indices and the result. */
+/* The length of a gather is the lesser of the lengths of the indices and the result. */
 static void gather(struct reference *reference, const struct vector *vector)
 {
     struct target table = gathered_table(reference, vector);
@@ -104,7 +105,7 @@ static void scatter(struct reference *reference, const struct vector *vector)
         scatter_one(reference, vector, i, indexed(reference, vector, i, &vector->c));
 }
 
-/* The length is that of the result. */
+/* The length of this instruction is the length of the result. */
 static void gather_periodic(struct reference *reference, const struct vector *vector)
 {
     struct target table = gathered_table(reference, vector);
@@ -116,7 +117,7 @@ static void gather_periodic(struct reference *reference, const struct vector *ve
         gather_one(reference, vector, i, periodic(reference, vector, i, &table));
 }
 
-/* The length is that of the source. */
+/* The length of this instruction is the length of the source. */
 static void scatter_periodic(struct reference *reference, const struct vector *vector)
 {
     const struct source *b = &vector->sources.b;
@@ -155,7 +156,7 @@ static void merge(struct reference *reference, const struct vector *vector)
     }
 }
 
-/* The number of stored elements is not known in advance. */
+/* Records stores whose number is not known in advance. */
 static void may_store(struct reference *reference, const struct vector *vector,
                       uint64_t length)
 {
@@ -176,7 +177,7 @@ static void compress(struct reference *reference, const struct vector *vector)
     set_length(reference, vector->fields->c, stored);
 }
 
-/* The length is the scan length. */
+/* The length of this instruction is the scan length. */
 static void sieve(struct reference *reference, const struct vector *vector)
 {
     uint64_t stored = 0, flags = 0, length;

@@ -6,8 +6,8 @@
 
 /* ---- Elements ---------------------------------------------------------- */
 
-/* Reads one element.  In a linked pair every element of the first instruction sets its
- * flags, as it has no control vector. */
+/* Reads one element. In a linked pair the first instruction has no control vector, so
+ * all its elements set flags. */
 static c205_word read_element(struct reference *reference, const struct source *source,
                               uint64_t i)
 {
@@ -20,8 +20,8 @@ static c205_word read_element(struct reference *reference, const struct source *
     }
 }
 
-/* Sign control applies to each element as it is read, but not to the padding of a short
- * vector, and sets no flags. */
+/* Returns an element. Sign control applies to each element that is read, but not to the
+ * padding of a short vector. It sets no flags. */
 c205_word element(struct reference *reference, const struct source *source, uint64_t i)
 {
     const struct oracle_format *format = format_of(source->width);
@@ -96,7 +96,7 @@ void set_length(struct reference *reference, unsigned number, uint64_t length)
 
 /* ---- Taking operands --------------------------------------------------- */
 
-/* Applies an offset, which advances a vector's start and shortens it. */
+/* Applies an offset. It advances the start of a vector, and reduces its length. */
 static struct target behind_offset(struct reference *reference, c205_word descriptor,
                                    unsigned offset, unsigned width)
 {

@@ -1,7 +1,7 @@
 /* reference_reduce.c - reductions of vectors to one number or one index. */
 #include "reference_vector.h"
 
-/* Evaluates all elements, because all their addresses are used. */
+/* All elements are evaluated, because all their addresses are used. */
 static void select_first(struct reference *reference, const struct vector *vector,
                          uint64_t length)
 {
@@ -14,7 +14,7 @@ static void select_first(struct reference *reference, const struct vector *vecto
     write_register(reference, vector->fields->c, first);
 }
 
-/* Writes to the register, or half register, C plus `behind`. */
+/* Writes to the register or half register C plus `behind`. */
 static void write_result(struct reference *reference, const struct vector *vector,
                          unsigned behind, c205_word word)
 {
@@ -23,12 +23,12 @@ static void write_result(struct reference *reference, const struct vector *vecto
                   fields->c + behind, word);
 }
 
-/* A sum in double precision, unnormalised. */
+/* An unnormalised sum in double precision. */
 struct parts {
     c205_word upper, lower;
 };
 
-/* Adds a term, which has an upper part and, if both, a lower one. */
+/* Adds a term, which has an upper part and, if `both` is true, a lower part. */
 static struct parts add_term(const struct oracle_format *format, struct parts sum,
                              const struct parts *term, bool both, uint64_t *flags)
 {
@@ -40,7 +40,7 @@ static struct parts add_term(const struct oracle_format *format, struct parts su
     return sum;
 }
 
-/* Returns element i of A, or the parts of its product with that of B. */
+/* Returns element i of A, or the parts of its product with element i of B. */
 static struct parts term(struct reference *reference, const struct vector *vector,
                          uint64_t i, uint64_t *flags)
 {
@@ -55,7 +55,7 @@ static struct parts term(struct reference *reference, const struct vector *vecto
     };
 }
 
-/* If C is register 0, neither part is written. */
+/* If C is register 0, neither part of the sum is written. */
 static void sum_up(struct reference *reference, const struct vector *vector,
                    uint64_t length)
 {
@@ -98,8 +98,8 @@ static bool is_indefinite(c205_word word)
     return word >> 60 == 7;
 }
 
-/* Returns true if word replaces best.  An equal element does not, and nothing replaces
- * an indefinite one. */
+/* Returns true if word replaces best. An equal element does not replace it, and nothing
+ * replaces an indefinite best. */
 static bool surpasses(const struct oracle_format *format, c205_word word,
                       c205_word best, bool greatest)
 {
@@ -111,7 +111,7 @@ static bool surpasses(const struct oracle_format *format, c205_word word,
                         : oracle_less(format, word, best, &flags));
 }
 
-/* If both results are in one register, the value remains. */
+/* If both results have the same register, it receives the value. */
 static void extreme(struct reference *reference, const struct vector *vector,
                     uint64_t length, bool greatest)
 {

@@ -26,8 +26,8 @@ static void apply_rule(struct reference *reference, const c205_insn *insn,
                   reference_rule(insn)(format, r, s, &reference->now.flags));
 }
 
-/* Returns a half register with the low 24 bits of low; the other bits are those of
- * high. */
+/* Returns a half register with the low 24 bits of `low`. Its other bits come from
+ * `high`. */
 static c205_word half_of(uint64_t high, uint64_t low)
 {
     return (high & ~(LOW_24 << HALF_BITS)) | (low & LOW_24) << HALF_BITS;
@@ -62,10 +62,10 @@ static void exchange_flags(struct reference *reference, const c205_fields *field
     write_register(reference, fields->t, old);
 }
 
-/* A field of a register: its descriptor has a length and a first bit; bit 0 is the
- * leftmost. */
+/* A field of a register. Its descriptor has a length and a first bit. Bit 0 is the
+ * leftmost bit. */
 struct field {
-    unsigned shift; /* of its last bit, from the right end */
+    unsigned shift; /* distance of its last bit from the right end */
     uint64_t mask;  /* right-justified */
 };
 
@@ -112,7 +112,7 @@ static void look_at_vectors(struct reference *reference, c205_word from, c205_wo
         leave_memory(reference, to + BITS * i, BITS);
 }
 
-/* Saves registers, then loads them; both descriptors are read before. */
+/* Saves registers, then loads registers. Both descriptors are read first. */
 static void swap(struct reference *reference, const c205_fields *fields)
 {
     c205_word from = read_bits(reference, fields->r);
@@ -134,7 +134,7 @@ static void swap(struct reference *reference, const c205_fields *fields)
     add_extent(reference, to, BITS * saved);
 }
 
-/* The operand size of T is the size that is loaded or stored. */
+/* Loads or stores an operand. Its size is the size of T. */
 static void reach_memory(struct reference *reference, const c205_insn *insn,
                          const c205_fields *fields, bool store)
 {
@@ -194,7 +194,7 @@ void do_scalar(struct reference *reference, const c205_insn *insn,
 /* ---- Which instructions have a rule ------------------------------------ */
 
 static const enum reference_insn written_out[] = {
-    /* those that are not elementwise operations */
+    /* instructions that are not elementwise operations */
     DO_ES,     DO_IS,     DO_EX,     DO_IX,    DO_ELEN,   DO_ADDLEN, DO_LTOR,
     DO_MPYX,   DO_LOD,    DO_STO,    DO_SWAP,  DO_SHIFTI, DO_BEQ,    DO_BNE,
     DO_BGE,    DO_BLT,    DO_IBNZ,   DO_DBNZ,  DO_BSAVE,  DO_BIM,    DO_IBXEQ,

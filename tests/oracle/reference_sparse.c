@@ -1,13 +1,13 @@
-/* reference_sparse.c - instructions on sparse vectors: packed elements and order
- * vectors. */
+/* reference_sparse.c - instructions on sparse vectors, which consist of packed elements
+ * and order vectors. */
 #include "reference_vector.h"
 
 #include <stdlib.h>
 
-/* A packed vector, with one element for each one of its order vector. */
+/* A packed vector. It has an element for each one-bit of its order vector. */
 struct packed {
     struct source elements, order;
-    bool *present; /* with the length of the longer order vector */
+    bool *present; /* has the length of the longer order vector */
     uint64_t ones;
 };
 
@@ -23,7 +23,7 @@ struct order {
     uint64_t places, ones;
 };
 
-/* Reads a whole order vector; a shorter one continues with zeros. */
+/* Reads a whole order vector. Zeros follow a shorter order vector. */
 static void read_order(struct reference *reference, struct packed *packed, uint64_t n)
 {
     packed->present = plain_room(NULL, (size_t)n + 1, sizeof(bool));
@@ -34,7 +34,7 @@ static void read_order(struct reference *reference, struct packed *packed, uint6
     }
 }
 
-/* Uses the order vectors first, because they are read first. */
+/* Records the use of the order vectors first, because they are read first. */
 static void use_packed(struct reference *reference, const struct vector *vector,
                        const struct packed *a, const struct packed *b,
                        const struct order *z)
@@ -47,7 +47,8 @@ static void use_packed(struct reference *reference, const struct vector *vector,
     use_source(reference, &b->elements, b->ones);
 }
 
-/* Multiply and divide need both elements; add and subtract need one. */
+/* Returns true for multiply and divide, which need both elements. Add and subtract need
+ * one element. */
 static bool needs_both(const c205_insn *insn)
 {
     return insn->flags & C205_INSN_PADO;
@@ -60,7 +61,7 @@ static bool is_made(const struct vector *vector, const struct packed *a,
                                     : a->present[i] || b->present[i];
 }
 
-/* Determines which places have a result: by Z if it is given. */
+/* Determines which places have a result. If Z is given, Z decides. */
 static void find_results(struct reference *reference, const struct vector *vector,
                          const struct packed *a, const struct packed *b,
                          struct order *z)
@@ -74,7 +75,7 @@ static void find_results(struct reference *reference, const struct vector *vecto
     }
 }
 
-/* Returns the next packed element if place i has one, or machine zero. */
+/* Returns the next packed element if place i has an element, else machine zero. */
 static c205_word next_element(struct reference *reference, const struct packed *packed,
                               uint64_t i, uint64_t *next)
 {
@@ -107,7 +108,8 @@ static void make_elements(struct reference *reference, const struct vector *vect
     }
 }
 
-/* Stores a result Z after the elements, with one bit for each place. */
+/* Stores the order vector Z of the result after the elements, with one bit for each
+ * place. */
 static void store_order(struct reference *reference, const struct vector *vector,
                         const struct order *z)
 {

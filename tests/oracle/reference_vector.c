@@ -14,7 +14,7 @@ static void each_element(struct reference *reference, const struct vector *vecto
     }
 }
 
-/* Combines each element with the next one. */
+/* Combines each element with its successor. */
 static void each_neighbour(struct reference *reference, const struct vector *vector)
 {
     const struct source *a = &vector->sources.a;
@@ -28,7 +28,8 @@ static void each_neighbour(struct reference *reference, const struct vector *vec
     }
 }
 
-/* Evaluates the polynomial with the coefficients B, highest first. */
+/* Evaluates the polynomial with the coefficients B. The highest coefficient is the
+ * first. */
 static c205_word polynomial(struct reference *reference, const struct pair *pair,
                             c205_word x, uint64_t *flags)
 {
@@ -42,7 +43,8 @@ static c205_word polynomial(struct reference *reference, const struct pair *pair
     return value;
 }
 
-/* Returns the index of the first B to which x has the relation, or the length. */
+/* Returns the index of the first element of B to which x has the relation, or the
+ * length. */
 static c205_word search(struct reference *reference, const struct pair *pair,
                         c205_word x, uint64_t *compared)
 {
@@ -55,10 +57,11 @@ static c205_word search(struct reference *reference, const struct pair *pair,
     return pair->b.length;
 }
 
-/* The limit of steps of a polynomial or a search; with more the comparison ends. */
+/* The largest number of steps of a polynomial or a search. With more steps the
+ * comparison ends. */
 enum { PATIENCE = 100000 };
 
-/* Returns whether a polynomial's A(i) or one of its coefficients is an earlier
+/* Returns true if A(i) of a polynomial, or one of its coefficients, is an earlier
  * result. */
 static bool scan_recurs(const struct vector *vector, uint64_t i)
 {
@@ -103,7 +106,7 @@ static void interval(struct reference *reference, const struct vector *vector)
     }
 }
 
-/* Comparisons and bit strings. */
+/* Computes comparisons and bit strings. */
 static void each_bit(struct reference *reference, const struct vector *vector)
 {
     for (uint64_t i = 0; i < vector->c.length; i++) {
@@ -130,7 +133,7 @@ static void count_bits(struct reference *reference, const c205_fields *fields,
     write_register(reference, fields->t, count);
 }
 
-/* Fills groups of S bits; the first R of each equal ones. */
+/* Fills groups of S bits. The first R bits of each group are equal. */
 static void repeat_bits(struct reference *reference, const c205_fields *fields,
                         bool ones)
 {
@@ -155,7 +158,8 @@ static bool takes_neighbours(const c205_insn *insn)
     return reference_which(insn) == DO_DELTAV || reference_which(insn) == DO_ADJMV;
 }
 
-/* Returns the second source of neighbours: A from its next element. */
+/* Returns the second source of an instruction on neighbours: A from its next
+ * element. */
 static struct source next_of(const struct vector *vector)
 {
     struct source next = vector->sources.a;
@@ -166,7 +170,7 @@ static struct source next_of(const struct vector *vector)
     return next;
 }
 
-/* Uses n elements of A, B, Z and C. */
+/* Records the use of n elements of A, B, Z and C. */
 static void use_operands(struct reference *reference, const struct vector *vector)
 {
     uint64_t n = vector->c.length;
@@ -191,7 +195,8 @@ bool lies_on_results(const struct source *source, uint64_t i, const struct targe
            && address < c->address + c->width * stored;
 }
 
-/* Counts the elements of the result with at least one source among earlier results. */
+/* Counts the elements of the result that have at least one source among earlier
+ * results. */
 static uint64_t recurrences(const struct source *sources, size_t count,
                             const struct target *c)
 {
@@ -212,7 +217,8 @@ static uint64_t own_recurrences(const struct vector *vector)
     return recurrences(sources, sizeof sources / sizeof sources[0], &vector->c);
 }
 
-/* Counts those of both instructions' sources, for the result of the second. */
+/* Counts the recurrences of the sources of both instructions with the result of the
+ * second. */
 static uint64_t linked_recurrences(const struct vector *first,
                                    const struct vector *second)
 {
@@ -223,7 +229,7 @@ static uint64_t linked_recurrences(const struct vector *first,
 
 /* ---- By kind ----------------------------------------------------------- */
 
-/* Computes words, bits or half words, one per element of the sources. */
+/* Computes words, bits or half words, one for each element of the sources. */
 static void each_result(struct reference *reference, const struct vector *vector)
 {
     if (strchr(vector->insn->operands, 'e'))
@@ -278,8 +284,8 @@ static unsigned streams(const struct pair *sources)
            + (sources->b.kind == VECTOR ? 1u : 0u);
 }
 
-/* Replaces a source by the result of the first instruction if their registers are the
- * same.  Returns false if it has an offset: it cannot be linked then. */
+/* If a source has the register of the first instruction's result, replaces it by this
+ * result. Returns false if it has an offset, because it cannot be linked then. */
 static bool link_source(struct source *source, unsigned number, unsigned offset,
                         const struct vector *first)
 {
@@ -290,8 +296,8 @@ static bool link_source(struct source *source, unsigned number, unsigned offset,
     return offset == 0;
 }
 
-/* The first instruction must have no control vector and no offset, and must not
- * compare: its results would be bits. */
+/* Returns true if the first instruction can be linked. It must have no control vector
+ * and no offset. It must not compare, because its results would be bits. */
 static bool is_plain(const struct vector *first)
 {
     return first->c.width != BIT && first->fields->z == 0
@@ -310,7 +316,7 @@ static bool can_be_linked(const struct vector *first, struct vector *second)
            && streams(&first->sources) + streams(&second->sources) <= PAIR;
 }
 
-/* Returns whether both units work element by element, and differ. */
+/* Returns true if both units work element by element, and are different. */
 static bool may_link(const struct deed *deed)
 {
     c205_unit first = deed->insns[1]->unit, second = deed->insns[2]->unit;

@@ -13,18 +13,18 @@ enum { ANYONE = -1, KEPT_WORDS = 1 << 12, MAX_FOUND = 1000, MAX_NAMES = 16 };
 
 /* A word that a SWAP saved in memory. */
 struct kept {
-    uint64_t address; /* 0: none */
+    uint64_t address; /* 0: no word */
     uint64_t begin;   /* address of the saved vector */
-    unsigned first;   /* its first register */
+    unsigned first;   /* first register of the saved vector */
     c205_word word;
     long owner;
 };
 
 struct found {
     uint64_t address;
-    size_t name;      /* name of the read */
-    long owner;       /* name of the value */
-    uint64_t written; /* where the value was written */
+    size_t name;      /* name under which the register is read */
+    long owner;       /* name of the register's value */
+    uint64_t written; /* address of the instruction that wrote the value */
 };
 
 /* The operands of an instruction of the table. */
@@ -32,10 +32,10 @@ struct row {
     char letters[ROLES];
     bool reads[ROLES], writes[ROLES];
     bool offsets; /* X and Y may be offsets */
-    bool target;  /* Y and B are a branch target */
+    bool target;  /* Y and B form a branch target */
 };
 
-/* The names in an instruction. */
+/* The names that an instruction mentions. */
 struct names {
     const struct asm_mention *first;
     size_t count;
@@ -127,7 +127,8 @@ static struct names known_names(struct register_owners *owners, uint64_t address
     return known->names;
 }
 
-/* Returns the last name of a register: results are after sources. */
+/* Returns the last name of a register in an instruction, because results follow
+ * sources. */
 static long name_of(const struct object *program, struct names names, unsigned number)
 {
     long found = ANYONE;
@@ -137,8 +138,8 @@ static long name_of(const struct object *program, struct names names, unsigned n
     return found;
 }
 
-/* Returns the name of the register count after a named one, if the names were declared
- * one after another. */
+/* Returns the name of the register `count` after a named register, if the names were
+ * declared in sequence. */
 static long name_behind(const struct object *program, long name, size_t count)
 {
     const struct asm_register *first, *behind;
@@ -173,7 +174,7 @@ static void find(struct register_owners *owners, uint64_t address, size_t name,
         };
 }
 
-/* If an instruction has two names for a register, either is correct. */
+/* If an instruction has two names for a register, either name is correct. */
 static void read_register(struct register_owners *owners, uint64_t address,
                           struct names names, unsigned number)
 {
@@ -244,8 +245,8 @@ static void load(struct register_owners *owners, const c205 *machine, uint64_t p
     }
 }
 
-/* The descriptors are unchanged after a SWAP, unless they may be among the loaded
- * registers.  In that case all owners become unknown. */
+/* A SWAP does not change its descriptors, unless they may be among the loaded
+ * registers. In this case all owners become unknown. */
 static void swap(struct register_owners *owners, const c205 *machine,
                  const c205_event *event, struct names names)
 {
@@ -304,7 +305,7 @@ static void write_results(struct register_owners *owners, const c205_event *even
     }
 }
 
-/* A register is as large as its parts: half registers count as the whole. */
+/* Half registers count as the register that contains them. */
 void register_owners_listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct register_owners *owners = context;

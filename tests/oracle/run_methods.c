@@ -1,5 +1,5 @@
 /* run_methods.c - runs a random program as a whole, in slices, saved and restored, and
- * so on. */
+ * in the other modes. */
 #include "tests/oracle/operands.h"
 #include "tests/oracle/random_machine.h"
 
@@ -8,7 +8,7 @@
 
 enum {
     HALF = 32,
-    CLOCKS = 6000, /* of a program that may run forever */
+    CLOCKS = 6000, /* limit for a program that may run forever */
     TRAPS = 120,
     LONGEST_SLICE = 150,
     ONE_SAVED_IN = 40,
@@ -74,7 +74,8 @@ static void ignore_events(void *context UNUSED, const c205 *machine UNUSED,
 {
 }
 
-/* Machines are reused and a listener cannot be removed, so a copy gets the listener. */
+/* Machines are reused, and a listener cannot be removed, so the listener is attached to
+ * a copy. */
 static void listen(struct run *run)
 {
     change_machine(run);
@@ -88,7 +89,7 @@ static uint64_t next_limit(struct run *run)
     return run->way->sliced && end < run->limit ? end : run->limit;
 }
 
-/* Skips an instruction that trapped.  Returns false if the run ends. */
+/* Skips an instruction that has trapped. Returns false if the run ends. */
 static bool skip(struct run *run, const c205_stop *stop)
 {
     unsigned halves = random_insn_halves(run->machine, stop->pc);
@@ -96,7 +97,7 @@ static bool skip(struct run *run, const c205_stop *stop)
     return halves != 0 && ++run->traps < TRAPS;
 }
 
-/* Runs one slice.  Returns false if it was the last. */
+/* Runs one slice. Returns false if it is the last slice. */
 static bool run_on(struct run *run)
 {
     c205_stop stop = c205_run(run->machine, next_limit(run));
@@ -130,8 +131,8 @@ static uint64_t hash_at_end(const struct random_program *program, const struct w
     return hash;
 }
 
-/* Runs the program on pages shared with other machines; their contents must not
- * change. */
+/* Runs the program on pages shared with other machines. The contents of the pages must
+ * not change. */
 static const char *disagreeing_share(const struct random_program *program,
                                      uint64_t limit, uint64_t expected)
 {

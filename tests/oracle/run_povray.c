@@ -37,7 +37,7 @@ static void close_workplace(const struct workplace *place)
     rmdir(place->folder);
 }
 
-/* Sets the options of antialiasing without jitter, or without antialiasing. */
+/* Writes the options for antialiasing without jitter, or for no antialiasing. */
 static void put_method(const struct antialiasing *how, char words[2][32])
 {
     if (!how) {
@@ -49,7 +49,7 @@ static void put_method(const struct antialiasing *how, char words[2][32])
     snprintf(words[1], sizeof words[1], "+R%zu", how->samples);
 }
 
-/* Runs POV-Ray in the child process; all of its output is written to the log. */
+/* Runs POV-Ray in the child process. All of its output goes to the log. */
 static void become_povray(const char *scene, size_t width, size_t height,
                           const struct antialiasing *how, const struct workplace *place)
 {
@@ -61,13 +61,13 @@ static void become_povray(const char *scene, size_t width, size_t height,
     dup2(log, STDOUT_FILENO);
     dup2(log, STDERR_FILENO);
     snprintf(input, sizeof input, "+I%s", scene);
-    /* POV-Ray searches images in the scene's folder. */
+    /* POV-Ray searches for images in the folder of the scene. */
     snprintf(library, sizeof library, "+L%.*s", folder, slash ? scene : ".");
     snprintf(output, sizeof output, "+O%s", place->picture);
     snprintf(wide, sizeof wide, "+W%zu", width);
     snprintf(high, sizeof high, "+H%zu", height);
     put_method(how, method);
-    /* 16-bit PNG with linear samples; no display. */
+    /* The output is a 16-bit PNG with linear samples. There is no display. */
     execlp("povray", "povray", input, library, output, wide, high, "+FN16",
            "File_Gamma=1.0", "-D", "-J", method[0], method[1], "+WT1", (char *)NULL);
     perror("povray");
@@ -100,7 +100,7 @@ static bool fail_with_log(const struct workplace *place, c205_error *error)
 struct povray {
     struct workplace place;
     pid_t child;
-    char text[96]; /* the file of the text, or empty */
+    char text[96]; /* the file that contains the text, or empty */
 };
 
 static struct povray *begin(const char *scene, size_t width, size_t height,

@@ -34,7 +34,7 @@ static void fade(uint64_t *state, double size, char words[SOLID_WORDS])
                 one_in(state, 2) ? 2 : between(state, .2, 9));
 }
 
-/* Prints an axis with integer or with any components. */
+/* Prints an axis. Its components may be integers or any numbers. */
 static void write_axis(uint64_t *state, double size, char words[SOLID_WORDS])
 {
     double axis[3] = { 0, 0, 0 };
@@ -114,7 +114,8 @@ void bump_words(uint64_t state, size_t in, char look[SOLID_WORDS])
 
 /* ---- Meshes -------------------------------------------------------------- */
 
-/* Returns a vector; no two of them are parallel, and none is parallel to an axis. */
+/* Returns a vector. No two of the vectors are parallel, and none is parallel to an
+ * axis. */
 static const char *inside(uint64_t *state)
 {
     static const char *const vectors[] = { "<.31, .83, .17>", "<-.73, .22, .41>",
@@ -124,7 +125,7 @@ static const char *inside(uint64_t *state)
 
 void mesh_box_words(uint64_t state, double corner[2][3], char words[SOLID_WORDS])
 {
-    /* one bit of a corner's number for each axis: 1 of x, 2 of y, 4 of z */
+    /* a corner's number has a bit for each axis: 1 for x, 2 for y, 4 for z */
     static const int sides[6][4] = { { 0, 1, 3, 2 }, { 4, 5, 7, 6 }, { 0, 2, 6, 4 },
                                      { 1, 3, 7, 5 }, { 0, 4, 5, 1 }, { 2, 6, 7, 3 } };
     char points[SOLID_WORDS] = "", faces[SOLID_WORDS] = "";

@@ -1,4 +1,5 @@
-/* solid_text.h - solids and other parts of random scenes in the scene language. */
+/* solid_text.h - solids and other parts of random scenes as texts in the scene
+ * language. */
 #ifndef SOLID_TEXT_H
 #define SOLID_TEXT_H
 
@@ -14,64 +15,64 @@ enum solid_joining { SHAPE, UNION, MERGE, INTERSECTION, DIFFERENCE };
 /* A shape, or an operation on parts. */
 struct solid {
     enum solid_joining joining;
-    char shape[SOLID_WORDS]; /* up to its modifiers */
+    char shape[SOLID_WORDS]; /* the text of the shape up to its modifiers */
     char look[SOLID_WORDS], motion[SOLID_WORDS];
     bool inverse;
     size_t count;
     struct solid **parts;
-    struct solid *clip; /* clips this solid before its motion; or NULL */
+    struct solid *clip; /* clips this solid before its motion; NULL: no clipping */
 };
 
-/* Allocates zeros; exits if memory is short. */
+/* Allocates zeroed memory. If out of memory, ends the program. */
 void *test_room(size_t size);
-/* Opens a stream whose output is in words after it is closed. */
+/* Opens a stream. When it is closed, *words is its output. */
 FILE *test_text(char **words);
-/* Prints to a text of a solid. */
+/* Prints to the text of a solid. */
 void solid_words(char words[SOLID_WORDS], const char *format, ...);
 
-/* Freeing a solid frees its parts. */
+/* Freeing a solid also frees its parts. */
 struct solid *solid_new(enum solid_joining joining, size_t count);
 struct solid *solid_copy(const struct solid *solid);
 void solid_free(struct solid *solid);
 
-/* Prints line by line; a line or a block can be removed (solid_text.h). */
+/* Prints the solid so that each line or block can be removed (text_shrunk). */
 void solid_print(const struct solid *solid, FILE *text);
 
-/* Returns the text of a scene: settings, a camera, lamps, and solids, which are scaled;
- * the caller frees it. */
+/* Returns the text of a scene, which contains settings, a camera, lamps and solids. The
+ * solids are scaled. The caller frees the text. */
 char *solids_text(const char *settings, const char *view, char (*lamps)[SOLID_WORDS],
                   size_t lamp_count, struct solid *const *solids, size_t count,
                   double scale);
 
 /* --- shrinking a text that fails a test ------------------------------------- */
 
-/* Removes lines and blocks, or the first and last line of a block, as long as the rest
- * fails, in at most `most` trials.  Frees the text; the caller frees the smaller
- * one. */
+/* Removes lines and blocks, or only the first and last line of a block, while the rest
+ * still fails. Makes at most `most` trials. Frees the text. The caller frees the
+ * smaller text. */
 char *text_shrunk(char *text, size_t most,
                   bool (*fails)(const char *text, void *context), void *context);
 
-/* Returns the text with indented blocks, and frees the original. */
+/* Returns the text with indented blocks. Frees the original. */
 char *text_indented(char *text);
 
 /* --- lights with a direction, normals, closed meshes and height fields ------- */
 
-/* For every other light, prints keywords of its beam, parallel rays and attenuation,
- * otherwise none.  The text starts with a space.  The rest of the scene does not depend
- * on it: the state is a copy of that with which the scene continues. */
+/* For every second light, prints keywords for its beam, parallel rays and attenuation.
+ * The text starts with a space. The rest of the scene does not depend on it, because
+ * the state is a copy. */
 void beam_words(uint64_t state, const double position[3], double size,
                 char words[SOLID_WORDS]);
 
-/* Adds a normal to one look in `in`.  The rest of the scene does not depend on it: the
- * state is a copy of that with which the scene continues. */
+/* Adds a normal to one in `in` looks. The rest of the scene does not depend on it,
+ * because the state is a copy. */
 void bump_words(uint64_t state, size_t in, char look[SOLID_WORDS]);
 
-/* Prints a box; each side is split by one of its diagonals. */
+/* Prints a box of triangles. A diagonal divides each side. */
 void mesh_box_words(uint64_t state, double corner[2][3], char words[SOLID_WORDS]);
-/* Prints a star at the origin, within the radius 1: points all round, near and far, an
- * apex above and one below, so that a line may cross it many times. */
+/* Prints a star around the origin with radius 1. It has near and far points, and an
+ * apex above and below, so that a line can cross it many times. */
 void mesh_star_words(uint64_t state, char words[SOLID_WORDS]);
-/* Prints a height field of the same width, possibly with water. */
+/* Prints a height field with the same width, which may have a water level. */
 void mesh_field_words(uint64_t state, char words[SOLID_WORDS]);
 
 #endif

@@ -19,7 +19,7 @@ static const char *next_line(const char *line)
     return end ? end + 1 : line + strlen(line);
 }
 
-/* Returns the change of the nesting depth by a directive. */
+/* Returns the change of the nesting depth in a directive. */
 static int opened_by(const char *word)
 {
     static const char *const openers[] = { "#if",  "#ifdef",  "#ifndef", "#while",
@@ -33,7 +33,7 @@ static int opened_by(const char *word)
     return 0;
 }
 
-/* Returns the change of the nesting depth by a line. */
+/* Returns the change of the nesting depth in a line. */
 static int opened(const char *line)
 {
     int open = 0;
@@ -45,7 +45,8 @@ static int opened(const char *line)
     return open;
 }
 
-/* Returns the line that closes the block which this one opens, or the line itself. */
+/* Returns the line that closes the block that this line opens. If it opens no block,
+ * returns the line. */
 static const char *last_line(const char *line)
 {
     int open = opened(line);
@@ -56,9 +57,9 @@ static const char *last_line(const char *line)
     return line;
 }
 
-/* Returns the text without line number, from 0; if that line opens a block, without the
- * whole block or, if kept, only without its first and last line.  NULL: there is no
- * such line, or it opens no block although kept. */
+/* Returns the text without line `number`, counted from 0. If this line opens a block,
+ * the whole block is removed or, if `kept` is true, only its first and last line.
+ * Returns NULL if there is no such line, or if `kept` is true and it opens no block. */
 static char *text_without(const char *text, size_t number, bool kept)
 {
     const char *first = text;
