@@ -11,8 +11,8 @@
  * the viewpoint, so the ray misses every node whose window does not contain them.
  * Testing a window is cheaper than testing a box. However, a window is parallel to the
  * axes u and v. A long oblique part can therefore have a window that is much larger
- * than its box. Windows are therefore used only if their estimated total cost is lower
- * than that of boxes.
+ * than its box. Windows are therefore used only if they cost less than boxes in total,
+ * by an estimate.
  *
  * Source: the buffers of Weghorst, Hooper and Greenberg 1984 and of Haines and
  * Greenberg 1986, with a tree of windows instead of cells.

@@ -77,7 +77,7 @@ struct result {
     const c205_model *model;
     uint64_t clocks;
     size_t samples;    /* samples x samples rays for each pixel */
-    size_t rays, hits; /* number of camera rays, and of those that hit something */
+    size_t rays, hits; /* numbers of camera rays and of their hits */
     char checksum[17];
 };
 

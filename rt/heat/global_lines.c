@@ -16,7 +16,7 @@
 
 /* A shorter gap, in world units, is ignored, because the surfaces touch there. */
 static const double least_gap = 1e-7;
-/* The ratio of the sphere's radius to that of the sphere around the scene's box. */
+/* The sphere around the scene's box is enlarged by this factor. */
 static const double larger = 1.001;
 
 enum { MAX_SURFACES = 1023, MAX_ENDS = 65535 };
@@ -224,8 +224,8 @@ static size_t surface_of(const struct global_packet *packet, size_t primitive)
 }
 
 /* Lists the ends of gaps: for each line an end that belongs to the environment, then
- * its crossings. One more environment end follows the last line. The distances of
- * environment ends differ from those of all crossings. */
+ * its crossings. One more environment end follows the last line. An environment end has
+ * a distance that no crossing has. */
 static bool lay_ends(const struct global_packet *packet, struct ends *ends)
 {
     const struct ray_hits *seen = &packet->seen;
@@ -513,8 +513,8 @@ uint64_t global_lines_count(const struct global_lines *found, size_t i, size_t j
 }
 
 /* Returns the standard error of a sum over repeats. `squares` is the sum of squared
- * deviations. All repeats of a lattice may have the same counts. The error is therefore
- * at least that of one line, with its two ends, in one repeat. */
+ * deviations. All repeats of a lattice may have the same counts. A change by one line,
+ * with its two ends, in one repeat is therefore the least error. */
 static double error_of(const struct global_lines *found, double squares)
 {
     double n = (double)found->repeats;

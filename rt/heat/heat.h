@@ -45,8 +45,7 @@ struct heat {
     uint64_t clocks[HEAT_STEPS]; /* clocks of all machines for each step */
     size_t drawn, units;         /* drawn in the last round; packets of this and other
                           * processes */
-    double worst; /* largest error of a factor, which is at least that of one
-                          * ray */
+    double worst; /* largest error of a factor, at least the contribution of one ray */
     size_t worst_from, worst_to; /* factor with the largest error */
 };
 

@@ -10,7 +10,7 @@
 #include "rt/layout/single_run.h"
 #include "rt/trace/form.h"
 
-/* The ratio of a sphere's radius to that of the bound. */
+/* The bound is enlarged by this factor. */
 static const double larger = 1.001;
 
 struct heat_source {

@@ -128,7 +128,8 @@ struct smoothing {
     double *areas, *flows, *variances;
 };
 
-/* Returns a flow with its error. If no ray arrived, the error is that of one ray. */
+/* Returns a flow with its error. If no ray arrived, the contribution of one ray is the
+ * error. */
 static struct estimate flow_of(const struct surface *from, size_t to)
 {
     double error = from->count[to] > 0 ? from->factor[to].error

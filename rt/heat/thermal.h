@@ -9,8 +9,8 @@
 
 /* A temperature is in kelvins, or is the word "adiabatic". */
 extern const struct value_kind emissivity_kind, temperature_kind;
-/* The name of the environment, whose temperature may be specified like that of a
- * part. */
+/* The name of the environment. Its temperature may be specified like the temperature of
+ * a part. */
 extern const char thermal_environment[];
 
 struct thermal {

@@ -62,7 +62,7 @@ struct job_set_work {
 };
 
 /* Runs all units. Returns false if a unit fails, or cannot be taken or stored. The
- * error is that of the lowest such unit. If this process does not collect results
+ * lowest such unit sets the error. If this process does not collect results
  * (job_set_collects), it takes none. */
 bool job_set_run(const struct job_set_work *work, c205_error *error);
 

@@ -142,7 +142,7 @@ static void put_pattern(struct record *record, const struct bump *bump,
 }
 
 /* Writes a quilt, whose height depends on the distance from the centre of a cube. The
- * constant is that of POV-Ray, with its digits. */
+ * constant has the digits of POV-Ray's constant. */
 static void put_quilt(struct record *record, const struct bump *bump)
 {
     double scale = 1.154700538 * bump->amount;

@@ -149,7 +149,7 @@ static void put_gloss(struct record *record, const struct finish *finish)
     record_integer(record, "P_REFLECTION_KIND", surface_mirror_kind(finish));
 }
 
-/* Writes the stops of the pigment's map, unless they equal those of the previous map.
+/* Writes the stops of the pigment's map, unless the previous map has equal stops.
  * Updates the map and its address. */
 static void put_stops(struct record *record, const struct pigment *pigment,
                       struct map_place *map)

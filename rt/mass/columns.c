@@ -393,8 +393,8 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
 }
 
 /* Opens the checkpoint files. Their key identifies all inputs of the packets. If a run
- * has several rounds, the key is that of the first round, because it determines the
- * later rounds. */
+ * has several rounds, the files have the key of the first round, because it determines
+ * the later rounds. */
 static bool open_files(const struct columns_work *work, struct job_set *job_set,
                        c205_error *error)
 {

@@ -19,8 +19,8 @@ enum { VIEWS = 3, COLUMNS_PACKET = 4096, MAX_COLUMNS_LOG = 20 };
 enum columns_points { POINTS_RANDOM, POINTS_LATTICE, POINTS_GRID, POINTS_KINDS };
 
 /* The moments of a part in a view along s. The other axes are p and q. Coordinates are
- * relative to the centre of the box, in world units. The order is that of
- * rt/kernels/mass/columns.s. */
+ * relative to the centre of the box, in world units. rt/kernels/mass/columns.s defines
+ * the order. */
 enum moment {
     MOMENT_1,
     MOMENT_P,

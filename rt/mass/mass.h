@@ -1,5 +1,5 @@
 /* mass.h - computes the mass properties of a scene's parts and materials, until their
- * errors are small enough. Also computes those of all parts together. */
+ * errors are small enough. Also computes the mass properties of all parts together. */
 #ifndef RT_MASS_H
 #define RT_MASS_H
 

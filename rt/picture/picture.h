@@ -59,7 +59,7 @@ bool picture_write(const char *path, const struct frame *frame,
  * picture_end commits the picture if all rows have been written and `good` is true.
  * Otherwise the old file stays. It frees the picture in all cases. Either all parts
  * have the layer or none of them (NULL). If all parts except the last have PICTURE_PART
- * rows, the file is the same as that of picture_write. */
+ * rows, picture_write would write the same file. */
 enum { PICTURE_PART = 32 };
 struct picture;
 struct picture *picture_begin(const char *path, size_t width, size_t height,

@@ -33,8 +33,8 @@ struct thread_pool {
     void *progress_context;
 };
 
-/* Runs all tasks. On failure the error is that of the failed task with the lowest
- * number, whatever the number of threads is. */
+/* Runs all tasks. On failure the failed task with the lowest number sets the error,
+ * whatever the number of threads is. */
 bool thread_pool_run(const struct thread_pool *pool, c205_error *error);
 
 #endif

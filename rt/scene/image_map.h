@@ -29,8 +29,8 @@ enum image_mapping {
 };
 /* How the colour at a position is interpolated. IMAGE_NEAREST uses the nearest pixel.
  * The others use a weighted mean of the four pixels whose centres are around the
- * position. The weights of IMAGE_BILINEAR depend on the distances along both edges,
- * those of IMAGE_BY_DISTANCE on the squares of the distances. */
+ * position. IMAGE_BILINEAR computes the weights from the distances along both edges,
+ * IMAGE_BY_DISTANCE from the squares of the distances. */
 enum image_sampling {
     IMAGE_NEAREST,
     IMAGE_BILINEAR,

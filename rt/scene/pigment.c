@@ -56,7 +56,7 @@ size_t pigment_list_count(const struct pigment *pigment)
     return pattern_rules[pigment->pattern.function].listed;
 }
 
-/* Applies the wave function. The formulas are those of rt/kernels/light/pattern.s. */
+/* Applies the wave function. rt/kernels/light/pattern.s has the same formulas. */
 static double in_wave(const struct pattern *pattern, double value)
 {
     if (pattern->frequency != 0)

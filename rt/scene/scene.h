@@ -95,8 +95,8 @@ enum pigment_kind {
 };
 
 /* A colour at a value from 0 to 1. The values of a map do not decrease. Colours are
- * interpolated linearly between two stops. Beyond the ends the colour is that of the
- * first or last stop. */
+ * interpolated linearly between two stops. Beyond the ends the first or last stop
+ * defines the colour. */
 struct color_stop {
     double at, color[3];
     double filter, transmit; /* only used in checkers, because the colours of a map are
@@ -255,7 +255,7 @@ struct region {
     size_t first_node, node_count;           /* range in the scene's nodes */
     size_t line;
     double yield; /* yield times k_delta is added to the distances of its opaque
-                   * surfaces before they are compared with those of other regions
+                   * surfaces before they are compared with distances of other regions
                    * (rt/shapes/coincident.h) */
 };
 

@@ -1,4 +1,4 @@
-/* spline.c - splines. The rules at their ends are those of POV-Ray. */
+/* spline.c - splines. Their ends follow the rules of POV-Ray. */
 #include "rt/scene/spline.h"
 
 #include "base/array.h"

@@ -28,8 +28,7 @@ struct shape_words {
 
 void shape_words(const struct primitive *primitive, struct shape_words *words);
 /* Describes a primitive that is not in a tree, for the program of 1984. If it has no
- * kernel for the primitive, the words are those of shape_words, and the result is
- * false. */
+ * kernel for the primitive, it returns false, with the words of shape_words. */
 bool shape_words_historical(const struct primitive *primitive,
                             struct shape_words *words);
 /* shape_table_count returns the size of the table in words. shape_table computes a

@@ -5,7 +5,7 @@
 #include "rt/shapes/primitive.h"
 
 /* Checks that a coefficient other than the constant, which is the last one, is not 0.
- * The result is that of `finish` in shape.h. */
+ * The result is as for `finish` in shape.h. */
 const char *terms_finish(struct primitive *primitive, const double *coefficients,
                          size_t count);
 /* Enlarges the space of a quartic by 2^log. The surface in world space does not

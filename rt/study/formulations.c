@@ -5,8 +5,7 @@
 
 #include "rt/study/speedup_report.h"
 
-/* The numbers of decimals are those of the paper. Each time is followed by its
- * error. */
+/* The numbers of decimals are as in the paper. Each time is followed by its error. */
 static const struct table_column columns[] = {
     { "formulation", "formulation", TABLE_TEXT, 0 },
     { "scalar", "205 scalar, s", TABLE_NUMBER, 3 },

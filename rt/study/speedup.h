@@ -1,9 +1,8 @@
 /* speedup.h - measures the paper's Table 1 on the emulated machine.
  *
- * A frame of one primitive is traced in both forms. The measured clocks are those of
- * the regions that the subject names: the primitive's kernel, its callees and its
- * calls. As in the paper, generating rays, choosing the nearest hit and shading do not
- * count.
+ * A frame of one primitive is traced in both forms. The clocks of the regions that the
+ * subject names are measured: the primitive's kernel, its callees and its calls. As in
+ * the paper, generating rays, choosing the nearest hit and shading do not count.
  */
 #ifndef RT_SPEEDUP_H
 #define RT_SPEEDUP_H
@@ -53,8 +52,8 @@ bool speedup_is_named(const struct speedup_subject *subject, const char *name);
 /* Returns the first row with this name, or NULL. */
 const struct speedup_subject *speedup_subject_named(const char *name);
 
-/* The cylinder of Table 1 in several formulations. The first formulation is that of
- * Table 1. */
+/* The cylinder of Table 1 in several formulations. The first formulation is the
+ * cylinder of Table 1. */
 extern const struct speedup_subject speedup_formulations[];
 extern const size_t speedup_formulation_count;
 

@@ -8,7 +8,7 @@
 #include "base/accounts.h"
 #include "rt/study/iterations_table.h"
 
-/* The numbers of decimals are those of the paper. */
+/* The numbers of decimals are as in the paper. */
 static const struct table_column table1[] = {
     { "primitive", "primitive", TABLE_TEXT, 0 },
     { "figures", "figures", TABLE_TEXT, 0 },

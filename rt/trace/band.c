@@ -202,7 +202,7 @@ static void collect_rows(const struct band_work *work, const c205 *machine,
         band->rows_done = 0;
 }
 
-/* Provides a machine: the one that traced the last band, or a new one. */
+/* Provides the machine that traced the last band, or a new machine. */
 static bool ready(struct band_tracer *tracer, c205_error *error)
 {
     if (tracer->machine)

@@ -253,7 +253,7 @@ static bool read_column(struct column *column, const c205 *machine, uint64_t fou
     return true;
 }
 
-/* Appends the crossings of this packet to those of earlier packets. */
+/* Appends the crossings of this packet to the crossings of earlier packets. */
 static bool read_columns(struct column *column, const c205 *machine,
                          const struct packet_layout *packet, const size_t *first,
                          size_t most, struct ray_hits *found)

@@ -38,8 +38,8 @@ enum trace_order {
 const char *order_name(enum trace_order order);
 
 /* The methods by which the vector form finds the nearest visible crossing of a solid.
- * The values are those of VISIBLE in rt/kernels/solids/visible_vector.s, which also
- * defines the default. */
+ * VISIBLE in rt/kernels/solids/visible_vector.s has the same values, and defines the
+ * default. */
 enum visible {
     VISIBLE_DEFAULT,
     VISIBLE_STEPPING, /* test one crossing after another, until one is visible */

@@ -1,5 +1,5 @@
-/* vector_use.h - counts the elements of a program's vector instructions. Of the
- * elements under a control vector, it also counts those that are used.
+/* vector_use.h - counts the elements of a program's vector instructions. Also counts
+ * the used elements among those under a control vector.
  *
  * The host counts them by observing the machine's instructions, which costs the machine
  * no clocks.

@@ -1,7 +1,6 @@
 /* heights.c - reads heights from the pixels of an image, or from a function.
  *
- * A height is an integer from 0 to 65535. The rules are those of POV-Ray 3.7, which
- * were measured:
+ * A height is an integer from 0 to 65535. The rules of POV-Ray 3.7 were measured:
  *
  *     grey                  the fraction of white, times 65535
  *     grey, 8-bit PNG       the same, of .297 g + .589 g + .114 g in 32 bits

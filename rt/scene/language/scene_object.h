@@ -70,8 +70,8 @@ step_mover pigment_move, texture_move, object_move;
 bool object_add_primitive(struct scene_object *object,
                           const struct primitive *primitive);
 bool object_add_light(struct scene_object *object, const struct light *light);
-/* Adds the solids of a child. Parts without a texture or interior get those of the
- * child, if it has them. The hidden_from of the child applies to all its parts. */
+/* Adds the solids of a child. Parts without a texture or interior get the texture or
+ * interior of the child. The hidden_from of the child applies to all its parts. */
 bool object_add(struct scene_object *object, const struct scene_object *child);
 /* Adds one solid of a child, or its complement, as the object's `joining` requires. */
 bool object_add_child(struct scene_object *object, struct scene_object *child);

@@ -54,8 +54,8 @@ struct sweep {
  * sweep. */
 void sweep_free(struct sweep *sweep);
 
-/* Measures further points. Runs base.trace.jobs frames concurrently. The progress is
- * that of all points together. On failure sets the error and returns false. */
+/* Measures further points. Runs base.trace.jobs frames concurrently. The progress
+ * counts all points together. On failure sets the error and returns false. */
 bool sweep_run(struct sweep *sweep, const struct sweep_point *points, size_t count,
                c205_error *error);
 
