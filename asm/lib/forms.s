@@ -50,14 +50,18 @@
 ; Several at a time, which the scalar form interleaves, because a result takes
 ; five clocks:
 ;
+;       line_three a, k, l, c, m, n, d, o, p, e
+;               c = a k + l, likewise d = a m + n and e = a o + p
 ;       add_scaled_two x, k, s, l, t          s = s + x k,  t = t + x l
 ;       add_scaled_three x, k, s, l, t, m, u  also u = u + x m
 ;       step_four x, p, k, q, l, r, m, s, n   p = p x + k, likewise q, r and s
+;       derivative_step x, k, v, d            d = d x + v, then v = v x + k
 ;       scaled_sum_two x, y, k, l, s, m, n, t  s = x k + y l,  t = x m + y n
 ;       scaled_lower_two a, k, m, s, b, l, n, t  s = (a - k) m,  t = (b - l) n
 ;       scaled_difference_two x, y, k, l, s, m, n, t  s = x k - y l,  t = x m - y n
 ;       scaled_lower_three a, k, s, b, l, t, c, m, u, n
 ;               s = (a - k) n, likewise t = (b - l) n and u = (c - m) n
+;       lower_times_three a, k, s, b, l, t, c, m, u, x        the same with x
 ;
 ; Integers, exponents and tables:
 ;
@@ -234,6 +238,14 @@ not_below\@:
         ABS     \a, \c
         SUBN    \c, \k, \c
         .endm
+        .macro  \prefix\()line_three a, k, l, c, m, n, d, o, p, e
+        MPYS    \a, \k, \c
+        MPYS    \a, \m, \d
+        MPYS    \a, \o, \e
+        ADDN    \c, \l, \c
+        ADDN    \d, \n, \d
+        ADDN    \e, \p, \e
+        .endm
         .macro  \prefix\()add_scaled_two x, k, s, l, t
         MPYS    \x, \k, \scratch
         MPYS    \x, \l, \second
@@ -257,6 +269,12 @@ not_below\@:
         ADDN    \q, \l, \q
         ADDN    \r, \m, \r
         ADDN    \s, \n, \s
+        .endm
+        .macro  \prefix\()derivative_step x, k, v, d
+        MPYS    \d, \x, \d
+        MPYS    \v, \x, \scratch
+        ADDN    \v, \d, \d
+        ADDN    \scratch, \k, \v
         .endm
         .macro  \prefix\()scaled_sum_two x, y, k, l, s, m, n, t
         MPYS    \x, \k, \s
@@ -287,6 +305,9 @@ not_below\@:
         MPYS    \s, \n, \s
         MPYS    \t, \n, \t
         MPYS    \u, \n, \u
+        .endm
+        .macro  \prefix\()lower_times_three a, k, s, b, l, t, c, m, u, x
+        \prefix\()scaled_lower_three \a, \k, \s, \b, \l, \t, \c, \m, \u, \x
         .endm
         .macro  \prefix\()exponent a, c
         EXP     \a, \c
@@ -553,6 +574,11 @@ select\@:
         .macro  \prefix\()lower_absolute a, k, c
         SUBNV   |[\a]|, \k, [\c]
         .endm
+        .macro  \prefix\()line_three a, k, l, c, m, n, d, o, p, e
+        \prefix\()line \a, \k, \l, \c
+        \prefix\()line \a, \m, \n, \d
+        \prefix\()line \a, \o, \p, \e
+        .endm
         .macro  \prefix\()add_scaled_two x, k, s, l, t
         \prefix\()add_scaled \x, \k, \s
         \prefix\()add_scaled \x, \l, \t
@@ -567,6 +593,11 @@ select\@:
         \prefix\()step \x, \l, \q
         \prefix\()step \x, \m, \r
         \prefix\()step \x, \n, \s
+        .endm
+        .macro  \prefix\()derivative_step x, k, v, d
+        MPYSV   [\d], [\x], [\d]
+        ADDNV   [\v], [\d], [\d]
+        \prefix\()step \x, \k, \v
         .endm
         .macro  \prefix\()scaled_sum_two x, y, k, l, s, m, n, t
         \prefix\()scale \x, \k, \s
@@ -588,6 +619,17 @@ select\@:
         \prefix\()scaled_lower \a, \k, \n, \s
         \prefix\()scaled_lower \b, \l, \n, \t
         \prefix\()scaled_lower \c, \m, \n, \u
+        .endm
+        .macro  \prefix\()lower_times_three a, k, s, b, l, t, c, m, u, x
+        LINKV
+        SUBNV   [\a], \k, [\s]
+        MPYSV   [\s], [\x], [\s]
+        LINKV
+        SUBNV   [\b], \l, [\t]
+        MPYSV   [\t], [\x], [\t]
+        LINKV
+        SUBNV   [\c], \m, [\u]
+        MPYSV   [\u], [\x], [\u]
         .endm
         .macro  \prefix\()exponent a, c
         EXPV    [\a], [\c]

@@ -5,7 +5,7 @@
 
 ; The operations of kernels that are written once.
         .include "forms.s"
-        scalar_form , third, fourth
+        scalar_form , third, fourth, t9
 
 ; sum = x . u, in the order (x1 u1 + x0 u0) + x2 u2.
         .macro  dot x0, x1, x2, u0, u1, u2, sum, work

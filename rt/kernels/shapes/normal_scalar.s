@@ -11,7 +11,12 @@
         .endm
 
         .reg    table, here
-        .reg    spare, t7
+        .reg    spare, t8
+        .share  local
+        .regs   r96, row0, row1, row2, row3, row4, row5, row6, row7, row8, row9
+        .regs   r106, row10, row11, row12, row13, row14, row15, row16, row17
+        .regs   r114, point_s, point_t
+        .endshare
 
         .macro  dot_numbers x0, x1, x2, k0, k1, k2, sum, work
         dot     \x0, \x1, \x2, \k0, \k1, \k2, \sum, \work
@@ -24,6 +29,15 @@
 ; table = the address of the primitive's table.
         .macro  load_table
         get_field P_TABLE, table
+        .endm
+
+; The parameters of the hit on a patch.
+        .macro  load_point_s
+        get_field P_PATCH_POINT, point_s
+        .endm
+
+        .macro  load_point_t
+        get_field P_PATCH_POINT + 1, point_t
         .endm
 
 ; a = the greatest number, at the start of a search for the smallest.

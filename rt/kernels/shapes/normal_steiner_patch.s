@@ -1,3 +1,59 @@
-; normal_steiner_patch.s - the normal of a Steiner patch, by hand in each form.
+; normal_steiner_patch.s - computes the normal of a Steiner patch
+; (normal_vector.s).
+;
+; At the parameters of the hit, with Hs = K1 + 2 K3 s + K4 t,
+; Ht = K2 + K4 s + 2 K5 t and X relative to the centre:
+;   N = (Hs.xyz - X Hs.w) x (Ht.xyz - X Ht.w)
 
-        by_hand steiner_patch
+        .kernel shade
+        .share  normals
+        .regs   row0, kx0, ky0, kz0, kx1, ky1, kz1, kx2, ky2, kz2, kx3, ky3, kz3
+        .regs   row12, kx4, ky4, kz4, kx5, ky5, kz5
+        .endshare
+
+; Computes a tangent along `this` parameter, from the derivative at 0.
+        .macro  tangent this, other, x, y, z, xx, yy, zz, e0, e1, e2
+        ADDN    \xx, \xx, \xx
+        ADDN    \yy, \yy, \yy
+        ADDN    \zz, \zz, \zz
+        line_three \this, \xx, \x, \e0, \yy, \y, \e1, \zz, \z, \e2
+        add_scaled_three \other, kx4, \e0, ky4, \e1, kz4, \e2
+        .endm
+
+        .macro  tangents
+        load_point_s
+        load_point_t
+        load_table
+        ELEN    table, 18
+        SWAP    [table], row0, [r0]
+        tangent point_s, point_t, kx1, ky1, kz1, kx3, ky3, kz3, t0, t1, t2
+        tangent point_t, point_s, kx2, ky2, kz2, kx5, ky5, kz5, t3, t4, t5
+        .endm
+
+; Subtracts from a tangent its part in w, whose derivative at 0 is k.
+        .macro  less_weight this, other, k, square, e0, e1, e2
+        ADDN    \square, \square, \square
+        line    \this, \square, \k, t6
+        add_scaled \other, sh7, t6
+        lower_times_three qx, sh0, nx, qy, sh1, ny, qz, sh2, nz, t6
+        minus   \e0, nx, \e0
+        minus   \e1, ny, \e1
+        minus   \e2, nz, \e2
+        .endm
+
+normal_rational_steiner:
+        load_shape 3
+        load_table
+        IX      table, 64 * 18
+        ELEN    table, 6
+        SWAP    [table], sh3, [r0]              ; K0.w .. K5.w
+        tangents
+        less_weight point_s, point_t, sh4, sh6, t0, t1, t2
+        less_weight point_t, point_s, sh5, sh8, t3, t4, t5
+        BIM     normal_patch
+normal_steiner:
+        tangents
+normal_patch:
+        cross_product t0, t1, t2, t3, t4, t5, nx, ny, nz
+        BIM     gradient_normal
+        .endkernel

@@ -25,6 +25,8 @@
         .reg    m_zero, r0
         .reg    table, s1
         .reg    spare, s2
+        .reg    point_s, cr
+        .reg    point_t, cg
         .reg    m_one, one
         .reg    m_minus_one, minus_one
         .reg    m_half, half
@@ -32,6 +34,10 @@
         .reg    m_tiny, tiny
         .reg    m_checker_shift, checker_shift
         .reg    m_index_one, one_index
+        .endshare
+        .share  scratch
+        .regs   r233, row0, row1, row2, row3, row4, row5, row6, row7, row8, row9
+        .regs   r243, row10, row11, row12, row13, row14, row15, row16, row17
         .endshare
 
         .macro  load_shape number
@@ -50,8 +56,20 @@
         quadric_rows \x0, \x1, \x2, \y0, \y1, \y2, v3
         .endm
 
+        .macro  cross_product a0, a1, a2, b0, b1, b2, c0, c1, c2
+        cross   \a0, \a1, \a2, \b0, \b1, \b2, \c0, \c1, \c2, v7
+        .endm
+
         .macro  load_table
         load_field P_TABLE, table
+        .endm
+
+        .macro  load_point_s
+        VXTOV   [at], [hit_s], [point_s]
+        .endm
+
+        .macro  load_point_t
+        VXTOV   [at], [hit_t], [point_t]
         .endm
 
         .macro  set_big a

@@ -90,37 +90,3 @@ group_none\@:
         quartic_group 3, 10
         quartic_group 4, 15
         .endm
-
-; Adds the rows of a group after its first word, for the gradient
-; (normal_quartic_scalar.s, normal_quartic_vector.s).  Each form defines
-;   gradient_row c         starts a row with c
-;   gradient_term c        adds its next coefficient
-;   gradient_group_row     adds the row to the group
-        .macro  gradient_rows words
-        .if     \words >= 3
-        gradient_row sh1
-        gradient_term sh2
-        gradient_group_row
-        .endif
-        .if     \words >= 6
-        gradient_row sh3
-        gradient_term sh4
-        gradient_term sh5
-        gradient_group_row
-        .endif
-        .if     \words >= 10
-        gradient_row sh6
-        gradient_term sh7
-        gradient_term sh8
-        gradient_term sh9
-        gradient_group_row
-        .endif
-        .if     \words >= 15
-        gradient_row sh10
-        gradient_term sh11
-        gradient_term sh12
-        gradient_term sh13
-        gradient_term sh14
-        gradient_group_row
-        .endif
-        .endm
