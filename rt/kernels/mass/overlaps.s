@@ -1,12 +1,11 @@
 ; overlaps.s - the volumes in which parts overlap, pair by pair.
 ;
-; This is the common part of the two forms. A ray enters a part with the first
-; of its objects and leaves it with the last. Level l of a part is on while the
-; ray is in at least LEVEL_MIN of the part's objects. A pair of levels is on
-; while both are on. A pair of the first levels of two parts measures their
-; overlap. Level 2 of one part, paired with itself, measures the overlap of the
-; part's own objects. Where a pair turns on at s0 and off at s1, its volume
-; grows:
+; A ray enters a part with the first of its objects and leaves it with the last.
+; Level l of a part is on while the ray is in at least LEVEL_MIN of the part's
+; objects. A pair of levels is on while both are on. A pair of the first levels
+; of two parts measures their overlap. Level 2 of one part, paired with itself,
+; measures the overlap of the part's own objects. Where a pair turns on at s0
+; and off at s1, its volume grows:
 ;
 ;   V += a (s1 - s0)
 ;
@@ -24,7 +23,6 @@
 ; Out: crossed_sums, one sum for each pair.
 ; Source: derived here.
 
-        .include "points/planes.s"
         .include "mass/crossed.s"
 
         .record GROUP                   ; parts whose fields share a word

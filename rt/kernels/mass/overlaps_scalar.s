@@ -1,7 +1,5 @@
 ; overlaps_scalar.s - the overlaps of overlaps.s, one crossing after another.
 
-        .include "mass/crossed_scalar.s"
-
         .regs   r60, ovl_level, ovl_level_left, ovl_count       ; of PART
         .regs   r63, ovl_least, ovl_on, ovl_partner, ovl_left   ; of LEVEL
         .regs   r67, ovl_other, ovl_pair                        ; of PARTNER
@@ -58,7 +56,6 @@ level_done\@:
         .kernel overlaps
 overlaps:
         overlaps_begin
-        lanes_begin
         ES      ovl_zero, 0
 overlaps_next:
         crossed_next overlaps_fold

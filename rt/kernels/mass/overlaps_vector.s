@@ -6,8 +6,6 @@
 ; first crossing.
 ; Source of the sums: Kogge and Stone 1973, for recurrences.
 
-        .include "mass/crossed_vector.s"
-
         .regs   r60, v_counts, v_other, v_before, v_field
         .regs   r64, b_level, b_before, b_after
         .regs   r67, ovl_zero, ovl_n, ovl_distance, ovl_level_bits
@@ -41,7 +39,7 @@ on_bits:        .space LEVEL_BITS / 64
         ADDLEN  v_counts, col_n, v_counts
         EX      v_field, field_store
         ADDLEN  v_field, col_n, v_field
-        VXTOV   [v_part], [ovl_first], [v_field]
+        VXTOV   [col_part], [ovl_first], [v_field]
         VTOV    ovl_zero, [v_counts]
         VTOV    [v_field], [v_counts] ? [b_enter]
         SUBXV   ovl_zero, [v_field], [v_counts] ? [b_leave]
@@ -101,7 +99,7 @@ overlaps:
 overlaps_next:
         crossed_next overlaps_fold
         ADDX    col_n, col_index_one, ovl_n
-        find_visible v_object_depth
+        find_visible col_object_depth
         RTOR    ovl_group, ovl_at
         RTOR    ovl_groups, ovl_left
         RTOR    ovl_levels, ovl_level_at
@@ -133,8 +131,8 @@ overlaps_pair:
         IBXEQ   col_count, r0, r0, overlaps_added
         ANDB    [b_visible], [b_after], [b_enter]
         find_weights
-        MPYSV   [v_w], [v_s], [v_w]
-        ADDNV   [col_at], [v_w], [col_at] ? [b_visible]
+        MPYSV   [col_w], [col_s], [col_w]
+        ADDNV   [col_at], [col_w], [col_at] ? [b_visible]
 overlaps_added:
         IX      col_at, 64 * LANES
         IX      ovl_at, 64 * PAIR_SIZE
