@@ -126,12 +126,6 @@ turning\@:
 positive\@:
         .endm
 
-        .macro  clear_negative a
-        CFPGE   \a, r0, not_negative\@
-        ADDN    r0, r0, \a
-not_negative\@:
-        .endm
-
         .macro  sum_away b, root, q, set
         ABS     \b, third
         ADDN    third, \root, \q

@@ -166,11 +166,6 @@ fill_segment\@:
         skip_both \twice, \once, \out
         .endm
 
-        .macro  clear_negative a
-        CMPLTV  [\a], r0, [bits0]
-        VTOV    r0, [\a] ? [bits0]
-        .endm
-
 ; q = -(b + sign(b) root), sign(0) = +; set = the rays with b >= 0.
         .macro  sum_away b, root, q, set
         ADDNV   |[\b]|, [\root], [\q]

@@ -196,12 +196,8 @@ enters\@:
         RTOR    t2, t1
         RTOR    t3, t2
 slab_ordered\@:
-        CFPGE   tin, t1, slab_far\@
-        RTOR    t1, tin
-slab_far\@:
-        CFPGE   t2, tout, slab_cut\@
-        RTOR    t2, tout
-slab_cut\@:
+        ray_not_below t1, tin
+        ray_not_above t2, tout
         CFPLT   tout, tin, \miss
         BIM     slab_end\@
 slab_parallel\@:

@@ -242,10 +242,8 @@
         VTOV    big, [w3] ? [bits1]
         VTOV    minus_big, [w4] ? [bits1]
 slab_crossed\@:
-        CMPLTV  [tin], [w3], [bits1]
-        VTOV    [w3], [tin] ? [bits1]
-        CMPLTV  [w4], [tout], [bits1]
-        VTOV    [w4], [tout] ? [bits1]
+        ray_not_below w3, tin
+        ray_not_above w4, tout
         .endm
 
 ; Changes an empty segment to a miss.

@@ -48,12 +48,8 @@
         ray_then_set one, t1
         ray_end_if once_divided\@
         ray_quotient curve_at, t1, curve_at
-        ray_if_less_number curve_at, r0, once_above\@
-        ray_then_clear curve_at
-        ray_end_if once_above\@
-        ray_if_number_less one, curve_at, once_below\@
-        ray_then_set one, curve_at
-        ray_end_if once_below\@
+        ray_not_below_number r0, curve_at
+        ray_not_above_number one, curve_at
         .endm
 
         .macro  cross_curve
@@ -84,7 +80,7 @@ curve\@:
         keep_positive t0, bits1, crossed, curve_passed\@
         ray_scaled_sum_two path_dx, path_dz, bend_x, bend_z, along_bend, lead_x, lead_z, along_lead
         ray_plus along_lead, along_lead, along_lead
-        clear_negative t0
+        ray_not_below_number r0, t0
         ray_root t0, t0
         sum_away side_lead, t0, side_q, chosen
         if_any  crossed, curve_both\@
