@@ -43,6 +43,9 @@
 ;       add_scaled a, k, c      c = c + a k       a is not c
 ;       scaled_plus a, k, b, c  c = b + a k       a is not b
 ;       minus_scaled a, k, b, c c = b - a k       a is not b
+;       scaled_less a, k, b, c  c = a k - b       a is not b
+;       from_scaled a, k, l, c  c = l - a k
+;       scaled_root a, k, c     c = k sqrt a
 ;       scaled_lower a, k, l, c c = (a - k) l
 ;       scaled_difference a, b, k, c  c = (a - b) k
 ;       lower_absolute a, k, c  c = |a| - k
@@ -58,6 +61,8 @@
 ;       derivative_step x, k, v, d            d = d x + v, then v = v x + k
 ;       scaled_sum_two x, y, k, l, s, m, n, t  s = x k + y l,  t = x m + y n
 ;       scaled_lower_two a, k, m, s, b, l, n, t  s = (a - k) m,  t = (b - l) n
+;       scaled_plus_two a, k, b, c, d, l, e, f  c = a k + b,  f = d l + e
+;       from_times_two k, l, a, b, c, d  c = (k - a) b,  d = (l - a) b
 ;       scaled_difference_two x, y, k, l, s, m, n, t  s = x k - y l,  t = x m - y n
 ;       scaled_lower_three a, k, s, b, l, t, c, m, u, n
 ;               s = (a - k) n, likewise t = (b - l) n and u = (c - m) n
@@ -226,6 +231,18 @@ not_below\@:
         MPYS    \a, \k, \scratch
         SUBN    \b, \scratch, \c
         .endm
+        .macro  \prefix\()scaled_less a, k, b, c
+        MPYS    \a, \k, \scratch
+        SUBN    \scratch, \b, \c
+        .endm
+        .macro  \prefix\()from_scaled a, k, l, c
+        MPYS    \a, \k, \c
+        SUBN    \l, \c, \c
+        .endm
+        .macro  \prefix\()scaled_root a, k, c
+        SQRT    \a, \c
+        MPYS    \c, \k, \c
+        .endm
         .macro  \prefix\()scaled_lower a, k, l, c
         SUBN    \a, \k, \c
         MPYS    \c, \l, \c
@@ -289,6 +306,18 @@ not_below\@:
         SUBN    \b, \l, \t
         MPYS    \s, \m, \s
         MPYS    \t, \n, \t
+        .endm
+        .macro  \prefix\()scaled_plus_two a, k, b, c, d, l, e, f
+        MPYS    \a, \k, \scratch
+        MPYS    \d, \l, \second
+        ADDN    \scratch, \b, \c
+        ADDN    \second, \e, \f
+        .endm
+        .macro  \prefix\()from_times_two k, l, a, b, c, d
+        SUBN    \k, \a, \c
+        SUBN    \l, \a, \d
+        MPYS    \c, \b, \c
+        MPYS    \d, \b, \d
         .endm
         .macro  \prefix\()scaled_difference_two x, y, k, l, s, m, n, t
         MPYS    \x, \k, \s
@@ -561,6 +590,21 @@ select\@:
         MPYSV   [\a], \k, [\a]
         SUBNV   [\b], [\a], [\c]
         .endm
+        .macro  \prefix\()scaled_less a, k, b, c
+        LINKV
+        MPYSV   [\a], \k, [\a]
+        SUBNV   [\a], [\b], [\c]
+        .endm
+        .macro  \prefix\()from_scaled a, k, l, c
+        LINKV
+        MPYSV   [\a], \k, [\c]
+        SUBNV   \l, [\c], [\c]
+        .endm
+        .macro  \prefix\()scaled_root a, k, c
+        LINKV
+        SQRTV   [\a], [\c]
+        MPYSV   [\c], \k, [\c]
+        .endm
         .macro  \prefix\()scaled_lower a, k, l, c
         LINKV
         SUBNV   [\a], \k, [\c]
@@ -608,6 +652,18 @@ select\@:
         .macro  \prefix\()scaled_lower_two a, k, m, s, b, l, n, t
         \prefix\()scaled_lower \a, \k, \m, \s
         \prefix\()scaled_lower \b, \l, \n, \t
+        .endm
+        .macro  \prefix\()scaled_plus_two a, k, b, c, d, l, e, f
+        \prefix\()scaled_plus \a, \k, \b, \c
+        \prefix\()scaled_plus \d, \l, \e, \f
+        .endm
+        .macro  \prefix\()from_times_two k, l, a, b, c, d
+        LINKV
+        SUBNV   \k, [\a], [\c]
+        MPYSV   [\c], [\b], [\c]
+        LINKV
+        SUBNV   \l, [\a], [\d]
+        MPYSV   [\d], [\b], [\d]
         .endm
         .macro  \prefix\()scaled_difference_two x, y, k, l, s, m, n, t
         \prefix\()scale \x, \k, \s

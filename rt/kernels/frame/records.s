@@ -51,7 +51,7 @@
         .equ    BUMPS, 0
         .endif
 
-; 1: there are lathes (shapes/lathe_vector.s).
+; 1: there are lathes (shapes/lathe.s).
         .ifndef LATHES
         .equ    LATHES, 0
         .endif

@@ -8,9 +8,12 @@
         .regs   r84, lane_at, lane_ox, lane_oy, lane_oz, lane_dx, lane_dy, lane_dz
         .regs   r91, lane_along, lane_low, lane_high    ; values of the ray
         .regs   r97, set4, set0                         ; sets it may belong to
-        .regs   r102, row5, row6, row7, row8, row9, row10, row11
-        .regs   r109, set1, set2, set3
+        .regs   r102, set1, set2, set3
+        .regs   r105, row5, row6, row7, row8, row9, row10, row11, row12, row13
+        .regs   r114, row14, row15, row16, row17
         .endshare
+        .reg    queue_low, lane_low             ; the range of all rays
+        .reg    queue_high, lane_high
 
         .equ    LIST_REGISTERS, 5
 
@@ -52,7 +55,7 @@ insert_done\@:
 
 ; Repeats the last crossing if their number is odd, then fills the list with
 ; misses.
-        .macro  leave_list save, registers
+        .macro  leave_columns shape
         SUBX    list_last, a_segment, t0
         SHIFTI  t0, -6, t0
         AND     t0, index_one, t0
@@ -68,7 +71,7 @@ list_even\@:
         IX      list_last, 64 * 2
         BIM     list_even\@
 list_filled\@:
-        leave_segments \save, \registers
+        leave_segments \shape\()_save, \shape\()_registers
         .endm
 
         .macro  all_lanes
@@ -157,5 +160,110 @@ turned_by\@:
 \passed:
         begin_columns
 \fill:
-        leave_list \shape\()_save, \shape\()_registers
+        leave_columns \shape
+        .endm
+
+; ---- Lathes ------------------------------------------------------------------
+
+        .macro  range_of_queue low, high
+        .endm
+
+        .macro  note_negative a, set
+        .endm
+
+        .macro  unless_zero a, set, zero
+        CFPEQ   \a, r0, \zero
+        .endm
+
+        .macro  keep_real a, set, out
+        CFPLT   \a, r0, \out
+        .endm
+
+        .macro  quotient_outside set, a, b, c
+        DIVS    \a, \b, \c
+        .endm
+
+        .macro  reciprocal_or_one a, c
+        RTOR    one, \c
+        CFPEQ   \a, r0, reciprocal\@
+        DIVS    one, \a, \c
+reciprocal\@:
+        .endm
+
+        .macro  either_two_if_negative number, set, a, b, c, x, y, z
+        RTOR    \b, \c
+        RTOR    \y, \z
+        CFPGE   \number, r0, either\@
+        RTOR    \a, \c
+        RTOR    \x, \z
+either\@:
+        .endm
+
+        .macro  either_two_by number, set, a, b, c, x, y, z
+        CFPNE   \number, r0, either_by\@
+        XOR     \set, index_one, \set
+either_by\@:
+        either_two \set, \a, \b, \c, \x, \y, \z
+        .endm
+
+        .macro  number_in set, k, c
+        RTOR    \k, \c
+        .endm
+
+        .macro  none_in set, low, high
+        .endm
+
+        .macro  begin_clear set
+        ES      \set, 0
+        .endm
+
+        .macro  end_clear set, far
+\far:
+        .endm
+
+        .macro  mark_less_scaled a, b, k, set, out
+        MPYS    \b, \k, third
+        CFPGE   \a, third, \out
+        ES      \set, 1
+        .endm
+
+        .macro  keep_within at, low, high, set
+        .endm
+
+        .macro  find_twice once, inside, inside_before, twice, out
+        AND     \inside, \inside_before, third
+        IBXNE   third, r0, r0, \out
+        .endm
+
+        .macro  unless_once once, label
+        IBXNE   \once, r0, r0, \label
+        .endm
+
+        .macro  skip_both set, other, out
+        .endm
+
+        .macro  opposite a
+        SUBN    r0, \a, \a
+        .endm
+
+        .macro  keep_opposite_not_less a, b, set, out
+        CFPLT   \a, \b, \out
+        .endm
+
+        .macro  keep_opposite_less a, b, set, out
+        CFPGE   \a, \b, \out
+        .endm
+
+        .macro  turned_if_negative number, set, chosen
+        CFPGE   \number, r0, turned\@
+        XOR     \chosen, index_one, \chosen
+turned\@:
+        .endm
+
+        .macro  subset_less a, b, set, subset, out
+        CFPGE   \a, \b, \out
+        .endm
+
+        .macro  missed_by_all label, shape
+        missed_columns \label, \shape
         .endm

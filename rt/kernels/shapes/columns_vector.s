@@ -17,12 +17,15 @@
         .reg    row3, s6
         .reg    row4, s7
         .share  shape
-        .regs   r43, row5, row6, row7, row8, row9, row10, row11
+        .regs   r43, row5, row6, row7, row8, row9, row10, row11, row12, row13
+        .regs   r52, row14, row15, row16, row17
         .endshare
         .share  hits
         .regs   r164, set0, set1, set2, set3
         .endshare
         .reg    set4, bits2
+        .reg    queue_low, s3                   ; the range of all rays
+        .reg    queue_high, s4
 
         .equ    SEGMENT_COLUMNS, 2
 
@@ -86,7 +89,7 @@ insert_used\@:
 
 ; Completes the segments: a segment without a second crossing ends where it
 ; begins; one without any is a miss.
-        .macro  leave_columns
+        .macro  leave_columns shape
         first_column
 fill_segment\@:
         RTOR    column_at, s2
@@ -192,5 +195,134 @@ fill_segment\@:
 
         .macro  fill_columns shape, passed, fill
 \fill:
-        leave_columns
+        leave_columns \shape
+        .endm
+
+; ---- Lathes ------------------------------------------------------------------
+
+; queue_low, queue_high = the range of low and high of all rays.
+        .macro  range_of_queue low, high
+        MINV    [\low], s0, queue_low
+        MAXV    [\high], s0, queue_high
+        .endm
+
+        .macro  note_negative a, set
+        CMPLTV  [\a], r0, [\set]
+        .endm
+
+; set = the rays with a = 0, which branch to zero.
+        .macro  unless_zero a, set, zero
+        CMPEQV  [\a], r0, [\set]
+        .endm
+
+; set = the rays with a < 0, which miss; their a becomes 0.
+        .macro  keep_real a, set, out
+        CMPLTV  [\a], r0, [\set]
+        VTOV    r0, [\a] ? [\set]
+        .endm
+
+        .macro  quotient_outside set, a, b, c
+        MASKV   one, [\b], [\c] ? [\set]
+        DIVSV   [\a], [\c], [\c]
+        .endm
+
+        .macro  reciprocal_or_one a, c
+        CMPEQV  [\a], r0, [bits0]
+        MASKV   one, [\a], [\c] ? [bits0]
+        DIVSV   one, [\c], [\c]
+        .endm
+
+; set = the rays with number < 0.
+        .macro  either_two_if_negative number, set, a, b, c, x, y, z
+        either_two \set, \a, \b, \c, \x, \y, \z
+        .endm
+
+; The same for the other rays if number is 0.
+        .macro  either_two_by number, set, a, b, c, x, y, z
+        CFPEQ   \number, r0, either_others\@
+        either_two \set, \a, \b, \c, \x, \y, \z
+        BIM     either_by\@
+either_others\@:
+        either_two \set, \b, \a, \c, \y, \x, \z
+either_by\@:
+        .endm
+
+        .macro  number_in set, k, c
+        VTOV    \k, [\c] ? [\set]
+        .endm
+
+; Nothing is between low and high for the rays of the set.
+        .macro  none_in set, low, high
+        VTOV    big, [\low] ? [\set]
+        VTOV    minus_big, [\high] ? [\set]
+        .endm
+
+; The set is empty from far on; what begin_clear precedes, computes it.
+        .macro  begin_clear set
+        .endm
+
+        .macro  end_clear set, far
+        BIM     cleared\@
+\far:
+        XORB    [\set], [\set], [\set]
+cleared\@:
+        .endm
+
+; set = the rays with a < b k.
+        .macro  mark_less_scaled a, b, k, set, out
+        LINKV
+        MPYSV   [\b], \k, [\b]
+        CMPLTV  [\a], [\b], [\set]
+        .endm
+
+; Keeps the rays of the set with low <= at <= high.
+        .macro  keep_within at, low, high, set
+        CMPGEV  \at, [\low], [bits0]
+        CMPGEV  [\high], \at, [bits1]
+        ANDB    [bits0], [\set], [\set]
+        ANDB    [bits1], [\set], [\set]
+        .endm
+
+; twice = the rays that may cross an edge twice: they reach its heights, and
+; neither end is inside.
+        .macro  find_twice once, inside, inside_before, twice, out
+        CMPGEV  [ray_high], row_low, [bits0]
+        CMPGEV  row_high, [ray_low], [bits1]
+        ANDB    [bits0], [bits1], [\twice]
+        ORB     [\inside], [\inside_before], [bits0]
+        ANDNB   [\twice], [bits0], [\twice]
+        skip_both \twice, \once, \out
+        .endm
+
+        .macro  unless_once once, label
+        .endm
+
+; The vector form compares with -a.
+        .macro  opposite a
+        .endm
+
+        .macro  keep_opposite_not_less a, b, set, out
+        CMPGEV  -[\a], [\b], [bits0]
+        ANDB    [bits0], [\set], [\set]
+        .endm
+
+        .macro  keep_opposite_less a, b, set, out
+        CMPLTV  -[\a], [\b], [bits0]
+        ANDB    [bits0], [\set], [\set]
+        .endm
+
+; Removes or adds the rays of the set, which have number < 0.
+        .macro  turned_if_negative number, set, chosen
+        XORB    [\chosen], [\set], [\chosen]
+        .endm
+
+; subset = the rays of the set with a < b.
+        .macro  subset_less a, b, set, subset, out
+        CMPLTV  [\a], [\b], [bits0]
+        ANDB    [bits0], [\set], [\subset]
+        .endm
+
+        .macro  missed_by_all label, shape
+\label:
+        miss_all
         .endm

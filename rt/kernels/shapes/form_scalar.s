@@ -74,6 +74,10 @@
         CFPGE   \a, \b, \out
         .endm
 
+        .macro  keep_number_less k, a, set, out
+        CFPGE   \k, \a, \out
+        .endm
+
         .macro  keep_not_less a, b, set, out
         CFPLT   \a, \b, \out
         .endm

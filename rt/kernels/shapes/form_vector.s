@@ -75,6 +75,11 @@
         ANDB    [bits0], [\set], [\set]
         .endm
 
+        .macro  keep_number_less k, a, set, out
+        CMPLTV  \k, [\a], [bits0]
+        ANDB    [bits0], [\set], [\set]
+        .endm
+
         .macro  keep_not_less a, b, set, out
         CMPGEV  [\a], [\b], [bits0]
         ANDB    [bits0], [\set], [\set]
@@ -298,7 +303,7 @@ slab_crossed\@:
 ; Moves the rays' origins x, relative to the shape's centre, to o, their closest
 ; approach to it:  along = x . D,  o = x - along D.  A distance from o is
 ; greater by along than that from x.
-        .macro  closest_approach x0, x1, x2, o0, o1, o2, along, work
+        .macro  closest_approach x0, x1, x2, o0, o1, o2, along, work, other=
         dot_vectors \x0, \x1, \x2, dx, dy, dz, \along, \work
         MPYSV   [\along], [dx], [\work]
         SUBNV   [\x0], [\work], [\o0]
