@@ -1,8 +1,8 @@
-; calls.s - functions with arguments: one calls another, one calls itself.
+; calls.s - functions with arguments. One calls another, and one calls itself.
 ;
-; Arguments are in f_x and f_y, the result in f_r; call sets f_link to the
-; return address. A function preserves the registers below 208 of its caller:
-; it saves those that it uses on the stack, and f_link if it calls functions.
+; Arguments are in f_x and f_y, and the result is in f_r. call sets f_link to
+; the return address. A function saves the registers below 208 that it uses on
+; the stack, and restores them. It also saves f_link if it calls functions.
 
         .include "print.s"
         .include "stack.s"
@@ -29,7 +29,7 @@
         newline
         EXIT
 
-; sqrt(x^2 + y^2); it calls no function.
+; Computes sqrt(x^2 + y^2). It calls no function.
 hypotenuse:
         MPYS    f_x, f_x, f_0
         MPYS    f_y, f_y, f_1
@@ -37,7 +37,7 @@ hypotenuse:
         SQRT    f_0, f_r
         return  f_link
 
-; (e^x - e^-x) / 2; exp returns in f_r and may change registers from 208 on.
+; Computes (e^x - e^-x) / 2. exp may change registers from 208 on.
 sinh:   push    n, 4
         RTOR    f_link, link
         apply   exp, f_x, part

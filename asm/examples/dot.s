@@ -1,8 +1,8 @@
-; dot.s - the length of a vector: the square root of its dot product with
-; itself, computed by DOTV, and by a product and a sum.
+; dot.s - computes the length of a vector, the square root of its dot product
+; with itself. It uses DOTV, and for comparison a product and a sum.
 ;
-; DOTV executes two flops per element and takes one element per clock. Its sum,
-; like that of SUMV, has two parts, upper and lower, joined by two additions.
+; DOTV executes two flops per element and takes one element per clock. Its sum
+; has an upper and a lower part, as in SUMV. Two additions join them.
 
         .include "print.s"
 
@@ -42,10 +42,10 @@ squares:
 ; expect: difference = 0.0
 ; expect-print: length 9
 
-; 4 clocks for the descriptors; the dot product 116 + 4, and 1,030 for the
-; first touch of the data's page; its two additions 10; issue of the root,
-; which overlaps the product; 51 + 2 and 96 + 2, 2 of them hidden; two
-; additions 10; the rest 7:
+; The descriptors take 4 clocks, the dot product 116 + 4, the first access to
+; the page of the data 1,030, and two additions 10. The root overlaps the
+; product. Product and sum take 51 + 2 and 96 + 2, of which 2 are hidden. Two
+; additions take 10, and the other instructions take 7:
 ; expect-clocks: 1331
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round numbers, the fitted ones are not)
+; This model has round constants; the constants of fitted models are not round.

@@ -1,4 +1,4 @@
-; first.s - y := 2 x + y, the whole vectors in two instructions.
+; first.s - y := 2 x + y for whole vectors, in two instructions.
 
         .include "print.s"
         .regs   r16, x, y, two
@@ -6,10 +6,10 @@
         .vector xs, 5, 1.0, 2.0, 3.0, 4.0, 5.0
         .vector ys, 5, 10.0, 10.0, 10.0, 10.0, 10.0
         .code
-        descriptor x, xs, 5             ; a register that names a vector: its
-        descriptor y, ys, 5             ; length and where it begins in memory
+        descriptor x, xs, 5             ; x describes a vector: its length and
+        descriptor y, ys, 5             ; its address in memory
         load_constant two, 2.0
-        MPYSV   [x], two, [x]           ; brackets: a vector; bare: one number
+        MPYSV   [x], two, [x]           ; [x] is a vector, two is a number
         ADDNV   [x], [y], [y]
         print_vector y
         newline

@@ -1,6 +1,6 @@
 ; functions.s - damped oscillation y = e^(-x/8) cos x, for numbers and vectors.
 ;
-; Both forms of a routine do the same operations, so the vectors are identical.
+; Both forms of a routine execute the same operations, so results are equal.
 
         .include "print.s"
         .include "exp.s"

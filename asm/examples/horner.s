@@ -1,9 +1,9 @@
-; horner.s - a polynomial for many arguments, by Horner's rule.
+; horner.s - computes a polynomial for many arguments by Horner's rule.
 ;
 ;   p(x) = 2 x^3 - 3 x^2 + 5 = ((2 x - 3) x + 0) x + 5
 ;
-; Each step is a product with x and a sum with a broadcast coefficient: a
-; linked pair, one stream with two flops per element.
+; Each step is a linked pair: a product with x, and a sum with a broadcast
+; coefficient. It is one stream with two flops per element.
 
         .include "core.s"
 
@@ -40,8 +40,8 @@ p:      .space  n
         EXIT
 ; expect: [p] = 5.0, 4.0, 0.0, 9.0, 4.5, 1705.0
 
-; 14 clocks for descriptors and constants, 1,030 for the first touch of the
-; data's page; three pairs of 84 + 3, the second and third with 3 hidden:
+; Descriptors and constants take 14 clocks, the first access to the page of the
+; data 1,030, and three pairs 84 + 3 each. The last two hide 3 clocks each:
 ; expect-clocks: 1299
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round numbers, the fitted ones are not)
+; This model has round constants; the constants of fitted models are not round.

@@ -1,7 +1,7 @@
-; interval_sum.s - the integral of 4 / (1 + x x) from 0 to 1, which is pi, by
-; the midpoint rule with 1,000 strips.
+; interval_sum.s - computes the integral of 4 / (1 + x x) from 0 to 1, which is
+; pi, by the midpoint rule with 1,000 strips.
 ;
-; INTVLV generates the midpoints. SUMV computes the sum, in two parts. The
+; INTVLV generates the midpoints. SUMV computes the sum in two parts. The
 ; program has no loop.
 
         .include "print.s"
@@ -39,9 +39,9 @@ f:      .space  n
 ; expect: pi = X'FFD3 6487 ED7D CE2F'
 ; expect-print: pi is about 3.14159273692483
 
-; 12 clocks for descriptors and constants, 1,030 for the first touch of the
-; data's page; 551, 551, 551, 80 + 1,625, 96 + 500, of which four times 10 are
-; hidden; two additions 10, the product 5, the rest 3:
+; Descriptors and constants take 12 clocks, the first access to the page of the
+; data 1,030, and the vectors 3 x 551, 80 + 1,625 and 96 + 500, of which 4 x 10
+; hide. Two additions take 10, the product 5, and other instructions 3:
 ; expect-clocks: 4974
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round numbers, the fitted ones are not)
+; This model has round constants; the constants of fitted models are not round.

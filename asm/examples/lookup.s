@@ -1,6 +1,6 @@
-; lookup.s - a function given by a table, with linear interpolation.
+; lookup.s - computes a function by linear interpolation in a table.
 ;
-; The table has the squares of 0 .. 10. For each argument u
+; The table contains the squares of 0 .. 10. For each argument u
 ;
 ;   i = floor(u),  f = u - i,  y = t(i) + f (t(i + 1) - t(i))
 ;
@@ -54,9 +54,9 @@ sorted: .space  n
 ; expect: [y] = 6.5, 0.0, 90.5, 18.25, 49.0
 ; expect: [sorted] = 49.0, 18.25, 90.5, 0.0, 6.5
 
-; 17 clocks for the descriptors, 1,030 for the first touch of the data's page;
-; 51 + 3 for each of the five simple instructions, 69 + 5 for a gather, 71 + 5
-; for the scatter; hidden of each start-up are 3 clocks, but 5 after a gather:
+; The descriptors take 17 clocks, and the first access to the page of the data
+; takes 1,030. Five simple instructions take 51 + 3 each, a gather 69 + 5, and
+; the scatter 71 + 5. Each start-up hides 3 clocks, or 5 after a gather:
 ; expect-clocks: 1516
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round numbers, the fitted ones are not)
+; This model has round constants; the constants of fitted models are not round.

@@ -1,8 +1,8 @@
-; normalise.s - a kernel that is written once, and runs in two forms.
+; normalise.s - a kernel that is written once and runs in two forms.
 ;
-; It normalises n vectors (x, y). A vector of length 0 becomes (1, 0). The loop
-; runs the kernel on numbers, the second part runs it once on whole vectors
-; (asm/lib/forms.s, docs/forms.md).
+; It normalises n vectors (x, y). A vector of length 0 becomes (1, 0). A loop
+; runs the kernel on numbers. The second part of the program runs it once on
+; whole vectors (asm/lib/forms.s, docs/forms.md).
 
         .include "print.s"
         .include "forms.s"

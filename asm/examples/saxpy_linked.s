@@ -1,8 +1,8 @@
 ; saxpy_linked.s - y := a x + y as one stream.
 ;
-; LINKV passes each product directly to the addition: there is one start-up of
-; 84 clocks, and no product is stored. x and y use the two read paths of the
-; memory; the scale is broadcast.
+; LINKV passes each product directly to the addition. There is one start-up of
+; 84 clocks, and no product is stored. x and y use the two read paths of
+; memory, and the scale is broadcast.
 
         .include "saxpy_data.inc"
 
@@ -12,7 +12,7 @@
         LOD     [xs], scale
         descriptor xs, x, n
         descriptor ys, y, n
-        descriptor link, y, n           ; never stored; only its length counts
+        descriptor link, y, n           ; only its length is used
 
         .kernel saxpy
         LINKV
@@ -24,8 +24,8 @@
 ; expect: [y] = 1.0, 3.0, 5.0, 7.0
 ; expect: [y + 99*64] = 199.0
 
-; 1,030 clocks for the first touch of the data's page, 16 until the scale is
-; loaded, 84 + 50; the exit is hidden under the stream:
+; The first access to the page of the data takes 1,030 clocks, the load of the
+; scale 16, and the pair 84 + 50. The exit hides under the stream:
 ; expect-clocks: 1180
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round numbers, the fitted ones are not)
+; This model has round constants; the constants of fitted models are not round.

@@ -1,8 +1,8 @@
-; saxpy_scalar.s - y := a x + y, one element after the other.
+; saxpy_scalar.s - computes y := a x + y, one element after the other.
 ;
-; Both addresses are in registers; the loop increments the index. An iteration
-; waits for its loads (15 clocks), the product and the sum (5 each), and loses
-; 8 at the branch: 35 clocks for two flops, 2.9 Mflop/s.
+; Both addresses are in registers, and the loop increments the index. An
+; iteration waits for its loads (15 clocks), the product and the sum (5 each),
+; and the branch (8). It takes 35 clocks for two flops, which is 2.9 Mflop/s.
 
         .include "saxpy_data.inc"
 
@@ -30,8 +30,8 @@ loop:   LOD     [xs, index], left
 ; expect: [y] = 1.0, 3.0, 5.0, 7.0
 ; expect: [y + 99*64] = 199.0
 
-; 1,030 clocks for the first touch of the data's page, 7 for the instructions
-; before the loop, 99 iterations of 35, the last of 27, the exit:
+; The first access to the page of the data takes 1,030 clocks, the instructions
+; before the loop 7, 99 iterations 35 each, the last iteration and the exit 28:
 ; expect-clocks: 4530
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round numbers, the fitted ones are not)
+; This model has round constants; the constants of fitted models are not round.

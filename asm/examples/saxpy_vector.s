@@ -1,8 +1,8 @@
 ; saxpy_vector.s - y := a x + y with vector instructions.
 ;
-; The product is stored in memory and loaded again. Two instructions each have
-; a start-up of 51 clocks and take half a clock per element on two pipes. The
-; first 10 clocks of the second start-up overlap the first stream.
+; The product is stored in memory and loaded again. Both instructions have a
+; start-up of 51 clocks and take half a clock per element on two pipes. The first
+; 10 clocks of the second start-up overlap the first stream.
 
         .include "saxpy_data.inc"
 
@@ -27,8 +27,8 @@ t:      .space  n
 ; expect: [y] = 1.0, 3.0, 5.0, 7.0
 ; expect: [y + 99*64] = 199.0
 
-; 1,030 clocks for the first touch of the data's page, 16 until the scale is
-; loaded, 101 + 101 - 10; the exit is hidden under the stream:
+; The first access to the page of the data takes 1,030 clocks, the load of the
+; scale 16, and the vectors 101 + 101 - 10. The exit hides under the stream:
 ; expect-clocks: 1238
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round numbers, the fitted ones are not)
+; This model has round constants; the constants of fitted models are not round.

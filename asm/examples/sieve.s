@@ -1,10 +1,10 @@
-; sieve.s - the primes below 200 by the sieve of Eratosthenes, as a bit vector.
+; sieve.s - finds the primes below 200 by the sieve of Eratosthenes.
 ;
-; A flag for each i says whether no divisor of i has been found. For each prime
-; p up to the root of the limit, the vector unit generates the multiples p p,
-; p p + p, .. below the limit; a scatter of zeros clears their flags. The flags
-; are words (1.0, or machine zero) so that they can be scattered; at the end a
-; comparison packs them into bits.
+; The flag of i is set if no divisor of i has been found. For each prime p up
+; to the root of the limit, the vector unit generates the multiples p p, p p +
+; p, .. below the limit, and a scatter of zeros clears their flags. The flags
+; are words (1.0 or machine zero), because bits cannot be scattered. A
+; comparison packs them into bits at the end.
 
         .include "print.s"
 
@@ -21,7 +21,7 @@ places: .space  limit
         .regs   r10, fs, ps, bits, list, one, p, square, end, step
         .regs   r20, flag, length, shift, primes, text
 
-; Set all flags to 1.0, then those of 0 and 1 to zero.
+; Sets all flags to 1.0, and the flags of 0 and 1 to zero.
         load_constant flag, 1.0
         descriptor fs, flags, limit
         .kernel sieve
@@ -35,14 +35,14 @@ places: .space  limit
 next:   LOD     [fs, p], flag
         CFPEQ   flag, r0, composite
 
-; The number of multiples from p p on that are below the limit is
-; (limit - 1 - p p) / p + 1.
+; There are (limit - 1 - p p) / p + 1 multiples from p p on that are below the
+; limit.
         MPYX    p, p, square
         SUBX    end, square, step
         ADDX    step, p, step
         IS      step, -1
-        DIVU    step, p, length         ; integers: the exponent of the
-        TRU     length, length          ; quotient is not 0; TRU makes it 0
+        DIVU    step, p, length         ; the exponent of the quotient
+        TRU     length, length          ; is not 0; TRU makes it 0
         EX      list, places
         ADDLEN  list, length, list
         INTVLV  square, p, [list]
@@ -68,7 +68,7 @@ composite:
 ; expect-print: 001101010001010001010001000001
 ; expect-bits: [prime + 190] = 0101000101
 
-; 1,030 of these clocks are for the first touch of the data's page:
+; The first access to the page of the data takes 1,030 of these clocks:
 ; expect-clocks: 3190
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round numbers, the fitted ones are not)
+; This model has round constants; the constants of fitted models are not round.

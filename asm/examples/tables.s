@@ -1,4 +1,4 @@
-; tables.s - data computed at assembly, and data read from a file.
+; tables.s - has data that the assembler computes and data from a file.
 
         .include "print.s"
 
@@ -19,7 +19,7 @@ loads_end:
 
         .regs   r10, index, load, wave, table
 
-; Multiplies each load by the sine at its place.
+; Multiplies each load by the sine at its position.
         descriptor index, places, count
         descriptor load, loads, count
         descriptor wave, waves, count

@@ -1,16 +1,16 @@
-; atan2.s - atan2 and vatan2: f_r = the angle, in radians from -pi to pi,
-; of the point with ordinate f_x and abscissa f_y. As in FORTRAN's ATAN2
-; the ordinate is first.
+; atan2.s - atan2 and vatan2: f_r = the angle of a point in radians, from -pi
+; to pi. Its ordinate is f_x and its abscissa f_y; the ordinate is first, as in
+; ATAN2 of FORTRAN.
 ;
-;   n = the smaller of |x| and |y|,  d = the larger
+;   n = min(|x|, |y|),  d = max(|x|, |y|)
 ;   t = (n - d) / (n + d), a = pi/4  if n > tan(pi/8) d;  else t = n / d, a = 0
 ;   b = a + atan t = a + t + t^3 A(t^2),  |t| <= tan(pi/8)
 ;
-; The angle is b, or pi/2 - b if |ordinate| > |abscissa|. If the abscissa is
-; negative it is subtracted from pi; if the ordinate is negative it is negated.
-; A interpolates (atan t - t) / t^3 at the ten Chebyshev points of t^2. Each
-; constant that is added to b is a sum of two parts. For the origin, and for
-; indefinite operands, the result is indefinite.
+; The angle is b, or pi/2 - b if |ordinate| > |abscissa|. A negative abscissa
+; replaces it by pi minus the angle. A negative ordinate then negates it. A
+; interpolates (atan t - t) / t^3 at the ten Chebyshev points of t^2. Each
+; constant that is added to b is a sum of two parts. The result is indefinite
+; for the origin and for indefinite operands.
 ;
 ; Source: textbook; parts and polynomial are derived for this format.
 
@@ -31,7 +31,7 @@ atan2.constants:
         .word   0.41421356237309504880169       ; tan(pi/8)
         .word   -1.0
         .word   X'FFD1 6487 ED51 10B4'          ; pi/4
-        .word   X'FFA1 4D9E B2E6 0A6A'          ; the rest of it, relative to 1
+        .word   X'FFA1 4D9E B2E6 0A6A'          ; second part of pi/4, relative to 1
         .word   X'FFD2 6487 ED51 10B4', X'FFA2 611A 6263 3146'  ; pi/2
         .word   X'FFD3 6487 ED51 10B4', X'FFA3 611A 6263 3146'  ; pi
 atan2.polynomial:

@@ -1,25 +1,25 @@
 ; core.s - descriptors, constants and calls.
 ;
-; A program may include this file several times; it is read once.
+; A program may include this file several times. It is read only once.
 
         .ifndef core.s
         .equ    core.s, 1
 
-; r := descriptor of a vector with a length and a bit address. Both must be
-; constants of the program. For values at run time use RTOR and ADDLEN.
+; r := the descriptor of a vector with a length and a bit address, which must
+; be constants of the program. RTOR and ADDLEN handle values at run time.
         .macro  descriptor r, address, length
         EX      \r, \address
         ELEN    \r, \length
         .endm
 
-; r := a word, as in load_constant r5, 1.5
+; r := a word. Example: load_constant r5, 1.5
         .macro  load_constant r, value
         EX      \r, bits(\value) & 0xFFFFFFFFFFFF
         ELEN    \r, bits(\value) >> 48 & 0xFFFF
         .endm
 
-; h := a half word, as in load_half h40, 1.5, r9. The value is stored in the
-; data; scratch is overwritten with its address.
+; h := a half word, which is stored in the data. Its address overwrites
+; scratch. Example: load_half h40, 1.5, r9
         .macro  load_half h, value, scratch
         .data
 load_half.\@:
@@ -29,16 +29,16 @@ load_half.\@:
         LODH    [\scratch], \h
         .endm
 
-; number := the sum of the two parts of SUMV or DOTV, in an even register and
-; the next one. The upper part is normalised first, to make room for the lower
-; one, as in programs of the time (ACM Algorithm 663, P).
+; number := the sum of the two parts of SUMV or DOTV. They are in an even
+; register and the next register. The upper part is normalised first, which
+; makes room for the lower part (ACM Algorithm 663, a primary source).
         .macro  join_parts upper, lower, number
         ADDN    \upper, r0, \upper
         ADDN    \upper, \lower, \number
         .endm
 
-; Calls a routine. scratch is overwritten with its address, link with the
-; address of the next instruction. The routine ends with: return link
+; Calls a routine. Its address overwrites scratch, and the address of the next
+; instruction overwrites link. The routine ends with: return link
         .macro  call routine, link, scratch
         EX      \scratch, \routine
         BSAVE   \link, [\scratch]

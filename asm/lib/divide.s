@@ -1,12 +1,12 @@
 ; divide.s - divide and vdivide: f_r = the quotient of the integers f_x and
-; f_y, truncated towards zero, and f_s = the remainder, with the sign of f_x.
-; For vectors f_s is a descriptor too.
+; f_y, truncated towards zero; f_s = the remainder, with the sign of f_x.
+; f_s is a descriptor, too, if the operands are vectors.
 ;
 ;   q = the integer part of |x| / |y|,  |x| = q |y| + |s|
 ;
 ; Floating-point numbers are first truncated to integers. A quotient is
-; truncated to 47 digits towards zero, so its integer part is exact. If f_y is
-; 0, or if an operand has more than 47 digits, both results are indefinite.
+; truncated to 47 digits towards zero, so its integer part is exact. Both
+; results are indefinite if f_y is 0 or an operand has more than 47 digits.
 ;
 ; Source: derived for this format.
 

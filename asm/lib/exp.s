@@ -3,11 +3,11 @@
 ;   k = floor(x / ln 2 + 1/2),  r = x - k ln 2,  |r| <= ln 2 / 2
 ;   e^r = 1 + r + r^2 Q(r),  e^x = 2^k e^r
 ;
-; ln 2 is the sum of two parts. The first has 32 digits, so that k times it is
-; exact. Q interpolates (e^r - 1 - r) / r^2 at the nine Chebyshev points. To
-; multiply by 2^k, k is added to the exponent of the coefficient. A result
-; below the numbers of the machine is machine zero, one above them indefinite.
-; For an indefinite operand the result is indefinite.
+; ln 2 is the sum of two parts. The first part has 32 digits, so its product
+; with k is exact. Q interpolates (e^r - 1 - r) / r^2 at the nine Chebyshev
+; points. Adding k to the exponent multiplies by 2^k. A result that is too
+; small is machine zero. A result that is too large is indefinite, and so is
+; the result for an indefinite operand.
 ;
 ; Source: the method is textbook (W. J. Cody and W. Waite, Software
 ; Manual for the Elementary Functions, 1980); parts and polynomial are
@@ -57,7 +57,7 @@ exp.polynomial:
         exp_of_rest \form, \r
         .endm
 
-; \r = 2^k e^r, for r in f_0 and k in f_1.
+; \r := 2^k e^r, with r in f_0 and k in f_1.
         .macro  exp_of_rest form, r
         \form\()_line f_0, exp_8, exp_7, f_2
         \form\()_step f_0, exp_6, f_2

@@ -1,23 +1,24 @@
-; forms.s - operations that are written once and assembled in two forms: on
-; numbers in registers, and on vectors.
+; forms.s - defines operations that are written once and assembled in two
+; forms, for numbers in registers and for vectors.
 ;
-; A program says which form it has, and then writes operations:
+; A program first selects a form and then contains operations:
 ;
 ;       scalar_form prefix, scratch, second, third
 ;       vector_form prefix, bits, more_bits
 ;
-; prefix begins the name of each operation and is empty by default: times,
-; plus. Code for both forms in one program is a macro with an argument form,
-; in which operations are written \form\()_times; asm/lib/exp.s is an example.
-; scratch, second and third are registers that the scalar form changes; bits has
-; the descriptor of the control vector, and more_bits of one for otherwise_if.
+; prefix is the start of the name of each operation. It is empty by default, as
+; in times and plus. Code for both forms in one program is a macro with an
+; argument form. It contains operations such as \form\()_times (asm/lib/exp.s).
+; The scalar form changes the registers scratch, second and third. bits has the
+; descriptor of the control vector, and more_bits has that of a second one for
+; otherwise_if.
 ;
-; Both forms perform the same operations in the same order, so their results are
-; equal, bit for bit. The vector form links two operations into one stream
-; where possible. It stores by control vector, where the scalar form branches.
+; Both forms execute the same operations in the same order, so their results are
+; equal, bit for bit. The vector form links two operations into one stream if
+; possible. A control vector replaces the branches of the scalar form.
 ;
-; In the list a, b, c are registers with numbers, or descriptors of vectors of
-; the same length; k and l are numbers in both forms.
+; In the list, a, b, c are registers with numbers, or with descriptors of
+; vectors of the same length. k and l are numbers in both forms.
 ;
 ;       times a, b, c           c = a b           plus a, b, c        c = a + b
 ;       minus a, b, c           c = a - b         quotient a, b, c    c = a / b
@@ -50,7 +51,7 @@
 ;       scaled_difference a, b, k, c  c = (a - b) k
 ;       lower_absolute a, k, c  c = |a| - k
 ;
-; Several at a time, which the scalar form interleaves, because a result takes
+; Several operations. The scalar form interleaves them, because a result takes
 ; five clocks:
 ;
 ;       line_three a, k, l, c, m, n, d, o, p, e
@@ -75,16 +76,16 @@
 ;       raise_index a, k, c     c = a + k of integers
 ;       minus_index a, b, c     c = a - b of integers
 ;       upper_product a, b, c   c = the first 47 digits of a b
-;       low_product a, b, c     c = the other digits of a b; for integers
-;                               below 2^47 these are all digits
+;       low_product a, b, c     c = the other digits of a b; the whole product
+;                               of integers if it is below 2^47
 ;       pick i, at, c           c = word i of a table; at: register with its
 ;                               address
 ;       pack_each e, a, c        c = the exponent e with the coefficient of a
-;       pack_all k, a, c        the same with one exponent k for all elements
+;       pack_all k, a, c        like pack_each, with the exponent k for all
 ;
-; Conditions: for a vector, all operations between the condition and end_if
-; label are computed for all elements. Operations then_.. are stored only for
-; elements for which the condition is true. For an indefinite a it is false.
+; Conditions: vectors compute all operations between the condition and end_if
+; label for all elements. Operations then_.. store only elements for which the
+; condition is true. A condition on an indefinite a is false.
 ;
 ;       if_above a, b, label            is a > b?
 ;       if_above_number a, k, label     is a > k?
@@ -108,7 +109,7 @@
 ;       select_number_then if, x, y, k, b, c, label
 ;                       the same, and the condition continues up to end_if label
 ;
-; These have one branch in the scalar form. Their operands are never indefinite.
+; Conditions with one branch in the scalar form; no operand may be indefinite:
 ;
 ;       if_less a, b, label             is a < b?
 ;       if_less_number a, k, label      is a < k?
@@ -479,8 +480,8 @@ select\@:
 
 ; ---- On vectors --------------------------------------------------------------
 
-; The first operation of a link names a vector of its length, a source or the
-; result, which it does not change.
+; The first operation of a link needs a vector of its length as its result: a
+; source or the final result. It does not change this vector.
         .macro  vector_form prefix=, bits=, more_bits=
         .macro  \prefix\()times a, b, c
         MPYSV   [\a], [\b], [\c]

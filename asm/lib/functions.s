@@ -1,10 +1,10 @@
-; functions.s - functions of numbers and of vectors from one formula.
+; functions.s - defines functions of numbers and of vectors by one formula.
 ;
 ; A formula is a macro with the arguments form, x, y, r, s. It consists of the
 ; operations of forms.s, written \form\()_times and so on; form is number or
 ; vector.
 ;
-; Registers 208 to 255 belong to the library: docs/functions.md.
+; Registers 208 to 255 belong to the library (docs/functions.md).
 
         .ifndef functions.s
         .equ    functions.s, 1
@@ -21,14 +21,14 @@
         .reg    f_constants, r232       ; up to r255
         .endshare
 
-; Length of the strips into which the vector form splits a vector.
+; The vector form splits a vector into strips of this length.
         .ifndef F_STRIP
         .equ    F_STRIP, 2048
         .endif
         .if     F_STRIP < 1 || F_STRIP > 65535
         .error  "F_STRIP is the length of a vector: 1 to 65535"
         .endif
-        .equ    F_WORK, 10              ; vectors for intermediate results
+        .equ    F_WORK, 10              ; number of temporary vectors
 
         .data
 f_work: .space  F_WORK * F_STRIP
@@ -41,7 +41,7 @@ f_work: .space  F_WORK * F_STRIP
 ; ---- Routines ----------------------------------------------------------------
 
 ; Defines the routines name and vname of a formula with the arguments form, x,
-; y, r, s. A program that reaches them in sequence branches over them.
+; y, r, s. A branch over them precedes them, so a program may contain them.
         .macro  routines name, formula
         BIM     \name\().over
         .kernel \name
@@ -102,15 +102,15 @@ v\name\().done:
         ADDLEN  \vector, f_n, \vector
         .endm
 
-; The start of a formula: loads its constants, count words at name.constants.
+; Begins a formula: loads its constants, `count` words at name.constants.
         .macro  load_constants name, count
         EX      f_target, \name\().constants
         ELEN    f_target, \count
         SWAP    [f_target], f_constants, [r0]
         .endm
 
-; r = routine(x), and r = routine(x, y), for numbers. For vectors x, y, r are
-; descriptors, and the name of the routine begins with v.
+; r := routine(x), and r := routine(x, y), for numbers. The names of routines
+; for vectors begin with v, and x, y, r are descriptors.
         .macro  apply routine, x, r
         RTOR    \x, f_x
         RTOR    \r, f_r

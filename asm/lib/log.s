@@ -5,8 +5,8 @@
 ;
 ; Near 1 the first term, g, is exact. R interpolates (2 artanh s - 2 s) / s^3
 ; at the six Chebyshev points of s^2. f is x with another exponent. ln 2 is the
-; sum of two parts. The first has 32 digits, so that k times it is exact. If x
-; is not above 0, or indefinite, the result is indefinite.
+; sum of two parts. The first part has 32 digits, so its product with k is
+; exact. The result is indefinite if x is indefinite or not above 0.
 ;
 ; Source: the method is textbook (W. J. Cody and W. Waite, Software
 ; Manual for the Elementary Functions, 1980); parts and polynomial are

@@ -7,14 +7,14 @@
 ;   P(q) = (log2(1 + q) - q / ln 2) / q^2
 ;   z = y A + y B,  n = floor(z + 1/2),  x^y = 2^n e^((z - n) ln 2)
 ;
-; H + L = -log2 c. H has 30 binary digits after the point, so A is exact, and so
-; is q. The product y A has double length; subtracting n leaves its last digits.
-; So powers of two are exact, and other results lose last digits only if y is
-; above 32. P is a polynomial that interpolates at the seven Chebyshev points from
-; -1/32 to 1/32. The exponential is that of exp.s.
+; H + L = -log2 c. H has 30 binary digits after the point, so A and q are
+; exact. The product y A has double length. Subtracting n from it leaves its
+; last digits. Powers of two are therefore exact, and other results lose digits
+; only if y is above 32. P is a polynomial that interpolates at the seven
+; Chebyshev points from -1/32 to 1/32. exp.s computes the exponential.
 ;
-; For x = 0 and y above 0 the result is machine zero. For any other x that is
-; not above 0, and for indefinite operands, it is indefinite.
+; The result is machine zero if x = 0 and y is above 0. It is indefinite for
+; indefinite operands and for any other x that is not above 0.
 ;
 ; Source: the method is textbook (P. T. P. Tang, "Table-driven implementation
 ; of the logarithm function in IEEE floating-point arithmetic", 1990); tables
@@ -29,7 +29,7 @@
         .regs   r232, power_46, power_minus_46, power_one, power_minus_one, power_32, power_start
         .regs   r238, power_half, power_per_ln2, power_ln2
         .regs   r241, power_0, power_1, power_2, power_3, power_4, power_5, power_6
-        .regs   r248, power_most, power_least, power_indefinite  ; kept by exp.s
+        .regs   r248, power_most, power_least, power_indefinite  ; unchanged by exp.s
         .reg    power_table, r251
         .endshare
         .equ    POWER_CONSTANTS, 19
@@ -46,12 +46,12 @@ power.polynomial:
         .word   -2.4044905293427237746477e-01, 2.0637351466688568093093e-01
         .word   -1.8058368547856782748434e-01
         .word   28800.0, -28800.0, X'7000 0000 0000 0000'
-; The tables c, H and L for j = 0 .. 32. This one is c.
+; The tables c, H and L for j = 0 .. 32. First table c.
 power.factors:
         .word   1.0, 0.96875, 0.9375, 0.921875, 0.890625, 0.859375, 0.84375, 0.828125, 0.796875, 0.78125, 0.765625
         .word   0.75, 0.734375, 0.71875, 0.703125, 0.6875, 0.671875, 0.65625, 0.640625, 0.625, 0.609375, 0.609375
         .word   0.59375, 0.578125, 0.578125, 0.5625, 0.546875, 0.546875, 0.53125, 0.53125, 0.515625, 0.515625, 0.5
-; Table H.
+; Table H
 power.high:
         .word   X'8000 0000 0000 0000', X'FFCD 5DCE 5320 0000', X'FFCE 5F58 1250 0000'
         .word   X'FFCE 782C 6BA0 0000', X'FFCF 558F 70A0 0000', X'FFCF 6FF1 9E98 0000'
@@ -64,7 +64,7 @@ power.high:
         .word   X'FFD1 6530 A1D2 0000', X'FFD1 6A3F E5C6 0000', X'FFD1 6F73 A772 0000'
         .word   X'FFD1 6F73 A772 0000', X'FFD1 74CE 0482 0000', X'FFD1 74CE 0482 0000'
         .word   X'FFD1 7A51 4B22 0000', X'FFD1 7A51 4B22 0000', X'FFD2 4000 0000 0000'
-; Table L.
+; Table L
 power.low:
         .word   X'8000 0000 0000 0000', X'FFB1 7656 3557 7970', X'FFB3 59F7 698C E768'
         .word   X'FFB1 797E AB32 59D2', X'FFB3 7FEB 2C83 21C8', X'FFB3 7FFD 3301 BC0A'

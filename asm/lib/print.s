@@ -1,14 +1,14 @@
 ; print.s - macros that request output from the monitor.
 ;
-; Only newline ends a line. Each costs the clocks of an EXIT request.
+; Only newline ends a line. Each macro takes the clocks of an EXIT request.
 
         .ifndef print.s
         .equ    print.s, 1
 
         .include "core.s"
 
-; Print register r: the number in decimal, the integer in the low 48 bits, or
-; the word as 16 hex digits.
+; Print register r as a decimal number, as the integer in the low 48 bits, or
+; as a word of 16 hex digits.
         .macro  print_number r
         EXIT    \r, r0, 1
         .endm
@@ -19,9 +19,9 @@
         EXIT    \r, r0, 3
         .endm
 
-; Print numbers in columns of a width: fixed, rounded to digits after the
-; point; scientific, with an exponent; integers; and vectors, with in_line
-; elements in a line (0: all). scratch is overwritten with the format.
+; Print numbers in columns of a width: fixed with the given digits after the
+; point, scientific with an exponent, or as integers. A vector has in_line
+; elements per line (0: all). The format overwrites scratch.
         .macro  print_as kind, width, digits, in_line, scratch
         .if     (\width) < 0 || (\width) > 255 || (\digits) < 0 || (\digits) > 17
         .error  "a column is 0 to 255 wide and has 0 to 17 digits"
@@ -51,14 +51,14 @@
         EXIT    \d, \scratch, 6
         .endm
 
-; Prints the number in half register h. scratch holds it as a word.
+; Prints the number in half register h. The word for it overwrites scratch.
         .macro  print_half h, scratch
         EXTH    \h, \scratch
         print_number \scratch
         .endm
 
-; Prints a text: print_text "clocks: ", r9. Its bytes are stored in the data;
-; scratch is overwritten with their descriptor.
+; Prints a text, which is stored in the data. Its descriptor overwrites
+; scratch. Example: print_text "clocks: ", r9
         .macro  print_text text, scratch
         .data
 print_text.\@:
@@ -72,7 +72,7 @@ print_text.\@:
         EXIT    r0, r0, 5
         .endm
 
-; Print the numbers of the vector of descriptor d, separated by blanks; or the
+; Print the vector of descriptor d: its numbers separated by blanks, or the
 ; bits of a bit vector.
         .macro  print_vector d
         EXIT    \d, r0, 6
@@ -81,8 +81,8 @@ print_text.\@:
         EXIT    \d, r0, 7
         .endm
 
-; Prints the half words of descriptor d. They are first extended to the vector
-; of words of descriptor whole, which must have the same length.
+; Prints the half words of descriptor d. They are first extended to words in
+; the vector of descriptor whole, which must have the same length.
         .macro  print_half_vector d, whole
         EXTV    [\d], [\whole]
         print_vector \whole

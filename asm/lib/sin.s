@@ -3,15 +3,15 @@
 ;   k = floor(x 2/pi + 1/2),  r + d = x - k pi/2,  |r| <= pi/4
 ;   sin r = r + (r^3 S(r^2) + d),  cos r = 1 - r^2 / 2 + r^4 C(r^2)
 ;
-; d is the part of the difference that r cannot hold. The sine of x is sin r,
-; cos r, -sin r, -cos r for k mod 4 = 0, 1, 2, 3; for the cosine k is increased
-; by 1. pi/2 is the sum of four parts. The first three have 24 digits, so that
-; k times each is exact; the remainders of x after the first two are exact too.
-; S and C interpolate (sin r - r) / r^3 and (cos r - 1 + r^2 / 2) / r^4 at six
-; and five Chebyshev points of r^2.
+; d is the part of the difference that r cannot represent. The sine of x is sin
+; r, cos r, -sin r, -cos r for k mod 4 = 0, 1, 2, 3. The cosine increases k by
+; 1. pi/2 is the sum of four parts. The first three have 24 digits, so their
+; products with k are exact. x minus one or two of these products is exact,
+; too. S and C interpolate (sin r - r) / r^3 and (cos r - 1 + r^2 / 2) / r^4 at
+; six and five Chebyshev points of r^2.
 ;
-; If |x| is above 2^23 pi/2, k has too many digits; then, and for an indefinite
-; x, the result is indefinite.
+; The result is indefinite if x is indefinite, or if |x| is above 2^23 pi/2,
+; because k then has too many digits.
 ;
 ; Source: the method is textbook (W. J. Cody and W. Waite, Software
 ; Manual for the Elementary Functions, 1980); parts and polynomials are

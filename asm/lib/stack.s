@@ -1,4 +1,4 @@
-; stack.s - saves registers on a stack, for functions that call functions.
+; stack.s - saves registers on a stack for functions that call functions.
 
         .ifndef stack.s
         .equ    stack.s, 1
@@ -7,7 +7,7 @@
 
         .reg    stack, r207
 
-; Must be used once, at the start: reserves a stack of that many words.
+; Reserves a stack of `words` words. It must be used once, at the start.
         .macro  begin_stack words
         .data
 stack.words:
@@ -16,7 +16,7 @@ stack.words:
         EX      stack, stack.words
         .endm
 
-; Save and restore count registers, from the first on.
+; Save and restore `count` registers from `first` on.
         .macro  push first, count
         ELEN    stack, \count
         SWAP    [r0], \first, [stack]

@@ -5,7 +5,7 @@
 
         .include "core.s"
 
-; Stores four words at a.words, and their descriptor in register a.
+; Stores four words at a.words and their descriptor in register a.
         .macro  words a, first=0, second=0, third=0, fourth=0
         .data
 \a\().words:
@@ -14,7 +14,7 @@
         descriptor \a, \a\().words, 4
         .endm
 
-; Stores four half words at a.halves, and their descriptor in register a.
+; Stores four half words at a.halves and their descriptor in register a.
         .macro  halves a, first=0, second=0, third=0, fourth=0
         .data
 \a\().halves:
@@ -23,7 +23,7 @@
         descriptor \a, \a\().halves, 4
         .endm
 
-; Stores bits at z.bits, and their descriptor in register z: bits z, "1011"
+; Stores bits such as "1011" at z.bits and their descriptor in register z.
         .macro  bits z, text
         .data
         .bitvector \z\().bits, length(\text), \text

@@ -1,5 +1,5 @@
-; saxpy_wrong.s - y := a x + y as in ../saxpy_scalar.s with one mistake, which
-; docs/debugging.md finds.
+; saxpy_wrong.s - y := a x + y as in ../saxpy_scalar.s, with a mistake.
+; docs/debugging.md shows how to find it.
 
         .include "saxpy_data.inc"
 

@@ -1,4 +1,4 @@
-; matrix_1.s - c := a b with numbers, in three nested loops.
+; matrix_1.s - computes c := a b with numbers in three nested loops.
 
         .include "matrix_data.inc"
 

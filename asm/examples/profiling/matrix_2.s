@@ -1,5 +1,5 @@
-; matrix_2.s - c := a b by inner products. Each column of b is gathered once,
-; because its elements are one row apart in memory.
+; matrix_2.s - computes c := a b by inner products. Each column of b is
+; gathered once, because its elements are one row apart in memory.
 
         .include "matrix_data.inc"
 

@@ -1,5 +1,5 @@
-; matrix_3.s - c := a b by rows: a row of c is the sum of the rows of b, each
-; multiplied by an element of a. There is no gather and no reduction.
+; matrix_3.s - computes c := a b by rows. A row of c is the sum of the rows of
+; b, each multiplied by an element of a. There is no gather and no reduction.
 
         .include "matrix_data.inc"
 

@@ -1,5 +1,5 @@
-; matrix_4.s - c := a b by rows, as in matrix_3.s. A link passes each product
-; to the sum, so there is one start-up, not two, and no product is stored.
+; matrix_4.s - computes c := a b by rows, as in matrix_3.s. A link passes each
+; product to the sum, so there is one start-up, and no product is stored.
 
         .include "matrix_data.inc"
 
