@@ -13,7 +13,7 @@
 enum plot_scale { PLOT_LINEAR = 0, PLOT_LOG2 = 2, PLOT_LOG10 = 10 };
 
 struct plot_axis {
-    const char *title; /* with the unit */
+    const char *title; /* includes the unit */
     enum plot_scale scale;
 };
 
@@ -54,7 +54,7 @@ struct plot {
     const struct plot_curve *curves;
     size_t curve_count;
     const struct plot_mark *marks;  /* vertical lines at x */
-    size_t mark_count;              /* at most MAX_PLOT_MARKS */
+    size_t mark_count;              /* maximum MAX_PLOT_MARKS */
     const struct plot_mark *levels; /* horizontal lines at y */
     size_t level_count;
 };

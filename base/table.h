@@ -15,10 +15,10 @@
 enum table_kind { TABLE_TEXT, TABLE_COUNT, TABLE_NUMBER };
 
 struct table_column {
-    const char *key;     /* in JSON */
+    const char *key;     /* heading in CSV, member in JSON */
     const char *heading; /* when printed */
     enum table_kind kind;
-    int decimals; /* of a printed number */
+    int decimals; /* decimals of a printed number */
 };
 
 /* The formats. Plain and Markdown print numbers with the decimals of their columns. CSV

@@ -28,12 +28,12 @@ c205 *c205_restore(const void *bytes, size_t count, const c205_model *model,
  *
  * A machine that executes one instruction at a time and can return to any earlier step.
  * To go back, it restores the last snapshot before the step and runs again. State,
- * clock and accounts are those of a run that reached the step for the first time.
+ * clock and accounts are the same as when the run first reached the step.
  */
 typedef struct c205_history c205_history;
 
 /* Returns a history that owns the machine; its current state is step 0. budget is the
- * maximum number of bytes of all snapshots. Two snapshots and those of
+ * maximum number of bytes of all snapshots. Two snapshots and the snapshots of
  * c205_history_changed are always kept. Fewer snapshots make going back slower. Returns
  * NULL if the host is out of memory; the machine then still belongs to the caller. */
 c205_history *c205_history_new(c205 *machine, size_t budget, c205_error *error);

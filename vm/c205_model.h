@@ -47,7 +47,7 @@ c205_model *c205_model_parse(const char *name, const char *text, c205_error *err
 /* c205_model_read parses a model for callers that show the faulty line. It returns the
  * place of an error separately from the message. Line 0: no line. */
 typedef struct c205_place {
-    unsigned line, column; /* from 1 */
+    unsigned line, column; /* count from 1 */
 } c205_place;
 c205_model *c205_model_read(const char *name, const char *text, c205_place *place,
                             c205_error *error);

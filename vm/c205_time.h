@@ -42,8 +42,8 @@ typedef struct c205_account {
  *
  * After a trap or at the limit, a run may continue as if it had not been stopped, from
  * the clock at which the instruction at the program counter issues. If a missing page
- * was mapped in between, the final times are those of a run with the page present from
- * the start.
+ * was mapped in between, the final times are the same as if the page had been present
+ * from the start.
  */
 uint64_t c205_clock(const c205 *machine);
 
@@ -58,7 +58,7 @@ void c205_reset_clock(c205 *machine);
 
 /* What an instruction waits for. */
 typedef enum c205_wait {
-    C205_WAIT_NONE,     /* no wait: work of the instruction itself */
+    C205_WAIT_NONE,     /* no wait: work of the instruction */
     C205_WAIT_REGISTER, /* a register by number: its source is not ready, or its result
                            is pending */
     C205_WAIT_UNIT,     /* a busy unit, by number of c205_unit */
@@ -76,7 +76,7 @@ typedef struct c205_piece {
     uint64_t pc;   /* the instruction that does the work; it may be a vector instruction
                       during which others wait */
     c205_wait wait;
-    unsigned number; /* of the register or unit, or 0 */
+    unsigned number; /* number of the register or unit, or 0 */
 } c205_piece;
 
 /* The times of one instruction, as recorded by the clock. The pieces are in the order

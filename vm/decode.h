@@ -25,11 +25,11 @@ struct decoded {
     uint16_t index;                   /* slot of the index of a maximum or minimum */
     uint16_t result[DECODED_RESULTS]; /* slots written; a write to register 0 has
                                          SLOT_SINK and is not counted */
-    uint8_t width[OPERANDS];          /* of A, B, C: bits per element */
+    uint8_t width[OPERANDS];          /* bits per element of A, B, C */
     uint8_t shift[OPERANDS];          /* bits of the slot before a half register; 0 for
                                          register 0 */
     uint8_t source_count, result_count;
-    c205_fields fields; /* as encoded */
+    c205_fields fields; /* fields of the word */
     uint64_t next;      /* address of the next instruction; for LINKV, the address after
                            the pair */
     uint64_t pc;

@@ -24,7 +24,7 @@ struct direct_result {
 struct place {
     const c205_word *words;
     size_t step;
-    c205_word word; /* in the register */
+    c205_word word; /* the word of the register */
 };
 
 /* The sources of one instruction. */

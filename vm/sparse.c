@@ -20,8 +20,8 @@ struct order_vector {
     size_t ones;
 };
 
-/* The elements of the result that are present: those of either operand (EITHER), of
- * both operands (BOTH), or of the given vector Z (GIVEN). */
+/* The elements of the result that are present: present in either operand (EITHER), in
+ * both operands (BOTH), or in the given vector Z (GIVEN). */
 enum presence { EITHER, BOTH, GIVEN };
 
 struct sparse {

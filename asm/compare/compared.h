@@ -25,7 +25,7 @@ struct table *compared_causes(const struct compared_run runs[COMPARED_RUNS]);
 struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS]);
 struct table *compared_figures(const struct compared_run runs[COMPARED_RUNS]);
 
-/* Writes a sentence with the one or two causes of the largest part of the
+/* Writes a sentence with one or two causes of the largest part of the
  * difference. */
 enum { COMPARED_SENTENCE = 256 };
 void compared_sentence(const struct compared_run runs[COMPARED_RUNS],

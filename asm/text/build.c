@@ -60,7 +60,7 @@ static bool add_symbols(struct assembler *assembler, struct storage *storage)
     return !storage->arena.failed;
 }
 
-/* Returns true for a line in a .rept. Its position is its own and not that of the
+/* Returns true for a line in a .rept. Its position is not the position of the
  * .rept. */
 static bool is_repetition(const struct line *line)
 {

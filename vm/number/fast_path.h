@@ -3,8 +3,8 @@
  * In scalar code each result depends on the previous result, and a branch that is
  * almost never taken costs nothing. The functions therefore test for common words
  * first. All other words go to the exact rule at once. Code on lanes (lane_parts.h)
- * does the opposite and has no branches. The results are those of arith.h, bit for bit,
- * for every word.
+ * does the opposite and has no branches. Results equal arith.h, bit for bit, for every
+ * word.
  */
 #ifndef C205_FAST_PATH_H
 #define C205_FAST_PATH_H

@@ -2,7 +2,7 @@
  *
  * c[i] = a[i] op b[i] for i < n. The result c must not begin above an operand that it
  * overlaps. The bits of a comparison and the destination of lanes_store_masked must not
- * overlap any input. The result and the flags are those of arith.h, bit for bit, for
+ * overlap any input. Result and flags equal arith.h, bit for bit, for
  * every word. Normalised operands and machine zeros are the fast path. The loops are
  * plain C that compilers vectorise. Each is compiled for several instruction sets of
  * the host (host.h).

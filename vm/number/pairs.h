@@ -1,9 +1,9 @@
 /* pairs.h - executes the two operations of linked instructions in one pass over spans.
  * The second operation takes the result of the first.
  *
- * The result and the flags equal those of one operation after the other (lanes.h), bit
- * for bit. A pair runs only for moderate words (round_down.h) and only on some hosts;
- * otherwise the caller runs the two operations separately.
+ * Result and flags equal two separate operations (lanes.h), bit for bit. A pair runs
+ * only for moderate words (round_down.h) and only on some hosts; otherwise the caller
+ * runs the two operations separately.
  */
 #ifndef C205_PAIRS_H
 #define C205_PAIRS_H

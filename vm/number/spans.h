@@ -62,7 +62,7 @@ static inline void unary_again(arith_unary *exact, c205_word *c, const c205_word
  * If the result overlaps an operand, a block is computed in a temporary array first, so
  * the operands are read before the result is stored. LANES is the number of words that
  * one vector operation takes. All loops run over whole groups of LANES: the last group
- * of a block overlaps the one before it, and a block shorter than LANES is padded.
+ * of a block overlaps the previous group, and a block shorter than LANES is padded.
  */
 enum { BLOCK = 256, LANES = 8 };
 

@@ -23,7 +23,7 @@ struct phase {
     uint64_t end;
     c205_cause cause;
     size_t region;
-    uint64_t pc; /* of the instruction */
+    uint64_t pc; /* address of the instruction */
 };
 /* The maximum number of phases: start-up, misses, faults, conflicts and stream, and the
  * rest of the previous stream, which overlaps the start-up. */

@@ -15,7 +15,7 @@ struct compared_text {
 struct text_comparison {
     struct compared_text sides[COMPARED_RUNS];
     int which;     /* the side that is running */
-    c205 *machine; /* its machine, or NULL */
+    c205 *machine; /* machine of this side, or NULL */
     uint64_t limit;
 };
 

@@ -1,6 +1,6 @@
 // panels.mjs - compares the panels with the engine's view after every instruction of a program:
 // terms of the time, causes, regions, control bits, and the boxes of the time line. A failure means
-// that figures of a panel differ from those of the engine.
+// that a panel and the engine show different figures.
 
 import assert from "node:assert/strict";
 import { PageDriver } from "./page_driver.mjs";
