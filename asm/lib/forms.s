@@ -28,6 +28,7 @@
 ;       root a, c               c = sqrt a
 ;       absolute a, c           c = |a|           copy a, c           c = a
 ;       set k, c                c = k             clear c             c = 0
+;       negate a, c             c = -a
 ;       normal a, c             c = a, normalised
 ;       floor a, c              c = the largest integer not above a, exponent 0
 ;       truncate a, c           c = the integer part of a, exponent 0
@@ -41,6 +42,7 @@
 ;
 ;       line a, k, l, c         c = a k + l
 ;       step x, k, c            c = c x + k, a step of Horner's rule
+;       step_lower x, k, c      c = c x - k
 ;       add_scaled a, k, c      c = c + a k       a is not c
 ;       scaled_plus a, k, b, c  c = b + a k       a is not b
 ;       minus_scaled a, k, b, c c = b - a k       a is not b
@@ -50,6 +52,8 @@
 ;       scaled_lower a, k, l, c c = (a - k) l
 ;       scaled_difference a, b, k, c  c = (a - b) k
 ;       lower_absolute a, k, c  c = |a| - k
+;       raised_times a, k, b, c c = (a + k) b
+;       lowered_times a, k, b, c c = (a - k) b
 ;
 ; Several operations. The scalar form interleaves them, because a result takes
 ; five clocks:
@@ -94,6 +98,7 @@
 ;       if_beyond_number a, k, label    is |a| > k?
 ;       if_bit a, k, label              has the integer a the bit of k?
 ;       unless_above_number a, k, label is a > k false?
+;       unless_less_number a, k, label  is a < k false?
 ;       otherwise end, label            from here to end_if end: elements for
 ;                                       which the condition is false
 ;       then_set k, c      then_copy a, c            then_plus a, b, c
@@ -169,6 +174,9 @@
         .macro  \prefix\()clear c
         ADDN    r0, r0, \c
         .endm
+        .macro  \prefix\()negate a, c
+        SUBN    r0, \a, \c
+        .endm
         .macro  \prefix\()normal a, c
         ADDN    \a, r0, \c
         .endm
@@ -220,6 +228,10 @@ not_below\@:
         MPYS    \c, \x, \c
         ADDN    \c, \k, \c
         .endm
+        .macro  \prefix\()step_lower x, k, c
+        MPYS    \c, \x, \c
+        SUBN    \c, \k, \c
+        .endm
         .macro  \prefix\()add_scaled a, k, c
         MPYS    \a, \k, \scratch
         ADDN    \scratch, \c, \c
@@ -263,6 +275,14 @@ not_below\@:
         ADDN    \c, \l, \c
         ADDN    \d, \n, \d
         ADDN    \e, \p, \e
+        .endm
+        .macro  \prefix\()raised_times a, k, b, c
+        ADDN    \a, \k, \c
+        MPYS    \c, \b, \c
+        .endm
+        .macro  \prefix\()lowered_times a, k, b, c
+        SUBN    \a, \k, \c
+        MPYS    \c, \b, \c
         .endm
         .macro  \prefix\()add_scaled_two x, k, s, l, t
         MPYS    \x, \k, \scratch
@@ -392,6 +412,9 @@ not_below\@:
         .endm
         .macro  \prefix\()unless_above_number a, k, label
         CFPGT   \a, \k, \label
+        .endm
+        .macro  \prefix\()unless_less_number a, k, label
+        CFPLT   \a, \k, \label
         .endm
         .macro  \prefix\()if_less a, b, label
         CFPGE   \a, \b, \label
@@ -528,6 +551,9 @@ select\@:
         .macro  \prefix\()clear c
         VTOV    r0, [\c]
         .endm
+        .macro  \prefix\()negate a, c
+        VTOV    -[\a], [\c]
+        .endm
         .macro  \prefix\()normal a, c
         ADDNV   [\a], r0, [\c]
         .endm
@@ -576,6 +602,11 @@ select\@:
         MPYSV   [\c], [\x], [\c]
         ADDNV   [\c], \k, [\c]
         .endm
+        .macro  \prefix\()step_lower x, k, c
+        LINKV
+        MPYSV   [\c], [\x], [\c]
+        SUBNV   [\c], \k, [\c]
+        .endm
         .macro  \prefix\()add_scaled a, k, c
         LINKV
         MPYSV   [\a], \k, [\a]
@@ -623,6 +654,16 @@ select\@:
         \prefix\()line \a, \k, \l, \c
         \prefix\()line \a, \m, \n, \d
         \prefix\()line \a, \o, \p, \e
+        .endm
+        .macro  \prefix\()raised_times a, k, b, c
+        LINKV
+        ADDNV   [\a], \k, [\c]
+        MPYSV   [\c], [\b], [\c]
+        .endm
+        .macro  \prefix\()lowered_times a, k, b, c
+        LINKV
+        SUBNV   [\a], \k, [\c]
+        MPYSV   [\c], [\b], [\c]
         .endm
         .macro  \prefix\()add_scaled_two x, k, s, l, t
         \prefix\()add_scaled \x, \k, \s
@@ -737,6 +778,9 @@ select\@:
         .endm
         .macro  \prefix\()unless_above_number a, k, label
         CMPLTV  \k, [\a], [\bits]
+        .endm
+        .macro  \prefix\()unless_less_number a, k, label
+        CMPLTV  [\a], \k, [\bits]
         .endm
         .macro  \prefix\()if_less a, b, label
         CMPLTV  [\a], [\b], [\bits]

@@ -54,6 +54,7 @@ frame:
         .include "solids/visible_vector.s"
         .include "solids/visible_every_vector.s"
         .include "solids/levels_vector.s"
+        .include "light/resolve_vector.s"
         .if     LENS
         .include "frame/lens.s"
         .include "frame/lens_vector.s"
@@ -63,7 +64,6 @@ frame:
         .include "shapes/normal_vector.s"
         .include "shapes/every_normal.s"
         .include "light/forms_vector.s"
-        .include "light/resolve_vector.s"
         .include "light/shade_vector.s"
         .include "light/pigment_vector.s"
         .include "light/light_vector.s"
@@ -91,9 +91,7 @@ frame:
         .if     BUMPS
         .include "light/bump_vector.s"
         .endif
-        .if     GLOSS
-        .include "light/mirror_vector.s"
-        .endif
+        .include "light/routines_vector.s"
         .data
         .include "light/sky.s"
         .code

@@ -99,6 +99,7 @@ surface:
         .share  local
         .regs   r63, ox, oy, oz, dx, dy, dz, hit_distance, hit_primitive
         .regs   r71, color0r, color0g, color0b
+        .regs   color0r, cr, cg, cb
         .regs   r74, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
         .regs   r79, f_size, f_specular, f_sharpness
         .endshare

@@ -1,6 +1,6 @@
 ; fog_1984.s - applies fogs to the colours of n rays, one ray after another.
 ;
-; In, out: as for fog_rays of resolve_vector.s.
+; In, out: as for fog_rays of routines_vector.s.
 
         .share  loop
         .regs   r156, fog_depths_at, fog_reds_at, fog_greens_at, fog_blues_at

@@ -5,7 +5,7 @@
 ; fog_list: In: level, its list traced.  fog_frame: In: the frame's planes.
 ; fog_depths: In: the queue's nearest and nearest_primitive.  Out: its part of
 ; LIST_DEPTH. fog_list and fog_frame pass QUEUE rays at a time to fog_rays
-; (resolve_vector.s, fog_1984.s).
+; (routines_vector.s, fog_1984.s).
 
         .include "light/fog.s"
 

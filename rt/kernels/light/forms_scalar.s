@@ -1,6 +1,18 @@
 ; forms_scalar.s - kernels of light that are written once, in the scalar form:
 ; their registers, and the macros that differ from those of forms_vector.s.
 
+; p_x = p_x ^ k.
+        .macro  power_of k
+        RTOR    \k, exponent
+        EX      target, power
+        BSAVE   power_link, [target]
+        .endm
+
+; c = a, where the light reaches the surface, else 1.
+        .macro  copy_lit a, c
+        RTOR    \a, \c
+        .endm
+
 ; fog.s
         .share  local
         .regs   r32, fog_at, fogs_left, fog_distance
@@ -10,3 +22,62 @@
         .regs   r45, pass_red, pass_green, pass_blue, haze_red, haze_green
         .reg    haze_blue, r50
         .endshare
+
+; gloss.s
+        .share  local
+        .regs   r95, f_brilliance, f_metallic
+        .regs   r97, g_sheen, g_cosine, g_work, g_root
+        .regs   r101, g_a7, g_a6, g_a5, g_a4, g_a3, g_a2, g_a1, g_a0
+        .regs   r109, g_turn, g_scale, g_top
+        .endshare
+        .reg    g_signed, third
+        .reg    g_metal, g_sheen
+        .reg    g_at, g_work
+        .equ    GLOSS_REGISTERS, 80     ; up to these
+
+        .macro  find_sheen
+        compute_sheen
+        .endm
+
+; mirror.s
+        .share  local
+        .regs   r112, g_red, g_green, g_blue, g_falloff, g_metallic, g_kind
+        .regs   r118, g_pigment, g_pigment_r, g_pigment_g, g_pigment_b
+        .regs   r122, g_g, g_less, g_more, g_p
+        .endshare
+        .reg    g_share, g_sheen
+        .reg    g_index, g_work
+        .equ    MIRROR_REGISTERS, 94    ; up to these
+
+        .macro  set_mirror_weight
+        .endm
+
+        .macro  weigh_mirror
+        MPYS    sp_own_weight, sp_greatest, sp_weight
+        .endm
+
+        .macro  add_share_of_range
+        add_scaled g_share, g_red, sp_red
+        add_scaled g_share, g_green, sp_green
+        add_scaled g_share, g_blue, sp_blue
+        .endm
+
+        .macro  find_mirror_index to
+        .if     INTERIORS
+        RTOR    in_mirror, \to
+        .else
+        RTOR    sp_index, \to
+        ES      sp_flag, 0
+        CFPGE   sp_outward, r0, mirror_side
+        ES      sp_flag, 1
+mirror_side:
+        IBXNE   sp_flag, r0, sp_inverted, mirror_enters
+        RTOR    sp_reciprocal, \to
+mirror_enters:
+        .endif
+        .endm
+
+        .macro  load_pigment
+        ELEN    g_pigment, 3
+        SWAP    [g_pigment], g_pigment_r, [r0]
+        .endm

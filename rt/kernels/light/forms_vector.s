@@ -9,6 +9,18 @@
         .reg    m_index_minus_one, minus_one_index
         .endshare
 
+; [v0] = [v0] ^ k.
+        .macro  power_of k
+        RTOR    \k, exponent
+        EX      target, power
+        BSAVE   link_inner, [target]
+        .endm
+
+; [c] = [a] in hits3, else 1.
+        .macro  copy_lit a, c
+        MASKV   [\a], one, [\c] ? [hits3]
+        .endm
+
 ; fog.s
         .share  scratch
         .regs   r233, fog_at, fogs_left
@@ -20,3 +32,62 @@
         .regs   red, pass_red, pass_green, pass_blue
         .regs   cr, haze_red, haze_green, haze_blue
         .endshare
+
+; gloss.s
+        .share  scratch
+        .regs   r248, f_brilliance, f_metallic
+        .reg    link_gloss, r250
+        .endshare
+        .share  light
+        .regs   v0, g_sheen, g_root, g_cosine, g_signed
+        .reg    g_metal, v7
+        .reg    g_at, s0
+        .regs   m00, g_a7, g_a6, g_a5, g_a4, g_a3, g_a2, g_a1, g_a0
+        .regs   m20, g_turn, g_scale, g_top
+        .endshare
+
+        .macro  find_sheen
+        EX      target, find_sheen
+        BSAVE   link_inner, [target]
+        .endm
+
+; mirror.s
+        .share  light
+        .regs   sh0, g_red, g_green, g_blue, g_falloff, g_metallic, g_kind
+        .regs   cr, g_pigment_r, g_pigment_g, g_pigment_b
+        .regs   v1, g_g, g_less, g_more, g_p
+        .regs   v5, g_seen, g_share
+        .reg    g_index, g_less
+        .reg    g_work, v1
+        .reg    sp_facing, facing
+        .regs   red, sp_red, sp_green, sp_blue
+        .endshare
+
+        .macro  spawn_record offset, number, first
+        load_record \offset, \number, \first
+        .endm
+
+        .macro  set_mirror_weight
+        VTOV    spawn_most, [ndotl]
+        .endm
+
+        .macro  weigh_mirror
+        .endm
+
+        .macro  add_share_of_range
+        line    g_share, g_red, spawn_r, red
+        line    g_share, g_green, spawn_g, green
+        line    g_share, g_blue, spawn_b, blue
+        .endm
+
+        .macro  find_mirror_index to
+        .if     INTERIORS
+        VTOV    [v7], [\to]
+        .else
+        find_entering
+        MASKV   spawn_index, spawn_reciprocal, [\to] ? [hits2]
+        .endif
+        .endm
+
+        .macro  load_pigment
+        .endm

@@ -1,5 +1,4 @@
-; gloss.s - the formulas of finishes that depend on the angle, for the scalar
-; and the vector form (GLOSS = 1).
+; gloss.s - finishes that depend on the angle, in both forms (GLOSS = 1).
 ;
 ; With brilliance b diffuse light is proportional to (N.L)^b.  With
 ; x = acos(c) / (pi/2) and
@@ -35,3 +34,88 @@ gloss_constants:
         .word 1.011612903               ; 1 - F = this minus the quotient
         .equ    GLOSS_CONSTANTS, 11
         .code
+
+; g_sheen = 1 - F(g_sheen), for a cosine above 0, or with bumps for any cosine.
+; Changes g_cosine, g_root, g_signed, g_a7 ...
+        .macro  compute_sheen
+        EX      g_at, gloss_constants
+        ELEN    g_at, GLOSS_CONSTANTS
+        SWAP    [g_at], g_a7, [r0]
+        .if     BUMPS
+        copy    g_sheen, g_signed
+        absolute g_sheen, g_sheen
+        .endif
+        not_above_number m_one, g_sheen
+        copy    g_sheen, g_cosine
+        from    m_one, g_cosine, g_root
+        root    g_root, g_root
+        line    g_cosine, g_a7, g_a6, g_sheen
+        step    g_cosine, g_a5, g_sheen
+        step    g_cosine, g_a4, g_sheen
+        step    g_cosine, g_a3, g_sheen
+        step    g_cosine, g_a2, g_sheen
+        step    g_cosine, g_a1, g_sheen
+        step    g_cosine, g_a0, g_sheen
+        .if     BUMPS
+        times   g_sheen, g_root, g_sheen
+        from    m_two, g_sheen, g_root
+        if_less_number g_signed, r0, sheen_front\@
+        then_copy g_root, g_sheen
+        end_if  sheen_front\@
+        lower   g_sheen, g_turn, g_sheen
+        .else
+        step_lower g_root, g_turn, g_sheen
+        .endif
+        times   g_sheen, g_sheen, g_sheen
+        into    g_scale, g_sheen, g_sheen
+        from    g_top, g_sheen, g_sheen
+        not_below_number m_zero, g_sheen
+        not_above_number m_one, g_sheen
+        .endm
+
+; t0 = diffuse times (N.L)^brilliance.
+        .macro  find_diffuse
+        CFPNE   f_brilliance, m_one, diffuse_power\@
+        scale   ndotl, f_diffuse, t0
+        BIM     diffuse_found\@
+diffuse_power\@:
+        copy_lit ndotl, p_x
+        power_of f_brilliance
+        scale   p_x, f_diffuse, t0
+diffuse_found\@:
+        .endm
+
+; g_metal = metallic (1 - F), for the highlights of a metal.
+        .macro  find_metal
+        CFPEQ   f_metallic, r0, metal_none\@
+        copy_lit ndotl, g_sheen
+        find_sheen
+        scale   g_sheen, f_metallic, g_metal
+metal_none\@:
+        .endm
+
+; to = 1 + sheen (pigment - 1).
+        .macro  metal_colour sheen, pigment, to
+        lowered_times \pigment, m_one, \sheen, \to
+        raise   \to, m_one, \to
+        .endm
+
+        .macro  add_metallic light, pigment, channel
+        metal_colour g_metal, \pigment, t1
+        times   t0, t1, t1
+        add_light t1, \light, \channel
+        .endm
+
+        .macro  add_highlight amount, light_r, light_g, light_b
+        scale   p_x, \amount, t0
+        CFPNE   f_metallic, r0, highlight_metallic\@
+        add_light t0, \light_r, red
+        add_light t0, \light_g, green
+        add_light t0, \light_b, blue
+        BIM     highlight_added\@
+highlight_metallic\@:
+        add_metallic \light_r, cr, red
+        add_metallic \light_g, cg, green
+        add_metallic \light_b, cb, blue
+highlight_added\@:
+        .endm

@@ -38,13 +38,13 @@ towards_lit\@:
         .endm
 
         .if     GLOSS
-        .include "light/gloss_scalar.s"
+        .include "light/gloss.s"
         .else
-        .macro  add_highlight amount
+        .macro  add_highlight amount, light_r, light_g, light_b
         MPYS    p_x, \amount, t0
-        add_light t0, light_r, red
-        add_light t0, light_g, green
-        add_light t0, light_b, blue
+        add_light t0, \light_r, red
+        add_light t0, \light_g, green
+        add_light t0, \light_b, blue
         .endm
         .endif
 
@@ -77,7 +77,7 @@ towards_lit\@:
         RTOR    f_size, exponent
         EX      target, power
         BSAVE   power_link, [target]
-        add_highlight f_phong
+        add_highlight f_phong, light_r, light_g, light_b
 shine_no_phong\@:
         CFPGE   r0, f_specular, shine_end\@
         MPYS    ddotl, m_two, t0
@@ -90,6 +90,6 @@ shine_no_phong\@:
         RTOR    f_sharpness, exponent
         EX      target, power
         BSAVE   power_link, [target]
-        add_highlight f_specular
+        add_highlight f_specular, light_r, light_g, light_b
 shine_end\@:
         .endm

@@ -58,19 +58,19 @@
         .endm
 
 ; Adds the light of one source to a channel.
-        .macro  add_light strength, light, channel, bits
+        .macro  add_light strength, light, channel
         MPYSV   [\strength], \light, [v1]
-        ADDNV   [\channel], [v1], [\channel] ? [\bits]
+        ADDNV   [\channel], [v1], [\channel] ? [hits0]
         .endm
 
         .if     GLOSS
-        .include "light/gloss_vector.s"
+        .include "light/gloss.s"
         .else
         .macro  add_highlight amount, light_r, light_g, light_b
         MPYSV   [v0], \amount, [v0]
-        add_light v0, \light_r, red, hits0
-        add_light v0, \light_g, green, hits0
-        add_light v0, \light_b, blue, hits0
+        add_light v0, \light_r, red
+        add_light v0, \light_g, green
+        add_light v0, \light_b, blue
         .endm
         .endif
 

@@ -98,16 +98,4 @@ add_queue_done:
         ADDX    child_list, s2, child_list
         IBXNE   children_left, r0, r0, add_queue
         BIM     0, link
-
-        .if     FOG
-; Applies the fogs (fog.s) to the colours out_red, out_green, out_blue of the n
-; rays, which see the distances fog_depth.
-fog_rays:
-        RTOR    n, h
-        EX      target, set_hits
-        BSAVE   link_inner, [target]
-        .reg    fog_distance, fog_depth
-        see_through_fog out_red, out_green, out_blue
-        BIM     0, link_kernel
-        .endif
         .endkernel

@@ -60,7 +60,8 @@
         .endif
         .endshare
         .if     GLOSS
-        .include "light/mirror_scalar.s"
+        .reg    g_seen, sp_t0
+        .include "light/mirror.s"
         .if     BUMPS == 0
         .equ    SPAWN_REGISTERS, MIRROR_REGISTERS
         .endif
@@ -107,6 +108,13 @@
         .data
 spawn_save:     .space SPAWN_REGISTERS
         .code
+
+        .macro  spawn_record offset, number, first
+        RTOR    sp_primitive, sp_at
+        IX      sp_at, 64 * (\offset)
+        ELEN    sp_at, \number
+        SWAP    [sp_at], \first, [r0]
+        .endm
 
         .if     BUMPS
 ; Corrects a direction sp_x .. that would go behind the surface (bump.s).
@@ -179,10 +187,7 @@ spawn:
         IX      sp_at, 64 * P_BUMP
         LOD     [sp_at], sp_bump
         .endif
-        RTOR    sp_primitive, sp_at
-        IX      sp_at, 64 * P_INVERTED
-        ELEN    sp_at, 5
-        SWAP    [sp_at], sp_inverted, [r0]
+        spawn_record P_INVERTED, 5, sp_inverted
         .if     INTERIORS
         ELEN    sp_weight_at, SPAWN_STATE
         SWAP    [sp_weight_at], sp_own_inside, [r0]
@@ -271,7 +276,8 @@ spawn_reflected:
         IBXEQ   sp_mirror, r0, r0, spawn_done
         weigh   P_REFLECTION, r0
         .if     GLOSS
-        find_mirror
+        mirror_by_angle
+mirror_constant:
         .endif
         CFPLT   sp_weight, sp_least, spawn_done
         .if     INTERIORS

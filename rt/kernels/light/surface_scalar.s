@@ -6,6 +6,7 @@
         .regs   r36, lights_left, light_at, normal_link, transformed_shape
         .regs   r40, link_saved, here
         .regs   r42, color0r, color0g, color0b, color1r, color1g, color1b
+        .regs   color0r, cr, cg, cb
         .regs   r48, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9
         .regs   r58, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10
         .regs   r69, sh11, sh12, sh13, sh14, sh15
