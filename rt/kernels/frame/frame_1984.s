@@ -66,7 +66,7 @@ frame:
         .include "light/surface_scalar.s"
         .include "shapes/normal_scalar.s"
         .include "shapes/every_normal.s"
-        .include "light/light_scalar.s"
+        .include "light/light.s"
         .include "frame/hits_1984.s"
         .include "light/spawn_scalar.s"
         .include "light/shade_1984.s"

@@ -47,7 +47,7 @@
         .include "light/surface_scalar.s"
         .include "shapes/normal_scalar.s"
         .include "shapes/every_normal.s"
-        .include "light/light_scalar.s"
+        .include "light/light.s"
         .include "light/shade_scalar.s"
         .include "light/spawn_scalar.s"
         .include "solids/levels_scalar.s"

@@ -9,7 +9,7 @@
 ; SURFACE computes point, normal and pigment and initialises the colour with the
 ; ambient light. TOWARDS computes the direction to a light, with N . L = 0 if
 ; the light is on the other side of the surface. SHINE adds its light. Formulas:
-; surface_scalar.s, light_scalar.s.
+; surface_scalar.s, light.s.
 
         .record HIT
         .field  HIT_RAY, 6              ; O, D
@@ -98,6 +98,7 @@ surface:
 ; The ray. Its registers hold the beam until the light is known.
         .share  local
         .regs   r63, ox, oy, oz, dx, dy, dz, hit_distance, hit_primitive
+        .regs   dx, hdx, hdy, hdz
         .regs   r71, color0r, color0g, color0b
         .regs   color0r, cr, cg, cb
         .regs   r74, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
@@ -160,7 +161,7 @@ shine_all_around:
         .if     GLOSS
         get_record P_GLOSS, 2, f_brilliance
         .endif
-        shine
+        shine   light_r, light_g, light_b
         store_hit HIT_SAMPLE, 3, red
         leave_hit SHINE_REGISTERS
         .endkernel

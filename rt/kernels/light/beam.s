@@ -1,5 +1,5 @@
-; beam.s - the formulas and the record of lights that do not shine in all
-; directions or that fade, for the scalar and the vector form (BEAMS = 1).
+; beam.s - lights that do not shine in all directions or that fade, in both forms
+; (BEAMS = 1).
 ;
 ; The light at P shines along its axis; the unit vector A points the opposite
 ; way, towards the light.  With parallel rays L = A for all points X, and the
@@ -51,3 +51,67 @@
         .field  LIGHT_POINT_WEIGHT
         .endrecord
         .endif
+
+; Computes the direction to the light whose beam is light_beam.
+;
+; In:  lx ly lz = P - X.  Out: lx ly lz = L; light_distance; beam_off = the
+;      distance from the axis of a cylinder.
+        .macro  find_beam_direction
+        RTOR    light_beam, here
+        ELEN    here, BEAM_WORDS
+        SWAP    [here], beam_attenuates, [r0]
+        IBXNE   beam_parallel, r0, r0, beam_rays\@
+        unit_vector lx, ly, lz, light_distance, t1
+        leave_beam beam_direction\@
+beam_rays\@:
+        dot_numbers lx, ly, lz, beam_x, beam_y, beam_z, light_distance, t1
+        IBXEQ   beam_kind, r0, r0, beam_axis\@
+        minus_scaled light_distance, beam_x, lx, lx
+        minus_scaled light_distance, beam_y, ly, ly
+        minus_scaled light_distance, beam_z, lz, lz
+        dot_product lx, ly, lz, lx, ly, lz, beam_off, t1
+        root    beam_off, beam_off
+beam_axis\@:
+        set     beam_x, lx
+        set     beam_y, ly
+        set     beam_z, lz
+beam_direction\@:
+        .endm
+
+; Computes the attenuation; where it is 0, there is no light.
+        .macro  compute_attenuation none
+        set     m_one, attenuation
+        IBXEQ   beam_kind, r0, r0, attenuation_fading\@
+        IBXNE   beam_kind, r0, m_index_one, attenuation_cylinder\@
+        dot_numbers lx, ly, lz, beam_x, beam_y, beam_z, beam_q, t1
+        BIM     attenuation_edge\@
+attenuation_cylinder\@:
+        from_scaled beam_off, beam_narrow, m_one, beam_q
+        darken_far_side \none
+attenuation_edge\@:
+        darken_unless_above_0 beam_q, \none
+        scaled_lower beam_q, beam_low, beam_steep, t1
+        not_below_number m_zero, t1
+        not_above_number m_one, t1
+        times   t1, t1, attenuation
+        ADDN    m_one, m_two, beam_three
+        from_scaled t1, m_two, beam_three, t1
+        times   t1, attenuation, attenuation
+        CFPEQ   beam_tightness, r0, attenuation_fading\@
+        copy_lit beam_q, p_x
+        power_of beam_tightness
+        times   attenuation, p_x, attenuation
+attenuation_fading\@:
+        CFPEQ   beam_power, r0, attenuation_found\@
+        absolute light_distance, beam_q
+        scale   beam_q, beam_fade, beam_q
+        smaller_to_greater                      ; p_x = beam_q, or 1 / beam_q
+        power_of beam_power
+        raise   p_x, m_one, t1
+        one_where_near p_x
+        scale   p_x, m_two, t0
+        quotient t0, t1, t0
+        times   attenuation, t0, attenuation
+attenuation_found\@:
+        darken_unless_above_0 attenuation, \none
+        .endm

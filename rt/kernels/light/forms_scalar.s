@@ -13,6 +13,10 @@
         RTOR    \a, \c
         .endm
 
+        .macro  unit_vector x, y, z, length, work
+        normalise_by m_one, \x, \y, \z, \length, \work
+        .endm
+
 ; fog.s
         .share  local
         .regs   r32, fog_at, fogs_left, fog_distance
@@ -80,4 +84,83 @@ mirror_enters:
         .macro  load_pigment
         ELEN    g_pigment, 3
         SWAP    [g_pigment], g_pigment_r, [r0]
+        .endm
+
+; light.s
+        .macro  beam_towards
+        find_beam_direction
+        .endm
+
+        .macro  add_where bits, x, channel
+        ADDN    \channel, \x, \channel
+        .endm
+
+        .macro  leave_if_dark label
+        .endm
+
+        .macro  leave_if_matt label
+        .endm
+
+        .macro  base_of_highlight x, none
+        CFPGE   r0, \x, \none
+        .endm
+
+        .macro  leave_if_indefinite x, label
+        CFPNE   \x, \x, \label
+        .endm
+
+        .macro  root_lit x
+        SQRT    \x, \x
+        .endm
+
+; Computes L and N . L.  Branches to none if the light does not face the surface.
+        .macro  towards_light none
+        find_light_direction
+        CFPGE   r0, ndotl, \none
+        CFPNE   ndotl, ndotl, \none     ; indefinite: L = 0
+        .if     BEAMS
+        IBXEQ   light_beam, r0, r0, towards_lit\@
+        compute_attenuation \none
+towards_lit\@:
+        .endif
+        .endm
+
+; beam.s
+        .share  local
+        .regs   r112, beam_attenuates, beam_parallel, beam_kind
+        .regs   r115, beam_x, beam_y, beam_z, beam_narrow, beam_low, beam_steep
+        .regs   r121, beam_tightness, beam_fade, beam_power
+        .regs   r124, attenuation, beam_off, beam_q, beam_three
+        .endshare
+
+        .macro  leave_beam label
+        BIM     \label
+        .endm
+
+        .macro  darken_far_side none
+        CFPGE   r0, light_distance, \none
+        .endm
+
+        .macro  darken_unless_above_0 x, none
+        CFPGE   r0, \x, \none
+        .endm
+
+        .macro  smaller_to_greater
+        RTOR    beam_q, p_x
+        CFPGE   m_one, beam_q, smaller\@
+        DIVS    m_one, beam_q, p_x
+smaller\@:
+        .endm
+
+        .macro  one_where_near x
+        CFPLT   m_one, beam_q, one_where_near\@
+        RTOR    m_one, \x
+one_where_near\@:
+        .endm
+
+; Multiplies the light's colour, or its transmitted part, by the attenuation.
+        .macro  attenuate_light
+        MPYS    attenuation, light_r, light_r
+        MPYS    attenuation, light_g, light_g
+        MPYS    attenuation, light_b, light_b
         .endm

@@ -21,6 +21,10 @@
         MASKV   [\a], one, [\c] ? [hits3]
         .endm
 
+        .macro  unit_vector x, y, z, length, work
+        normalise \x, \y, \z, \length, \work
+        .endm
+
 ; fog.s
         .share  scratch
         .regs   r233, fog_at, fogs_left
@@ -90,4 +94,86 @@
         .endm
 
         .macro  load_pigment
+        .endm
+
+; light.s
+        .share  light
+        .reg    light_distance, v0
+        .reg    ddotl, v6
+        .endshare
+
+        .macro  beam_towards
+        EX      target, beam_towards
+        BSAVE   link_inner, [target]
+        .endm
+
+        .macro  add_where bits, x, channel
+        ADDNV   [\channel], [\x], [\channel] ? [\bits]
+        .endm
+
+; hits3 = the points that face the light.
+        .macro  leave_if_dark label
+        CMPLTV  r0, [ndotl], [hits3]
+        CNTOB   [hits3], s0
+        IBXEQ   s0, r0, r0, \label
+        .endm
+
+        .macro  leave_if_matt label
+        ADDN    f_phong, f_specular, s0
+        CFPGE   r0, s0, \label
+        .endm
+
+; hits0 = the points with a highlight, where [x] is above 0; 1 elsewhere.
+        .macro  base_of_highlight x, none
+        CMPLTV  r0, [\x], [hits0]
+        ANDB    [hits0], [hits3], [hits0]
+        CNTOB   [hits0], s0
+        IBXEQ   s0, r0, r0, \none
+        MASKV   [\x], one, [\x] ? [hits0]
+        .endm
+
+        .macro  leave_if_indefinite x, label
+        .endm
+
+        .macro  root_lit x
+        SQRTV   [\x], [\x] ? [hits3]
+        MASKV   [\x], one, [\x] ? [hits3]
+        .endm
+
+; beam.s
+        .share  shape
+        .regs   r40, beam_attenuates, beam_parallel, beam_kind
+        .regs   r43, beam_x, beam_y, beam_z, beam_narrow, beam_low, beam_steep
+        .regs   r49, beam_tightness, beam_fade, beam_power
+        .endshare
+        .share  light
+        .reg    attenuation, v7
+        .reg    beam_off, v5
+        .reg    beam_q, v0
+        .reg    beam_three, s0
+        .endshare
+
+        .macro  leave_beam label
+        BIM     0, link_inner
+        .endm
+
+        .macro  darken_far_side none
+        CMPLTV  r0, [light_distance], [hits1]
+        VTOV    r0, [beam_q] ?! [hits1]
+        .endm
+
+        .macro  darken_unless_above_0 x, none
+        CMPLTV  r0, [\x], [hits1]
+        ANDB    [hits1], [hits3], [hits3]
+        .endm
+
+        .macro  smaller_to_greater
+        CMPLTV  one, [beam_q], [hits2]          ; farther than fade_distance
+        DIVSV   one, [beam_q], [v1]
+        VTOV    [v1], [beam_q] ? [hits2]
+        copy_lit beam_q, p_x
+        .endm
+
+        .macro  one_where_near x
+        MASKV   [\x], one, [\x] ? [hits2]
         .endm

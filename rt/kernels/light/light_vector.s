@@ -1,21 +1,8 @@
-; light_vector.s - computes the light of one source at the hits of a queue.
-;
-; P is the position of the light, L = P - X normalised, l the light's colour or
-; the part of it that reaches X (shadow_vector.s).  If N.L > 0, the light adds
-;
-;   + diffuse N.L c l
-; and, if it makes highlights:
-;   + phong l (R.L)^phong_size,      R = D - 2 (N.D) N, where R.L > 0
-;   + specular l (N.H)^(1/roughness), H = (L - D) / |L - D|
-;
-; with R.L = D.L - 2 (N.D)(N.L) and N.H = (N.L - N.D) / sqrt(2 - 2 D.L).
-; If L or H has no length, these are indefinite, which is not above 0: the light
-; or the highlight adds nothing.  beam.s defines L and l for lights that do not
-; shine in all directions or that fade.
+; light_vector.s - computes the light of one source at the hits of a queue
+; (light.s).
 ;
 ; In:  light_at; the hits and their parts.
 ; Out: added to red, green, blue.
-; Source: POV-Ray's finish.
 
         .share  scratch
         .regs   r241, light_x, light_y, light_z, light_r, light_g, light_b
@@ -45,8 +32,77 @@
         SUBNV   [v0], s0, [v0]
         .endm
 
+        .include "light/light.s"
+
         .if     BEAMS
-        .include "light/beam_vector.s"
+        .share  scratch
+        .reg    light_beam, r248        ; after the light's other words
+        .endshare
+
+        .data
+        .align  64
+attenuation_store: .space QUEUE         ; of all hits
+        .code
+
+; Sets shadow_parallel, for the kernels that bound the rays: 1 if they are
+; parallel.
+        .macro  beam_shadows work, at
+        RTOR    r0, \work
+        IBXEQ   light_beam, r0, r0, beam_shadows\@
+        RTOR    light_beam, \work
+        IX      \work, 64 * BEAM_PARALLEL
+        LOD     [\work], \work
+beam_shadows\@:
+        EX      \at, shadow_parallel
+        STO     [\at], \work
+        .endm
+
+        .kernel shade
+beam_towards:
+        find_beam_direction
+        BIM     0, link_inner
+
+; Computes the attenuation in attenuation_store.
+;
+; In:  the results of beam_towards; hits3: the s8 points that face the light.
+; Out: hits3, s8: those that the light reaches; ndotl = 0 for the others.
+; Changes v0-v7, hits1, hits2, s0, s1.
+find_attenuation:
+        VTOV    [v0], [v6]
+        .reg    light_distance, v6
+        compute_attenuation 0
+        .reg    light_distance, v0
+        CNTOB   [hits3], s8
+        VTOV    r0, [ndotl] ?! [hits3]
+        describe s0, attenuation_store, h
+        VTOV    [v7], [s0]
+        VTOV    [v6], [v0]
+        BIM     0, link
+        .endkernel
+
+; Computes one channel of the light that reaches the hits: the attenuation times
+; the light's colour or its transmitted part.
+        .macro  attenuate_channel light, number
+        describe s1, hit_tint_store + 64 * QUEUE * \number, h
+        IBXNE   tinted, r0, r0, attenuate_tinted\@
+        MPYSV   [s0], \light, [s1]
+        BIM     attenuate_channel\@
+attenuate_tinted\@:
+        MPYSV   [s0], [s1], [s1]
+attenuate_channel\@:
+        .endm
+
+        .macro  attenuate_light
+        IBXEQ   light_beam, r0, r0, attenuate_light\@
+        LOD     [light_beam], s0
+        IBXEQ   s0, r0, r0, attenuate_light\@
+        describe s0, attenuation_store, h
+        attenuate_channel light_r, 0
+        attenuate_channel light_g, 1
+        attenuate_channel light_b, 2
+        ES      tinted, 1
+attenuate_light\@:
+        .endm
         .endif
         .if     AREAS
         .include "light/area_vector.s"
@@ -57,104 +113,13 @@
         SWAP    [light_at], light_x, [r0]
         .endm
 
-; Adds the light of one source to a channel.
-        .macro  add_light strength, light, channel
-        MPYSV   [\strength], \light, [v1]
-        ADDNV   [\channel], [v1], [\channel] ? [hits0]
-        .endm
-
-        .if     GLOSS
-        .include "light/gloss.s"
-        .else
-        .macro  add_highlight amount, light_r, light_g, light_b
-        MPYSV   [v0], \amount, [v0]
-        add_light v0, \light_r, red
-        add_light v0, \light_g, green
-        add_light v0, \light_b, blue
-        .endm
-        .endif
-
-        .macro  add_diffuse light, pigment, channel
-        MPYSV   [v0], \light, [v1]
-        MPYSV   [v1], [\pigment], [v1]
-        ADDNV   [\channel], [v1], [\channel] ? [hits3]
-        .endm
-
-; Adds the light to a part of the hits; light_r .. are numbers or vectors.
-        .macro  illuminate_part light_r, light_g, light_b
-        CMPLTV  r0, [ndotl], [hits3]
-        CNTOB   [hits3], s0
-        IBXEQ   s0, r0, r0, illuminate_done\@
-        .if     GLOSS
-        find_diffuse
-        .else
-        MPYSV   [ndotl], f_diffuse, [v0]
-        .endif
-        add_diffuse \light_r, cr, red
-        add_diffuse \light_g, cg, green
-        add_diffuse \light_b, cb, blue
-        CFPEQ   light_highlights, r0, illuminate_done\@
-        ADDN    f_phong, f_specular, s0
-        CFPGE   r0, s0, illuminate_done\@
-        dot_vectors hdx, hdy, hdz, lx, ly, lz, v6, v0
-        .if     GLOSS
-        find_metal
-        .endif
-        CFPGE   r0, f_phong, illuminate_no_phong\@
-        MPYSV   [facing], two, [v0]
-        MPYSV   [v0], [ndotl], [v0]
-        SUBNV   [v6], [v0], [v0]
-        CMPLTV  r0, [v0], [hits0]
-        ANDB    [hits0], [hits3], [hits0]
-        CNTOB   [hits0], s0
-        IBXEQ   s0, r0, r0, illuminate_no_phong\@
-        MASKV   [v0], one, [v0] ? [hits0]
-        RTOR    f_size, exponent
-        EX      target, power
-        BSAVE   link_inner, [target]
-        add_highlight f_phong, \light_r, \light_g, \light_b
-illuminate_no_phong\@:
-        CFPGE   r0, f_specular, illuminate_done\@
-        LINKV
-        MPYSV   [v6], two, [v0]
-        SUBNV   two, [v0], [v1]
-        SUBNV   [ndotl], [facing], [v0]
-        SQRTV   [v1], [v1] ? [hits3]
-        MASKV   [v1], one, [v1] ? [hits3]
-        DIVSV   [v0], [v1], [v0]
-        CMPLTV  r0, [v0], [hits0]
-        ANDB    [hits0], [hits3], [hits0]
-        CNTOB   [hits0], s0
-        IBXEQ   s0, r0, r0, illuminate_done\@
-        MASKV   [v0], one, [v0] ? [hits0]
-        RTOR    f_sharpness, exponent
-        EX      target, power
-        BSAVE   link_inner, [target]
-        add_highlight f_specular, \light_r, \light_g, \light_b
-illuminate_done\@:
-        .endm
-
         .kernel shade
 illuminate:
         RTOR    link, link_light
         load_light
         EX      target, set_hits
         BSAVE   link_inner, [target]
-        SUBNV   light_x, [px], [lx]
-        SUBNV   light_y, [py], [ly]
-        SUBNV   light_z, [pz], [lz]
-        .if     BEAMS
-        IBXNE   light_beam, r0, r0, illuminate_beam
-        .endif
-        normalise lx, ly, lz, v0, v1
-        .if     BEAMS
-        BIM     illuminate_direction
-illuminate_beam:
-        EX      target, beam_towards
-        BSAVE   link_inner, [target]
-illuminate_direction:
-        .endif
-        dot_vectors nx, ny, nz, lx, ly, lz, ndotl, v1
+        find_light_direction
         CMPLTV  r0, [ndotl], [hits3]
         CNTOB   [hits3], s8
         ES      tinted, 0
@@ -190,11 +155,11 @@ illuminate_next:
         load_record P_GLOSS, 2, f_brilliance
         .endif
         IBXNE   tinted, r0, r0, illuminate_tinted
-        illuminate_part light_r, light_g, light_b
+        shine   light_r, light_g, light_b
         BIM     illuminate_parts_next
 illuminate_tinted:
         tints_of_part
-        illuminate_part [tint_r], [tint_g], [tint_b]
+        shine   [tint_r], [tint_g], [tint_b]
 illuminate_parts_next:
         parts_next illuminate_next
 illuminate_none:

@@ -111,7 +111,7 @@ shade_lit:
         attenuate_light
 shade_all_around:
         .endif
-        shine
+        shine   light_r, light_g, light_b
 shade_next_light:
         IX      light_at, 64 * LIGHT_SIZE
         IBXNE   lights_left, m_index_minus_one, r0, shade_light, lights_left

@@ -29,6 +29,7 @@
         .regs   r139, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
         .regs   r144, f_size, f_specular, f_sharpness
         .regs   r147, ox, oy, oz, dx, dy, dz
+        .regs   dx, hdx, hdy, hdz
         .endshare
         .equ    SHADE_REGISTERS, 121
 
