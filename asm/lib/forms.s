@@ -82,6 +82,7 @@
 ;       upper_product a, b, c   c = the first 47 digits of a b
 ;       low_product a, b, c     c = the other digits of a b; the whole product
 ;                               of integers if it is below 2^47
+;       low_scale a, k, c       the same with a number k
 ;       pick i, at, c           c = word i of a table; at: register with its
 ;                               address
 ;       pack_each e, a, c        c = the exponent e with the coefficient of a
@@ -376,6 +377,9 @@ not_below\@:
         .endm
         .macro  \prefix\()low_product a, b, c
         MPYL    \a, \b, \c
+        .endm
+        .macro  \prefix\()low_scale a, k, c
+        MPYL    \a, \k, \c
         .endm
         .macro  \prefix\()pick i, at, c
         LOD     [\at, \i], \c
@@ -746,6 +750,9 @@ select\@:
         .endm
         .macro  \prefix\()low_product a, b, c
         MPYLV   [\a], [\b], [\c]
+        .endm
+        .macro  \prefix\()low_scale a, k, c
+        MPYLV   [\a], \k, [\c]
         .endm
         .macro  \prefix\()pick i, at, c
         VXTOV   [\i], [\at], [\c]

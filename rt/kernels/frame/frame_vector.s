@@ -86,7 +86,6 @@ frame:
         .endif
         .if     IMAGES
         .include "light/image.s"
-        .include "light/image_vector.s"
         .endif
         .if     BUMPS
         .include "light/bump_vector.s"

@@ -164,3 +164,62 @@ one_where_near\@:
         MPYS    attenuation, light_g, light_g
         MPYS    attenuation, light_b, light_b
         .endm
+
+; image.s: find_value calls its routines.  They return the colour in image_r ..,
+; and image_cell for pigment_cell; if that is not 0 there is no colour.
+        .share  local
+        .regs   r48, row_words, pixel_words, column_at, column_before
+        .regs   r52, row_at, row_before, image_u, texel, weight
+        .regs   r58, corner_r, corner_g, corner_b, edge_before, edge_after
+        .regs   r63, weight_sum
+        .regs   r101, image_r, image_g, image_b, image_work, last_column
+        .reg    colour_link, r98                 ; pattern_link
+        .endshare
+
+; Computes the cell of the primitive's image, for pigment_cell, which calls it
+; by BSAVE image_link.
+        .macro  begin_image
+find_image_cell:
+        get_record P_PATTERN, 12, sh0
+        get_record P_MAP, MAP_SIZE, map_function
+        pattern_colour
+        RTOR    image_cell, cell
+        BIM     0, image_link
+        .endm
+
+; Returns a cell if the point is outside of the image, by bound, which is not 0.
+        .macro  find_outside bound, u_floor, v_floor, within
+        CFPNE   \v_floor, m_minus_one, image_outside
+        CFPNE   \bound, m_two, \within
+        CFPEQ   \u_floor, r0, \within
+image_outside:
+        ES      image_cell, 256
+        BIM     0, colour_link
+        .endm
+
+        .macro  find_colour
+        BIM     0, map_wave
+        .endm
+
+        .macro  find_texel
+        SHIFTI  texel, 6, texel
+        ADDX    map_stops, texel, texel
+        ELEN    texel, PIXEL_SIZE
+        .endm
+
+        .macro  load_pixel
+        AND     texel, p_fraction, texel        ; y_1 may be a machine zero
+        find_texel
+        SWAP    [texel], image_r, [r0]
+        .endm
+
+        .macro  add_pixel
+        find_texel
+        SWAP    [texel], corner_r, [r0]
+        MPYS    corner_r, weight, corner_r
+        MPYS    corner_g, weight, corner_g
+        MPYS    corner_b, weight, corner_b
+        ADDN    image_r, corner_r, image_r
+        ADDN    image_g, corner_g, image_g
+        ADDN    image_b, corner_b, image_b
+        .endm

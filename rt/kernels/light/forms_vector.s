@@ -177,3 +177,79 @@
         .macro  one_where_near x
         MASKV   [\x], one, [\x] ? [hits2]
         .endm
+
+; image.s: v5 v6 v7 = x, y, z; map_function .. = P_MAP; link_pattern.  Results in
+; cr cg cb.  Changes v0-v7, red, green, blue, hits1-hits3, s0-s9.
+        .share
+        .regs   r7, row_words, pixel_words, edge_before, edge_after, last_column
+        .endshare
+        .share  light
+        .regs   v0, y_0, y_1, y_2, y_3, y_4, q_x, q_y, q_z
+        .regs   v0, column_at, row_at, row_before, column_before, texel
+        .reg    image_work, texel
+        .regs   cr, image_r, image_g, image_b, image_pixel, image_none, weight_sum
+        .reg    image_u, image_r
+        .reg    weight, v7
+        .reg    inner_link, link_inner
+        .reg    colour_link, link_inner
+        .endshare
+
+; find_cells: In: px py pz; the primitive's record.  Out: hits3 = the points in
+; the second cell of its pigment, a checker or a bounded image.  Changes v0-v4,
+; hits1.
+        .macro  begin_image
+find_cells:
+        load_field P_PIGMENT, s0
+        IBXEQ   s0, r0, one_index, find_checker
+        load_record P_PATTERN, 8, m00
+        pattern_axis m00, m01, m02, m03, v1
+        pattern_axis m10, m11, m12, m13, v2
+        find_tile v1, v2, v3, v4
+        load_field P_MAP_NUMBERS + 2, s0
+        find_outside s0, v3, v4, cells_found
+cells_found:
+        BIM     0, link_inner
+        .endm
+
+; hits3 = the points outside of the image, by bound, which is not 0.
+        .macro  find_outside bound, u_floor, v_floor, within
+        CMPNEV  [\v_floor], minus_one, [hits3]
+        CFPNE   \bound, two, \within
+        CMPNEV  [\u_floor], r0, [hits1]
+        ORB     [hits1], [hits3], [hits3]
+        .endm
+
+        .macro  find_colour
+        RTOR    map_wave, target
+        BSAVE   link_inner, [target]
+        CFPEQ   map_c, r0, image_found
+        load_record P_COLOR + 3, 3, s1
+        VTOV    s1, [cr] ? [hits3]
+        VTOV    s2, [cg] ? [hits3]
+        VTOV    s3, [cb] ? [hits3]
+image_found:
+        BIM     0, link_pattern
+        .endm
+
+        .macro  load_pixel
+        RTOR    map_stops, s0
+        VXTOV   [texel], [s0], [cr]
+        IX      s0, 64
+        VXTOV   [texel], [s0], [cg]
+        IX      s0, 64
+        VXTOV   [texel], [s0], [cb]
+        .endm
+
+        .macro  add_channel color
+        VXTOV   [texel], [s0], [image_pixel]
+        MPYSV   [image_pixel], [weight], [image_pixel]
+        ADDNV   [\color], [image_pixel], [\color]
+        IX      s0, 64
+        .endm
+
+        .macro  add_pixel
+        RTOR    map_stops, s0
+        add_channel cr
+        add_channel cg
+        add_channel cb
+        .endm

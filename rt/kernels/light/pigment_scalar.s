@@ -135,5 +135,4 @@ pigment_found:
         .endif
         .if     IMAGES
         .include "light/image.s"
-        .include "light/image_scalar.s"
         .endif
