@@ -1,4 +1,4 @@
-/* accounts.h - tables of the clocks of runs, by cause and by region. */
+/* accounts.h - makes tables of the clocks of runs, by cause and by region. */
 #ifndef BASE_ACCOUNTS_H
 #define BASE_ACCOUNTS_H
 

@@ -14,7 +14,7 @@
 #include "vm/c205.h"
 
 struct atomic_file {
-    FILE *file; /* write here */
+    FILE *file; /* the caller writes to this stream */
     char *path;
     char *temporary; /* NULL: the file is written directly */
 };

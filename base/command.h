@@ -23,15 +23,15 @@
 /* The kinds of values of options and operands, with their types in C. */
 enum command_kind {
     COMMAND_FLAG,   /* bool: true if it was given */
-    COMMAND_TEXT,   /* const char * */
-    COMMAND_COUNT,  /* size_t, from least to most */
-    COMMAND_CLOCKS, /* uint64_t, any */
-    COMMAND_NUMBER, /* double, above least, below most */
+    COMMAND_TEXT,   /* const char *: the text */
+    COMMAND_COUNT,  /* size_t: a count from least to most */
+    COMMAND_CLOCKS, /* uint64_t: any number of clocks */
+    COMMAND_NUMBER, /* double: a number above least and below most */
     COMMAND_CHOICE, /* int or an enum: the index of one of the names */
-    COMMAND_INPUT,  /* const char *: a file to read, "-" is stdin */
-    COMMAND_OUTPUT, /* const char *: a file to write, "-" is stdout */
-    COMMAND_FILE,   /* const char *: a file to write that has a name */
-    COMMAND_FOLDER, /* const char * */
+    COMMAND_INPUT,  /* const char *: an input file; "-" is stdin */
+    COMMAND_OUTPUT, /* const char *: an output file; "-" is stdout */
+    COMMAND_FILE,   /* const char *: an output file that has a name */
+    COMMAND_FOLDER, /* const char *: a folder */
     COMMAND_CUSTOM  /* the type that the take function stores */
 };
 
@@ -44,11 +44,11 @@ typedef const char *command_choice(size_t number);
 typedef bool command_take(char *text, void *value);
 
 struct command_option {
-    const char *name;  /* --name; NULL: an operand, identified by its position */
-    char letter;       /* -letter, or 0 */
-    const char *value; /* placeholder in help: FILE */
+    const char *name;  /* long name, as in --name; NULL: an operand */
+    char letter;       /* short name, as in -l, or 0 */
+    const char *value; /* placeholder in help, such as FILE */
     enum command_kind kind;
-    const char *help; /* one line */
+    const char *help; /* help text of one line */
     size_t offset;    /* offset of the value in the arguments */
 
     bool many;     /* any number of texts or files: struct command_texts */

@@ -10,7 +10,7 @@
 int command_print_page(const struct command_program *program, int argc, char **argv)
 {
     static const struct {
-        const char *option, *shell; /* shell: its argument, or NULL */
+        const char *option, *shell; /* shell: argument of the option, or NULL */
         void (*print)(const struct command_program *program, FILE *file);
     } pages[] = {
         { "--list", NULL, command_print_list },

@@ -1,4 +1,4 @@
-/* fnv_hash.c - 64-bit FNV-1a of bytes, words and sizes. */
+/* fnv_hash.c - computes 64-bit FNV-1a hashes of bytes, words and sizes. */
 #include "base/fnv_hash.h"
 
 #define PRIME UINT64_C(0x100000001B3)

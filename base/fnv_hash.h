@@ -1,5 +1,5 @@
-/* fnv_hash.h - 64-bit FNV-1a. A hash starts with HASH_START; each call continues it.
- * Source: Fowler, Noll and Vo; draft-eastlake-fnv.
+/* fnv_hash.h - computes 64-bit FNV-1a hashes. A hash starts with HASH_START, and each
+ * call continues it. Source: Fowler, Noll and Vo; draft-eastlake-fnv.
  */
 #ifndef BASE_FNV_HASH_H
 #define BASE_FNV_HASH_H

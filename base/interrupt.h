@@ -25,6 +25,6 @@ void interrupt_clear(void);
  * removed if a signal ends the program. The path must remain valid until the
  * release. */
 int interrupt_create(const char *path);
-void interrupt_release(const char *path); /* NULL: nothing */
+void interrupt_release(const char *path); /* NULL has no effect */
 
 #endif

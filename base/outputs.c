@@ -1,4 +1,4 @@
-/* outputs.c - a list of files by device and inode. */
+/* outputs.c - identifies output files by device and inode. */
 #include "base/outputs.h"
 
 #include <stdlib.h>

@@ -22,8 +22,8 @@ enum {
     LETTER = 7, /* the width of most letters in pixels, slightly overestimated */
     ABOVE = 40, /* base line of the small print, below the title */
     LINE = 16,
-    BELOW = 58,   /* labels and title of the x axis */
-    BESIDE = 52,  /* title of the y axis, without its labels */
+    BELOW = 58,   /* height of labels and title of the x axis */
+    BESIDE = 52,  /* width of the title of the y axis, without labels */
     MIN_KEY = 90, /* minimum room on the right for the key and labels of marks */
     MAX_KEY = 320,
     KEY_SAMPLE = 48,

@@ -1,4 +1,4 @@
-/* plot_axis.c - an axis of a plot: its range and its labels. */
+/* plot_axis.c - computes the range and the labels of an axis of a plot. */
 #include "base/plot_axis.h"
 
 #include <math.h>
@@ -162,7 +162,7 @@ static void add_steps(struct tics *tics, const struct axis *axis)
         add_tic(tics, n == 0 ? 0 : n * step, true);
 }
 
-/* Labels 1, 2 and 5 times the powers of ten. */
+/* Labels the powers of ten and their multiples by 2 and 5. */
 static void add_decades(struct tics *tics, const struct axis *axis)
 {
     static const double digits[] = { 1, 2, 5 };

@@ -1,4 +1,4 @@
-/* plot_axis.h - an axis of a plot: its range and its labels. */
+/* plot_axis.h - computes the range and the labels of an axis of a plot. */
 #ifndef BASE_PLOT_AXIS_H
 #define BASE_PLOT_AXIS_H
 
@@ -24,7 +24,7 @@ bool axis_shows(const struct axis *axis, double value);
 void axis_reach(struct axis *axis, double value);
 /* Widens an axis that consists of a single point. */
 void axis_widen(struct axis *axis);
-/* Adds a margin for the points at both ends. */
+/* Adds a margin for points at both ends. */
 void axis_pad(struct axis *axis);
 /* Extends both ends to the next round value. A linear axis also includes 0. */
 void axis_round(struct axis *axis);

@@ -5,7 +5,7 @@
 
 #include "base/interrupt.h"
 
-/* Seconds before the line is first shown, and between two updates. */
+/* Seconds before the line is first shown, and between two updates of the line. */
 #define PATIENCE 1.0
 #define PAUSE 0.2
 

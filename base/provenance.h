@@ -1,4 +1,4 @@
-/* provenance.h - the model of a result, and its reliability. */
+/* provenance.h - reports the model of a result and its reliability. */
 #ifndef BASE_PROVENANCE_H
 #define BASE_PROVENANCE_H
 

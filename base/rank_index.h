@@ -18,7 +18,7 @@ struct rank_index {
  * memory; the index may then only be freed. */
 bool rank_index_begin(struct rank_index *ranks, size_t most);
 void rank_index_add(struct rank_index *ranks, size_t number);
-/* Must be called after the last number was added. */
+/* Sorts the index. Must be called after the last number was added. */
 void rank_index_sort(struct rank_index *ranks);
 /* Returns the rank of a number, from 1 on, or 0 if it was not added. */
 size_t rank_index_place(const struct rank_index *ranks, size_t number);

@@ -1,4 +1,4 @@
-/* sink.c - sinks for buffers, lines and streams. */
+/* sink.c - implements sinks for buffers, lines and streams. */
 #include "base/sink.h"
 #include "vm/error.h"
 

@@ -22,7 +22,8 @@ void sink_print(const struct sink *sink, const char *format, ...)
 #endif
     ;
 
-/* Must be zeroed before use. text is NUL-terminated, or NULL while it is empty. */
+/* A buffer that grows. It must be zeroed before use. text is NUL-terminated, or NULL
+ * while it is empty. */
 struct text_buffer {
     char *text;
     size_t length, capacity;

@@ -1,4 +1,4 @@
-/* utf8.h - characters in UTF-8 (RFC 3629). */
+/* utf8.h - measures and writes characters in UTF-8 (RFC 3629). */
 #ifndef BASE_UTF8_H
 #define BASE_UTF8_H
 
@@ -9,7 +9,7 @@
 size_t utf8_length(const char *text, size_t most);
 
 enum { MAX_UTF8 = 4 };
-/* Writes the bytes of a code below 110000 hex. Returns their number. */
+/* Writes the bytes of a code point below 110000 hex. Returns their number. */
 size_t utf8_put(char text[MAX_UTF8], unsigned long code);
 
 #endif

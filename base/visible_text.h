@@ -1,6 +1,6 @@
-/* visible_text.h - characters that are invisible or that a terminal interprets: controls,
- * blanks other than the plain one, characters without a width, marks of the writing
- * direction.
+/* visible_text.h - finds and escapes characters that are invisible or that a terminal
+ * interprets: controls, unusual blanks, characters without a width, marks of the
+ * writing direction.
  */
 #ifndef BASE_VISIBLE_TEXT_H
 #define BASE_VISIBLE_TEXT_H

@@ -36,8 +36,8 @@ static c205_trap run_strings(struct c205 *machine, const struct vector *a,
     return machine_end_turn(machine, &turn);
 }
 
-/* Returns false if the case is not simple (direct.h). A result may overlap a source
- * only if it is the same string. */
+/* Executes the instruction. Returns false if the case is not simple (direct.h). The
+ * result may overlap a source only if it is the same string. */
 static bool strings_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word a = machine->slot[decoded->a], b = machine->slot[decoded->b];
@@ -207,7 +207,7 @@ struct bit_sieve {
     struct c205 *machine;
     struct vector a, c;
     struct control control;
-    size_t n;    /* bits scanned */
+    size_t n;    /* number of bits scanned */
     size_t kept; /* bits kept so far */
     struct turn turn;
 };
@@ -293,8 +293,8 @@ c205_trap execute_bits_compress(struct c205 *machine, const struct decoded *deco
 
 /* ---- Repeated masks ---------------------------------------------------- */
 
-/* Stores groups of S bits. The first R bits of each group have the value `first`, the
- * others its complement. */
+/* Stores groups of S bits. The first R bits of each group have the value `first`. The
+ * other bits have its complement. */
 static c205_trap repeat(struct c205 *machine, const struct decoded *decoded, bool first)
 {
     struct vector c = describe_bits(machine->slot[decoded->c]);

@@ -1,6 +1,6 @@
-/* block.h - blocks: sequences of scalar instructions, decoded once, up to a branch or
- * an instruction that must run alone. A block continues after a conditional forward
- * branch, and control may leave it there.
+/* block.h - blocks of scalar instructions, which are decoded once. A block ends at a
+ * branch or before an instruction that must run alone. It continues after a conditional
+ * forward branch, where control may leave it.
  *
  * The semantics do not depend on time, so a whole block can be executed first and
  * charged afterwards. Vector instructions, requests to the monitor, and instructions
@@ -17,11 +17,11 @@ struct schedule;
 
 struct code_block {
     uint64_t pc;
-    uint64_t version;     /* memory.code_changes when it was made */
+    uint64_t version;     /* memory.code_changes when the block was made */
     uint64_t next;        /* the address after its last instruction */
     unsigned count;       /* 0: the instruction at pc must run alone */
     uint32_t region;      /* the region of all its instructions */
-    struct decoded *insn; /* count decoded instructions */
+    struct decoded *insn; /* `count` decoded instructions */
     /* Cache of the clock (vm/time/schedule.h): */
     struct schedule *schedules;
     uint64_t generation; /* the clock's generation of the schedules */
@@ -36,13 +36,13 @@ enum {
     BLOCK_DECODED = 4 * BLOCKS /* instructions of all blocks */
 };
 struct blocks {
-    struct code_block *at[BLOCK_PLACES]; /* by address, or NULL */
+    struct code_block *at[BLOCK_PLACES]; /* indexed by address; NULL: no block */
     size_t count, decoded_count;
     struct code_block block[BLOCKS];
     struct decoded decoded[BLOCK_DECODED];
 };
 
-/* Returns empty tables, which the caller frees; unused parts are not cleared. NULL: out
+/* Returns empty tables, which the caller frees. Unused parts are not cleared. NULL: out
  * of memory. */
 struct blocks *blocks_new(void);
 

@@ -46,7 +46,7 @@ static struct machine_breakpoints *all_stops(struct c205 *machine)
     return machine->breakpoints;
 }
 
-/* If no breakpoint or watchpoint is left, the machine returns to its full speed. */
+/* Lets the machine run at full speed if no breakpoint or watchpoint is left. */
 static void leave_none(struct c205 *machine)
 {
     struct machine_breakpoints *breakpoints = machine->breakpoints;
@@ -154,7 +154,7 @@ static bool stored(const struct effect *effect)
     for (unsigned i = 0; i < effect->touch_count; i++)
         if (effect->touch[i].stored)
             return true;
-    return effect->indices != NULL; /* a gather stores too */
+    return effect->indices != NULL; /* a gather also has indices */
 }
 
 c205_trap machine_hits_breakpoint(struct c205 *machine, uint64_t *address)

@@ -1,4 +1,4 @@
-/* c205_history.h - saved machines, and the return to earlier steps of a run. */
+/* c205_history.h - saves machines, and returns a run to earlier steps. */
 #ifndef C205_API_HISTORY_H
 #define C205_API_HISTORY_H
 

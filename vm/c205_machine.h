@@ -8,7 +8,7 @@
 
 typedef struct c205_segment {
     uint64_t address;       /* bit address, a multiple of 64 */
-    size_t length;          /* words */
+    size_t length;          /* number of words */
     const c205_word *words; /* NULL: zeros, mapped as C205_WHEN_TOUCHED */
 } c205_segment;
 
@@ -106,8 +106,8 @@ typedef enum c205_trap {
     C205_TRAP_PROTECTED_ADDRESS,  /* write to read-only memory */
     C205_TRAP_BAD_DESCRIPTOR,     /* negative offset, missing vector and similar
                                      errors */
-    C205_TRAP_MISALIGNED_OPERAND, /* for example a word vector that does not start at a
-                                     word */
+    C205_TRAP_MISALIGNED_OPERAND, /* a word vector that does not start at a word, and
+                                     similar errors */
     C205_TRAP_BAD_LINK,           /* the pair after LINKV cannot be linked */
     C205_TRAP_BAD_REQUEST,        /* no such monitor request */
     C205_TRAP_CLOCK_LIMIT,
@@ -178,7 +178,7 @@ typedef struct c205_event {
     uint64_t pc;
     const c205_insn *insn;
     c205_fields fields;
-    size_t region;            /* index into the accounts */
+    size_t region;            /* index of the region in the accounts */
     uint64_t issued;          /* the clock at which it issued */
     uint64_t clocks;          /* increase of the clock */
     const c205_times *record; /* its times; only the wait for everything in flight after

@@ -1,4 +1,4 @@
-/* c205_model.h - models: the timing constants of a machine. */
+/* c205_model.h - models, which contain the timing constants of machines. */
 #ifndef C205_API_MODEL_H
 #define C205_API_MODEL_H
 
@@ -42,7 +42,7 @@ const char *c205_plain_text(char *text, size_t *length);
 /* Returns a built-in model or reads a file. A name is a file name if it contains '/' or
  * ends in ".model"; "-" is stdin. The model is not changed afterwards. */
 c205_model *c205_model_find(const char *name, c205_error *error);
-bool c205_model_is_file(const char *name); /* returns true for the name of a file */
+bool c205_model_is_file(const char *name); /* true for the name of a file */
 c205_model *c205_model_parse(const char *name, const char *text, c205_error *error);
 /* c205_model_read parses a model for callers that show the faulty line. It returns the
  * place of an error separately from the message. Line 0: no line. */
@@ -80,7 +80,7 @@ typedef struct c205_setting {
  * value. */
 c205_model *c205_model_change(const c205_model *model, const c205_setting *settings,
                               size_t count, c205_error *error);
-/* Returns the names of the built-in models, NULL at the end. */
+/* Returns the names of the built-in models. The last element is NULL. */
 const char *const *c205_model_names(void);
 
 #endif

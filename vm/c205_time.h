@@ -1,5 +1,5 @@
 /* c205_time.h - the clocks of a run by cause, and the time that the same run would take
- * elsewhere.
+ * on other machines.
  */
 #ifndef C205_API_TIME_H
 #define C205_API_TIME_H
@@ -8,7 +8,7 @@
 
 /* ---- Accounts (vm/time/clock.c) ------------------------------------------ */
 
-/* The cause of a clock; each clock has one cause. */
+/* The causes of clocks. Each clock has one cause. */
 typedef enum c205_cause {
     C205_ISSUE,
     C205_OPERAND_WAIT,
@@ -25,7 +25,7 @@ typedef enum c205_cause {
 const char *c205_cause_name(c205_cause cause);
 
 typedef struct c205_account {
-    const char *name; /* region; "" is all code outside regions */
+    const char *name; /* name of the region; "": code outside regions */
     uint64_t clocks[C205_CAUSES];
     uint64_t instructions; /* all issued instructions */
     uint64_t vector_instructions;
@@ -86,7 +86,7 @@ typedef struct c205_piece {
 enum { C205_PIECES = 40, C205_PHASES = 5 };
 struct c205_times {
     uint64_t pc;
-    uint64_t arrived;   /* the clock before it */
+    uint64_t arrived;   /* the clock before the instruction */
     uint64_t issued;    /* the clock at which it issued */
     uint64_t ready;     /* the clock at which its results are ready */
     uint64_t unit_free; /* the clock at which its unit accepts the next instruction; a
@@ -111,7 +111,7 @@ typedef struct c205_projection c205_projection;
 /* Returns a new projection. The model must be a projection. */
 c205_projection *c205_projection_new(const c205_model *model, c205_error *error);
 void c205_projection_free(c205_projection *projection);
-/* The listener; its context is the projection. */
+/* The listener. Its context is the projection. */
 c205_listener c205_project;
 /* Returns the clocks of that machine for a region, numbered as in the accounts. */
 uint64_t c205_projected_clocks(const c205_projection *projection, size_t region);
@@ -127,7 +127,8 @@ bool c205_projection_holds(const c205_projection *projection, c205_error *error)
 typedef struct c205_recording c205_recording;
 c205_recording *c205_recording_new(c205_error *error);
 void c205_recording_free(c205_recording *recording);
-/* The listener; its context is the recording of one run from its start. */
+/* The listener. Its context is the recording. It must be added before the run
+ * starts. */
 c205_listener c205_record;
 
 /* Sets the clocks of each region, numbered as in the accounts; regions that did not run

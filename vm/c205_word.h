@@ -1,4 +1,4 @@
-/* c205_word.h - errors, and words as numbers and as instructions. */
+/* c205_word.h - errors, and words as numbers and instructions. */
 #ifndef C205_API_WORD_H
 #define C205_API_WORD_H
 
@@ -36,7 +36,7 @@ double c205_to_double(c205_word word);
 
 /* Returns an integer, -2^47 .. 2^47-1, as a word with exponent 0. */
 c205_word c205_from_integer(int64_t value);
-/* Returns the low 48 bits, sign extended. */
+/* Returns the low 48 bits of a word, sign extended. */
 int64_t c205_to_integer(c205_word word);
 /* Return the parts of a vector descriptor: the bit address (the low 48 bits) and the
  * length in elements (the high 16 bits). */
@@ -174,8 +174,7 @@ const char *c205_timing_name(c205_timing timing);
 bool c205_timing_is_vector(c205_timing timing);
 /* Returns a sentence on the treatment of machine zeros and indefinites. */
 const char *c205_operation_specials(c205_operation operation);
-/* Returns the number of floating-point operations per element that an operation counts
- * as. */
+/* Returns the floating-point operations per element of an operation. */
 unsigned c205_operation_flops(c205_operation operation);
 
 /* The fields of an instruction by name: F, G, X, A, Y, B, Z and C of the long formats,
@@ -184,7 +183,7 @@ unsigned c205_operation_flops(c205_operation operation);
 typedef struct c205_fields {
     uint8_t f, g, x, a, y, b, z, c; /* VECTOR and similar formats, INDEX, FLOAT */
     uint8_t r, s, t;                /* register formats */
-    int64_t immediate;              /* I8 .. I48, or the branch distance in half
+    int64_t immediate;              /* I8 .. I48, or the distance of a branch in half
                                        words */
 } c205_fields;
 

@@ -73,7 +73,7 @@ static bool has_letter(const char *syntax, const char *letters)
     return false;
 }
 
-/* Returns the operand letter of field C of a vector instruction. */
+/* Returns the letter of the operand in field C of a vector instruction. */
 static char result_letter(const c205_insn *insn)
 {
     const char *syntax = c205_format_syntax(insn->format);
@@ -186,7 +186,7 @@ static uint8_t operand_width(char letter)
     return is_one_of(letter, "beo") ? 1 : WORD_BITS;
 }
 
-/* Binds A, B or C, or R, S or T of the short formats. */
+/* Binds the operand A, B or C, or R, S or T of the short formats. */
 static uint16_t bind_operand(struct decoded *decoded, unsigned operand, unsigned number,
                              char letter, bool broadcast)
 {

@@ -20,7 +20,8 @@ enum { OPERAND_A, OPERAND_B, OPERAND_C, OPERANDS };
 
 struct decoded {
     semantics *execute;
-    uint16_t a, b, c;                 /* slots; for short formats R, S, T */
+    uint16_t a, b, c;                 /* slots of A, B, C, or of R, S, T in short
+                                         formats */
     uint16_t x, y, z;                 /* slots of offsets and control vector */
     uint16_t index;                   /* slot of the index of a maximum or minimum */
     uint16_t result[DECODED_RESULTS]; /* slots written; a write to register 0 has
@@ -34,11 +35,11 @@ struct decoded {
                            the pair */
     uint64_t pc;
     const c205_insn *insn;
-    uint16_t source[DECODED_SOURCES]; /* slots read, without register 0 */
+    uint16_t source[DECODED_SOURCES]; /* slots read, except register 0 */
     uint32_t region;
     bool plain;       /* a vector instruction on words without offsets and sign
                          control */
-    uint8_t flops;    /* per element; for LINKV, of the pair */
+    uint8_t flops;    /* flops per element; for LINKV, of the pair */
     uint64_t version; /* memory.code_changes when it was decoded */
     const struct decoded *linked[2]; /* LINKV: the pair */
 };
@@ -52,8 +53,8 @@ struct touch {
  * touch, but a SWAP at its end has two. */
 enum { BLOCK_INSNS = 32, EFFECT_TOUCHES = BLOCK_INSNS + 1 };
 
-/* The effect of an instruction, filled by its semantics and read by the clock and the
- * events. The semantics record the events of the instruction, not their cost. */
+/* The effect of an instruction. Its semantics fill it; the clock and the events read
+ * it. It contains what the instruction did, and not its cost. */
 struct effect {
     size_t elements;  /* vector length: elements computed or scanned */
     size_t idle;      /* positions of sparse vectors that took time without an
@@ -69,7 +70,7 @@ struct effect {
     size_t index_count;       /* number of indices; blocked elements have none */
     uint64_t table;           /* address of index 0 */
     unsigned table_step;      /* bits per index */
-    size_t swapped;           /* registers that SWAP moved */
+    size_t swapped;           /* number of registers that SWAP moved */
     size_t saved;             /* registers that SWAP saved to memory */
 };
 

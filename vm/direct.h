@@ -15,7 +15,7 @@
 
 #include "vm/operand.h"
 
-/* A string of bits. Its first bit is skip bits from the left of *word. */
+/* A string of bits. Its first bit is `skip` bits from the left of *word. */
 struct direct_bits {
     c205_word *word;
     unsigned skip;
@@ -64,7 +64,7 @@ static inline c205_word *direct_write(struct c205 *machine, c205_word descriptor
     return direct_place(&machine->memory, LOW(descriptor), n, true);
 }
 
-/* Returns n bits; the length of the descriptor is not used. */
+/* Returns n bits of a descriptor, whose length is not used. */
 static inline struct direct_bits direct_bits(struct c205 *machine, c205_word descriptor,
                                              size_t n, bool write)
 {
@@ -94,7 +94,7 @@ static inline bool direct_recurs(const c205_word *result, const c205_word *sourc
     return above - 1 < n * sizeof *result - 1;
 }
 
-/* Returns the bytes that hold n bits of a string. */
+/* Returns the number of bytes that contain n bits of a string. */
 static inline size_t direct_bytes(struct direct_bits bits, size_t n)
 {
     return (bits.skip + n + WORD_BITS - 1) / WORD_BITS * sizeof(c205_word);

@@ -77,7 +77,7 @@ static bool is_within(const struct vector *vector, struct extent extent)
            && extent.low < vector_at(vector, vector->length);
 }
 
-/* Returns true if a store may change an operand that is still to be read. */
+/* Returns true if a store may change an unread operand. */
 static bool is_entangled(struct transfer *transfer)
 {
     const struct stream *stream = &transfer->stream;

@@ -1,4 +1,4 @@
-/* inspect.c - the host's access to the memory, registers and clock of a machine. */
+/* inspect.c - gives the host access to memory, registers and clock of a machine. */
 #include "vm/machine.h"
 #include "vm/shared.h"
 

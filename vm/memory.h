@@ -14,7 +14,7 @@ enum {
     WORD_BITS = 64,
     HALF_BITS = 32,
     PAGE_SHIFT = 22,      /* log2 of the bits of a page */
-    DIRECTORY_SHIFT = 35, /* bits of an address within the pages of a directory */
+    DIRECTORY_SHIFT = 35, /* log2 of the bits that a directory covers */
     DIRECTORY_PAGES = 1 << (DIRECTORY_SHIFT - PAGE_SHIFT),
     DIRECTORIES = 1 << (48 - DIRECTORY_SHIFT)
 };
@@ -63,7 +63,8 @@ void memory_init(struct memory *memory);
 void memory_clear(struct memory *memory);
 /* Unmaps everything and frees the spare pages. */
 void memory_free(struct memory *memory);
-/* Maps pages. Pages mapped before keep their words and get the new access. */
+/* Maps pages. Pages that were mapped before retain their words and get the new
+ * access. */
 bool memory_map(struct memory *memory, uint64_t address, size_t words,
                 c205_access access, c205_error *error);
 
@@ -112,8 +113,8 @@ void memory_mark_code(struct memory *memory, uint64_t address);
 void memory_change_code(struct memory *memory, struct page *page, size_t first,
                         size_t count);
 
-/* Returns the address of the first mapped page from a page on, or the end of the
- * address space if there is none. */
+/* Returns the address of the first mapped page at or after a page, or the end of the
+ * address space. */
 uint64_t memory_next_page(const struct memory *memory, uint64_t address);
 
 /* Looks up a page and caches it. NULL: not mapped. */

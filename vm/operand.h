@@ -1,9 +1,9 @@
 /* operand.h - the operands of a vector instruction as streams.
  *
- * Each operand is first described from its descriptor register, offset and G bits; bad
- * descriptors trap here. It is then claimed for a number of elements: its memory is
- * checked and reported to the clock. Finally it is read or stored chunk by chunk.
- * Nothing is stored before everything is claimed.
+ * An operand is first described, which evaluates its descriptor register, offset and G
+ * bits, and traps bad descriptors. It is then claimed for a number of elements, which
+ * checks its memory and reports it to the clock. Finally it is read or stored chunk by
+ * chunk. Nothing is stored before everything is claimed.
  *
  * The machine reads element i, computes it and stores it before it reads element i + 1.
  * Streams process many elements at once. operand_lead returns how many may be read
@@ -18,7 +18,7 @@
 
 enum { CHUNK = 512, CHUNK_WORDS = CHUNK / 64 };
 
-/* Consecutive elements of width bits. */
+/* A vector of elements with the same width. */
 struct vector {
     uint64_t address;
     size_t length;
@@ -74,8 +74,8 @@ c205_trap claim_vector(struct c205 *machine, struct vector *vector, size_t count
 c205_trap claim_source(struct c205 *machine, struct source *source, size_t count);
 c205_trap claim_control(struct c205 *machine, struct control *control, size_t count);
 
-/* Returns the number of elements, up to most, that may be read before the first element
- * of written is stored. */
+/* Returns how many elements of read, at most `most`, may be read before the first
+ * element of written is stored. */
 size_t operand_lead(const struct vector *read, const struct vector *written,
                     size_t most);
 bool operands_overlap(const struct vector *one, const struct vector *other);
@@ -116,7 +116,7 @@ void result_store_bits(struct c205 *machine, const struct vector *result,
  * number. */
 size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits, size_t n);
 size_t count_ones(const uint64_t *bits, size_t n);
-/* Returns the index of the first one bit, or n. */
+/* Returns the index of the first bit that is 1, or n. */
 size_t first_one(const uint64_t *bits, size_t n);
 
 static inline bool bit_at(const uint64_t *bits, size_t i)

@@ -102,7 +102,8 @@ bool machine_set_regions(struct c205 *machine, const c205_program *program,
 
 static const char wrong_regions[] = "the regions of the saved machine are invalid";
 
-/* Each region has an account. The first account is for all other code. */
+/* Serializes the names of the accounts. Each region has an account, and the first
+ * account is for all other code. */
 static void walk_names(struct c205 *machine, const char **names, size_t count,
                        struct serializer *serializer)
 {

@@ -170,7 +170,7 @@ TO_T(or, a | b)
  * index of the first bit in the low 48 bits. */
 struct field {
     uint64_t ones;  /* as many right-justified ones as the field has bits */
-    unsigned right; /* bits of the word after the field */
+    unsigned right; /* number of bits of the word after the field */
 };
 
 static c205_trap describe_field(struct c205 *machine, c205_word descriptor,

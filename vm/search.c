@@ -1,5 +1,5 @@
-/* search.c - for each element of a vector, finds the first element of another vector
- * for which a comparison holds.
+/* search.c - searches a vector, for each element of another vector, for the first
+ * element for which a comparison holds.
  */
 #include "vm/vector.h"
 

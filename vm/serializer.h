@@ -37,7 +37,7 @@ static inline bool serializer_is_read(const struct serializer *serializer)
 
 void serializer_word(struct serializer *serializer, uint64_t *word);
 void serializer_words(struct serializer *serializer, uint64_t *words, size_t count);
-/* Serializes a fixed number of words, with their count. */
+/* Serializes a fixed number of words and their count. */
 void serializer_array(struct serializer *serializer, uint64_t *words, size_t count);
 /* Serializes a number. A number above most is an error when reading and is not checked
  * when writing. */
@@ -46,7 +46,7 @@ void serializer_size(struct serializer *serializer, size_t *size, size_t most);
 void serializer_count(struct serializer *serializer, size_t *count);
 /* Returns the number of words left to read. */
 size_t serializer_room(const struct serializer *serializer);
-/* A text that was read points into the bytes of the serializer. */
+/* Serializes a text. A text that was read points into the bytes of the serializer. */
 void serializer_text(struct serializer *serializer, const char **text);
 
 /* Sets an error if the condition does not hold when reading. */

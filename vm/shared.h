@@ -1,4 +1,4 @@
-/* shared.h - pages that several machines share. */
+/* shared.h - creates and maps pages that several machines share. */
 #ifndef C205_SHARED_H
 #define C205_SHARED_H
 

@@ -1,4 +1,4 @@
-/* stop_text.c - the names of traps, the texts of rules, and the text of a stop. */
+/* stop_text.c - the names of traps and rules, and the text of a stop. */
 #include "vm/machine.h"
 #include "vm/error.h"
 

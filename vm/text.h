@@ -7,12 +7,12 @@ struct text {
     const char *const *lines; /* with newlines; NULL at the end */
 };
 
-extern const struct text model_texts[];       /* vm/models */
-extern const char *const model_texts_names[]; /* without ".model" */
-extern const struct text library_texts[];     /* asm/lib */
-extern const struct text kernel_texts[];      /* rt/kernels */
-extern const struct text isa_example_texts[]; /* asm/isa_examples */
-extern const struct text card_texts[];        /* asm/card */
+extern const struct text model_texts[];       /* files of vm/models */
+extern const char *const model_texts_names[]; /* names without ".model" */
+extern const struct text library_texts[];     /* files of asm/lib */
+extern const struct text kernel_texts[];      /* files of rt/kernels */
+extern const struct text isa_example_texts[]; /* files of asm/isa_examples */
+extern const struct text card_texts[];        /* files of asm/card */
 extern const struct text lesson_texts[];      /* docs/course, a folder for each
                                                  lesson */
 

@@ -11,7 +11,7 @@ struct stream {
     struct source a, b;
     struct control control;
     struct vector result;
-    size_t n;         /* elements */
+    size_t n;         /* number of elements */
     struct turn turn; /* the part that is processed now */
     size_t chunk;     /* maximum number of elements at once */
     bool scans_b;     /* each element of A reads all of B */
@@ -35,7 +35,7 @@ c205_trap stream_describe(struct stream *stream, struct c205 *machine,
  * of a source. */
 c205_trap stream_describe_sources(struct stream *stream, struct c205 *machine,
                                   const struct decoded *decoded);
-/* Sets n to the length of A, or of B if A is broadcast. */
+/* Sets n to the length of A. If A is broadcast, n is the length of B. */
 c205_trap stream_take_length(struct stream *stream, const struct decoded *decoded);
 /* Claims all operands and sets the chunk. */
 c205_trap stream_claim(struct stream *stream);
@@ -80,7 +80,7 @@ void operate(struct c205 *machine, const struct operation *operation, c205_word 
 void stream_step(struct stream *stream, const struct operation *operation, size_t first,
                  size_t n, bool in_place);
 
-/* Returns the operation on each element, for the size of the instruction. */
+/* Returns the operation on elements for the size of the instruction. */
 const struct operation *operation_of(const struct decoded *decoded);
 
 #endif

@@ -204,7 +204,7 @@ static bool fetch(const c205 *machine, const struct operand_view *source, size_t
     return true;
 }
 
-/* Returns the number of elements that are present in all sources and in the result. */
+/* Returns the number of elements that all sources and the result have. */
 static size_t count_elements(const struct site *site, const struct operand_view *a,
                              const struct operand_view *b)
 {
@@ -364,7 +364,7 @@ void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
                    elements == 1 ? "waits for it" : "wait for them one by one");
 }
 
-/* The two instructions after the prefix run as one stream. */
+/* Checks the two instructions after the prefix, which run as one stream. */
 static void before_link(struct runtime_checker *watch, const c205 *machine,
                         struct site *site)
 {

@@ -57,12 +57,12 @@ struct runtime_checker {
     } direct[CHECK_SITES];
 };
 
-/* Sets before and after (check_site.c). */
+/* Sets site->before and site->after (check_site.c). */
 void site_choose(struct site *site);
 void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
                         struct site *site, size_t elements);
 
-/* runtime_check.c */
+/* Defined in runtime_check.c. */
 struct site *runtime_site(struct runtime_checker *watch, const c205 *machine,
                           uint64_t pc);
 void runtime_report(struct runtime_checker *watch, const struct site *site,

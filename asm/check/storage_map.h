@@ -1,4 +1,4 @@
-/* storage_map.h - the storage that belongs to each label. Not public.
+/* storage_map.h - finds the label that storage belongs to. Not public.
  *
  * The storage of a label extends from its address to the next label, or to the end of
  * the contiguous data. Code has no storage.
@@ -10,7 +10,7 @@
 
 struct storage_map;
 
-/* The object must outlive the map. Returns NULL if memory is exhausted. */
+/* Returns a map, or NULL if memory is exhausted. The object must outlive it. */
 struct storage_map *storage_map_new(const struct object *object);
 void storage_map_free(struct storage_map *map);
 

@@ -6,7 +6,7 @@
 struct asm_arguments {
     const char *command;
     struct source_arguments source;
-    const char *file, *output; /* output NULL: not requested */
+    const char *file, *output; /* output is NULL if there is no -o */
     bool listing;
 };
 

@@ -1,4 +1,4 @@
-/* cmd_check.h - shared by the files of c205 check. */
+/* cmd_check.h - declarations for the files of c205 check. */
 #ifndef ASM_CMD_CHECK_H
 #define ASM_CMD_CHECK_H
 

@@ -1,4 +1,4 @@
-/* cmd_debug.c - c205 debug: the debugger for a user or a script, or for an editor. */
+/* cmd_debug.c - c205 debug: runs the debugger for a user, a script or an editor. */
 #include <limits.h>
 #include <poll.h>
 #include <stdio.h>

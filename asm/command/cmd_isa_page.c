@@ -1,5 +1,5 @@
-/* cmd_isa_page.c - c205 isa --markdown: the reference of the instructions, generated
- * from insn.def, the machine model and the examples (docs/isa.md).
+/* cmd_isa_page.c - c205 isa --markdown: generates the reference of the instructions
+ * (docs/isa.md) from insn.def, the machine model and the examples.
  */
 #include <ctype.h>
 #include <stdlib.h>

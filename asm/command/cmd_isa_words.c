@@ -392,7 +392,7 @@ void isa_list_rules(const c205_insn *insn, struct isa_rules *rules)
 
 /* ---- Families ----------------------------------------------------------- */
 
-/* The rows of insn.def, with the headings between them. */
+/* The rows of insn.def and the headings between them. */
 static const struct entry {
     const char *family; /* NULL: this entry is a row */
 } entries[] = {

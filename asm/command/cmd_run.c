@@ -182,7 +182,7 @@ static uint64_t find_limit(const struct run_arguments *args, const c205 *machine
 /* Runs in slices, and checks for Ctrl-C between them. */
 static c205_stop run_slices(c205 *machine, uint64_t limit)
 {
-    static const uint64_t slice = 5000000; /* clocks */
+    static const uint64_t slice = 5000000; /* clocks per slice */
     c205_stop stop;
     do {
         uint64_t left = limit - c205_clock(machine);

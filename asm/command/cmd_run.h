@@ -1,4 +1,4 @@
-/* cmd_run.h - shared by the files of c205 run. */
+/* cmd_run.h - declarations for the files of c205 run. */
 #ifndef ASM_CMD_RUN_H
 #define ASM_CMD_RUN_H
 
@@ -8,7 +8,7 @@ struct run_arguments {
     struct shared_arguments shared;
     struct source_arguments source;
     struct command_texts files;
-    const char *save, *restore; /* NULL: not requested */
+    const char *save, *restore; /* file names, or NULL */
     uint64_t limit;
     bool check, trace, profile, in_order, no_limit, exit_status, warm;
 };

@@ -29,7 +29,7 @@ struct program_sweep_arguments {
     struct shared_arguments shared;
     struct command_texts files, folders;
     struct swept_constants swept;
-    const char *output; /* NULL: not requested */
+    const char *output; /* file name, or NULL */
     size_t point_count;
     bool warm;
 };

@@ -11,7 +11,7 @@ struct program_timeline_arguments {
     struct shared_arguments shared;
     struct source_arguments source;
     const char *file, *output;
-    uint64_t from, to; /* clocks */
+    uint64_t from, to; /* range in clocks */
     bool warm;
 };
 

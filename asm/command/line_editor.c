@@ -1,4 +1,4 @@
-/* line_editor.c - reads lines from a terminal with libedit, or plainly. */
+/* line_editor.c - reads lines from a terminal, with libedit if it is available. */
 #include "asm/command/line_editor.h"
 
 #include <stdlib.h>

@@ -22,7 +22,8 @@ struct typed_lines {
 
 /* name returns the i-th name for completion, or NULL after the last. */
 struct typed_lines typed_lines_of(FILE *file, const char *(*name)(size_t i));
-/* Returns NULL at the end of the input, or if memory is exhausted. */
+/* Returns the next line. Returns NULL at the end of the input or if memory is
+ * exhausted. */
 const char *typed_lines_next(struct typed_lines *lines, const char *prompt);
 void typed_lines_free(struct typed_lines *lines);
 

@@ -1,4 +1,5 @@
-/* repl.h - the read-execute loop of a debugger, for a terminal, a pipe or scripts. */
+/* repl.h - reads and executes the lines of a debugger, from a terminal, a pipe or
+ * scripts. */
 #ifndef ASM_REPL_H
 #define ASM_REPL_H
 
@@ -6,7 +7,7 @@
 #include "base/command.h"
 
 struct repl_setup {
-    const char *command; /* for error messages */
+    const char *command; /* name of the command, for error messages */
     const char *prompt;
     const char *(*verb)(size_t i);       /* returns the names for completion by Tab */
     const struct command_texts *scripts; /* files of commands; none: stdin */

@@ -41,7 +41,7 @@ struct cmd_warnings {
     bool list; /* print only the list of warnings */
 };
 
-/* How a program text is assembled. */
+/* The arguments that determine how a program text is assembled. */
 struct source_arguments {
     struct cmd_defines defines;
     struct command_texts folders;
@@ -98,7 +98,7 @@ command_take cmd_take_warning;
 
 /* ---- Session ------------------------------------------------------------- */
 
-/* Default limit of clocks: 20 seconds of the machine. Few programs need more, and
+/* Default limit: 20 seconds of the machine, in clocks. Few programs need more, and
  * endless loops are frequent. */
 #define CMD_LIMIT UINT64_C(1000000000)
 

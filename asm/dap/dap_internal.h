@@ -39,7 +39,7 @@ enum pending_request {
 struct dap {
     struct dap_setup setup;
     struct text_buffer input; /* received bytes that are not handled yet */
-    uint64_t sent;            /* number of messages */
+    uint64_t sent;            /* number of messages sent */
     enum dap_state state;
     bool over; /* the client has disconnected, or its input has ended */
     bool failed;
@@ -222,7 +222,7 @@ void dap_stopped(struct dap *dap, const char *reason, bool met);
 void put_bits(c205_word word, unsigned width, const struct sink *sink);
 void put_elements(struct dap *dap, struct json *json, const struct vector_view *vector,
                   size_t first, size_t count);
-/* Parses "[12]". Returns false if the vector has no such element. */
+/* Parses an element such as "[12]". Returns false if the vector has no such element. */
 bool element_number(const struct vector_view *vector, const char *name, size_t *number);
 
 /* ---- Variables (variables.c) --------------------------------------------- */

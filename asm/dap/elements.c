@@ -1,4 +1,4 @@
-/* elements.c - the elements of vectors in memory as variables. */
+/* elements.c - shows the elements of vectors in memory as variables. */
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,5 +1,5 @@
-/* frames.c - the current location as stack frames, and the source files of the
- * program. */
+/* frames.c - describes the current location as stack frames, and the source files of
+ * the program. */
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -68,7 +68,7 @@ static bool read_place(struct dap *dap, uint64_t *address)
            && (*address % 8 == 0 || dap_fault(dap, "no byte begins at this address"));
 }
 
-/* Returns false if the memory is not mapped. */
+/* Reads a byte. Returns false if the memory is not mapped. */
 static bool read_byte(const struct dap *dap, uint64_t address, unsigned char *byte)
 {
     c205_word word;

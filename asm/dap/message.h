@@ -11,7 +11,7 @@ enum { MAX_MESSAGE = 1 << 22, MAX_MESSAGE_HEADER = 4096 }; /* bytes */
 
 enum message_state {
     MESSAGE_WHOLE,
-    MESSAGE_PART, /* more bytes must be read */
+    MESSAGE_PART, /* the message is incomplete */
     MESSAGE_BROKEN
 };
 
@@ -22,7 +22,7 @@ struct message_content {
 };
 enum message_state message_find(const struct text_buffer *bytes,
                                 struct message_content *content, c205_error *error);
-/* Removes the first `count` bytes. */
+/* Removes the first `count` received bytes. */
 void message_drop(struct text_buffer *bytes, size_t count);
 
 /* Writes a content and its header in one call. */

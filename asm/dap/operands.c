@@ -1,4 +1,4 @@
-/* operands.c - the operands of the next instruction as variables. */
+/* operands.c - shows the operands of the next instruction as variables. */
 #include <inttypes.h>
 #include <stdio.h>
 

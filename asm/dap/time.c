@@ -1,4 +1,4 @@
-/* time.c - the clocks of regions and of the last instruction as variables. */
+/* time.c - shows the clocks of regions and of the last instruction as variables. */
 #include <inttypes.h>
 
 #include "asm/dap/variables.h"

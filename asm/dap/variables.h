@@ -36,11 +36,11 @@ void put_variable(struct json *json, const char *name, const char *value,
 enum { REGISTER_NAME = 8 };
 const char *name_of(const struct dap *dap, unsigned number, char text[REGISTER_NAME]);
 
-/* operands.c */
+/* Defined in operands.c. */
 void put_operands(struct dap *dap, struct json *json);
 bool operand_vector(const struct dap *dap, size_t number, struct vector_view *vector);
 
-/* time.c */
+/* Defined in time.c. */
 void put_time(struct dap *dap, struct json *json);
 void put_region(struct dap *dap, struct json *json, size_t number);
 void put_last(struct dap *dap, struct json *json);

@@ -1,4 +1,4 @@
-/* break_verbs.c - the debugger's verbs that create and delete breakpoints and
+/* break_verbs.c - the verbs of the debugger that create and delete breakpoints and
  * watchpoints. */
 #include <inttypes.h>
 
@@ -41,7 +41,7 @@ bool verb_tbreak(struct debugger *debugger, struct text_cursor *cursor)
     return make_break(debugger, cursor, true);
 }
 
-/* Creates a watchpoint: watch ADDRESS [, WORDS] [if CONDITION] */
+/* Executes watch ADDRESS [, WORDS] [if CONDITION], which creates a watchpoint. */
 bool verb_watch(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct breakpoint stop = { .number = 0 };

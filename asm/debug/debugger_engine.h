@@ -23,7 +23,7 @@ struct value_of {
     c205_word word;
 };
 
-/* A cursor in a text that is being parsed. */
+/* The position of the parser in a text. */
 struct text_cursor {
     const char *at;
 };
@@ -31,7 +31,7 @@ struct text_cursor {
 /* ---- Stops (breakpoints.c) ------------------------------------------------------ */
 
 enum breakpoint_kind {
-    BREAK_ADDRESS, /* an address */
+    BREAK_ADDRESS, /* an address that the user states */
     BREAK_LINE,    /* start of the code of a source line, or of a macro that the line
                       calls */
     BREAK_INSN,    /* each instruction with a mnemonic */
@@ -47,7 +47,7 @@ struct breakpoint {
     enum breakpoint_kind kind;
     bool once;
     char text[MAX_TEXT];      /* as in the command */
-    char condition[MAX_TEXT]; /* "": none */
+    char condition[MAX_TEXT]; /* the condition; "": none */
     char wanted[MAX_TEXT];    /* condition on the number of hits, such as "> 4" or "%
                                  3"; "": none */
     bool met;                 /* it stopped the program at the current location */
@@ -146,7 +146,7 @@ c205_word debug_register_word(const struct debugger *debugger,
 
 /* ---- Verbs ----------------------------------------------------------------- */
 
-/* Executes a verb with the rest of its line. */
+/* Executes a verb. The cursor is at the rest of its line. */
 typedef bool debug_verb(struct debugger *debugger, struct text_cursor *cursor);
 
 /* Verbs that the debug adapter uses as well. */
@@ -195,7 +195,7 @@ uint64_t place_before(const struct debugger *debugger, uint64_t address);
 
 /* ---- Stops (breakpoints.c) -------------------------------------------------- */
 
-/* Parses ADDRESS [, WORDS] of a watchpoint. */
+/* Parses the ADDRESS [, WORDS] of a watchpoint. */
 bool breakpoints_watch(struct debugger *debugger, struct text_cursor *cursor,
                        struct breakpoint *stop);
 /* Sets the condition to the whole text; "" or NULL removes it. */

@@ -51,7 +51,7 @@ static enum execution_end look_up(struct debugger *debugger, uint64_t begun)
 /* The conditions that end an execution, in addition to breakpoints. */
 struct aim {
     uint64_t count;  /* number of instructions */
-    bool at_address; /* stop at `address`, after at least one instruction */
+    bool at_address; /* stop at `address` after at least one instruction */
     uint64_t address;
     /* Called after each instruction; true ends the execution. NULL: none. */
     bool (*is_there)(void *context, const c205 *machine);

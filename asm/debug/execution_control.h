@@ -46,7 +46,7 @@ enum execution_end execution_until(struct debugger *debugger,
  * execution_can_go_out reports an error and returns false if there is neither. */
 bool execution_can_go_out(struct debugger *debugger);
 enum execution_end execution_out(struct debugger *debugger);
-enum execution_end execution_run(struct debugger *debugger); /* from the beginning */
+enum execution_end execution_run(struct debugger *debugger); /* from the start */
 enum execution_end execution_back(struct debugger *debugger, uint64_t count);
 /* Goes back by one instruction. If that instruction belongs to a macro call, goes to
  * the start of the call. */

@@ -36,7 +36,7 @@ static const char *find_file(const struct object *object, const char *name,
     return NULL;
 }
 
-/* A line of source. */
+/* A source line that was found. */
 struct line_place {
     const char *file; /* name in the object */
     size_t number;

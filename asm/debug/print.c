@@ -84,7 +84,7 @@ static unsigned in_row(const struct element_look *look)
     return look->of.width == 1 ? 64 : look->format == 'x' ? 3 : 4;
 }
 
-/* Returns false if the element or its control bit is not mapped. */
+/* Prints an element. Returns false if the element or its control bit is not mapped. */
 static bool put_element_at(const struct debugger *debugger,
                            const struct element_look *look, size_t i)
 {
@@ -118,8 +118,8 @@ static bool put_elements(struct debugger *debugger, const struct element_look *l
     return good || debug_fault(debugger, "not all of this memory is mapped");
 }
 
-/* Parses "/", a count and letters: f numbers, i integers, x hex, h half words, b
- * bits. */
+/* Parses "/", a count and letters. f selects numbers, i integers, x hex, h half words,
+ * and b bits. */
 static bool read_format(struct debugger *debugger, struct text_cursor *cursor,
                         struct element_look *look, uint64_t *count)
 {
@@ -181,7 +181,8 @@ static void look_at_label(const struct debugger *debugger, uint64_t address,
     }
 }
 
-/* Shows elements: x [/COUNT LETTERS] REGISTER | ADDRESS [? REGISTER] */
+/* Executes x [/COUNT LETTERS] REGISTER | ADDRESS [? REGISTER], which prints
+ * elements. */
 bool verb_x(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct element_look look = { .of = { .width = 64 }, .format = 'f' };

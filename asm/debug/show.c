@@ -94,7 +94,7 @@ static bool read_count(struct debugger *debugger, struct text_cursor *cursor,
            && text_cursor_finish(debugger, cursor);
 }
 
-/* Shows instructions: disassemble [PLACE] [, COUNT] */
+/* Executes disassemble [PLACE] [, COUNT], which prints instructions. */
 bool verb_disassemble(struct debugger *debugger, struct text_cursor *cursor)
 {
     enum { MAX = 100000 };

@@ -69,7 +69,7 @@ void lesson_free(struct lesson *lesson);
  * lesson of that folder. */
 bool lesson_is_named(const struct lesson *lesson, const char *name);
 
-/* The lessons that are compiled into the library. */
+/* The lessons of the library. */
 struct lessons {
     size_t count;
     struct lesson *items; /* in the order of their folders */
@@ -98,7 +98,7 @@ struct lesson_report {
     struct arena *kept;
 };
 
-/* The result of one test. */
+/* The result of a test. */
 struct lesson_trial {
     const struct lesson_test *test;
     bool right;       /* all results are correct */

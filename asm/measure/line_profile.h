@@ -15,8 +15,8 @@
 
 struct line_profile;
 
-/* The object must have source lines and outlive the profile. Returns NULL if
- * memory is exhausted. */
+/* Returns a profile, or NULL if memory is exhausted. The object must have source lines
+ * and outlive the profile. */
 struct line_profile *line_profile_new(const struct object *object);
 void line_profile_free(struct line_profile *profile);
 /* The listener. Its context is the profile. It must be added before the run starts. */

@@ -27,8 +27,8 @@ struct measurement {
     const char *timing;
     double flops; /* per element; 0: results are not flops */
     struct measure_point points[MEASURE_POINTS];
-    double startup;     /* clocks */
-    double per_element; /* clocks */
+    double startup;     /* in clocks */
+    double per_element; /* in clocks */
     double deviation;   /* largest distance of a point from the line, in clocks */
 };
 

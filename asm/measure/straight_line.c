@@ -1,4 +1,4 @@
-/* straight_line.c - least squares for a straight line. */
+/* straight_line.c - fits a straight line by least squares. */
 #include "asm/measure/straight_line.h"
 
 /* Sums are relative to the mean of the points. Sums of absolute values would be nearly

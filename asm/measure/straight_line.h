@@ -13,7 +13,8 @@ struct straight_line {
     double at_zero, slope;
 };
 
-/* Requires at least two points with different x and weights above 0. */
+/* Returns the fitted line. There must be at least two points with different x and
+ * positive weights. */
 struct straight_line straight_line_through(const struct weighted_point *points,
                                            size_t count);
 double straight_line_at(const struct straight_line *line, double x);

@@ -1,4 +1,4 @@
-/* address_space.h - the addresses and the size of a program. Not public. */
+/* address_space.h - limits and default addresses of a program. Not public. */
 #ifndef ASM_ADDRESS_SPACE_H
 #define ASM_ADDRESS_SPACE_H
 

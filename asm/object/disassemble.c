@@ -36,7 +36,7 @@ struct disassembler {
     const c205_program *program;
     const struct sink *sink;
     const c205_region *region;   /* region at the current address, or NULL */
-    struct addresses boundaries; /* where instructions start */
+    struct addresses boundaries; /* addresses where instructions start */
     struct addresses targets;    /* addresses that instructions refer to */
     struct labels labels;        /* targets that are boundaries, and symbols whose names
                                     can be written */

@@ -39,7 +39,7 @@ struct asm_expectation {
     enum expectation_kind kind;
     unsigned number;        /* number of the register */
     uint64_t address;       /* bit address of the first element */
-    size_t count;           /* words, halves or bits */
+    size_t count;           /* number of words, half words or bits */
     const c205_word *words; /* half words are left-aligned in words; bits are packed
                                from the left */
     bool has_tolerance;     /* numbers may differ by the tolerance; otherwise words must

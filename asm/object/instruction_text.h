@@ -1,4 +1,4 @@
-/* instruction_text.h - one instruction as text. Not public. */
+/* instruction_text.h - writes an instruction as text. Not public. */
 #ifndef ASM_INSTRUCTION_TEXT_H
 #define ASM_INSTRUCTION_TEXT_H
 

@@ -40,7 +40,7 @@ struct asm_line {
     const char *file;
     size_t number;
     const char *source;
-    bool is_code; /* instructions */
+    bool is_code; /* the words are instructions */
     /* The outermost macro call that contains the line, or the line itself. */
     const char *call_file;
     size_t call_number;
@@ -57,7 +57,7 @@ struct asm_register {
     size_t owner; /* index of the first name of the same value */
 };
 
-/* A use of a register name in an instruction. */
+/* The use of a register name in an instruction. */
 struct asm_mention {
     uint64_t address; /* address of the instruction */
     size_t name;      /* index in the list of registers */

@@ -32,7 +32,7 @@ struct operand {
     enum operand_kind kind;
     bool half;            /* a register without brackets is a half register */
     bool in_two;          /* the result has two registers, this and the next */
-    char field;           /* letter of the c205_fields member */
+    char field;           /* letter of a member of c205_fields */
     char second;          /* field after a comma in the brackets; 0: none */
     bool may_be_left_out; /* optional, like all operands after it; its field is then
                              0 */

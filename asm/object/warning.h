@@ -37,7 +37,7 @@ const char *warning_text(enum warning warning);
 enum warning warning_named(const char *name);
 
 /* Applies the argument of the option -W: NAME, no-NAME, all, no-all, error or no-error.
- * Returns false if it is none of these. */
+ * Returns false if it is any other text. */
 bool warning_choose(struct warning_choice *choice, const char *text);
 
 /* Returns true if any warning is enabled. */

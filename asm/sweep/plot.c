@@ -1,7 +1,8 @@
-/* plot.c - draws a sweep: clocks against the constant, on logarithmic axes.
+/* plot.c - draws the clocks of a sweep over the constant, on logarithmic axes.
  *
- * A line start-up + value / rate is a curve on these axes: flat while the start-up
- * dominates, and steep from n-half on, where the clocks are twice the start-up.
+ * On these axes a line start-up + value / rate is a curve. It is flat where the
+ * start-up dominates. It is steep from n-half on, where the clocks are twice the
+ * start-up.
  */
 #include <stdio.h>
 

@@ -6,7 +6,7 @@
 
 #include "asm/sweep/swept.h"
 
-/* Reads an integer of at least 1 and advances *at past it. */
+/* Reads an integer of at least 1 and advances *at to the text after it. */
 static bool take_count(const char **at, uint64_t *count)
 {
     char *end;

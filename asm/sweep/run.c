@@ -67,7 +67,7 @@ static struct object *assemble_at(struct program_sweep *sweep,
  * slices. */
 static c205_stop run_slices(const struct program_sweep *sweep, c205 *machine)
 {
-    static const uint64_t slice = 5000000; /* clocks */
+    static const uint64_t slice = 5000000; /* clocks per slice */
     uint64_t limit = 0;
     c205_stop stop;
     do {

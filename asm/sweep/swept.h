@@ -53,10 +53,10 @@ struct swept_crossing {
 };
 
 struct program_sweep {
-    /* Input. */
+    /* The input, set by the caller. */
     const char *constant;
     struct swept_range range;
-    size_t asked; /* number of points; 0: the default */
+    size_t asked; /* requested number of points; 0: the default */
     struct swept_program {
         const char *path, *text;
         size_t length;
@@ -84,8 +84,8 @@ struct program_sweep {
     bool inside;     /* a crossing is being bisected; its lower end is low */
     uint64_t low;
 
-    /* Results. */
-    char per_element[SWEPT_HEADING]; /* "clk/n" */
+    /* The results. */
+    char per_element[SWEPT_HEADING]; /* a heading such as "clk/n" */
     size_t count, point_count;       /* points done, all points */
     struct swept_point *points;
     size_t crossing_count;
@@ -117,7 +117,7 @@ struct swept_line {
     double off; /* largest relative deviation of the line from a point */
     uint64_t off_at;
     bool grows; /* the last point takes more clocks than the first point */
-    bool good;  /* it grows, and no point deviates by more than SWEPT_FAR */
+    bool good;  /* grows, and no point deviates by more than SWEPT_FAR */
 };
 /* There is no line if a point deviates by more than this part of its clocks. */
 #define SWEPT_FAR 0.05
@@ -133,7 +133,7 @@ double swept_power(const struct program_sweep *sweep, int which);
 /* The names of the programs in tables, "first" and "second". */
 extern const char *const swept_names[SWEPT_PROGRAMS];
 
-/* Return NULL if memory is exhausted. The tables refer to texts of the sweep. */
+/* Return a table, or NULL if memory is exhausted. It refers to texts of the sweep. */
 struct table *swept_points(const struct program_sweep *sweep);
 /* Returns the column that has the clocks of a program. */
 size_t swept_clocks_column(int which);

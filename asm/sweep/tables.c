@@ -1,4 +1,4 @@
-/* tables.c - the results of a sweep as tables. */
+/* tables.c - converts the results of a sweep to tables. */
 #include <math.h>
 #include <string.h>
 

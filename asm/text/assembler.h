@@ -19,7 +19,7 @@
 
 /* Limits that prevent endless assembly and use of all memory. */
 #define MAX_EXPANSION ((uint64_t)1 << 26) /* bytes from .macro and .rept */
-#define MAX_LINE ((size_t)1 << 16)        /* bytes of one line */
+#define MAX_LINE ((size_t)1 << 16)        /* maximum bytes of a line */
 #define MAX_FRAMES 64u                    /* nested includes and macros */
 #define MAX_CONDITIONS 64u
 #define MAX_SHARES 64u /* nested .share blocks */
@@ -41,7 +41,7 @@ struct line {
 enum value_kind {
     VALUE_INTEGER,
     VALUE_WORD,    /* X'..'; an integer with the bits of a word */
-    VALUE_FLOATING /* computed by the machine's arithmetic */
+    VALUE_FLOATING /* result of the machine's arithmetic */
 };
 
 struct value {
@@ -66,7 +66,8 @@ struct symbol {
     size_t naming;              /* last naming of a register, counted from 1 */
     const struct macro *macro;  /* macro of this name; macros have a separate name
                                    space */
-    const struct line *defined; /* NULL: defined by the caller */
+    const struct line *defined; /* the line of the definition; NULL: defined by the
+                                   caller */
     bool used;                  /* an expression or a condition uses it */
     bool counted;               /* the declaration contains contents and count of the
                                    label */
@@ -76,7 +77,7 @@ struct symbol {
 
 enum { SYMBOL_BUCKETS = 4096 };
 
-/* A register of 64 bits or a half register. */
+/* A register or a half register, by its number. */
 struct register_name {
     bool half;
     uint8_t number;
@@ -161,7 +162,7 @@ struct asm_region {
 struct open_record {
     const struct line *line; /* NULL: none */
     const char *name;
-    int64_t next, size; /* words */
+    int64_t next, size; /* position and size in words */
 };
 
 struct section {
@@ -198,7 +199,7 @@ struct assembler {
     struct arena *arena;
     const struct asm_options *options;
     struct diagnostics *diagnostics;
-    size_t first_error; /* number of earlier errors */
+    size_t first_error; /* number of errors before this assembly */
     struct symbols symbols;
     struct registers registers;
     struct expander *expander;
@@ -213,7 +214,7 @@ struct assembler {
     size_t item_count, item_capacity;
     struct asm_region *regions;
     size_t region_count, region_capacity;
-    struct asm_region open_region; /* line NULL: none */
+    struct asm_region open_region; /* its line is NULL if there is none */
     const struct section *region_section;
     struct open_record record;
     struct expectation *expectations;
@@ -226,7 +227,7 @@ struct assembler {
 
     const struct instruction *writing; /* instruction whose operands are parsed, unless
                                           its syntax was already reported */
-    bool warm;                         /* .warm */
+    bool warm;                         /* the program has a directive .warm */
     const struct line *entry_line;
     const struct expression *entry;
 };
@@ -246,7 +247,7 @@ bool report_file(struct diagnostics *diagnostics, const char *file,
                  const char *message);
 bool too_many_errors(const struct assembler *assembler);
 
-/* symbol.c */
+/* Defined in symbol.c. */
 struct symbol *symbol_intern(struct assembler *assembler, const char *name,
                              size_t length);
 /* Returns the symbol of a name, or NULL if the name was never used. */
@@ -255,7 +256,7 @@ struct symbol *symbol_find(const struct assembler *assembler, const char *name,
 bool symbol_define(struct assembler *assembler, const struct line *line, const char *at,
                    struct symbol *symbol, enum symbol_kind kind, struct value value);
 
-/* parse.c */
+/* Defined in parse.c. */
 bool parse_line(struct assembler *assembler, const struct line *line);
 
 /* Warns of code that continues where there is no code (fallthrough.c). */

@@ -223,7 +223,7 @@ static void set_entry(struct assembler *assembler, struct storage *storage)
         return;
     }
     for (size_t i = 0; i < assembler->item_count;
-         i++) /* the first in the order of the text */
+         i++) /* finds the first in the order of the text */
         if (assembler->items[i].kind == ITEM_INSTRUCTION
             && (first == assembler->item_count
                 || assembler->items[i].order < assembler->items[first].order))

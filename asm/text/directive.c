@@ -264,7 +264,7 @@ static bool parse_halfvector(struct cursor *cursor)
            && add_half_space(cursor, rest);
 }
 
-/* Parses a string of 0s and 1s. Blanks are ignored. */
+/* Parses a string of the digits 0 and 1. Blanks are ignored. */
 static bool set_bits(struct cursor *cursor, c205_word *words, uint64_t size,
                      uint64_t *count)
 {

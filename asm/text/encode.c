@@ -79,7 +79,7 @@ static c205_word encode_descriptor(struct assembler *assembler,
     return (c205_word)length << ADDRESS_BITS | address;
 }
 
-/* Accepts integers of 32 bits, signed or unsigned. */
+/* Encodes a half of a word. It accepts signed and unsigned integers of 32 bits. */
 static c205_word encode_half(struct assembler *assembler,
                              const struct layout_item *item)
 {

@@ -1,4 +1,4 @@
-/* expand.c - the pass that expands includes, macros and repetitions. */
+/* expand.c - the pass that executes includes, macros and repetitions. */
 #include "asm/text/expand.h"
 
 #include <string.h>
@@ -46,7 +46,7 @@ static void push_source(struct expander *expander, const struct line *line,
     }
 }
 
-/* Starts the next repetition, or pops the text and returns false. */
+/* Starts the next repetition. If there is none, pops the text and returns false. */
 static bool repeat_or_pop(struct expander *expander)
 {
     struct expansion *frame = &expander->frames[expander->depth - 1];
@@ -141,7 +141,7 @@ static struct line *body_line(struct expander *expander, struct expansion *frame
     return line;
 }
 
-/* Returns the next line of the text on top of the stack, or NULL at its end. */
+/* Returns the next line of the text on top of the stack. Returns NULL at its end. */
 static struct line *read_line(struct expander *expander, enum purpose purpose)
 {
     struct expansion *frame = &expander->frames[expander->depth - 1];

@@ -89,8 +89,8 @@ static const struct expression *parse_brackets(struct cursor *cursor)
     return inside;
 }
 
-/* Parses bits(value), the bits of a word as an integer of 64 bits, or word(integer),
- * the word with these bits. */
+/* Parses bits(value) or word(integer). bits() is the integer with the bits of a word.
+ * word() is the word with the bits of an integer. */
 static const struct expression *parse_function(struct cursor *cursor,
                                                enum operation operation)
 {

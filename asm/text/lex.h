@@ -31,7 +31,7 @@ struct cursor {
     unsigned depth; /* nesting of the expression that is parsed */
 };
 
-/* Reports an error at a position of the cursor's line, like report. Returns false. */
+/* Reports an error at a position in the line of the cursor. Returns false. */
 #define report_at(cursor, ...) report((cursor)->assembler, (cursor)->line, __VA_ARGS__)
 
 struct cursor cursor_start(struct assembler *assembler, const struct line *line);

@@ -22,10 +22,11 @@ struct macro {
 
 /* The replacements of backslash sequences in a body. */
 struct substitution {
-    const struct macro *macro; /* NULL: no \name */
+    const struct macro *macro; /* replaces
+                                  ame; NULL: no macro */
     const struct span *arguments;
-    const uint64_t *unique; /* \@, or NULL */
-    const uint64_t *count;  /* \+, or NULL */
+    const uint64_t *unique; /* replaces \@; NULL: not replaced */
+    const uint64_t *count;  /* replaces \+; NULL: not replaced */
 };
 
 /* Parses the text after .macro: NAME a, b=default, ... */

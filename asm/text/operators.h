@@ -7,8 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The code of an operator of two characters. The code of a single character is
- * the character itself. */
+/* The code of an operator of two characters. An operator of one character has that
+ * character as its code. */
 #define OPERATOR(first, second) ((first) | (second) << 8)
 
 /* Returns the code and the length of the binary operator at the start of a text, or 0

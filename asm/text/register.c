@@ -21,7 +21,7 @@ static bool overlap(struct register_name a, struct register_name b)
     return a.half && b.half ? a.number == b.number : whole_number(a) == whole_number(b);
 }
 
-/* Returns the naming with an index that counts from 1, or NULL for 0. */
+/* Returns the naming with an index that counts from 1. Returns NULL for index 0. */
 static struct naming *naming_at(const struct registers *registers, size_t index)
 {
     return index > 0 ? &registers->namings[index - 1] : NULL;

@@ -15,7 +15,7 @@ bool layout_label(struct cursor *cursor, const char *name, size_t length,
                   const char *at);
 void layout_resolve(struct assembler *assembler);
 
-/* operand.c */
+/* Defined in operand.c. */
 bool parse_any_register(struct cursor *cursor, struct register_name *found);
 /* Parses a register that is not a half register. */
 bool parse_register(struct cursor *cursor, uint8_t *number);
@@ -32,15 +32,15 @@ struct directive {
 };
 const struct directive *find_directive(const struct token *token);
 
-/* register.c */
+/* Defined in register.c. */
 directive_parser parse_reg, parse_regs, parse_share, parse_endshare;
 /* Records that an instruction uses the name. */
 bool mention_register(struct assembler *assembler, struct register_name named);
 
-/* record.c */
+/* Defined in record.c. */
 directive_parser parse_record, parse_field, parse_at, parse_endrecord;
 
-/* incfile.c */
+/* Defined in incfile.c. */
 directive_parser parse_incfile;
 
 /* Parses the expectation in the comment of a line, if any (expectation.c). */

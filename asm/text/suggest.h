@@ -5,7 +5,7 @@
 #include "asm/text/lex.h"
 
 enum suggestion {
-    SUGGEST_MNEMONIC, /* an instruction or a macro */
+    SUGGEST_MNEMONIC, /* name of an instruction or macro */
     SUGGEST_DIRECTIVE,
     SUGGEST_REGISTER, /* a name of a register */
     SUGGEST_VALUE     /* a label or a constant */

@@ -25,7 +25,7 @@ struct happening {
     uint64_t clock;
     size_t insn;
     int kind;
-    size_t order; /* order in which it was added */
+    size_t order; /* position in the order of additions */
     const char *stage;
 };
 

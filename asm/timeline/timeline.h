@@ -12,7 +12,7 @@
 #include "base/sink.h"
 #include "vm/c205.h"
 
-enum { MAX_TIMELINE = 50000 }; /* instructions */
+enum { MAX_TIMELINE = 50000 }; /* default number of instructions */
 
 /* A piece of charged time or a phase of a vector instruction. */
 struct timed_piece {
@@ -24,8 +24,9 @@ struct timed_piece {
 
 struct timed_insn {
     uint64_t pc, arrived, issued, ready;
-    uint64_t done; /* clock when its results are available and the next arrives */
-    const c205_insn *insn; /* NULL: the results in flight at the end of the run */
+    uint64_t done; /* the clock when its results are available and the next instruction
+                      arrives */
+    const c205_insn *insn; /* NULL: the wait for results in flight at the end */
     const char *text;
     size_t elements;
     size_t first_piece, piece_count, first_phase, phase_count;

@@ -36,7 +36,7 @@ static bool is_broadcast(const c205_fields *fields, char field)
     return fields->g & (field == 'A' ? C205_G_BROADCAST_A : C205_G_BROADCAST_B);
 }
 
-/* Returns the width of an element in bits: 64, or 32 for a capital letter, or 1. */
+/* Returns the width of an element in bits: 1, 32 for a capital letter, or 64. */
 static unsigned element_width(char letter)
 {
     if (strchr("beoz", letter))

@@ -1,5 +1,5 @@
-/* operand_view.h - the operands of an instruction before it is executed, as the
- * registers of the machine describe them. Not public.
+/* operand_view.h - describes the operands of an instruction before its execution, from
+ * the registers of the machine. Not public.
  *
  * The debugger, the runtime checks and the reports of traps use it. It does
  * not change the machine.

@@ -34,8 +34,8 @@ struct vector_view vector_of_operand(const struct instruction_view *view,
 
 /* Returns true if the whole vector is in mapped memory. */
 bool vector_is_mapped(const c205 *machine, const struct vector_view *vector);
-/* Reads elements from `first` on. Elements of 32 bits are left-aligned in words,
- * bits are right-aligned. Fails if memory is not mapped or the address is not a
+/* Reads elements from `first` on. Elements of 32 bits are left-aligned in words. Bits
+ * are right-aligned. Returns false if memory is not mapped or the address is not a
  * multiple of the width. */
 bool vector_get(const c205 *machine, const struct vector_view *vector, size_t first,
                 size_t count, c205_word *words);

@@ -289,7 +289,8 @@ static void write_fixed(char *text, bool negative, uint64_t units, unsigned plac
              number + length - places);
 }
 
-/* Returns false if the result would have more than C205_DIGITS digits. */
+/* Writes the number in fixed notation. Returns false if it would have more than
+ * C205_DIGITS digits. */
 static bool try_fixed(char *text, bool negative, uint64_t c, int32_t exponent,
                       unsigned places)
 {
@@ -310,7 +311,7 @@ static void write_scientific(char *text, bool negative, uint64_t c, int32_t expo
 {
     int32_t power = power_below(whole_words, exponent) + 1 - (int32_t)count;
     uint64_t units = nearest_units((int64_t)c, exponent, power);
-    while (units >= power_of_10(count)) /* Rounding turned 9.99 into 10.0. */
+    while (units >= power_of_10(count)) /* rounding changed 9.99 to 10.0 */
         units = nearest_units((int64_t)c, exponent, ++power);
     write_fixed(text, negative, units, count - 1);
     size_t length = strlen(text);

@@ -1,4 +1,4 @@
-/* double_bits.h - the bits of a double as an integer, and back. */
+/* double_bits.h - converts between a double and its bits as an integer. */
 #ifndef C205_DOUBLE_BITS_H
 #define C205_DOUBLE_BITS_H
 

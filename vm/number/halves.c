@@ -1,5 +1,5 @@
-/* halves.c - the arithmetic of half words over spans, and the conversion between the
- * sizes; lanes.h states the contract.
+/* halves.c - arithmetic of half words over spans, and conversion between the sizes
+ * (lanes.h).
  */
 #include "vm/number/spans.h"
 

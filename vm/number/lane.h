@@ -1,4 +1,4 @@
-/* lane.h - the arithmetic of words of 64 bits on one lane; see lane_parts.h. */
+/* lane.h - arithmetic of words of 64 bits on one lane (lane_parts.h). */
 #ifndef C205_LANE_H
 #define C205_LANE_H
 
@@ -87,7 +87,7 @@ static inline int64_t root(uint64_t radicand)
     return (int64_t)(nearest - (remainder >> 63));
 }
 
-/* k is 46 for even exponents, 47 for odd ones. */
+/* Returns the root. It uses k = 46 for even exponents and k = 47 for odd exponents. */
 static inline lane lane_square_root(c205_word a)
 {
     uint64_t digits = a & WORD_COEFFICIENT_MASK;

@@ -1,5 +1,5 @@
-/* lane_kinds.h - tests and order of words without branches, for loops that a compiler
- * vectorises; for words of every format.
+/* lane_kinds.h - tests and orders words of every format without branches, for loops
+ * that a compiler vectorises.
  *
  * Compared as signed integers, the machine zeros come first, then the numbers by
  * exponent, then the indefinite words.

@@ -1,4 +1,4 @@
-/* lanes.c - the arithmetic of words over spans; lanes.h states the contract. */
+/* lanes.c - arithmetic of words over spans (lanes.h). */
 #include "vm/number/spans.h"
 
 #include "vm/number/round_down.h"

@@ -21,7 +21,7 @@ typedef void lanes_unary(c205_word *c, const c205_word *a, size_t n, uint64_t *f
  * Unused bits of the last word are zero. */
 typedef void lanes_compare(uint64_t *bits, const c205_word *a, const c205_word *b,
                            size_t n);
-/* Folds a into *accumulator in element order. */
+/* Combines a with *accumulator, in the order of elements. */
 typedef void lanes_reduction(c205_word *accumulator, const c205_word *a, size_t n,
                              uint64_t *flags);
 

@@ -1,4 +1,4 @@
-/* pairs.c - two arithmetic operations in one pass; pairs.h states the contract. */
+/* pairs.c - executes two arithmetic operations in one pass (pairs.h). */
 #include "vm/number/pairs.h"
 
 #include "vm/number/round_down.h"

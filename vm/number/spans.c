@@ -6,11 +6,11 @@
 #include "vm/number/lane_kinds.h"
 #include "vm/number/fast_path.h"
 
-enum { BITS = 64 /* of a word */ };
+enum { BITS = 64 /* bits of a word */ };
 
 /* ---- Words as bits, which set no flags ---------------------------------- */
 
-/* x and y are the words, f their format. */
+/* x and y are the words. f is their format. */
 #define LOGICAL_SPAN(name, format, result) \
     LANEWISE void name##_block(c205_word *restrict to, const c205_word *a, \
                                const c205_word *b, size_t n) \
@@ -113,7 +113,7 @@ static inline uint64_t exponent_bits(word_format f, c205_word w)
     return w == MIN_NUMBER ? 0 : w & ~format_coefficient_mask(f);
 }
 
-/* x and y are the words, f their format. */
+/* x and y are the words. f is their format. */
 #define NOT_EQUAL(f, x, y) ((x ^ y) | (0 - (x ^ y)))
 #define EQUAL(f, x, y) ~NOT_EQUAL(f, x, y)
 #define LESS(f, x, y) less_number(f, x, y)

@@ -16,7 +16,7 @@
 #include "vm/number/double_bits.h"
 
 typedef struct word_format {
-    int32_t exponent_bits; /* 4 or more */
+    int32_t exponent_bits; /* at least 4 */
     int32_t digits;        /* bits of a coefficient without the sign; odd, at most 47 */
 } word_format;
 

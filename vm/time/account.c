@@ -1,4 +1,4 @@
-/* account.c - accounts of clocks by region and cause. */
+/* account.c - stores accounts of clocks by region and cause. */
 #include "vm/time/account.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* account.h - accounts of clocks by region of the program and by cause.
+/* account.h - stores accounts of clocks by region of the program and by cause.
  *
  * Region 0 is all code outside named regions. The clocks of all regions and causes sum
  * to the elapsed time; clock.c asserts this.

@@ -132,7 +132,7 @@ static void note_times(const struct clock *clock, uint64_t ready, uint64_t unit_
     clock->record->unit_free = unit_free;
 }
 
-/* Issues to a unit. Returns the clock at which the result is ready. */
+/* Issues the instruction to a unit. Returns the clock at which the result is ready. */
 static uint64_t issue(struct clock *clock, const struct decoded *decoded,
                       c205_cause awaits)
 {
@@ -482,7 +482,7 @@ static uint64_t stream_begin(const struct clock *clock, const struct decoded *de
     return max_uint64(issue, vector_free_at(clock, startup)) + startup;
 }
 
-/* Returns the largest number of elements for which at_rate is at most clocks. */
+/* Returns the largest number of elements that take at most `clocks` at a rate. */
 static size_t in_clocks(struct rate rate, uint64_t clocks)
 {
     if (rate.clocks == 0)

@@ -46,7 +46,7 @@ void clock_forget_pages(struct clock *clock);
  * registers. */
 void clock_warm_page(struct clock *clock, uint64_t address, uint64_t bits);
 
-/* Charges one instruction that has executed. */
+/* Charges an instruction that has executed. */
 void clock_charge(struct clock *clock, const struct decoded *decoded,
                   const struct effect *effect);
 /* Charges the first count instructions of a block, which have executed; effect combines
@@ -82,8 +82,8 @@ void clock_show_drained(struct clock *clock);
 void clock_go_back(struct clock *clock);
 void clock_commit(struct clock *clock);
 
-/* Writes the whole clock except the names of its regions to a serializer, or reads it
- * into a clock with the same model and regions. */
+/* Serializes the whole clock except the names of its regions. A clock that is read must
+ * have the same model and regions. */
 void clock_walk(struct clock *clock, struct serializer *serializer);
 
 /* Returns the clocks charged so far: the sum of all accounts. */

@@ -68,10 +68,11 @@ struct in_flight;
 
 struct clock {
     uint64_t now;
-    bool ahead;            /* now and the accounts show a later time than was charged */
+    bool ahead;            /* now and the accounts show a later time than the charged
+                              time */
     uint64_t kept_now;     /* if ahead: the charged time, from which the clock
                               continues; the accounts have a copy, too */
-    c205_account *account; /* of the current region */
+    c205_account *account; /* account of the current region */
     size_t region;
 
     uint64_t ready[SLOTS]; /* the clock at which each register is ready */
@@ -98,7 +99,7 @@ struct clock {
     uint64_t branch_taken, branch_not_taken, branch_out_of_stack;
     uint64_t translation_miss, page_fault;
     struct rate swap_word;
-    struct index_list list; /* of the latest gather or scatter */
+    struct index_list list; /* indices of the latest gather or scatter */
     struct pages pages;
     struct banks banks;
     struct clock_accounts accounts;

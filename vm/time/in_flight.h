@@ -45,7 +45,7 @@ const struct in_flight *in_flight_named(struct in_flight_table *flights,
 /* in_flight_init must be called first. The array flight need not be zeroed. */
 void in_flight_init(struct in_flight_table *flights);
 void in_flight_clear(struct in_flight_table *flights);
-/* Writes a state back to the fields that in_flight_look reads. */
+/* Writes a state to the fields that in_flight_look reads. */
 void in_flight_show(struct clock *clock, const struct in_flight *flight);
 
 #endif

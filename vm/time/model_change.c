@@ -18,7 +18,7 @@ static uint64_t millionths_of(double value)
     return value >= 0 && value < 1e10 ? (uint64_t)(value * MILLION + .5) : OUT_OF_RANGE;
 }
 
-/* Writes a value as a model file would: "3.25". */
+/* Writes a value as in a model file, such as "3.25". */
 static void write_value(double value, char *text)
 {
     uint64_t millionths = millionths_of(value);

@@ -1,4 +1,5 @@
-/* model_find.c - loads machine models: built-in ones by name, others from files. */
+/* model_find.c - loads machine models by name. Built-in models are texts of the
+ * program, and others are files. */
 #include "vm/time/model_parts.h"
 #include "vm/error.h"
 #include "vm/text.h"

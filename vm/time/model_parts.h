@@ -23,7 +23,7 @@ struct c205_model {
     c205_model *own;        /* like, if this model must free it; otherwise NULL */
     const char *title;
     c205_belief fitted, compared;
-    const struct rule *rules; /* one for each constant */
+    const struct rule *rules; /* a rule for each constant */
     size_t count;             /* number of rules */
     uint64_t ticks;           /* ticks per clock; times are in ticks */
     struct {

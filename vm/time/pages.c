@@ -1,4 +1,4 @@
-/* pages.c - address translation: associative registers and real memory. */
+/* pages.c - translates addresses with associative registers and real memory. */
 #include "vm/time/pages.h"
 
 #include "vm/memory.h"

@@ -23,7 +23,7 @@ struct resident {
     uint64_t page;         /* the address without the bits within a page */
     uint32_t newer, older; /* its neighbours in the list */
     uint32_t chained;      /* next page with the same hash; 0: none */
-    bool known;            /* held by the associative registers */
+    bool known;            /* the associative registers hold the page */
 };
 
 struct pages {
@@ -31,11 +31,11 @@ struct pages {
     unsigned hash_bits;
     size_t registers;    /* number of associative registers */
     size_t capacity;     /* number of pages that fit real memory */
-    size_t known, count; /* pages in the registers and in real memory now */
+    size_t known, count; /* current number of pages in the registers, in real memory */
     uint32_t edge;       /* the oldest page in the registers; 0: none */
     uint64_t latest;     /* the page at the front, if the registers hold it */
     struct resident *resident;
-    uint32_t *hashed;         /* the first page of each hash, or 0 */
+    uint32_t *hashed;         /* first page with each hash, or 0 */
     struct named_pages named; /* pages of the latest list */
 };
 

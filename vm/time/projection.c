@@ -105,7 +105,7 @@ void c205_projection_free(c205_projection *projection)
 
 /* ---- Units --------------------------------------------------------------- */
 
-/* Returns the unit of a kind that is free first. */
+/* Returns the unit of a kind that becomes free first. */
 static uint64_t *first_free(c205_projection *projection, enum unit_kind kind)
 {
     uint64_t *first = projection->free_at[kind];

@@ -23,7 +23,7 @@
 
 #include "vm/decode.h"
 
-/* Charges an instruction that has executed. */
+/* Charges an executed instruction. */
 void projection_charge(c205_projection *projection, const struct decoded *decoded,
                        const struct effect *effect);
 

@@ -4,7 +4,7 @@
 
 #include "vm/decode.h"
 
-/* Adds one executed instruction. */
+/* Adds an executed instruction. */
 void recording_add(c205_recording *recording, const struct decoded *decoded,
                    const struct effect *effect, size_t region);
 

@@ -26,7 +26,7 @@ struct schedule {
     uint64_t times;        /* executions that are not in the accounts yet */
     struct schedule *more; /* next schedule with such executions */
     c205_account *account; /* account of the region */
-    c205_account once;     /* the charge for one execution */
+    c205_account once;     /* charge of one execution */
 };
 
 enum { GOES_ON, TAKEN, TAKEN_OUT_OF_STACK, COUNT_SHIFT = 2, SWAP_SHIFT = 16 };

@@ -24,7 +24,7 @@
 /* A slice ends after a number of milliseconds of the host or of clocks of the
  * machine. */
 struct slice {
-    double begun, ms;  /* ms below 0: no limit */
+    double begun, ms;  /* ms < 0: no limit */
     uint64_t clocks;   /* maximum clocks; 0: no limit */
     uint64_t from;     /* the clock at the start of the slice */
     uint64_t spent;    /* clocks or points of other work than the program */
