@@ -32,9 +32,8 @@ static bool read_fail(struct text_stream *stream, const char *fault)
     return false;
 }
 
-/* Returns the next byte, "
- * " at the end of a line, or EOF at the end of the text. The LF of a CR LF is skipped
- * at the next call, because a terminal may send it late. */
+/* Returns the next byte, "\n" at the end of a line, or EOF at the end of the text. The
+ * LF of a CR LF is skipped at the next call, because a terminal may send it late. */
 static int next_byte(struct text_stream *stream)
 {
     enum { END_OF_DOS_FILE = 0x1A };

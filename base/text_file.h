@@ -10,8 +10,7 @@
 #include "base/sink.h"
 #include "vm/text.h"
 
-/* Reads a file like file_read and converts its line ends to "
- * ". */
+/* Reads a file like file_read and converts its line ends to "\n". */
 char *text_file_read(const char *path, size_t largest, size_t *length,
                      c205_error *error);
 /* Converts a text in memory in place and adds a NUL. Returns false with the reason in

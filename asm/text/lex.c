@@ -272,8 +272,8 @@ bool expect_name(struct cursor *cursor, const char *what, const char **name,
     return true;
 }
 
-/* Decodes
- * \t \\ \" \0 and \xHH. *at is after the backslash. Returns -1 for any other escape. */
+/* Decodes \n \t \\ \" \0 and \xHH. *at is after the backslash. Returns -1 for any other
+ * escape. */
 static int unescape(const char **at)
 {
     static const char letters[] = "nt\\\"0", meanings[] = "\n\t\\\"";

@@ -22,8 +22,7 @@ struct macro {
 
 /* The replacements of backslash sequences in a body. */
 struct substitution {
-    const struct macro *macro; /* replaces
-                                  ame; NULL: no macro */
+    const struct macro *macro; /* replaces \name; NULL: no macro */
     const struct span *arguments;
     const uint64_t *unique; /* replaces \@; NULL: not replaced */
     const uint64_t *count;  /* replaces \+; NULL: not replaced */

@@ -158,8 +158,8 @@ static inline uint64_t excess(int64_t t, int digits)
     return (uint64_t)(t ^ t >> 63) >> digits;
 }
 
-/* t|t| <= 2^(DIGITS + 1), shifted right by as many places as needed. The first bits of
- * the coefficient are discarded, so a shift of a natural number suffices. */
+/* Returns t x 2^e, |t| <= 2^(DIGITS + 1), shifted right until it fits. The first bits
+ * of the coefficient are discarded, so a shift of a natural number suffices. */
 static inline lane fitted(int64_t e, int64_t t)
 {
     uint64_t places = excess(t, DIGITS);
