@@ -8,11 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    TAB = 8,
-    LONGEST_LINE = 1000 /* maximum length of a stored source line in
-                                       bytes */
-};
+enum { TAB = 8, LONGEST_LINE = 1000 /* maximum bytes of a stored source line */ };
 
 static char *copy(const char *text, size_t length)
 {

@@ -217,7 +217,7 @@ static const struct {
     { C205_FORMAT_SPARSE,
       "the longer of X and Y; the machine sets the lengths of C and Z. With `? [z]`: "
       "the length of Z; the machine sets the length of C",
-      "n the number of elements of the longest of A, B and C" },
+      "n the largest number of elements in A, B or C" },
 };
 enum { LENGTHS = sizeof lengths / sizeof *lengths };
 

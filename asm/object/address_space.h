@@ -4,9 +4,7 @@
 
 #include "vm/c205.h"
 
-#define MAX_WORDS \
-    ((uint64_t)1 << 26) /* maximum size of a program, which must fit in
-                                         memory */
+#define MAX_WORDS ((uint64_t)1 << 26) /* of a program; it must fit in memory */
 #define ADDRESS_BITS 48
 #define PAGE_BITS ((uint64_t)C205_PAGE_WORDS * 64)
 /* Default start addresses of code and data. */

@@ -22,10 +22,8 @@
 #define MAX_LINE ((size_t)1 << 16)        /* maximum bytes of a line */
 #define MAX_FRAMES 64u                    /* nested includes and macros */
 #define MAX_CONDITIONS 64u
-#define MAX_SHARES 64u /* nested .share blocks */
-#define MAX_SHARERS \
-    64u /* maximum number of names of a register with which a new name
-                           is compared */
+#define MAX_SHARES 64u  /* nested .share blocks */
+#define MAX_SHARERS 64u /* names of a register that a new name is compared with */
 #define MAX_EXPRESSION_DEPTH 200u
 #define MAX_ERRORS 200u
 

@@ -233,7 +233,8 @@ static void forget_printed(struct printed *printed)
 
 enum {
     MAX_HISTORY = 64 << 20
-}; /* bytes; small, because it is in the page of a
+};
+    /* bytes; the page of a browser has little memory */ /* bytes; small, because it is in the page of a
                                     browser */
 
 /* Creates the machine and adds the listener of replays. */
