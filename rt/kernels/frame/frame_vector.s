@@ -87,9 +87,6 @@ frame:
         .if     IMAGES
         .include "light/image.s"
         .endif
-        .if     BUMPS
-        .include "light/bump_vector.s"
-        .endif
         .include "light/routines_vector.s"
         .data
         .include "light/sky.s"

@@ -20,6 +20,10 @@
         dot     \x0, \x1, \x2, \y0, \y1, \y2, \sum, \work
         .endm
 
+        .macro  dot_numbers x0, x1, x2, k0, k1, k2, sum, work
+        dot     \x0, \x1, \x2, \k0, \k1, \k2, \sum, \work
+        .endm
+
 ; Computes three such sums of x with the rows a, b, c at a time, without waits.
         .macro  dot_rows x0, x1, x2, a0, a1, a2, b0, b1, b2, c0, c1, c2, a, b, c, w0, w1, w2, w3
         MPYS    \x0, \a0, \a

@@ -1,5 +1,4 @@
-; bump.s - the formulas and records of normals that a pattern changes, for the
-; scalar and the vector form (BUMPS = 1).
+; bump.s - normals that a pattern changes, in both forms (BUMPS = 1).
 ;
 ; A pattern (pattern.s) has a height at each point Q of its space: its value,
 ; the index of the colour in a list of colours, or the value of a map of
@@ -73,3 +72,175 @@
         .equ    BUMP_WAVE, BUMP_MAP + MAP_WAVE
         .equ    BUMP_NUMBERS, BUMP_MAP + MAP_NUMBERS
         .equ    BUMP_CORNER_SIZE, 6
+
+        .macro  bump_words offset, number, first
+        RTOR    bump_at, here
+        IX      here, 64 * (\offset)
+        ELEN    here, \number
+        SWAP    [here], \first, [r0]
+        .endm
+
+        .macro  bump_word offset, register
+        RTOR    bump_at, here
+        IX      here, 64 * (\offset)
+        LOD     [here], \register
+        .endm
+
+; Computes the three products with the nine words that bump_words loaded from b0
+; on.
+        .macro  bump_rows x0, x1, x2, y0, y1, y2
+        dot_numbers \x0, \x1, \x2, b0, b1, b2, \y0, t0
+        dot_numbers \x0, \x1, \x2, b3, b4, b5, \y1, t0
+        dot_numbers \x0, \x1, \x2, b6, b7, b8, \y2, t0
+        .endm
+
+        .macro  bump_axis k0, k1, k2, k3, q
+        dot_numbers px, py, pz, \k0, \k1, \k2, \q, t0
+        raise   \q, \k3, \q
+        .endm
+
+        .macro  bump_place x, y, z
+        bump_words BUMP_TO_LOCAL, 12, b0
+        bump_axis b0, b1, b2, b3, \x
+        bump_axis b4, b5, b6, b7, \y
+        bump_axis b8, b9, b10, b11, \z
+        .endm
+
+; v = the position of q in its unit cube, relative to its centre.
+        .macro  quilt_place q, v
+        copy    \q, \v
+        less_floor \v, t0
+        lower   \v, m_half, \v
+        .endm
+
+        .macro  quilt_push v, normal
+        times   t1, \v, t2
+        plus    t2, \normal, \normal
+        .endm
+
+        .macro  call_bump
+        EX      target, find_bump
+        BSAVE   bump_link, [target]
+        .endm
+
+        .macro  call_height
+        EX      target, find_height
+        BSAVE   height_link, [target]
+        .endm
+
+; Applies the bumps of bump_at to nx, ny, nz and facing; raw_x .. = the old
+; normal.
+        .macro  apply_bumps
+        bump_word BUMP_ENTRY_COUNT, bump_left
+        IBXNE   bump_left, r0, r0, bumped_by_map\@
+        call_bump
+bumped_found\@:
+        copy    lx, nx
+        copy    ly, ny
+        copy    lz, nz
+        dot_product nx, ny, nz, hdx, hdy, hdz, facing, t0
+        leave_bumped bumped\@
+
+bumped_by_map\@:
+        RTOR    bump_at, bump_outer
+        bump_words BUMP_MAP, MAP_SIZE, map_function
+        IBXEQ   map_function, r0, r0, bumped_by_all\@
+        bump_place q_x, q_y, q_z
+        call_height
+        copy    y_0, bump_value
+        bump_word BUMP_ENTRIES, bump_at
+        sum_of_two_entries
+bumped_summed\@:
+        RTOR    bump_outer, bump_at
+        bump_words BUMP_BACK, 9, b0
+        bump_rows bump_sum_x, bump_sum_y, bump_sum_z, lx, ly, lz
+        unit_vector lx, ly, lz, t0, t1
+        BIM     bumped_found\@
+
+bumped_by_all\@:
+        bump_word BUMP_ENTRIES, bump_at
+        set     m_zero, bump_sum_x
+        set     m_zero, bump_sum_y
+        set     m_zero, bump_sum_z
+bumped_each\@:
+        call_bump
+        bump_word BUMP_RISE, bump_weight
+        add_scaled lx, bump_weight, bump_sum_x
+        add_scaled ly, bump_weight, bump_sum_y
+        add_scaled lz, bump_weight, bump_sum_z
+        IX      bump_at, 64 * BUMP_SIZE
+        IBXNE   bump_left, m_index_minus_one, r0, bumped_each\@, bump_left
+        BIM     bumped_summed\@
+bumped\@:
+        .endm
+
+        .kernel shade
+        begin_bumps
+
+; lx, ly, lz = the normal by the bump in bump_at, in the space of its map.
+find_bump:
+        bump_place bump_x, bump_y, bump_z
+        bump_words BUMP_TRANSFORM, 9, b0
+        bump_rows raw_x, raw_y, raw_z, lx, ly, lz
+        bump_word BUMP_SCALED, bump_flag
+        IBXEQ   bump_flag, r0, r0, bump_unscaled
+        unit_vector lx, ly, lz, t0, t1
+bump_unscaled:
+        bump_words BUMP_MAP, MAP_SIZE, map_function
+        IBXEQ   map_function, r0, r0, bump_quilted
+        RTOR    bump_at, bump_corner
+        IX      bump_corner, 64 * BUMP_CORNERS
+        ES      bump_corners_left, 4
+bump_next:
+        ELEN    bump_corner, BUMP_CORNER_SIZE
+        SWAP    [bump_corner], b0, [r0]
+        raise   bump_x, b0, q_x
+        raise   bump_y, b1, q_y
+        raise   bump_z, b2, q_z
+        call_height
+        add_scaled y_0, b3, lx
+        add_scaled y_0, b4, ly
+        add_scaled y_0, b5, lz
+        IX      bump_corner, 64 * BUMP_CORNER_SIZE
+        IBXNE   bump_corners_left, m_index_minus_one, r0, bump_next, bump_corners_left
+bump_back:
+        bump_words BUMP_BACK, 9, b0
+        bump_rows lx, ly, lz, q_x, q_y, q_z
+        bump_word BUMP_NORMALISED, bump_flag
+        IBXEQ   bump_flag, r0, r0, bump_returned
+        unit_vector q_x, q_y, q_z, t0, t1
+bump_returned:
+        copy    q_x, lx
+        copy    q_y, ly
+        copy    q_z, lz
+        BIM     0, bump_link
+
+bump_quilted:
+        bump_words BUMP_CORNERS, 3, b0
+        quilt_place bump_x, q_x
+        quilt_place bump_y, q_y
+        quilt_place bump_z, q_z
+        dot_product q_x, q_y, q_z, q_x, q_y, q_z, t0, t1
+        root    t0, t0
+        line    t0, b2, b1, t1
+        times   t1, t0, t1
+        raised_times t1, b0, t0, t1
+        quilt_push q_x, lx
+        quilt_push q_y, ly
+        quilt_push q_z, lz
+        BIM     bump_back
+
+; y_0 = the height at q_x, q_y, q_z, by map_function .. and the bump's map.
+find_height:
+        find_value_of_pattern
+        bump_word BUMP_HEIGHTS, height_at
+        IBXEQ   height_at, r0, r0, height_found
+        each_height height_next, height_last
+        scaled_lower y_0, height_from, height_slope, t1
+        line    t1, height_3, height_2, t2
+        times   t2, t1, t2
+        raised_times t2, height_1, t1, t2
+        set_height height_next, height_last
+height_found:
+        BIM     0, height_link
+        .endkernel

@@ -223,3 +223,84 @@ image_outside:
         ADDN    image_g, corner_g, image_g
         ADDN    image_b, corner_b, image_b
         .endm
+
+; bump.s
+        .share  local
+        .regs   r126, bump_outer, bump_link
+        .regs   r128, raw_x, raw_y, raw_z       ; the normal without bumps
+        .reg    bump_at, r131
+        .regs   r132, bump_value, bump_x, bump_y, bump_z
+        .regs   r136, bump_corner, bump_left
+        .reg    height_link, r83                ; shares the register of facing
+        .regs   r139, bump_sum_x, bump_sum_y, bump_sum_z
+        .regs   r142, bump_share
+        .regs   r143, bump_from, bump_to, bump_low, bump_rise
+        .regs   r51, height_from, height_slope, height_0, height_1, height_2, height_3
+        .regs   r58, b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11
+        .reg    bump_corners_left, r57
+        .endshare
+        .share  local
+        .regs   r48, bump_weight, bump_flag
+        .reg    height_at, r41                  ; here
+        .endshare
+
+        .macro  change_normal
+        RTOR    nx, raw_x
+        RTOR    ny, raw_y
+        RTOR    nz, raw_z
+        get_field P_BUMP, bump_at
+        IBXEQ   bump_at, r0, r0, not_bumped\@
+        apply_bumps
+not_bumped\@:
+        .endm
+
+        .macro  begin_bumps
+        .endm
+
+        .macro  leave_bumped label
+        BIM     \label
+        .endm
+
+; bump_sum_x .. = the normal between the entries below and above bump_value.
+        .macro  sum_of_two_entries
+bumped_seek\@:
+        bump_word BUMP_SIZE + BUMP_TO, t1
+        CFPLT   bump_value, t1, bumped_between\@
+        IX      bump_at, 64 * BUMP_SIZE
+        BIM     bumped_seek\@
+bumped_between\@:
+        bump_words BUMP_FROM, 4, bump_from
+        scaled_lower bump_value, bump_low, bump_rise, bump_share
+        not_below_number m_zero, bump_share
+        not_above_number m_one, bump_share
+        call_bump
+        SUBN    m_one, bump_share, t0
+        MPYS    lx, t0, bump_sum_x
+        MPYS    ly, t0, bump_sum_y
+        MPYS    lz, t0, bump_sum_z
+        IX      bump_at, 64 * BUMP_SIZE
+        call_bump
+        add_scaled lx, bump_share, bump_sum_x
+        add_scaled ly, bump_share, bump_sum_y
+        add_scaled lz, bump_share, bump_sum_z
+        .endm
+
+        .macro  find_value_of_pattern
+        EX      target, find_pattern
+        BSAVE   pattern_link, [target]
+        .endm
+
+; Loads the height of the map that is the last one not above y_0.
+        .macro  each_height next, last
+\next:
+        IX      height_at, 64 * HEIGHT_SIZE
+        LOD     [height_at], t1
+        CFPGE   y_0, t1, \next
+        IX      height_at, -64 * HEIGHT_SIZE
+        ELEN    height_at, HEIGHT_SIZE
+        SWAP    [height_at], height_from, [r0]
+        .endm
+
+        .macro  set_height next, last
+        ADDN    t2, height_0, y_0
+        .endm

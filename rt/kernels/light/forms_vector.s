@@ -253,3 +253,109 @@ image_found:
         add_channel cg
         add_channel cb
         .endm
+
+; bump.s: changes v0-v7, hits1-hits3, lx .., cr .., red .., ndotl; keeps hits0.
+        .share  scratch
+        .regs   r234, bump_outer, bump_left, bump_corner, bump_corners_left
+        .regs   r250, link_bump, height_link
+        .endshare
+        .share  light
+        .reg    bump_link, link_kernel
+        .regs   m00, b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11
+        .regs   nx, raw_x, raw_y, raw_z
+        .regs   red, bump_x, bump_y, bump_z
+        .regs   cr, bump_sum_x, bump_sum_y, bump_sum_z
+        .reg    bump_value, facing
+        .reg    bump_weight, s1
+        .reg    bump_flag, s1
+        .regs   m00, bump_from, bump_to, bump_low, bump_rise
+        .reg    height_at, s9
+        .regs   sh0, height_from, height_slope, height_0, height_1, height_2, height_3
+        .endshare
+
+; Describes the normals of the part without bumps.
+        .macro  normals_before x0, x1, x2
+        describe \x0, bump_normals, m
+        describe \x1, bump_normals + 64 * QUEUE, m
+        describe \x2, bump_normals + 64 * QUEUE * 2, m
+        .endm
+
+        .macro  begin_bumps
+bumped:
+        RTOR    link_inner, link_bump
+        normals_before s1, s2, s3
+        VTOV    [nx], [s1]
+        VTOV    [ny], [s2]
+        VTOV    [nz], [s3]
+        apply_bumps
+        .endm
+
+        .macro  leave_bumped label
+        BIM     0, link_bump
+        .endm
+
+; bump_upper adds the share ndotl of [x] to [sum] in hits1; bump_lower sets
+; [sum] to the share v0 of [x] in hits2.
+        .macro  bump_upper x, sum
+        MPYSV   [\x], [ndotl], [v1]
+        ADDNV   [\sum], [v1], [\sum] ? [hits1]
+        .endm
+
+        .macro  bump_lower x, sum
+        MPYSV   [\x], [v0], [v1]
+        VTOV    [v1], [\sum] ? [hits2]
+        .endm
+
+; bump_sum_x .. = the normals between the entries below and above bump_value.
+; Entry by entry: ndotl = the share of the upper entry.
+        .macro  sum_of_two_entries
+bumped_entry:
+        call_bump
+        bump_words BUMP_FROM, 4, bump_from
+        CFPGE   bump_from, big, bumped_lower    ; the first entry
+        CMPGEV  [bump_value], bump_from, [hits1]
+        CMPLTV  [bump_value], bump_to, [hits2]
+        ANDB    [hits1], [hits2], [hits1]
+        bump_upper lx, bump_sum_x
+        bump_upper ly, bump_sum_y
+        bump_upper lz, bump_sum_z
+        CFPGE   bump_to, big, bumped_next       ; the last entry
+bumped_lower:
+        CMPGEV  [bump_value], bump_to, [hits2]
+        scaled_lower bump_value, bump_low, bump_rise, v0
+        not_below_number m_zero, v0
+        not_above_number m_one, v0
+        VTOV    [v0], [ndotl]
+        SUBNV   one, [v0], [v0]
+        bump_lower lx, bump_sum_x
+        bump_lower ly, bump_sum_y
+        bump_lower lz, bump_sum_z
+bumped_next:
+        IX      bump_at, 64 * BUMP_SIZE
+        IBXNE   bump_left, minus_one_index, r0, bumped_entry, bump_left
+        .endm
+
+        .macro  find_value_of_pattern
+        EX      target, find_value
+        BSAVE   link_pattern, [target]
+        .endm
+
+; Loads each height of the map; hits1 = the values that are not below it.
+        .macro  each_height next, last
+        ELEN    height_at, HEIGHT_SIZE
+        SWAP    [height_at], height_from, [r0]
+        VTOV    height_0, [v3]
+\next:
+        IX      height_at, 64 * HEIGHT_SIZE
+        ELEN    height_at, HEIGHT_SIZE
+        SWAP    [height_at], height_from, [r0]
+        CFPGE   height_from, big, \last
+        CMPGEV  [y_0], height_from, [hits1]
+        .endm
+
+        .macro  set_height next, last
+        ADDNV   [v2], height_0, [v3] ? [hits1]
+        BIM     \next
+\last:
+        VTOV    [v3], [y_0]
+        .endm

@@ -35,7 +35,6 @@
         .endif
 
         .if     BUMPS
-        .include "light/bump.s"
         .share  scratch
         .reg    bump_at, r233
         .endshare

@@ -119,7 +119,6 @@ surface_sided\@:
 
         .if     BUMPS
         .include "light/bump.s"
-        .include "light/bump_scalar.s"
         .endif
 
 ; Computes the pigment color0 and loads words of the finish; red, green, blue

@@ -18,10 +18,6 @@
         .regs   r114, point_s, point_t
         .endshare
 
-        .macro  dot_numbers x0, x1, x2, k0, k1, k2, sum, work
-        dot     \x0, \x1, \x2, \k0, \k1, \k2, \sum, \work
-        .endm
-
         .macro  matrix_times x0, x1, x2, y0, y1, y2
         matrix_rows \x0, \x1, \x2, \y0, \y1, \y2, t3, t4, t5, t6
         .endm
