@@ -49,6 +49,7 @@
 ;       scaled_less a, k, b, c  c = a k - b       a is not b
 ;       from_scaled a, k, l, c  c = l - a k
 ;       scaled_root a, k, c     c = k sqrt a
+;       twice_times a, b, c     c = 2 a b
 ;       scaled_lower a, k, l, c c = (a - k) l
 ;       scaled_difference a, b, k, c  c = (a - b) k
 ;       lower_absolute a, k, c  c = |a| - k
@@ -256,6 +257,10 @@ not_below\@:
         .macro  \prefix\()scaled_root a, k, c
         SQRT    \a, \c
         MPYS    \c, \k, \c
+        .endm
+        .macro  \prefix\()twice_times a, b, c
+        MPYS    \a, \b, \c
+        ADDN    \c, \c, \c
         .endm
         .macro  \prefix\()scaled_lower a, k, l, c
         SUBN    \a, \k, \c
@@ -640,6 +645,11 @@ select\@:
         LINKV
         SQRTV   [\a], [\c]
         MPYSV   [\c], \k, [\c]
+        .endm
+        .macro  \prefix\()twice_times a, b, c
+        LINKV
+        MPYSV   [\a], [\b], [\c]
+        ADDNV   [\c], [\c], [\c]
         .endm
         .macro  \prefix\()scaled_lower a, k, l, c
         LINKV

@@ -430,7 +430,7 @@ blob_solid:
         SUBN    ox, sh0, f0
         SUBN    oy, sh1, f1
         SUBN    oz, sh2, f2
-        clip_line_to_bound f0, f1, f2, sh3, blob_fill
+        find_all_lanes f0, f1, f2, sh3, blob_fill
         BIM     blob_begin
 blob:
         enter_solver 7, blob_save, BLOB_REGISTERS
@@ -439,7 +439,7 @@ blob:
         SUBN    ox, sh0, f0
         SUBN    oy, sh1, f1
         SUBN    oz, sh2, f2
-        clip_to_bound f0, f1, f2, sh3, blob_miss
+        find_lanes f0, f1, f2, sh3, blob_miss
 blob_begin:
         EX      t3, blob_numbers
         ELEN    t3, 3

@@ -1,3 +1,52 @@
-; elliptical_torus.s - the elliptical torus, by hand in each form.
+; elliptical_torus.s - intersects rays with an elliptical torus about the y axis;
+; also the part that all tori share after the polynomial.  Formulas, arguments and
+; results are those of torus_vector.s.
 
-        shape_by_hand elliptical_torus
+        .macro  elliptical_polynomial o0, o1, o2, d0, d1, d2
+        ray_times \d0, \d0, e0
+        ray_times \d2, \d2, e3
+        ray_times \o0, \d0, e1
+        ray_times \o2, \d2, e4
+        ray_times \o0, \o0, e2
+        ray_times \o2, \o2, e5
+        ray_plus e3, e0, e0                     ; f
+        ray_plus e4, e1, e1                     ; l
+        ray_plus e5, e2, e2                     ; g
+        ray_times \d1, \d1, e3
+        ray_times \o1, \d1, e4
+        ray_times \o1, \o1, e5
+        ray_scaled_plus e3, sh0, e0, e3         ; a
+        ray_scaled_plus e4, sh0, e1, e4
+        ray_scaled_plus e5, sh0, e2, e5
+        ray_plus e4, e4, e4                     ; b
+        ray_raise e5, sh1, e5                   ; c
+        ray_times e3, e3, k4
+        ray_twice_times e3, e4, k3
+        ray_twice_times e3, e5, k2
+        ray_times e4, e4, e6
+        ray_twice_times e4, e5, k1
+        ray_plus e6, k2, k2
+        ray_minus_scaled e1, sh7, k1, k1
+        ray_times e5, e5, k0
+        ray_minus_scaled e0, sh2, k2, k2
+        ray_minus_scaled e2, sh2, k0, k0
+        .endm
+
+        .kernel torus
+elliptical_torus:
+        enter_lanes 10
+        find_lanes ox, oy, oz, sh4, torus_miss
+        leave_above torus_miss
+        take_lanes
+        for_lanes elliptical_polynomial
+        leave_at_root sh8, torus_miss
+
+elliptical_torus_solid:
+        enter_lanes 10
+        find_all_lanes ox, oy, oz, sh4, torus_passed
+        leave_above torus_passed
+        take_lanes
+        for_lanes elliptical_polynomial
+torus_segments:
+        leave_with_segments sh8, torus_passed
+        .endkernel

@@ -44,7 +44,7 @@ near_list:      .descriptor 5, near_input
 
 ; Computes o (t0-t2), o . o (near_o2), near_low and near_high, or branches to
 ; miss.
-        .macro  clip_to_bound x0, x1, x2, bound2, miss
+        .macro  find_lanes x0, x1, x2, bound2, miss
         closest_approach \x0, \x1, \x2, t0, t1, t2, along, t3, t4
         dot     t0, t1, t2, t0, t1, t2, near_o2, t4
         SUBN    \bound2, near_o2, near_high
@@ -52,9 +52,9 @@ near_list:      .descriptor 5, near_input
         SQRT    near_high, near_high
         ADDN    lower, along, near_low
         SUBN    r0, near_high, t3
-        CFPLT   t3, near_low, clip_to_bound_ahead\@
+        CFPLT   t3, near_low, find_lanes_ahead\@
         RTOR    t3, near_low
-clip_to_bound_ahead\@:
+find_lanes_ahead\@:
         CFPGE   near_low, near_high, \miss
         .endm
 
@@ -80,3 +80,32 @@ clip_to_bound_ahead\@:
         .endm
 
         .include "solids/segments_scalar.s"
+
+; ---- Tori --------------------------------------------------------------------
+
+        .macro  enter_lanes words
+        enter_solver \words
+        .endm
+
+        .macro  take_lanes
+        .endm
+
+        .macro  for_lanes polynomial
+        \polynomial t0, t1, t2, dx, dy, dz
+        .endm
+
+        .macro  leave_at_root resolution, miss
+        solve_near \resolution, \miss
+        leave_solver
+        .endm
+
+        .macro  leave_with_segments resolution, passed
+        solve_all \resolution
+        BIM     segments\@
+\passed:
+        ADDN    r0, r0, e0
+segments\@:
+        ES      e4, 0
+        give_segments 4
+        leave_segments
+        .endm

@@ -115,3 +115,25 @@ lane_shade_store: .space (SHADE_VECTORS - 4) * QUEUE
         .endm
 
         .include "solids/segments_vector.s"
+
+; ---- Tori --------------------------------------------------------------------
+
+        .macro  enter_lanes words
+        load_record P_SHAPE, \words, sh0
+        .endm
+
+; Computes the coefficients k4 .. k0 of all lanes from o and d.
+        .macro  for_lanes polynomial
+        \polynomial lane_ox, lane_oy, lane_oz, lane_dx, lane_dy, lane_dz
+        .endm
+
+        .macro  leave_at_root resolution, miss
+        solve_lanes \resolution
+        BIM     0, link_kernel
+        .endm
+
+; In the scalar form a ray that passes the shape branches to passed.
+        .macro  leave_with_segments resolution, passed
+        solve_segments \resolution
+        BIM     0, link_kernel
+        .endm

@@ -97,7 +97,7 @@ implicit_begin:
         SUBN    ox, sh0, t5
         SUBN    oy, sh1, t6
         SUBN    oz, sh2, t7
-        clip_to_bound t5, t6, t7, sh3, implicit_miss
+        find_lanes t5, t6, t7, sh3, implicit_miss
         RTOR    sh6, near_resolution
         RTOR    a_primitive, table_at
         IX      table_at, 64 * P_TABLE

@@ -322,7 +322,7 @@ crossing_none\@:
         SUBN    ox, sh0, t5
         SUBN    oy, sh1, t6
         SUBN    oz, sh2, t7
-        clip_to_bound t5, t6, t7, sh3, steiner_miss
+        find_lanes t5, t6, t7, sh3, steiner_miss
         RTOR    a_primitive, t3
         IX      t3, 64 * P_TABLE
         LOD     [t3], t3

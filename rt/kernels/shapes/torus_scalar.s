@@ -5,8 +5,7 @@
 ;
 ; The arguments are those of sphere_scalar.s, the method is that of
 ; torus_vector.s. SEGMENTS receives two segments (4 words) of the ray inside
-; (segments_scalar.s). elliptical_torus_scalar.s contains the part after the
-; polynomial.
+; (segments_scalar.s). elliptical_torus.s contains the part after the polynomial.
 
         .ifndef LANE_REGISTERS
         .include "shapes/lanes_scalar.s"
@@ -47,7 +46,7 @@ leave_not\@:
         .kernel torus
 torus:
         enter_solver 10
-        clip_to_bound ox, oy, oz, sh4, torus_miss
+        find_lanes ox, oy, oz, sh4, torus_miss
         leave_above torus_miss
         torus_polynomial
         solve_near sh8, torus_miss
@@ -57,7 +56,7 @@ torus_miss:
 
 torus_solid:
         enter_solver 10
-        clip_line_to_bound ox, oy, oz, sh4, torus_passed
+        find_all_lanes ox, oy, oz, sh4, torus_passed
         leave_above torus_passed
         torus_polynomial
         BIM     torus_segments

@@ -5,8 +5,8 @@
 ; alternately in and out. If the line begins inside, the first in is minus_big.
 ; If it ends inside, the last out is big.
 
-; Like clip_to_bound, for the whole line.
-        .macro  clip_line_to_bound x0, x1, x2, bound2, miss
+; Like find_lanes, for the whole line.
+        .macro  find_all_lanes x0, x1, x2, bound2, miss
         closest_approach \x0, \x1, \x2, t0, t1, t2, along, t3, t4
         dot     t0, t1, t2, t0, t1, t2, near_o2, t4
         SUBN    \bound2, near_o2, near_high
