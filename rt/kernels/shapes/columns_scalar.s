@@ -206,10 +206,6 @@ either_by\@:
         either_two \set, \a, \b, \c, \x, \y, \z
         .endm
 
-        .macro  number_in set, k, c
-        RTOR    \k, \c
-        .endm
-
         .macro  none_in set, low, high
         .endm
 

@@ -247,10 +247,6 @@ either_others\@:
 either_by\@:
         .endm
 
-        .macro  number_in set, k, c
-        VTOV    \k, [\c] ? [\set]
-        .endm
-
 ; Nothing is between low and high for the rays of the set.
         .macro  none_in set, low, high
         VTOV    big, [\low] ? [\set]

@@ -95,19 +95,19 @@ cylinder:
         .endif
 
 ; Keeps those of the crossings tin and tout that lie between the disks, at most
-; half from the middle.  [w5], [w6] = o, d along the axis.  Changes w0-w2,
+; half from the middle; o, d = the ray along the axis.  Changes w0-w2,
 ; bits0-bits2.
-        .macro  between_disks t, half, bits
-        MPYSV   [\t], [w6], [w0]
-        ADDNV   [w0], [w5], [w0]
+        .macro  between_disks t, o, d, half, bits
+        MPYSV   [\t], [\d], [w0]
+        ADDNV   [w0], [\o], [w0]
         CMPGEV  \half, |[w0]|, [\bits]
         ANDB    [\bits], [bits2], [\bits]
         .endm
 
-        .macro  keep_between_disks half
+        .macro  keep_between_disks o, d, half, miss=
         CMPGEV  [tout], [tin], [bits2]
-        between_disks tin, \half, bits0
-        between_disks tout, \half, bits1
+        between_disks tin, \o, \d, \half, bits0
+        between_disks tout, \o, \d, \half, bits1
         VTOV    [tin], [w1]
         VTOV    [tout], [w2]
         VTOV    big, [tin]
@@ -121,7 +121,7 @@ cylinder:
 open_cylinder:
         load_record P_SHAPE, 14, sh0
         cylinder_side
-        keep_between_disks sh13
+        keep_between_disks w5, w6, sh13
         BIM     0, link_kernel
         .endkernel
 

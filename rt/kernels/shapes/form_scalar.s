@@ -24,6 +24,10 @@
         dot     \x0, \x1, \x2, \y0, \y1, \y2, \sum, \work
         .endm
 
+        .macro  into_axes x0, x1, x2, a, b, c, w0, w1, w2, w3
+        dot_rows \x0, \x1, \x2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, \a, \b, \c, \w0, \w1, \w2, \w3
+        .endm
+
         .macro  include_columns
         .ifndef LANE_REGISTERS
         .include "shapes/lanes_scalar.s"
@@ -93,6 +97,19 @@
 kept\@:
         .endm
 
+        .macro  keep_number_not_less k, a, set, out, work=
+        CFPLT   \k, \a, \out
+        .endm
+
+        .macro  unless_number_less k, a, set, rest, less, label
+        CFPLT   \k, \a, \label
+        .endm
+
+        .macro  else_in set, rest, less, end, label
+        BIM     \end
+\label:
+        .endm
+
         .macro  remove bits, set
         .endm
 
@@ -134,6 +151,10 @@ not_turned\@:
 
         .macro  copy_in set, a, c
         RTOR    \a, \c
+        .endm
+
+        .macro  number_in set, k, c
+        RTOR    \k, \c
         .endm
 
         .macro  either_number set, k, a, c
@@ -261,4 +282,31 @@ sorted\@:
         .macro  move_back along
         SUBN    tin, \along, tin
         SUBN    tout, \along, tout
+        .endm
+
+        .macro  clear_if_negative disc, a, miss
+        CFPGE   \disc, r0, clear_not\@
+        CFPGE   \a, r0, \miss
+        ADDN    r0, r0, \disc
+clear_not\@:
+        .endm
+
+        .macro  cone_roots miss
+        quadratic_roots quad_a, quad_b, quad_c, t2, t0, t1, cone_one\@, cone_double\@
+        sort_roots t0, t1
+        BIM     cone_sided\@
+cone_one\@:
+        SUBN    r0, quad_b, k_along
+        RTOR    t1, tin
+        RTOR    t1, tout
+        BIM     cone_sided\@
+cone_double\@:
+        DIVS    t2, quad_a, tin
+        RTOR    tin, tout
+        CFPNE   quad_a, r0, cone_sided\@
+        CFPLT   r0, quad_c, \miss
+        RTOR    minus_big, tin
+        RTOR    big, tout
+        RTOR    one, quad_a
+cone_sided\@:
         .endm

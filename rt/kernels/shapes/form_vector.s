@@ -24,11 +24,26 @@
         .reg    t9, w6
         .reg    number, s1
         .reg    least, lower
+; Of the shapes that solve a quadratic.
+        .reg    shift, w9
+        .reg    quad_a, w10
+        .reg    quad_b, w11
+        .reg    quad_c, w4
+        .reg    o_along, w5
+        .reg    d_along, w6
+        .reg    k_along, w3
         .reg    chosen, bits0
 
 ; A shape that is written by hand in each form.
         .macro  shape_by_hand shape
         .include "shapes/\shape\()_vector.s"
+        .endm
+
+; a, b, c = the coordinates of x along the axes sh3-sh5, sh6-sh8, sh9-sh11.
+        .macro  into_axes x0, x1, x2, a, b, c, work, w1=, w2=, w3=
+        dot_constant \x0, \x1, \x2, sh3, sh4, sh5, \a, \work
+        dot_constant \x0, \x1, \x2, sh6, sh7, sh8, \b, \work
+        dot_constant \x0, \x1, \x2, sh9, sh10, sh11, \c, \work
         .endm
 
         .macro  include_columns
@@ -88,6 +103,22 @@
         .macro  keep_not_less_number a, k, set, out, work=bits0
         CMPGEV  [\a], \k, [\work]
         ANDB    [\work], [\set], [\set]
+        .endm
+
+        .macro  keep_number_not_less k, a, set, out, work=bits0
+        CMPGEV  \k, [\a], [\work]
+        ANDB    [\set], [\work], [\set]
+        .endm
+
+; rest = the rays of the set without k < a; from else_in on those with k < a.
+; less has all rays with k < a.
+        .macro  unless_number_less k, a, set, rest, less, label
+        CMPLTV  \k, [\a], [\less]
+        ANDNB   [\set], [\less], [\rest]
+        .endm
+
+        .macro  else_in set, rest, less, end, label
+        ANDB    [\set], [\less], [\rest]
         .endm
 
 ; Removes rays that have branched in the scalar form.
@@ -150,6 +181,10 @@
 ; Operations for the rays of a set.
         .macro  copy_in set, a, c
         VTOV    [\a], [\c] ? [\set]
+        .endm
+
+        .macro  number_in set, k, c
+        VTOV    \k, [\c] ? [\set]
         .endm
 
 ; c = k, or a for other rays.
@@ -318,4 +353,37 @@ slab_crossed\@:
         CMPGEV  [tout], [tin], [bits0]
         SUBNV   [tin], [\along], [tin] ? [bits0]
         SUBNV   [tout], [\along], [tout] ? [bits0]
+        .endm
+
+; disc = 0 for the rays with disc < 0 and a < 0.
+        .macro  clear_if_negative disc, a, miss
+        CMPLTV  [\a], r0, [bits0]
+        CMPLTV  [\disc], r0, [bits1]
+        ANDB    [bits0], [bits1], [bits0]
+        VTOV    r0, [\disc] ? [bits0]
+        .endm
+
+; tin, tout = the roots of the side of a cone, from disc in t2.  bits0 = the rays
+; that hit it.  With a = 0, k_along = -b; without a root a ray is inside
+; everywhere, and a = 1, or nowhere.
+        .macro  cone_roots miss
+        quadratic_roots quad_a, quad_b, quad_c, t2, t0, t1
+        ORB     [bits1], [bits2], [bits1]
+        CNTOB   [bits1], s0
+        IBXEQ   s0, r0, r0, cone_rooted\@
+        CMPEQV  [quad_a], r0, [bits1]
+        VTOV    [t0], [t1] ? [bits2]
+        VTOV    [t1], [t0] ? [bits1]
+        VTOV    -[quad_b], [k_along] ? [bits1]
+        ANDB    [bits1], [bits2], [bits2]       ; lanes without a root
+        VTOV    minus_big, [t0] ? [bits2]
+        VTOV    big, [t1] ? [bits2]
+        VTOV    one, [quad_a] ? [bits2]
+        CMPLTV  r0, [quad_c], [bits1]
+        ANDB    [bits1], [bits2], [bits1]
+        ANDNB   [bits0], [bits1], [bits0]       ; outside everywhere
+cone_rooted\@:
+        sort_roots t0, t1
+        VTOV    big, [tin] ?! [bits0]
+        VTOV    minus_big, [tout] ?! [bits0]
         .endm
