@@ -6,7 +6,7 @@
 #include "asm/text/assemble.h"
 #include "tests/unit/unit.h"
 
-/* Assembles a text or a file; fails the test if there is an error. */
+/* Assembles a text or a file. If there is an error, the test fails. */
 struct object *good(const char *text);
 struct object *good_file(const char *path);
 /* Calls `use` with the path of each file that matches the pattern. Returns the number
@@ -19,7 +19,7 @@ uint64_t clocks_of_cause(const c205 *machine, c205_cause cause);
 /* Fails unless the clocks of all causes sum to the machine's time. */
 void assert_sum(const c205 *machine);
 
-/* The only error of a text: its position and a part of its message. Column 0 matches
+/* The only error of a text: its position, and a part of its message. Column 0 matches
  * any column. */
 struct asm_error {
     const char *text;
@@ -29,13 +29,13 @@ struct asm_error {
 
 void assert_one_error(const struct diagnostics *errors, const char *text, size_t line,
                       size_t column, const char *message);
-/* Fails unless each text has exactly its one error. */
+/* Fails unless each text has exactly one error, the given one. */
 void assert_asm_errors(const struct asm_error *error, size_t count);
-/* Fails unless each text assembles with exactly its one warning, or with none if the
- * line is 0. */
+/* Fails unless each text assembles with exactly one warning, the given one, or with
+ * none if the line is 0. */
 void assert_asm_warnings(const struct asm_error *warning, size_t count);
 
-/* Returns the word at an address, or 0 if the program has none there. */
+/* Returns the word at an address, or 0 if the program has no word there. */
 c205_word word_of(const c205_program *program, uint64_t address);
 void assert_same_program(const c205_program *a, const c205_program *b);
 

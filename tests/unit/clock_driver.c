@@ -1,4 +1,5 @@
-/* clock_driver.c - charges a clock with hand-made instructions and effects. */
+/* clock_driver.c - charges a clock with instructions and effects that the test
+ * makes. */
 #include "clock_driver.h"
 
 uint64_t driven_pc;

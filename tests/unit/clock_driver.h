@@ -1,5 +1,5 @@
-/* clock_driver.h - drives a clock with decoded instructions and hand-made effects; no
- * machine runs. */
+/* clock_driver.h - drives a clock with decoded instructions and with effects that the
+ * test makes. No machine runs. */
 #ifndef CLOCK_DRIVER_H
 #define CLOCK_DRIVER_H
 
@@ -14,7 +14,7 @@ struct clock *two_pipes(void);
 extern uint64_t driven_pc;
 
 /* Decodes the next instruction of the driven code. It has one or two sources and a
- * result; a register of 0 means none. */
+ * result. Register 0 means that there is none. */
 struct decoded insn(const char *name, unsigned r, unsigned s, unsigned t);
 
 extern const struct effect no_effect;

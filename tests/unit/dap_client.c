@@ -29,7 +29,8 @@ static void become_adapter(int in, int out, const char *const *arguments)
     _exit(127);
 }
 
-/* Starts the adapter. An alarm signal ends a client that receives nothing in time. */
+/* Starts the adapter. If the client waits too long for a message, an alarm signal ends
+ * it. */
 void client_begin(struct dap_client *client, const char *const *arguments)
 {
     int to[2], from[2];
@@ -85,8 +86,8 @@ static void put(void *context, const char *text, size_t length)
     client_send(context, text, length);
 }
 
-/* Sequence numbers of requests are multiples of 3, so that they differ from those of
- * responses. */
+/* Sequence numbers of requests are multiples of 3, so that they differ from the numbers
+ * of responses. */
 void client_command(struct dap_client *client, const char *command, const char *format,
                     ...)
 {

@@ -1,5 +1,5 @@
-/* dap_session.h - sessions of a client of c205 debug --dap with a program, and queries
- * of its state.
+/* dap_session.h - debug sessions of a client of c205 debug --dap, and queries of the
+ * program's state.
  */
 #ifndef TESTS_DAP_SESSION_H
 #define TESTS_DAP_SESSION_H
@@ -7,8 +7,8 @@
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/dap_client.h"
 
-/* A program with macros of the library, a region, a loop, a call and exit status 3. The
- * constants are the addresses of some of its instructions and of its data. */
+/* A program with library macros, a region, a loop, a call and exit status 3. The
+ * constants are the addresses of some of its instructions, and of its data. */
 extern const char client_program[];
 enum {
     AGAIN = 0x400120,
@@ -20,25 +20,25 @@ enum {
     WORDS_B = 0x800100
 };
 
-/* The path of the last program that was written, and its name without the directory. */
+/* The path of the last program that was written, and its file name. */
 extern char client_path[];
 void client_write(const char *text);
 const char *client_file_name(void);
 
-/* Starts a session up to the point where breakpoints are set, and returns the
- * capabilities of the adapter. `more` has further members of the launch request, each
- * after a comma. */
+/* Starts a session up to the point where breakpoints are set. Returns the capabilities
+ * of the adapter. `more` has further members of the launch request; a comma precedes
+ * each of them. */
 const struct json_value *client_launch(struct dap_client *client, const char *text,
                                        const char *more);
 const struct json_value *client_launch_file(struct dap_client *client,
                                             const char *more);
-/* Starts a session and runs it to the first instruction. */
+/* Starts a session, and runs it to the first instruction. */
 void client_enter(struct dap_client *client, const char *text);
 /* Runs the program to the end of the session. */
 void client_leave(struct dap_client *client);
 
-/* Sends an execution request and fails unless the program stops for `reason`. The
- * second function steps by instructions. */
+/* Sends an execution request. Fails unless the program stops for `reason`.
+ * client_go_finely steps by instructions. */
 void client_go(struct dap_client *client, const char *request, const char *reason);
 void client_go_finely(struct dap_client *client, const char *request);
 /* Sets the only breakpoint of the file; "" removes it. */
@@ -49,7 +49,8 @@ void client_stop_at(struct dap_client *client, const char *stop);
 const struct json_value *client_frames(struct dap_client *client);
 uint64_t client_pc(struct dap_client *client);
 uint64_t client_step(struct dap_client *client);
-/* Return the variables of a scope, or those of a reference, with further arguments. */
+/* client_variables returns the variables of a scope. client_inside returns the
+ * variables of a reference, for further arguments. */
 const struct json_value *client_variables(struct dap_client *client, const char *scope);
 const struct json_value *client_inside(struct dap_client *client, int reference,
                                        const char *more);

@@ -15,19 +15,18 @@ struct debug_session {
 void session_begin(struct debug_session *session, struct object *object,
                    const char *name);
 void session_end(struct debug_session *session);
-/* Runs a command line that must not quit the debugger. */
+/* Runs a command line. It must not quit the debugger. */
 void session_obey(struct debug_session *session, const char *line);
 bool session_says(const struct debug_session *session, const char *part);
 
-/* A command line and a part of its expected output; after a leading "!", a part that
- * must be absent. */
+/* A command line and a part of its expected output. After a leading "!" the part must
+ * be absent. */
 struct line_said {
     const char *line, *said;
 };
 void session_check(struct debug_session *session, const struct line_said *lines,
                    size_t count);
-/* Checks a whole session with a program, test.s. Exactly `faults` lines must be
- * rejected. */
+/* Checks a session with the program test.s. Exactly `faults` lines must be rejected. */
 void check_session(const char *text, const struct line_said *lines, size_t count,
                    size_t faults);
 

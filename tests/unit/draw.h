@@ -1,4 +1,4 @@
-/* draw.h - the random numbers of a test program; every run draws the same sequence. */
+/* draw.h - the random numbers of a test program. Every run uses the same sequence. */
 #ifndef TESTS_DRAW_H
 #define TESTS_DRAW_H
 

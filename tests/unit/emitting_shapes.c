@@ -1,4 +1,4 @@
-/* emitting_shapes.c - draws random shapes that have an emission. */
+/* emitting_shapes.c - makes random shapes that can emit. */
 #include "tests/unit/emitting_shapes.h"
 
 #include "rt/shapes/shape.h"
@@ -127,7 +127,7 @@ void move_shape(struct primitive *primitive, const struct placement *placement)
     primitive->transformed = !placement_is_none(placement);
 }
 
-/* Turns and moves a shape, and stretches or mirrors some. */
+/* Rotates and moves a shape. Stretches or mirrors some shapes. */
 static void draw_placement(struct primitive *primitive)
 {
     double scale[3], angles[3], by[3];

@@ -54,7 +54,7 @@ static bool has(const char *text, const char *part)
     return strstr(text, part) || strstr(text, quoted);
 }
 
-/* Formats a request, replaces ' by ", sends it and reads the reply. */
+/* Formats a request, replaces each ' by ", sends the request and reads the reply. */
 const char *talk_send(struct talk *talk, const char *format, ...)
 {
     static char request[1 << 16];

@@ -13,34 +13,36 @@ struct talk {
     const struct json_value *reply; /* the last reply, parsed */
 };
 
-/* Begins a conversation; with a program if the text is not NULL, loaded by talk_load. */
+/* Starts a conversation. If the text is not NULL, loads it with talk_load. */
 struct talk talk_with(const char *text, const char *more);
 void talk_free(struct talk *talk);
 
-/* Sends raw bytes. Fails the test unless the reply is JSON whose "ok" is true or false,
- * with an "error" if it is false. */
+/* Sends raw bytes. Fails the test unless the reply is JSON whose "ok" is true or false.
+ * If it is false, the reply must have an "error". */
 const struct json_value *talk_bytes(struct talk *talk, const char *request,
                                     size_t length);
-/* Replaces each ' by ". Requests and parts of replies are written with ' for the quotes
- * of JSON. */
+/* Replaces each ' by ". In requests and parts of replies ' is written for the quotes of
+ * JSON. */
 void talk_quote(char *text);
-/* Sends a request that is formatted by printf. Returns its text. */
+/* Sends a request that printf formats. Returns its text. */
 const char *talk_send(struct talk *talk, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-/* Check the reply to a request, which must succeed, or fail with `why` in the error. */
+/* Check the reply to a request. talk_success: the request must succeed. talk_failure:
+ * it must fail with `why` in the error. */
 const struct json_value *talk_success(const struct talk *talk, const char *request);
 void talk_failure(const struct talk *talk, const char *why, const char *request);
-/* Send a request that must succeed, and one that must fail. */
+/* talk_ask sends a request that must succeed, talk_refused a request that must fail. */
 #define talk_ask(talk, ...) talk_success(talk, talk_send(talk, __VA_ARGS__))
 #define talk_refused(talk, why, ...) \
     talk_failure(talk, why, talk_send(talk, __VA_ARGS__))
 /* Fails the test unless the last reply contains `part`. */
 void talk_says(const struct talk *talk, const char *part);
-/* Loads a program. `more` has further members of the request, each after a comma. */
+/* Loads a program. `more` has further members of the request; a comma precedes each of
+ * them. */
 const struct json_value *talk_load(struct talk *talk, const char *text,
                                    const char *more);
 
-/* Return a member that is a number or a text; a missing member fails the test. */
+/* Return a member that is a number or a text. If it is missing, the test fails. */
 double number_of(const struct json_value *object, const char *key);
 const char *text_of(const struct json_value *object, const char *key);
 size_t items_of(const struct json_value *list);

@@ -68,8 +68,8 @@ static void squares_of_quarter(mpfr_t low, mpfr_t high)
     mpfr_sqr(high, high, MPFR_RNDN);
 }
 
-/* Computes (e^r - 1 - r) / r^2. Near r = 0 the quotient cancels; its limit 1/2 is
- * used. */
+/* Computes (e^r - 1 - r) / r^2. Near r = 0, where the quotient cancels, the limit 1/2
+ * is used. */
 static void rest_of_exp(mpfr_t value, const mpfr_t r)
 {
     if (mpfr_zero_p(r) || mpfr_get_exp(r) < -DIGITS / 2) {
@@ -82,7 +82,7 @@ static void rest_of_exp(mpfr_t value, const mpfr_t r)
     mpfr_div(value, value, r, MPFR_RNDN);
 }
 
-/* Computes (f(s) - s) / s^3 of an odd function, as a function of the square of s. */
+/* Computes (f(s) - s) / s^3 for an odd function f, as a function of s^2. */
 static void rest_of_odd(mpfr_t value, const mpfr_t square,
                         int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t))
 {
@@ -160,8 +160,8 @@ const struct exact_polynomial *exact_polynomial_at(size_t i)
     return i < sizeof polynomials / sizeof *polynomials ? &polynomials[i] : NULL;
 }
 
-/* Chebyshev point i of count: the midpoint plus half the width times cos(pi (2 i + 1) /
- * (2 count)). */
+/* Computes Chebyshev point i of count: the midpoint plus half the width times cos(pi (2
+ * i + 1) / (2 count)). */
 static void chebyshev_point(mpfr_t point, size_t i, size_t count, const mpfr_t low,
                             const mpfr_t high)
 {
@@ -179,7 +179,8 @@ static void chebyshev_point(mpfr_t point, size_t i, size_t count, const mpfr_t l
     mpfr_clear(middle);
 }
 
-/* Replaces the values by divided differences, the coefficients of Newton's form. */
+/* Replaces the values by divided differences, which are the coefficients of Newton's
+ * form. */
 static void divide_differences(mpfr_t values[], mpfr_t points[], size_t count)
 {
     mpfr_t width;

@@ -1,5 +1,5 @@
-/* exact_functions.h - reference values of the routines of asm/lib, to any number of
- * digits, and their polynomials, computed with MPFR.
+/* exact_functions.h - reference values of the routines of asm/lib and their
+ * polynomials. MPFR computes them to any number of digits.
  */
 #ifndef EXACT_FUNCTIONS_H
 #define EXACT_FUNCTIONS_H
@@ -14,7 +14,7 @@ exact_function exact_exp, exact_log, exact_sin, exact_cos, exact_atan2, exact_po
 /* A polynomial that interpolates `value` at `count` Chebyshev points of the interval
  * `bounds`. */
 struct exact_polynomial {
-    const char *label; /* label of the coefficients, lowest power first */
+    const char *label; /* label of the coefficients; the lowest power is the first */
     size_t count;
     void (*bounds)(mpfr_t low, mpfr_t high);
     void (*value)(mpfr_t value, const mpfr_t at);
@@ -23,8 +23,8 @@ struct exact_polynomial {
 /* Returns the i-th polynomial, or NULL after the last. */
 const struct exact_polynomial *exact_polynomial_at(size_t i);
 
-/* Computes the coefficients of a polynomial. The function initialises them; the caller
- * clears them. */
+/* Computes the coefficients of a polynomial. The function initialises them, and the
+ * caller clears them. */
 enum { EXACT_COEFFICIENTS = 16 };
 void exact_coefficients(const struct exact_polynomial *polynomial,
                         mpfr_t coefficients[]);

@@ -1,5 +1,5 @@
-/* field_reading.c - reads height fields from a temporary file and finds points of their
- * triangles. */
+/* field_reading.c - reads height fields from a temporary file, and finds points of
+ * their triangles. */
 #include "tests/unit/field_reading.h"
 
 #include <unistd.h>

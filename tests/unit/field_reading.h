@@ -1,5 +1,5 @@
-/* field_reading.h - writes image files for a test, and locates the triangles that a
- * height_field of such a file becomes.
+/* field_reading.h - writes image files for a test, and finds triangles of the
+ * height_field that such a file becomes.
  */
 #ifndef TESTS_FIELD_READING_H
 #define TESTS_FIELD_READING_H
@@ -7,7 +7,7 @@
 #include "rt/shapes/primitive.h"
 #include "tests/unit/scene_reading.h"
 
-/* Fixtures: the file has a unique name and is removed afterwards. */
+/* Fixtures. The file has a unique name, and is removed afterwards. */
 extern char field_path[64];
 int field_begin(void **state);
 int field_end(void **state);
@@ -25,12 +25,12 @@ struct scene *field_expect(const char *words, const char *modifiers);
 void field_expect_fault(const char *words, const char *modifiers, size_t column,
                         const char *message);
 
-/* Computes the barycentric coordinates of a point of the x-z plane in a triangle.
+/* Computes the barycentric coordinates in a triangle of a point in the x-z plane.
  * Returns false if the point is outside. */
 bool field_shares(const struct triangle *triangle, double x, double z,
                   double shares[3]);
-/* Returns the number of triangles that a line along y hits. Sets the height of the last
- * hit. */
+/* Returns the number of triangles that a line along y hits. Sets *height to the height
+ * of the last hit. */
 int field_meet(const struct triangles *triangles, double x, double z, double *height);
 
 #endif

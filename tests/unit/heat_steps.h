@@ -1,5 +1,5 @@
-/* heat_steps.h - checks that the steps of a heat computation sum to all its clocks, and
- * estimates against known values. */
+/* heat_steps.h - checks that the clocks of all steps of a heat computation sum to its
+ * total clocks. Also compares estimates with known values. */
 #ifndef TESTS_HEAT_STEPS_H
 #define TESTS_HEAT_STEPS_H
 
@@ -19,8 +19,8 @@ static inline bool are_steps(const uint64_t clocks[HEAT_STEPS],
            && clocks[STEP_COUNTS] > 0 && sum == accounts->clocks;
 }
 
-/* The error is estimated from 16 repeats: 4.6 errors are as rare as 4 of a normal
- * distribution. */
+/* The error is estimated from 16 repeats. 4.6 such errors are as rare as 4 standard
+ * deviations of a normal distribution. */
 static inline void assert_estimate(const char *what, struct estimate found,
                                    double expected)
 {

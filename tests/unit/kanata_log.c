@@ -1,4 +1,4 @@
-/* kanata_log.c - parses logs in the format Kanata 0004 and reports the first fault. */
+/* kanata_log.c - parses logs in the format Kanata 0004, and reports the first error. */
 #include "tests/unit/kanata_log.h"
 
 #include <stdbool.h>
@@ -10,7 +10,7 @@ enum { WORDS = 4, WORD = 400, MAX_LANES = 2, STAGE = 16 };
 
 struct alive {
     bool is;
-    char stage[MAX_LANES][STAGE]; /* current stage of each lane; "": none */
+    char stage[MAX_LANES][STAGE]; /* current stage of each lane; "": no stage */
 };
 
 struct kanata_log {
@@ -18,14 +18,14 @@ struct kanata_log {
     size_t capacity, retired, ended;
     struct alive *insns;
     bool begun;
-    char words[WORDS][WORD]; /* of the current line */
+    char words[WORDS][WORD]; /* words of the current line */
     size_t word_count;
 };
 
 /* ---- Words ----------------------------------------------------------------- */
 
-/* Splits a line into words. Returns false if there are too many, one is too long, or
- * one is empty. */
+/* Splits a line into words. Returns false if there are too many words, or if a word is
+ * too long or empty. */
 static bool cut_line(struct kanata_log *log, const char *line, size_t length)
 {
     size_t used = 0;
@@ -125,7 +125,8 @@ static const char *depend(struct kanata_log *log)
     return number_of(log, 2) < log->count ? NULL : "there is no producer";
 }
 
-/* The words after each command: n, a number; i, an instruction that exists; t, text. */
+/* The words after each command: n is a number, i is an instruction that exists, t is a
+ * text. */
 static const struct kanata_command {
     const char *name, *words;
     const char *(*take)(struct kanata_log *log); /* NULL: any words are accepted */

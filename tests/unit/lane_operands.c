@@ -1,11 +1,11 @@
-/* lane_operands.c - draws random words of all kinds for tests of spans. */
+/* lane_operands.c - makes random words of all kinds for tests of spans. */
 #include "tests/unit/lane_operands.h"
 
 #include "vm/number/arith.h"
 
 #define SIZE(table) (sizeof(table) / sizeof *(table))
 
-/* Defines a supply of one expression, for the table of supplies. */
+/* Defines a function that supplies words, for the table of supplies. */
 #define SUPPLY(name, expression) \
     static c205_word name(word_format f, uint64_t *seed) \
     { \
@@ -55,7 +55,8 @@ c205_word lane_any_bits(word_format f, uint64_t *seed)
     return xorshift(seed) & format_mask(f);
 }
 
-/* Coefficients with few ones or few zeros, so that carries propagate far. */
+/* Coefficients with few ones or few zeros, so that carries propagate over many
+ * digits. */
 c205_word lane_sparse(word_format f, uint64_t *seed)
 {
     c205_word word = around(f, seed);
@@ -78,7 +79,8 @@ static c205_word zero(word_format f, uint64_t *seed)
 
 SUPPLY(mostly_zero, xorshift(seed) % 128 == 0 ? special(f, seed) : zero(f, seed))
 
-/* Exponents at both ends of a range that has `less` bits fewer than the format. */
+/* Exponents at both ends of a range that is `less` bits shorter than the range of the
+ * format. */
 static c205_word at_the_ends(word_format f, uint64_t *seed, int less)
 {
     int32_t end = 1 << (f.exponent_bits - 1 - less);
@@ -86,13 +88,13 @@ static c205_word at_the_ends(word_format f, uint64_t *seed, int less)
     return xorshift_normalised_of(f, seed, e, e);
 }
 
-/* Words just inside the common range (vm/number/common_range.h), rarely just
+/* Words just inside the common range (vm/number/common_range.h). Some words are just
  * outside. */
 SUPPLY(about_usual, at_the_ends(f, seed, xorshift(seed) % 128 == 0 ? 1 : 2))
 SUPPLY(beyond_usual, at_the_ends(f, seed, 1))
 
-/* Exponents of a range that has `less` bits fewer than the format. Some coefficients
- * are the largest or smallest; some words are machine zeros. */
+/* Exponents of a range that is `less` bits shorter than the range of the format. Some
+ * coefficients are the largest or the smallest. Some words are machine zeros. */
 static c205_word within(word_format f, uint64_t *seed, int less)
 {
     int32_t end = 1 << (f.exponent_bits - 1) >> less;
@@ -106,8 +108,8 @@ static c205_word within(word_format f, uint64_t *seed, int less)
                               : xorshift_normalised_of(f, seed, e, e);
 }
 
-/* Words that convert to doubles exactly (vm/number/round_down.h). The variants:
- * exponents close together, rarely other words, and exponents just out of range. */
+/* Words that can be converted to doubles exactly (vm/number/round_down.h). Variants
+ * have close exponents, a few other words, or exponents just out of range. */
 SUPPLY(moderate, within(f, seed, 7))
 SUPPLY(moderate_near, within(f, seed, 13))
 
@@ -121,8 +123,8 @@ static c205_word mostly_moderate(word_format f, uint64_t *seed)
 
 SUPPLY(beyond_moderate, within(f, seed, 6))
 
-/* Integers of few or many digits, as indices have, with machine zeros among them. The
- * variant adds other words rarely. */
+/* Integers with few or many digits, like indices, and machine zeros. The variant
+ * contains a few other words. */
 static c205_word whole(word_format f, uint64_t *seed)
 {
     int64_t end = INT64_C(1) << xorshift_between(seed, 0, f.digits);
@@ -149,7 +151,7 @@ static c205_word absolute(word_format f, c205_word word)
 SUPPLY(positive, absolute(f, anywhere(f, seed)))
 SUPPLY(moderate_positive, absolute(f, moderate(f, seed)))
 
-/* Squares and their predecessors, between which a truncated root changes. */
+/* Squares, and words that are less by one, between which a truncated root changes. */
 c205_word lane_about_a_square(word_format f, uint64_t *seed)
 {
     int64_t least = INT64_C(1) << (f.digits / 2);

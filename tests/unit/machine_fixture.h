@@ -6,8 +6,8 @@
 #include "vm/c205.h"
 
 enum { CODE_WORDS = 64 };
-#define CODE UINT64_C(0x400000)   /* page 1 */
-#define DATA UINT64_C(0x10000000) /* page 64 */
+#define CODE UINT64_C(0x400000)   /* start of page 1 */
+#define DATA UINT64_C(0x10000000) /* start of page 64 */
 #define HALF_WORD 32
 
 struct small_machine {
@@ -26,9 +26,9 @@ uint64_t add(struct small_machine *fixture, const char *mnemonic, c205_fields fi
 void begin(struct small_machine *fixture);
 struct small_machine make_small_machine(void);
 void free_small_machine(struct small_machine *fixture);
-#define small_machine_free free_small_machine /* for SCOPED_VALUE */
+#define small_machine_free free_small_machine /* name for SCOPED_VALUE */
 
-/* Loads the code, and data_words words of zeros at DATA. */
+/* Loads the code, and data_words zeros at DATA. */
 void load(struct small_machine *fixture, size_t data_words);
 c205_stop run(struct small_machine *fixture);
 void set(struct small_machine *fixture, unsigned number, c205_word word);

@@ -6,13 +6,13 @@
 #include "tests/oracle/plain_tracer.h"
 #include "tests/unit/scene_reading.h"
 
-/* The origin and the direction of a ray. */
+/* The origin and direction of a ray. */
 struct look {
     double from[3], along[3];
 };
 
-/* Reads the two parts of a text as one scene, and traces the ray. Sets the channels of
- * its frame of one pixel. */
+/* Reads `head` and `text` as one scene, and traces the ray. Sets `values` to the
+ * channels of a frame of one pixel. */
 static inline void trace_ray(const struct look *look, const char *head,
                              const char *text, double values[FRAME_CHANNELS])
 {

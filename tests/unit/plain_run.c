@@ -1,5 +1,5 @@
-/* plain_run.c - records all states of a program and finds the stops of a debugger in
- * them. */
+/* plain_run.c - records all states of a program, and finds the stops of a debugger
+ * among them. */
 #include "tests/unit/plain_run.h"
 
 #include "tests/random.h"

@@ -1,5 +1,5 @@
-/* plain_run.h - records all states of a program in one forward run, as the reference
- * for a debugger.
+/* plain_run.h - records all states of a program in one forward run. They are the
+ * reference for a debugger.
  */
 #ifndef TESTS_PLAIN_RUN_H
 #define TESTS_PLAIN_RUN_H
@@ -24,10 +24,10 @@ struct plain {
 };
 
 struct moment moment_of(const c205 *machine, uint64_t watched);
-/* Runs an object and records its states. A random word of the last segment is watched.
+/* Runs a program and records its states. Watches a random word of the last segment.
  * Takes ownership of the object. */
 struct plain run_plainly(struct object *object, uint64_t *random_state);
-/* Returns the region that contains an address, or "" if none does. */
+/* Returns the region that contains an address, or "". */
 const char *plain_region(const struct plain *plain, uint64_t pc);
 
 /* ---- Where a debugger stops -------------------------------------------------- */
@@ -35,14 +35,14 @@ const char *plain_region(const struct plain *plain, uint64_t pc);
 struct plain_stops {
     bool by_watch, by_place;
     uint64_t place;
-    size_t every;       /* stops at multiples of this step only; 0: at all */
-    const char *region; /* stops when this region is entered; NULL: none */
+    size_t every;       /* stops only at multiples of this step; 0: at all steps */
+    const char *region; /* stops where this region is entered; NULL: at no region */
 };
 
 bool plain_stops_at(const struct plain *plain, const struct plain_stops *stops,
                     size_t step);
-/* Return the step of the next stop forward, within `count` steps, or of the previous
- * stop backward, or the first step. */
+/* plain_on returns the step of the next stop within `count` steps, going forward.
+ * plain_back returns the previous stop, going backward, or the first step. */
 size_t plain_on(const struct plain *plain, const struct plain_stops *stops, size_t step,
                 uint64_t count);
 size_t plain_back(const struct plain *plain, const struct plain_stops *stops,

@@ -1,4 +1,4 @@
-/* plain_surface.h - surfaces of one or more primitives and rays that hit them, for the
+/* plain_surface.h - surfaces of one or more primitives, and rays that hit them, for the
  * tests of the plain tracer's shapes. */
 #ifndef TESTS_PLAIN_SURFACE_H
 #define TESTS_PLAIN_SURFACE_H
@@ -9,7 +9,7 @@
 
 #define PI 3.14159265358979323846
 #define CLOSE 1e-12
-#define START 1e-6 /* crossings nearer than this are at the ray's origin */
+#define START 1e-6 /* nearer crossings are at the ray's origin */
 
 void assert_near(double found, double expected, double within);
 double number_between(uint64_t *random, double low, double high);
@@ -31,7 +31,8 @@ struct spelling {
 struct spelling shoot(const struct surface *surface, const struct ray *ray);
 struct surface one(enum primitive_kind kind);
 
-/* A ray with its expected distance (0: no hit) and the normal that faces the ray. */
+/* A ray, its expected distance (0: no hit), and the expected normal that faces the
+ * ray. */
 struct expectation {
     double origin[3], direction[3];
     double distance, normal[3];
@@ -44,16 +45,16 @@ void assert_hits(const struct surface *surface, const struct expectation *rows,
 
 /* ---- Volumes ------------------------------------------------------------ */
 
-/* Estimates the volume with parallel oblique rays through a grid over -size .. size. */
+/* Estimates the volume with parallel oblique rays through a grid from -size to size. */
 double volume(const struct surface *surface, double size);
 
 /* ---- Two equal surfaces --------------------------------------------------- */
 
-/* Sets the coefficient of x^x y^y z^z of a quartic. */
+/* Sets the coefficient of the term of a quartic with these powers of x, y and z. */
 void set_coefficient(struct surface *surface, int x, int y, int z, double value);
 
 /* Compares two surfaces with random rays. Rays that graze a surface may differ, because
- * one rounding decides whether they hit. */
+ * rounding decides whether they hit. */
 void assert_same_surface(const struct surface *a, const struct surface *b, double size);
 
 #endif

@@ -1,4 +1,4 @@
-/* prior_model.c - finds the machine model by its name, once. */
+/* prior_model.c - finds the machine model by its name, only once. */
 #include "prior_model.h"
 
 #include "tests/oracle/arithmetic_oracle.h"

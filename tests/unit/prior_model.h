@@ -7,7 +7,7 @@
 
 extern c205_model *prior_model;
 
-/* Initialises options with the model and further members. */
+/* Initialises options with the model and other members. */
 #define ON_PRIOR(...) \
     { \
         .model = prior_model, __VA_ARGS__ \

@@ -1,4 +1,4 @@
-/* random_debug_program.c - draws random program texts that terminate. */
+/* random_debug_program.c - makes random program texts that terminate. */
 #include "tests/unit/random_debug_program.h"
 
 #include "tests/random.h"
@@ -25,7 +25,7 @@ static const struct kinds scalars = { sizeof scalar_lines / sizeof *scalar_lines
 static const struct kinds vectors = { sizeof vector_lines / sizeof *vector_lines,
                                       vector_lines };
 
-/* Adds a random number of lines, at most `most`. */
+/* Adds a random number of lines, up to `most`. */
 static void add_lines(uint64_t *state, char *text, int64_t most,
                       const struct kinds *kinds)
 {

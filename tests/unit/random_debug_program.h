@@ -1,4 +1,5 @@
-/* random_debug_program.h - random program texts that terminate: a start, vectors, a loop. */
+/* random_debug_program.h - random program texts that terminate. Each has a start,
+ * vectors and a loop. */
 #ifndef TESTS_DRAWN_PROGRAM_H
 #define TESTS_DRAWN_PROGRAM_H
 
@@ -6,7 +7,8 @@
 
 enum { DRAWN_TEXT = 4096 };
 
-/* Vectors have n elements and the loop n iterations; the caller defines n. */
+/* Makes a text. Vectors have n elements, and the loop has n iterations. The caller
+ * defines n. */
 void draw_program(uint64_t *state, char text[DRAWN_TEXT]);
 
 #endif

@@ -1,4 +1,4 @@
-/* random_lesson.c - draws random lessons, and writes their answers and tests. */
+/* random_lesson.c - makes random lessons, and writes their answers and tests. */
 #include "tests/unit/random_lesson.h"
 
 #include <inttypes.h>
@@ -37,7 +37,7 @@ static c205_word element_of(const struct random_lesson *drawn, double number)
                                          : (c205_word)(number != 0) << 63;
 }
 
-/* No two elements have the same magnitude, and none is zero. */
+/* Makes elements. All of them have different magnitudes, and none is zero. */
 static void draw_elements(const struct random_lesson *drawn, struct random_test *test,
                           uint64_t *state)
 {

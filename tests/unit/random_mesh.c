@@ -41,7 +41,7 @@ static bool are_apart(const struct net *net, size_t a, size_t b, double distance
     return fabs(sqrt(dot(way, way)) - distance) < 1e-9;
 }
 
-/* Adds a face for every three points whose distances are all `apart`. */
+/* Adds a face for each set of three points whose distances are all `apart`. */
 static void join_neighbours(struct net *net, double apart)
 {
     for (size_t a = 0; a < net->point_count; a++)
@@ -175,7 +175,7 @@ void net_soup(struct net *net, size_t count, bool slender, uint64_t *random)
 
 /* ---- Changes ------------------------------------------------------------- */
 
-/* Returns the midpoint of an edge; both directions of the edge give the same bits. */
+/* Returns the midpoint of an edge. Both directions of the edge give the same bits. */
 static size_t middle_of(struct net *net, size_t a, size_t b)
 {
     double middle[3];
@@ -259,7 +259,8 @@ static void face_normal(const struct net *net, const size_t face[3], double norm
     cross_product(edges[0], edges[1], normal);
 }
 
-/* Faces have either orientation; here their normals point away from the origin. */
+/* Adds normals that point away from the origin. The faces may have either
+ * orientation. */
 static void add_normals(struct net *net)
 {
     memset(net->normals, 0, sizeof net->normals);

@@ -1,6 +1,6 @@
 /* random_mesh.h - triangle meshes for tests: closed bodies about the origin, sheets and
- * fans, as texts of the scene language and as primitives. Triangles share points, so
- * that common corners have the same bits. */
+ * fans. They are written as texts of the scene language, or made as primitives.
+ * Triangles share points, so that common corners have the same bits. */
 #ifndef TESTS_RANDOM_MESH_H
 #define TESTS_RANDOM_MESH_H
 
@@ -17,54 +17,58 @@ struct net {
     double normals[NET_POINTS][3]; /* for smooth meshes */
     size_t faces[NET_FACES][3];
     bool smooth;
-    const size_t (*directions)[3]; /* normals of each face; NULL: those of its points */
+    const size_t (*directions)[3]; /* indices of each face's normals; NULL: the normals
+                                    * of its points */
 };
 
-/* Returns the index of a point; a new point is added. */
+/* Returns the index of a point, and adds the point if it is new. */
 size_t net_point(struct net *net, const double point[3]);
 void net_face(struct net *net, size_t a, size_t b, size_t c);
 
-/* Replaces the mesh by a body. All points but those of the icosahedron have integer
- * coordinates. */
+/* Replaces the mesh by a body. The icosahedron alone has points whose coordinates are
+ * not integers. */
 enum net_body { OCTAHEDRON, BOX, ICOSAHEDRON, NET_BODIES };
 void net_take(struct net *net, enum net_body body);
-/* A cube from -half to half with squares x squares squares on each face. Each square is
- * divided along a random diagonal. */
+/* Makes a cube from -half to half with squares x squares squares on each face. A random
+ * diagonal divides each square. */
 void net_cube(struct net *net, double half, size_t squares, uint64_t *random);
-/* A height field: z is between -height and height, over x and z from -1 to 1. */
+/* Makes a height field over x and z from -1 to 1. Its heights are from -height to
+ * height. */
 void net_sheet(struct net *net, size_t squares, double height, uint64_t *random);
-/* Blades around the first point; `around` is the covered fraction of the circle. */
+/* Makes triangles around the first point. `around` is the fraction of the circle that
+ * they cover. */
 void net_fan(struct net *net, size_t blades, double around, double height);
-/* Separate triangles; in slender ones two corners nearly coincide. */
+/* Makes separate triangles. In slender triangles two corners nearly coincide. */
 void net_soup(struct net *net, size_t count, bool slender, uint64_t *random);
 
 /* Divides each face into four. */
 void net_divide(struct net *net);
-/* Scales each point from the origin by a random factor from low to high. The factor is
- * a multiple of `grain` unless grain is 0. */
+/* Scales each point by a random factor from low to high. If `grain` is not 0, the
+ * factor is a multiple of it. */
 void net_stretch(struct net *net, double low, double high, double grain,
                  uint64_t *random);
-/* Rounds coordinates to multiples of a grain. */
+/* Rounds coordinates to multiples of `grain`. */
 void net_round(struct net *net, double grain);
 void net_move(struct net *net, double scale, const double by[3]);
-/* Draws a body, divides its faces `times` times and moves its points. The result is
- * star-shaped about the origin, and no point is nearer to it than 1/4. */
+/* Makes a body, divides its faces `times` times and moves its points. The result is
+ * star-shaped about the origin. All points are at distances of at least 1/4 from the
+ * origin. */
 void net_random_body(struct net *net, size_t times, uint64_t *random);
-/* Shuffles the faces and the corners of each. */
+/* Shuffles the faces, and the corners of each face. */
 void net_shuffle(struct net *net, uint64_t *random);
-/* Adds normals at the points: the mean of the normals of the adjacent faces, tilted at
- * random. */
+/* Adds normals at the points. A normal is the mean of the normals of the adjacent
+ * faces, tilted at random. */
 void net_smooth(struct net *net, double lean, uint64_t *random);
 
-/* Write the mesh as text up to the modifiers: "mesh { .." or "mesh2 { ..". The first
- * function writes the triangles in any object, such as a union. */
+/* Write the mesh as text up to the modifiers. net_triangles_text writes the triangles
+ * in any object, such as a union. The others write "mesh { .." and "mesh2 { ..". */
 void net_triangles_text(const struct net *net, const char *object, char *text,
                         size_t size);
 void net_mesh_text(const struct net *net, char *text, size_t size);
 void net_mesh2_text(const struct net *net, char *text, size_t size);
-/* Writes the mesh in either form, at random. */
+/* Writes the mesh in one of the forms, at random. */
 void net_text(const struct net *net, char *text, size_t size, uint64_t *random);
-/* The caller frees the triangles' list. */
+/* Makes a primitive. The caller frees the list of its triangles. */
 void net_primitive(const struct net *net, struct primitive *primitive);
 
 #endif

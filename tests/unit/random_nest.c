@@ -1,4 +1,5 @@
-/* random_nest.c - generates nests of directives, written or expanded, from a seed. */
+/* random_nest.c - generates nests of directives from a seed, in written or expanded
+ * form. */
 #include "tests/unit/random_nest.h"
 
 #include "tests/random.h"
@@ -6,18 +7,18 @@
 
 enum { MAX_VARIABLES = 100, DEPTH = 4 };
 
-/* The kind of a list; NUMBER is a single number. */
+/* The kind of a list. NUMBER is a single number. */
 enum place { OBJECTS, MODIFIERS, LAYER, FINISH, TERMS, NUMBER };
 
 struct making {
-    bool written;   /* false: expanded */
-    uint64_t state; /* random state of the choices */
+    bool written;   /* true: written form; false: expanded form */
+    uint64_t state; /* random state of all choices */
     struct text_buffer text;
-    size_t silent;                /* > 0: text is suppressed */
+    size_t silent;                /* above 0: text is suppressed */
     double values[MAX_VARIABLES]; /* values of the visible variables V0, V1 .. */
     size_t variables;
-    size_t macros;  /* number of written macros */
-    bool breakable; /* a #break here leaves no incomplete block */
+    size_t macros;  /* number of macros that were written */
+    bool breakable; /* a #break here would leave no incomplete block */
     bool broken;    /* a #break was executed */
     double value;   /* value of the last NUMBER */
 };
@@ -52,7 +53,8 @@ static void put(struct making *making, const char *format, ...)
 /* Writes a directive. The expanded form omits it. */
 #define direct(making, ...) ((making)->written ? put(making, __VA_ARGS__) : (void)0)
 
-/* Writes the number of a directive; the expanded form computes it without text. */
+/* Writes the number of a directive. In the expanded form it only computes the
+ * number. */
 static double direct_number(struct making *making, size_t depth)
 {
     double before = making->value;
@@ -70,8 +72,8 @@ static size_t new_variable(struct making *making, double value)
     return making->variables++;
 }
 
-/* Generates the body of a directive or a macro call from a seed; its variables end with
- * it. */
+/* Generates the body of a directive or of a macro call from a seed. The variables of
+ * the body end with it. */
 static void carry_out(struct making *making, enum place place, uint64_t seed,
                       size_t depth)
 {
@@ -86,7 +88,7 @@ static void carry_out(struct making *making, enum place place, uint64_t seed,
     making->variables = variables;
 }
 
-/* Generates a body that a #break ends. Returns whether it executed one. */
+/* Generates a body that a #break can end. Returns true if a #break was executed. */
 static bool carry_out_broken(struct making *making, enum place place, uint64_t seed,
                              size_t depth)
 {
@@ -158,7 +160,7 @@ static void put_for(struct making *making, enum place place, size_t depth)
 static void put_while(struct making *making, enum place place, size_t depth)
 {
     size_t turns = turns_of(making, place);
-    size_t first = below(making, 2); /* 1: the body is after the increment */
+    size_t first = below(making, 2); /* 1: the body follows the increment */
     uint64_t seed = new_seed(making);
     size_t variable = new_variable(making, 0);
     direct(making, "#local V%zu = 0; #while (V%zu < %zu)\n", variable, variable, turns);
@@ -198,7 +200,7 @@ static void put_if(struct making *making, enum place place, size_t depth)
     making->broken = broken;
 }
 
-/* Writes #case or #range. Returns whether it matches the value. */
+/* Writes #case or #range. Returns true if it matches the value. */
 static bool put_case(struct making *making, double value)
 {
     double low = (double)below(making, 5);
@@ -256,7 +258,7 @@ static void put_macro(struct making *making, enum place place, size_t depth)
     making->variables--;
 }
 
-/* Declares a local variable, visible up to the end of the list. */
+/* Declares a local variable, which is visible up to the end of the list. */
 static void put_local(struct making *making, size_t depth)
 {
     direct(making, "#local V%zu = ", making->variables);
@@ -388,7 +390,7 @@ static void put_sphere(struct making *making, size_t depth)
 static void put_solid(struct making *making, size_t depth)
 {
     static const char *const words[] = { "union", "merge", "intersection" };
-    size_t around = below(making, 4); /* where there are spheres */
+    size_t around = below(making, 4); /* the position of the spheres */
     put(making, "%s { ", words[below(making, COUNT(words))]);
     if (around != 1)
         put_sphere(making, 0);
@@ -399,7 +401,7 @@ static void put_solid(struct making *making, size_t depth)
     put(making, "}\n");
 }
 
-/* Writes `count` numbers, each with a comma after it. */
+/* Writes `count` numbers. A comma follows each of them. */
 static void put_elements(struct making *making, size_t count, size_t depth,
                          double *values)
 {
@@ -497,7 +499,7 @@ static void put_share(struct making *making, size_t depth)
     put(making, ") ");
 }
 
-/* Adds a term; the value becomes the partial sum. */
+/* Adds a term. The value becomes the partial sum. */
 static void put_term(struct making *making, size_t depth)
 {
     double before = making->value;

@@ -106,7 +106,7 @@ static void add_color(char *text, size_t size)
                filter, filter / 3);
 }
 
-/* Writes a gradient with one to six stops; some stops coincide. */
+/* Writes a gradient with one to six stops. Some stops coincide. */
 void add_gradient(char *text, size_t size)
 {
     double at = between(-.1, .4);
@@ -118,9 +118,9 @@ void add_gradient(char *text, size_t size)
     add_text(text, size, "} ");
 }
 
-/* Writes a finish that depends on the angle. Clear materials get no metallic one,
- * because their checkers differ from POV-Ray's. Draws no random number, so that the
- * solids do not change. */
+/* Writes a finish that depends on the angle. Clear materials are not metallic, because
+ * POV-Ray's metallic checkers differ. No random number is used, so that the solids do
+ * not change. */
 static void add_gloss(char *text, size_t size)
 {
     static const char *const glosses[] = {
@@ -194,7 +194,7 @@ static void add_plane(char *text, size_t size)
                               : "plane { @1@, ^4p-.3:.6^ ");
 }
 
-/* Every other disc is a ring. */
+/* Writes a disc. Every second disc is a ring. */
 static void add_disc(char *text, size_t size)
 {
     add_random(text, size,
@@ -204,7 +204,7 @@ static void add_disc(char *text, size_t size)
         add_random(text, size, ", ^4s.1:.5^ ");
 }
 
-/* Writes a lathe of two sizes, closed or open, with level and upright segments. */
+/* Writes a lathe with two radii, closed or open, with level and vertical segments. */
 static void add_lathe(char *text, size_t size, double large, double small)
 {
     bool open = strlen(text) % 4 == 0;
@@ -215,7 +215,7 @@ static void add_lathe(char *text, size_t size, double large, double small)
              small, small, small, small, large, open ? "" : ", <0, .75>");
 }
 
-/* Writes a torus or a lathe. Both draw the same random numbers. */
+/* Writes a torus or a lathe. Both use the same random numbers. */
 static void add_torus(char *text, size_t size)
 {
     double major = size_between(.6, 1), minor = size_between(.15, .4);
@@ -225,7 +225,7 @@ static void add_torus(char *text, size_t size)
         add_text(text, size, "torus { %.4f, %.4f ", major, minor);
 }
 
-/* Writes a prism: a corner piece, an arrow, or a shape of parabolas. All draw the same
+/* Writes a prism: a corner piece, an arrow, or a shape with parabolas. All use the same
  * random numbers. */
 static void add_prism(char *text, size_t size)
 {
@@ -254,7 +254,7 @@ static void add_patch(char *text, size_t size)
         add_random(text, size, "weights 1, 1, 1, ^2s.5:2^, .5, 1 ");
 }
 
-/* Writes a mesh: a roof, its smooth gable, or both, which form a closed body. */
+/* Writes a mesh: a roof, its smooth gable, or both. Both form a closed body. */
 static void add_mesh(char *text, size_t size)
 {
     double x = size_between(.3, 1), y = place_between(-.5, 1);
@@ -272,7 +272,7 @@ static void add_mesh(char *text, size_t size)
                  y, z, y, z, x);
 }
 
-/* Clips one object in ten, in its place before it moves. */
+/* Clips one object in ten, before it is moved. */
 static void add_clip(char *text, size_t size)
 {
     static void (*const add_shape[])(char *, size_t) = {
@@ -287,8 +287,8 @@ static void add_clip(char *text, size_t size)
     add_text(text, size, "%s} } ", below(4) ? "" : "inverse ");
 }
 
-/* Writes two balls and a rod instead of one shape in some solids. The random state of
- * other solids is unchanged, so that they are as they were before blobs existed. */
+/* In some solids, writes two balls and a rod instead of a shape. The random state of
+ * other solids does not depend on this choice. */
 static bool add_blob(char *text, size_t size)
 {
     uint64_t kept = traced.random;

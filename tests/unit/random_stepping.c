@@ -1,4 +1,4 @@
-/* random_stepping.c - draws random programs for a debugger to step through. */
+/* random_stepping.c - makes random programs for a debugger to step through. */
 #include "tests/unit/random_stepping.h"
 
 #include "tests/random.h"

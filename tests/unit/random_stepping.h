@@ -8,7 +8,7 @@
 
 #include "base/sink.h"
 
-/* The caller frees the text. */
+/* Makes a program. The caller frees the text. */
 void draw_walk(uint64_t *state, struct text_buffer *text);
 
 #endif

@@ -27,7 +27,7 @@ static void format_element(const struct random_lesson *drawn, c205_word found,
     format_value(drawn, wanted, sink);
 }
 
-/* Returns the element that the answer leaves in y. */
+/* Returns the element of y after the answer has run. */
 static c205_word found_at(const struct random_lesson *drawn, size_t i)
 {
     const struct random_test *test = &drawn->tests[drawn->faulty];

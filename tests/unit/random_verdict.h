@@ -9,13 +9,13 @@
 
 /* Returns the number of wrong elements of y in the test that must fail. */
 size_t random_count_wrong(const struct random_lesson *drawn);
-/* Writes the sentence about these wrong elements. */
+/* Writes the sentence about the wrong elements. */
 void random_mismatch(const struct random_lesson *drawn, size_t wrong,
                      const struct sink *sink);
 /* Returns the sentence about the likely mistake, or "". Returns NULL if it cannot be
- * predicted: randomly flipped bits resemble many mistakes. */
+ * predicted, because randomly flipped bits resemble many mistakes. */
 const char *random_likeness(const struct random_lesson *drawn);
-/* Returns the line of the answer that contains the mistake; the first is 1. */
+/* Returns the line of the answer that contains the mistake. The first line is 1. */
 size_t random_fault_line(const struct random_lesson *drawn);
 
 #endif

@@ -1,5 +1,5 @@
-/* rule_cases.h - macros that compare the result and the flags of an operation with
- * those of the exact rule. */
+/* rule_cases.h - macros that compare the result and the flags of an operation with the
+ * exact rule. */
 #ifndef TESTS_RULE_CASES_H
 #define TESTS_RULE_CASES_H
 

@@ -1,4 +1,4 @@
-/* saved_machine.c - saves a machine as bytes, restores it and compares machines. */
+/* saved_machine.c - saves a machine as bytes, restores it, and compares machines. */
 #include "saved_machine.h"
 
 void bytes_free(struct bytes *bytes)

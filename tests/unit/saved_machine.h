@@ -1,4 +1,4 @@
-/* saved_machine.h - machines from programs, saved, restored and compared. */
+/* saved_machine.h - saves, restores and compares machines with programs. */
 #ifndef TESTS_SAVED_MACHINE_H
 #define TESTS_SAVED_MACHINE_H
 
@@ -20,14 +20,15 @@ c205 *restore(const struct bytes *bytes, const c205_model *model);
  * machine. */
 void assert_same(const c205 *a, const c205 *b);
 
-/* Saves a machine, restores it into a new one, compares both and frees the old one.
- * Returns the new one. */
+/* Saves a machine, restores it to a new machine, compares both, and frees the old
+ * machine. Returns the new machine. */
 c205 *replace(c205 *machine);
 void assert_same_stop(const c205_stop *a, const c205_stop *b);
 c205 *machine_with(const c205_program *program, const c205_model *model);
 c205 *machine_from(const char *path, const c205_model *model);
 
-/* Return the model of a random program, and a machine with the program loaded. */
+/* model_of returns the model of a random program. machine_of returns a machine that has
+ * loaded the program. */
 c205_model *model_of(const struct random_program *program);
 c205 *machine_of(const struct random_program *program, const c205_model *model);
 

@@ -1,7 +1,7 @@
 /* saved_programs.c - caches the assembled kernels of a test program.
  *
- * A program depends on the kernel and the constants alone, and a test of many scenes
- * assembles the same few programs again and again. The linker redirects calls of
+ * A program depends only on the kernel and the constants, and a test of many scenes
+ * repeatedly assembles the same few programs. The linker redirects calls of
  * program_assemble and object_free to this file (--wrap in the Makefile). If the cache
  * is full, the least recently used program without a user is freed.
  */
@@ -50,7 +50,7 @@ static struct kept *find(const char *asked)
     return NULL;
 }
 
-/* Returns a slot to reuse, or NULL if all are in use. */
+/* Returns a slot to reuse, or NULL if all slots are in use. */
 static struct kept *make_room(void)
 {
     struct kept *oldest = NULL;

@@ -1,12 +1,12 @@
-/* scene_fixture.c - lays out a scene in the memory of a machine, next to a program that
- * defines the records. */
+/* scene_fixture.c - lays out a scene in the memory of a machine, together with a
+ * program that defines the records. */
 #include "scene_fixture.h"
 
 #include "rt/layout/layout.h"
 #include "rt/shapes/shape.h"
 #include "vm/text.h"
 
-/* Defines a label once. */
+/* Defines a label, but only once. */
 static void put_label(const struct sink *sink, const char *name)
 {
     if (name)
@@ -22,7 +22,7 @@ static void put_kernels(const struct sink *sink, const struct shape_kernels *ker
     put_label(sink, kernels->state);
 }
 
-/* Returns a program that has the records, and each kernel only as a label. */
+/* Returns a program that defines the records. It has only labels for the kernels. */
 static struct object *stage_program(void)
 {
     const struct text *const texts[] = { kernel_texts, NULL };

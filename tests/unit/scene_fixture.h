@@ -1,5 +1,5 @@
-/* scene_fixture.h - scenes in the memory of a machine, for tests that read them by the
- * names of the records' fields.
+/* scene_fixture.h - scenes in the memory of a machine. Tests read them by the names of
+ * the records' fields.
  */
 #ifndef TESTS_SCENE_FIXTURE_H
 #define TESTS_SCENE_FIXTURE_H
@@ -23,7 +23,7 @@ uint64_t symbol(const struct stage *stage, const char *name);
 c205_word stage_word(const struct stage *stage, uint64_t address);
 c205_word scene_word(const struct stage *stage, const char *name);
 
-/* Returns a field of record i of the array that begins at `first`. */
+/* Returns a field of record i in the array that begins at `first`. */
 c205_word field_of(const struct stage *stage, uint64_t first, const char *size,
                    size_t i, const char *name);
 c205_word primitive(const struct stage *stage, size_t i, const char *name);

@@ -3,8 +3,8 @@
 
 /* ---- Prisms -------------------------------------------------------------- */
 
-/* Adds a loop around a point. Its corners have increasing angles, so that it does not
- * cross itself. */
+/* Adds a loop around a point. The angles of its corners increase, so that it does not
+ * intersect itself. */
 static size_t add_prism_loop(char *text, size_t size, double x, double z, double reach)
 {
     size_t corners = 3 + below(8);
@@ -22,7 +22,7 @@ static size_t add_prism_loop(char *text, size_t size, double x, double z, double
     return corners + 1;
 }
 
-/* Adds at least `least` corners at random places, from x = low to 1. */
+/* Adds at least `least` corners at random positions, from x = low to 1. */
 static size_t add_tangle(char *text, size_t size, size_t least, double low)
 {
     size_t corners = least + below(9);
@@ -31,7 +31,7 @@ static size_t add_tangle(char *text, size_t size, size_t least, double low)
     return corners;
 }
 
-/* Adds a comb. A ray can cross many teeth, and has then more than three segments inside
+/* Adds a comb. A ray can cross many teeth; it then has more than three segments inside
  * the prism. */
 static size_t add_prism_comb(char *text, size_t size)
 {
@@ -68,8 +68,8 @@ void add_prism(char *text, size_t size, bool tangles)
 
 enum { MAX_CORNERS = 9 };
 
-/* Writes the corners, with the last one repeated before the first as a smooth closed
- * spline needs. */
+/* Writes the corners. The last corner is also written before the first, which a smooth
+ * closed spline needs. */
 static size_t add_spline_corners(char *text, size_t size,
                                  double corners[MAX_CORNERS][2], size_t count)
 {
@@ -81,8 +81,8 @@ static size_t add_spline_corners(char *text, size_t size,
     return count + 2;
 }
 
-/* Adds a spline loop around a point. In some loops the last corner is doubled or lies
- * on the way to the first. */
+/* Adds a spline loop around a point. In some loops the last corner is repeated, or is
+ * on the line to the first corner. */
 static size_t add_spline_loop(char *text, size_t size, double x, double z, double reach)
 {
     double corners[MAX_CORNERS][2];
@@ -105,7 +105,7 @@ static size_t add_spline_loop(char *text, size_t size, double x, double z, doubl
     return add_spline_corners(text, size, corners, count);
 }
 
-/* Adds a spline with corners at random places. */
+/* Adds a spline with corners at random positions. */
 static size_t add_spline_tangle(char *text, size_t size)
 {
     double corners[MAX_CORNERS][2];
@@ -134,7 +134,7 @@ void add_quadratic_prism(char *text, size_t size, bool tangles)
 
 /* ---- Lathes -------------------------------------------------------------- */
 
-/* Adds a profile that rises, with some level and some upright segments. Each end is on
+/* Adds a profile that rises, with some level and some vertical segments. Each end is on
  * the axis or open. */
 static size_t add_lathe_profile(char *text, size_t size)
 {

@@ -1,7 +1,7 @@
 /* swept_shapes.h - random shapes that sweep a path, in the scene language.
  *
- * Each text lacks the closing brace. If `tangles` is set, paths may have corners at
- * random places; otherwise they do not cross themselves.
+ * The texts have no closing brace. If `tangles` is set, paths may have corners at
+ * random positions. Otherwise they do not intersect themselves.
  */
 #ifndef TESTS_SWEPT_SHAPES_H
 #define TESTS_SWEPT_SHAPES_H

@@ -14,7 +14,8 @@ int make_folder(STATE)
     return mkdtemp(temporary_folder) ? 0 : -1;
 }
 
-/* cmocka reports a failed fixture of a group, but does not count it. */
+/* cmocka reports a failed fixture of a group, but does not count it as a failed
+ * test. */
 int remove_folder(STATE)
 {
     if (rmdir(temporary_folder) == 0)

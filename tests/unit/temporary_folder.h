@@ -7,17 +7,17 @@
 
 extern char temporary_folder[64];
 
-/* Fixtures. The last one fails if the folder still has files. */
+/* Fixtures. remove_folder fails if the folder still has files. */
 int make_folder(void **state);
 int remove_folder(void **state);
 #undef FILE_FIXTURES
 #define FILE_FIXTURES make_folder, remove_folder
 
-/* Returns the path of a file of the folder, until the next call. */
+/* Returns the path of a file in the folder. The path is valid until the next call. */
 const char *in_folder(const char *name);
 /* Removes the files of the folder. Returns their number. */
 size_t empty_folder(void);
-/* Write and read a file of the folder; the caller frees the text. */
+/* Write and read a file in the folder. The caller frees the text. */
 void write_file(const char *name, const char *text);
 char *text_of_file(const char *name);
 

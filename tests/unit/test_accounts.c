@@ -18,8 +18,8 @@ static unsigned any(unsigned below)
     return (seed >> 16) % below;
 }
 
-/* Returns accounts of regions "r0".., each with clocks for some causes or none. All
- * clocks are below a random power of two. */
+/* Returns accounts of regions "r0".. in which some causes have clocks. All clocks are
+ * below a random power of two. */
 static struct accounts random_accounts(void)
 {
     struct accounts accounts = { .model = prior_model };
@@ -62,8 +62,8 @@ static double in_unit(const struct accounts *accounts, uint64_t clocks)
     return accounts_seconds(prior_model, clocks) * unit->per_second;
 }
 
-/* A matrix whose rows are causes or regions. The functions below take the cause and the
- * region in the order of this view. */
+/* A matrix whose rows are causes or regions. The functions below have the row first and
+ * the column second, as in this view. */
 struct view {
     const struct table *table;
     bool causes_down;
@@ -106,7 +106,8 @@ static void check_place(struct view view, const struct accounts *accounts,
     }
 }
 
-/* Both matrices must have the values of the accounts, and no row or column of zeros. */
+/* Fails unless the matrix contains the values of the accounts, and no row or column of
+ * zeros. */
 static void check_matrix(const struct accounts *accounts, enum accounts_rows rows)
 {
     c205_account sum = accounts_together(accounts);
@@ -162,7 +163,7 @@ static size_t times_in(const char *text, const char *word)
     return count;
 }
 
-/* In either layout, each region with clocks occurs once, no other region occurs, and no
+/* In either layout, each region with clocks occurs once, and no other region occurs. No
  * line is longer than a page is wide. */
 TEST(matrices_are_narrow)
 {
@@ -231,7 +232,7 @@ static void assert_twice(const c205_account *twice, const c205_account *once)
     assert_int_equal(twice->entries, 2 * once->entries);
 }
 
-/* Adding a run to itself doubles each region and adds none. */
+/* Adding a run to itself doubles the clocks of each region, and adds no region. */
 TEST(runs_add_up)
 {
     for (int i = 0; i < TRIES; i++) {

@@ -66,7 +66,7 @@ static struct frame traced_frame(const struct scene *scene, size_t width, size_t
     return frame;
 }
 
-/* Extends the camera by one column on the left and one row at the top. */
+/* Extends the camera by one column on the left, and one row at the top. */
 static void look_beyond(struct camera *camera, double width, double height)
 {
     double *middle = camera->orthographic ? camera->location : camera->direction;
@@ -115,8 +115,8 @@ static size_t count_others(const struct frame *expected, const struct frame *fou
     return count;
 }
 
-/* Returns the rays of the first pass of bands of whole blocks: one for each pixel, and
- * one more column and row for each band. */
+/* Returns the number of rays of the first pass, for bands of whole blocks. It is one
+ * for each pixel, and one additional column and row for each band. */
 static uint64_t first_rays(const struct trace *trace,
                            const struct trace_options *options)
 {
@@ -135,7 +135,7 @@ static void check_rays(const struct trace *trace, const struct trace_options *op
     assert_true(sampled / each <= refined + refined / 5 + 8);
 }
 
-/* Compares a trace with the plain rule; roundings at edges may differ. */
+/* Compares a trace with the plain rule. Pixels at edges may differ by rounding. */
 static void check_plain(struct scene *scene, const struct trace *trace,
                         const struct trace_options *options, const char *text)
 {
@@ -200,8 +200,9 @@ TEST(random)
     }
 }
 
-/* Stripes as wide as pixels, so that all first rays are white. A refined pixel is
- * darker, so that the next one is refined as well, up to the end of its block. */
+/* The stripes have the width of a pixel, so that all first rays are white. A refined
+ * pixel is darker, so that the next pixel is refined, too, up to the end of the
+ * block. */
 TEST(chains)
 {
     for (int i = 0; i < 6; i++) {
@@ -246,7 +247,8 @@ static double red(const struct trace *trace, size_t pixel)
 }
 
 /* If all pixels differ by more than the threshold, all are refined, and the first ray
- * counts once more. If none does, each has its first ray only. */
+ * counts as an additional sample. If no pixel differs, each pixel has only its first
+ * ray. */
 TEST(ends)
 {
     SCOPED(scene) *scene = read_text(shades);
@@ -264,8 +266,8 @@ TEST(ends)
     assert_true(trace_accounts(first)->clocks < trace_accounts(all)->clocks);
 }
 
-/* Depth, normal and id are those of the ray through the middle, which every sampling
- * includes. */
+/* Depth, normal and id are the values of the ray through the middle, which every
+ * sampling includes. */
 TEST(middles)
 {
     char text[3000] = "";
@@ -338,7 +340,7 @@ static struct trace *begin_kept(const struct scene *scene, double threshold,
     return trace;
 }
 
-/* Saved bands are complete; nothing of an interrupted band is saved. */
+/* Saved bands are complete. An interrupted band is not saved. */
 TEST(kept)
 {
     char path[] = "/tmp/test_adaptive.XXXXXX";

@@ -39,9 +39,9 @@ SCOPED_BY_FREE(speedup_report);
 
 static struct {
     size_t calls;  /* allocations since the start of the task */
-    size_t fails;  /* index of the allocation that fails; 0: none */
-    bool for_good; /* all later ones fail too */
-    long living;   /* allocated and not yet freed */
+    size_t fails;  /* number of the allocation that fails; 0: none */
+    bool for_good; /* all later allocations fail, too */
+    long living;   /* number of allocations that have not been freed */
 } host;
 
 static bool refuses(void)
@@ -94,7 +94,7 @@ typedef bool task(FILE *out, c205_error *error);
 struct outcome {
     bool done;
     c205_error error;
-    char *output; /* libc allocated it without counting it */
+    char *output; /* allocated by libc, which is not counted */
     size_t length;
 };
 
@@ -114,8 +114,8 @@ static struct outcome attempt(task *work, size_t fails, bool for_good)
     return outcome;
 }
 
-/* Runs a task with each allocation failing in turn. If `once` is set, all later
- * allocations fail too; otherwise both cases are run. */
+/* Runs a task once for each of its allocations, which fails. If `once` is set, all
+ * later allocations fail, too. Otherwise both cases are run. */
 static void exhaust(task *work, bool once)
 {
     struct outcome wanted = attempt(work, 0, false);
@@ -214,8 +214,8 @@ static bool assemble_one(FILE *out, c205_error *error)
     return true;
 }
 
-/* A label of this length shifts all that follows in its memory block, so that a
- * different allocation needs the next block. */
+/* A label with this length shifts the following allocations in its block of memory, so
+ * that a different allocation needs the next block. */
 enum { MAX_LABEL = 65000, LABEL_STEP = 47 };
 static const char more_text[] =
     "        .regs   r40, one, two, three\n"
@@ -264,7 +264,7 @@ static bool assemble_long(FILE *out, c205_error *error)
     return true;
 }
 
-/* A text with errors is rejected whether or not memory runs out. */
+/* A text with errors is rejected, whether or not memory is exhausted. */
 static bool assemble_wrong(FILE *out, c205_error *error)
 {
     struct object *made = assembled("        NOPE\n        ADDN r1, nowhere, r3\n"
@@ -337,7 +337,7 @@ static bool run_object(FILE *out, c205_error *error)
     return machine && run_and_show(machine, out, error);
 }
 
-/* Gathers and scatters: the machine allocates memory while it runs. */
+/* Gathers and scatters. The machine allocates memory while it runs. */
 static bool run_example(FILE *out, c205_error *error)
 {
     SCOPED_VALUE(diagnostics) errors = { 0 };
@@ -388,7 +388,7 @@ static bool check_object(FILE *out, c205_error *error)
     return true;
 }
 
-/* A correct answer that does not pass was not graded because memory ran out. */
+/* If a correct answer does not pass, it was not graded because memory was exhausted. */
 static bool grade_answer(FILE *out, c205_error *error)
 {
     static const char test[] = "; test: one\n; goals: gold 1, silver 2, "
@@ -416,8 +416,8 @@ static bool grade_answer(FILE *out, c205_error *error)
     return done && (verdict.passed || no_memory(error));
 }
 
-/* Succeeds only if the reply is complete: printed text is cut, or breakpoints are
- * missing, if memory runs out. */
+/* Returns true only if the reply is complete. If memory is exhausted, printed text is
+ * truncated, or breakpoints are missing. */
 static bool reply_to(struct engine *engine, const char *request, FILE *out,
                      c205_error *error)
 {
@@ -516,8 +516,8 @@ TEST_CALL(write_json, exhaust(write_json, false))
 TEST_CALL(report_speedups, exhaust(report_speedups, false))
 TEST_CALL(report_pipes, exhaust(report_pipes, false))
 
-/* A page that is allocated on its first access causes a trap that names the reason if
- * the allocation fails. It is mapped when memory is available. */
+/* A page is allocated on its first access. If the allocation fails, a trap reports the
+ * reason. When memory is available, the page is mapped. */
 TEST(untouched_page)
 {
     static const char text[] = "        .entry first\n"
@@ -569,9 +569,9 @@ static size_t calls_without_memory(const char *loop, size_t steps)
     return host.calls;
 }
 
-/* A failed snapshot is retried after twice as many instructions (scalar loops) or
- * clocks (vector loops). Sixteen times as many steps therefore add four attempts of two
- * allocations each. */
+/* After a snapshot fails, the next attempt is after twice as many instructions (scalar
+ * loops) or clocks (vector loops). Sixteen times as many steps therefore add four
+ * attempts of two allocations each. */
 TEST(snapshots)
 {
     static const char *const loops[] = {

@@ -1,7 +1,7 @@
-/* test_arith.c - the edges of each rule of docs/arithmetic.md: operations on words and
- * half words, and conversions between the two sizes, are compared with results computed
- * by hand. A result with a different rounding, normalisation or flag in one size fails
- * here.
+/* test_arith.c - the edge cases of each rule of docs/arithmetic.md. Operations on words
+ * and half words, and conversions between the two sizes, are compared with results
+ * computed by hand. A result with a different rounding, normalisation or flag in one
+ * size fails here.
  */
 #include "tests/random.h"
 #include "tests/unit/rule_cases.h"
@@ -17,7 +17,7 @@ static const struct size {
     { { 8, 23 }, HALF_TOP, HALF_BOTTOM, C205_HALF_ONE },
 };
 
-/* The size under test. Results are written in terms of B, its number of digits. */
+/* The word size under test. Results are written in terms of B, its number of digits. */
 static const struct size *size;
 #define B size->format.digits
 #define TOP size->top
@@ -27,7 +27,7 @@ static const struct size *size;
 #define MAX (2 * HALF - 1)
 #define MIN (-2 * HALF)
 #define N(exponent, coefficient) format_make(size->format, exponent, coefficient)
-/* A negative coefficient, for words that are special because of their exponents. */
+/* A negative coefficient, for words whose exponents make them special. */
 #define ANY N(0, MIN + 0x123456)
 
 #define SIZED(op) (size == sizes ? arith_##op : half_##op)
@@ -64,12 +64,12 @@ static void sums(void)
     BINARY(add_upper, N(4, 3), N(0, -1), N(4, 2), 0);
     BINARY(add_lower, N(4, 3), N(0, -1), N(4 - B, INT64_C(15) << (B - 4)), 0);
     BINARY(add_upper, N(0, 0x25), N(4, -3), N(4, -1), 0);
-    /* A zero coefficient takes part with its exponent. */
+    /* The exponent of a zero coefficient matters. */
     BINARY(add_upper, N(B - 3, 0), N(0, MAX), N(B - 3, 7), 0);
     BINARY(add_normalised, N(2 * B, 0), N(0, MAX), MZ, ZERO_FLAG);
     BINARY(add_normalised, N(2 * B - 1, 0), N(0, MAX), N(0, HALF), 0);
-    /* Bits shifted out of the register of 2 B + 1 bits are floored, those of a
-     * subtrahend before it is negated. */
+    /* Bits that are shifted out of the register of 2 B + 1 bits are floored. Bits of a
+     * subtrahend are floored before it is negated. */
     BINARY(add_upper, N(0, HALF), N(-2 * B - 1, 1), N(0, HALF), 0);
     BINARY(add_upper, N(0, HALF), N(-2 * B - 1, -1), N(0, HALF - 1), 0);
     BINARY(add_lower, N(0, HALF), N(-2 * B - 1, -1), N(-B, MAX), 0);
@@ -135,7 +135,7 @@ static void products(void)
     BINARY(multiply_significant, N(0, 6), N(0, 7), N(3, 5), 0);
     BINARY(multiply_significant, N(0, -6), N(0, 7), N(3, -6), 0);
     BINARY(multiply_significant, N(0, 1), N(0, MAX), N(B - 1, 1), 0);
-    /* -1 has no significant bits; the minimum is one. */
+    /* -1 has no significant bits. The least number of significant bits is one. */
     BINARY(multiply_significant, N(0, -1), N(0, -1), N(0, 1), 0);
     BINARY(multiply_significant, N(0, -1), N(0, 1), N(-1, -2), 0);
     BINARY(multiply_significant, N(0, -1), N(0, MIN), N(B, 1), 0);
@@ -171,7 +171,7 @@ static void quotients(void)
     BINARY(divide_significant, MZ, N(0, 3), MZ, ZERO_FLAG);
     BINARY(divide_significant, ONE, ONE, ONE, 0);
     BINARY(divide_significant, ONE, N(2 - B, HALF / 2 * 3), N(-B - 1, 4 * HALF / 3), 0);
-    /* The quotient is truncated toward zero, then shifted by floor. */
+    /* The quotient is truncated towards zero, then shifted by floor. */
     BINARY(divide_significant, N(0, -HALF - 1), N(0, MAX), N(-B, -HALF - 1), 0);
     BINARY(divide_significant, N(0, HALF), N(0, MIN), N(-B - 1, MIN), 0);
     BINARY(divide_significant, N(0, MIN), N(0, HALF), N(1 - B, MIN), 0);
@@ -276,7 +276,7 @@ static void adjust(void)
 
 /* ---- Compare, shift ----------------------------------------------------- */
 
-/* Increasing values; up to four words of a row are equal. */
+/* The values increase. Up to four words of a row are equal. */
 static void compare(void)
 {
     const c205_word ladder[][4] = {
@@ -343,8 +343,8 @@ static c205_word any(uint64_t *seed)
                               : xorshift_unnormalised_of(size->format, seed, -60, 60);
 }
 
-/* Sums and products commute. Upper and lower results hold the whole register, so that
- * their sum is the normalised result. */
+/* Sums and products are commutative. Upper and lower results together contain the whole
+ * register, so that their sum is the normalised result. */
 static void laws_of_sums(void)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;
@@ -452,7 +452,7 @@ TEST(extended_come_back)
     }
 }
 
-/* All results are floored, so that the half result of normalised operands is the
+/* All results are floored. The half result of normalised operands is therefore the
  * truncated full result. */
 TEST(half_results_are_cut)
 {

@@ -9,7 +9,7 @@
 #include "base/file.h"
 
 static const char fence[] = "```c205\n";
-static size_t blocks; /* that were checked */
+static size_t blocks; /* number of blocks that were checked */
 
 static void run(const struct object *object, const char *name)
 {
@@ -44,7 +44,7 @@ static void check_block(const char *name, const char *text, size_t length)
         run(object, name);
 }
 
-/* Checks the blocks of a file; each is named after the file and the line of its
+/* Checks the blocks of a file. The name of a block is the file and the line of its
  * start. */
 static void check_file(const char *path)
 {

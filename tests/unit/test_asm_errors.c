@@ -1,6 +1,6 @@
 /* test_asm_errors.c - wrong statements of every kind: each text has one error, and its
- * line, column and message are compared with those of a table. An error that is
- * missing, repeated or at another place fails here. */
+ * line, column and message are compared with a table. An error that is missing,
+ * repeated or at another place fails here. */
 #include "tests/unit/asm_helper.h"
 
 static const struct asm_error wrong_texts[] = {
@@ -190,8 +190,7 @@ TEST(search_folders)
     }
 }
 
-/* Compares all errors of a text, with their places and messages, with those of a
- * list. */
+/* Compares all errors of a text, with their places and messages, with a list. */
 static void check_all(const char *text, const struct asm_error *wanted, size_t count)
 {
     SCOPED_VALUE(diagnostics) errors = { 0 };

@@ -1,8 +1,8 @@
 /* test_asm_expression.c - values of expressions are compared with integers and words
- * computed by hand: all operators and their order, constants, the ends of the range and
- * the deepest nesting; and messages of wrong expressions with expected ones. Columns of
- * errors are checked in test_asm_errors. An operator with another precedence or
- * rounding fails here.
+ * computed by hand: all operators and their precedence, constants, the ends of the
+ * range and the deepest nesting. Messages of wrong expressions are compared with
+ * expected messages; test_asm_errors checks their columns. An operator with another
+ * precedence or rounding fails here.
  */
 #include "tests/unit/asm_helper.h"
 
@@ -119,8 +119,8 @@ static char *times(char *text, const char *part, int count)
     return text;
 }
 
-/* MAX_EXPRESSION_DEPTH limits the nested levels of brackets, including the operand, and
- * of operators. */
+/* MAX_EXPRESSION_DEPTH limits the nesting of brackets, including the operand, and of
+ * operators. */
 TEST(depth)
 {
     enum { DEEPEST = 200 };

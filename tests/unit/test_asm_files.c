@@ -146,7 +146,8 @@ TEST(any_bits)
     check_disassembly(&object);
 }
 
-/* Labels keep their names if these are valid in a text: each once, on its line. */
+/* Labels keep their names if these are valid in a text. Each label occurs once, on its
+ * line. */
 TEST(names)
 {
     static const char file[] =
@@ -169,7 +170,8 @@ TEST(names)
     assert_null(strstr(text.text, "inside"));
 }
 
-/* No prefix of an object file, and no file with one byte changed, causes a crash. */
+/* Neither a prefix of an object file nor a file with one changed byte causes a
+ * crash. */
 TEST(broken_files)
 {
     SCOPED(object) *object = good(sample);

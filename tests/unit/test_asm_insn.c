@@ -182,8 +182,8 @@ TEST(errors)
     }
 }
 
-/* Disassembles a word and assembles the text, an instruction or .half; the word must be
- * the same. */
+/* Disassembles a word and assembles the text, which is an instruction or .half. The
+ * result must be the same word. */
 static void check_round_trip(c205_word word)
 {
     char one[DISASSEMBLE_TEXT_SIZE], text[DISASSEMBLE_TEXT_SIZE + 40];
@@ -207,7 +207,7 @@ TEST(round_trip)
             word = word << 8 >> 8 | (c205_word)insn->opcode << 56;
             word &= ~((c205_word)insn->subop_mask << 48);
             word |= (c205_word)insn->subop << 48;
-            if (j % 2) /* fewer one bits, so that more words are valid instructions */
+            if (j % 2) /* fewer one-bits, so that more words are valid instructions */
                 word &= 0xFFFF00FF00FFFFFF;
             check_round_trip(word);
         }
@@ -217,7 +217,7 @@ TEST(round_trip)
 }
 
 /* Fails unless a row disassembles to its mnemonic, not to data, in a size that it
- * has. */
+ * supports. */
 static void check_written(const c205_insn *insn, uint8_t g)
 {
     c205_fields fields = { insn->opcode, 0, 0, 7, 0, 8, 9, 10, 7, 8, 10, 3 };
@@ -240,7 +240,7 @@ TEST(sizes)
     }
 }
 
-/* Words that no machine executes do not disassemble to instructions. */
+/* Words that no machine executes are not disassembled to instructions. */
 TEST(refused)
 {
     static const c205_word words[] = {

@@ -1,6 +1,6 @@
-/* test_asm_mutations.c - programs with random mistakes: every text must give an object
- * or an error, and the place of every report is compared with the length of its line. A
- * crash, a silent failure or a place outside of the line fails here. */
+/* test_asm_mutations.c - programs with random mistakes. Every text must give an object
+ * or an error, and the position of every report must be within its line. A crash, a
+ * silent failure or a position outside of the line fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "base/file.h"
@@ -46,7 +46,7 @@ static void put(char *text, size_t at, const char *piece)
     memcpy(text + at, piece, length);
 }
 
-/* Makes a random mistake. The buffer has space for one more piece. */
+/* Makes a random mistake. The buffer has room for one more piece. */
 static void make_mistake(char *text, uint64_t *seed)
 {
     size_t at = below(seed, strlen(text) + 1);

@@ -1,7 +1,7 @@
-/* test_asm_numbers.c - floating-point expressions: the words that the assembler
- * computes for random expressions are compared with those of the machine's rules,
- * operation by operation, and values of functions with those of the machine's routines.
- * A different rounding fails here. */
+/* test_asm_numbers.c - floating-point expressions. The words that the assembler
+ * computes for random expressions are compared with the machine's rules, operation by
+ * operation. Values of functions are compared with the machine's routines. A different
+ * rounding fails here. */
 #include <inttypes.h>
 
 #include "tests/oracle/arithmetic_oracle.h"
@@ -63,7 +63,8 @@ static void draw_sum(struct drawn *drawn, int depth)
     uint64_t flags = 0;
     draw_value(&sides[0], depth);
     draw_value(&sides[1], depth);
-    /* Operators on two integers are integer operators, so one operand is converted. */
+    /* Operators on two integers are integer operators, so one of the operands is
+     * converted. */
     if (sides[0].is_integer && sides[1].is_integer) {
         sides[0].word = number_of(&sides[0]);
         sides[0].is_integer = false;
@@ -177,7 +178,7 @@ TEST(operations)
 
 /* ---- Functions ----------------------------------------------------------- */
 
-/* The assembler's value must equal that of the running program. */
+/* The assembler's value must equal the value that the running program computes. */
 static void check_function(const char *name, bool two)
 {
     double x = of_any_size(&state, 1e-3, 100);

@@ -1,5 +1,5 @@
 /* test_asm_records.c - the offsets that .record assigns to fields are compared with
- * those computed by hand, and wrong records with a table of their errors. A field at
+ * offsets computed by hand, and wrong records with a table of their errors. A field at
  * another word, or a record that is accepted without its end, fails here.
  */
 #include "tests/unit/asm_helper.h"
@@ -55,7 +55,7 @@ struct random_record {
     struct text_buffer text;
 };
 
-/* Adds fields of random sizes. Some .at directives return to an earlier field or skip
+/* Adds fields of random sizes. Some .at directives return to an earlier field, or skip
  * words. */
 static void make_record(struct random_record *record, uint64_t *seed)
 {

@@ -1,4 +1,4 @@
-/* test_asm_registers.c - names of registers: warnings about declarations, written by
+/* test_asm_registers.c - names of registers. Warnings about declarations, written by
  * hand and random, are compared with a rule that decides which of them share a register
  * without .share. A warning that is missing, superfluous or at another name fails
  * here. */
@@ -47,7 +47,7 @@ static const struct asm_error warnings[] = {
       "already 'a'" },
     { " .share\n .reg a, r5\n .share\n .reg b, r5\n .endshare\n .endshare\n", 0, 0,
       "" },
-    /* An alias belongs to the block of the name that it refers to. */
+    /* An alias belongs to the block of the name to which it refers. */
     { " .share x\n .reg a, r5\n .endshare\n .reg b, a\n"
       " .share x\n .reg c, r5\n .endshare\n",
       0, 0, "" },
@@ -71,7 +71,7 @@ TEST(errors)
     };
     struct diagnostics found = { 0 }, first;
     assert_asm_errors(errors, COUNT(errors));
-    /* Only the first of several errors is compared. */
+    /* Only the first error is compared. */
     assert_null(assemble_text("test.s", nested, NULL, &found));
     first = found;
     first.count = 1;
@@ -79,7 +79,7 @@ TEST(errors)
     diagnostics_free(&found);
 }
 
-/* The object records register names and the places where they are used. */
+/* The object records the names of registers, and the places where they are used. */
 TEST(mentions)
 {
     SCOPED(object) *object = good(" .regs r5, a, b\n"
@@ -115,7 +115,7 @@ TEST(mentions)
 
 enum { LINES = 40, NAMES = 6, REGISTERS = 4, WORDS = 3, DEPTH = 4 };
 
-/* A declaration with the blocks around it. Each block has a number and a word; 0: no
+/* A declaration with the blocks around it. Each block has a number and a word. 0: no
  * word. */
 struct given {
     size_t name, depth;
@@ -164,7 +164,8 @@ struct declarations {
     struct given around; /* the open blocks */
     unsigned blocks;
     bool reported[LINES
-                  + 2 * DEPTH]; /* lines with an expected warning; the first is 1 */
+                  + 2 * DEPTH]; /* lines for which a warning is expected; the first line
+                                 * is 1 */
 };
 
 static void say(struct declarations *declarations, const char *text)
@@ -187,7 +188,7 @@ static void close_block(struct declarations *declarations)
     declarations->around.depth--;
 }
 
-/* Declares a name by a register number or by another name that is valid. */
+/* Declares a name by a register number, or by another valid name. */
 static void name_one(struct declarations *declarations, uint64_t *seed)
 {
     struct given *given = declarations->given, *new = &given[declarations->count];

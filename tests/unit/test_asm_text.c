@@ -1,5 +1,5 @@
-/* test_asm_text.c - directives, macros and conditions: the words that short programs
- * put into memory are compared with those computed by hand, and wrong texts with a
+/* test_asm_text.c - directives, macros and conditions. The words that short programs
+ * write to memory are compared with words computed by hand, and wrong texts with a
  * table of their errors. A directive that moves or drops a word fails here.
  */
 #include "tests/unit/asm_helper.h"
@@ -112,7 +112,7 @@ TEST(regions)
 #define NESTED \
     " .data\n .rept 2\n .rept 3\n .word \\+\n .endr\n .word 10 + \\+\n .endr\n"
 
-/* Texts and the word that each puts at an address. */
+/* Texts, and the word that each text writes to an address. */
 TEST(words)
 {
     static const struct {
@@ -136,7 +136,7 @@ TEST(words)
         /* Parameters. */
         { " .macro put a=7, b\n .word \\a + \\b\n .endm\n .data\n put , 1\n", DATA, 8 },
         { " .macro put ab, a\n .word \\a\n .endm\n .data\n put 5, 6\n", DATA, 6 },
-        /* Each expansion has its own number. */
+        /* Each expansion has a number of its own. */
         { " .macro out\n .macro in\n l\\@: .word l\\@\n .endm\n .endm\n .data\n"
           " out\n in\n in\n",
           DATA + 64, DATA + 64 },

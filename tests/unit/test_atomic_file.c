@@ -1,6 +1,6 @@
-/* test_atomic_file.c - files that are written completely or not at all are compared with
- * the expected ones, over random chains of links, old files and taken temporary names. A
- * replaced link, a temporary file that remains, and lost memory fail here. */
+/* test_atomic_file.c - atomic files are compared with expected files, over random
+ * chains of links, old files and existing temporary names. A replaced link, a temporary
+ * file that remains, and lost memory fail here. */
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -22,7 +22,8 @@ static bool is_link(const char *path)
     return lstat(path, &status) == 0 && S_ISLNK(status.st_mode);
 }
 
-/* Link n refers to link n - 1, or to the file, by its name or by its whole path. */
+/* Makes links. Link n refers to link n - 1, or to the file, by its name or by its
+ * complete path. */
 static const char *make_links(unsigned count, bool whole_paths)
 {
     const char *target = "file";
@@ -108,7 +109,8 @@ TEST(device)
     REQUIRE(atomic_file_commit(whole, &failure));
 }
 
-/* A signal removes the incomplete file, however many files were completed before. */
+/* A signal removes the incomplete file, regardless of how many files have been
+ * completed. */
 TEST(signals)
 {
     int status;
@@ -119,7 +121,7 @@ TEST(signals)
             atomic_file_commit(atomic_file_open(in_folder("file"), &failure), &failure);
         if (atomic_file_open(in_folder(formatted("%0200d", 1)), &failure)
             && raise(SIGTERM) == 0)
-            raise(SIGTERM); /* the second one ends the program */
+            raise(SIGTERM); /* the second signal ends the program */
         _exit(0);
     }
     assert_int_equal(waitpid(child, &status, 0), child);

@@ -1,6 +1,6 @@
 /* test_band_checkpoints.c - frames that are stopped and continued, and bands from
- * files, are compared with whole frames. An incomplete row, or a band of another frame
- * or place that is accepted, fails here. */
+ * files, are compared with complete frames. An incomplete row, or a band of another
+ * frame or place that is accepted, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
@@ -22,7 +22,7 @@ static char path[40];
 
 static enum trace_order order;
 
-/* Stops after the number of calls in the context. */
+/* Stops after the number of calls that the context contains. */
 static bool wait_on(void *context, size_t done UNUSED, size_t all UNUSED)
 {
     size_t *left = context;
@@ -44,7 +44,7 @@ static struct trace *begin(const struct scene *scene,
 
 /* ---- Stopped ------------------------------------------------------------- */
 
-/* Compares a row with that of another frame, or with zeros if it is NULL. */
+/* Compares a row of two frames. If b is NULL, the row must be zeros. */
 static bool same_row(const struct trace *a, const struct trace *b, size_t row)
 {
     static const c205_word zeros[WIDTH];
@@ -58,8 +58,8 @@ static bool same_row(const struct trace *a, const struct trace *b, size_t row)
     return true;
 }
 
-/* Every row must equal that of the whole frame or be empty. Returns the number of
- * complete rows. */
+/* Fails unless every row is empty or equals the row of the complete frame. Returns the
+ * number of complete rows. */
 static size_t check_stopped(const struct scene *scene, const struct trace *whole,
                             enum trace_mode mode, size_t jobs, size_t patience)
 {
@@ -95,7 +95,7 @@ static void check_stops(const char *text, bool rows)
         assert_int_equal(trace_rows_done(whole), TALL);
         assert_int_equal(trace_bands_done(whole), trace_bands(whole));
         for (size_t patience = 1; patience < 6; patience += 2) {
-            /* the progress of two threads depends on their timing */
+            /* with two threads the progress depends on their timing */
             check_stopped(scene, whole, (enum trace_mode)mode, 2, patience);
             done += check_stopped(scene, whole, (enum trace_mode)mode, 1, patience);
         }
@@ -114,7 +114,7 @@ TEST(stopped)
 
 /* ---- Saved --------------------------------------------------------------- */
 
-/* Writes a unit as a run would save it, with samples that no frame has. Its number of
+/* Writes a unit in the format of a run, with samples that no frame has. Its number of
  * rows may be wrong. */
 static void plant(struct trace *trace, struct job_set *job_set, uint64_t unit,
                   size_t rows)
@@ -130,8 +130,8 @@ static void plant(struct trace *trace, struct job_set *job_set, uint64_t unit,
     assert_true(checkpoint_add(job_set->file, unit, &words, &failure));
 }
 
-/* Adds such a unit to a file. It must be accepted, or the frame must be the same as
- * without it. */
+/* Adds such a unit to a file. Either the unit is accepted, or the frame is the same as
+ * without the unit. */
 static void check_planted(const struct scene *scene, const struct trace *whole,
                           uint64_t unit, size_t rows, bool taken)
 {
@@ -162,8 +162,8 @@ TEST(planted)
     check_planted(scene, whole, UINT64_MAX, ROWS, false);
 }
 
-/* The saved bands of the first scene must be accepted for the second one if it is the
- * same. */
+/* If both scenes are the same, the saved bands of the first scene must be accepted for
+ * the second scene. */
 static void check_kept(const char *one, const char *other, bool same,
                        enum trace_mode mode)
 {
@@ -186,7 +186,7 @@ static void check_kept(const char *one, const char *other, bool same,
     remove(path);
 }
 
-/* Each scene differs from the first in one number or word. */
+/* Each scene differs from the first scene in one number or word. */
 TEST(other_scene)
 {
 #define BALL(sky, place, light, color, radius, more) \

@@ -9,8 +9,8 @@
 
 enum { LISTS = 2000, MAX_LENGTH = 1500, MAX_BANKS = 70, AGAIN = 4 };
 
-/* An access begins one access time after the previous one, or when its bank is free if
- * that is later. */
+/* An access begins one access time after the previous access, or when its bank is free
+ * if that is later. */
 static uint64_t by_the_rule(const struct banks *banks, uint64_t table, unsigned step,
                             const c205_word *indices, size_t count)
 {
@@ -25,8 +25,8 @@ static uint64_t by_the_rule(const struct banks *banks, uint64_t table, unsigned 
     return next - count * banks->access;
 }
 
-/* Fills a list with ascending indices with gaps, indices of one bank, or random
- * ones. */
+/* Fills a list with ascending indices with gaps, with indices of one bank, or with
+ * random indices. */
 static void fill(c205_word *indices, size_t count, size_t banks, uint64_t *seed)
 {
     uint64_t kind = xorshift(seed) % 4, at = xorshift(seed) >> 16;
@@ -39,7 +39,7 @@ static void fill(c205_word *indices, size_t count, size_t banks, uint64_t *seed)
     }
 }
 
-/* Changes a list to that of a later gather, which usually has the same indices at
+/* Changes a list to the list of a later gather, which usually has the same indices at
  * another place. */
 static void change(c205_word *indices, size_t count, uint64_t *table, unsigned *step,
                    uint64_t *seed)

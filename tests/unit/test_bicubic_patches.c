@@ -46,8 +46,8 @@ static double blossom(const double p[4], const double t[3])
     return sum;
 }
 
-/* Sets the blossom arguments of control point i of a piece: i times its end, and its
- * start for the rest. */
+/* Computes the blossom arguments of control point i of a piece. i of them are the end
+ * of the piece, the others are its start. */
 static void arguments(double from, double to, int i, double t[3])
 {
     for (int k = 0; k < 3; k++)
@@ -78,8 +78,8 @@ static void cell_point(const struct patch *patch, const struct cell *cell, int i
     blossom_point(patch, u, v, point);
 }
 
-/* The derivative of a cubic is three times the difference of its blossom at 1 and at 0;
- * the other two arguments are the parameter of the point. */
+/* The derivative of a cubic is three times the difference of its blossom at 1 and at 0.
+ * The other two arguments are the parameter of the point. */
 static void oracle_normal(const struct patch *patch, double u, double v,
                           double normal[3])
 {
@@ -256,7 +256,7 @@ TEST(words)
         const char *text;
         size_t triangles;
     } cases[] = {
-        /* A flat patch is not divided, unless its flatness is 0. */
+        /* A flat patch is not divided, unless its flatness parameter is 0. */
         { "bicubic_patch { type 0 " SQUARE " }", 2 },
         { "bicubic_patch { v_steps 1.9 type 1 u_steps 2, " SQUARE " scale 2 }", 2 * 8 },
         { "bicubic_patch { type 1 u_steps 3 v_steps 3 flatness .1 " SQUARE " }", 2 },
@@ -274,7 +274,7 @@ TEST(words)
     }
 }
 
-/* Flatness is measured in the world, for each copy. */
+/* Flatness is measured in world space, for each copy. */
 TEST(copies)
 {
     SCOPED(scene) *scene = read_scene(

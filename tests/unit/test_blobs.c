@@ -1,7 +1,7 @@
-/* test_blobs.c - blobs of random spheres and cylinders: both forms of the tracer are
- * compared with each other and with the plain tracer, alone and in solids, on and off a
- * grid on which their faces coincide. A piece of the field that is missed at a seam, a
- * missing hump, or a normal that points inside fails here.
+/* test_blobs.c - blobs of random spheres and cylinders. Both forms of the tracer are
+ * compared with each other and with the plain tracer, for blobs alone and in solids, on
+ * and off a grid on which their faces coincide. A piece of the field that is missed at
+ * a seam, a missing hump, or a normal that points inside fails here.
  *
  *     test_blobs [SCENES [SEED]]
  */
@@ -11,11 +11,11 @@
 #include "rt/shapes/shape_words.h"
 #include "tests/oracle/plain_shapes.h"
 
-static size_t scene_count = 4; /* of each kind */
+static size_t scene_count = 4; /* number of scenes of each kind */
 
 /* ---- Components ---------------------------------------------------------- */
 
-/* On a grid, ends, planes and axes of several components coincide, and some lie on
+/* On a grid, ends, planes and axes of several components coincide. Some of them are on
  * rays. */
 static void add_motions(char *text, size_t size)
 {
@@ -46,7 +46,7 @@ static void add_component(char *text, size_t size)
         add_cylinder_part(text, size);
     else
         add_random(text, size, "sphere { <^4p-1:1^, ^4p-1:1^, ^4p-1:1^>, ");
-    /* Every fifth strength is negative. */
+    /* every fifth strength is negative */
     add_random(text, size, "^4s.4:1^$., $2[|strength ]$5[-|]^4.5:2^ ");
     if (below(2))
         add_motions(text, size);
@@ -94,9 +94,9 @@ TEST(solids)
 
 /* ---- Expected geometry --------------------------------------------------- */
 
-/* Two balls with three humps along a line, the maximum for two components. If a is the
- * distance between each centre and the middle, the field falls from there to s^2 = 1 -
- * 3 a^2, and has a hump at a. */
+/* Two balls with three humps along a line, which is the maximum for two components. Let
+ * a be the distance between each centre and the middle. From there the field decreases
+ * to s^2 = 1 - 3 a^2, and it has a hump at a. */
 #define HUMPS \
     "blob { threshold .997 sphere { -.52*z, 1, 1 } sphere { .52*z, 1, 1 }" \
     " scale 2 "

@@ -1,7 +1,7 @@
-/* test_blocks.c - blocks of scalar instructions: a run from block to block is compared
- * with one step by step, in state, clock and accounts. The programs have loops with
- * calls, branches, loads, SWAP, vectors and code that changes; runs are also stopped
- * and listened to. A schedule that is used for another state of the clock, or stale
+/* test_blocks.c - blocks of scalar instructions. A run from block to block is compared
+ * with a run step by step, in state, clock and accounts. The programs have loops with
+ * calls, branches, loads, SWAP, vectors and code that changes. Some runs are stopped,
+ * or have a listener. A schedule that is used for another state of the clock, or stale
  * code, fails here.
  */
 #include "tests/unit/saved_machine.h"
@@ -10,12 +10,12 @@
 #include "vm/machine.h"
 #include "vm/time/clock_parts.h"
 
-/* Ends a loop, which begins at the address in `to`, and the program. */
+/* Ends a loop and the program. `to` contains the address of the loop's start. */
 #define LOOP_END \
     "        DBNZ    turns, [to]\n" \
     "        EXIT\n"
 
-static const char arithmetic[] = /* solves 40 quadratics, with calls */
+static const char arithmetic[] = /* solves 40 quadratic equations, with calls */
     "        .regs   r10, x, y, one, four, turns, list, to, link, i\n"
     "        .data\n"
     "values: .word   1.0, -3.0, 0.25, 7.5, 2.0, 2.0, -1.0, 3.0\n"
@@ -58,7 +58,8 @@ static c205_stop step_to_end(c205 *machine)
     return stop;
 }
 
-/* Machines that ran a program from block to block and step by step, and their stop. */
+/* Two machines, one of which ran a program from block to block and one step by step,
+ * and their stop. */
 struct both {
     c205 *whole, *stepped;
     c205_stop stop;
@@ -70,7 +71,7 @@ static void both_free(struct both *both)
     c205_free(both->stepped);
 }
 
-/* Runs a program to its end both ways and compares the machines. */
+/* Runs a program to its end in both ways, and compares the machines. */
 static struct both compare(const char *text)
 {
     struct both both = { .whole = load(text), .stepped = load(text) };
@@ -99,7 +100,7 @@ TEST(whole)
 
 /* ---- Limits, listeners --------------------------------------------------- */
 
-/* At every clock limit, the run stops where single steps would. */
+/* At every clock limit, the run stops where single steps would stop. */
 static void check_limits(const char *text)
 {
     SCOPED(c205) *whole = load(text);
@@ -134,7 +135,7 @@ struct heard {
     uint64_t events, clock;
 };
 
-/* Each event must begin at the clock at which the previous one ended. */
+/* Each event must begin at the clock at which the previous event ended. */
 static void hear(void *context, const c205 *machine UNUSED, const c205_event *event)
 {
     struct heard *heard = context;
@@ -172,8 +173,8 @@ TEST(listener)
 
 /* ---- Code that changes --------------------------------------------------- */
 
-/* A store into the code of its own block, after or before the store: the new
- * instruction is executed from then on. */
+/* A store to the code of its own block, at an instruction before or after the store.
+ * From then on the new instruction is executed. */
 TEST(changes)
 {
     static const char text[] =
@@ -202,7 +203,7 @@ TEST(changes)
 
 /* ---- Faults -------------------------------------------------------------- */
 
-/* Loads leave the mapped memory in the middle of a block. When the page is mapped, the
+/* Loads access unmapped memory in the middle of a block. When the page is mapped, the
  * run continues. */
 TEST(fault)
 {
@@ -229,7 +230,7 @@ TEST(fault)
 
 /* ---- Regions ------------------------------------------------------------- */
 
-/* Control enters the middle of a block of another region while vectors stream; the
+/* Control enters the middle of a block of another region while vectors stream. The
  * program also reads the clock. */
 TEST(regions)
 {
@@ -284,7 +285,7 @@ static const struct {
           "        MPYS    y, y, x\n"
           "        EX      to, again\n" LOOP_END },
     /* An instruction that reads the time gets the clock at which it begins, at any
-     * place in a block. */
+     * position in a block. */
     { "", "        .regs   r10, turns, to, x, y, wait, left, flags, sum, run_out\n"
           "        ES      turns, 30\n"
           "        ES      wait, 50\n"
@@ -305,7 +306,7 @@ static const struct {
           "        DIVS    x, x, y\n"
           "        ADDN    y, x, y\n"
           "        BADF    run_out, [to], 0\n" LOOP_END },
-    /* Loads wait for the oldest of three, across the ends of blocks. */
+    /* Loads wait for the oldest of three loads, across the ends of blocks. */
     { "latency.load 70 clk R\n"
       "memory.loads_in_flight 3 loads R\n",
       "        .regs   r10, turns, to, at, a, b, c, n, three\n"
@@ -324,8 +325,8 @@ static const struct {
       "more:   LOD     [at], c\n"
       "        LOD     [at], r0\n"
       "        ADDX    n, a, n\n" LOOP_END },
-    /* A SWAP of more registers takes longer and ends on another page. Three pages are
-     * used, and two translations are kept. */
+    /* A SWAP of more registers takes longer, and ends on another page. Three pages are
+     * used, but only two translations are stored. */
     { "page.words 512 words R\n"
       "translation.registers 2 registers R\n",
       "        .regs   r10, turns, to, place, from, n, mask, five\n"
@@ -348,7 +349,7 @@ static const struct {
       "        IBXNE   n, r0, five, over, n\n"
       "        LOD     [far], x\n"
       "over:   EX      to, again\n" LOOP_END },
-    /* The maximum number of loads in a block, then a SWAP. */
+    /* The largest number of loads in a block, then a SWAP. */
     { "page.words 512 words R\n"
       "translation.registers 2 registers R\n",
       "        .regs   r10, turns, to, at, load, save, n, seven\n"
@@ -378,7 +379,7 @@ static const struct {
       "near:   DBNZ    turns, [to]\n"
       "        EXIT\n" },
     /* Only SWAP and the end of the program wait for a result in register 0. On one path
-     * it is a product, on the other a sum. */
+     * the result is a product, on the other a sum. */
     { "latency.multiply 40 clk R\nlatency.add 30 clk R\n",
       "        .regs   r10, turns, to, bit, one, x, place\n"
       "        .data\n"
@@ -412,8 +413,8 @@ TEST(programs)
     prior_model = usual;
 }
 
-/* Data after a branch that is always taken is not code. A store into it counts as a
- * change of code once. */
+/* Data after a branch that is always taken is not code. A store to it counts once as a
+ * change of code. */
 TEST(data_behind_branch)
 {
     SCOPED_VALUE(both) both = compare("        .regs   r10, turns, to, at, x, one\n"
@@ -438,7 +439,8 @@ TEST(data_behind_branch)
 
 /* ---- Limits of memory ---------------------------------------------------- */
 
-/* More blocks than the cache holds: the cache is cleared and filled again. */
+/* There are more blocks than the cache can hold, so the cache is cleared and filled
+ * again. */
 TEST(many_blocks)
 {
     static const char text[] = "        .regs   r10, turns, to, sum\n"
@@ -455,8 +457,8 @@ TEST(many_blocks)
     assert_true(machine->blocks->decoded_count < 140000);
 }
 
-/* Each of many branches goes either way at random, so that new states of in-flight
- * results arise. When their cache is cleared, the blocks must not use its old
+/* Each of many branches is taken at random, so that new states of in-flight results
+ * occur. When the cache of states is cleared, the blocks must not use its old
  * entries. */
 TEST(many_flights)
 {

@@ -18,7 +18,8 @@ static struct bound first_bound(const char *text)
     return bounds[0];
 }
 
-/* Shapes with the centre and radius of their smallest sphere, or without a bound. */
+/* Shapes with the centre and radius of their smallest sphere, and shapes without a
+ * bound. */
 TEST(known)
 {
     static const struct {
@@ -85,7 +86,7 @@ TEST(known_boxes)
 {
     static const struct {
         const char *text;
-        double box[6]; /* the low corner, then the high one */
+        double box[6]; /* the low corner, then the high corner */
     } rows[] = {
         { "sphere { <1, 2, 3>, 2 }", { -1, 0, 1, 3, 4, 5 } },
         { "box { <-1, 0, 2>, <3, 4, 5> rotate 90*y }", { 2, 0, -3, 5, 4, 1 } },
@@ -113,8 +114,9 @@ TEST(known_boxes)
     }
 }
 
-/* Crosses a shape with a random line in the shape's space, and compares the crossings
- * in world space with its bound. Returns their number. */
+/* Computes the crossings of a random line with a shape, in the shape's space, and
+ * compares the crossings in world space with the shape's bound. Returns their
+ * number. */
 static size_t count_crossings(const struct primitive *primitive,
                               const struct bound *bound)
 {
@@ -184,8 +186,8 @@ TEST(crossings)
     }
 }
 
-/* The enclosing sphere contains all parts. Its radius is at most 1.25 times the
- * lower bound that each pair of parts gives. */
+/* The enclosing sphere contains all parts. Each pair of parts gives a lower bound of
+ * the radius. The radius is at most 1.25 times this bound. */
 TEST(enclose)
 {
     enum { PARTS = 20, TRIES = 1000 };

@@ -1,6 +1,6 @@
 /* test_breakpoints.c - random addresses and lines for break, until and the protocol of
  * editors are compared with the starts of a program's instructions. An address is
- * accepted exactly if an instruction begins there; any other verdict fails here. */
+ * accepted if and only if an instruction begins there. Any other verdict fails here. */
 #include <inttypes.h>
 
 #include "tests/unit/draw.h"
@@ -16,8 +16,8 @@ static const char *const programs[] = { "asm/examples/dot.s", "asm/examples/horn
                                         "asm/examples/sieve.s" };
 enum { PROGRAMS = COUNT(programs) };
 
-/* Draws an address in, near or far from the code and the data; most are multiples of a
- * half word. */
+/* Returns a random address in, near or far from the code and the data. Most addresses
+ * are multiples of a half word. */
 static uint64_t draw_address(const struct object *object)
 {
     const c205_program *program = &object->program;
@@ -52,7 +52,7 @@ static void check_line(struct debug_session *session, const char *line, bool goo
 
 /* ---- Addresses ------------------------------------------------------------ */
 
-/* If `stripped` is set, the debugger has the words alone, as from an object file. */
+/* If `stripped` is set, the debugger has only the words, as from an object file. */
 static void check_addresses(const char *path, bool stripped)
 {
     struct object *whole = good_file(path), *object = good_file(path);
@@ -98,8 +98,8 @@ TEST(visited)
 
 /* ---- Lines ---------------------------------------------------------------- */
 
-/* Returns the first line from `number` that has code or calls a macro with code; 0:
- * none. */
+/* Returns the first line from `number` on that has code, or that calls a macro with
+ * code. Returns 0 if there is none. */
 static size_t next_line(const struct object *object, const char *file, size_t number)
 {
     size_t found = SIZE_MAX;
@@ -117,7 +117,7 @@ static size_t next_line(const struct object *object, const char *file, size_t nu
     return number == 0 || found == SIZE_MAX ? 0 : found;
 }
 
-/* Programs without LINKV, so that breakpoints stay at their lines. */
+/* The programs contain no LINKV, so that breakpoints stay at their lines. */
 TEST(lines)
 {
     static const char *const paths[] = { "asm/examples/dot.s",
@@ -143,7 +143,7 @@ TEST(lines)
     }
 }
 
-/* A breakpoint that moves is shown at its new line, and listed there. */
+/* A breakpoint that is moved is shown and listed at its new line. */
 TEST(moved)
 {
     static const char text[] = "        ES   r10, 5\n"

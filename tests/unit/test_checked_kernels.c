@@ -1,6 +1,6 @@
 /* test_checked_kernels.c - scenes are traced in every form with the runtime checks of a
- * program, and their reports are compared with none. A kernel that reads uninitialised
- * memory, or a vector that is too long, fails here. */
+ * program. There must be no reports. A kernel that reads uninitialised memory, or a
+ * vector that is too long, fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "asm/check/runtime_check.h"

@@ -1,6 +1,6 @@
-/* test_checkpoint_file.c - units that are read back from files are compared with those
+/* test_checkpoint_file.c - units that are read from files are compared with the units
  * that were written, after truncation, flipped bits and merges. A damaged unit that is
- * accepted, or an intact one that is lost, fails here. */
+ * accepted, or an intact unit that is lost, fails here. */
 #include "rt/jobs/checkpoint_file.h"
 #include "tests/unit/unit.h"
 
@@ -34,7 +34,7 @@ FIXTURE(tear_down)
 
 /* ---- Units --------------------------------------------------------------- */
 
-/* Returns words that depend on the number; some units have none. */
+/* Returns words that depend on the number. Some units have no words. */
 static struct serialized_result words_of(uint64_t number)
 {
     struct serialized_result words = { .items = NULL };
@@ -67,7 +67,7 @@ static struct checkpoint_file *open_file(size_t i)
     return NON_NULL(checkpoint_open(paths[i], KEY, &failure));
 }
 
-/* Fails unless the file has exactly the units of the list. */
+/* Fails unless the file contains exactly the units of the list. */
 static void assert_units(struct checkpoint_file *file, const bool *there)
 {
     size_t count = 0;
@@ -106,7 +106,7 @@ static void turn_bit(const char *path, long at, int bit)
     assert_int_equal(fclose(file), 0);
 }
 
-/* Units in random order, and the offset at which each ends. */
+/* Units in random order, and the offset at which each unit ends. */
 struct written {
     size_t count;
     uint64_t number[UNITS];
@@ -124,7 +124,7 @@ static void write_some(size_t i, struct written *written)
             continue;
         there[number] = true;
         add(file, number);
-        add(file, number); /* a second add has no effect */
+        add(file, number); /* adding a unit again has no effect */
         written->number[k] = number;
         written->end[k++] = size_of(paths[i]);
     }
@@ -140,7 +140,7 @@ static void whole_before(const struct written *written, long at, bool *there)
         there[written->number[k]] = true;
 }
 
-/* Checks the intact units, then adds the lost ones, which are appended. */
+/* Checks the intact units, then adds the lost units, which are appended. */
 static void expect_and_mend(const struct written *written, long at)
 {
     bool there[UNITS];
@@ -155,8 +155,8 @@ static void expect_and_mend(const struct written *written, long at)
     assert_int_equal(size_of(paths[0]), written->end[written->count - 1]);
 }
 
-/* A file is cut off, or one of its bits is flipped. Every unit from the one with the
- * damage on is discarded. */
+/* A file is truncated, or one of its bits is flipped. The damaged unit and all later
+ * units are discarded. */
 TEST_WITH(damaged, set_up, tear_down)
 {
     struct written written;
@@ -248,8 +248,8 @@ TEST_WITH(of_something_else, set_up, tear_down)
     expect(0, (bool[UNITS]){ false });
 }
 
-/* Starts a process that keeps the file open until it is killed; it reports when it is
- * ready. */
+/* Starts a process that keeps the file open until it is killed. The process reports
+ * when it is ready. */
 static pid_t open_elsewhere(void)
 {
     int ready[2];

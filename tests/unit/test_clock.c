@@ -1,9 +1,9 @@
 /* test_clock.c - clocks of instructions that check-random does not draw are compared
  * with the formulas of docs/timing.md: linked pairs of units whose start-ups differ
- * from those of the built-in models, loops as long as the instruction stack, and
- * gathers of 60,000 random elements. A pair, loop or gather with other clocks fails
- * here. All other instructions are compared with a second clock by check-random, and
- * with the closed formula by test_timing.
+ * from the built-in models, loops as long as the instruction stack, and gathers of
+ * 60,000 random elements. A pair, loop or gather with other clocks fails here. All
+ * other instructions are compared with a second clock by check-random, and with the
+ * closed formula by test_timing.
  */
 #include "tests/random.h"
 #include "tests/unit/clock_driver.h"
@@ -26,8 +26,8 @@ static void charge_pair(struct clock *clock, const char *first_name,
     clock_drain(clock);
 }
 
-/* A pair streams at the rate of its slower unit, whichever is first. A unit with a
- * longer start-up than an addition adds the difference. */
+/* A pair streams at the rate of its slower unit, in either order. A unit with a longer
+ * start-up than an addition adds the difference. */
 TEST(linked_rates)
 {
     static const struct {
@@ -72,7 +72,8 @@ static uint64_t gather_clocks(struct clock *clock, const c205_word *indices,
 
 enum { LIST = 60000 };
 
-/* The published mean is 40 million elements a second, or 1.25 clocks each. */
+/* The published mean is 40 million elements a second, which is 1.25 clocks for each
+ * element. */
 TEST(random_gather)
 {
     SCOPED(clock) *clock = two_pipes();

@@ -1,8 +1,8 @@
-/* test_closed_meshes.c - pixels of closed meshes seen from inside are compared with the
- * background: no ray may slip out, whether aimed at points, at edges or at random, in
- * either form. As solids the meshes have an inside, whose boundary a ray crosses an
- * even number of times. A ray that passes between two triangles, or a crossing that is
- * counted twice, fails here.
+/* test_closed_meshes.c - pixels of closed meshes, seen from inside, are compared with
+ * the background. No ray may pass to the outside, whether it is aimed at points, at
+ * edges or at random, in either form. As solids the meshes have an inside, whose
+ * boundary a ray crosses an even number of times. A ray that passes between two
+ * triangles, or a crossing that is counted twice, fails here.
  *
  *     test_closed_meshes [SCENES [SEED]]
  */
@@ -11,9 +11,9 @@
 #include "tests/unit/random_mesh.h"
 #include "tests/unit/random_solids.h"
 
-static size_t scene_count = 4; /* of each kind */
-/* The scene around the eye: the inside of a shell, or a solid of the mesh with a ball,
- * of which nothing is visible. */
+static size_t scene_count = 4; /* number of scenes of each kind */
+/* The scene around the camera: the inside of a shell, or a solid of the mesh and a
+ * ball, which is completely invisible. */
 static enum { SHELL, BALL_WITHIN, BALL_APART } sight;
 static struct net net;
 static char text[1 << 18];
@@ -25,7 +25,7 @@ static void set_size(size_t width, size_t height)
     traced.pixels = width * height;
 }
 
-/* No pixel shows the background, or all do, in every method of tracing. */
+/* Either no pixel or every pixel shows the background, in every method of tracing. */
 static void check_closed(void)
 {
     FREED struct words *words = same_frame(text);
@@ -53,7 +53,7 @@ static void begin_scene(const double location[3], const double ahead[3],
     add_text(text, sizeof text, "}\n");
 }
 
-/* Begins a mesh of a given scale, which contains the ball or is apart from it. */
+/* Begins a mesh of a given scale. It contains the ball, or is separate from it. */
 static void begin_mesh(const double location[3], double scale)
 {
     if (sight == SHELL)
@@ -75,7 +75,7 @@ static void end_mesh(void)
     add_text(text, sizeof text, sight == SHELL ? "}\n" : "} }\n");
 }
 
-/* Writes a closed mesh at a random place and scale. */
+/* Writes a closed mesh at a random position and scale. */
 static void write_closed(void)
 {
     double scale = pow(10, between(-2, 3)), location[3], by[3], ahead[3];
@@ -109,8 +109,8 @@ TEST(closed)
 }
 
 /* The camera looks from the middle of a body along an axis, at the middle of an edge,
- * or at a corner: toward one of the 26 neighbours of a cube in a grid of cubes; index
- * 13 is the cube itself. */
+ * or at a corner. The direction leads to a neighbour of a cube in a grid of cubes. A
+ * cube has 26 neighbours. Index 13 is the cube itself. */
 static void write_symmetric(size_t neighbour, const double middle[3])
 {
     double ahead[3] = { (double)(neighbour % 3) - 1, (double)(neighbour / 3 % 3) - 1,
@@ -146,8 +146,8 @@ TEST(symmetric)
         }
 }
 
-/* The camera looks from the middle of a cube at one of its sides, with a ray to each
- * integer point of the side. Each point of the mesh may be farther away or nearer. */
+/* The camera looks from the middle of a cube at one side, with a ray to each integer
+ * point of the side. The points of the mesh may be moved along the rays. */
 static void write_whole(size_t side, const double middle[3])
 {
     double ahead[3] = { 0, 0, 0 }, right[3] = { 0, 0, 0 }, up[3] = { 0, 0, 0 };
@@ -178,7 +178,8 @@ TEST(rays_to_points)
 }
 
 /* The rays of the first row hit points of one edge of a face, including its ends and
- * its middle. Those of the first column and of a diagonal hit the other two edges. */
+ * its midpoint. The rays of the first column and of a diagonal hit the other two
+ * edges. */
 static void write_aimed(const size_t face[3], const double location[3], double scale)
 {
     double stretch = (double)traced.width / (double)(traced.width - 1);
@@ -197,7 +198,7 @@ static void write_aimed(const size_t face[3], const double location[3], double s
     end_mesh();
 }
 
-/* Aims rays at edges of bodies; from outside they pass through a body from one side to
+/* Aims rays at edges of bodies. From outside they pass through a body from one side to
  * the other. */
 static void check_edges(bool outside)
 {

@@ -1,11 +1,11 @@
 /* test_coincident.c - the yields that the reader assigns to the regions of a scene are
- * compared with expected ones, for pairs of all kinds of faces: coincident, resting on
- * each other, and apart. A missed pair, which leaves its faces to rounding, or a
- * superfluous one, which costs clocks, fails here. */
+ * compared with expected yields. The scenes have all kinds of pairs of faces:
+ * coincident, resting on each other, and apart. A missed pair, whose visible face
+ * rounding then decides, or a superfluous pair, which costs clocks, fails here. */
 #include "tests/oracle/many_scenes.h"
 #include "tests/unit/unit.h"
 
-/* Fails unless the regions have these yields, one digit each, in tenths. */
+/* Fails unless the regions have these yields, as digits in tenths. */
 static void expect(const char *yields, const char *objects)
 {
     char text[2000], found[20] = "";

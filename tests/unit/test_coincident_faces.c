@@ -1,11 +1,11 @@
-/* test_coincident_faces.c - faces that coincide, or nearly, and rays in a face: the
- * frames of all stages are compared with each other and with the rules of
+/* test_coincident_faces.c - faces that coincide or nearly coincide, and rays in a face.
+ * The frames of all stages are compared with each other and with the rules of
  * docs/solids.md. A face that differs between stages, or an event that the vector form
  * misses, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
-/* The middle ray is the z axis, starting at z = -5; a light is on it. */
+/* The middle ray is the z axis, starting at z = -5. A light is on it. */
 #define VIEW STRAIGHT "light_source { -4.5*z, .5 }\n"
 
 static struct words *frame_of_all(const char *text)
@@ -28,21 +28,21 @@ static struct words *frame_of_all(const char *text)
 #define ABOVE "box { <-1, 0, -1>, 1 } "
 #define BELOW "box { -1, <1, 0, 1> } "
 
-/* A box with a floor of the given slope along z. If the ray crosses the floor, it is
- * above it from z = 0 on, or up to z = 0. */
+/* A box with a floor that has the given slope along z. If the ray crosses the floor, it
+ * is above the floor from z = 0 on, or up to z = 0. */
 #define SLANTED(slope) \
     "box { <-1, 0, -2>, 2 matrix <1, 0, 0, 0, 1, 0, 0, " slope ", 1, " \
     "0, 0, 0> } "
 
-/* The hit of the middle ray: the id of the primitive, from 1 (0: none), and the
+/* The hit of the middle ray: the id of the primitive from 1 (0: none), and the
  * distance. */
 static const struct {
     const char *text;
     int64_t id;
     double depth;
 } sights[] = {
-    /* Faces that coincide. k_delta is between 5e-8 and 2e-7: faces 5e-8 apart coincide,
-     * faces 2e-7 apart do not. */
+    /* Faces that coincide. k_delta is between 5e-8 and 2e-7: faces at a distance of
+     * 5e-8 coincide, faces at a distance of 2e-7 do not. */
     { "difference { box { -1, 1 } box { -1, 1 } }", 0, 0 },
     { "difference { box { -1, 1 } box { -1, <1, 1, 0> } }", 2, 5 },
     { "difference { box { -1, 1 } box { -1.00000005, <1, 1, 0> } }", 2, 5 },
@@ -60,10 +60,10 @@ static const struct {
       "box { <-1, -1, 2e-7>, 1 } } }",
       2, 5 },
 
-    /* Rays in a face of an object alone. */
+    /* Rays in a face of a single object. */
     { ABOVE, 1, 4 },
     { BELOW, 1, 4 },
-    { "box { <0, 0, -1>, 1 }", 1, 4 }, /* an edge */
+    { "box { <0, 0, -1>, 1 }", 1, 4 }, /* an edge of the box */
     { "box { <-1, 1e-9, -1>, 1 }", 0, 0 },
     { "box { -1, <1, -1e-9, 1> }", 0, 0 },
     { "cylinder { -y, 0, 1 }", 1, 4 },
@@ -71,10 +71,10 @@ static const struct {
     { "cone { -y, 1, 0, .5 }", 1, 4.5 },
     /* rays along a line of the cone's side */
     { "cone { <1, .5, -4>, 0, <1, .625, -4>, 1 }", 0, 0 },
-    { "plane { y, 0 }", 0, 0 }, /* never entered */
+    { "plane { y, 0 }", 0, 0 }, /* the ray never enters */
     { "plane { -y, 0 }", 0, 0 },
 
-    /* A face that two parts share belongs to both. */
+    /* A face that two parts share belongs to both parts. */
     { "intersection { " ABOVE "box { <-1, -1, 0>, 2 } }", 2, 5 },
     { "intersection { " ABOVE BELOW "}", 1, 4 },
     { "intersection { " ABOVE "box { <-1, -1, -.5>, <1, 0, 2> } }", 2, 4.5 },
@@ -84,7 +84,7 @@ static const struct {
     { "intersection { plane { y, -1e-9 } box { -1, 1 } }", 0, 0 },
     { "intersection { cylinder { -y, 0, 1 } box { -.5, 1 } }", 2, 4.5 },
 
-    /* A subtracted part removes the faces that coincide with its own. */
+    /* A subtracted part removes the faces that coincide with its faces. */
     { "difference { " ABOVE "box { <-.5, -1, -2>, <.5, 1, .5> } }", 2, 5.5 },
     { "difference { box { -1, 1 } box { <-.5, 0, -2>, <.5, 2, .5> } }", 2, 5.5 },
     { "difference { box { -1, 1 } box { <-.5, -2, -2>, <.5, 0, .5> } }", 2, 5.5 },
@@ -104,13 +104,12 @@ static const struct {
 
     /* Merged parts. */
     { "merge { " ABOVE "box { <-1, -1, -2>, <1, 0, .5> } }", 2, 3 },
-    { "merge { " ABOVE "plane { y, 0 } }", 0, 0 }, /* the ray is inside all the
-                                                        * way */
+    { "merge { " ABOVE "plane { y, 0 } }", 0, 0 }, /* the ray is always inside */
     { "difference { box { -2, 2 } merge { " ABOVE
       "box { <-1, -1, -3>, <1, 0, -.5> } } }",
       2, 6 },
 
-    /* A ray whose slope is below k_tiny counts as parallel; its origin decides. */
+    /* A ray whose slope is below k_tiny counts as parallel. Its origin decides. */
     { SLANTED("1e-11"), 1, 3 },
     { SLANTED("-1e-11"), 1, 5 },
     { SLANTED("1e-13"), 1, 3 },

@@ -1,7 +1,8 @@
 /* test_command.c - the values that commands receive from random command lines, in any
- * order and form, are compared with the drawn ones; messages about wrong words with
- * expected ones; and suggestions for misspelt names with the original names. A value
- * that goes to another row, or a wrong one that is accepted, fails here. */
+ * order and form, are compared with the values on the lines. Messages about wrong words
+ * are compared with expected messages, and suggestions for misspelt names with the
+ * original names. A value that goes to another row, or a wrong value that is accepted,
+ * fails here. */
 #include <unistd.h>
 
 #include "base/command.h"
@@ -20,7 +21,7 @@ struct arguments {
     uint64_t clocks, end;
     double number;
     enum colour colour;
-    size_t length; /* of the text that `take` received */
+    size_t length; /* length of the text that `take` received */
     struct command_texts words, files;
     const char *first;
     struct arguments *result; /* where to record the values; NULL: nowhere */
@@ -138,7 +139,7 @@ struct line {
     char *argv[MAX_WORDS + 1];
     int argc;
     struct arguments expected;
-    const char *texts[2][MAX_WORDS]; /* of words and files */
+    const char *texts[2][MAX_WORDS]; /* texts for words and files */
 };
 
 static size_t below(struct line *line, size_t most)
@@ -162,7 +163,7 @@ static void make_word(struct line *line, char text[WORD_SIZE])
     text[length] = '\0';
 }
 
-/* Draws the value of a row as text and records it in the expected values. */
+/* Makes a random value of a row as text, and adds it to the expected values. */
 static const char *make_value(struct line *line, const struct command_option *option,
                               char text[WORD_SIZE])
 {
@@ -294,7 +295,8 @@ static void release(struct caught *caught)
     fclose(caught->file);
 }
 
-/* A correct line with these additional words is rejected with the message `why`. */
+/* A correct line with these additional words must be rejected with the message
+ * `why`. */
 static void refused(const char *word, const char *value, const char *why)
 {
     for (uint64_t seed = 1; seed <= 20; seed++) {
@@ -388,8 +390,8 @@ TEST(missing_and_too_many)
 
 /* ---- Names, times -------------------------------------------------------- */
 
-/* A name with a letter dropped, doubled, replaced or swapped with the next is found. A
- * name that shares nothing is not. */
+/* A name with a letter dropped, doubled, replaced or swapped with the next letter is
+ * found. A completely different name is not found. */
 TEST(nearest)
 {
     static const char *const names[] = { "render", "profile", "speedup", "sweep",
@@ -438,8 +440,8 @@ TEST(time_left)
     }
 }
 
-/* The line is shown after the first second and erased at the end. An hour has passed
- * for 40 of 100 items, so that delays of the host change nothing. */
+/* The line is shown after the first second, and erased at the end. An hour has passed
+ * for 40 of 100 items, so that delays of the host do not change the text. */
 TEST(progress_line)
 {
     char text[100] = "", expected[100];

@@ -1,7 +1,7 @@
-/* test_cylinder_hits.c - the rays that hit cylinders: random rays and cylinders in both
- * forms are compared with plain C, and a scene with all first hits of the same rays. A
- * hit that one form misses, or a part that is not a solid cylinder and is accepted,
- * fails here.
+/* test_cylinder_hits.c - the rays that hit cylinders. Random rays and cylinders in both
+ * forms are compared with plain C, and a scene is compared with all first hits of the
+ * same rays. A hit that one form misses, or a part that is accepted although it is not
+ * a solid cylinder, fails here.
  */
 #include "rt/heat/hits.h"
 #include "rt/layout/single_run.h"
@@ -58,7 +58,7 @@ static void draw(struct bundle *bundle)
     }
 }
 
-/* Intersects the side with the slab between the discs. Returns 1 for a hit, 0 for a
+/* Intersects the side, and the slab between the discs. Returns 1 for a hit, 0 for a
  * miss, and -1 if rounding decides. */
 static int strikes(const double o[3], const double d[3], const double words[WORDS])
 {
@@ -155,7 +155,7 @@ static void find(const struct scene *scene, const char *from, enum trace_mode mo
     REQUIRE(hits_find(scene, &parts, &options, hits, &failure));
 }
 
-/* The number of hits must equal that of the first crossings of the same rays. */
+/* The number of hits must equal the number of first crossings of the same rays. */
 TEST(scene)
 {
     SCOPED(scene) *scene = read_scene(tubes);

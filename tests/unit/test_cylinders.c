@@ -1,7 +1,7 @@
-/* test_cylinders.c - cylinders in every formulation of the kernels: depths and normals
- * are compared with those of geometry and of the plain tracer, over hits from outside,
- * from inside and along the axis. A wrong root, a missing end or a normal that points
- * inside fails here. */
+/* test_cylinders.c - cylinders in every formulation of the kernels. Depths and normals
+ * are compared with geometry and with the plain tracer, for hits from outside, from
+ * inside and along the axis. A wrong root, a missing end or a normal that points inside
+ * fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
@@ -23,7 +23,7 @@ static void check_hit(const char *text, double depth, double x, double y, double
     check_paper_stage(text, words);
 }
 
-/* Adds the ends of an axis; a third of the axes point at the eye. */
+/* Adds the ends of an axis. A third of the axes point at the camera. */
 static void add_axis(char *text, size_t size)
 {
     static const char *const axes[] = { "<.4, .2, -1>, <.4, .2, 1.5>",
@@ -57,7 +57,8 @@ static void check_scenes(void)
     free(plain_frame(text));
 }
 
-/* Side and ends hit from outside, along the axis and obliquely, and from inside. */
+/* The side and the ends are hit from outside, along the axis and obliquely, and from
+ * inside. */
 #define SOLID "cylinder { <0, 0, -1>, <0, 0, 2>, .5 "
 #define SLOPE "cylinder { <-.6, 0, -.8>, <.6, 0, .8>, .5 "
 
@@ -89,7 +90,8 @@ static void check_misses(void)
     check_middle(STRAIGHT SLOPE "translate <1.4, 0, 1.2> }", 0, 0);
 }
 
-/* Cylinders without ends: through an open end the ray hits the side from inside. */
+/* In cylinders without ends, the ray passes through an open end and hits the side from
+ * inside. */
 static void check_tubes(void)
 {
     check_middle(STRAIGHT SOLID "open }", 0, 0);
@@ -116,7 +118,8 @@ TEST(formulations)
     traced.variant = NULL;
 }
 
-/* The historical formulation does not change cylinders in trees and clear ones. */
+/* The historical formulation does not change transparent cylinders, or cylinders in
+ * trees. */
 TEST(trees)
 {
     static const char text[] = AHEAD "difference { " SOLID

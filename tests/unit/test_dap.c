@@ -1,7 +1,7 @@
 /* test_dap.c - responses of c205 debug --dap to a client over pipes are compared with
- * those that the sessions of dap.txt expect, and its reaction to malformed messages
- * with the protocol's rules. A capability without a session, or another response, fails
- * here.
+ * the responses that the sessions of dap.txt expect. Its reactions to malformed
+ * messages are compared with the rules of the protocol. A capability without a session,
+ * or another response, fails here.
  */
 #include "tests/unit/dap_session.h"
 #include "tests/unit/prior_model.h"
@@ -14,7 +14,7 @@ struct session {
     char name[LINE]; /* "": no session */
     unsigned line;   /* line of the script */
     char own[TEXT];
-    const char *program; /* its own, or the usual one */
+    const char *program; /* program of the session, or the default program */
     struct dap_client client;
     bool begun, refused; /* the last response reports failure */
     int reference;
@@ -26,7 +26,7 @@ static void wrong(const struct session *session, const char *text)
              session->client.text ? session->client.text : "nothing");
 }
 
-/* Copies a text and replaces $F, $N, $D, $T and $R by their values. */
+/* Copies a text. Replaces $F, $N, $D, $T and $R by their values. */
 static void replace(const struct session *session, const char *from, char to[TEXT])
 {
     for (size_t used = 0; (to[used] = *from) != '\0'; from++) {
@@ -130,7 +130,7 @@ static void check_text(struct session *session, const char *text)
         wrong(session, text);
 }
 
-/* Checks the response to the request before the last one. */
+/* Checks the response to the second to last request. */
 static void check_late(struct session *session, char *text)
 {
     session->client.sent -= 3;

@@ -4,8 +4,8 @@
 #include "tests/unit/dap_session.h"
 #include "tests/unit/prior_model.h"
 
-/* Requests with their arguments, each a name and a type. Names are a list of texts, and
- * numbers are an object of whole numbers. */
+/* Requests with their arguments. Each argument has a name and a type. "names" is a list
+ * of texts, and "numbers" is an object of integers. */
 struct request {
     const char *name, *arguments;
 };
@@ -48,7 +48,7 @@ static const struct request requests[] = {
                      "instructionCount:whole resolveSymbols:truth" },
 };
 
-/* Members of a source, in requests that take one. */
+/* Members of a source, for requests with a source. */
 #define SOURCE "path:text name:text sourceReference:whole"
 static const struct request sources[] = {
     { "setBreakpoints", SOURCE },
@@ -57,7 +57,7 @@ static const struct request sources[] = {
     { "source", SOURCE },
 };
 
-/* Requests with the members of their breakpoints. */
+/* Requests, with the members of their breakpoints. */
 static const struct request breakpoints[] = {
     { "setBreakpoints", "line:whole condition:text hitCondition:text "
                         "logMessage:text" },
@@ -84,7 +84,7 @@ static const struct {
 typedef void check_value(struct dap_client *client, const char *request,
                          const char *key, const char *value);
 
-/* Calls `check` with each argument of a request and each value of a wrong type. */
+/* Calls `check` for each argument of a request and each value of a wrong type. */
 static void check_types(struct dap_client *client, const struct request *request,
                         check_value *check)
 {
@@ -109,8 +109,8 @@ static void check_source(struct dap_client *client, const char *request,
     client_refused(client, key, request, "{\"source\": {\"%s\": %s}}", key, value);
 }
 
-/* Sends arguments that are not an object, and those of wrong types, of one request, or
- * of all requests of a running program. */
+/* For one request, or for all requests of a running program: sends arguments that are
+ * not an object, and arguments of wrong types. */
 static void check_requests(struct dap_client *client, const char *only)
 {
     static const char *const wrong[] = { "5", "\"x\"", "true", "[]", "[{}]" };

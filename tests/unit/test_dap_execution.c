@@ -57,8 +57,8 @@ static void choose_stops(struct walk *walk)
                walk->plain.watched);
 }
 
-/* Returns the expected reason of a stop. If two breakpoints match, the one that was set
- * first is reported. */
+/* Returns the expected reason of a stop. If two breakpoints match, the breakpoint that
+ * was set first is reported. */
 static const char *reason_for(const struct walk *walk, const char *request, size_t from)
 {
     bool steps_back = strcmp(request, "stepBack") == 0;
@@ -84,7 +84,7 @@ static void move_to(struct walk *walk, const char *request, size_t step)
     check_moment(walk, request);
 }
 
-/* A program that has ended can only move backward. */
+/* A program that has ended can only move backwards. */
 static void move(struct walk *walk)
 {
     size_t step = walk->step, end = walk->plain.end;

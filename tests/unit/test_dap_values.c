@@ -107,8 +107,8 @@ static const struct json_value *read_file(struct arena *arena, const char *name)
     return tree;
 }
 
-/* Writes the members with the defaults that the editor proposes; `program` is the
- * test's. */
+/* Writes the members with the defaults that the editor proposes. `program` is the
+ * program of the test. */
 static void put_defaults(struct json *json, const struct json_value *properties)
 {
     for (const struct json_value *item = properties->first; item; item = item->next) {

@@ -1,6 +1,6 @@
 /* test_data_map.c - the types and sizes of data that the assembler records for labels
- * are compared with those of random texts. A label with another type, or a count that
- * includes the next label's data, fails here.
+ * are compared with random texts. A label with another type, or a count that includes
+ * data of the next label, fails here.
  */
 #include <inttypes.h>
 
@@ -19,10 +19,10 @@ struct labelled {
 struct random_text {
     struct labelled label[LABELS];
     struct text_buffer text;
-    struct sink out; /* to the text */
+    struct sink out; /* writes to the text */
 };
 
-/* Adds a line of data. Returns the number of elements, in units of their type. */
+/* Adds a line of data. Returns the number of elements of its type. */
 static uint64_t put_data(struct random_text *drawn, enum asm_contents contents)
 {
     uint64_t n = below(&state, 4) + 1;
@@ -36,7 +36,7 @@ static uint64_t put_data(struct random_text *drawn, enum asm_contents contents)
                                                   : "        .descriptor 1, 0\n"
                                                     "        .word   .\n");
         return 2;
-    case ASM_HALF_WORDS: /* full words, so that the next data is aligned */
+    case ASM_HALF_WORDS: /* whole words, so that the next data is aligned */
         sink_print(&drawn->out, "        .halfword 1, 2\n        .half   3, 4\n");
         return 4;
     case ASM_BYTES: sink_print(&drawn->out, "        .text   \"eight of\"\n"); return 8;
@@ -77,7 +77,7 @@ static void put_labelled(struct random_text *drawn, size_t i)
     sink_print(&drawn->out, "l%zu:\n", i);
     for (size_t k = below(&state, 3) + 1; k > 0; k--)
         drawn->label[i].count += put_data(drawn, contents);
-    /* Other data, with a label or without, ends the counted data. */
+    /* Other data, with or without a label, ends the counted data. */
     if (contents == ASM_WORDS && one_in(&state, 2))
         sink_print(&drawn->out, "        .text   \"abc\"\n");
 }

@@ -1,6 +1,6 @@
 /* test_debugger.c - the position of a debugger after random command lines is compared
- * with the one that a plain run of the program gives. A stop that is missed, or a step
- * too many, fails here. */
+ * with a plain run of the program. A stop that is missed, or a step too many, fails
+ * here. */
 #include <inttypes.h>
 
 #include "tests/unit/draw.h"
@@ -42,7 +42,7 @@ static size_t to_place(const struct plain *plain, const struct plain_stops *repo
 struct session {
     const struct plain *plain;
     struct debug_session debug;
-    struct plain_stops reported; /* the breakpoints of the debugger */
+    struct plain_stops reported; /* breakpoints of the debugger */
     size_t step;
 };
 
@@ -80,7 +80,7 @@ static void choose_watch(struct session *session)
     obey(session, formatted("watch *%" PRIu64, session->plain->watched));
 }
 
-/* Draws a command line. Returns the step that the program must reach. */
+/* Makes a random command line. Returns the step that the program must reach. */
 static size_t draw_line(struct session *session, char line[80])
 {
     const struct plain *plain = session->plain;
@@ -164,7 +164,7 @@ TEST(movements)
     }
 }
 
-/* Sets one stop and returns to it from each later step. */
+/* Sets one stop, and returns to it from each later step. */
 TEST(far_back)
 {
     enum { STOP = 150, FAR = 400 };

@@ -165,13 +165,13 @@ static const struct {
         { "step 4", "!5\n" },
         { "", "ended with status 0" } },
       0 },
-    /* Before the debugger prints a report, it ends an open line of the program's
-     * output, once. */
+    /* Before the debugger prints a report, it ends an incomplete line of the program's
+     * output, but only once. */
     { ONE_NUMBER, { { "step 2", "5\nstep " }, { "account", "!\n\n" } }, 0 },
     { ONE_NUMBER, { { "continue", "5\nstep " }, { "account", "!\n\n" } }, 0 },
     { ONE_NUMBER, { { "goto 2", "5\nstep " }, { "account", "!\n\n" } }, 0 },
-    /* `next` treats a call as one instruction. A break at an instruction of a linked
-     * pair moves to its LINKV. */
+    /* `next` executes a call as one instruction. A breakpoint at an instruction of a
+     * linked pair moves to its LINKV. */
     { "        .include \"vectors.s\"\n"
       "        .regs r16, a, link\n"
       "        .code\n"
@@ -211,7 +211,7 @@ static const struct {
         { "delete", "" },
         { "break again if turns ==", "expected a value" } },
       1 },
-    /* After its end a program does not continue, whatever the command. */
+    /* A program that has ended does not continue, whatever the command is. */
     { "        ES  r10, 5\n"
       "        ES  r11, 6\n"
       "        DIVS r10, r11, r12\n"
@@ -231,9 +231,9 @@ static const struct {
     { ONE_NUMBER,
       { { "run", "5\n" }, { "goto 1", "" }, { "set r10 = 77", "" }, { "c", "77\n" } },
       0 },
-    /* Breaks at lines: of a macro call, at its first instruction; of a line in a macro,
-     * at each of its calls; of data, at the code after it. All breaks at one step are
-     * reported. */
+    /* Breakpoints at lines. At a macro call, the breakpoint is at the macro's first
+     * instruction. At a line in a macro, it is at each call of the macro. At data, it
+     * is at the next code. All breakpoints at the same step are reported. */
     { "        .data\n"
       "datum:  .word 1.0\n"
       "        .macro twice r\n"

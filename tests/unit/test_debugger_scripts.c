@@ -1,10 +1,10 @@
-/* test_debugger_scripts.c - the output of random debugger scripts, 40 lines of all
- * commands over five programs, is compared with that of a second run, byte for byte,
- * and execution after a restart with its repetition. An output that depends on earlier
- * commands fails here.
+/* test_debugger_scripts.c - random debugger scripts have 40 lines with all commands,
+ * for five programs. Their output is compared with a second run, byte for byte, and
+ * execution after a restart is compared with its repetition. An output that depends on
+ * earlier commands fails here.
  *
- * "test_debugger_scripts draw N PROGRAM" prints the N-th script for a program, for a
- * check that runs it in another way (tests/check_replay.sh).
+ * "test_debugger_scripts draw N PROGRAM" prints script N for a program. Another check
+ * (tests/check_replay.sh) runs it in another way.
  */
 #include <inttypes.h>
 
@@ -22,7 +22,7 @@ static const char *const examples[] = {
 };
 static const char drawn[] = "drawn.s";
 
-/* Draws a program; two in five are random texts. */
+/* Opens a random program. Two in five programs are random texts. */
 static struct object *open_program(const char **name)
 {
     char text[DRAWN_TEXT + LINE];
@@ -40,7 +40,7 @@ typedef char script_line[LINE];
 
 #define PICK(texts) texts[below(COUNT(texts))]
 
-/* Draws an address of code, or of data. */
+/* Returns a random address of code or data. */
 static uint64_t draw_address(const struct object *object, bool code)
 {
     size_t count = object->line_count;
@@ -87,7 +87,7 @@ static void draw_value(const struct object *object, script_line value)
         snprintf(value, LINE, "%s", PICK(values));
 }
 
-/* Draws a line that moves the program. */
+/* Makes a line that moves the program. */
 static void draw_motion(const struct object *object, script_line line)
 {
     static const char *const plain[] = {
@@ -105,7 +105,7 @@ static void draw_motion(const struct object *object, script_line line)
     }
 }
 
-/* Draws a line that prints state. */
+/* Makes a line that prints state. */
 static void draw_view(const struct object *object, script_line line)
 {
     static const char *const plain[] = {
@@ -132,7 +132,7 @@ static void draw_view(const struct object *object, script_line line)
     }
 }
 
-/* Draws a line that sets a stop. */
+/* Makes a line that sets a breakpoint. */
 static void draw_stop(const struct object *object, script_line line)
 {
     script_line place, value;
@@ -147,7 +147,7 @@ static void draw_stop(const struct object *object, script_line line)
         snprintf(line, LINE, "break %.60s", place);
 }
 
-/* Draws a line that changes the rest of the session. */
+/* Makes a line that changes other parts of the session. */
 static void draw_change(const struct object *object, script_line line)
 {
     script_line place;
@@ -206,7 +206,7 @@ static void obey(struct debugger *debugger, struct text_buffer *said, const char
     assert_true(debugger_obey(debugger, line));
 }
 
-/* Runs a script. Returns its whole output, which the caller frees. */
+/* Runs a script. Returns its complete output, which the caller frees. */
 static struct text_buffer play(const struct object *object, const char *name,
                                script_line *lines, size_t count)
 {
@@ -226,7 +226,7 @@ static void check_same(const struct text_buffer *one, const struct text_buffer *
             "%s:\n%s\nand again:\n%s", name, one->text, other->text);
 }
 
-/* Two debuggers that run the script alternately, line by line, must not affect each
+/* Two debuggers run the script alternately, line by line. They must not affect each
  * other. */
 static void check_in_turn(const struct object *object, const char *name,
                           script_line *lines, const struct text_buffer *expected)
@@ -245,7 +245,7 @@ static void check_in_turn(const struct object *object, const char *name,
     }
 }
 
-/* At most a third of the lines is invalid. */
+/* At most a third of the lines are invalid. */
 TEST(scripts)
 {
     size_t all = 0, faults = 0;
@@ -265,8 +265,8 @@ TEST(scripts)
     assert_true(faults > 0 && faults * 3 < all);
 }
 
-/* Runs the program so that its output is printed, and sets stops. Then two runs of the
- * same moves and views from the beginning must give the same output. */
+/* Runs the program so that its output is printed, and sets breakpoints. Then two runs
+ * of the same moves and views from the beginning must have the same output. */
 static void check_anew(const struct object *object, const char *name)
 {
     enum { STOPS = 3 };

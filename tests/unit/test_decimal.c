@@ -1,6 +1,6 @@
-/* test_decimal.c - conversions of words to decimal text are compared with those of
- * MPFR, over random words, all notations and numbers of digits. A wrong rounding or
- * exponent fails here. */
+/* test_decimal.c - conversions of words to decimal text are compared with MPFR, over
+ * random words, all notations and numbers of digits. A wrong rounding or exponent fails
+ * here. */
 #include "tests/oracle/arithmetic_oracle.h"
 #include "tests/random.h"
 #include "tests/unit/machine_fixture.h"
@@ -10,7 +10,7 @@ enum { TRIES = 40000, DIGITS = 128, LONGEST = 20000 };
 
 static uint64_t state = RANDOM_SEED;
 
-/* Draws 9.99 .. times a power of ten. */
+/* Returns 9.99 .. times a power of ten. */
 static c205_word draw_below_power(void)
 {
     static const char nines[] = "9.999999999999999999";
@@ -59,10 +59,10 @@ static void check(c205_word word, c205_notation notation, unsigned digits)
     } else if (notation == C205_SCIENTIFIC || strchr(text, 'e')) {
         unsigned behind = asked - (notation == C205_SCIENTIFIC);
         mpfr_snprintf(exact, sizeof exact, "%.*RNe", (int)behind, value);
-        /* MPFR's exponent has a sign and at least two digits. */
+        /* MPFR's exponent has a sign, and at least two digits. */
         char *e = strchr(exact, 'e');
         sprintf(e, "e%ld", strtol(e + 1, NULL, 10));
-        /* Scientific notation is used only if the fixed one does not fit. */
+        /* Scientific notation is used only if the fixed notation does not fit. */
         if (notation == C205_FIXED)
             assert_true(mpfr_get_exp(value)
                         > 3.3219 * ((double)C205_DIGITS - asked) - 0.001);
@@ -106,8 +106,8 @@ TEST(ends)
         }
 }
 
-/* The smallest normalised word of each exponent: an estimate of the decimal exponent that
- * is one too large shows here. */
+/* The smallest normalised word of each exponent detects an estimate of the decimal
+ * exponent that is one too large. */
 TEST(each_exponent)
 {
     for (int64_t exponent = -28672; exponent < 28672; exponent++)

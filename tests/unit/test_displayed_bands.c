@@ -1,5 +1,5 @@
-/* test_displayed_bands.c - a frame that is read while it is traced: the displayed bands
- * are compared with the frame and its accounts. A band that is displayed twice or too
+/* test_displayed_bands.c - a frame is read while it is traced. The displayed bands are
+ * compared with the frame and its accounts. A band that is displayed twice or too
  * early, or a clock that decreases, fails here. */
 #define MIDDLING_FRAMES
 #include "tests/unit/traced_frame.h"
@@ -13,13 +13,13 @@
 
 /* Bands that a trace has displayed. */
 struct shown {
-    size_t done, under_way; /* number of views */
-    size_t last_row;        /* of the previous band */
-    uint64_t clocks;        /* last reported clocks of that band */
-    struct frame frame;     /* complete bands */
-    bool rows[MAX_PIXELS];  /* rows in the frame */
+    size_t done, under_way; /* numbers of views of complete and of incomplete bands */
+    size_t last_row;        /* last row of the previous band */
+    uint64_t clocks;        /* last reported clocks of this band */
+    struct frame frame;     /* the complete bands */
+    bool rows[MAX_PIXELS];  /* rows that are in the frame */
     uint64_t all;           /* clocks of the last complete band */
-    size_t some;            /* views with a part of their pixels */
+    size_t some;            /* number of views with only a part of their pixels */
 };
 
 static bool go_on(void *context UNUSED, size_t done UNUSED, size_t pixels UNUSED)
@@ -98,8 +98,8 @@ TEST(bands)
     }
 }
 
-/* A frame in one band, long enough to be read while it is traced: a part of it is
- * visible before the rest. */
+/* The frame is one band, and is long enough to be read while it is traced. A part of it
+ * is visible before the rest. */
 TEST(under_way)
 {
     struct shown shown = { .done = 0 };

@@ -1,6 +1,6 @@
-/* test_elementary.c - the elementary functions of scenes are compared with those of
- * MPFR, to the last bit, at random arguments of all sizes and where they are exact. A
- * result that is rounded twice fails here. */
+/* test_elementary.c - the elementary functions of scenes are compared with MPFR, to the
+ * last bit, at random arguments of all sizes, and where they are exact. A result that
+ * is rounded twice fails here. */
 #include "rt/scene/elementary.h"
 #include "tests/random.h"
 #include "tests/unit/unit.h"
@@ -40,7 +40,8 @@ enum { EXACT = 300 }; /* bits */
 
 static uint64_t state = 205;
 
-/* Draws a number with a magnitude between two powers of 2; most are near 1. */
+/* Returns a random number with a magnitude between two powers of 2. Most numbers are
+ * near 1. */
 static double draw(double least, double most)
 {
     double share = xorshift_real(&state, 0, 1);
@@ -54,7 +55,7 @@ static double draw(double least, double most)
     return xorshift(&state) % 2 == 0 ? x : -x;
 }
 
-/* Returns the exact value, rounded; `two` is NULL for a function of x alone. */
+/* Returns the exact value, rounded. For a function of x alone, `two` is NULL. */
 static double rounded(of_one *one, of_two *two, double x, double y)
 {
     mpfr_t value, a, b;
@@ -93,7 +94,7 @@ TEST(of_one)
             check_function(f, draw(functions[f].least, functions[f].most));
 }
 
-/* Logarithms near 1 are small, and depend on the difference from 1 alone. */
+/* Logarithms near 1 are small, and depend only on the difference from 1. */
 TEST(near_one)
 {
     for (int i = 0; i < 4000; i++) {
@@ -104,7 +105,7 @@ TEST(near_one)
     }
 }
 
-/* Whole degrees, as scenes use them, and with them values near multiples of pi / 2. */
+/* Whole degrees, as in scenes, and therefore values near multiples of pi / 2. */
 TEST(angles)
 {
     for (int degrees = -720; degrees <= 720; degrees++)
@@ -126,7 +127,7 @@ TEST(of_two)
     }
 }
 
-/* The square of an integer of 27 bits may lie halfway between two doubles. */
+/* The square of an integer of 27 bits may be halfway between two doubles. */
 TEST(halfway)
 {
     for (int i = 0; i < 4000; i++) {
@@ -140,7 +141,8 @@ TEST(halfway)
     }
 }
 
-/* Where a function has no value, or no finite one, the result is that of C. */
+/* Where a function is undefined or infinite, the result equals the C function's
+ * result. */
 TEST(ends)
 {
     static const double ends[] = { 0,        -0.,       1,      -1,     2,

@@ -1,7 +1,7 @@
-/* test_emission.c - points of surfaces, normals, weights and directions that the
- * machine draws are compared with the surface, its area and the cosine law, over random
- * shapes that emit. A point off the surface, a normal that points inside or a biased
- * distribution fails here.
+/* test_emission.c - points on surfaces, normals, weights and directions that the
+ * machine computes are compared with the surface, its area and the cosine law, over
+ * random shapes that emit. A point off the surface, a normal that points inside or a
+ * biased distribution fails here.
  *
  *     test_emission [TRIES [SEED]]
  */
@@ -16,7 +16,7 @@
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
-static size_t tries = 4; /* of each kind */
+static size_t tries = 4; /* number of tries for each kind */
 static uint64_t state = RANDOM_SEED;
 
 static size_t between(size_t low, size_t high)
@@ -26,7 +26,7 @@ static size_t between(size_t low, size_t high)
 
 /* ---- Emission ------------------------------------------------------------- */
 
-/* A point as the machine writes it to its planes, and the numbers of these words. */
+/* A point as the machine writes it to its planes, and the words as numbers. */
 struct emitted_point {
     c205_word words[EMITTED_PLANES];
     double place[3], face[3], weight, ray[3];
@@ -70,7 +70,7 @@ static struct emission_choice some_choice(void)
                                      .shift = between(0, 1000) };
 }
 
-/* Calls a check for random shapes, `times` for each kind. */
+/* Calls a check for `times` random shapes of each kind. */
 static void each_shape(size_t times, void (*check)(const struct primitive *primitive))
 {
     for (size_t i = 0; i < times * EMITTING_KINDS; i++) {
@@ -82,9 +82,9 @@ static void each_shape(size_t times, void (*check)(const struct primitive *primi
 
 /* ---- On the surface ------------------------------------------------------- */
 
-/* Returns whether a ray from above a point, straight down, hits the surface at the
- * point. The crossing is computed in the shape's own space. Near an edge another
- * crossing may be first. */
+/* Returns true if a vertical ray from above hits the surface at the point. The crossing
+ * is computed in the shape's own space. Near an edge another crossing may be the
+ * first. */
 static bool meets(const struct primitive *primitive, const double place[3],
                   const double face[3])
 {
@@ -118,8 +118,9 @@ static bool encloses(const struct primitive *primitive, const double place[3],
     return plain_encloses(primitive, point);
 }
 
-/* Each point must be on the surface and have the right side up. A thousandth of the
- * points may fail: near an edge another surface may be nearer than a ten-millionth. */
+/* Fails unless each point is on the surface, with the outside above it. A thousandth of
+ * the points may fail, because near an edge another surface may be nearer than a
+ * ten-millionth. */
 static void check_surface(const struct primitive *primitive)
 {
     struct emission_options options = { TRACE_VECTOR, 500, POINTS, between(0, 1),
@@ -166,7 +167,7 @@ static void assert_mean(const struct mean *mean, double expected, double sigmas,
     assert_near(found, expected, sigmas * sqrt(fmax(variance, 0) / mean->count) + more);
 }
 
-/* The mean weight must be the area. The mean of the points, weighted, must be the
+/* The mean weight must be the area. The weighted mean of the points must be the
  * centroid of the surface. */
 static void check_area(const struct primitive *primitive)
 {
@@ -188,8 +189,8 @@ static void check_area(const struct primitive *primitive)
 
 TEST_CALL(areas, each_shape(tries, check_area))
 
-/* Areas of massprops.csv. If all parts of a surface are alike, each weight is its
- * area. The weights of a torus differ. */
+/* The areas of massprops.csv. If all parts of a surface are equivalent, each weight is
+ * the area. The weights of a torus differ. */
 TEST(exact_areas)
 {
     static const double areas[] = { 12.5663706143592, 7.85398163397448, 7 };
@@ -235,8 +236,8 @@ TEST(accuracy)
     assert_true(most < 3e-13);
 }
 
-/* D . n must be sqrt (1 - u), with u the third number, as the cosine law requires. The
- * mean of D is 2/3 n, that of D D^T is (1 + n n^T) / 4. */
+/* D . n must be sqrt (1 - u), where u is the third number, as the cosine law requires.
+ * The mean of D is 2/3 n, and the mean of D D^T is (1 + n n^T) / 4. */
 static void check_cosine_law(const struct primitive *primitive)
 {
     struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false, NULL };
@@ -265,7 +266,7 @@ TEST_CALL(cosine_law, each_shape(tries, check_cosine_law))
 
 /* ---- Both forms ------------------------------------------------------------ */
 
-/* The scalar form in one call is compared with the vector form in two calls and other
+/* Compares the scalar form in one call with the vector form in two calls and with other
  * queues. */
 static void compare_forms(const struct primitive *primitive)
 {
@@ -290,7 +291,7 @@ TEST_CALL(forms, each_shape(2 * tries, compare_forms))
 /* ---- Factors --------------------------------------------------------------- */
 
 /* Compares the fraction of rays from the plane y = 0 that cross the plane y = height in
- * a disc of this radius, or, if it is 0, in the unit square. */
+ * a disc with this radius or, if the radius is 0, in the unit square. */
 static void check_share(const struct primitive *primitive, double height, double radius,
                         double expected)
 {
@@ -311,7 +312,7 @@ static void check_share(const struct primitive *primitive, double height, double
                 4 * sqrt(expected * (1 - expected) / 60000));
 }
 
-/* Factors of viewfactors.csv. */
+/* The factors of viewfactors.csv. */
 TEST(factors)
 {
     SCOPED(scene) *scene = read_scene(
@@ -406,7 +407,7 @@ static double clocks_a_point(const struct accounts *accounts, const char *region
     return (double)(accounts_clocks(&account) - waits) / MAX_EMISSION;
 }
 
-/* Prints the clocks of a run of maximum length, without those of page faults. */
+/* Prints the clocks of a run of maximum length, without the clocks of page faults. */
 static double print_clocks(const struct primitive *primitive, enum trace_mode mode,
                            size_t queue, c205_model *model)
 {

@@ -1,6 +1,6 @@
-/* test_engine.c - replies of the engine to a page are compared with expected ones, for
- * lessons, programs, instructions and traps, and for invalid and mutated requests. A
- * wrong member, or a request that crashes the engine, fails here. */
+/* test_engine.c - replies of the engine to a page are compared with expected replies,
+ * for lessons, programs, instructions and traps, and for invalid and mutated requests.
+ * A wrong member, or a request that crashes the engine, fails here. */
 #include "asm/lesson/lesson.h"
 #include "base/json.h"
 #include "tests/unit/draw.h"
@@ -55,7 +55,7 @@ TEST(load)
     assert_true(number_of(talk.reply, "step") == 1);
 }
 
-/* The last instruction, and the operands of the next. */
+/* The last instruction, and the operands of the next instruction. */
 TEST(instructions)
 {
     SCOPED_VALUE(talk) talk =
@@ -150,7 +150,7 @@ TEST(bad)
         { COMPARE "[{'text': ' EXIT'}, {'text': ' LOD [r2], r3\\n EXIT'}]}",
           "program.s: trap" },
         { "{'do': 'grade', 'lesson': 'none', 'text': ''}", "" },
-        { NULL, NULL }, /* now a program is loaded */
+        { NULL, NULL }, /* requests after a program has been loaded */
         { "{'do': 'go'}", "'how' is missing" },
         { "{'do': 'go', 'how': 'up'}", "unknown value of 'how': 'up'" },
         { "{'do': 'go', 'how': 'step-to'}", "'n' is missing" },
@@ -212,7 +212,7 @@ static const char *const values[] = {
 };
 enum { VALUES = COUNT(values) };
 
-/* Replaces the value after a random colon by another. */
+/* Replaces the value after a random colon by another value. */
 static void change_value(char *text, size_t size)
 {
     char *colon = text, copy[4096], *end;

@@ -1,6 +1,6 @@
-/* test_engine_execution.c - replies of the engine after random moves, forward and
- * backward, are compared with machines that run to the same step; so are profiles,
- * timelines and output. State that an earlier move leaves over fails here.
+/* test_engine_execution.c - replies of the engine after random moves, forwards and
+ * backwards, are compared with machines that run to the same step. Profiles, timelines
+ * and output are compared, too. State that remains from an earlier move fails here.
  */
 #include "asm/measure/line_profile.h"
 #include "asm/view/print.h"
@@ -16,7 +16,7 @@
 struct fresh {
     c205 *machine;
     bool has_last;
-    c205_event last; /* the `record` pointer is not kept */
+    c205_event last; /* its pointer `record` is invalid */
     struct text_buffer printed;
     struct printer printer;
 };
@@ -182,8 +182,7 @@ static const char *why_at(const struct walk *walk, uint64_t step)
                                                               : "moved";
 }
 
-/* Sets a break at a random line; it moves to the first line from there that has
- * code. */
+/* Sets a breakpoint at a random line. It moves to the next line that has code. */
 static void choose_stop(struct walk *walk)
 {
     const struct object *object = walk->plain.object;
@@ -223,14 +222,14 @@ static void go(struct walk *walk, const char *how, uint64_t n, uint64_t step,
     check_place(walk, how);
 }
 
-/* Moves forward to a stop after at least one step, by at most n steps. */
+/* Moves forwards to a stop, by at least one step and at most n steps. */
 static void go_on(struct walk *walk, const char *how, uint64_t n)
 {
     uint64_t step = plain_on(&walk->plain, &walk->stops, walk->step, n);
     go(walk, how, n, step, why_at(walk, step));
 }
 
-/* Steps over a call, to the instruction after it. */
+/* Steps over a call, to the instruction after the call. */
 static void go_next(struct walk *walk)
 {
     const struct plain *plain = &walk->plain;
@@ -277,7 +276,7 @@ static void move(struct walk *walk)
     }
 }
 
-/* Makes random moves. A program that has ended moves backward first. */
+/* Makes random moves. A program that has ended first moves backwards. */
 static void walk_by_chance(struct walk *walk, size_t moves)
 {
     for (size_t i = 0; i < moves; i++) {
@@ -325,8 +324,7 @@ static void check_same_view(struct talk *talk, const char *before)
     assert_string_equal(talk->text, before);
 }
 
-/* The charged pieces of the timeline must adjoin each other up to the last known
- * step. */
+/* The charged intervals of the timeline must be adjacent, up to the last known step. */
 static void check_timeline(struct walk *walk)
 {
     const struct json_value *reply = talk_ask(&walk->talk,
@@ -386,7 +384,7 @@ TEST(replays)
     }
 }
 
-/* After a change of a register, the profile is that of the changed run. */
+/* After a change of a register, the profile belongs to the changed run. */
 TEST(changed)
 {
     SCOPED_VALUE(talk) talk =
@@ -405,8 +403,8 @@ TEST(changed)
     assert_true(clocks == 0);
 }
 
-/* The page shows the program's output as a text of its own. An open line in it
- * therefore causes no newline before the debugger's output. */
+/* The page shows the program's output separately. An incomplete line in it therefore
+ * causes no newline before the debugger's output. */
 TEST(open_line)
 {
     static const char text[] = "        ES r10, 9\n"
@@ -422,7 +420,7 @@ TEST(open_line)
     assert_string_equal(text_of(talk.reply, "printed"), "9");
 }
 
-/* After a change of a register, the output is that of the changed run. */
+/* After a change of a register, the output belongs to the changed run. */
 TEST(changed_prints)
 {
     static const struct {
@@ -448,7 +446,7 @@ TEST(changed_prints)
     }
 }
 
-/* The engine keeps a million characters of output of each run. */
+/* The engine stores up to a million characters of the output of each run. */
 TEST(cut)
 {
     static const char text[] =

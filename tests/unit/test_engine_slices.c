@@ -1,6 +1,6 @@
-/* test_engine_slices.c - requests that are done in slices are compared with the same
- * requests in one piece, and endless programs with their limit. A slice that repeats or
- * skips a step, or a program that never stops, fails here.
+/* test_engine_slices.c - requests that are executed in slices are compared with the
+ * same requests in one piece, and endless programs with their limit. A slice that
+ * repeats or skips a step, or a program that never stops, fails here.
  */
 #include "tests/unit/draw.h"
 #include "tests/unit/prior_model.h"
@@ -24,7 +24,8 @@ static const char long_program[] = "        .include \"core.s\"\n"
                                    "        DBNZ inner, [back]\n"
                                    "        return link\n";
 
-/* Compares the replies; slices have at most `clocks` clocks. Returns their number. */
+/* Compares the replies. Slices have at most `clocks` clocks. Returns the number of
+ * slices. */
 static size_t ask_both(struct talk *whole, struct talk *sliced, const char *request,
                        uint64_t clocks)
 {

@@ -1,6 +1,6 @@
 /* test_event_changes.c - the changes that an event reports, and stops, are compared
  * with the machine before and after each step of random programs, with and without a
- * listener, forward and backward. A store that is not reported, or a stop that is
+ * listener, forwards and backwards. A store that is not reported, or a stop that is
  * missed, fails here.
  */
 #include <inttypes.h>
@@ -60,8 +60,8 @@ static void compare(const struct contents *before, const struct contents *after,
                     event->pc, (random_areas[i].address + 64 * k));
 }
 
-/* True for instructions that store consecutive elements; their range has exactly the
- * changed words. */
+/* Returns true for instructions that store consecutive elements. Their range contains
+ * exactly the changed words. */
 static bool is_dense(const c205_event *event)
 {
     const c205_insn *insn = event->insn;
@@ -124,7 +124,7 @@ static uint64_t constant(const c205 *machine, const char *name)
     return (uint64_t)c205_model_lookup(c205_machine_model(machine), name)->value;
 }
 
-/* Returns the clocks of a cause in the time of an instruction itself. */
+/* Returns the clocks of a cause within the time of an instruction. */
 static uint64_t clocks_for(const c205_times *record, c205_cause cause)
 {
     uint64_t clocks = 0;
@@ -168,8 +168,8 @@ TEST(pages)
 
 /* ---- Stops --------------------------------------------------------------- */
 
-/* Breakpoints and a watched range. The breakpoints are places that a run without stops
- * visits. */
+/* Breakpoints and a watched range. The breakpoints are at places that a run without
+ * stops visits. */
 struct places {
     uint64_t at[PLACES];
     uint64_t watched;
@@ -229,14 +229,14 @@ static void pause_now(void *context, const c205 *machine UNUSED,
         c205_pause((c205 *)(uintptr_t)machine);
 }
 
-/* Runs at most `most` instructions, counted by the machine or by a listener. */
+/* Runs up to `most` instructions. The machine or a listener counts them. */
 static c205_stop run_some(c205 *machine, uint64_t most, uint64_t *left)
 {
     c205_stop stop;
     if (!left)
         return c205_run_steps(machine, most, C205_NO_LIMIT);
     *left = most;
-    do { /* slices, which interrupt vector instructions */
+    do { /* run in slices, which interrupt vector instructions */
         uint64_t limit = below(3) ? c205_clock(machine) + 1 + below(300)
                                   : C205_NO_LIMIT;
 
@@ -283,8 +283,8 @@ TEST(stops)
         check_stops(RANDOM_SEED + 31 * i, i % 2 == 0);
 }
 
-/* Moves forward and backward with stops; the steps must be those of a machine without a
- * history. */
+/* Moves forwards and backwards with stops. A machine without a history must take the
+ * same steps. */
 static void check_history(uint64_t seed)
 {
     enum { STEPS = 60 };

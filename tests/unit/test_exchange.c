@@ -27,7 +27,7 @@ static struct exchange_given given_of(const struct enclosure *enclosure,
                                            .outside = enclosure->outside);
 }
 
-/* Solves in both forms; the radiosities must have the same bits. */
+/* Solves the equations in both forms. The radiosities must be equal bit for bit. */
 static void solve(const struct enclosure *enclosure, struct exchange *vector)
 {
     struct exchange_given given = given_of(enclosure, TRACE_VECTOR);
@@ -82,8 +82,8 @@ TEST(cube)
     assert_close(exchange.sum, 0, 1e-9 * 36940);
 }
 
-/* The three surfaces are the tube and two fins. Compares the emission through the
- * opening. */
+/* The three surfaces are the tube and two fins. The emission through the opening is
+ * compared. */
 TEST(finned_bay)
 {
     static const double emissivities[] = { .5, 1 };
@@ -115,8 +115,8 @@ TEST(finned_bay)
 
 /* ---- Random cases -------------------------------------------------------------- */
 
-/* Draws symmetric exchange areas. Each surface's area is the sum of its row, so that
- * its factors sum to 1. */
+/* Makes symmetric random exchange areas. The area of a surface is the sum of its row,
+ * so that its factors sum to 1. */
 static void draw(struct enclosure *enclosure, uint64_t *random)
 {
     size_t n = enclosure->count = (size_t)xorshift_between(random, 1, MAX);

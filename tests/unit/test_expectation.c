@@ -1,6 +1,6 @@
-/* test_expectation.c - expectations of a program are compared with its results: every
- * kind of expectation, correct and slightly wrong. A wrong expectation that passes, or
- * a correct one that fails, fails here. */
+/* test_expectation.c - expectations of a program are compared with its results, for
+ * correct and slightly wrong expectations of every kind. A wrong expectation that
+ * passes, or a correct expectation that fails, is an error here. */
 #include "tests/unit/asm_helper.h"
 
 #include "asm/check/expect.h"
@@ -16,7 +16,7 @@ static const char program[] = " .include \"print.s\"\n"
                               " print_integer r10\n"
                               " EXIT\n";
 
-/* Runs the program with one expectation. Returns whether it holds. */
+/* Runs the program with one expectation. Returns true if the expectation holds. */
 static bool holds(const char *expectation)
 {
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe-prior", &failure);

@@ -1,6 +1,6 @@
 /* test_expectation_reports.c - reports about expectations are compared with expected
  * texts: tolerances, the model that an expectation names, and messages of failures. A
- * value at the limit that is judged wrongly fails here. */
+ * wrong verdict about a value at the limit fails here. */
 #include "tests/unit/saved_machine.h"
 
 #include "asm/check/expect.h"

@@ -1,6 +1,6 @@
-/* test_extreme_scenes.c - lights, cameras, objects and textures at distances and of
- * sizes up to 10^30: the frames of every form, with and without bounds, are compared
- * with each other. A sum that overflows in one form alone fails here. */
+/* test_extreme_scenes.c - lights, cameras, objects and textures with distances and
+ * sizes up to 10^30. The frames of every form, with and without bounds, are compared
+ * with each other. A sum that overflows in only one form fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
@@ -8,7 +8,7 @@ enum { SCENES = 30 };
 
 static char text[1 << 14];
 
-/* Two of three sizes are ordinary. */
+/* Returns a size. Two of three sizes are ordinary. */
 static double any_size(void)
 {
     return among(0, 2) > 0 ? between(.5, 3) : pow(10, between(-12, 30));
@@ -97,7 +97,7 @@ static void add_object(void)
     add(" }\n");
 }
 
-/* Returns NULL if the form reports an error; then every form must. */
+/* Returns NULL if the form reports an error. In this case every form must report it. */
 static struct words *frame_in(const struct scene *scene, enum trace_mode mode,
                               size_t queue, bool no_bounds, bool flat)
 {

@@ -1,7 +1,7 @@
-/* test_file_name_case.c - files that are found by a name of another case: random
- * spellings of a path are looked up in folders whose names differ in case alone, and
- * the results compared with the files. A file that is missed, or only one of several
- * that match, fails here.
+/* test_file_name_case.c - files that are found by a name in another case. Random
+ * spellings of a path are looked up in folders whose names differ only in case, and the
+ * results are compared with the files. A file that is missed, or a result with only one
+ * of several matching files, fails here.
  */
 #include "base/other_case.h"
 #include "tests/unit/draw.h"
@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Two folders differ in case. All their files that match a spelling are found. */
+/* Two folders differ in case. All files in them that match a spelling are found. */
 TEST(other_case)
 {
     static const char *const files[] = { "maps/part.inc", "maps/Part.inc",

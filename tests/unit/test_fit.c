@@ -32,7 +32,7 @@ static struct run_options small(void)
     return how;
 }
 
-/* Writes a file of that text, which the caller removes. */
+/* Writes a file with this text, which the caller removes. */
 static const char *file_of(const char *text)
 {
     static const char path[] = "test_fit.csv";
@@ -48,7 +48,7 @@ static struct fit_run *new_run(const char *program)
     return NON_NULL(run_new(program, &how, &failure));
 }
 
-/* Reads observations from a text after the heading of their table. */
+/* Reads observations from a text. The heading of their table precedes the text. */
 #define HEAD "name,program,machine,value,unit,uncertainty,shared,source,use\n"
 
 static void read_observations(struct observations *all, const char *rows)
@@ -72,7 +72,7 @@ static void read_constants(struct constants *constants, const char *rows)
 
 /* ---- Fewer rays --------------------------------------------------------- */
 
-/* Returns the clocks of a region, or of all. */
+/* Returns the clocks of a region, or of all regions. */
 static double clocks_of(const struct fit_run *run, const char *region,
                         const c205_setting *setting)
 {
@@ -86,8 +86,8 @@ static double clocks_of(const struct fit_run *run, const char *region,
     return sum;
 }
 
-/* The scaled scalar clocks of 640 rays are within 1 percent of those of 25,000 rays.
- * The same frame of rt205 speedup has the same clocks. */
+/* The scaled scalar clocks of 640 rays are within 1 percent of the clocks of 25,000
+ * rays. The same frame of rt205 speedup has the same clocks. */
 TEST(fewer_rays)
 {
     for (size_t i = 0; i < speedup_subject_count; i++) {
@@ -146,7 +146,7 @@ TEST(units)
     }
 }
 
-/* Compares the only report, as line:column: message. */
+/* Compares the only report, in the form line:column: message. */
 TEST(refused)
 {
     static const char *const rows[][2] = {
@@ -190,8 +190,8 @@ TEST(refused)
 
 /* ---- Photons ------------------------------------------------------------ */
 
-/* Returns the count of random numbers that the photons of photons.s draw, computed with
- * doubles and the logarithm of the host. */
+/* Returns the number of random numbers that the photons of photons.s use. It is
+ * computed with doubles and the logarithm of the host. */
 static double photon_draws(void)
 {
     double draws = 0;
@@ -211,7 +211,7 @@ static double photon_draws(void)
     return draws;
 }
 
-/* Returns the increase of a form's clocks if SWAP takes one clock more. */
+/* Returns the increase of a form's clocks if a SWAP takes one clock more. */
 static double slower_swaps(const struct fit_run *run, const char *form)
 {
     static const c205_setting swaps[] = { { "latency.swap", 15 },
@@ -219,9 +219,9 @@ static double slower_swaps(const struct fit_run *run, const char *form)
     return clocks_of(run, form, &swaps[1]) - clocks_of(run, form, &swaps[0]);
 }
 
-/* With its own random function, the scalar form swaps registers twice for each number;
- * no other code swaps. Rounding and the short logarithm change the path of hardly any
- * photon. */
+/* With its own random function, the scalar form swaps registers twice for each number.
+ * No other code swaps registers. Rounding and the short logarithm change the paths of
+ * very few photons. */
 TEST(photons)
 {
     struct fit_run *run = new_run("photons.s OWN_RANF=1");
@@ -303,8 +303,8 @@ TEST(constants)
     constants_free(&constants);
 }
 
-/* Returns the free constant that moves a constant, "" if there is none, or NULL if the
- * constant is not in the list. */
+/* Returns the free constant with which a constant changes. Returns "" if there is none,
+ * and NULL if the constant is not in the list. */
 static const char *moved_by(const struct unidentifiable_list *list, const char *name)
 {
     for (size_t i = 0; i < list->count; i++)

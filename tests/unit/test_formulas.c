@@ -40,8 +40,8 @@ static void put_formula(FILE *text, uint64_t *random, int depth)
             fputc(*form, text);
 }
 
-/* The value of a function must be that of its body with the parameters declared as
- * names, bit for bit. Later declarations do not change it. */
+/* The value of a function must equal the value of its body, with the parameters
+ * declared as names, bit for bit. Later declarations do not change it. */
 TEST(by_chance)
 {
     enum { FORMULAS = 500, DEPTH = 4 };

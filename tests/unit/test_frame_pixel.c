@@ -1,7 +1,7 @@
-/* test_frame_pixel.c - the queue of a pixel: its depth and the causes of its clocks are
+/* test_frame_pixel.c - the queue of a pixel. Its depth and the causes of its clocks are
  * compared with the frame and its accounts, its rays in all vectors with each other and
- * the picture, and the band under a debugger with one that runs alone. A ray in another
- * lane, or a queue with other clocks, fails here. */
+ * with the picture, and the band under a debugger with a band that runs alone. A ray in
+ * another lane, or a queue with other clocks, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/debugger_session.h"
 #include "tests/unit/traced_frame.h"
@@ -18,7 +18,7 @@ static size_t some(size_t least, size_t most)
     return (size_t)xorshift_between(&random_state, (int64_t)least, (int64_t)most);
 }
 
-/* Returns the scenes in turn. */
+/* Returns each of the scenes in turn. */
 static struct scene *some_scene(void)
 {
     static size_t next;
@@ -97,8 +97,8 @@ static void add_causes(const c205 *machine, int64_t sign, int64_t clocks[C205_CA
             clocks[cause] += sign * (int64_t)c205_account_at(machine, i)->clocks[cause];
 }
 
-/* The depth is stored while the ray is shaded, not before or after. The clocks of the
- * timeline are those of the accounts, cause by cause. */
+/* The depth is stored while the ray is shaded, not before or after. For each cause, the
+ * timeline and the accounts must have the same clocks. */
 static void check_queue(const struct frame_pixel *pixel,
                         const struct clock_stretch *stretch)
 {
@@ -127,8 +127,8 @@ static void check_queue(const struct frame_pixel *pixel,
         assert_int_equal(clocks[cause], 0);
 }
 
-/* The clocks of a region must lie within those of the queue. Control is in the region
- * during them, and not earlier in the queue. */
+/* The clocks of a region must be within the clocks of the queue. Control is in the
+ * region during these clocks, and not earlier in the queue. */
 static void check_region(const struct frame_pixel *pixel,
                          const struct clock_stretch *queue)
 {
@@ -190,16 +190,17 @@ TEST(queues)
 
 enum { MAX_POINTS = 400 };
 
-/* The known values of a pixel while its band is traced. */
+/* The values of a pixel that are known while its band is traced. */
 struct following {
     const struct frame_pixel *pixel;
-    struct pixel_element ray[32]; /* elements of the queue that hold the current ray */
+    struct pixel_element ray[32]; /* elements of the queue that contain the current
+                                   * ray */
     size_t ray_count;
     bool shaded;                 /* the hits have points, directions and colours */
-    size_t lists[3], near, hits; /* counts of elements reported so far */
+    size_t lists[3], near, hits; /* numbers of elements reported so far */
     c205_word points[MAX_POINTS][3], colour[3];
     size_t point_count;
-    bool crossed; /* a kernel found a crossing at the picture's hit */
+    bool crossed; /* a kernel has found a crossing at the hit of the picture */
 };
 
 static c205_word ray_word(const struct following *following, const char *vector)
@@ -211,7 +212,7 @@ static c205_word ray_word(const struct following *following, const char *vector)
     return 0;
 }
 
-/* Compares an element with the queue's vector of the same quantity. */
+/* Compares an element with the vector of the queue that has the same quantity. */
 static void check_same(struct following *following, const struct pixel_element *element)
 {
     static const char *const same[][2] = {
@@ -300,7 +301,8 @@ static void check_rays(struct following *following)
         if (rays != 1 || pc != shade || following->ray[0].list > 0
             || trace_how(pixel->trace)->mode == TRACE_SCALAR)
             continue;
-        /* Before a queue is shaded, the hit of its ray must be that of the picture. */
+        /* Before a queue is shaded, the hit of its ray must be the hit of the
+         * picture. */
         bool hit = c205_to_double(ray_word(following, "nearest_primitive")) != 0;
         assert_int_equal(hit, c205_to_integer(channel_of(pixel, CHANNEL_ID)) != 0);
         if (hit)
@@ -309,8 +311,9 @@ static void check_rays(struct following *following)
     } while (c205_step(machine, &stop));
 }
 
-/* In scenes of a sphere and a plane, kernels find every hit; the crossing must be that
- * of the ray. Without mirrors and glass the colour of the hit is that of the pixel. */
+/* In scenes of a sphere and a plane, kernels find every hit. The crossing must be that
+ * of the ray. Without mirrors and glass, the colour of the hit is the colour of the
+ * pixel. */
 static void check_hit(const struct following *following, const struct scene *scene)
 {
     const struct frame_pixel *pixel = following->pixel;
@@ -349,7 +352,8 @@ TEST(rays)
 
 /* ---- Debugger sessions --------------------------------------------------- */
 
-/* A debugger session moves forward and back to the queue of a pixel, and to the end. */
+/* A debugger session moves forwards and backwards to the queue of a pixel, and to the
+ * end. */
 TEST(sessions)
 {
     for (size_t i = 0; i < 2 * TRACE_MODES; i++) {

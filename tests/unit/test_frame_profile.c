@@ -1,7 +1,6 @@
 /* test_frame_profile.c - the profile of a frame, line by line of its kernels, is
- * compared with the frame's accounts, region by region and cause by cause, for any
- * number of concurrent bands. A clock of another line, or one that is lost, fails
- * here. */
+ * compared with the frame's accounts, for each region and cause, and for any number of
+ * concurrent bands. A clock that belongs to another line, or is lost, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/traced_frame.h"
@@ -67,7 +66,7 @@ static char *check_frame(const struct scene *scene, struct trace_options options
     const struct observer *const observers[] = { &observer, NULL };
     options.observers = observers;
     SCOPED(trace) *trace = run_trace(scene, &options);
-    /* Equal sums imply that no line is in a region that the accounts lack. */
+    /* Equal sums imply that all lines are in regions of the accounts. */
     const struct accounts *accounts = trace_accounts(trace);
     uint64_t clocks = 0;
     for (size_t i = 0; i < accounts->count; i++) {
@@ -131,7 +130,7 @@ static void check_scene(const char *path)
     count++;
 }
 
-/* Each scene in one of the stages, or in all (PROFILED=all). */
+/* Traces each scene in one of the stages, or in all stages (PROFILED=all). */
 TEST_CALL(scenes, assert_true(each_file("scenes/*.pov", check_scene)
                                   + each_file("tests/scenes/*.pov", check_scene)
                               > 60))

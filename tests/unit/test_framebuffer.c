@@ -1,20 +1,20 @@
-/* test_framebuffer.c - the words of a frame, in memory and in a file, are written, not
- * accessed for a while and compared, for numbers below and above the limit for memory.
- * A word that is lost or not zero initially, or pages that stay in memory, fail here.
+/* test_framebuffer.c - the words of a frame in memory and in a file are written, not
+ * accessed for a while, and compared, for numbers below and above the limit for memory.
+ * A word that is lost or not initially zero, or pages that stay in memory, fail here.
  */
 #include "rt/platform/framebuffer.h"
 #include "tests/unit/unit.h"
 
 #include <unistd.h>
 
-enum { PART = 100003 }; /* words; no page ends at a multiple of this */
+enum { PART = 100003 }; /* number of words; no multiple of it is the end of a page */
 
 static c205_word word_at(size_t i)
 {
     return (c205_word)i * UINT64_C(0x9E3779B97F4A7C15) + 1;
 }
 
-/* Returns the bytes of memory that the process occupies. */
+/* Returns the number of bytes of memory that the process occupies. */
 static size_t resident(void)
 {
     FILE *file = NON_NULL(fopen("/proc/self/statm", "r"));
@@ -60,7 +60,7 @@ TEST(few)
 
 TEST_CALL(many, check_words(PLANES_IN_MEMORY / sizeof(c205_word) + PART, true))
 
-/* No folder for the file exists. */
+/* There is no folder for the file. */
 TEST(no_folder)
 {
     assert_int_equal(setenv("TMPDIR", "/nowhere/at/all", 1), 0);

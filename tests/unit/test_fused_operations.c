@@ -1,6 +1,6 @@
-/* test_fused_operations.c - two operations in one pass are compared with one after the
- * other, by the rule for one word, over random operands: the same bits and flags. A
- * fast path with another rounding, or a changed rounding mode, fails here. */
+/* test_fused_operations.c - two operations in one pass are compared with two passes by
+ * the rule for one word, over random operands. Bits and flags must be the same. A fast
+ * path with another rounding, or a changed rounding mode, fails here. */
 #include "tests/random.h"
 #include "tests/unit/unit.h"
 #include "vm/number/round_down.h"
@@ -10,7 +10,8 @@ enum { TURNS = 40000, BELOW = 9, SLACK = 3 };
 
 /* ---- Operands ------------------------------------------------------------ */
 
-/* Draws a normalised word, some with an extreme coefficient, or machine zero. */
+/* Returns a random normalised word or machine zero. Some words have an extreme
+ * coefficient. */
 static c205_word word_within(uint64_t *seed, int32_t low, int32_t high)
 {
     int64_t half = INT64_C(1) << 46;
@@ -22,7 +23,7 @@ static c205_word word_within(uint64_t *seed, int32_t low, int32_t high)
     return kind == COUNT(ends) ? C205_MACHINE_ZERO : xorshift_normalised(seed, e, e);
 }
 
-/* Draws a word that the fast path rejects. */
+/* Returns a random word that the fast path rejects. */
 static c205_word stranger(uint64_t *seed)
 {
     static const c205_word strangers[] = {
@@ -34,7 +35,7 @@ static c205_word stranger(uint64_t *seed)
     return strangers[xorshift(seed) % COUNT(strangers)];
 }
 
-/* Fills words with exponents of a wide range, or of a narrow one in which sums
+/* Fills words with exponents of a wide range, or of a narrow range in which sums
  * cancel. */
 static void fill(c205_word *words, size_t n, uint64_t *seed)
 {
@@ -76,7 +77,7 @@ static c205_word exact_result(const struct pair *pair, size_t i, uint64_t *flags
                          : pair->second->exact(pair->d[i], handed, flags);
 }
 
-/* Returns whether the fast path accepts a word: its exponent is moderate and it is
+/* Returns true if the fast path accepts a word: its exponent is moderate, and it is
  * normalised or zero. */
 static bool is_moderate(c205_word w)
 {
@@ -184,8 +185,8 @@ TEST(pairs_by_chance)
         assert_true(done > TURNS / 10);
 }
 
-/* The caller may let doubles trap. The first words alone are checked in advance; after
- * them are words of all exponents. */
+/* The caller may enable floating-point exceptions of doubles. Only the first words are
+ * checked in advance. Words with all exponents follow them. */
 TEST(traps)
 {
     static struct pair pair;

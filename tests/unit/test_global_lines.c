@@ -1,6 +1,6 @@
 /* test_global_lines.c - areas and factors from lines through a whole scene are compared
  * with closed forms, with identities that hold exactly, and between both forms bit for
- * bit. A crossing that is counted twice or for another pair of surfaces fails here.
+ * bit. A crossing that is counted twice, or for another pair of surfaces, fails here.
  *
  *     test_global_lines [SEED]
  */
@@ -43,9 +43,9 @@ static void assert_exact(const struct global_lines *found)
 
 /* ---- Closed forms ------------------------------------------------------------ */
 
-/* A ball in a shell sees the shell alone. The shell sees the ball in the ratio of their
- * areas. Each disc has two sides, so the factor is half of the known one between facing
- * sides. */
+/* A ball in a shell sees only the shell. The factor from the shell to the ball is the
+ * ratio of their areas. Each disc has two sides, so the factor is half of the known
+ * factor between facing sides. */
 TEST(shell_and_discs)
 {
     SCOPED_VALUE(global_lines) found =
@@ -66,7 +66,7 @@ TEST(shell_and_discs)
     assert_estimate("none", global_lines_factor(&discs, 0, 0), 0);
 }
 
-/* Areas of massprops.csv, of surfaces that intersect. */
+/* The areas of massprops.csv, for surfaces that intersect. */
 TEST(areas)
 {
     static const struct {

@@ -1,6 +1,6 @@
 /* test_heat.c - the rounds of a heat computation are compared with the requested error,
- * and runs with each other. A run that stops too early, or different runs that are
- * considered the same, fail here. */
+ * and runs with each other. A run that stops too early, or different runs that compare
+ * equal, fail here. */
 #include "rt/heat/heat.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
@@ -31,7 +31,7 @@ static size_t random_of(const char *text, const struct heat_request *request,
 }
 
 /* Each round has four times as many points, up to the limit, which has a round of its
- * own. Lines are drawn in powers of two. */
+ * own. The number of lines is a power of two. */
 TEST(rounds)
 {
     struct heat_request request = usual();
@@ -48,7 +48,7 @@ TEST(rounds)
     assert_int_equal(random_of(balls, &request, false), 1024);
     request.tolerance = .5;
     assert_int_equal(random_of(balls, &request, true), 16);
-    /* All rays of an isolated ball go to the environment in every repeat. A spread of
+    /* All rays of an isolated ball go to the environment in every repeat. The spread of
      * zero must not end the rounds early. */
     request = usual();
     request.tolerance = .01;
@@ -78,7 +78,7 @@ TEST(same)
                                 &other.thermal.exchange.irradiation[1],
                                 &other.thermal.exchange.flow[1] };
     for (size_t i = 0; i < COUNT(numbers); i++) {
-        /* A number that differs in its last bit makes another run. */
+        /* Two runs differ if a number differs in its last bit. */
         double kept = *numbers[i];
         *numbers[i] = nextafter(kept, INFINITY);
         assert_false(heat_is_same(&one, &other));

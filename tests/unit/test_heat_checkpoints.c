@@ -1,6 +1,6 @@
 /* test_heat_checkpoints.c - packets of heat, by rays and by lines, that are saved in
- * files: interrupted runs and shares are compared with a run in one piece, bit for bit.
- * A packet that is lost, drawn twice or taken from another run fails here.
+ * files. Interrupted runs and shares are compared with a run in one piece, bit for bit.
+ * A packet that is lost, computed twice or taken from another run fails here.
  *
  *     test_heat_checkpoints [SEED]
  */
@@ -27,9 +27,9 @@ struct run {
     bool lines;
     size_t jobs, seed;
     struct job_set *job_set;
-    size_t stop;     /* stops after this many packets; 0: never */
-    size_t reported; /* highest number of packets reported as done */
-    uint64_t clocks; /* of all packets */
+    size_t stop;     /* stops after this number of packets; 0: never */
+    size_t reported; /* largest reported number of finished packets */
+    uint64_t clocks; /* clocks of all packets */
     uint64_t words[WORDS];
     size_t count;
     c205_error error;

@@ -74,8 +74,8 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
         assert_true(frame.value[i] == (double)(float)expected);
     }
     assert_true(seen[0] && seen[1] && seen[2] && seen[3]);
-    /* The scale is below the frame and shows no object. Its ends have the colours of the
-     * extremes, and it has numbers. */
+    /* The scale is below the frame and shows no object. Its ends have the colours of
+     * the extremes, and it has numbers. */
     static const double left[][3] = { { .02, .08, .6 }, { .01, .02, .12 } },
                         right[][3] = { { .55, .01, .02 }, { .95, .75, .1 } },
                         white[3] = { .9, .9, .9 };

@@ -1,5 +1,5 @@
-/* test_heat_programs.c - the programs that choose points, sum the flow to receivers and
- * count gaps are compared with plain loops, over random lists, and both forms bit for
+/* test_heat_programs.c - the programs that select points, sum the flow to receivers and
+ * count gaps are compared with plain loops over random lists, and both forms bit for
  * bit. A lane that is lost at the end of a queue fails here. */
 #include "rt/layout/single_run.h"
 #include "rt/trace/form.h"
@@ -14,7 +14,7 @@ static size_t below(size_t most)
     return (size_t)xorshift_between(&random_state, 0, (int64_t)most - 1);
 }
 
-/* Draws a length near the ends of queues, words and pairs. */
+/* Returns a random length near the ends of queues, words and pairs. */
 static size_t some_length(size_t most)
 {
     static const size_t ends[] = { 1, 2, 3, 63, 64, 65, 4095, 4096, 4097 };
@@ -102,7 +102,7 @@ struct staying {
     c205_word planes[PLANES * MAX_POINTS], list[LIST_PLANES * MAX_LIST];
 };
 
-/* Returns whether a crossing is near the point, and reads its primitive and its
+/* Returns true if a crossing is near the point. Also reads its primitive and its
  * direction. */
 static bool is_near(const struct staying *given, size_t i, size_t point,
                     int64_t *primitive, int64_t *sense)
@@ -115,8 +115,9 @@ static bool is_near(const struct staying *given, size_t i, size_t point,
            && c205_to_integer(word[2 * n]) == (int64_t)point;
 }
 
-/* A point stays if the direction of the last crossing of its own primitive is above 0
- * and no crossing of an earlier primitive has this direction. */
+/* Returns true if a point stays. The direction of the last crossing of its own
+ * primitive must be above 0, and no crossing of an earlier primitive may have this
+ * direction. */
 static bool stays(const struct staying *given, size_t point)
 {
     int64_t own = 0, primitive, sense;
@@ -144,8 +145,8 @@ TEST(staying)
                                           : some_length(5000);
         for (size_t k = 0; k < PLANES * given.points; k++)
             given.planes[k] = xorshift(&random_state);
-        /* The crossings are near the origin or far from it, of the point's own primitive
-         * or another one. */
+        /* The crossings are near the origin or far from it. They belong to the point's
+         * primitive or to another one. */
         static const double distances[] = { 0, 9e-8, -9e-8, 1.1e-7, -1.1e-7, 2 };
         c205_word *list = given.list;
         size_t n = given.crossings;
@@ -187,8 +188,8 @@ TEST(staying)
 
 enum { MAX_GAPS = 65534, MAX_SURFACES = 40 };
 
-/* Ends of gaps are random; their planes are distances, which are multiples of the
- * smallest gap, surfaces and containing solids. */
+/* The ends of gaps are random. Their planes are the distances, which are multiples of
+ * the least gap, the surfaces, and the numbers of solids that contain them. */
 TEST(gaps)
 {
     static c205_word planes[3 * (MAX_GAPS + 1)];

@@ -1,7 +1,7 @@
 /* test_height_fields.c - the triangles of a height_field are compared with the surface
  * that POV-Ray's documentation describes, point by point, over random fields. A wrong
- * diagonal, normal or water level fails here. Kinds of files are tested by
- * test_height_files.c.
+ * diagonal, normal or water level fails here. test_height_files.c tests the kinds of
+ * files.
  *
  *     test_height_fields [FIELDS [SEED]]
  */
@@ -17,10 +17,11 @@ static size_t field_count = 200;
 
 struct grid {
     int columns, rows;
-    int heights[MAX_GRID][MAX_GRID]; /* [z][x] */
+    int heights[MAX_GRID][MAX_GRID]; /* indexed [z][x] */
 };
 
-/* Draws a field and writes it as a text image, whose rows are in descending z. */
+/* Makes a random field, and writes it as a text image. Its rows are in order of
+ * descending z. */
 static struct grid draw_grid(void)
 {
     struct grid grid = { .columns = (int)between(2, MAX_GRID + 1),
@@ -42,7 +43,7 @@ static double height_of(const struct grid *grid, int x, int z)
     return grid->heights[z][x] / 65536.;
 }
 
-/* Returns the height of the field at a point; 0 .. 1. */
+/* Returns the height of the field at a point, from 0 to 1. */
 static double surface(const struct grid *grid, double x, double z)
 {
     double u = x * (grid->columns - 1), v = z * (grid->rows - 1);
@@ -90,8 +91,8 @@ static void make_unit(double normal[3])
         normal[i] /= length;
 }
 
-/* Computes the normal as the sum of the normals of the triangles toward each pair of
- * neighbours. A cell is one unit of height wide. Components are truncated to
+/* Computes the normal as the sum of the normals of the triangles to each pair of
+ * neighbours. The width of a cell is one unit of height. Components are truncated to
  * multiples of 1/32767. */
 static void normal_at(const struct grid *grid, int x, int z, double normal[3])
 {
@@ -145,7 +146,8 @@ TEST(normals)
     }
 }
 
-/* Normals that POV-Ray's trace() reported for a field of 16 bits, one corner each. */
+/* Normals that POV-Ray's trace() returned for a field of 16 bits, at one corner
+ * each. */
 TEST(known_normals)
 {
     static const char field[] = "P2\n4 3\n255\n0 50 100 150\n10 80 200 30\n"
@@ -175,7 +177,7 @@ TEST(known_normals)
 
 /* ---- Functions ----------------------------------------------------------- */
 
-/* Heights that POV-Ray computes; the y of the function decreases as z increases. */
+/* Heights that POV-Ray computes. The y of the function decreases as z increases. */
 TEST(functions)
 {
     static const char slanted[] = "height_field { function 5, 3 { x*.5 + y*.25 } }";
@@ -226,7 +228,8 @@ static void assert_is_closed(const struct triangles *triangles)
     }
 }
 
-/* As a solid, a field is its square below the slope or the water, to any depth. */
+/* As a solid, a field fills its square below the slope or the water, down to any
+ * depth. */
 TEST(bodies)
 {
     SCOPED(scene) *scene = read_scene(

@@ -1,6 +1,6 @@
 /* test_height_files.c - the heights that a height_field reads from files of all kinds
- * are compared with those that POV-Ray 3.7 printed for the same bytes. A wrong byte
- * order, palette or rounding, or a broken file that is accepted, fails here. */
+ * are compared with heights that POV-Ray 3.7 printed for the same bytes. A wrong byte
+ * order, palette or rounding, or an invalid file that is accepted, fails here. */
 #include "tests/unit/field_reading.h"
 
 /* ---- Kinds of files ------------------------------------------------------ */
@@ -9,18 +9,20 @@ struct known_file {
     const char *word;
     const char *bytes;
     size_t count;
-    int heights[6]; /* of an image of 3 x 2: the upper row, then the lower one */
+    int heights[6]; /* heights of an image of 3 x 2 pixels: the upper row, then the
+                     * lower row */
 };
 #define FILE_OF(word, bytes) word, bytes, sizeof bytes - 1
 
-/* A PNG file of 3 x 2 pixels: the rest of its header and its chunks but the last. */
+/* A PNG file of 3 x 2 pixels. The argument is the rest of its header, and all chunks
+ * except the last. */
 #define PNG_OF(bytes) \
     FILE_OF("png", "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR" \
                    "\x00\x00\x00\x03\x00\x00\x00\x02" bytes \
                    "\x00\x00\x00\x00IEND\xae\x42`\x82")
 
-/* The grey images have the values 0, 50, 100, 150, 200, 250; the coloured ones the six
- * colours of COLORS. */
+/* The grey images have the values 0, 50, 100, 150, 200, 250. The coloured images have
+ * the six colours of COLORS. */
 #define GREYS "\x00\x32\x64\x96\xc8\xfa"
 #define COLORS \
     "\xff\x00\x00\x00\xff\x00\x00\x00\xff\x0a\x14\x1e\xc8\x64\x32\xff\xff\xff"
@@ -86,7 +88,8 @@ static const struct known_file known_files[] = {
              "\x00\x00\x11IDATx\x01\x01\x06\x00\xf9\xff\x00\x01 \x00\x34P\x01"
              "\x43\x00\xa6\x63~\xb7\x9a"),
       { 0, 256, 512, 768, 1024, 1280 } },
-    /* The palette contains each colour twice; the second palette is the image's own. */
+    /* The palette contains each colour twice. The second palette belongs to the
+     * image. */
     { FILE_OF("gif", "GIF89a\x03\0\x02\0\x72\0\0!\xfe\x02yo\0,\0\0\0\0\x03\0"
                      "\x02\0\x82"
                      "aaaaaabbbbbbccccccdddddd"
@@ -97,7 +100,7 @@ static const struct known_file known_files[] = {
                      "\0\0\0\0\x1e\x14\x0a\x32\x64\xc8\xff\xff\xff\0\0\0"
                      "\0\0\xff\0\xff\0\xff\0\0\0\0\0"),
       { 65280, 255, 0, 2580, 51300, 65535 } },
-    /* A header of 12 bytes, and colours of three. */
+    /* A header of 12 bytes, and colours of three bytes. */
     { FILE_OF("bmp", "BM\x52\0\0\0\0\0\0\0\x4a\0\0\0\x0c\0\0\0\x03\0\x02\0\x01\0\x04\0"
                      "aaaaaabbbbbbccccccddddddeeeeeeffffffgggggghhhhhh"
                      "\x34\x50\0\0\x01\x20\0\0"),
@@ -123,8 +126,8 @@ TEST(kinds)
     }
 }
 
-/* A truncated file causes one error or is accepted. PNG is skipped: for a broken file
- * the library leaks what it has read, which a leak checker would report. */
+/* A truncated file causes one error or is accepted. PNG is skipped: for an invalid file
+ * the library leaks memory, which a leak checker would report. */
 TEST(broken)
 {
     for (size_t i = 0; i < COUNT(known_files); i++)

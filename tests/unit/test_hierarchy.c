@@ -1,6 +1,7 @@
-/* test_hierarchy.c - the hierarchies over regions of random, equal, nested and missing
- * bounds are compared with their rules: every region once, spheres that enclose, a
- * depth for the machine's stack. A region that is lost or outside its node fails here.
+/* test_hierarchy.c - hierarchies over regions with random, equal, nested and missing
+ * bounds are compared with their rules: every region occurs once, spheres enclose their
+ * regions, and the machine's stack is large enough. A region that is lost or outside of
+ * its node fails here.
  */
 #include <math.h>
 
@@ -20,7 +21,8 @@ static struct bound ball(double x, double y, double z, double radius)
                            .high = { x + radius, y + radius, z + radius } };
 }
 
-/* Sizes of SMALLER decrease by a constant factor, so that bins separate few of them. */
+/* Sizes of SMALLER decrease by a constant factor, so that bins separate only a few of
+ * them. */
 enum kind {
     ANYWHERE,
     SAME_POINT,
@@ -62,7 +64,7 @@ static void check_order(const struct hierarchy *hierarchy, size_t count)
 }
 
 /* Checks a node and its descendants, whose regions begin at `place` of the order.
- * Returns the place after the last. */
+ * Returns the place after their last region. */
 static size_t check_node(const struct hierarchy *hierarchy, const struct bound *bounds,
                          size_t i, size_t place, size_t depth)
 {
@@ -102,8 +104,8 @@ static size_t check(const struct bound *bounds, size_t count)
     SCOPED_VALUE(hierarchy) hierarchy;
     assert_true(hierarchy_build(bounds, count, &hierarchy));
     check_order(&hierarchy, count);
-    /* Loose regions are those without a bound, or all regions. They come first, in the
-     * scene's order. */
+    /* Loose regions are regions without a bound, or all regions. They come first, in
+     * the order of the scene. */
     bool all = hierarchy.loose == hierarchy.count;
     assert_true(all == (hierarchy.node_count == 0));
     for (size_t i = 0; i < hierarchy.count; i++)
@@ -133,7 +135,7 @@ TEST(random)
     }
 }
 
-/* Separate bounds are divided into nodes; coincident ones stay together. */
+/* Separate bounds are divided into nodes. Coincident bounds stay together. */
 TEST(nodes)
 {
     struct bound bounds[64];
@@ -152,11 +154,11 @@ TEST(nodes)
     check_order(&none, 5);
 }
 
-/* Sizes decrease so fast that bins separate only the largest bound from the rest.
- * Without a limit, a node would be created for each bound but the last two. */
+/* The sizes decrease so quickly that bins separate only the largest bound from the
+ * others. Without a limit, there would be a node for each bound except the last two. */
 TEST(depth)
 {
-    /* Rows this deep are divided into halves; above them each level has two nodes. */
+    /* Lists at this depth are halved. Above it each level has two nodes. */
     enum { COUNT = 120, HALVED_FROM = 64 };
     struct bound bounds[COUNT];
     double size = 1e11;

@@ -1,5 +1,5 @@
-/* test_history.c - a machine with a history: after random jumps, its state, clock and
- * accounts are compared with those of a run from the beginning, and the record of each
+/* test_history.c - a machine with a history. After random jumps its state, clock and
+ * accounts are compared with a run from the beginning, and the record of each
  * instruction's time with the clock. A snapshot that lacks state, or a change that is
  * lost, fails here. */
 #include "tests/unit/draw.h"
@@ -8,7 +8,7 @@
 #include "base/fnv_hash.h"
 
 enum { PROGRAMS = 50, TARGETS = 40, MAX_STEPS = 2500, CHANGES = 2 };
-/* A change of a register at a step, made from outside. */
+/* A change of a register at a step, from outside of the program. */
 struct change {
     uint64_t step;
     unsigned number;
@@ -20,7 +20,8 @@ struct story {
     c205_model *model;
     size_t change_count;
     struct change change[CHANGES]; /* sorted by step */
-    uint64_t steps_before, steps;  /* minimum steps, without and with the changes */
+    uint64_t steps_before, steps;  /* least number of steps, without and with the
+                                    * changes */
     uint64_t target[TARGETS], hash[TARGETS];
 };
 
@@ -49,7 +50,7 @@ static bool change_at(const struct story *story, c205 *machine, uint64_t step)
     return changed;
 }
 
-/* Runs the story from the beginning. Returns its number of steps; if `hashes` is set,
+/* Runs the story from the beginning. Returns its number of steps. If `hashes` is set,
  * also records the state at each target step. */
 static uint64_t run_plainly(struct story *story, bool hashes)
 {
@@ -85,7 +86,8 @@ TEST(jumps)
     for (size_t number = 0; number < PROGRAMS; number++) {
         uint64_t seed = RANDOM_SEED + (number << 16);
         story = (struct story){ .program = random_program(seed) };
-        while (number % 2 == 1 && !story.program.loop) /* every second one has a loop */
+        while (number % 2 == 1 && !story.program.loop) /* every second program has a
+                                                        * loop */
             story.program = random_program(++seed);
         story.model = model_of(&story.program);
         story.steps_before = story.steps = run_plainly(&story, false);
@@ -132,7 +134,7 @@ TEST(jumps)
 
 /* ---- The end -------------------------------------------------------------- */
 
-/* A program that has ended does not continue, but can move backward. */
+/* A program that has ended does not continue, but can move backwards. */
 TEST(end)
 {
     SCOPED(c205_model) *model = c205_model_find(C205_DEFAULT_MODEL, &failure);
@@ -157,11 +159,11 @@ TEST(end)
 
 /* ---- Times ---------------------------------------------------------------- */
 
-static uint64_t vectors; /* vector instructions of all runs */
+static uint64_t vectors; /* number of vector instructions of all runs */
 
 struct heard {
     uint64_t clock;
-    uint64_t sums[64][C205_CAUSES]; /* of all pieces, by region and cause */
+    uint64_t sums[64][C205_CAUSES]; /* sums of all pieces, for each region and cause */
 };
 
 static uint64_t constant_of(const c205 *machine, const char *kind,
@@ -192,7 +194,7 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
     assert_in_range(times->issued, times->arrived, times->arrived + event->clocks);
     assert_true(times->ready >= times->issued && times->unit_free >= times->issued);
     if (c205_unit_is_vector(event->insn->unit)) {
-        /* Phases must adjoin each other, from the issue to the result. */
+        /* Phases must be adjacent, from the issue to the result. */
         uint64_t at = times->issued;
         for (size_t i = 0; i < times->phase_count; at = times->phase[i++].end) {
             assert_int_equal(times->phase[i].begin, at);

@@ -9,7 +9,8 @@
 
 #define OLD_VERSION "#version 3.6; global_settings { assumed_gamma 1 }"
 
-/* Returns a sphere with the image map of `words`; the text `before` precedes it. */
+/* Returns a sphere with the image map of `words`. The text `before` precedes the
+ * sphere. */
 static const char *image_text(const char *before, const char *words)
 {
     static char text[1000];
@@ -43,8 +44,8 @@ static void expect_fault(const char *words, size_t column, const char *message)
 
 /* ---- Samples ------------------------------------------------------------- */
 
-/* Images of one row with 0, 10, 11, 64, 128, 200, 250, 255 of 255, or the same
- * fractions of 65535. */
+/* Images of one row. The samples are 0, 10, 11, 64, 128, 200, 250, 255 of 255, or the
+ * same fractions of 65535. */
 enum { SHADES = 8 };
 #define GREYS "\x00\x0a\x0b@\x80\xc8\xfa\xff"
 #define GREYS16 "\0\0\x0a\x0a\x0b\x0b@@\x80\x80\xc8\xc8\xfa\xfa\xff\xff"
@@ -53,7 +54,7 @@ enum { SHADES = 8 };
     "\xff\xff\xff"
 #define FILE_OF(bytes) bytes, sizeof bytes - 1
 
-/* The values with which POV-Ray shows them. */
+/* The values that POV-Ray shows for these samples. */
 static const double as_they_are[SHADES] = { 0,     .0392, .0431, .2510,
                                             .5020, .7843, .9804, 1 };
 static const double as_srgb[SHADES] = {
@@ -66,11 +67,12 @@ static const double grey_png_1[SHADES] = { 0,     .0353, .0431, .2510,
                                            .5020, .7804, .9804, 1 };
 static const double grey_png_2_2[SHADES] = { 0, 0, 0, .0471, .2157, .5843, .9569, 1 };
 
-/* A PNG file of 8 x 1 pixels: the rest of its header and its chunks but the last. */
+/* A PNG file of 8 x 1 pixels. The argument is the rest of its header, and all chunks
+ * except the last. */
 #define PNG_OF(bytes) \
     "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00\x08\x00\x00\x00\x01" bytes \
     "\x00\x00\x00\x00IEND\xae\x42`\x82"
-/* The grey values after chunks about their gamma. */
+/* The grey values, after chunks about their gamma. */
 #define GREY_PNG(gamma) \
     PNG_OF("\x08\x00\x00\x00\x00\xc6k\xb0\x9f" gamma \
            "\x00\x00\x00\x11IDATx\x9c\x63`\xe0\xe2vh8\xf1\xeb\x3f\x00\x09" \
@@ -163,7 +165,7 @@ TEST(kinds)
     }
 }
 
-/* A gamma in the scene overrides that of the file or of its format. */
+/* A gamma in the scene overrides the gamma of the file or its format. */
 TEST(gammas)
 {
     static const double working[SHADES] = { 0,     .0717, .0750, .2592,
@@ -211,7 +213,7 @@ TEST(words)
                IMAGE_NEAREST, false, false);
 }
 
-/* One table is kept per file and gamma. */
+/* One table is stored for each file and gamma. */
 TEST(tables)
 {
     field_keep(FILE_OF("P6\n8 1\n255\n" COLORS));
@@ -247,7 +249,7 @@ TEST(reports)
     expect_report("<1, 0, -1> \"%s\"", "the vector of an image");
 }
 
-/* Unsupported kinds of images are black. */
+/* Images of unsupported kinds are black. */
 TEST(kinds_left_out)
 {
     static const char *const words[] = { "hdr \"a.hdr\" once", "exr \"a.exr\" gamma 2",
@@ -303,7 +305,7 @@ TEST(faults)
     expect_fault("\"%s\"", 1, "more than 8388608 pixels");
 }
 
-/* Each of two images is within the limit on pixels. */
+/* Each image alone is within the limit of pixels. */
 TEST(limit)
 {
     enum { SIDE = 2100, PIXELS = SIDE * SIDE };

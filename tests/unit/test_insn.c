@@ -1,7 +1,7 @@
-/* test_insn.c - the instruction table: the fields of every instruction, each with a
- * different value, are encoded, decoded and compared, and so are known words. A field
- * at another place, two instructions with one code, or a letter of an operand without a
- * field fails here.
+/* test_insn.c - the instruction table. The fields of every instruction, each with a
+ * different value, are encoded, decoded and compared. Known words are compared, too. A
+ * field at another place, two instructions with the same code, or a letter of an
+ * operand without a field fails here.
  */
 #include "tests/unit/unit.h"
 
@@ -34,8 +34,8 @@ TEST(rows)
                          c205_unit_is_vector(insn->unit));
         FAIL_IF((insn->flags & C205_INSN_PADZ) && (insn->flags & C205_INSN_PADO),
                 "%s is padded with zeros and ones", insn->mnemonic);
-        /* The operation of an instruction with numeric operands, and of no other, names
-         * the rule for special values. */
+        /* Only the operation of an instruction with numeric operands has a rule for
+         * special values. */
         const char *rule = c205_operation_specials(insn->operation);
         bool has_numbers = strpbrk(insn->operands, "fvFV") != NULL;
         FAIL_IF(has_numbers && strcmp(rule, of_bits) == 0, "%s: numbers, but %s",
@@ -93,7 +93,7 @@ TEST(immediates)
     assert_int_equal(decoded("SHIFTI", word).immediate, -128);
 }
 
-/* A relative branch carries its distance in Y and B. */
+/* A relative branch has its distance in Y and B. */
 TEST(relative)
 {
     c205_fields f;
@@ -129,8 +129,8 @@ TEST(no_overlap)
     assert_null(c205_insn_coded(0xFF, 0));
 }
 
-/* Returns the letters that an operand may have at this place of the syntax, and moves
- * past it. */
+/* Returns the letters that an operand can have at this position of the syntax, and
+ * advances the position. */
 static const char *allowed_letters(const char **syntax, bool *bracket)
 {
     for (;; ++*syntax) {

@@ -1,22 +1,22 @@
-/* test_interrupt.c - vector instructions that are interrupted, by the clock limit
- * between any two elements or by a missing page, are compared with uninterrupted runs:
- * the same state, clock and accounts. An element that is lost or done twice, or a clock
- * that is charged twice, fails here. */
+/* test_interrupt.c - vector instructions that are interrupted between any two elements,
+ * by the clock limit or by a missing page, are compared with uninterrupted runs. State,
+ * clock and accounts must be the same. An element that is lost or computed twice, or a
+ * clock that is charged twice, fails here. */
 #include "tests/unit/machine_fixture.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/saved_machine.h"
 
 #include "vm/machine.h"
 
-static c205_model *slow; /* one element or bit per clock, cheap faults */
+static c205_model *slow; /* one element or bit per clock, and cheap page faults */
 
-/* per row of the instruction table: interrupted between elements */
+/* for each row of the instruction table: it was interrupted between elements */
 static bool *divided;
 
 /* ---- Slices -------------------------------------------------------------- */
 
-/* Runs a machine to its end in slices of `clocks`. If `saving` is set, it is saved and
- * restored after each. */
+/* Runs a machine to its end in slices of `clocks` clocks. If `saving` is set, saves and
+ * restores it after each slice. */
 static c205_stop run_broken(c205 **machine, uint64_t clocks, bool saving)
 {
     c205_stop stop;
@@ -39,8 +39,8 @@ static c205_stop run_broken(c205 **machine, uint64_t clocks, bool saving)
     }
 }
 
-/* The length of a slice; SAVED: a run of a few slices, each on a machine restored after
- * the previous one. */
+/* The length of a slice. SAVED selects a run of a few slices, each on a machine that
+ * was restored after the previous slice. */
 enum { SAVED = 0, SAVED_PIECES = 40 };
 
 /* Runs two equal machines to their ends, one of them in slices, and compares them. */
@@ -77,7 +77,7 @@ TEST(rows)
 
 /* ---- Long vectors -------------------------------------------------------- */
 
-/* a = 1, 1.5, 2 ..; b = .5, 1.5, ..; lists of indices; every third bit. */
+/* a = 1, 1.5, 2 ..; b = .5, 1.5, ..; index lists; every third bit is one. */
 static const char preamble[] =
     "        .include \"core.s\"\n"
     "        .equ    n, 3000\n"
@@ -180,7 +180,7 @@ TEST(long_vectors)
     }
 }
 
-/* The instruction lies in its own result, which overwrites it with two EXITs. */
+/* The instruction is in its own result, which overwrites it with two EXITs. */
 TEST(overwritten_instruction)
 {
     static const char program[] =
@@ -209,8 +209,8 @@ TEST(overwritten_instruction)
 
 /* ---- The middle pixel ---------------------------------------------------- */
 
-/* Loads the code, an operand of 100 ones and the descriptor of a result, whose first
- * element is `offset` words after that of the operand. */
+/* Loads the code, an operand of 100 ones, and the descriptor of a result. The first
+ * element of the result is `offset` words after the first element of the operand. */
 static void load_ones(struct small_machine *fixture, uint64_t offset)
 {
     load(fixture, 300);
@@ -285,8 +285,8 @@ TEST(result_at_the_end)
     assert_int_equal(get(&fixture, 4), c205_from_double(200));
 }
 
-/* A linked pair computes the quotients by two, plus one. At clock 113 + k,
- * k / 1.625 elements are done. */
+/* A linked pair computes the quotients by two, plus one. At clock 113 + k, k / 1.625
+ * elements have been computed. */
 TEST(in_the_middle_of_a_pair)
 {
     SCOPED_VALUE(small_machine) fixture = make_small_machine();
@@ -307,7 +307,7 @@ TEST(in_the_middle_of_a_pair)
                          i < 16 ? one_and_half : 0);
 }
 
-/* Each operation of a pair waits for its own scalar operand, also if the pair is
+/* Each operation of a pair waits for its own scalar operand, even if the pair is
  * interrupted. */
 TEST(pair_that_waits)
 {
@@ -329,7 +329,8 @@ TEST(pair_that_waits)
     }
 }
 
-/* An element that waits for an earlier one is not counted until it is done. */
+/* An element that waits for an earlier element is not counted until it has been
+ * computed. */
 TEST(in_the_middle_of_a_recurrence)
 {
     SCOPED_VALUE(small_machine) fixture = make_small_machine();
@@ -349,8 +350,8 @@ TEST(in_the_middle_of_a_recurrence)
     assert_int_equal(c205_clock(fixture.machine), 51 + fault + 50 + 99 * 51);
 }
 
-/* Setting the program counter abandons the instruction; its time remains. Resetting the
- * clock does not abandon it: its first operand has already been read. */
+/* Setting the program counter abandons the instruction, but its time remains. Resetting
+ * the clock does not abandon it, because its first operand has been read. */
 TEST(given_up_or_reset)
 {
     SCOPED_VALUE(small_machine) fixture = make_small_machine();
@@ -373,8 +374,9 @@ TEST(given_up_or_reset)
     }
 }
 
-/* After the clock is reset in the middle of an instruction, the job interval timer
- * keeps its remaining time. The same holds for a machine that is restored there. */
+/* After the clock is reset in the middle of an instruction, the remaining time of the
+ * job interval timer is unchanged. This is also true of a machine that is restored at
+ * this point. */
 TEST(reset_timer)
 {
     SCOPED_VALUE(small_machine) fixture = make_small_machine();
@@ -416,7 +418,7 @@ static void map_next_page(c205 *machine)
     assert_true(c205_write(machine, NEXT_PAGE, words, 60));
 }
 
-/* A vector across the end of a page, or a short one before it, with other results in
+/* A vector across the end of a page, or a short vector before it, with other results in
  * flight. */
 static void load_crossing(struct small_machine *fixture, bool short_one)
 {
@@ -436,8 +438,8 @@ static void load_crossing(struct small_machine *fixture, bool short_one)
     set(fixture, 8, NEXT_PAGE);
 }
 
-/* After the missing page is mapped, the run ends as if the page had always been there.
- * The page is missed by the vector, or by a load of a scalar after a short vector. */
+/* After the missing page is mapped, the run ends as if the page had always been mapped.
+ * A vector, or a load of a scalar after a short vector, accesses the missing page. */
 TEST(missing_page)
 {
     for (int scalar = 0; scalar < 2; scalar++) {
@@ -486,7 +488,7 @@ TEST(trap_in_the_middle)
     assert_same(broken.machine, whole.machine);
 }
 
-/* A list of indices that its result overwrites traps before anything is done. */
+/* An index list that its result overwrites traps before any element is computed. */
 TEST(bad_index_behind_the_limit)
 {
     SCOPED_VALUE(small_machine) fixture = make_small_machine();

@@ -1,6 +1,6 @@
-/* test_job_set.c - results of jobs in threads, in shares and in processes that are killed
- * are compared with the jobs' numbers, over random counts, errors and kills: each unit
- * runs and is taken once. A unit that is lost or done twice fails here. */
+/* test_job_set.c - results of jobs in threads, in shares and in killed processes are
+ * compared with the jobs' numbers, over random counts, errors and kills. Each unit must
+ * run once and be taken once. A unit that is lost or run twice fails here. */
 #include "rt/jobs/job_set.h"
 
 #include <signal.h>
@@ -24,7 +24,7 @@ struct bench {
     size_t bad;  /* index of the first unit that fails; count: none */
     size_t last; /* index of the unit in which the process kills itself; count: none */
     int run[MAX], taken[MAX];
-    uint64_t sum; /* of the units' results, weighted by their numbers */
+    uint64_t sum; /* sum of the units' results, weighted by their numbers */
 };
 
 static size_t between(size_t low, size_t high)
@@ -78,7 +78,8 @@ static bool do_job_set(struct job_set *job_set, struct bench *bench, size_t jobs
     return job_set_open(job_set, KEY, error) && job_set_run(&work, error);
 }
 
-/* Each unit must be taken once, and run once unless a killed process ran it, too. */
+/* Each unit must be taken once. It must run once, unless a killed process has run it,
+ * too. */
 static void assert_all_taken(const struct bench *bench, bool killed)
 {
     for (size_t unit = 0; unit < bench->count; unit++) {
@@ -104,7 +105,7 @@ TEST(threads)
     }
 }
 
-/* For any number of threads the error is that of the lowest failing unit, and all units
+/* For any number of threads the lowest failing unit sets the error, and all units
  * before it are taken. */
 TEST(bad)
 {
@@ -122,7 +123,7 @@ TEST(bad)
     }
 }
 
-/* Shares in any order: no unit is in two shares, and together they are all units. */
+/* Shares run in any order. No unit is in two shares, and each unit is in a share. */
 TEST(shares)
 {
     for (int i = 0; i < TRIES; i++) {
@@ -160,7 +161,7 @@ TEST(killed)
         pid_t child = fork();
         int status;
 
-        /* The process ends in a random unit while its other thread is working. */
+        /* The process ends in a random unit while its other thread works. */
         assert_true(child >= 0);
         if (child == 0) {
             do_job_set(&job_set, &killed, 2, &failure);

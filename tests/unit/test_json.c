@@ -1,6 +1,6 @@
-/* test_json.c - random values that are written as JSON and read back are compared with
- * the originals, and truncated or altered texts must give a tree or an error. A value
- * that changes, or a read after the end, fails here. */
+/* test_json.c - random values that are written as JSON and read again are compared with
+ * the originals. Truncated or altered texts must give a tree or an error. A value that
+ * changes, or a read after the end, fails here. */
 #include <math.h>
 
 #include "base/json.h"
@@ -20,7 +20,7 @@ static const struct json_value *read_in(struct arena *arena, const char *text,
 
 /* ---- Written and read ------------------------------------------------------- */
 
-/* Draws a text. The same sequence is drawn again while reading. */
+/* Makes a random text. The same sequence of texts is made while reading. */
 static void draw_text(char text[40])
 {
     static const char *const pieces[] = {
@@ -238,7 +238,7 @@ TEST(members)
     assert_true(json_member_truth(tree, "a", true));
 }
 
-/* Output is valid UTF-8 and readable for any bytes. */
+/* Output is valid UTF-8 and readable, whatever the bytes are. */
 TEST(bytes)
 {
     for (size_t i = 0; i < ROUNDS; i++) {
@@ -255,7 +255,7 @@ TEST(bytes)
     }
 }
 
-/* Every code point and the values next to the range. */
+/* All code points, and the values just outside of the range. */
 TEST(utf8)
 {
     static const char *const outside[] = { "\xf4\x90\x80\x80", "\xe0\x9f\xbf",

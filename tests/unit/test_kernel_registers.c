@@ -1,7 +1,7 @@
 /* test_kernel_registers.c - registers that kernels share are compared with their
- * declarations: all programs are assembled, and traced with a check on each register. A
- * kernel that reads a register which another kernel has changed, or saves one that it
- * does not change, fails here.
+ * declarations. All programs are assembled, and traced with a check of each register. A
+ * kernel that reads a register that another kernel has changed, or that saves a
+ * register that it does not change, fails here.
  *
  *     test_kernel_registers [SCENES [SEED]]
  */
@@ -40,8 +40,8 @@ static void check_assembled(const char *kernel, const struct asm_define *defines
     assert_non_null(program);
 }
 
-/* Assembles all programs among the kernels, with each of the constants that select
- * variants. */
+/* Assembles all programs among the kernels, with each constant that selects a
+ * variant. */
 TEST(assembled)
 {
     static const struct asm_define switches[] = {
@@ -62,7 +62,7 @@ TEST(assembled)
     };
     size_t programs = 0;
     for (const struct text *kernel = kernel_texts; kernel->name; kernel++) {
-        /* Some programs have their entry in a file of points/. */
+        /* The entry of some programs is in a file of points/. */
         bool is_program = false;
         for (const char *const *line = kernel->lines; *line; line++)
             is_program |= strstr(*line, "        .entry ")
@@ -77,7 +77,7 @@ TEST(assembled)
             check_assembled(kernel->name, defines);
         }
     }
-    /* fewer would mean that programs are missing */
+    /* a smaller number would mean that programs are missing */
     assert_true(programs >= 23);
 }
 
@@ -102,7 +102,7 @@ static void check_fit_program(const char *path)
     check_assembled(path, NULL);
 }
 
-/* The programs that the fit measures, which call routines as the kernels do. */
+/* The programs that the fit measures. They call routines as the kernels do. */
 TEST_CALL(fit_programs,
           assert_true(each_file("rt/study/fit/programs/*.s", check_fit_program) > 4))
 
@@ -131,8 +131,8 @@ static void trace_watched(const struct scene *scene,
     run_watched(trace_program(trace), machine, what);
 }
 
-/* Traces a frame and all crossings along lines in all modes, with the current no_bounds,
- * historical, variant and visible. */
+/* Traces a frame, and all crossings along lines, in all modes, with the current
+ * no_bounds, historical, variant and visible. */
 static void trace_modes(const struct scene *scene, size_t queue, const char *what)
 {
     enum { LINES = 20 };
@@ -183,7 +183,7 @@ static struct scene *read_file(const char *path)
     return NON_NULL(scene_read(path, &reading, &reports));
 }
 
-/* Two passes, with nearly all code that is assembled for some scenes only. */
+/* Two passes use nearly all code that is only assembled for some scenes. */
 TEST(adaptive)
 {
     static const char path[] = "tests/scenes/together.pov";
@@ -213,13 +213,14 @@ enum { MAX_AREAS = 16 };
 struct area {
     uint64_t address;
     unsigned first, count;
-    bool changed[C205_REGISTERS]; /* changed before a restore, at any time */
+    bool changed[C205_REGISTERS]; /* the register was changed before a restore at least
+                                   * once */
 };
 
 static struct saves {
     struct area areas[MAX_AREAS];
     size_t count;
-    c205_word before[C205_REGISTERS]; /* before the instruction */
+    c205_word before[C205_REGISTERS]; /* contents before the instruction */
 } saves;
 
 /* Returns the area at the address of a descriptor. */
@@ -257,8 +258,8 @@ static void listen_to_saves(void *context UNUSED, const c205 *machine,
         saves.before[k] = c205_register(machine, k);
 }
 
-/* A short kernel's cost is mostly that of its call. A register that is saved without
- * need would slow the scalar form. */
+/* Most of a short kernel's cost is its call. Saving a register unnecessarily would slow
+ * down the scalar form. */
 TEST(nothing_is_saved_in_vain)
 {
     static const char text[] = HEAD

@@ -1,6 +1,6 @@
 /* test_lanes.c - spans of words and half words are compared with the rule for one word:
- * every operation, at every length and alignment, on operands of every kind, also with
- * a result that overlaps an operand. A lane with other bits, a flag that is lost, or a
+ * every operation, at every length and alignment, for operands of every kind, and with
+ * results that overlap an operand. A lane with other bits, a flag that is lost, or a
  * word that changes after the end fails here.
  */
 #include "tests/oracle/arithmetic_oracle.h"
@@ -10,8 +10,8 @@
 
 enum {
     LENGTH_MAX = 257,
-    SLACK = 3,  /* words after a span, which must not change */
-    PLACES = 8, /* words of the longest host vector */
+    SLACK = 3,  /* number of words after a span, which must not change */
+    PLACES = 8, /* number of words in the longest host vector */
     SPAN = LENGTH_MAX + SLACK + PLACES,
     BITS = (LENGTH_MAX + 63) / 64 + SLACK,
     LONG_LENGTH = 4096,
@@ -20,7 +20,7 @@ enum {
 
 /* ---- The operations ----------------------------------------------------- */
 
-/* Operations that arith.h lacks, by the rule of the oracle. */
+/* Operations that are not in arith.h, by the rule of the oracle. */
 #define BITWISE_OF(size, name, format) \
     static c205_word size##_##name(c205_word a, c205_word b, uint64_t *flags) \
     { \
@@ -35,7 +35,7 @@ enum {
     }
 #include "vm/arith.def"
 
-/* An operation on spans, and on single words by its rule. */
+/* An operation on spans, and the rule for single words. */
 typedef struct operation {
     const char *name;
     enum { OF_TWO, OF_ONE, COMPARISON, REDUCTION_OF } kind;
@@ -117,7 +117,7 @@ static c205_word apply_rule(const operation *op, c205_word a, c205_word b,
 
 /* ---- Spans against words ------------------------------------------------ */
 
-/* Flags that no operation sets must be unchanged. */
+/* Flags that no operation sets. They must not change. */
 static const uint64_t other_flags = 5;
 
 static void check_words(const operation *op, const c205_word *a, const c205_word *b,
@@ -174,7 +174,8 @@ static void check_unaries(const operations *size, const c205_word *a, size_t n,
             check_words(&size->list[i], a, a, n, place);
 }
 
-/* Every place and length; the two operands take all pairs of lane_supplies in turn. */
+/* Checks every place and length. The operands are all pairs of lane_supplies in
+ * turn. */
 static void check_lengths(const operations *size, uint64_t seed)
 {
     static c205_word a[SPAN], b[SPAN];
@@ -197,7 +198,7 @@ static void check_lengths(const operations *size, uint64_t seed)
 enum { UPON_LENGTH = 600, BELOW = 9 };
 
 /* The result begins `below` words before a copy of the operand. It must equal a
- * separate result, and the rest of the operand must be unchanged. */
+ * separate result, and the rest of the operand must not change. */
 static void check_upon(const operation *op, const c205_word *const operands[2],
                        size_t which, size_t n, size_t below)
 {
@@ -241,7 +242,7 @@ TEST(upon_an_operand)
 
 /* ---- Operands of all kinds ---------------------------------------------- */
 
-/* One word per span, so that no other word sends the block to the exact rule. */
+/* Each span has only one word, so that no other word selects the exact rule. */
 static void check_specials(const operations *size, uint64_t seed UNUSED)
 {
     for (size_t i = 0; i < LANE_SPECIALS; i++) {
@@ -254,7 +255,7 @@ static void check_specials(const operations *size, uint64_t seed UNUSED)
     }
 }
 
-/* Long spans of operands of one kind each, so that the fast paths run. */
+/* Long spans of operands of one kind, so that the fast paths run. */
 static void check_supplies(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
@@ -266,7 +267,7 @@ static void check_supplies(const operations *size, uint64_t seed)
     }
 }
 
-/* Close operands cause cancellation, quotients near 1 and sums near 0. */
+/* Similar operands cause cancellation, quotients near 1 and sums near 0. */
 static void check_close_operands(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
@@ -319,8 +320,8 @@ TEST(operands)
             checks[k](&sizes[i], RANDOM_SEED + k);
 }
 
-/* Roots are computed from inexact doubles, so every coefficient is tried, with both
- * parities of the exponent. */
+/* Roots are computed from inexact doubles. Therefore every coefficient is tested, with
+ * even and odd exponents. */
 TEST(every_root_of_a_half_word)
 {
     static c205_word a[LONG_LENGTH];

@@ -1,6 +1,6 @@
-/* test_lens.c - a camera with a lens: frames of all forms are compared with each other
- * and the plain tracer, and objects in focus with those of a pinhole. A sample at
- * another place of the lens, or a focal plane at another distance, fails here. */
+/* test_lens.c - a camera with a lens. Frames of all forms are compared with each other
+ * and with the plain tracer, and objects in focus with a pinhole camera. A sample at
+ * another point of the lens, or a focal plane at another distance, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
@@ -86,8 +86,8 @@ static double difference(const char *a, const char *b, double distance, size_t s
     return greatest;
 }
 
-/* An object in focus looks as through a pinhole, at any distance from the axis and for
- * any focal point. An object out of focus does not. */
+/* An object in focus looks the same as through a pinhole, at any distance from the axis
+ * and for any focal point. An object out of focus does not. */
 TEST(focus)
 {
     for (size_t samples = 2; samples <= 6; samples++)
@@ -111,7 +111,8 @@ TEST(focus)
 
 #define FOCUS "aperture -4 focal_point 7*z blur_samples 10 "
 
-/* POV-Ray's values, measured in its pictures of a small, distant sphere. */
+/* The values of POV-Ray, which were measured in its pictures of a small, distant
+ * sphere. */
 TEST(words)
 {
     static const struct {
@@ -136,7 +137,7 @@ TEST(words)
     }
 }
 
-/* Returns the rays across a pixel for an option --samples. */
+/* Returns the number of rays across a pixel for an option --samples. */
 static size_t across(const char *camera, size_t samples)
 {
     SCOPED(scene) *scene = read_text(camera);

@@ -1,5 +1,5 @@
 /* test_lesson.c - the verdicts on random answers are compared with the known mistakes
- * of the answers, and their clocks with those of plain runs. A mistake that is not
+ * of the answers, and the clocks of the answers with plain runs. A mistake that is not
  * reported, or a sentence about something else, fails here. */
 #include <inttypes.h>
 #include <math.h>
@@ -112,8 +112,8 @@ static void check_cause(const struct random_lesson *drawn,
                  floor(100.0 * (double)all.clocks[most] / (double)trial->clocks + 0.5));
 }
 
-/* The hottest lines, in order; ties in the order of the source. At most three are
- * listed, each with a tenth of the clocks or more. */
+/* Checks the lines with most clocks. Equal lines are in the order of the source. At
+ * most three lines are listed, each with at least a tenth of the clocks. */
 static void check_lines(const struct random_lesson *drawn,
                         const struct lesson_trial *trial,
                         const struct plain_trial *plain)
@@ -131,7 +131,8 @@ static void check_lines(const struct random_lesson *drawn,
                 row = other;
         }
         if (!row || i == 5 || (i > 2 && clocks_of(row) * 10 < trial->clocks)) {
-            /* Then the verdict says that the loop is scalar, if that is the reason. */
+            /* The verdict then states that the loop is scalar, if this is the
+             * reason. */
             uint64_t instructions = 0;
             for (size_t k = 0; k < c205_account_count(plain->machine); k++) {
                 const c205_account *account = c205_account_at(plain->machine, k);
@@ -300,8 +301,7 @@ static void check_drawn(struct random_lesson *drawn)
     for (size_t i = 0; i < drawn->count; i++) {
         run_plainly(drawn, &drawn->tests[i], &plain[i]);
         medals[i] = (enum medal)below(MEDALS);
-        /* The goals are so that these clocks get this medal, often with no clock to
-         * spare. */
+        /* These clocks must just get this medal: the goals often leave no margin. */
         struct random_test *test = &drawn->tests[i];
         uint64_t above_it = c205_clock(plain[i].machine), below_it = above_it - 1;
 
@@ -340,7 +340,7 @@ TEST(drawn)
         assert_true(seen[i] > tries / 100);
 }
 
-/* Correct answers with other methods, compared with goals. */
+/* Correct answers that use other methods are compared with the goals. */
 TEST(ways)
 {
     for (size_t i = 0; i < tries; i++) {
@@ -354,7 +354,7 @@ TEST(ways)
 
 /* ---- Sentences about all tests --------------------------------------------- */
 
-/* Grades a copy of the answer with the first occurrence of a text replaced. */
+/* Grades a copy of the answer in which the first occurrence of a text is replaced. */
 static void check_said(const struct random_lesson *drawn, const char *old,
                        const char *new, bool of_all, const char *wanted)
 {
@@ -378,8 +378,8 @@ static void check_said(const struct random_lesson *drawn, const char *old,
     check_json(&verdict);
 }
 
-/* A change of a correct answer and the sentence that it causes, about all tests or
- * about the first one. "%zu" is the length of the first test minus `less`. */
+/* A change of a correct answer, and the sentence that it causes, about all tests or
+ * about the first test. "%zu" is the length of the first test minus `less`. */
 static const struct {
     const char *old, *new;
     bool of_all;

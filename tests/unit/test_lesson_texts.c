@@ -1,5 +1,5 @@
 /* test_lesson_texts.c - texts of lessons are compared with the expectations, notes,
- * names and errors that they must give, and random texts must be rejected or graded. An
+ * names and errors that they must give. Random texts must be rejected or graded. An
  * error without a reason, or a wrong explanation of results, fails here. */
 #include "asm/lesson/lesson_internal.h"
 #include "tests/random.h"
@@ -173,7 +173,7 @@ static void mutate(char *text)
             bytes[xorshift(&random_state) % (sizeof bytes - 1)];
 }
 
-/* The text must be rejected or graded; both have a message. */
+/* The text must be rejected or graded. Both have a message. */
 static void grade_any(const char *test, const char *answer)
 {
     SCOPED_VALUE(lesson) lesson = { 0 };
@@ -223,7 +223,8 @@ TEST(any)
 
 enum { ELEMENTS = 16 };
 
-/* Reads elements: "1.0" is a number, "2" an integer, "i" indefinite; bits are "0 1". */
+/* Reads elements. "1.0" is a number, "2" is an integer, and "i" is indefinite. Bits are
+ * written as "0 1". */
 static size_t take_elements(const char *text, enum asm_contents contents,
                             c205_word elements[ELEMENTS])
 {

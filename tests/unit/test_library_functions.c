@@ -1,7 +1,7 @@
 /* test_library_functions.c - results of the routines of asm/lib are compared between
- * both forms, bit for bit, in strips and in place, and with exact values, within the
- * errors of docs/functions.md. A form with another rounding, or a larger error, fails
- * here.
+ * both forms, bit for bit, in strips and in place. They are also compared with exact
+ * values, within the errors of docs/functions.md. A form with another rounding, or a
+ * larger error, fails here.
  *
  *     test_library_functions [TRIES [SEED]]
  */
@@ -23,7 +23,8 @@ static const struct function {
     const char *name;
     int arguments;
     exact_function *exact;
-    double units;   /* largest error in last places; power: per 1 + |y| / 32 */
+    double units;   /* largest error in units of the last place; for power: divided by 1
+                     * + |y| / 32 */
     double near[3]; /* multiples of these numbers are critical arguments */
 } functions[] = {
     { "exp", 1, exact_exp, 2, { 0.34657359027997264, 19873.7, 1 } },
@@ -56,7 +57,8 @@ static c205_word special(void)
     return words[below(&state, COUNT(words))];
 }
 
-/* Returns a word within two units of the last place of a multiple of `near`. */
+/* Returns a word that differs from a multiple of `near` by at most two units of the
+ * last place. */
 static c205_word beside(double near)
 {
     double number = near * (double)xorshift_between(&state, -40, 40);
@@ -83,8 +85,8 @@ static c205_word draw(const struct function *function)
     }
 }
 
-/* Draws the second argument: equal or close to the first, its negative, zero, or
- * others. */
+/* Returns a random second argument. It is equal or close to the first argument, its
+ * negative, zero, or another number. */
 static c205_word draw_second(const struct function *function, c205_word first)
 {
     uint64_t flags = 0;
@@ -134,8 +136,8 @@ static const char text[] = "        .equ    F_STRIP, %d\n"
                            "        call    v%s, f_link, f_target\n"
                            "        EXIT\n";
 
-/* Arguments and results of the scalar form and of the vector form; the vector's results
- * go to a label. */
+/* Arguments and results of the scalar form and of the vector form. The vector form
+ * writes its results to a label. */
 struct both {
     size_t count;
     c205_word x[MAX], y[MAX];
@@ -200,10 +202,10 @@ static void check_forms(const char *name)
 
 struct errors {
     double least, most; /* in units of the last place */
-    size_t count;       /* of numeric results */
+    size_t count;       /* number of numeric results */
 };
 
-/* Returns whether the result must be indefinite. */
+/* Returns true if the result must be indefinite. */
 static bool has_none(const struct function *function, const mpfr_t x, const mpfr_t y)
 {
     if (mpfr_nan_p(x) || (function->arguments == 2 && mpfr_nan_p(y)))
@@ -219,7 +221,8 @@ static bool has_none(const struct function *function, const mpfr_t x, const mpfr
     return false;
 }
 
-/* Returns the exponent that a word of this value has; that of zero is below all. */
+/* Returns the exponent of a word with this value. The exponent of zero is less than all
+ * others. */
 static long exponent_of(const mpfr_t exact)
 {
     return mpfr_zero_p(exact) ? LONG_MIN / 2 : (long)mpfr_get_exp(exact) - 47;
@@ -229,7 +232,7 @@ static void check_value(const struct function *function, size_t i, const mpfr_t 
                         const mpfr_t y, struct errors *errors)
 {
     c205_word word = both.number[i];
-    double error, factor = 1; /* by which the error of a power grows */
+    double error, factor = 1; /* factor by which the error of a power grows */
     mpfr_t difference;
     mpfr_init2(difference, DIGITS);
     oracle_value(&oracle_full, difference, word);
@@ -249,7 +252,8 @@ static void check_value(const struct function *function, size_t i, const mpfr_t 
     errors->count++;
 }
 
-/* Sets the value of a word; one that is too small to be normalised is 0. */
+/* Sets `value` to the value of a word. If it is too small to be normalised, the value
+ * is 0. */
 static void value_of(mpfr_t value, c205_word word)
 {
     uint64_t flags = 0;
@@ -270,7 +274,8 @@ static void check_result(const struct function *function, size_t i,
         good = word == C205_INDEFINITE;
     } else {
         function->exact(exact, x, y);
-        /* Sums in atan2 and products in power may be out of range for these. */
+        /* For these arguments, sums in atan2 and products in power may be out of
+         * range. */
         if (function->exact == exact_atan2)
             overflows = (!mpfr_zero_p(x) && labs(exponent_of(x)) >= EXPONENTS - AT_END)
                         || (!mpfr_zero_p(y)
@@ -314,7 +319,7 @@ TEST(errors)
     }
 }
 
-/* Vectors of all lengths near multiples of a strip. */
+/* Vectors of all lengths near multiples of the length of a strip. */
 TEST(lengths)
 {
     for (size_t count = 0; count < 3 * STRIP; count += count % 7 + 1) {
@@ -350,7 +355,7 @@ static int64_t draw_integer(void)
     return one_in(&state, 6) ? most : xorshift_between(&state, -most, most);
 }
 
-/* Truncates a word to an integer. Returns false if its magnitude is not below 2^47. */
+/* Truncates a word to an integer. Returns false if its magnitude is 2^47 or more. */
 static bool is_integer(c205_word word, int64_t *integer)
 {
     uint64_t flags = 0;
@@ -403,8 +408,8 @@ TEST(quotients)
 
 /* ---- Constants ----------------------------------------------------------- */
 
-/* Returns the largest word that is not above a value, as the assembler converts a
- * decimal. */
+/* Returns the largest word that is not above a value, which is how the assembler
+ * converts a decimal number. */
 static c205_word word_below(const mpfr_t value)
 {
     mpfr_t cut;

@@ -1,6 +1,6 @@
-/* test_line_profile.c - the sums of a profile of a run, over all lines, are compared
- * with the machine's accounts, cause by cause, over all examples and test programs. A
- * clock that is lost or belongs to another line fails here. */
+/* test_line_profile.c - the sums over all lines of a run's profile are compared with
+ * the machine's accounts, for each cause, over all examples and test programs. A clock
+ * that is lost or belongs to another line fails here. */
 #include "asm/measure/line_profile.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/saved_machine.h"
@@ -8,7 +8,8 @@
 static void check_sums(const struct line_profile *profile, const c205 *machine,
                        const char *path)
 {
-    uint64_t instructions = 0, elements = 0; /* of the lines, minus the accounts */
+    uint64_t instructions = 0, elements = 0; /* sums over the lines, minus the
+                                              * accounts */
     for (int cause = 0; cause < C205_CAUSES; cause++) {
         uint64_t sum = 0, all = clocks_of_cause(machine, (c205_cause)cause);
         for (size_t i = 0; i < line_profile_count(profile); i++)
@@ -45,7 +46,8 @@ static void check_run(const char *path, uint64_t limit, uint64_t slice)
     check_sums(profile, machine, path);
 }
 
-/* Runs a program to its end or a trap, then with stops, some inside instructions. */
+/* Runs a program to its end or to a trap. Then runs it with stops, some of which are
+ * inside instructions. */
 static void check_program(const char *path)
 {
     static uint64_t more;
@@ -77,7 +79,7 @@ static const struct profile_row *row_of(const struct line_profile *profile,
 }
 
 /* A macro is summed at its call, a repetition at its own lines. A vector instruction
- * has the clocks of the instructions that wait for it. Warm pages cost nothing. */
+ * has the clocks of the instructions that wait for it. Warm pages cost no clocks. */
 TEST(lines)
 {
     SCOPED(object) *object = good("        .include \"vectors.s\"\n"
@@ -120,7 +122,7 @@ TEST(lines)
     for (size_t i = 1; i < table_rows(table); i++)
         assert_true(table_value(table, i - 1, 1) >= table_value(table, i, 1));
     assert_true(table_value(table, 0, 1) > 40);
-    /* Each cause has a column of its own name. */
+    /* Each cause has a column with its name. */
     enum { BEFORE = 5 };
     static const struct profile_view view = { PROFILE_AS_WRITTEN, false };
     SCOPED(table) *columns = line_profile_table(profile, view, false);

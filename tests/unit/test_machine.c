@@ -1,8 +1,8 @@
-/* test_machine.c - the behaviour of a machine besides the results of instructions, and
- * SWAP: traps with their addresses and messages, limits, regions, events and copies of
- * memory are compared with expected values. Results of instructions are compared by
- * check-programs with results by hand, and by check-random with a second interpreter. A
- * trap that is missing, or reported with another address, fails here.
+/* test_machine.c - the behaviour of a machine apart from the results of instructions,
+ * and SWAP. Traps with their addresses and messages, limits, regions, events and copies
+ * of memory are compared with expected values. check-programs compares results of
+ * instructions with results computed by hand, and check-random with a second
+ * interpreter. A trap that is missing, or reported with another address, fails here.
  */
 #include "machine_fixture.h"
 
@@ -23,7 +23,7 @@ static void expect_message(const struct small_machine *fixture, c205_stop stop,
     assert_string_equal(error.message, message);
 }
 
-/* SWAP saves registers before it loads others. Register 0 keeps its value. */
+/* SWAP saves registers before it loads registers. Register 0 does not change. */
 TEST(swap)
 {
     SCOPED_VALUE(small_machine) fixture = make_small_machine();
@@ -37,9 +37,10 @@ TEST(swap)
     }
     set(&fixture, 1, descriptor(DATA, 3));
     set(&fixture, 2,
-        descriptor(DATA + 2 * 64, 4)); /* overlaps: saved before the load */
+        descriptor(DATA + 2 * 64, 4)); /* the ranges overlap: registers are saved before
+                                        * the load */
     expect_stop(&fixture, C205_TRAP_NONE, 0);
-    /* the second SWAP loads registers 0, 1, 2; register 0 keeps its value */
+    /* the second SWAP loads the registers 0, 1 and 2; register 0 does not change */
     static const unsigned expected[][2] = { { 10, 200 }, { 11, 201 }, { 12, 100 },
                                             { 13, 103 }, { 0, 0 },    { 1, 201 },
                                             { 2, 100 } };
@@ -111,13 +112,13 @@ TEST(undefined)
                    "instruction has this code");
     begin(&fixture);
     add(&fixture, "VTOV", F(.a = 1, .c = 1));
-    fixture.code[0] |= 1 << 16; /* field B, which the format lacks */
+    fixture.code[0] |= 1 << 16; /* sets field B, which the format does not have */
     load(&fixture, 1);
     expect_stop(&fixture, C205_TRAP_UNDEFINED_INSTRUCTION, 0);
 }
 
-/* ADDNV with G = 05 adds magnitudes, as programs of the period used it. The operands
- * are -2 and 2, each with -3. */
+/* ADDNV with G = 05 adds magnitudes, as programs of that time used it. The operands are
+ * -2 and 2, each with -3. */
 TEST(sign_bits)
 {
     static const double sums[][2] = { { -5, -1 }, { 1, 5 }, { -1, -5 }, { 5, 1 },
@@ -169,7 +170,7 @@ TEST(operand_traps)
     expect_trap(&l, "bad-link", 0, "LINKV", F(.f = 0));
 }
 
-/* Address 0 is reported like every other address. */
+/* Address 0 is reported like any other address. */
 TEST(messages)
 {
     static const c205_fields at_0 = { .r = 0, .t = 5 }, at_data = { .r = 1, .t = 1 };
@@ -218,8 +219,8 @@ TEST(clock_limit)
     assert_int_equal(c205_clock(fixture.machine), 0);
 }
 
-/* Space for the longest possible result is checked first. If it is missing but not
- * needed, no later instruction may report a fault. */
+/* First there must be memory for the longest possible result. If this memory is missing
+ * but not needed, no later instruction may report a fault. */
 TEST(compress_leaves_no_fault)
 {
     SCOPED_VALUE(small_machine) fixture = make_small_machine();

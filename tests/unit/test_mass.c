@@ -1,8 +1,8 @@
-/* test_mass.c - volumes, areas, centroids and inertia of solids, from columns, are
- * compared with the formulas of massprops.csv. A chord that is lost, or a moment about
- * another axis, fails here.
+/* test_mass.c - volumes, areas, centroids and inertia of solids, computed from columns,
+ * are compared with the formulas of massprops.csv. A chord that is lost, or a moment
+ * about another axis, fails here.
  *
- * MASS_RAYS, a power of two, is the total number of rays of a view; with 2^18 the
+ * MASS_RAYS, a power of two, is the total number of rays of a view. With 2^18 rays the
  * errors are at most 1e-4 of a figure.
  */
 #include "base/file.h"
@@ -13,7 +13,7 @@
 
 #include <math.h>
 
-#define STUDENT 2.1314 /* for 15 degrees of freedom */
+#define STUDENT 2.1314 /* Student's t for 15 degrees of freedom */
 
 static struct columns_options usual(size_t rays_log)
 {
@@ -50,7 +50,7 @@ static double named(const struct csv_table *table, size_t row, const char *name)
     return 0;
 }
 
-/* Fails unless the difference is within four standard errors and a fraction of the
+/* Fails unless the difference is within four standard errors plus a fraction of the
  * scale. */
 static void check_figure(const char *solid, const struct mass_figures *found,
                          size_t figure, double expected, double scale, double share)
@@ -102,8 +102,7 @@ TEST(formulas)
 
 /* ---- Equal results of all methods ---------------------------------------- */
 
-/* Bodies that overlap, a separate union, a tree, and an object that occurs twice at one
- * place. */
+/* Four objects that overlap: a union, a difference, a cylinder and a sphere. */
 static const char crowd[] = "union { sphere { 0, 1 } box { -.6, <1.5, .6, .7> } }\n"
                             "difference { torus { 1.2, .4 } plane { x, .2 } }\n"
                             "cylinder { <-1, 0, .3>, <1, 1, .3>, .5 }\n"
@@ -128,7 +127,7 @@ TEST(same_bits)
     }
 }
 
-/* More rays than a packet holds, and more crossings than lanes. */
+/* There are more rays than a packet holds, and more crossings than lanes. */
 TEST(same_packets)
 {
     struct columns_options options = usual(13);
@@ -147,7 +146,7 @@ TEST(same_packets)
 
 /* ---- Points -------------------------------------------------------------- */
 
-/* A solid that is not aligned to any axis, with volume 1.2^3 20/27. */
+/* A solid that is not aligned to any axis. Its volume is 1.2^3 20/27. */
 static const char tilted[] =
     "difference { box { -.5, .5 } box { <-1,-1/6,-1/6>, <1,1/6,1/6> }\n"
     "box { <-1/6,-1,-1/6>, <1/6,1,1/6> } box { <-1/6,-1/6,-1>, <1/6,1/6,1> }\n"
@@ -174,7 +173,7 @@ static struct tried try_seeds(enum columns_points points, size_t seeds)
     return tried;
 }
 
-/* Estimates have no bias, intervals have their stated probability, and a lattice has a
+/* Estimates have no bias, intervals have the stated probability, and a lattice has a
  * smaller error than random points. */
 TEST(points)
 {
@@ -195,7 +194,7 @@ TEST(points)
 
 /* ---- Parts --------------------------------------------------------------- */
 
-/* Two balls of radius 1, one unit apart, share a lens. */
+/* Two balls of radius 1, at a distance of 1, share a lens. */
 TEST(overlap)
 {
     double lens = 5 * acos(-1) / 12;
@@ -209,8 +208,8 @@ TEST(overlap)
                 < 1e-12);
 }
 
-/* A distant solid has its centroid there, and moments of inertia by the parallel axis
- * theorem. */
+/* A distant solid has its centroid there. Its moments of inertia follow the parallel
+ * axis theorem. */
 TEST(about)
 {
     struct measured box = measured_of("box { <99,199,299>, <101,201,301> }", usual(11));

@@ -1,6 +1,6 @@
-/* test_memory.c - the memory of a machine is compared with its rules, and strings of
- * bits at every alignment with a loop over bits: access rights, pages that are
- * allocated on access or unmapped, words across pages and marks of code. A span that
+/* test_memory.c - the memory of a machine is compared with its rules: access rights,
+ * pages that are allocated on access or unmapped, words across pages, and code marks.
+ * Strings of bits at every alignment are compared with a loop over bits. A span that
  * ends at another bit, or a page that keeps an old word or right, fails here.
  */
 #include "tests/unit/unit.h"
@@ -23,8 +23,8 @@ static void free_memory_at(struct memory **memory)
     free(*memory);
 }
 
-/* Checks that an access gives the expected trap and fault address. The expected address
- * is 1 if the access sets none. */
+/* Checks that an access has the expected trap and fault address. The expected address
+ * is 1 if the access sets no address. */
 static void assert_check(const struct memory *memory, uint64_t address, uint64_t count,
                          bool stores, c205_trap trap, uint64_t expected)
 {
@@ -61,7 +61,7 @@ TEST(check)
 /* A page is allocated on its first access. */
 TEST(untouched)
 {
-    size_t pages = 200000; /* 105 GB */
+    size_t pages = 200000; /* corresponds to 105 GB */
     SCOPED(memory) *memory = memory_of(0, 1);
     uint64_t last = (pages - 1) * PAGE_BITS;
     assert_true(
@@ -124,7 +124,7 @@ TEST(words_across_pages)
     assert_int_equal(count, 50);
 }
 
-/* Compared with one bit at a time, at every alignment. */
+/* The result is compared with a loop over single bits, at every alignment. */
 TEST(bits)
 {
     SCOPED(memory) *memory = memory_of(0, 2 * C205_PAGE_WORDS);
@@ -168,10 +168,10 @@ TEST(code_marks)
     assert_int_equal(memory->code_changes, changes + 2);
 }
 
-/* A lookup through the cache gives the same page as a full lookup. */
+/* A lookup through the cache finds the same page as a lookup without it. */
 TEST(near_pages)
 {
-    uint64_t alike = NEAR_PAGES * PAGE_BITS; /* has the same cache slot as page 0 */
+    uint64_t alike = NEAR_PAGES * PAGE_BITS; /* uses the same cache slot as page 0 */
     SCOPED(memory) *memory = memory_of(0, 2 * C205_PAGE_WORDS);
     assert_null(memory_near(memory, alike));
     assert_ptr_equal(memory_near(memory, 64)->word, memory_page(memory, 0)->word);

@@ -1,6 +1,7 @@
-/* test_meshes.c - meshes: the frames of both forms are compared with each other and the
- * plain tracer, over random meshes. A triangle for each pixel must be found, and of
- * equal ones the first. A triangle that is lost or a wrong normal fails here.
+/* test_meshes.c - meshes. The frames of both forms are compared with each other and
+ * with the plain tracer, over random meshes. A triangle for each pixel must be found.
+ * Of equal triangles the first must be found. A triangle that is lost or a wrong normal
+ * fails here.
  *
  *     test_meshes [SCENES [SEED]]
  */
@@ -9,7 +10,7 @@
 #include "tests/unit/plain_surface.h"
 #include "tests/unit/random_solids.h"
 
-static size_t scene_count = 4; /* of each kind */
+static size_t scene_count = 4; /* number of scenes of each kind */
 static struct net net;
 static char text[1 << 18];
 
@@ -42,7 +43,7 @@ TEST_CALL(random_scenes, check_random_scenes(add_mesh, 2 * scene_count))
 
 /* ---- Shadows and mirrors ------------------------------------------------- */
 
-/* Adds a sphere or a mesh; only spheres may be transparent. */
+/* Adds a sphere or a mesh. Only spheres may be transparent. */
 static void add_thing(char *to, size_t size)
 {
     bool ball = below(5) == 0, clear = solids.clear;
@@ -83,7 +84,8 @@ static void write_world(void)
     add_text(text, sizeof text, "}\n");
 }
 
-/* Traces the text by another method, or another text; the frame must be the same. */
+/* Traces the text by another method, or traces another text. The frame must be the
+ * same. */
 static void check_other_way(const struct words *words)
 {
     FREED struct words *others = same_frame(text);
@@ -117,7 +119,8 @@ TEST(worlds)
 
 /* ---- Every triangle ------------------------------------------------------ */
 
-/* Adds a triangle around the point of a ray at a multiple of its length. */
+/* Adds a triangle around a point on a ray. `factor` times the length of the ray is the
+ * distance of the point. */
 static void add_small(const double ray[3], double factor)
 {
     static const double around[3][3] = { { -.3, -.25, 0 },
@@ -133,7 +136,7 @@ static void add_small(const double ray[3], double factor)
     net_face(&net, corners[0], corners[1], corners[2]);
 }
 
-/* Writes a triangle for each pixel and records its depth there. */
+/* Writes a triangle for each pixel, and records its depth. */
 static void write_pixels(double depths[PIXELS])
 {
     net_soup(&net, 0, false, &traced.random);
@@ -189,7 +192,8 @@ static uint64_t checksum_of(const struct scene *scene, enum trace_mode mode,
     return trace_checksum(trace);
 }
 
-/* A triangle at the end of a shadow ray casts no shadow; one in front of it does. */
+/* A triangle at the end of a shadow ray casts no shadow. A triangle in front of the end
+ * casts a shadow. */
 TEST(shadow_limit)
 {
     free(plain_frame(
@@ -201,7 +205,7 @@ TEST(shadow_limit)
         "pigment { rgb <1, .2, .1> } }\n"));
 }
 
-/* Queues of nearly as many rays as a vector has elements. */
+/* Queues whose number of rays is nearly the length of the longest vector. */
 TEST(long_queues)
 {
     static const size_t queues[] = { 40000, MAX_TRACE_QUEUE - 4, MAX_TRACE_QUEUE };
@@ -290,7 +294,7 @@ TEST(ties)
                  3, 5);
 }
 
-/* Adds a copy of every face after all others, with other normals. */
+/* Adds a copy of every face after all faces, with other normals. */
 static void add_doubles(void)
 {
     size_t count = net.face_count;
@@ -305,8 +309,8 @@ static void add_doubles(void)
     }
 }
 
-/* Of two equal triangles in a mesh the first is visible; of two equal meshes, the
- * second. */
+/* Of two equal triangles in a mesh the first is visible. Of two equal meshes the second
+ * is visible. */
 TEST(doubles)
 {
     net_take(&net, ICOSAHEDRON);
@@ -349,8 +353,8 @@ TEST(no_area)
     check_middle(STRAIGHT "mesh { " FLAT NO_AREA " }", 1, 5);
 }
 
-/* Small meshes, seen from far away, where lost precision would be visible. The view is
- * not along an axis, since rays that hit an edge may hit either side. */
+/* Small meshes, seen from far away, where a loss of precision would be visible. The
+ * view is not along an axis, because rays that hit an edge may hit either side. */
 TEST(distant)
 {
     for (int i = 0; i < 3; i++) {

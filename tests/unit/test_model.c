@@ -1,7 +1,7 @@
-/* test_model.c - machine models: the built-in ones are compared with a list of names,
- * changed ones with their changes, and wrong texts with the place and message of their
- * error. A model that is missing, a change that affects other constants, or an error at
- * another column fails here.
+/* test_model.c - machine models. The built-in models are compared with a list of names,
+ * changed models with their changes, and wrong texts with the position and message of
+ * their error. A model that is missing, a change that affects other constants, or an
+ * error at another column fails here.
  */
 #include "tests/unit/named_model.h"
 
@@ -30,7 +30,8 @@ TEST(built_in)
     }
 }
 
-/* Variants: the model that each resembles, and the constant in which it differs. */
+/* Variants: the model that each variant resembles, and the constant in which both
+ * differ. */
 TEST(variants)
 {
     static const struct {
@@ -54,7 +55,7 @@ TEST(variants)
     }
 }
 
-/* Every constant has all its columns and is found by its name. */
+/* Every constant has all columns, and is found by its name. */
 TEST(constants)
 {
     SCOPED(c205_model) *model = named_model("cyber205-2pipe-prior");
@@ -88,7 +89,7 @@ TEST(exact_values)
     assert_int_equal(model_whole(model, startup_constant(C205_TIMING_vlink)), 84);
 }
 
-/* A model names the model that it extends, and its changes. */
+/* A model contains the name of the model that it extends, and its changes. */
 TEST(like)
 {
     SCOPED(c205_model) *model = parsed_model(
@@ -191,8 +192,8 @@ TEST(errors_in_changes)
 
 /* ---- Errors in models ---------------------------------------------------- */
 
-/* Fails unless the text has this error. The column is that of the wrong word; column 0
- * matches any column. */
+/* Fails unless the text has this error. The column is the column of the wrong word.
+ * Column 0 matches any column. */
 static void assert_fails(const char *text, unsigned line, unsigned column,
                          const char *message)
 {
@@ -300,7 +301,7 @@ TEST(errors_in_beliefs)
     }
 }
 
-/* Returns the model of a file of a text, remarks and a second text. */
+/* Returns the model of a file that consists of a text, remarks and a second text. */
 static c205_model *model_of_file(const char *path, const char *text, int remarks,
                                  const char *end)
 {

@@ -1,6 +1,6 @@
 /* test_named_parts.c - the names, materials and densities of a scene's objects are
- * compared with expected ones. A part that is merged with another, or a density of
- * another name, fails here. */
+ * compared with expected values. A part that is merged with another part, or a density
+ * of another name, fails here. */
 #include "rt/mass/bodies.h"
 #include "rt/mass/densities.h"
 #include "rt/mass/units.h"
@@ -70,8 +70,8 @@ TEST(parts)
     assert_true(parts.list[4].mixed);
 }
 
-/* Parts are chosen by their own name or that of their material. Without names, all
- * finite parts are chosen. */
+/* Parts are selected by their names or by the names of their materials. Without names,
+ * all bounded parts are selected. */
 TEST(choice)
 {
     static const char *const names[] = { "Plate", "Copper", "Brass" };
@@ -110,8 +110,8 @@ TEST(choice)
     named_parts_free(&parts);
 }
 
-/* In decreasing priority: options, then the scene; in each, names, materials, the
- * default. */
+/* The order of priority is options, then the scene. In each of them it is names,
+ * materials, the default. */
 TEST(densities)
 {
     SCOPED(scene) *scene = read_scene(assembly);

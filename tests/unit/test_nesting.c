@@ -1,5 +1,5 @@
-/* test_nesting.c - trees with many parts are compared with the nested trees that
- * replace them: both must be the same solid of the same primitives, over random trees.
+/* test_nesting.c - trees with many parts are compared with the grouped trees that
+ * replace them. Over random trees, both must be the same solid of the same primitives.
  * A part in the wrong group fails here. */
 #include "rt/layout/nesting.h"
 #include "tests/unit/draw.h"
@@ -25,7 +25,7 @@ static size_t add_node(struct forest *forest, enum tree_operation operation)
     return node;
 }
 
-/* Adds a sphere at a random place, or a plane, which has no bound. */
+/* Adds a sphere at a random position, or a plane, which is unbounded. */
 static void add_leaf(struct forest *forest)
 {
     size_t node = add_node(forest, TREE_LEAF);
@@ -83,7 +83,7 @@ static void grow(struct forest *forest)
 /* ---- Rules for nested trees ---------------------------------------------- */
 
 /* Checks the nodes from `node` to `end`. The descendants of a node follow it, child by
- * child; a complement has one child. */
+ * child. A complement has one child. */
 static void check_shape(const struct scene *scene, size_t node, size_t end)
 {
     const struct tree_node *tree = &scene->nodes[node];
@@ -99,7 +99,7 @@ static void check_shape(const struct scene *scene, size_t node, size_t end)
                                               : children > 0);
 }
 
-/* The parts below a union, also those of unions in it, must be within its bound. */
+/* All parts below a union, at any depth, must be within the bound of the union. */
 static void check_within(const struct nested_scene *nested, size_t node,
                          const struct bound *whole)
 {
@@ -181,7 +181,7 @@ static size_t depth_of(const struct scene *scene, size_t node)
     return 1 + most;
 }
 
-/* Spheres in a row, at one point, or at growing distances. */
+/* Spheres in a row, at one point, or at increasing distances. */
 TEST(depth)
 {
     static const struct {
@@ -205,7 +205,7 @@ TEST(depth)
     }
 }
 
-/* Trees with few parts, and unions that are several regions, do not change. */
+/* Trees with few parts do not change. Neither do unions that are several regions. */
 TEST(few_parts)
 {
     static const char *const texts[] = {

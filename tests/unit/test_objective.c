@@ -1,6 +1,6 @@
-/* test_objective.c - fits with made-up values are compared with the limits of the
- * objective, on both sides of each limit. A limit with the wrong sign, or one that is
- * not checked, fails here. */
+/* test_objective.c - fits with artificial values are compared with the limits of the
+ * objective, on both sides of each limit. A limit with the wrong sign, or a limit that
+ * is not checked, fails here. */
 #include "rt/study/fit/objective.h"
 #include "tests/unit/unit.h"
 

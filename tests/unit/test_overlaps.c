@@ -9,7 +9,7 @@
 #include "tests/random.h"
 #include "tests/unit/unit.h"
 
-#define STUDENT 2.3646 /* for 7 degrees of freedom */
+#define STUDENT 2.3646 /* Student's t for 7 degrees of freedom */
 enum { SIDE = 9, MAX_PARTS = 50, MAX_BOXES = 160, SCENES = 8 };
 
 /* ---- Random boxes ----------------------------------------------------- */
@@ -25,7 +25,7 @@ struct crowd {
     char *text;
 };
 
-/* Each box of a part is a separate object; all have the part's name. */
+/* Each box of a part is a separate object. All of them have the name of the part. */
 static void write_text(struct crowd *crowd)
 {
     size_t length;
@@ -51,8 +51,8 @@ static void draw_box(struct box *box, uint64_t *random)
     }
 }
 
-/* Draws few parts of many boxes, or many parts of few; many parts exceed the bits of a
- * word. */
+/* Makes few parts with many boxes, or many parts with few boxes. Many parts need more
+ * bits than a word has. */
 static void draw(struct crowd *crowd, uint64_t *random)
 {
     bool many = xorshift_between(random, 0, 3) == 0;
@@ -80,7 +80,7 @@ static bool covers(const struct box *box, const int cell[3])
 }
 
 /* Counts the cells that both parts of a pair contain. The entry of a part with itself
- * counts cells that several of its boxes contain. */
+ * counts the cells that several of its boxes contain. */
 static void count_cells(const struct crowd *crowd, double cells[MAX_PARTS][MAX_PARTS])
 {
     memset(cells, 0, sizeof(double[MAX_PARTS][MAX_PARTS]));
@@ -111,7 +111,7 @@ static void find(const struct crowd *crowd, enum trace_mode mode, size_t queue,
         .mode = mode,
         .queue = queue,
         .points = POINTS_LATTICE,
-        /* more than a strip of crossings if there are many parts */
+        /* with many parts, there are more crossings than in a strip */
         .rays_log = crowd->part_count > 9 ? 6 : 5,
         .repeats = 8,
         .seed = 1,
@@ -136,7 +136,7 @@ static void found_free(struct found *found)
     named_parts_free(&found->parts);
 }
 
-/* Every overlapping pair must be reported, with its volume. */
+/* Every overlapping pair must be reported with its volume. */
 static void check(const struct crowd *crowd, const struct found *found)
 {
     static double cells[MAX_PARTS][MAX_PARTS];
@@ -174,7 +174,7 @@ TEST(boxes)
     }
 }
 
-/* Parts that touch at a face share no volume; separate parts are not tested. */
+/* Parts that touch at a face share no volume. Separate parts form no pair. */
 TEST(touching)
 {
     struct crowd crowd = {

@@ -1,8 +1,8 @@
-/* test_pages.c - known pages, translation misses and page faults: pages of any size in
+/* test_pages.c - known pages, translation misses and page faults. Pages of any size in
  * memories of any size are compared with the list of docs/timing.md, searched from its
- * front, for ranges and lists of indices; their clocks, 30 for a miss and 1,000 more
- * for a fault, with cases by hand. A page that leaves too early, or a damaged list that
- * is restored, fails here.
+ * front, for ranges and index lists. Their clocks, 30 for a miss and 1,000 more for a
+ * fault, are compared with cases computed by hand. A page that leaves too early, or a
+ * damaged list that is restored, fails here.
  */
 #include "tests/unit/clock_driver.h"
 #include "tests/unit/saved_machine.h"
@@ -41,7 +41,7 @@ TEST(depths)
     } cases
         [] = { { 1, 1, 1 }, { 1, 0, 0 }, { 2, 1, 1 }, { 1, 0, 0 },
                { 2, 0, 0 }, { 3, 1, 1 }, { 1, 1, 0 }, { 3, 0, 0 },
-               { 4, 1, 1 }, { 2, 1, 0 }, { 5, 1, 1 }, /* page 1 leaves: least recent */
+               { 4, 1, 1 }, { 2, 1, 0 }, { 5, 1, 1 }, /* the LRU page, 1, is evicted */
                { 3, 1, 0 }, { 1, 1, 1 }, { 4, 1, 1 } };
     SCOPED(clock) *clock = pages_of(65536, 4 * 65536, 2);
     for (size_t i = 0; i < COUNT(cases); i++) {
@@ -79,7 +79,7 @@ static void plain_touch(struct plain_list *list, uint64_t page, struct translati
 
 static uint64_t chance = RANDOM_SEED;
 
-/* Touches a range of up to three pages, or a single bit in one case of four. */
+/* Accesses a range of up to three pages. In one case of four, accesses a single bit. */
 static void touch_range(struct pages *pages, struct plain_list *list, uint64_t page,
                         struct translation *expected, struct translation *met)
 {
@@ -91,7 +91,7 @@ static void touch_range(struct pages *pages, struct plain_list *list, uint64_t p
     pages_touch_all(pages, begin, bits, met);
 }
 
-/* Draws a recently used page, a random one, or one at a stride. */
+/* Returns a recently used page, a random page, or a page at a stride. */
 static uint64_t draw_page(uint64_t last, size_t capacity)
 {
     uint64_t random = xorshift(&chance);
@@ -103,8 +103,8 @@ static uint64_t draw_page(uint64_t last, size_t capacity)
     }
 }
 
-/* Touches a list of words, usually records in few pages with the words of each field in
- * turn. */
+/* Accesses a list of words. They are usually records in a few pages, with the words of
+ * one field after another. */
 static void touch_list(struct pages *pages, struct plain_list *list,
                        struct index_list *met_list, uint64_t page,
                        struct translation *expected, struct translation *met)
@@ -190,7 +190,7 @@ static void use_pages(struct clock *clock, int count, uint64_t seed)
     clock_drain(clock);
 }
 
-/* A clock that is restored from another finds the same pages. */
+/* A restored clock finds the same pages. */
 TEST(saved)
 {
     static struct bytes bytes, again;
@@ -218,7 +218,7 @@ static void assert_refused(struct clock *clock, const struct bytes *bytes)
                         "the list of pages of the saved machine is invalid");
 }
 
-/* The list is at the end of a saved clock: its last pages are the last words. */
+/* The list is at the end of a saved clock. The last words are its last pages. */
 TEST(damaged)
 {
     static struct bytes bytes;

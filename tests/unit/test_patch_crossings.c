@@ -1,7 +1,7 @@
-/* test_patch_crossings.c - patches in trees, or transparent ones, are compared with the
- * plain tracer in all stages: if the nearest crossing is cut away or transmits light,
- * the next one is visible. A crossing that is lost, or written outside its area of
- * memory, fails here. */
+/* test_patch_crossings.c - patches that are in trees or are transparent are compared
+ * with the plain tracer in all stages. If the nearest crossing is cut away or transmits
+ * light, the next crossing is visible. A crossing that is lost, or written outside of
+ * its area of memory, fails here. */
 #define SMALL_FRAMES
 #include "rt/layout/program.h"
 #include "rt/layout/trees.h"
@@ -13,7 +13,7 @@
 #define WEIGHTS "weights 1, 1, 1, 1.2, .5, 1 "
 #define ABOUT "scale <.75, 1.18, 1.37> translate <-.337, -.273, -.257> "
 
-/* A plane across the ray from the eye cuts the patch. */
+/* A plane across the ray from the camera cuts the patch. */
 #define CUT \
     "#version 3.7; global_settings { assumed_gamma 1 }\n" \
     "light_source { <9, 3, -3>, 1 shadowless }\n" \
@@ -22,7 +22,7 @@
 
 #define GLASS "pigment { rgbft <.2, .8, .5, .4, .1> } "
 
-/* Two sheets of a patch, and objects behind them. */
+/* A patch with two sheets, and objects behind it. */
 #define SHEETS \
     "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 6 }\n" \
     "background { rgb <.2, .3, .5> } light_source { <-1.9, 8, -7>, .7 }\n" \
@@ -54,14 +54,14 @@ TEST(shadows_and_glass)
     check_stages(SHEETS BENT WEIGHTS GLASS ABOUT "}");
     check_stages(SHEETS "merge { " BENT GLASS "} sphere { .5*y, .3 " GLASS "} " ABOUT
                         "}");
-    /* few of the rays come near the patch */
+    /* only a few rays come near the patch */
     check_stages(SHEETS "merge { " BENT GLASS "scale .3 } sphere { -2*z, .3 " GLASS
                         "} torus { 2, .1 rotate 60*x } " ABOUT "}");
     check_stages(SHEETS "intersection { " BENT WEIGHTS "} sphere { 0, 1.2 }"
                         " no_shadow " ABOUT "}");
 }
 
-/* Rays in planes of curves s = const, which cross the patch twice. */
+/* Rays in the planes of curves s = const. They cross the patch twice. */
 TEST(pairs_of_lines)
 {
     static const char *const turns[] = { "", "rotate 120*z", "rotate 90*y",
@@ -77,7 +77,7 @@ TEST(pairs_of_lines)
     }
 }
 
-/* Each patch is cut by a plane; the second is transparent. */
+/* A plane cuts each patch. The second patch is transparent. */
 TEST(random_patches)
 {
     for (int i = 0; i < 6; i++) {
@@ -96,7 +96,7 @@ TEST(random_patches)
     }
 }
 
-/* Crossings of regions are the first data of a scene in memory; the words after them
+/* Crossings of regions are the first data of a scene in memory. The words after them
  * must not change. */
 static void check_behind_crossings(const struct scene *scene, const struct trace *trace,
                                    c205 *machine, const char *text)
@@ -116,8 +116,8 @@ static void check_behind_crossings(const struct scene *scene, const struct trace
     }
 }
 
-/* All rays are in one queue and none is finished before the last region. Data that a
- * tree leaves in memory are therefore still there when the next kernel writes its
+/* All rays are in one queue, and no ray is finished before the last region. Data that a
+ * tree leaves in memory is therefore still there when the next kernel writes its
  * crossings. */
 static void check_memory(const char *text)
 {
@@ -138,7 +138,7 @@ static void add_flat(char *text, size_t size)
         add_text(text, size, ", <%.3f, %.3f>", between(-9, 9), between(-9, 9));
 }
 
-/* Trees that no ray sees, so that no ray is finished, and meshes after them. */
+/* Trees that no ray hits, so that no ray is finished, and meshes after them. */
 TEST(memory)
 {
     for (int i = 0; i < 12; i++) {
@@ -169,7 +169,7 @@ TEST(the_way_of_1984)
     traced.historical = false;
 }
 
-/* Patches have no inside, which causes reports. */
+/* A patch has no inside, which causes a report. */
 FIXTURE(set_up_reported)
 {
     traced.reported = true;

@@ -1,6 +1,6 @@
-/* test_picture.c - pictures of all formats that are written and read back are compared
- * with the frame, within the precision of their samples. A wrong transfer curve, a lost
- * note or an old file that a failure destroys fails here. */
+/* test_picture.c - pictures of all formats are written, read and compared with the
+ * frame, within the precision of their samples. A wrong transfer function, a lost note,
+ * or an old file that a failure destroys fails here. */
 #include "rt/picture/picture.h"
 #include "base/file.h"
 #include "tests/unit/temporary_folder.h"
@@ -20,8 +20,8 @@ static const struct picture_note notes[] = {
     { NULL, NULL },
 };
 
-/* Returns a frame with smooth colours, some above 1, and channels of many
- * magnitudes. */
+/* Returns a frame with smooth colours, some of which are above 1, and with channels of
+ * many magnitudes. */
 static struct frame sample_frame(void)
 {
     struct frame frame;
@@ -45,11 +45,11 @@ struct round_trip {
     const char *name;
     bool half, clip;
     size_t channels;
-    double relative, absolute; /* tolerances of colours */
+    double relative, absolute; /* tolerances for colours */
 };
 
-/* An 8-bit sRGB step is at most .0091 in linear light, near white; JPEG may differ by
- * several steps. Half has 11 bits, float 24. */
+/* An 8-bit sRGB step is at most .0091 in linear light, near white. JPEG may differ by
+ * several steps. Half has 11 bits, float has 24 bits. */
 static const struct round_trip round_trips[] = {
     { "a.png", false, true, 3, 0, .0046 },
     { "a.jpg", false, true, 3, 0, .05 },
@@ -107,8 +107,8 @@ TEST(half_is_smaller)
     assert_true(half.st_size < whole.st_size);
 }
 
-/* Mid grey in linear light is 188 of 255 in sRGB, values above 1 are 255, and a
- * thousandth, on the linear part of the curve, is 3. */
+/* In sRGB, mid grey in linear light is 188 of 255, and values above 1 are 255. A
+ * thousandth, which is on the linear part of the curve, is 3. */
 TEST(bytes_are_srgb)
 {
     SCOPED_VALUE(frame) frame, back;
@@ -168,7 +168,7 @@ TEST(notes)
     }
 }
 
-/* A date is written only on request. An invalid one is ignored. */
+/* A date is only written on request. An invalid date is ignored. */
 TEST(date)
 {
     static const struct {
@@ -272,7 +272,8 @@ static void limit_file_size(rlim_t bytes)
     assert_int_equal(setrlimit(RLIMIT_FSIZE, &limit), 0);
 }
 
-/* A disk that is full after some bytes: the old file remains, and no other file. */
+/* The disk is full after some bytes. The old file remains, and there is no other
+ * file. */
 TEST(failure_keeps_the_old_file)
 {
     static const char *const names[] = { "o.png", "o.jpg", "o.exr", "o.tif" };
@@ -294,7 +295,7 @@ TEST(failure_keeps_the_old_file)
     }
 }
 
-/* An additional plane, in pictures with more than colours. */
+/* An additional plane in pictures that have more channels than colours. */
 TEST(layer)
 {
     static const char *const paths[] = { "l.exr", "l.tif", "l.png" };
@@ -320,7 +321,7 @@ TEST(layer)
     }
 }
 
-/* A picture with missing rows, or one that is abandoned. */
+/* A picture with missing rows, or a picture that is abandoned. */
 TEST(rows_missing)
 {
     SCOPED_VALUE(frame) frame = sample_frame();

@@ -1,6 +1,6 @@
 /* test_pixel_order.c - the frames of both orders of pixels are compared, over random
- * sizes, queues, bands and jobs, and tiles with their definition. A pixel that is lost
- * or at another place fails here. */
+ * sizes, queues, bands and jobs. Tiles are compared with their definition. A pixel that
+ * is lost or at another place fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
@@ -66,8 +66,8 @@ TEST(one_large_band)
     check_same(scene, &options, expected);
 }
 
-/* Returns the clocks of a grid of small spheres. A queue that is a tile tests few of
- * them; a queue of rows tests those of a whole row of the grid. */
+/* Returns the clocks of a grid of small spheres. A queue that is a tile tests few
+ * spheres. A queue of rows tests all spheres in a row of the grid. */
 static uint64_t work_of(const struct scene *scene, enum trace_mode mode,
                         enum trace_order order)
 {

@@ -1,4 +1,4 @@
-/* test_plain_meshes.c - lines that cross meshes: the plain tracer's crossings are
+/* test_plain_meshes.c - lines that cross meshes. The plain tracer's crossings are
  * compared with random points, volumes in closed form and closed bodies. A line that
  * passes between triangles, or a wrong normal, fails here. */
 #include "tests/unit/random_mesh.h"
@@ -16,7 +16,7 @@ static struct surface mesh_of(const struct triangle *triangles, size_t count)
 
 /* ---- One triangle -------------------------------------------------------- */
 
-/* Normals of any length tilt outward by 45 degrees at two corners. */
+/* Normals of different lengths tilt outwards by 45 degrees at two corners. */
 TEST(known_smooth)
 {
     static const struct triangle smooth = {
@@ -48,7 +48,8 @@ static void random_triangle(uint64_t *random, struct triangle *triangle)
     }
 }
 
-/* Draws barycentric coordinates, all above `least` or one of them below -least. */
+/* Makes random barycentric coordinates. All of them are above `least`, or one of them
+ * is below -least. */
 static void random_shares(uint64_t *random, bool within, double shares[3])
 {
     static const double least = 1e-6;
@@ -85,7 +86,7 @@ static void assert_normal(const struct triangle *triangle, const double shares[3
     }
 }
 
-/* Draws a point and a ray that reaches it at distance 1.5. */
+/* Makes a random point, and a ray that reaches it at distance 1.5. */
 static void assert_there_and_back(uint64_t *random, const struct triangle *triangle)
 {
     struct surface surface = mesh_of(triangle, 1);
@@ -117,7 +118,7 @@ TEST(there_and_back)
 
 /* ---- Closed bodies ------------------------------------------------------- */
 
-/* The line starts inside a star-shaped body: it has one crossing ahead and one
+/* The line starts inside a star-shaped body, so there is one crossing ahead and one
  * behind. */
 static void assert_two(const struct primitive *mesh, const double from[3],
                        const double to[3])
@@ -131,7 +132,7 @@ static void assert_two(const struct primitive *mesh, const double from[3],
     assert_true(crossings[1].distance < 0);
 }
 
-/* Aims lines at the points and at points of the edges, including their middles. */
+/* Aims lines at the points, and at points of the edges including their midpoints. */
 static void assert_closed(uint64_t *random, const struct primitive *mesh,
                           const double from[3])
 {
@@ -211,8 +212,8 @@ TEST(box)
 
 /* ---- Large meshes -------------------------------------------------------- */
 
-/* Triangles at z = 1, 2, .. in a permuted order. A ray from between them has more
- * crossings on each side than fit. */
+/* The triangles are at z = 1, 2, .. in a permuted order. A ray that starts between them
+ * has more crossings on each side than there is room for. */
 TEST(no_room)
 {
     enum { COUNT = 151, FROM = 70 };

@@ -1,9 +1,9 @@
 /* test_plain_patches.c - lines that cross Steiner patches, the Roman surface and the
- * cross-cap: the plain tracer's crossings are compared with closed forms and with other
- * representations of the same surface. A lost root fails here. */
+ * cross-cap. The plain tracer's crossings are compared with closed forms, and with
+ * other representations of the same surface. A lost root fails here. */
 #include "tests/unit/plain_surface.h"
 
-/* Exponents of x, y and z, and the coefficient; the last one is 0. */
+/* Exponents of x, y and z, and the coefficient. The last coefficient is 0. */
 typedef const int quartic_terms[8][4];
 
 static struct surface quartic_of(quartic_terms terms)
@@ -24,7 +24,7 @@ static quartic_terms cross_cap_terms = { { 4, 0, 0, 4 }, { 2, 2, 0, 4 }, { 2, 0,
                                          { 2, 0, 1, 4 }, { 0, 4, 0, 1 }, { 0, 2, 2, 1 },
                                          { 0, 2, 0, -1 } };
 
-/* From the triple point: t = lmn / (l^2 m^2 + m^2 n^2 + n^2 l^2). */
+/* From the triple point the distance is t = lmn / (l^2 m^2 + m^2 n^2 + n^2 l^2). */
 TEST(roman_from_the_triple_point)
 {
     struct surface roman = quartic_of(roman_terms);
@@ -52,7 +52,7 @@ TEST(roman_volume)
 
 /* ---- Surfaces of Steiner patches ----------------------------------------- */
 
-/* Four quadratic forms of s, t, u: x, y, z and w. The coefficients are those of s^2 t^2
+/* The quadratic forms x, y, z and w of s, t and u. The coefficients belong to s^2 t^2
  * u^2 2st 2tu 2su. */
 typedef double four_forms[4][STEINER_POINTS];
 
@@ -91,7 +91,7 @@ static double polar_value(const double form[STEINER_POINTS], const double a[3],
     return sum;
 }
 
-/* Makes the patch over the triangle of three points of the parameter plane. */
+/* Makes a patch whose domain is the triangle of three points in the parameter plane. */
 static void put_patch(struct primitive *patch, const four_forms forms,
                       const double corners[3][3])
 {
@@ -107,8 +107,8 @@ static void put_patch(struct primitive *patch, const four_forms forms,
     }
 }
 
-/* All s, t, u: four octants, each divided into four patches, so that all weights are
- * positive. */
+/* Covers all s, t and u by four octants, each of which is divided into four patches, so
+ * that all weights are positive. */
 static struct surface whole(const four_forms forms)
 {
     static const double corner[6][3] = { { 1, 0, 0 },   { 0, 1, 0 },   { 0, 0, 1 },
@@ -174,8 +174,8 @@ static void point_of(const struct primitive *patch, const double p[3], double po
     copy(point, sum);
 }
 
-/* A random ray that is aimed at a point of the patch must cross it there. All other
- * crossings must lie on the patch too. */
+/* Aims a random ray at a point of the patch. It must cross the patch there. All other
+ * crossings must also be on the patch. */
 static void assert_round_trip(uint64_t *random, const struct primitive *patch)
 {
     double s = number_between(random, 0, 1);

@@ -7,7 +7,7 @@
     "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 10 } " \
     "#default { finish { ambient 0 diffuse 0 } } "
 
-/* Compares the colour of a ray through a scene, a text that is formatted by printf. */
+/* Compares the colour of a ray through a scene, whose text printf formats. */
 #define check(look, red, green, blue, ...) \
     check_text(look, red, green, blue, formatted(__VA_ARGS__))
 
@@ -41,8 +41,8 @@ TEST(colors)
         double red, green, blue;
         const char *text;
     } rows[] = {
-        /* From <-4, 3, 0>, a floor shows the lamp at <4, 3, 0> at the origin, tinted by
-         * the mirror alone. */
+        /* Seen from <-4, 3, 0>, a floor shows the lamp at <4, 3, 0> in the origin,
+         * tinted only by the mirror. */
         { &onto_floor, .45, .25, .1,
           "plane { y, 0 pigment { rgb 1 } finish { reflection <.9, .5, .2> } } "
           "sphere { <4, 3, 0>, 1e-6 pigment { rgb .5 } " LAMP "}" },
@@ -52,8 +52,8 @@ TEST(colors)
         { &onto_floor, 0, 0, 0,
           "plane { y, 0 finish { reflection .5 } } "
           "sphere { <4, 3.00001, 0>, 1e-6 pigment { rgb .5 } " LAMP "}" },
-        /* The ray hits the ball where eye and lamp are mirror images of each other;
-         * there the normal is between them. */
+        /* The ray hits the ball where camera and lamp are mirror images of each other.
+         * The normal there is halfway between them. */
         { &onto_ball, .7, .7, .7,
           "sphere { 0, 1 finish { reflection 1 } } "
           "sphere { <3, 4, 0>, 1e-6 pigment { rgb .7 } " LAMP "}" },
@@ -78,8 +78,8 @@ TEST(colors)
         { &ahead, .5, .5, .5,
           "background { rgb 1 } plane { -z, 0 pigment { "
           "checker rgbt <0, 0, 0, .5> rgb 0 translate -.5 } }" },
-        /* If the transmitted weight, or its brightness, is below the threshold, the ray
-         * is not followed. */
+        /* If the transmitted weight or its brightness is below the threshold, the ray
+         * is not traced. */
         { &ahead, .9, .9, 0, DARK "rgbf <.9, .9, 0, 1> } }" },
         { &ahead, 0, 0, 0, DARK "rgbf <.9, 0, 0, 1> } }" }, /* brightness .267 */
         { &ahead, 0, 0, 0, DARK "rgbt <0, 0, 0, .5> } }" },
@@ -89,8 +89,8 @@ TEST(colors)
               rows[i].text);
 }
 
-/* Two facing mirrors form a geometric series, which ends at the maximum level or at the
- * threshold of the weight. */
+/* The reflections between two facing mirrors form a geometric series. It ends at the
+ * largest level, or at the threshold of the weight. */
 static void check_series(int level, double bailout, int terms)
 {
     static const struct look look = { { 0, 0, 1 }, { 0, 0, 1 } };
@@ -109,14 +109,14 @@ TEST(levels)
     check_series(1, 0, 1);
     check_series(2, 0, 2);
     check_series(7, 0, 7);
-    check_series(20, .25, 3); /* a weight equal to the threshold is followed */
+    check_series(20, .25, 3); /* a ray whose weight equals the threshold is traced */
     check_series(20, .2500001, 2);
     check_series(20, 1. / 255, 8);
 }
 
 /* ---- Glass -------------------------------------------------------------- */
 
-/* Returns the lateral displacement of a ray at 45 degrees in a layer of index n; the
+/* Returns the lateral displacement of a ray at 45 degrees in a layer of index n. The
  * sine inside is sin a / n. */
 static double aside(double n, double depth)
 {
@@ -124,8 +124,8 @@ static double aside(double n, double depth)
     return depth * s / sqrt(1 - s * s);
 }
 
-/* A ray at 45 degrees that enters objects at z = 0 leaves them at this displacement and
- * depth, in its original direction. */
+/* A ray enters objects at z = 0 at 45 degrees. It leaves them at this depth, with this
+ * displacement, in its original direction. */
 static void check_behind(const char *things, double shift, double depth)
 {
     const struct look look = { { 0, 2, -2 }, { 0, -1, 1 } };
@@ -151,9 +151,9 @@ TEST(snell)
     check_slab(.8, 1);
 }
 
-/* From inside glass, below y = 0, the ray reaches a blue sky or, from 41.81 degrees on,
- * returns to the red ground. Total reflection returns all light; the surface's own
- * reflection has no effect then. */
+/* From inside glass, below y = 0, the ray reaches a blue sky. From 41.81 degrees on, it
+ * returns to the red ground. Total reflection returns all light, and the surface's own
+ * reflection then has no effect. */
 static void check_from_below(double degrees, double red, double blue)
 {
     double angle = degrees * 3.14159265358979323846 / 180;
@@ -179,7 +179,7 @@ TEST(total_reflection)
 #define SLAB(low, high) "box { <-9, -9, " #low ">, <9, 9, " #high "> "
 
 /* For concentric balls, n times the ray's distance from the centre is the same in all
- * media; it determines the sine of the angle at each surface. The ray is refracted four
+ * media. It determines the sine of the angle at each surface. The ray is refracted four
  * times, and passes the centre at the same distance as without the balls. */
 TEST(ball_in_water)
 {
@@ -192,8 +192,8 @@ TEST(ball_in_water)
           b / sin(2 * turned));
 }
 
-/* The medium that was entered last counts until it is left. Leaving the other one
- * before that changes nothing. */
+/* The medium that was entered last counts until it is left. If the ray leaves the other
+ * medium before, nothing changes. */
 TEST(overlapping)
 {
     double glass = aside(1.5, .5), water = aside(1.33, .5);
@@ -221,8 +221,8 @@ TEST(shared_interior)
                  1.5);
 }
 
-/* The eye is inside a ball, off its centre. A mirror in the ball does not change the
- * medium of the ray. */
+/* The camera is inside a ball, away from its centre. A mirror in the ball does not
+ * change the medium of the ray. */
 static void check_from_within(double along, const char *things)
 {
     double b = .5, radius = 2;
@@ -241,8 +241,8 @@ TEST(eye_within)
                                          "finish { reflection 1 } } ");
 }
 
-/* The ray enters the front of a block, is totally reflected at a side, which it hits at
- * 62 degrees, and leaves through the back. */
+/* The ray enters the front of a block, hits a side at 62 degrees, where it is totally
+ * reflected, and leaves through the back. */
 TEST(total_keeps)
 {
     const struct look look = { { -1.5, 0, -3 }, { 1, 0, 1 } };
@@ -252,8 +252,8 @@ TEST(total_keeps)
           2 - (.5 + aside(1.5, 2)) - 1);
 }
 
-/* A ray that continues straight, because the indices on both sides are equal, keeps the
- * level of its parent. At the last level no ray is transmitted. */
+/* If the indices on both sides are equal, a ray continues straight and keeps the level
+ * of its parent. At the last level no ray is transmitted. */
 static void check_level(int level, const char *things, double seen)
 {
     check(&ahead, seen, seen, seen,
@@ -268,7 +268,7 @@ TEST(straight_levels)
 {
     static const struct {
         const char *text;
-        int level; /* at which the ray arrives */
+        int level; /* level at which the ray arrives */
         double seen;
     } rows[] = {
         { PANES, 2, .6 },
@@ -282,14 +282,14 @@ TEST(straight_levels)
     }
 }
 
-/* Returns Fresnel reflectance at normal incidence. */
+/* Returns the Fresnel reflectance at normal incidence. */
 static double straight_share(double index)
 {
     return (index - 1) * (index - 1) / ((index + 1) * (index + 1));
 }
 
-/* Returns Fresnel reflectance at 45 degrees, where the reflectance of one polarisation
- * is the square of the other's. */
+/* Returns the Fresnel reflectance at 45 degrees, where the reflectance of one
+ * polarisation is the square of the other. */
 static double slanted_share(double index)
 {
     double inside = sqrt(index * index - .5), across = sqrt(.5);
@@ -298,7 +298,7 @@ static double slanted_share(double index)
 }
 
 /* In water the reflectance of glass is lower. In an opaque body each surface reflects
- * as seen from the side of the ray; the second one here reflects totally, as from
+ * as seen from the side of the ray. The second surface here reflects totally, as from
  * inside glass. */
 TEST(fresnel)
 {
@@ -318,7 +318,7 @@ TEST(fresnel)
 
 /* ---- Shadows ------------------------------------------------------------ */
 
-/* Checks the colour of the floor below a light, with an object in between. */
+/* Checks the colour of the floor below a light, with an object between them. */
 static void check_shadow(const char *between, double red, double green)
 {
     const struct look look = { { 1, 1, 0 }, { -1, -1, 0 } };

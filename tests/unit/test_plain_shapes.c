@@ -1,6 +1,6 @@
-/* test_plain_shapes.c - lines that cross cones, quadrics, tori, patches and triangles:
- * the plain tracer's crossings are compared with rays computed by hand and volumes in
- * closed form. A lost or doubled root fails here. */
+/* test_plain_shapes.c - lines that cross cones, quadrics, tori, patches and triangles.
+ * The plain tracer's crossings are compared with rays computed by hand, and with
+ * volumes in closed form. A lost or doubled root fails here. */
 #include "tests/oracle/plain_roots.h"
 #include "tests/unit/plain_surface.h"
 #include "tests/unit/scene_reading.h"
@@ -11,26 +11,26 @@ static struct surface surface_of(const char *text)
     return (struct surface){ .count = 1, .parts = { scene->primitives[0] } };
 }
 
-/* Radius 3 at y = 0 and radius 1 at y = 4, a slope of 1 in 2. */
+/* The radius is 3 at y = 0 and 1 at y = 4, which is a slope of 1 in 2. */
 #define FRUSTUM "cone { 0, 3, 4*y, 1 }"
 #define OPEN_FRUSTUM "cone { 0, 3, 4*y, 1 open }"
 
-/* The apex is at the origin, the base of radius 1 at x = 1. The mirror image beyond the
- * apex does not belong to the cone. */
+/* The apex is at the origin, and the base of radius 1 is at x = 1. The mirror image
+ * beyond the apex does not belong to the cone. */
 #define POINTED "cone { 0, 0, x, 1 }"
 
-/* y = x^2 + z^2, z = x y + 2 and y = 3. */
+/* The surfaces y = x^2 + z^2, z = x y + 2 and y = 3. */
 #define BOWL "quadric { <1, 0, 1>, 0, <0, -1, 0>, 0 }"
 #define SADDLE "quadric { 0, <1, 0, 0>, <0, 0, -1>, 2 }"
 #define LEVEL "quadric { 0, 0, <0, 2, 0>, -6 }"
 
-/* The tube of the lemon passes the axis and has an outer and an inner side. */
+/* The tube of the lemon crosses the axis. It has an outer and an inner side. */
 #define RING "torus { 2, .5 }"
 #define LEMON "torus { .5, 1 }"
 #define FLAT_RING "elliptical_torus { 2, .5, .25 }"
 
-/* A triangle, as a mesh and as a patch whose other control points are the middles of its
- * edges. */
+/* A triangle as a mesh, and as a patch whose other control points are the midpoints of
+ * its edges. */
 #define TRIANGLE "mesh { triangle { 4*x, 4*y, 0 } }"
 #define PATCH "steiner_patch { 4*x, 4*y, 0, <2, 2, 0>, 2*y, 2*x }"
 
@@ -97,7 +97,7 @@ TEST(known)
         { TRIANGLE, { { 2, 2, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } } }, /* its edges */
         { TRIANGLE, { { 0, 1, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } } },
     };
-    enum { SIDES = 6 }; /* the first rows hold for the open frustum, too */
+    enum { SIDES = 6 }; /* the first rows are also valid for the open frustum */
     for (size_t i = 0; i < COUNT(rows) + SIDES; i++) {
         const char *text = i < COUNT(rows) ? rows[i].text : OPEN_FRUSTUM;
         const struct expectation *line = &rows[i % COUNT(rows)].line;
@@ -124,7 +124,7 @@ TEST(volumes)
     assert_near(volume(&flat, 1.4), 2 * PI * PI * .08, 1e-3);
 }
 
-/* (x^2 + y^2 + z^2 + 3/4)^2 = 4 (x^2 + z^2), R = 1, r = 1/2, expanded. */
+/* (x^2 + y^2 + z^2 + 3/4)^2 = 4 (x^2 + z^2), which is R = 1 and r = 1/2, expanded. */
 TEST(torus_in_other_ways)
 {
     struct surface quartic = one(PRIMITIVE_QUARTIC);

@@ -1,6 +1,6 @@
-/* test_plain_solids.c - volumes of solids from the plain tracer's crossings are
- * compared with closed forms, also where faces coincide. A part that counts twice, or a
- * wrong complement, fails here. */
+/* test_plain_solids.c - volumes of solids, computed from the plain tracer's crossings,
+ * are compared with closed forms, also where faces coincide. A part that counts twice,
+ * or a wrong complement, fails here. */
 #include "tests/oracle/plain_regions.h"
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
@@ -32,8 +32,8 @@ static void solid_free(struct solid *solid)
     scene_free(solid->scene);
 }
 
-/* The number of crossings of a line with a solid, and its length inside. Coincident
- * surfaces count once. */
+/* The number of crossings of a line with a solid, and its length inside the solid.
+ * Coincident surfaces count once. */
 struct passage {
     int events;
     double length;
@@ -62,7 +62,7 @@ static struct passage pass(const struct solid *solid, const struct ray *ray)
 
 /* ---- Volumes ------------------------------------------------------------ */
 
-/* Estimates the volume with parallel oblique rays through a grid over -size .. size. */
+/* Estimates the volume with parallel oblique rays through a grid from -size to size. */
 static double volume(const struct solid *solid, double size)
 {
     int steps = 200;
@@ -175,7 +175,7 @@ TEST(coincident_faces)
         { "difference { " CUBE "box { <-.5, -.5, -1>, <.5, .5, 1> } }", .6, .2, 2, 2 },
         { "difference { " CUBE "box { <-.5, -.5, -1>, <.5, .5, 0> } }", .3, .2, 2, 1 },
         { "difference { " CUBE "box { -1.00000003, .99999998 } }", .3, .2, 0,
-          0 }, /* closer than delta */
+          0 }, /* at a distance below delta */
         { "merge { " CUBE "box { <-1, -1, 1.00000002>, <1, 1, 3> } }", .3, .2, 2, 4 },
         { EYE "intersection { plane { z, 5e-8 } plane { -z, 0 } }", 0, 0, 0, 0 },
         { EYE "intersection { plane { z, 1e-6 } plane { -z, 0 } }", 0, 0, 2, 1e-6 },
@@ -194,7 +194,7 @@ TEST(coincident_faces)
     }
 }
 
-/* Two adjacent boxes; every ray crosses the outer surface only. */
+/* Two adjacent boxes. Every ray only crosses the outer surface. */
 TEST(joined_boxes)
 {
     SCOPED_VALUE(solid) pair = solid_of("merge { box { -1, 1 } "
@@ -217,7 +217,7 @@ TEST(joined_boxes)
 
 /* ---- Surfaces without inside --------------------------------------------- */
 
-/* A patch in z = 0, and an open cylinder from -1 to 1 about z. */
+/* A patch in z = 0, and an open cylinder about z from -1 to 1. */
 #define PATCH \
     "steiner_patch { <-2, -2, 0>, <2, -2, 0>, <0, 3, 0>, " \
     "<0, -2, 0>, <1, .5, 0>, <-1, .5, 0> }"
@@ -233,13 +233,14 @@ TEST(open_surfaces)
         size_t reports; /* a patch cannot be cut like a solid */
     } rows[] = {
         { PATCH, 0, 1, 0 },
-        { "merge { " PATCH BALL " }", 0, 2, 0 }, /* hidden in the ball */
+        { "merge { " PATCH BALL " }", 0, 2, 0 }, /* the patch is hidden in the ball */
         { "merge { " PATCH BALL " }", .7, 1, 0 },
         { "intersection { " PATCH BALL " }", 0, 1, 1 },
         { "intersection { " PATCH BALL " }", .7, 0, 1 },
         { "difference { " PATCH BALL " }", 0, 0, 1 },
         { "difference { " PATCH BALL " }", .7, 1, 1 },
-        { "difference { box { -2, 2 } " TUBE " }", 0, 2, 0 }, /* no discs */
+        { "difference { box { -2, 2 } " TUBE " }", 0, 2, 0 }, /* the cylinder has no
+                                                               * discs */
         { "difference { box { <-2, -2, 0>, 2 } " TUBE " }", 0, 1, 0 },
         { "intersection { box { <-2, -2, 0>, 2 } " TUBE " }", 0, 1, 0 },
     };

@@ -1,10 +1,10 @@
-/* test_plain_tracer.c - the plain tracer's colours of scenes of one ray are compared
- * with values computed by hand, and frames with each other. A missing term of the
- * lighting fails here. */
+/* test_plain_tracer.c - the plain tracer's colours of scenes with a single ray are
+ * compared with values computed by hand, and frames with each other. A missing term of
+ * the lighting fails here. */
 #include "tests/oracle/compare_pictures.h"
 #include "tests/unit/plain_ray.h"
 
-/* White surfaces with diffuse light only. */
+/* White surfaces with only diffuse light. */
 #define HEAD \
     "global_settings { assumed_gamma 1 max_trace_level 1 ambient_light <2, 1, 1> }\n" \
     "#default { pigment { rgb 1 } finish { ambient 0 diffuse 1 } }\n"
@@ -17,12 +17,13 @@
 #define OPEN_TUBE "cylinder { -z, z, 1 open }"
 #define FLOOR "plane { y, -1 }"
 
-/* A sheared, flattened sphere at height 3: x / 2 + z replaces z. Its top is at y = 3 +
- * 1 / 2; there the shear has no effect. */
+/* A sheared, flattened sphere at height 3, where x / 2 + z replaces z. Its top is at y
+ * = 3 + 1 / 2. There the shear has no effect. */
 #define SHEARED "sphere { 0, 1 matrix <1, 0, -.5, 0, .5, 0, 0, 0, 1, 0, 3, 0> }"
 #define THREE "box { -1, 1 } sphere { -z, 1 } plane { y, 5 }"
 
-/* The number of the object, the distance and the normal; all are 0 without a hit. */
+/* The number of the object, the distance and the normal. Without a hit all of them are
+ * 0. */
 TEST(hits)
 {
     double length = sqrt(1.25);
@@ -100,8 +101,8 @@ static double red(const struct look *look, const char *text)
 #define BALL "sphere { <1.5, 2, 0>, 1 }"
 #define DARK_BALL "sphere { <1.5, 2, 0>, 1 no_shadow }"
 
-/* A floor at 0, seen from <-3, 4, 0> at the origin. The light at <3, 4, 0> is in the
- * mirror direction of the eye's ray. */
+/* A floor at y = 0, seen at the origin from <-3, 4, 0>. The light at <3, 4, 0> is in
+ * the mirror direction of the camera ray. */
 TEST(shading)
 {
     static const struct look onto_floor = { { -3, 4, 0 }, { 3, -4, 0 } };
@@ -141,7 +142,7 @@ TEST(background)
     assert_close(red(&up, "background { rgb <.25, 0, 0> } plane { y, 0 }"), .25, CLOSE);
 }
 
-/* The squares have a width of 2 in x. The rays of the light are parallel. */
+/* The squares have the width 2 in x. The light has parallel rays. */
 TEST(checker)
 {
     for (int x = -3; x < 4; x++)

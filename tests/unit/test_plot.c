@@ -1,4 +1,4 @@
-/* test_plot.c - plots: the picture of a table is compared with the table, with unusual
+/* test_plot.c - plots. The picture of a table is compared with the table, with unusual
  * names, values that are not numbers, and a converter that is missing or fails. A file
  * that is left incomplete, or a row or curve that is lost, fails here.
  */
@@ -50,7 +50,7 @@ static const struct plot lines = {
 
 /* ---- A table for a test ----------------------------------------------- */
 
-static struct table *table; /* of the current test */
+static struct table *table; /* table of the current test */
 
 static void add_row(uint64_t queue, double stream, double startup)
 {
@@ -122,7 +122,7 @@ static void expect_picture(const char *text)
     assert_null(strstr(text, "inf"));
 }
 
-/* Returns the place of a point with this tooltip. */
+/* Returns the position of the point with this tooltip. */
 static void point_of(const char *text, const char *tooltip, double place[2])
 {
     const char *at = strstr(text, tooltip);
@@ -134,7 +134,7 @@ static void point_of(const char *text, const char *tooltip, double place[2])
                      2);
 }
 
-/* Fails unless the curve of this colour is that path. */
+/* Fails unless the curve with this colour has this path. */
 static void expect_path(const char *text, const char *color, const char *expected)
 {
     char path[256];
@@ -164,7 +164,7 @@ TEST_WITH(points_are_drawn, set_up, tear_down)
     assert_non_null(strstr(text, "vector start-up: 8, 4<"));
 }
 
-/* A point without a number ends a line, which continues after it. */
+/* A point without a number ends a line. The line continues after it. */
 TEST_WITH(lines_have_gaps, set_up, tear_down)
 {
     double two[2], sixteen[2], more[2];
@@ -180,7 +180,7 @@ TEST_WITH(lines_have_gaps, set_up, tear_down)
     assert_non_null(strstr(text, path));
 }
 
-/* Areas are stacked, and a row with a gap in any curve belongs to none. */
+/* Areas are stacked. A row with a gap in any curve belongs to no area. */
 TEST_WITH(areas_are_stacked, set_up, tear_down)
 {
     struct plot plot = lines;
@@ -232,7 +232,7 @@ TEST_WITH(bad_paths, set_up, tear_down)
     assert_true(plot_check_path("plot.svg", &failure));
 }
 
-/* If one file cannot be written, none is. */
+/* If one of the files cannot be written, neither is written. */
 TEST_WITH(name_is_taken, set_up, tear_down)
 {
     static const char *const names[] = { "plot.svg", "plot.png" };
@@ -266,8 +266,8 @@ TEST_WITH(bad_values, set_up, tear_down)
 
 /* ---- The converter ---------------------------------------------------- */
 
-/* Writes the plot as a .png, with a path that contains the folder alone. The script is
- * the folder's rsvg-convert; without one there is none. */
+/* Writes the plot as a .png. PATH contains only the folder. The script becomes
+ * rsvg-convert in the folder; NULL: there is no converter. */
 static bool write_png(const char *script, const char *name, c205_error *error)
 {
     FREED char *path = strdup(getenv("PATH"));
@@ -284,7 +284,7 @@ static bool write_png(const char *script, const char *name, c205_error *error)
     return good;
 }
 
-/* An old picture exists and must not change. */
+/* There is an old picture, which must not change. */
 static void expect_failure(const char *script, const char *part)
 {
     c205_error error = { "" };
@@ -324,7 +324,7 @@ TEST_WITH(converter_is_used, set_up, tear_down)
 
 /* ---- Marks and axes --------------------------------------------------- */
 
-/* Returns the y of a mark's label in the picture, downwards. */
+/* Returns the y coordinate of a mark's label in the picture. It increases downwards. */
 static double height_of(const char *picture, const char *label)
 {
     const char *at = strstr(picture, label);
@@ -349,7 +349,7 @@ TEST_WITH(marks_have_rows, set_up, tear_down)
     assert_true(height_of(picture, ">at one") < height_of(picture, ">near"));
 }
 
-/* Fails unless the labels of an axis, each with a blank after it, are as expected. */
+/* Fails unless the labels of an axis, each followed by a blank, are as expected. */
 static void expect_labels(struct axis axis, const char *expected)
 {
     struct axis_tic tics[AXIS_TICS];
@@ -379,7 +379,8 @@ TEST(axes_are_labelled)
                   "0 5e+12 1e+13 1.5e+13 2e+13 2.5e+13 3e+13 3.5e+13 4e+13 ");
 }
 
-/* If the y axis is cut off, the levels are still drawn, and the caption states it. */
+/* If the y axis is cut off, the levels are still drawn, and the caption states that it
+ * is cut off. */
 TEST_WITH(curves_are_cut, set_up, tear_down)
 {
     struct plot plot = lines;

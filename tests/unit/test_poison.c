@@ -1,15 +1,20 @@
 /* test_poison.c - memory, registers, flags and clocks after vector instructions are
- * compared between two runs with different contents outside of the operands, for every
- * row of the instruction table with random operands. An instruction that reads or
+ * compared between two runs with different contents outside of the operands. Every row
+ * of the instruction table is run with random operands. An instruction that reads or
  * writes beyond its operands fails here.
  *
  *   test_poison [CASES]
  *
- * The contents outside of the operands ("poison") are: words before, between and after
- * the operands; elements after the lengths, and those that the control vector
- * suppresses; the rest of the last word of a bit vector; unused parts of registers; and
- * the old contents of the result. All poison outside of the result must survive, and
- * results, data flags and clocks must be the same in both runs.
+ * The contents outside of the operands are called poison. They are:
+ *
+ * - words before, between and after the operands;
+ * - elements after the lengths, and elements that the control vector suppresses;
+ * - the rest of the last word of a bit vector;
+ * - unused parts of registers;
+ * - the old contents of the result.
+ *
+ * All poison outside of the result must stay unchanged. Results, data flags and clocks
+ * must be the same in both runs.
  */
 #include "tests/unit/vector_case.h"
 
@@ -17,7 +22,7 @@ enum { TWICE = 2, DEFAULT_CASES = 60 };
 
 static size_t cases = DEFAULT_CASES;
 
-/* The contents of the machine, before and after. */
+/* The contents of the machine before or after a run. */
 struct image {
     c205_word memory[MEMORY_WORDS], reg[C205_REGISTERS];
     c205_word flags;
@@ -35,8 +40,8 @@ static size_t present_before(const struct vector_case *one, enum role role, size
     return count;
 }
 
-/* An element of the result is present if its bit of Z is one. Without Z, products need
- * both operands, and sums one. */
+/* Returns true if element i of the result exists. With Z, its bit of Z must be one.
+ * Without Z, products need both operands, and sums need one. */
 static bool has_result(const struct vector_case *one, size_t i)
 {
     bool x = bit_of(one, ROLE_X, i), y = bit_of(one, ROLE_Y, i);
@@ -64,7 +69,7 @@ static void mark_sparse(struct vector_case *one)
     }
 }
 
-/* Returns whether Z selects element i of A, or of B. */
+/* Returns true if Z selects element i of A, or of B. */
 static bool is_selected(const struct vector_case *one, enum role role, size_t i)
 {
     bool ones = role == ROLE_A;
@@ -217,7 +222,8 @@ static void check_words(const char *name, const char *what, const c205_word *a,
                 (unsigned long long)(bits[i] ^ flip));
 }
 
-/* Compares the bits of two images that are written, or those that are not. */
+/* Compares the bits of two images that are written, or the bits that are not
+ * written. */
 static void check_contents(const char *name, const struct image *a,
                            const struct image *b, const struct bits_of *written,
                            bool outside)
@@ -241,8 +247,8 @@ static void run_twice(struct small_machine *fixture, struct vector_case *one,
     }
 }
 
-/* A control vector saves no time: the search continues over suppressed elements, so its
- * time depends on them. */
+/* Returns false if the time depends on suppressed elements. A control vector saves no
+ * time, because a search continues over suppressed elements. */
 static bool time_is_known(const struct vector_case *one)
 {
     return !(one->row->format == C205_FORMAT_SCAN && one->fields.z
@@ -305,7 +311,7 @@ static const c205_insn *draw_linked(uint64_t *random)
     return row;
 }
 
-/* Draws a row of another unit whose result has words. */
+/* Chooses a row of another unit whose result has words. */
 static const c205_insn *draw_first(uint64_t *random, c205_unit second)
 {
     const c205_insn *row;
@@ -315,7 +321,8 @@ static const c205_insn *draw_first(uint64_t *random, c205_unit second)
     return row;
 }
 
-/* Returns the fields of the first instruction: [x], and a number if it takes one. */
+/* Returns the fields of the first instruction. Its operands are [x] and, if it has a
+ * second operand, a number. */
 static c205_fields first_fields(const c205_insn *row, unsigned half)
 {
     c205_fields fields = { .g = (uint8_t)(row->subop | half),
@@ -328,8 +335,8 @@ static c205_fields first_fields(const c205_insn *row, unsigned half)
     return fields;
 }
 
-/* The result of the first instruction is the A operand of the second; it is not
- * stored. */
+/* The result of the first instruction is the operand A of the second instruction. It is
+ * not stored. */
 static void draw_pair(uint64_t *random)
 {
     do

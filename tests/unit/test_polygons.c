@@ -1,6 +1,6 @@
 /* test_polygons.c - the triangles of a polygon are compared with the even-odd rule,
- * point by point, over random stars and grids. A point inside that no triangle, or more
- * than one, covers fails here.
+ * point by point, over random stars and grids. A point inside that no triangle covers,
+ * or that several triangles cover, fails here.
  *
  *     test_polygons [POLYGONS [SEED]]
  */
@@ -13,7 +13,7 @@ enum { MAX_POINTS = 64, SAMPLES = 200, LINES = 4000 };
 static size_t polygon_count = 400;
 /* ---- The oracle ---------------------------------------------------------- */
 
-/* An outline in a plane with an origin and two axes. ends[i] is true where a part ends,
+/* An outline in a plane with an origin and two axes. ends[i] is true where a loop ends,
  * at a copy of its first point. */
 struct flat_outline {
     double origin[3], axes[2][3];
@@ -38,7 +38,8 @@ static double distance(const double a[2], const double b[2], const double p[2])
     return hypot(p[0] - a[0] - part * way[0], p[1] - a[1] - part * way[1]);
 }
 
-/* Counts the crossings of the outline to the right of the point, modulo 2. */
+/* Returns true if the number of crossings of the outline to the right of the point is
+ * odd. */
 static bool is_inside(const struct flat_outline *outline, const double p[2])
 {
     bool inside = false;
@@ -61,7 +62,7 @@ static bool is_near_edge(const struct flat_outline *outline, const double p[2],
     return false;
 }
 
-/* Computes the area with lines along the second axis. */
+/* Computes the area with lines parallel to the second axis. */
 static double area_by_lines(const struct flat_outline *outline)
 {
     double sum = 0;
@@ -101,7 +102,7 @@ static void close_part(struct flat_outline *outline, size_t first)
     outline->ends[outline->count - 1] = true;
 }
 
-/* Adds a star about a point. With a step of 1 it does not cross itself; with other
+/* Adds a star around a point. With a step of 1 it does not intersect itself. With other
  * steps it does. */
 static void add_star(struct flat_outline *outline, size_t count, size_t step)
 {
@@ -115,7 +116,7 @@ static void add_star(struct flat_outline *outline, size_t count, size_t step)
     close_part(outline, first);
 }
 
-/* Adds a part with points of a grid. Points lie on edges and on each other, and edges
+/* Adds a loop with points of a grid. Points are on edges and on each other, and edges
  * overlap. */
 static void add_grid_part(struct flat_outline *outline, size_t count)
 {
@@ -155,7 +156,7 @@ static struct flat_outline random_outline(void)
     bool grid = xorshift(&random_state) & 1;
     if (xorshift(&random_state) & 1) {
         random_plane(&outline);
-    } else { /* one of the three planes of two axes */
+    } else { /* one of the three coordinate planes */
         int first = (int)xorshift_between(&random_state, 0, 2);
         outline.axes[0][first] = 1;
         outline.axes[1][(first + 1) % 3] = -1;
@@ -293,14 +294,14 @@ TEST(areas)
     check_area("polygon { 4.9 <0, 0> <2, 0> <0, 3> <0, 0> }", 0, 3, 1);
     check_area("polygon { 5, <0, 0>, <2, 0>, <2, 3>, <0, 3>, <0, 0> }", 0, 6, 2);
     check_area("polygon { 5, 0, 2*y, 2*y + 3*z, 3*z, 0 inverse }", 0, 6, 2);
-    /* A hole, and a part inside the hole. */
+    /* A hole, and a loop inside the hole. */
     check_area("polygon { 15, 0, 8*x, <8, 8>, 8*y, 0, <1, 1>, <1, 7>, <7, 7>,"
                "<7, 1>, <1, 1>, <2, 2>, <4, 2>, <4, 4>, <2, 4>, <2, 2> }",
                0, 64 - 36 + 4, 10);
-    /* Two equal parts cancel each other; another part is next to them. */
+    /* Two equal loops cancel each other. Another loop is next to them. */
     check_area("polygon { 12, 0, x, y, 0, 0, x, y, 0, 2*x, 3*x, <3, 1>, 2*x }", 0, .5,
                1);
-    /* Outlines that cross themselves. */
+    /* Outlines that intersect themselves. */
     check_area("polygon { 5, <0, 0>, <2, 2>, <2, 0>, <0, 2>, <0, 0> }", 0, 2, 4);
     check_area("polygon { 6, #for (I, 0, 5) "
                "<sin(4*pi*mod(I, 5)/5), cos(4*pi*mod(I, 5)/5)> #end }",
@@ -308,7 +309,7 @@ TEST(areas)
                5 * cos(fifth) / cos(fifth / 2) * sin(fifth / 2)
                    - 2.5 * sin(fifth) * pow(cos(fifth) / cos(fifth / 2), 2),
                7);
-    /* The last point differs from the first by a rounding error. */
+    /* Because of a rounding error, the last point differs from the first. */
     check_area("polygon { 4, 0, x, y, <0, 5e-11> }", 0, .5, 1);
 }
 
@@ -331,7 +332,7 @@ TEST(corners_are_given_points)
     }
 }
 
-/* POV-Ray closes an open polygon, and shows nothing of degenerate ones. */
+/* POV-Ray closes an open polygon, and does not show a degenerate polygon. */
 TEST(reports)
 {
     static const char *const left_out[] = {

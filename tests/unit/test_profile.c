@@ -1,4 +1,4 @@
-/* test_profile.c - the profiles of the three stages are compared: they must have the
+/* test_profile.c - the profiles of the three stages are compared. They must have the
  * same frames and rays, parts that sum to all clocks, and tables that sum to the parts.
  * A region without a part, or a missing row, fails here. */
 #include "tests/unit/traced_frame.h"
@@ -36,7 +36,7 @@ TEST(stages)
 
 /* ---- The tables ---------------------------------------------------------- */
 
-/* Returns a table as JSON; the caller frees it. */
+/* Returns a table as JSON. The caller frees it. */
 static char *table_text_of(enum profile_table kind)
 {
     char *text;
@@ -57,7 +57,8 @@ static double number_of(const char *row, const char *key)
     return strtod(strchr(at, ':') + 1, NULL);
 }
 
-/* The sum of all parts is the frame; the sum of all kernels is their part. */
+/* The sum of all parts is the frame. The sum of all kernels is the part that they
+ * belong to. */
 TEST(sums)
 {
     enum { FRAME, PARTS, KERNELS, INTERSECT, SUMS };
@@ -87,10 +88,11 @@ TEST(sums)
     }
 }
 
-/* Columns of clocks in the table of groups; shares are next to them. */
+/* Columns of clocks in the table of groups. The percentages are next to them. */
 static const size_t millions[TRACE_MODES] = { 1, 3, 6 };
 
-/* Sums the displayed rows: groups, or their members, which are indented below them. */
+/* Sums the displayed rows: either the groups or their members, which are indented below
+ * them. */
 static double sum_of_rows(const struct table *table, const char *text, size_t column,
                           bool members)
 {
@@ -106,7 +108,8 @@ static double sum_of_rows(const struct table *table, const char *text, size_t co
     return sum;
 }
 
-/* Groups, and members of groups, sum to the frame, and so do their shares. */
+/* The groups sum to the frame, the members to the group. This is also true of their
+ * percentages. */
 TEST(groups)
 {
     static char text[8192];
@@ -130,7 +133,7 @@ TEST(groups)
         assert_non_null(strstr(text, *name));
 }
 
-/* With all parts in vector form, Amdahl's law gives the measured speedup. */
+/* If all parts are in vector form, Amdahl's law gives the measured speedup. */
 TEST(amdahl)
 {
     FREED char *text = table_text_of(PROFILE_SPEEDUP);

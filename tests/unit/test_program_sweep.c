@@ -1,6 +1,6 @@
-/* test_program_sweep.c - the points of a sweep are compared with plain runs, its line
- * with an independent computation, and its crossings with runs of all values. A point
- * of another value, or a crossing that is lost, fails here. */
+/* test_program_sweep.c - the points of a sweep are compared with plain runs, its fitted
+ * line with an independent computation, and its crossings with runs of all values. A
+ * point of another value, or a crossing that is lost, fails here. */
 #include <math.h>
 
 #include "asm/sweep/swept.h"
@@ -70,7 +70,7 @@ static uint64_t plain_clocks(const struct program_sweep *sweep, int which,
     return c205_clock(machine);
 }
 
-/* Compares clocks by cause and in total, and operations. */
+/* Compares clocks, for each cause and in total, and operations. */
 static void check_point(const struct program_sweep *sweep, int which,
                         const struct swept_point *point)
 {
@@ -133,7 +133,8 @@ TEST(examples)
 
 static size_t tried, ended;
 
-/* The constant changes nothing. Programs that trap, as some must, are skipped. */
+/* Sweeps a constant that has no effect. Programs that trap intentionally are
+ * skipped. */
 static void try_program(const char *path)
 {
     FREED_BY(swept_free) struct program_sweep sweep = sweep_of("no_change", 1, 2);
@@ -176,7 +177,8 @@ TEST(random_programs)
 
 /* ---- Crossings ------------------------------------------------------------- */
 
-/* Runs both programs for every value to find where the faster one changes. */
+/* Runs both programs for every value to find the values at which another program
+ * becomes the faster one. */
 static void check_crossings(const struct program_sweep *sweep)
 {
     size_t found = 0;
@@ -197,8 +199,8 @@ static void check_crossings(const struct program_sweep *sweep)
     assert_int_equal(found, sweep->crossing_count);
 }
 
-/* Writes instructions of one clock each, a fixed number and a multiple of n: a line
- * without error. */
+/* Writes a fixed number of instructions with one clock each, and a number that is a
+ * multiple of n. The result is an exact line. */
 static void write_line(char text[DRAWN_TEXT], uint64_t fixed, uint64_t slope)
 {
     snprintf(text, DRAWN_TEXT,
@@ -233,7 +235,7 @@ TEST(crossings)
     assert_true(crossed > 9);
 }
 
-/* With a step, values in between are not tested. */
+/* With a step, the values in between are not run. */
 TEST(steps)
 {
     FREED_BY(swept_free) struct program_sweep sweep = sweep_of("n", 8, 1000);
@@ -255,7 +257,7 @@ TEST(steps)
 
 /* ---- The line -------------------------------------------------------------- */
 
-/* Makes points without programs, with clocks of one cause. */
+/* Makes points with clocks of one cause, without programs. */
 static void make_points(struct program_sweep *sweep, double startup, double slope,
                         double noise)
 {
@@ -273,8 +275,8 @@ static void make_points(struct program_sweep *sweep, double startup, double slop
     }
 }
 
-/* Solves the normal equations of the least squares fit of ((s + b x - t) / t)^2 in long
- * doubles. */
+/* Solves the normal equations for the least squares fit of ((s + b x - t) / t)^2 in
+ * long doubles. */
 static void solve(const struct program_sweep *sweep, long double *startup,
                   long double *slope)
 {
@@ -465,8 +467,8 @@ TEST(faults)
 
 /* ---- The picture ----------------------------------------------------------- */
 
-/* The picture has every point, each half length and each crossing, all within its
- * borders. */
+/* The picture has every point, each half length and each crossing, and all are within
+ * its borders. */
 static void check_picture(const struct program_sweep *sweep)
 {
     SCOPED_VALUE(text_buffer) svg = { 0 };

@@ -1,7 +1,7 @@
 /* test_provenance.c - the text and the JSON about a table's model are compared with the
- * model: the sources of its constants, and its errors against published figures, for
- * models that are fitted, compared, changed or projections. A figure of another model,
- * or a constant that is counted with another source, fails here.
+ * model. They contain the sources of its constants, and its errors against published
+ * figures, for models that are fitted, compared, changed or projections. A figure of
+ * another model, or a constant that is counted with another source, fails here.
  */
 #include "base/provenance.h"
 #include "tests/unit/named_model.h"
@@ -44,9 +44,9 @@ static void holds(const char *text, const char *expected)
 
 /* ---- Uncertainty -------------- */
 
-/* The beginning of the text, and parts of the text and the JSON. Figures of a model
- * that is extended are printed as those of that model: its count, largest error and
- * worst figure. */
+/* The beginning of the text, and parts of the text and the JSON. For a model that
+ * extends another model, the number of figures, the largest error and the worst figure
+ * of the other model are printed. */
 TEST(models)
 {
     static const struct {
@@ -146,7 +146,7 @@ TEST(sources)
     assert_true(provenance_is_fitted(model));
 }
 
-/* A projection with constants of one source, which is not the first. */
+/* A projection with constants of a single source, which is not the first source. */
 TEST(one_source)
 {
     SCOPED(c205_model) *model = parsed_model(

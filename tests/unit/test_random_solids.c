@@ -1,14 +1,15 @@
 /* test_random_solids.c - random solids of all shapes, half of them with faces that
- * coincide: the frames of all stages, with bounds and without, are compared with each
- * other and the plain tracer. A crossing that one stage loses fails here.
+ * coincide. The frames of all stages, with and without bounds, are compared with each
+ * other and with the plain tracer. A crossing that one stage loses fails here.
  *
  *     test_random_solids [SCENES [SEED]]
  */
 #define MIDDLING_FRAMES
 #include "tests/unit/random_solids.h"
 
-static size_t scene_count = 4; /* of each kind */
-static bool along;             /* rays lie in faces and hit edges; rounding decides */
+static size_t scene_count = 4; /* number of scenes of each kind */
+static bool along;             /* rays are in faces and hit edges, so that rounding
+                                * decides */
 
 static void add_view(char *text, size_t size)
 {
@@ -39,7 +40,8 @@ static void write_scene(char *text, size_t size)
 
 /* ---- Comparisons -------------------------------------------------------- */
 
-/* Of coincident surfaces, rounding decides which one is visible, but not its depth. */
+/* If surfaces coincide, rounding decides which surface is visible, but not its
+ * depth. */
 static void check_depths(const struct scene *scene, const char *text,
                          const struct words *words)
 {
@@ -87,7 +89,7 @@ TEST_CALL(coincident_clear, check_scenes(true, true))
 
 ARGUMENTS(argc, argv)
 {
-    traced.reported = true; /* patches in intersections */
+    traced.reported = true; /* some patches are in intersections */
     scene_count = argument(argc, argv, 1, share_of(scene_count));
     traced.random ^= argument(argc, argv, 2, 0) << 13;
 }

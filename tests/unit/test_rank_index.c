@@ -1,13 +1,13 @@
 /* test_rank_index.c - the ranks of numbers are compared with their definition, over
- * random lists with repetitions, some of them empty. A number with another rank, or a missing one that has
- * a rank, fails here. */
+ * random lists with repetitions, some of which are empty. A number with another rank,
+ * or a missing number that has a rank, fails here. */
 #include "base/rank_index.h"
 #include "tests/random.h"
 #include "tests/unit/unit.h"
 
 enum { MAX = 40, TRIES = 300 };
 
-/* The rank of a number is the count of distinct numbers up to it. */
+/* The rank of a number is the number of distinct numbers up to it. */
 static size_t place_of(const size_t *numbers, size_t count, size_t number)
 {
     size_t place = 0, found = 0;

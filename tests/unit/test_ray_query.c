@@ -1,7 +1,7 @@
-/* test_ray_query.c - all crossings along lines through random solids of all shapes are
- * compared between the forms, queues and bounds, with the plain tracer, and the nearest
- * one with a frame. A crossing that is lost, out of order or of another body fails
- * here.
+/* test_ray_query.c - all crossings of lines with random solids of all shapes are
+ * compared between forms, queues and bounds, and with the plain tracer. The nearest
+ * crossing is compared with a frame. A crossing that is lost, out of order or of
+ * another body fails here.
  *
  *     test_ray_query [SCENES [SEED]]
  */
@@ -11,7 +11,7 @@
 
 enum { LINES = 60 };
 
-static size_t scene_count = 6; /* of each kind */
+static size_t scene_count = 6; /* number of scenes of each kind */
 
 /* ---- Random solids ------------------------------------------------------- */
 
@@ -74,8 +74,8 @@ enum { SIDE = 32 };
 /* A camera whose rays have exact coordinates. */
 #define EXACT "orthographic location -8*z direction z right 4*x up 4*y"
 
-/* For a mesh alone, the frame's kernel keeps the signs of products, and the kernel for
- * all crossings takes magnitudes. Truncation makes their last bits differ. */
+/* For a mesh alone, the kernel of frames keeps the signs of products, and the kernel of
+ * all crossings uses magnitudes. Because of truncation, their last bits may differ. */
 static bool is_word(c205_word found, c205_word expected, bool mesh)
 {
     return found == expected
@@ -149,7 +149,7 @@ struct expected {
     int crossing, object_depth, scene_depth;
 };
 
-/* Copies of a line, enough to fill pages with crossings. */
+/* The number of copies of a line, which is sufficient to fill pages with crossings. */
 enum { COPIES = 64 };
 
 static void check_form(const char *text, enum trace_mode mode, double behind,
@@ -178,13 +178,13 @@ static void check_form(const char *text, enum trace_mode mode, double behind,
     }
 }
 
-/* The expected crossings have the members of struct expected. */
+/* The expected crossings are written as the members of struct expected. */
 static const struct {
     const char *objects;
     double behind;
     const char *expected;
 } cases[] = {
-    /* Two solids touch. Each part of a separate union is a body; surfaces inside a
+    /* Two solids touch. Each part of a separate union is a body. Surfaces inside a
      * merge are not reported. */
     { "box { -1, 1 } box { <-1, -1, 1>, <1, 1, 2> }", 0,
       "3 0 0 1 1 1; 5 0 0 -1 0 0; 5 1 1 1 1 1; 6 1 1 -1 0 0" },
@@ -198,12 +198,13 @@ static const struct {
     { "difference { box { -1, 1 } box { -1, 1 } }", 0, "" },
     { "difference { box { -1, 1 } box { -.5, .5 } }", 0,
       "3 0 0 1 1 1; 3.5 1 0 -1 0 0; 4.5 1 0 1 1 1; 5 0 0 -1 0 0" },
-    /* Open surfaces are crossed, but belong to no body. */
+    /* Open surfaces are crossed, but do not belong to a body. */
     { "cylinder { -y, y, 1 open } disc { 0, z, 1 }", 0,
       "3 0 0 0 0 0; 4 1 1 0 0 0; 5 0 0 0 0 0" },
     { "box { -1, 1 clipped_by { plane { z, 0 } } } plane { z, 2 }", 0,
       "3 0 0 0 0 0; 6 2 1 -1 -1 -1" },
-    /* Distances are measured from the origin; those behind it are negative. */
+    /* Distances are measured from the origin. The distances of crossings behind it are
+     * negative. */
     { "box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 inverse }", 8,
       "-3 0 0 1 1 1; -2 0 0 -1 0 0; 3 1 1 -1 -1 -1; 5 1 1 1 0 0" },
     { "box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 }", 0,
@@ -231,7 +232,7 @@ TEST(lines)
     }
 }
 
-/* All crossings are found, whatever their order. */
+/* All crossings are found, whatever their order is. */
 TEST(many)
 {
     enum { SPHERES = 300 };
@@ -302,7 +303,7 @@ TEST(no_lines)
 
 ARGUMENTS(argc, argv)
 {
-    traced.reported = true; /* patches in intersections */
+    traced.reported = true; /* some patches are in intersections */
     solids.patches = solids.meshes = true;
     scene_count = argument(argc, argv, 1, share_of(scene_count));
     traced.random ^= argument(argc, argv, 2, 0) << 13;

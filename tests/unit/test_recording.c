@@ -1,7 +1,7 @@
-/* test_recording.c - every test program and example is recorded and replayed: the clocks
- * on the model of the run, on other ones and on projections are compared with runs on
- * these models, and the clocks of projections with values computed by hand. A clock of
- * another cause or region fails here. */
+/* test_recording.c - every test program and example is recorded and replayed. The
+ * clocks on the model of the run, on other models and on projections are compared with
+ * runs on these models. The clocks of projections are also compared with values
+ * computed by hand. A clock of another cause or region fails here. */
 #include "named_model.h"
 #include "saved_machine.h"
 
@@ -37,7 +37,7 @@ static struct object *program_of(const char *path)
     return object;
 }
 
-/* Loads a program into a machine, which is recorded. */
+/* Loads a program into a machine whose run is recorded. */
 static struct run loaded(c205_model *model, struct object *object)
 {
     struct run run = { .model = model,
@@ -64,9 +64,9 @@ static void run_free(struct run *run)
     c205_model_free(run->model);
 }
 
-/* Replayed with a model and settings, the recording must give the clocks of a machine,
- * or of a projection. Projections have no clocks for vector instructions; regions with
- * them are skipped. */
+/* Replayed with a model and settings, the recording must give the clocks of a machine
+ * or a projection. Projections have no clocks for vector instructions, so regions with
+ * vector instructions are skipped. */
 static void assert_retimes(const char *name, const struct run *recorded,
                            const c205_model *model, const c205_setting *settings,
                            size_t setting_count, const c205 *machine,
@@ -88,8 +88,8 @@ static void assert_retimes(const char *name, const struct run *recorded,
 
 /* ---- Programs ---------------------------------------------------------- */
 
-/* Records a run of a program and compares replays on its model, on one with other pipes,
- * and on projections. */
+/* Records a run of a program. Compares replays on its model, on a model with other
+ * pipes, and on projections. */
 static void check(const char *name, struct object *object)
 {
     static const char *const names[PROJECTIONS] = { "cyber720-prior", "cdc6600" };
@@ -128,7 +128,7 @@ TEST(programs)
     check_program("rt/study/fit/programs/photons.s");
 }
 
-/* Each operand is in a separate page that is not mapped yet. */
+/* Each operand is on a separate page that has not been mapped. */
 TEST(all_touches)
 {
     check("touches", good("        .data\n"
@@ -182,8 +182,8 @@ TEST(settings)
     assert_retimes(path, &recorded, recorded.model, pipes, 1, ran.machine, NULL);
 }
 
-/* Other page sizes, as settings and as a changed model, are compared with a machine
- * that has them. Its clocks must differ from those of the recorded run. */
+/* A run with other page sizes, given as settings and as a changed model, is compared
+ * with a machine of these sizes. The clocks of the recorded run must differ. */
 static void compare_pages(const char *path, const c205_setting *settings, size_t count)
 {
     SCOPED_VALUE(run) recorded = run_of(named_model(PRIOR), path);

@@ -1,5 +1,5 @@
-/* test_region_hierarchy.c - many regions under a hierarchy: the frames of all stages
- * and queues are compared with that of the scene's own order, over random scenes. A
+/* test_region_hierarchy.c - many regions under a hierarchy. The frames of all stages
+ * and queues are compared with a frame in the order of the scene, over random scenes. A
  * node that is skipped, or a tie that another region wins, fails here.
  *
  *     test_region_hierarchy [SCENES [SEED]]
@@ -8,9 +8,9 @@
 #include "tests/unit/random_solids.h"
 
 enum { TEXT_ROOM = 60000 };
-static size_t scene_count = 6; /* of each kind */
+static size_t scene_count = 6; /* number of scenes of each kind */
 
-/* Adds a translation to a random place, or to a point of a grid, where objects touch
+/* Adds a translation to a random position, or to a point of a grid, where objects touch
  * and coincide. */
 static void add_place(char *text, size_t size)
 {
@@ -21,7 +21,7 @@ static void add_place(char *text, size_t size)
         add_random(text, size, "translate <^4-2:2^, ^4-2:2^, ^4-2:2^> ");
 }
 
-/* Begins a shape; half of the kinds are balls. */
+/* Begins a shape. Half of the kinds are balls. */
 static void add_shape(char *text, size_t size, size_t kind)
 {
     switch (kind) {
@@ -49,7 +49,7 @@ static void add_hidden(char *text, size_t size, size_t rarity)
             add_text(text, size, "%s ", words[i]);
 }
 
-/* Adds an object, or several of different colours at the same place. */
+/* Adds an object, or several objects with different colours at the same position. */
 static void add_thing(char *text, size_t size)
 {
     size_t kind = below(6), copies = below(5) ? 1 : 2 + below(2);
@@ -68,7 +68,7 @@ static void add_thing(char *text, size_t size)
     }
 }
 
-/* Adds small spheres in few colours; some occur twice at one place. */
+/* Adds small spheres in a few colours. Some occur twice at the same position. */
 static void add_spheres(char *text)
 {
     double size = between(.05, .2);
@@ -160,8 +160,9 @@ TEST_CALL(clear_grids, check_scenes(true, true, false))
 TEST_CALL(spheres, check_scenes(false, false, true))
 TEST_CALL(grids_of_spheres, check_scenes(true, false, true))
 
-/* Light passes down through many panes and balls of different colours. The product of
- * the colours must be that of the scene's order, whatever the order of the hits. */
+/* Light passes down through many panes and balls with different colours. The product of
+ * the colours must be the same as in the order of the scene, whatever the order of the
+ * hits is. */
 static void write_window(char *text)
 {
     text[0] = '\0';

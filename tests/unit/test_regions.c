@@ -1,5 +1,5 @@
 /* test_regions.c - the regions, nodes and steps in a machine's memory are compared with
- * the scene, and their values with those of the trees, over random solids. A wrong
+ * the scene, and their values with the values of the trees, over random solids. A wrong
  * kernel, link, bound or operation of a step fails here. */
 #include "tests/unit/scene_fixture.h"
 
@@ -8,7 +8,7 @@
 #include "tests/unit/draw.h"
 #include "tests/unit/tree_value.h"
 
-enum { PLACES = 400 }; /* maximum number of values of a tree */
+enum { PLACES = 400 }; /* largest number of values of a tree */
 
 /* ---- Primitives --------------------------------------------------------- */
 
@@ -19,7 +19,8 @@ enum { PLACES = 400 }; /* maximum number of values of a tree */
 
 static const struct shape_row {
     const char *text;
-    const char *alone, *kernel, *state; /* kernel alone, kernels in a tree */
+    const char *alone, *kernel, *state; /* kernel of the shape alone; kernels in a
+                                         * tree */
     int segments, events, first_event;
 } shape_rows[] = {
     { "sphere { 0, 1", "sphere", "sphere", NULL, 1, 2, 0 },
@@ -64,8 +65,8 @@ static int64_t way_of(const struct stage *stage, size_t i)
     return c205_to_integer(region(stage, i, "R_FLAGS"));
 }
 
-/* Returns the offset from the first primitive's first crossing or value, in crossings
- * or values. */
+/* Returns the distance of a position from the first primitive's first crossing or
+ * value, in crossings or values. */
 static int64_t behind_first(const struct stage *stage, size_t i, const char *name,
                             const char *size)
 {
@@ -88,7 +89,7 @@ static void check_kernel(const struct stage *stage, size_t i, const char *kernel
         fail_msg("%s is not %s", kernel, expected);
 }
 
-/* Checks a shape in a tree, after a sphere, and alone. */
+/* Checks a shape in a tree after a sphere, and alone. */
 static void check_shape(const struct shape_row *row, const char *how)
 {
     const char *text = formatted("merge { sphere { 0, 3 } %s %s } } %s %s }", row->text,
@@ -116,8 +117,7 @@ TEST(primitives)
     }
 }
 
-/* Open shapes need space for crossings and events; patches need it for their
- * parameters. */
+/* Open shapes need room for crossings and events. Patches need room for parameters. */
 TEST(crossings)
 {
     static const struct {
@@ -165,7 +165,7 @@ TEST(room)
 
 TEST(regions)
 {
-    /* 1: simple; 2: with a box that is much smaller than the sphere. */
+    /* 1: the region is simple; 2: its box is much smaller than its sphere */
     static const struct {
         int way, shadow, first;
     } rows[] = {
@@ -210,7 +210,7 @@ TEST(hidden)
         assert_integer(region(&stage, i, "R_HIDDEN_FROM"), hidden_from[i]);
 }
 
-/* The nodes in preorder, without complements: &(|(0,1), !(&(2, !(3))), 4). */
+/* The nodes in preorder, without complements, of &(|(0,1), !(&(2, !(3))), 4). */
 TEST(nodes)
 {
     static const struct {
@@ -253,7 +253,7 @@ static void check_bound(const struct stage *stage, uint64_t address, const char 
     assert_number(stage_word(stage, bound + 64 * 4), 1e60);
 }
 
-/* There are no bounds for unbounded regions, or if bounding is disabled. */
+/* Unbounded regions have no bounds. No region has a bound if bounding is disabled. */
 TEST(no_bounds)
 {
     static const char *const texts[] = { "plane { y, 0 }", "sphere { 0, 1 }" };
@@ -282,7 +282,7 @@ TEST(bounds)
 
 /* ---- Steps -------------------------------------------------------------- */
 
-/* Writes a random solid of at most `most` primitives. */
+/* Writes a random solid with at most `most` primitives. */
 static char *add_solid(char *end, size_t most)
 {
     static const char *const words[] = { "union", "merge", "intersection",
@@ -301,11 +301,11 @@ static char *add_solid(char *end, size_t most)
     return end + sprintf(end, "%s } ", below(4) ? "" : " inverse ");
 }
 
-/* Evaluates a region's tree as the machine does, for given values of the primitives.
- * Reading an unknown value fails. */
+/* Evaluates a region's tree like the machine, for given values of the primitives.
+ * Reading an unknown value is a failure. */
 struct evaluation {
     const struct stage *stage;
-    const bool *inside; /* per primitive */
+    const bool *inside; /* for each primitive: the point is inside */
     bool value[PLACES], known[PLACES];
     size_t visited; /* number of visited nodes */
     uint64_t branches[PLACES];
@@ -339,7 +339,7 @@ static bool is_inside(const struct evaluation *evaluation, uint64_t leaf)
     return evaluation->inside[bits / (64 * symbol(evaluation->stage, "P_SIZE"))];
 }
 
-/* Returns whether the point is inside a primitive below the node, or the node has no
+/* Returns true if the point is inside a primitive below the node, or if the node has no
  * bound. */
 static bool may_be_inside(const struct evaluation *evaluation, uint64_t node)
 {
@@ -354,8 +354,8 @@ static bool may_be_inside(const struct evaluation *evaluation, uint64_t node)
     return may_be;
 }
 
-/* Visits the nodes of a region. If the point cannot be inside a node, the nodes below
- * it are skipped. */
+/* Visits the nodes of a region. If the point cannot be inside a node, skips the nodes
+ * below it. */
 static void visit_nodes(struct evaluation *evaluation, size_t i)
 {
     const struct stage *stage = evaluation->stage;
@@ -425,8 +425,8 @@ static void check_region(const struct stage *stage, size_t i, const char *text)
     }
 }
 
-/* The steps give the tree's value or, consistently, its complement. If the
- * point is outside of a node, the steps below the node are not needed. */
+/* The steps compute the value of the tree, or always its complement. If the point is
+ * outside of a node, the steps below the node are not needed. */
 TEST(steps)
 {
     enum { SCENES = 300, MAX = 40 };
@@ -442,7 +442,7 @@ TEST(steps)
 
 #define BALLS "#for (I, 0, 149) sphere { I*x, .6 } #end "
 
-/* In a tree of many parts, a point inside one part visits few nodes. */
+/* In a tree with many parts, a point inside one part visits few nodes. */
 TEST(many_parts)
 {
     static const char *const texts[] = {
@@ -462,8 +462,8 @@ TEST(many_parts)
     }
 }
 
-/* Each step has its own value, and each value but the last belongs to one step. Every
- * primitive therefore has a unique path to the root. */
+/* Each step has a value of its own, and each value except the last belongs to one step.
+ * Every primitive therefore has a unique path to the root. */
 TEST(values)
 {
     static const char *const texts[] = {
@@ -493,8 +493,8 @@ TEST(values)
     }
 }
 
-/* The body inside a region: its value, the complement of its value, or none if a part
- * is open or invisible. */
+/* The body inside a region is its value or the complement of its value. There is no
+ * body if a part is open or invisible. */
 TEST(bodies)
 {
     static const struct {

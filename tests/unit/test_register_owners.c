@@ -1,14 +1,14 @@
 /* test_register_owners.c - the reports of the check of shared registers are compared
- * with expected lines and names: programs that lose a register to another name have one
- * report; programs that save it, or name it by number, have none. A write that is
- * missed, or a report about a register that was restored, fails here.
+ * with expected lines and names. A program that loses a register to another name has
+ * one report. A program that saves the register, or names it by number, has no report.
+ * A write that is missed, or a report about a register that was restored, fails here.
  */
 
 #include "tests/oracle/register_owners.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/saved_machine.h"
 
-/* Runs a program to its end and compares the reports, "file:line" of each. */
+/* Runs a program to its end, and compares the reports: "file:line" of each. */
 static void check(const char *text, size_t count, const char *expected)
 {
     SCOPED(object) *program = good(text);
@@ -25,7 +25,7 @@ static void check(const char *text, size_t count, const char *expected)
             "%s%s", text, printed.text ? printed.text : "");
 }
 
-/* a and b are r5, u and p r20, v and q r21. */
+/* a and b are r5. u and p are r20. v and q are r21. */
 #define NAMES \
     " .include \"core.s\"\n .regs r4, z, a\n .regs r20, u, v\n" \
     " .share\n .reg b, r5\n .regs r20, p, q\n .endshare\n" \
@@ -37,15 +37,16 @@ static void check(const char *text, size_t count, const char *expected)
 #define V_OF_Q "r21 is read as 'v', but it is 'q'"
 
 struct lost {
-    const char *text;       /* follows NAMES */
-    unsigned read, written; /* lines, from 0 */
-    const char *names;      /* the register, its name and owner; NULL: A_OF_B */
+    const char *text;       /* text after NAMES */
+    unsigned read, written; /* line numbers, counted from 0 */
+    const char *names;      /* the register, its name and its owner; NULL: A_OF_B */
 };
 
 TEST(lost)
 {
     static const struct lost cases[] = {
-        /* As a source, a modified register, an index, an address, a link. */
+        /* The register is a source, a modified register, an index, an address or a
+         * link. */
         { " ES a, 1\n ES b, 2\n ADDX a, r8, r8\n", 2, 1, NULL },
         { " ES b, 1\n IS a, 2\n", 1, 0, NULL },
         { " ES b, 0\n EX r9, data\n LOD [r9, a], r9\n", 2, 0, NULL },
@@ -63,7 +64,7 @@ TEST(lost)
           " VTOV [r9], [r9] ? [a]\n",
           4, 1, NULL },
         { " EX z, data\n ELEN z, 1\n ES b, 1\n VTOV [z], [z, a]\n", 3, 2, NULL },
-        /* Written by other instructions. */
+        /* Other instructions write the register. */
         { " EX r9, on\n BSAVE b, [r9]\non: ADDX a, r8, r8\n", 2, 1, NULL },
         { " EX r9, data\n ELEN r9, 2\n PRODV [r9], b\n ADDX a, r8, r8\n", 3, 2, NULL },
         { " EX r9, data\n ELEN r9, 2\n SUMV [r9], p\n ADDX u, r8, r8\n", 3, 2, U_OF_P },
@@ -75,11 +76,11 @@ TEST(lost)
         { " EX r9, data\n ELEN r9, 2\n SWAP [r9], p, [r0]\n"
           " ADDX v, r8, r8\n",
           3, 2, V_OF_Q },
-        /* Saved, but owned by another name when it is read. */
+        /* The register was saved, but another name owns it when it is read. */
         { " ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], u, [r9]\n"
           " ES q, 8\n ADDX v, r8, r8\n SWAP [r9], r20, [r0]\n",
           5, 4, V_OF_Q },
-        /* The restored words are not the saved ones. */
+        /* The restored words are not the saved words. */
         { " ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], u, [r9]\n"
           " IX r9, 64\n STO [r9], r9\n IX r9, -64\n SWAP [r9], p, [r0]\n"
           " ADDX v, r8, r8\n",
@@ -100,24 +101,24 @@ TEST(left_alone)
 {
     static const char *const texts[] = {
         " ES a, 1\n ADDX a, r8, r8\n ES b, 2\n ADDX b, r8, r8\n",
-        /* Two names in one instruction; an alias. */
+        /* An instruction has two names. A name is an alias. */
         " ES b, 1\n ADDX a, b, r8\n",
         " .reg c, a\n ES c, 1\n ADDX a, r8, r8\n ES a, 1\n ADDX c, r8, r8\n",
         " ES a, 1\n .reg a, r5\n ADDX a, r8, r8\n",
-        /* By number. */
+        /* The register is named by number. */
         " ES r5, 1\n ADDX a, r8, r8\n ES b, 1\n ADDX r5, r8, r8\n",
-        /* Never written. */
+        /* The register was never written. */
         " ADDX a, r8, r8\n",
-        /* Saved and restored. */
+        /* The register was saved and restored. */
         " ES u, 6\n ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], p, [r9]\n"
         " ES p, 8\n ES q, 9\n ADDX p, q, q\n SWAP [r9], p, [r0]\n"
         " ADDX u, v, v\n",
         " ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], r20, [r9]\n"
         " ES q, 9\n SWAP [r9], r20, [r0]\n ADDX v, r8, r8\n",
-        /* Passed through memory. */
+        /* The value is passed through memory. */
         " ES u, 6\n ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], u, [r9]\n"
         " SWAP [r9], b, [r0]\n ADDX b, r8, r8\n",
-        /* Loaded again. */
+        /* The register is loaded again. */
         " ES v, 7\n EX r9, data\n ELEN r9, 2\n SWAP [r9], p, [r0]\n"
         " ADDX q, r8, r8\n SWAP [r9], u, [r0]\n ADDX v, r8, r8\n",
     };

@@ -1,12 +1,12 @@
-/* test_renaming.c - the final state of a random program is compared with that of the
- * same program with its registers permuted. A state or a clock that depends on the
- * names of registers fails here.
+/* test_renaming.c - the final state of a random program is compared with the final
+ * state of the same program with permuted registers. A state or a clock that depends on
+ * the names of registers fails here.
  *
  *   test_renaming [PROGRAMS]
  *
  * Both runs must end with the same numbers in corresponding registers, the same memory
- * and the same clocks. Register 0 keeps its name, and registers that an instruction
- * uses together (C and C+1) stay together.
+ * and the same clocks. Register 0 keeps its name. Registers that an instruction uses
+ * together (C and C+1) stay together.
  */
 #include "tests/oracle/operand_letters.h"
 #include "tests/unit/saved_machine.h"
@@ -14,13 +14,13 @@
 enum {
     DEFAULT_PROGRAMS = 2000,
     STEPS = 200,
-    PAIR = 2,       /* instructions after a prefix */
-    IN_HALVES = 128 /* registers that have half registers */
+    PAIR = 2,       /* number of instructions after a prefix */
+    IN_HALVES = 128 /* number of registers that have half registers */
 };
 
 static unsigned long program_count = DEFAULT_PROGRAMS;
 
-/* new_name[r]; tied[r]: r and r+1 stay together. */
+/* new_name[r] is the new name of r. tied[r] means that r and r+1 stay together. */
 struct renaming {
     uint8_t new_name[C205_REGISTERS];
     bool tied[C205_REGISTERS];
@@ -33,8 +33,9 @@ static const c205_insn *row_of(const struct program_insn *insn)
 
 /* ---- Programs ---------------------------------------------------------- */
 
-/* SWAP uses as many registers as its vectors have elements. A word that is not in the
- * table, or has bits that its format lacks, is not an instruction. */
+/* Returns false if the program has an instruction that cannot be renamed. SWAP is one,
+ * because it uses as many registers as its vectors have elements. A word that is not in
+ * the table, or has bits that its format does not have, is not an instruction. */
 static bool can_be_renamed(const struct random_program *program)
 {
     for (size_t i = 0; i < program->insn_count; i++) {
@@ -71,7 +72,7 @@ static size_t below(size_t n)
     return (size_t)(random_state >> 33) % n;
 }
 
-/* Shuffles the runs from `first` to end-1. */
+/* Shuffles the entries first .. end - 1. */
 static void shuffle(unsigned *order, unsigned first, unsigned end)
 {
     for (unsigned i = end - 1; i > first; i--) {
@@ -82,7 +83,7 @@ static void shuffle(unsigned *order, unsigned first, unsigned end)
     }
 }
 
-/* Groups of tied registers are shuffled as units. The first group begins with register
+/* Shuffles groups of tied registers as units. The first group begins with register
  * 0. */
 static void draw_names(struct renaming *renaming)
 {
@@ -102,7 +103,8 @@ static void draw_names(struct renaming *renaming)
             renaming->new_name[r] = (uint8_t)next++;
 }
 
-/* A sum needs an even register; with an odd one it must trap, so parity is kept. */
+/* A sum needs an even register, and traps with an odd one. Therefore the parity must
+ * not change. */
 static bool keeps_sums(const struct renaming *renaming,
                        const struct random_program *program)
 {
@@ -116,7 +118,7 @@ static bool keeps_sums(const struct renaming *renaming,
     return true;
 }
 
-/* A half register moves with its register. */
+/* Renames an instruction. A half register moves with its register. */
 static c205_word rename_insn(const struct renaming *renaming, const c205_insn *row,
                              c205_word word)
 {
@@ -150,8 +152,8 @@ static struct random_program rename_program(const struct renaming *renaming,
 
 /* ---- Runs of both machines --------------------------------------------- */
 
-/* Words of the program contain names. A program that reads or changes them behaves
- * differently after renaming. */
+/* Words of the program contain names of registers. A program that reads or changes them
+ * behaves differently after renaming. */
 static bool holds_code_address(const c205 *machine, unsigned number,
                                const struct random_program *program)
 {

@@ -1,7 +1,8 @@
-/* test_root_solver.c - the root solver as kernels call it: its scalar and its vector
- * routine solve random polynomials, with roots that are separate, double, triple and
- * fourfold; they are compared with each other bit for bit, and with the changes of sign
- * in small steps. A lane that ends early, or roots that are out of order, fail here.
+/* test_root_solver.c - the root solver as kernels call it. Its scalar and vector
+ * routines find the roots of random polynomials, with separate, double, triple and
+ * quadruple roots. The results are compared bit for bit with each other, and with the
+ * sign changes in small steps. A lane that ends early, or roots that are out of order,
+ * fail here.
  */
 #include <math.h>
 
@@ -16,7 +17,8 @@
 
 enum { LANES = 300, INPUTS = 8, OUTPUTS = 5 };
 
-/* Inputs: c4 .. c0, low, high, resolution. Outputs: four roots and their number. */
+/* The inputs are c4 .. c0, low, high and resolution. The outputs are four roots and
+ * their number. */
 struct lanes {
     c205_word in[LANES][INPUTS], out[LANES][OUTPUTS];
 };
@@ -120,8 +122,8 @@ static void run_scalar(struct lanes *lanes, const char *routine)
                           LANES * OUTPUTS));
 }
 
-/* Registers that the solver may change: link_inner, s0-s9, those that its first lines
- * name, and those of the program itself. */
+/* Returns true for registers that the solver may change: link_inner, s0-s9, the
+ * registers that its first lines name, and the registers of the test program. */
 static bool may_change(unsigned number)
 {
     return number == 3 || (number >= 6 && number <= 15) || number == 31 || number == 68
@@ -159,8 +161,8 @@ static void run_vector(struct lanes *lanes, const char *routine)
     }
 }
 
-/* Intervals about 0, like those of a ray about its closest approach; one in eight is
- * empty. */
+/* Fills the lanes with intervals about 0, like the interval of a ray about its closest
+ * approach. One in eight is empty. */
 static void fill(struct lanes *lanes, uint64_t *state)
 {
     for (int i = 0; i < LANES; i++) {
@@ -182,7 +184,7 @@ static double value(const c205_word *c, double t)
     return f;
 }
 
-/* The number of sign changes in small steps must be the number of roots. */
+/* The number of sign changes in small steps must equal the number of roots. */
 static void check_signs(const struct lanes *lanes, int lane, int found)
 {
     enum { STEPS = 4000 };
@@ -202,7 +204,7 @@ static void check_signs(const struct lanes *lanes, int lane, int found)
     assert_int_equal(seen, found);
 }
 
-/* The number of roots, and each root, must have the same bits. */
+/* The number of roots and all roots must be equal bit for bit. */
 static void assert_same_roots(const c205_word *a, const c205_word *b)
 {
     assert_int_equal(a[4], b[4]);
@@ -237,8 +239,8 @@ TEST(alone)
 
 enum { ROOTS = 4, ROUNDS = 8 };
 
-/* Roots of a polynomial. For complex pairs, `above` is the square of their distance
- * from the real axis. */
+/* The roots of a polynomial. For complex pairs, `above` is the squared distance from
+ * the real axis. */
 struct factors {
     double root[ROOTS], above[ROOTS / 2];
 };
@@ -249,8 +251,9 @@ static double tiny(uint64_t *state, int least)
     return xorshift(state) & 1 ? power : -power;
 }
 
-/* The root to which each root is equal or near, the complex pairs, and whether roots
- * are integers, so that values are 0 at ends, extrema and knots. */
+/* A kind of polynomial: the root that each root equals or is near to, the complex
+ * pairs, and whether roots are integers, so that the polynomial is 0 at ends, extrema
+ * and knots. */
 static const struct kind {
     int like[ROOTS];
     bool near, above[ROOTS / 2], whole;
@@ -300,7 +303,7 @@ static void expand(const struct factors *f, double scale, c205_word c[5])
         c[i] = c205_from_double(scale * sum[i]);
 }
 
-/* Returns whether the machine's value at t is positive or 0. */
+/* Returns true if the machine's value at t is not negative. */
 static bool is_positive(const c205_word *c, c205_word t)
 {
     uint64_t flags = 0;
@@ -311,8 +314,8 @@ static bool is_positive(const c205_word *c, c205_word t)
     return arith_not_less(f, C205_MACHINE_ZERO);
 }
 
-/* All kinds in turn. Every other polynomial is positive at both ends; one interval in
- * sixteen is empty. */
+/* Uses all kinds in turn. Every second polynomial is positive at both ends. One
+ * interval in sixteen is empty. */
 static void fill_touching(struct lanes *lanes, struct factors *factors,
                           double resolution, uint64_t *state)
 {
@@ -328,8 +331,8 @@ static void fill_touching(struct lanes *lanes, struct factors *factors,
     }
 }
 
-/* Roots must be in ascending order, followed by padding. Between two roots, and only
- * there, the sign must change, as far as roots of this resolution can show. */
+/* Roots must be in ascending order, followed by padding. The sign must change exactly
+ * between two roots, as far as roots with this resolution can show it. */
 static void check_order(const c205_word *in, const c205_word *out, int found)
 {
     double small = 1e-9 + 1000 * c205_to_double(in[7]);
@@ -351,7 +354,7 @@ static void check_order(const c205_word *in, const c205_word *out, int found)
     }
 }
 
-/* Returns whether all roots are separate enough to be found. */
+/* Returns true if all roots are separate enough to be found. */
 static bool are_far(const struct factors *f)
 {
     for (int i = 0; i < ROOTS; i++)
@@ -396,8 +399,8 @@ TEST(signs)
     }
 }
 
-/* Two roots whose distance is below the resolution of 1e-3, so that they could be
- * returned in the wrong order. */
+/* Two roots are nearer than the resolution of 1e-3, so that they could be returned in
+ * the wrong order. */
 TEST(signs_ascend)
 {
     static const double c[INPUTS] = { 1,
@@ -420,7 +423,7 @@ TEST(signs_ascend)
     check_parity(scalar.in[0], scalar.out[0]);
 }
 
-/* Without double roots, both entry points give the same result. */
+/* Without double roots, both entry points have the same result. */
 TEST(signs_of_sharp)
 {
     static struct lanes all, signs;

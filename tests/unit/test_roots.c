@@ -1,5 +1,5 @@
-/* test_roots.c - the programs of rt205 quartic: roots of 33 quartics, cubics,
- * quadratics and lines, of all magnitudes, are compared with their known roots, in both
+/* test_roots.c - the programs of rt205 quartic. Roots of 33 quartics, cubics,
+ * quadratics and lines of all magnitudes are compared with their known roots, in both
  * forms and by every rule of the regula falsi. A root that is lost at a bound, a double
  * root that is counted twice, or an overflow fails here.
  */
@@ -14,7 +14,7 @@
 
 static const struct known {
     const char *c[5], *bound;
-    const char *roots; /* separated by blanks; to 1e-10 */
+    const char *roots; /* separated by blanks, with an accuracy of 1e-10 */
 } known[] = {
     { { "1", "-10", "35", "-50", "24" }, "0", "1 2 3 4" },
     { { "1", "-10", "35", "-50", "24" }, "1", "2 3 4" },
@@ -110,7 +110,7 @@ TEST(known)
     }
 }
 
-/* Progress never decreases and ends with all. */
+/* The progress never decreases, and ends with the number of all polynomials. */
 static bool note_progress(void *context, size_t done, size_t all)
 {
     size_t *last = context;
@@ -135,7 +135,7 @@ TEST(progress)
     }
 }
 
-/* The constants of enum falsi are those of the kernels. */
+/* The constants of enum falsi must equal the constants of the kernels. */
 TEST(falsi)
 {
     static const struct {
@@ -186,7 +186,7 @@ static struct iterations watched(enum trace_mode mode, size_t queue)
 }
 
 /* In every form and with every queue, the same brackets are refined in the same number
- * of steps. A lane in the loop may already be finished. */
+ * of steps. A lane in the loop may be finished. */
 TEST(iterations)
 {
     static const size_t queues[] = { 1, 7, 2000 };

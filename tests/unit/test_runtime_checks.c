@@ -1,7 +1,7 @@
-/* test_runtime_checks.c - runtime warnings are compared with expected ones, with their
- * lines, for faulty programs and for correct ones that are similar; the loss of bits is
- * compared with the arithmetic of the machine. A warning that is missing or false fails
- * here. */
+/* test_runtime_checks.c - runtime warnings are compared with expected warnings and
+ * their lines, for faulty programs and for similar correct programs. The loss of bits
+ * is compared with the arithmetic of the machine. A warning that is missing or false
+ * fails here. */
 #include <math.h>
 
 #include "tests/unit/saved_machine.h"
@@ -27,8 +27,8 @@ static char *watched(const struct object *object, const struct warning_choice *c
     return report.text;
 }
 
-/* Fails unless the program causes exactly one warning, which contains these words, or
- * none for "". */
+/* Fails unless the program causes exactly one warning, which contains `said`, or no
+ * warning if `said` is "". */
 static void check(const char *text, const char *said)
 {
     static const struct warning_choice all;
@@ -47,7 +47,7 @@ static void check(const char *text, const char *said)
     " descriptor xs, x, 3\n descriptor fs, f, 3\n descriptor ys, y, 3\n" \
     " descriptor zs, odd, 3\n"
 #define LINE "test.s:14:2: warning: "
-/* Checks a program of the data, these instructions and EXIT. */
+/* Checks a program that consists of the data, these instructions and EXIT. */
 #define check_data(instructions, said) check(DATA instructions " EXIT\n", said)
 
 TEST(integers)
@@ -128,12 +128,12 @@ TEST(indices)
 
 TEST(storage)
 {
-    /* A result without elements keeps its length. */
+    /* A result without elements does not change its length. */
     check(DATA
           " EX ys, y\n ELEN zs, 1\n CPSV [fs], [ys] ? [zs]\n ADDNV [ys], [ys], [ys]\n "
           "EXIT\n",
           "");
-    /* After the end nothing is executed. */
+    /* After the end no instruction is executed. */
     check_data(" ES a, 11\n EXIT\n STO [ys, a], a\n", "");
     check_data(" ES a, 11\n STO [ys, a], a\n", "index 11 is beyond the storage of 'y'");
     check_data(" ELEN ys, 4\n VTOV [fs], [ys]\n",
@@ -161,7 +161,7 @@ TEST(storage)
           "'y' ends at 800240");
 }
 
-/* A program that executes an instruction `times` times with numbers and once more with
+/* A program that executes an instruction `times` times with numbers, and once more with
  * integers. */
 #define LATE(times) \
     DATA " ES r20, " #times "\n EX r21, top\n ES r24, 1\n ES r25, 2\n" \
@@ -220,8 +220,8 @@ static double exact(char sign, double a, double b)
     return sign == '+' ? a + b : sign == '-' ? a - b : sign == '*' ? a * b : a / b;
 }
 
-/* A loss must be reported exactly if the error of the machine's result is larger than
- * allowed. */
+/* A loss must be reported if and only if the error of the machine's result is larger
+ * than allowed. */
 static void check_loss(const char *mnemonic, arith_binary *operation, char sign,
                        bool half, uint64_t *seed)
 {

@@ -21,7 +21,7 @@ static size_t between(size_t low, size_t high)
     return (size_t)xorshift_between(&state, (int64_t)low, (int64_t)high);
 }
 
-/* Draws an integer whose number of bits is uniform, from 1 bit on. */
+/* Returns a random integer. Its number of bits is uniform, and at least 1. */
 static uint64_t some_integer(unsigned bits)
 {
     return xorshift(&state) >> between(64 - bits, 63);
@@ -41,7 +41,7 @@ static void make(const struct point_kind *kind, const struct point_choice *choic
 
 /* ---- Comparison with the definition ------------------------------------- */
 
-/* Positions of a generator that is stepped one by one. */
+/* Positions are compared with a generator that is stepped one by one. */
 TEST(positions)
 {
     uint64_t x = 1;
@@ -59,7 +59,7 @@ static int by_size(const void *a, const void *b)
     return (first > second) - (first < second);
 }
 
-/* The closest two of consecutive seeds are far apart in the stream. */
+/* The two closest of consecutive seeds are far apart in the stream. */
 TEST(seeds)
 {
     enum { SEEDS = 100000 };
@@ -167,7 +167,7 @@ TEST_CALL(lattice_numbers, compare_numbers(true))
 
 /* ---- Cuts ---------------------------------------------------------------- */
 
-/* Points in two calls, in queues of other lengths, must equal those of one call. */
+/* Points in two calls, with other queue lengths, must equal the points in one call. */
 static void compare_cut(bool lattice)
 {
     struct point_kind kind = some_kind(lattice);
@@ -199,7 +199,7 @@ TEST(cuts)
 
 /* ---- Integration ---------------------------------------------------------- */
 
-/* In each coordinate, every one of N cells contains exactly one of N points. */
+/* In each coordinate, each of N cells contains exactly one of N points. */
 TEST(cells)
 {
     enum { LOG = 12, CELLS = 1 << LOG };
@@ -224,8 +224,8 @@ TEST(cells)
 
 enum { M = 10, N = 1 << M, SHIFTS = 16, DIMENSIONS = 4 };
 
-/* Returns the mean of the product of 1 + (u_j - 1/2) over the first coordinates. Its
- * integral is 1; the function is smooth and not periodic. */
+/* Returns the product of 1 + (u_j - 1/2) over the first coordinates, as the mean over
+ * all points. Its integral is 1. The function is smooth and not periodic. */
 static double mean_of_function(const c205_word *point)
 {
     double sum = 0;
@@ -259,15 +259,16 @@ static struct estimate estimate(struct point_maker *maker, bool lattice, uint64_
     return (struct estimate){ sum / SHIFTS, sqrt(squares / (SHIFTS - 1) / SHIFTS) };
 }
 
-/* Over many seeds: the root mean square error, the fraction of Student's 95 % intervals
- * that contain the exact value, and the mean error in standard errors. */
+/* Properties over many seeds: the root mean square error, the fraction of Student's 95
+ * % intervals that contain the exact value, and the mean error in standard errors. */
 struct quality {
     double error, covered, bias;
 };
 
 static struct quality try_seeds(bool lattice, size_t seeds)
 {
-    static const double student = 2.1314; /* 97.5 %, 15 degrees of freedom */
+    static const double student = 2.1314; /* 97.5 % quantile for 15 degrees of
+                                           * freedom */
     const struct point_kind kind = { .form = POINTS_VECTOR,
                                      .lattice = lattice,
                                      .numbers = true,

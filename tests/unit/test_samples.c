@@ -1,4 +1,4 @@
-/* test_samples.c - several rays per pixel: the pixels are compared with the means, in
+/* test_samples.c - several rays for each pixel. The pixels are compared with means, in
  * linear light, of a frame that has a pixel for each ray, in all forms and orders. A
  * sample that is lost or weighted twice fails here. */
 #define SMALL_FRAMES
@@ -52,7 +52,7 @@ static void check_pixel(const struct frame *pixels, const struct frame *samples,
     }
 }
 
-/* Compares a frame with one that has a pixel for each ray. */
+/* Compares a frame with a frame that has a pixel for each ray. */
 static uint64_t check_means(const struct scene *scene, size_t width, size_t height,
                             size_t n)
 {
@@ -106,7 +106,7 @@ TEST_CALL(linear, check_scene(linear, 6))
 /* With an assumed gamma other than 1, samples are averaged in linear light. */
 TEST_CALL(gamma, check_scene(curved, 4))
 
-/* One sample per pixel equals the default. */
+/* One sample for each pixel is the same as the default. */
 TEST(one)
 {
     SCOPED(scene) *scene = read_text(curved);

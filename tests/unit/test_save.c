@@ -1,7 +1,7 @@
-/* test_save.c - saving and restoring: runs of examples and kernels with a save and a
- * restore on the way are compared with runs without, and saved machines that are
- * truncated, damaged, forged or of another model are rejected. State that is not saved,
- * or bytes that are accepted without their hash, fail here.
+/* test_save.c - saving and restoring machines. Runs of examples and kernels that are
+ * interrupted by a save and a restore are compared with uninterrupted runs. Saved
+ * machines that are truncated, damaged, forged or of another model are rejected. State
+ * that is not saved, or bytes that are accepted without their hash, fail here.
  */
 #include "tests/unit/prior_model.h"
 #include "tests/unit/saved_machine.h"
@@ -25,7 +25,8 @@ static c205_stop run_in_pieces(c205 **machine, uint64_t clocks)
     return stop;
 }
 
-/* Runs a saved state to its end, in one run and in slices of `clocks`. */
+/* Runs a saved machine to its end, once in one run and once in slices of `clocks`
+ * clocks. */
 static void compare_runs(const struct bytes *begin, uint64_t clocks)
 {
     SCOPED(c205) *whole = restore(begin, prior_model);
@@ -96,7 +97,7 @@ TEST(access)
                      C205_TRAP_PROTECTED_ADDRESS);
 }
 
-/* A page that was never accessed is saved as a page of zeros; saving does not allocate
+/* A page that was never accessed is saved as a page of zeros. Saving does not allocate
  * it. */
 TEST(untouched)
 {
@@ -184,7 +185,7 @@ static void assert_rejected(const void *bytes, size_t count, const c205_model *o
             error.message, why);
 }
 
-/* Each part has an allocation of exact size, so that reads after its end are
+/* Each part has an allocation of exactly its size, so that reads after its end are
  * detected. */
 TEST(truncated)
 {
@@ -211,8 +212,8 @@ TEST(flipped)
     assert_rejected(bytes.byte, bytes.count, prior_model, "damaged");
 }
 
-/* With a correct hash, any word may have any value: the result is an error or a machine
- * that runs. */
+/* With a correct hash, any word may have any value. The result must be an error, or a
+ * machine that runs. */
 static void try_word(struct bytes *bytes, size_t i, uint64_t word)
 {
     uint64_t before = get_word(bytes, i);
@@ -238,7 +239,7 @@ TEST(forged)
     size_t words = bytes.count / WORD_BYTES;
     for (size_t i = 0; i + 1 < words; i++) {
         uint64_t random = xorshift(&random_state);
-        try_word(&bytes, i, words - i); /* one more than follow */
+        try_word(&bytes, i, words - i); /* one more than the words that follow */
         try_word(&bytes, i, 0);
         try_word(&bytes, i, UINT64_MAX);
         try_word(&bytes, i, get_word(&bytes, i) + 1);
@@ -259,7 +260,7 @@ TEST(foreign)
     assert_rejected(bytes.byte, bytes.count, prior_model, "another version");
 }
 
-/* A model with other names and sources but the same constants is accepted. */
+/* A model with other names and sources, but the same constants, is accepted. */
 TEST(same_constants)
 {
     static const char text[] = "title As before\nlike cyber205-2pipe-prior\n"

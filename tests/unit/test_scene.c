@@ -1,6 +1,6 @@
-/* test_scene.c - the scene language: the fields of scenes are compared with expected
- * values; those marked POV-Ray were printed by POV-Ray 3.7 for the same text. A wrong
- * default, operator, transform or inherited material fails here. */
+/* test_scene.c - the scene language. The fields of scenes are compared with expected
+ * values. Values that are marked POV-Ray were printed by POV-Ray 3.7 for the same text.
+ * A wrong default, operator, transform or inherited material fails here. */
 #include "tests/unit/scene_reading.h"
 
 #include "base/file.h"
@@ -50,7 +50,8 @@ TEST(expressions)
         { "(1 <= 1)", 1 },
         { "(2 > 1 ? 5 : 6)", 5 },
         { "(2 < 1 ? 5 : 6)", 6 },
-        { "(1 | 1 & 0)", 0 }, /* POV-Ray: one precedence, left to right */
+        { "(1 | 1 & 0)", 0 }, /* POV-Ray: both operators have the same precedence, from
+                               * left to right */
         { "(1 & 0 | 1)", 1 },
         { "(3 > 2 = 1)", 1 },
         { "yes + true + on - no", 3 },
@@ -106,7 +107,7 @@ struct vector_row {
     double vector[3];
 };
 
-/* Values of POV-Ray: rotations are left-handed. */
+/* The values come from POV-Ray. Rotations are left-handed. */
 TEST(rotations)
 {
     static const struct vector_row rows[] = {
@@ -127,7 +128,7 @@ TEST(rotations)
     }
 }
 
-/* Values of POV-Ray. */
+/* The values come from POV-Ray. */
 TEST(colors)
 {
     static const struct vector_row rows[] = {
@@ -242,7 +243,7 @@ TEST(orthographic)
 TEST(transforms)
 {
     static const struct vector_row rows[] = {
-        /* images of <1, 2, 3> */
+        /* images of the point <1, 2, 3> */
         { "translate <1, 0, 2>", { 2, 2, 5 } },
         { "scale <2, 3, -1>", { 2, 6, -3 } },
         { "scale 2", { 2, 4, 6 } },
@@ -281,7 +282,8 @@ TEST(no_transform)
     assert_false(scene->primitives[1].transformed); /* 0 became 1 */
 }
 
-/* Fails unless the pattern's x at a world point is as expected. */
+/* Fails unless the x coordinate of the pattern at a point in world space is as
+ * expected. */
 static void assert_pattern_at(const struct pigment *pigment, double world_x,
                               double pattern_x)
 {
@@ -346,13 +348,13 @@ TEST(unions)
     assert_true(p[1].no_shadow && p[2].no_shadow && p[4].no_shadow);
 }
 
-/* The last kind of a light counts. Its target moves with it. */
+/* The last kind of a light is used. Its target moves with it. */
 TEST(beams)
 {
     static const struct {
         const char *text;
-        /* Position, point_at, kind, radius, falloff, tightness, the distance and power
-         * of fading, whether parallel and whether shadowless. */
+        /* Position, point_at, kind, radius, falloff, tightness, fade distance and fade
+         * power, then whether it is parallel and shadowless. */
         double numbers[14];
     } rows[] = {
         { "#declare L = light_source { <0, 4, 0>, 1 spotlight point_at x radius 10"
@@ -443,7 +445,7 @@ TEST(settings)
     assert_close(scene->adc_bailout, .01, CLOSE);
 }
 
-/* The smallest and the largest level, and the values outside. */
+/* The smallest and the largest level, and values outside of this range. */
 TEST(trace_levels)
 {
     static const int levels[] = { 1, 256 };
@@ -456,7 +458,7 @@ TEST(trace_levels)
     assert_refused("global_settings { max_trace_level 257 }", 1, "between 1 and 256");
 }
 
-/* As in POV-Ray 3.7, the version at the end of the text counts. */
+/* As in POV-Ray 3.7, the version at the end of the text is used. */
 TEST(gamma_of_versions)
 {
     static const struct {
@@ -521,7 +523,7 @@ TEST(manual)
 {
     static const struct {
         const char *page;
-        size_t examples; /* at least */
+        size_t examples; /* least number of examples */
     } rows[] = {
         { "docs/scenes.md", 8 },
         { "docs/objects.md", 9 },

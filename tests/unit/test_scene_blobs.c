@@ -1,5 +1,5 @@
-/* test_scene_blobs.c - blobs of the scene language: the components, motions, materials,
- * pieces and table rows of texts are compared with those computed by hand. A motion in
+/* test_scene_blobs.c - blobs of the scene language. The components, motions, materials,
+ * pieces and table rows of texts are compared with values computed by hand. A motion in
  * the wrong order, a material of the wrong component, or an error at another column
  * fails here.
  */
@@ -46,7 +46,7 @@ TEST(components)
     assert_close(other->primitives->shape.blob.threshold, 1, 0);
 }
 
-/* A component moves within the blob, then with it. */
+/* A component first moves within the blob, then with the blob. */
 TEST(motions)
 {
     SCOPED(scene) *scene = read_scene(
@@ -61,8 +61,8 @@ TEST(motions)
     assert_close(scene->primitives->to_world.rows[1][3], 3, 0);
 }
 
-/* All materials of components cause one report; the material of the blob is used, or
- * the first one. */
+/* All materials of components cause one report. The material of the blob is used, or
+ * else the first of them. */
 TEST(looks)
 {
     static const char text[] =
@@ -125,8 +125,8 @@ TEST(pieces)
                      4);
 }
 
-/* Rows of the table describe a component's own space: its radius is one, its base the
- * origin, its axis along z. */
+/* A row of the table describes a component in its own space. The radius is one, the
+ * base is the origin, and the axis is z. */
 TEST(rows)
 {
     enum { ROW = 20, LENGTH = 7, MATRIX = 8 };

@@ -1,5 +1,5 @@
-/* test_scene_csg.c - the scene language: the trees, materials and interiors of solids
- * are compared with expected ones. A wrong operation, complement or body fails here.
+/* test_scene_csg.c - the scene language. The trees, materials and interiors of solids
+ * are compared with expected values. A wrong operation, complement or body fails here.
  *
  * The texts are deeply nested, so the test is slow with the leak sanitizer.
  */
@@ -7,7 +7,7 @@
 
 /* ---- Trees -------------------------------------------------------------- */
 
-/* Writes a region as text: `&(a, b)`, `|(a, b)`, `!a`; a leaf is its index. */
+/* Writes a region as text: `&(a, b)`, `|(a, b)` or `!a`. A leaf is its index. */
 static size_t write_tree(const struct scene *scene, size_t i, FILE *out)
 {
     static const char signs[] = { ' ', '&', '|', '!' };
@@ -117,7 +117,8 @@ TEST(trees)
           "|(0,1) ++" },
         { "union { " A B " bounded_by { box { -.9, 2 } scale 1.2 } }", "0 1 ++" },
         { "union { " A B " bounded_by { clipped_by } }", "0 1 ++" },
-        /* As in POV-Ray, surfaces are not inverted, also within an inverted solid. */
+        /* As in POV-Ray, surfaces are not inverted, not even within an inverted
+         * solid. */
         { "difference { " B " mesh { " E " inside_vector z } }", "&(0,!(1)) +-" },
         { "union { " B E A " inverse }", "&(!(0),1,!(2)) -+-" },
         { "object { union { " B E " inverse } inverse }", "|(0,1) ++" },
@@ -140,8 +141,8 @@ TEST(trees)
         check_regions(reported[i][0], 1, reported[i][1]);
 }
 
-/* A clipping shape is invisible, casts no shadow and gets no material. Transformations
- * after it move it. */
+/* A clipping shape is invisible, casts no shadow and gets no material. Transforms after
+ * it move it. */
 TEST(clips)
 {
     SCOPED(scene) *scene = read_scene(
@@ -158,7 +159,7 @@ TEST(clips)
     assert_close(p[1].ior, 1, CLOSE);
 }
 
-/* A transformation of the solid moves all parts. */
+/* A transform of the solid moves all parts. */
 TEST(transforms)
 {
     SCOPED(scene) *scene = read_scene("#declare H = difference { " A
@@ -173,9 +174,9 @@ TEST(transforms)
 }
 
 /* no_shadow applies to a solid as a unit, and to each part of a union separately. An
- * object hides all parts that have no word of their own. On a part of a solid the words
- * have no effect. The letters s, i and r of each primitive are no_shadow, no_image and
- * no_reflection; `-` is none. */
+ * object hides all parts without such a keyword. On a part of a solid the keywords have
+ * no effect. For each primitive the letters s, i and r mean no_shadow, no_image and
+ * no_reflection; `-` means none. */
 TEST(hidden)
 {
     static const char *const rows[][2] = {
@@ -257,7 +258,7 @@ TEST(interiors)
         assert_close(scene->primitives[i].ior, expected[i], 0);
 }
 
-/* Compares the bodies of the primitives, written as letters from `a`; `.` is an
+/* Compares the bodies of the primitives. They are letters from `a` on. `.` is an
  * invisible primitive. */
 static void check_bodies(const char *text, const char *expected)
 {
@@ -280,8 +281,8 @@ static void check_bodies(const char *text, const char *expected)
 
 #define FILLED "sphere { 0, 1 interior { ior 1.5 } } "
 
-/* Each object of the scene is a body. Each interior is a separate body wherever it is
- * used, by name and in copies. */
+/* Each object of the scene is a body. Each use of an interior is a separate body, by
+ * name and in copies. */
 TEST(bodies)
 {
     static const char *const rows[][2] = {
@@ -321,7 +322,7 @@ TEST(bodies)
         check_bodies(rows[i][0], rows[i][1]);
 }
 
-/* The result of one statement of the scene is one object, whatever its parts. */
+/* The result of one statement of the scene is one object, whatever its parts are. */
 TEST(objects)
 {
     static const size_t expected[] = { 0, 1, 1, 1, 2, 2, 3, 4 };
@@ -334,7 +335,7 @@ TEST(objects)
         assert_int_equal(scene->primitives[i].object, expected[i]);
 }
 
-/* Materials by name, with further words after the name. */
+/* Materials by name. Further words follow the name. */
 TEST(materials)
 {
     SCOPED(scene) *scene = read_scene(
@@ -390,8 +391,8 @@ TEST(clear_pigments)
     }
 }
 
-/* A second reflection keeps the values of the first that it does not set, as measured
- * in POV-Ray. */
+/* A second reflection keeps the values of the first that it does not set, as was
+ * measured in POV-Ray. */
 TEST(reflections)
 {
     static const struct {
@@ -441,7 +442,7 @@ TEST(deep_text)
     assert_refused(text, 3, "levels of nesting");
 }
 
-/* The limit for a union is that of a scene; a single solid has a lower one. */
+/* A union and a scene have the same limit. A single solid has a lower limit. */
 TEST(large_solids)
 {
     char text[2000] = "#declare U = union { " A " " A " }";
@@ -455,7 +456,7 @@ TEST(large_solids)
     assert_refused(text, 1, "more than 10000 primitives in one solid");
 }
 
-/* Many levels of named solids: copies are counted. */
+/* Many levels of named solids. Copies are counted. */
 TEST(deep_names)
 {
     FREED char *solids = repeated("#declare H = " A " ",

@@ -1,6 +1,6 @@
-/* test_scene_invisible.c - invisible shapes: the reports and the frames are compared with
- * those of the scene without them. A shape that is reported twice, or is not the empty
- * set in a solid, fails here. */
+/* test_scene_invisible.c - invisible shapes. The reports and the frames are compared
+ * with the scene without the shapes. A shape that is reported twice, or is not the
+ * empty set in a solid, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
@@ -8,7 +8,7 @@
 
 #define ZEROS_10 "0, 0, 0, 0, 0, 0, 0, 0, 0, 0"
 
-/* P and Q are points, R is positive. The last brace is missing. */
+/* P and Q are points, and R is positive. The last brace is missing. */
 static const struct {
     enum primitive_kind kind;
     const char *text;
@@ -84,7 +84,7 @@ static const struct {
 #define GROUND "plane { y, -1 pigment { rgb .5 } }\n"
 #define BALL "sphere { 0, 1 pigment { rgb 1 }"
 
-/* Places of a shape: the text before it and after it. `ball` is true if the ball is
+/* Places of a shape: the text before and after the shape. `ball` is true if the ball is
  * visible. */
 static const struct {
     const char *before, *after;
@@ -161,7 +161,7 @@ TEST(invisible)
     free(without[1]);
 }
 
-/* Shapes without height or ring that are visible, and equal shapes. */
+/* Shapes without height or without a ring that are visible, and equal shapes. */
 TEST(without_height)
 {
     static const struct {

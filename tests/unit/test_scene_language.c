@@ -1,6 +1,6 @@
-/* test_scene_language.c - the scene language: values, strings, arrays, conditions and
- * loops are compared with POV-Ray's output, and errors with their places. A wrong
- * value, or an error at another place, fails here. */
+/* test_scene_language.c - the scene language. Values, strings, arrays, conditions and
+ * loops are compared with POV-Ray's output, and errors with their positions. A wrong
+ * value, or an error at another position, fails here. */
 #include "tests/unit/scene_reading.h"
 
 #include "base/file.h"
@@ -176,7 +176,7 @@ TEST(debug)
     assert_string_equal(said(&reports), "one, 2.0\nthree\n");
 }
 
-/* A report with one place and text is issued once. */
+/* A report with the same place and text is issued only once. */
 TEST(warnings)
 {
     static const char text[] = "#for (I, 1, 9)\n"

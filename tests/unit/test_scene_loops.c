@@ -1,4 +1,4 @@
-/* test_scene_loops.c - random nests of directives at every place of every list are
+/* test_scene_loops.c - random nests of directives at every position of every list are
  * compared with the same text without directives. A directive that ends a list, or a
  * lost iteration, fails here.
  *

@@ -1,6 +1,6 @@
-/* test_scene_macros.c - the scene language: the results of macros and loops, and the
- * places of their errors, are compared with expected ones. A wrong argument, a lost
- * call, or a text that is read without end, fails here. */
+/* test_scene_macros.c - the scene language. The results of macros and loops, and the
+ * positions of their errors, are compared with expected values. A wrong argument, a
+ * lost call, or a text that is read without end, fails here. */
 #include "tests/unit/scene_reading.h"
 
 #include <time.h>
@@ -60,7 +60,7 @@ TEST(spheres)
     }
 }
 
-/* The line of a primitive is that of the call in the main file. */
+/* The line of a primitive is the line of the call in the main file. */
 TEST(lines)
 {
     SCOPED(scene) *scene = read_scene("#macro S(R)\n  sphere { 0, R }\n#end\n"

@@ -1,6 +1,6 @@
-/* test_scene_maps.c - the scene language: colour maps, patterns and skies are compared
- * with expected entries. A stop out of order, a lost wave or a missing transformation
- * fails here. */
+/* test_scene_maps.c - the scene language. Colour maps, patterns and skies are compared
+ * with expected entries. A stop out of order, a lost wave or a missing transform fails
+ * here. */
 #include "rt/scene/transform.h"
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
@@ -15,7 +15,8 @@ static void check_map(const struct color_map *map, const char *expected)
     assert_string_equal(found, expected);
 }
 
-/* Checks the pigment of a sphere, given directly, by name, and in a named texture. */
+/* Checks the pigment of a sphere. It is written directly, by name, and in a named
+ * texture. */
 static void check_pigment(const char *words, enum pigment_kind kind,
                           const char *expected)
 {
@@ -57,7 +58,7 @@ TEST(patterns)
           TWO },
         { PIGMENT_GRADIENT,
           "gradient x color_map { #for (I, 0, 1) [I/2 rgb <1 - I, 0, I>] #end }", TWO },
-        /* The oldest form; a decreasing value; values outside of 0 to 1. */
+        /* The oldest form, a decreasing value, and values outside of 0 to 1. */
         { PIGMENT_GRADIENT,
           "gradient z color_map { [0, .5 color rgb x color rgb y]"
           " [.5, 1 color rgb z color rgb 1] }",
@@ -97,7 +98,7 @@ TEST(patterns)
     assert_int_equal(pattern.function, PATTERN_GRADIENT);
 }
 
-/* Compares the colours of a list, which may have waves. */
+/* Compares the colours of a list. They may have waves. */
 static void check_list(const char *words, const char *expected)
 {
     char found[512] = "", *to = found;
@@ -131,8 +132,8 @@ TEST(lists)
                "1,0,0 0.666667,0,0.333333 0,0,1 ");
 }
 
-/* A pattern that replaces another keeps its waves. One that replaces a list has no
- * waves (frequency 0), unless it sets a frequency. */
+/* A pattern that replaces another pattern keeps the waves. A pattern that replaces a
+ * list has no waves (frequency 0), unless it sets a frequency. */
 TEST(waves_stay)
 {
     struct pattern pattern = pattern_of(
@@ -186,8 +187,8 @@ TEST(named_maps)
     assert_int_equal(p[3].pigment.kind, PIGMENT_COLOR);
 }
 
-/* As in POV-Ray, the colours of a checker form a map from 0 to 1 for a gradient that
- * replaces it. */
+/* As in POV-Ray, if a gradient replaces a checker, the checker's colours form a map
+ * from 0 to 1. */
 TEST(gradients_after_checkers)
 {
     static const struct {
@@ -211,7 +212,7 @@ TEST(gradients_after_checkers)
     }
 }
 
-/* An unsupported pattern gives the first colour of its map. */
+/* For an unsupported pattern, the first colour of its map is used. */
 TEST(other_patterns)
 {
     SCOPED(scene) *scene = read_with(

@@ -1,15 +1,15 @@
-/* test_scene_materials.c - the scene language: reports about named materials are
- * compared with the objects that use them, over texts and random scenes. A report
- * without a use, or a use without a report, fails here. */
+/* test_scene_materials.c - the scene language. Reports about named materials are
+ * compared with the objects that use the materials, over texts and random scenes. A
+ * report without a use, or a use without a report, fails here. */
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
 /* ---- Reports and their places ------------------------------------------ */
 
-/* Each text has exactly this report, or none. */
+/* Each text has exactly this report, or no report. */
 TEST(reported_when_used)
 {
-    /* Column 0: no report. The message is the end of the report's. */
+    /* Column 0: no report. `message` is the end of the report. */
     static const struct line_error rows[] = {
         { "#declare F = finish { crand 1 }", 0, "" },
         { "#declare F = finish { crand 1 } #declare G = finish { F }", 0, "" },
@@ -96,14 +96,14 @@ TEST(reported_when_used)
     }
 }
 
-/* Random objects, some with names, built from each other. The note of a material is
- * reported if and only if an object of the scene uses the material. */
+/* Random objects, some of which have names, are built from each other. A material is
+ * reported if and only if an object of the scene uses it. */
 enum { NAMES = 12, LOOKS = 4 };
 struct drawing {
     FILE *text;
     uint64_t random;
     size_t names;
-    unsigned has[NAMES]; /* bits: materials of each name */
+    unsigned has[NAMES]; /* bits: the materials of each name */
 };
 
 /* Adds a sphere with a material, a named object, or a union of both. */
@@ -133,7 +133,8 @@ static unsigned put_thing(struct drawing *drawing)
     }
 }
 
-/* Declares the materials in the first lines. Returns those that the scene uses. */
+/* Declares the materials in the first lines. Returns the materials that the scene
+ * uses. */
 static unsigned draw(struct drawing *drawing)
 {
     static const char *const words[LOOKS] = { "crand", "irid", "subsurface",
@@ -183,8 +184,8 @@ TEST(reported_by_chance)
 
 /* ---- Maps and layers ---------------------------------------------------- */
 
-/* The first colour of a map, of a list or of layers that are not supported is used.
- * Only the last text, whose upper layer is opaque, causes no report. */
+/* For an unsupported map, list or layers, the first colour is used. Only the last text,
+ * whose upper layer is opaque, causes no report. */
 TEST(maps_and_layers)
 {
     static const char *const texts[] = {

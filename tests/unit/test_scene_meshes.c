@@ -1,6 +1,6 @@
-/* test_scene_meshes.c - the scene language: the triangles of triangle, smooth_triangle,
- * mesh and mesh2 are compared with expected ones and, over random meshes, with each
- * other. A wrong index, normal or texture fails here. */
+/* test_scene_meshes.c - the scene language. The triangles of triangle, smooth_triangle,
+ * mesh and mesh2 are compared with expected triangles and, over random meshes, with
+ * each other. A wrong index, normal or texture fails here. */
 #include "tests/random.h"
 #include "tests/unit/random_mesh.h"
 #include "tests/unit/scene_reading.h"
@@ -35,7 +35,7 @@ TEST(lone_triangles)
     assert_vector(smooth->normals[0], 0, 0, -1);
     assert_vector(smooth->normals[1], 0, 0, -1);
     assert_vector(smooth->normals[2], -HALF, 0, -HALF);
-    assert_true(triangles_of_part(scene, 2)->list->smooth); /* equal normals */
+    assert_true(triangles_of_part(scene, 2)->list->smooth); /* its normals are equal */
     assert_vector(triangles_of_part(scene, 2)->list->normals[1], HALF, 0, HALF);
     assert_int_equal(scene->primitives[2].line, 3);
     assert_ptr_equal(triangles_of_part(scene, 3)->list,
@@ -58,13 +58,13 @@ TEST(meshes)
     const struct triangles *triangles = triangles_of_part(scene, 0);
     const struct primitive *p = scene->primitives;
     assert_int_equal(scene->primitive_count, 2);
-    assert_int_equal(triangles->count, 9); /* one has no area */
+    assert_int_equal(triangles->count, 9); /* one triangle has no area */
     assert_vector(triangles->list[3].corners[2], 0, 0, 3);
     assert_vector(triangles->list[5].corners[0], 1, 2, 3);
     assert_true(triangles->list[6].smooth);
     assert_vector(triangles->list[6].normals[0], 0, 0, 1);
     assert_vector(triangles->list[6].normals[2], HALF, 0, HALF);
-    assert_false(triangles->list[7].smooth); /* equal normals */
+    assert_false(triangles->list[7].smooth); /* its normals are equal */
     assert_false(triangles->list[8].smooth);
     assert_vector(p[0].pigment.color[0], 1, 0, 0);
     assert_true(p[0].transformed && p[0].inverted && !p[1].inverted);
@@ -103,7 +103,8 @@ TEST(mesh2)
     assert_vector(list[1].corners[0], 0, 0, 0);
     list = triangles_of_part(scene, 2)->list;
     assert_true(list[0].smooth);
-    assert_false(list[1].smooth || list[2].smooth); /* equal normals; none */
+    assert_false(list[1].smooth || list[2].smooth); /* one has equal normals, the other
+                                                     * has none */
     assert_vector(list[0].normals[1], 0, 1, 0);
     list = triangles_of_part(scene, 3)->list;
     assert_true(list[0].smooth && !list[1].smooth);
@@ -111,8 +112,8 @@ TEST(mesh2)
     assert_vector(list[0].normals[2], -1, 0, 0);
 }
 
-/* As in POV-Ray, a normal of 0 counts as x within a mesh. A single triangle with such a
- * normal, or with an area of 0, is omitted. */
+/* As in POV-Ray, a zero normal in a mesh is replaced by x. A single triangle with such
+ * a normal, or without area, is omitted. */
 TEST(nothing)
 {
     SCOPED(scene) *scene =
@@ -120,7 +121,7 @@ TEST(nothing)
                   "mesh2 { vertex_vectors { 3 0 x y } normal_vectors { 3 0 y z }"
                   " face_indices { 1 <0, 1, 2> } }\n"
                   "smooth_triangle { 0, 1e-200*z, x, y, y, z }\n",
-                  1); /* one cause */
+                  1); /* all have the same cause */
     const struct triangle *list = triangles_of_part(scene, 0)->list;
     assert_int_equal(scene->primitive_count, 3);
     assert_vector(list->normals[0], 1, 0, 0);
@@ -145,7 +146,7 @@ TEST(nothing)
     "mesh2 { vertex_vectors { 3, 0, x, y }\n" \
     "texture_list { 2, texture { A }, texture { B translate x } }"
 
-/* As in POV-Ray, the texture of a triangle overrides that of the mesh. */
+/* As in POV-Ray, the texture of a triangle overrides the texture of the mesh. */
 TEST(textures)
 {
     static const struct {
@@ -361,7 +362,7 @@ TEST(copies_count)
                  "more than 4000000 triangles, including copies");
 }
 
-/* An error in a section of a mesh2, or in a triangle, causes no further errors. */
+/* An error in a section of a mesh2, or in a triangle, causes no other errors. */
 TEST(recovery)
 {
     assert_error("mesh2 { vertex_vectors { 3, 0, x }\n"
@@ -380,8 +381,8 @@ TEST(recovery)
 
 enum { MAX_POINTS = 12, MAX_FACES = 20, MESHES = 300 };
 
-/* Draws a mesh with points on a small grid, so that some triangles have no area. All
- * normals differ. */
+/* Makes a random mesh with points on a small grid, so that some triangles have no area.
+ * All normals differ. */
 static void draw_mesh(struct net *net, size_t directions[MAX_FACES][3],
                       uint64_t *random)
 {
@@ -413,8 +414,8 @@ static void assert_same_triangle(const struct triangle *a, const struct triangle
         assert_memory_equal(a->normals, b->normals, sizeof a->normals);
 }
 
-/* The triangles of the union's meshes, in order, must be those of each of the two
- * meshes before it. */
+/* The triangles of the union's meshes, in order, must equal the triangles of each of
+ * the two meshes before the union. */
 static void assert_same(const struct scene *scene)
 {
     const struct triangles *mesh = triangles_of_part(scene, 0);
@@ -456,7 +457,7 @@ TEST(three_ways)
     assert_true(compared > MESHES / 2);
 }
 
-/* A large mesh, whose array grows many times. */
+/* A large mesh whose array grows many times. */
 TEST(many)
 {
     enum { MANY = 40000 };

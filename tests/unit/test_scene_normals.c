@@ -1,6 +1,6 @@
-/* test_scene_normals.c - the scene language: normals by patterns and their maps are
- * compared with expected fields, in all syntactic forms. A wrong amount, transformation
- * or entry fails here. */
+/* test_scene_normals.c - the scene language. Normals by patterns, and their maps, are
+ * compared with expected fields, in all syntactic forms. A wrong amount, transform or
+ * entry fails here. */
 #include "rt/scene/transform.h"
 #include "tests/unit/scene_reading.h"
 
@@ -53,7 +53,7 @@ TEST(bumps)
     check_bump("radial 2 frequency 8 sine_wave", PATTERN_RADIAL, 2, .02);
 }
 
-/* A normal without a pattern, or with an unknown one, has no effect. */
+/* A normal without a pattern, or with an unknown pattern, has no effect. */
 TEST(none)
 {
     static const struct {
@@ -71,7 +71,7 @@ TEST(none)
     }
 }
 
-/* A normal continues the previous one. It moves with its object, texture and
+/* A normal is added to the previous one. It moves with its object, texture and
  * material. */
 TEST(motions)
 {
@@ -171,7 +171,8 @@ TEST(normal_maps)
     assert_false(scene->primitives[1].bumps.list->average);
 }
 
-/* A map of several normals in an entry gives its first one, at the entry's place. */
+/* If an entry contains a map of several normals, the first of these normals is used at
+ * the value of the entry. */
 TEST(nested)
 {
     static const char text[] = "onion normal_map { [0 radial] [1 planar scale 2"

@@ -1,5 +1,5 @@
-/* test_scene_reports.c - the scene language: reports and errors of short texts are
- * compared with their places and messages. A report that is lost, misplaced or
+/* test_scene_reports.c - the scene language. Reports and errors of short texts are
+ * compared with their positions and messages. A report that is lost, misplaced or
  * repeated, or memory without a limit, fails here.
  *
  * The texts are large, so the test is slow with the leak sanitizer.
@@ -179,7 +179,7 @@ TEST(reports)
     }
 }
 
-/* One reading finds all errors and continues after each. */
+/* One reading finds all errors. It continues after each error. */
 TEST(all_errors)
 {
     static const char text[] = "sphere { 0, foo finish { wibble 2 phong x } scale }\n"
@@ -244,7 +244,7 @@ TEST(includes)
     scene_free(scene);
 
     write_file(folder, "main.pov", "#include \"part.inc\"\nsphere { 0, L }");
-    assert_null(scene_read(path, &reading_options, &reports)); /* L was local */
+    assert_null(scene_read(path, &reading_options, &reports)); /* L was a local name */
     assert_int_equal(reports.count, 1);
     assert_int_equal(reports.items[0].line, 2);
     diagnostics_free(&reports);
@@ -287,7 +287,7 @@ TEST(bounds)
     assert_refused_last(faults, 201, "too many errors");
 }
 
-/* A large number of ignored words does not reject the scene. */
+/* A scene is not rejected because of a large number of ignored words. */
 TEST(many_places)
 {
     enum { COUNT_OF_SPHERES = 1000 };
@@ -315,7 +315,7 @@ TEST(many_reports)
     assert_non_null(strstr(reports.items[MAX_TOLD].message, "omitted"));
 }
 
-/* If more places occur than are recorded, the report states it. */
+/* If there are more places than can be recorded, the report states it. */
 TEST(lost_notes)
 {
     enum { NOTES = 100001 };
@@ -359,7 +359,7 @@ TEST(many_files)
     assert_int_equal(remove(folder), 0);
 }
 
-/* A report about a library is issued once for each of its files that is used. */
+/* A report about a library is issued once for each used file of the library. */
 TEST(libraries)
 {
     static const char *const names[] = { "one.inc", "two.inc", NULL };

@@ -1,6 +1,6 @@
-/* test_scene_semicolons.c - the errors of texts with a missing ';' are compared with
- * one error directly after the value, whatever text comes next. A second error, or
- * another place, fails here. */
+/* test_scene_semicolons.c - texts in which a ';' is missing must have one error
+ * directly after the value, whatever text follows. A second error, or another position,
+ * fails here. */
 #include "tests/unit/scene_reading.h"
 
 #include "tests/oracle/language_scene.h"
@@ -75,8 +75,8 @@ static void find_place(const char *text, const char *at, size_t *line, size_t *c
     *column = (size_t)(at - start) + 1;
 }
 
-/* Without this ';' the text has one error at its place if the ';' is mandatory, and
- * none otherwise. */
+/* Without this ';' the text has one error at the position of the ';' if it is
+ * mandatory, and no error otherwise. */
 static void leave_out(char *text, char *semicolon)
 {
     struct scene_options options = strict_options;

@@ -1,6 +1,7 @@
-/* test_scene_shapes.c - the scene language: the fields of spheres, discs, tori, quadrics,
- * quartics, patches, prisms and lathes, and the conditions of a text, are compared with
- * expected ones. A wrong field, or an error at another place, fails here. */
+/* test_scene_shapes.c - the scene language. The fields of spheres, discs, tori,
+ * quadrics, quartics, patches, prisms and lathes, and the conditions of a text, are
+ * compared with expected values. A wrong field, or an error at another position, fails
+ * here. */
 #include "tests/unit/scene_reading.h"
 
 /* ---- Shapes ------------------------------------------------------------- */
@@ -21,7 +22,7 @@ static void describe(const struct primitive *primitive, size_t count, char *to)
             primitive->inverted ? " inverted" : "");
 }
 
-/* One text per line, and its primitive. All shapes begin with their numbers. */
+/* A text on each line, and its primitive. All shapes begin with their numbers. */
 TEST(shapes)
 {
     static const struct {
@@ -71,7 +72,7 @@ TEST(shapes)
     }
 }
 
-/* The distance of a plane is along its unit normal. */
+/* The distance of a plane is measured along its unit normal. */
 TEST(planes)
 {
     SCOPED(scene) *scene = read_scene("plane { <0, 3, 4>, 2 }");
@@ -79,7 +80,7 @@ TEST(planes)
     assert_close(scene->primitives->shape.plane.distance, 2, 0);
 }
 
-/* Heights are sorted; loops are closed, without repeated points; loops that enclose no
+/* Heights are sorted. Loops are closed, without repeated points. Loops that enclose no
  * area are omitted. */
 TEST(prisms)
 {
@@ -108,7 +109,7 @@ TEST(prisms)
     assert_close(p[3].shape.prism.path.points[1][0], 2, 0);
 }
 
-/* The first point of a loop defines a direction only. Between two further points is the
+/* The first point of a loop only defines a direction. Between two further points is the
  * handle of their parabola. As in POV-Ray, a last point that begins no loop is
  * ignored. */
 TEST(quadratic_prisms)
@@ -133,7 +134,8 @@ TEST(quadratic_prisms)
     assert_true(p[1].shape.quadratic_prism.open);
 }
 
-/* Repeated points are omitted; a last point near the first is set to it. */
+/* Repeated points are omitted. A last point near the first point is set to the first
+ * point. */
 TEST(lathes)
 {
     SCOPED(scene) *scene = read_scene(
@@ -217,7 +219,7 @@ TEST_CALL(errors, assert_errors(errors, COUNT(errors)))
 
 /* ---- Conditions --------------------------------------------------------- */
 
-/* Text that is skipped may contain any tokens of the language. */
+/* Text that is skipped may contain all tokens of the language. */
 TEST(conditions)
 {
     static const struct {

@@ -1,6 +1,7 @@
-/* test_scene_size.c - scenes scaled by 10^-8 to 10^8 are compared with the scene of
- * size 1: frames in every form, and areas, volumes and moments divided by a power of
- * the scale. A tolerance that does not scale with the scene fails here. */
+/* test_scene_size.c - scenes that are scaled by 10^-8 to 10^8 are compared with the
+ * scene of size 1. Frames in every form are compared, and areas, volumes and moments,
+ * divided by a power of the scale. A tolerance that does not scale with the scene fails
+ * here. */
 #define SMALL_FRAMES
 #include "rt/heat/heat.h"
 #include "rt/mass/mass.h"
@@ -8,7 +9,7 @@
 
 enum { DECADES = 8, STEP = 6, MAX_OTHERS = 2 };
 
-/* Shapes that fill a picture about the origin, each in a separate scene. */
+/* Shapes around the origin that fill a picture. Each shape is in a separate scene. */
 static const char *const shapes[] = {
     "sphere { <-.6, .3, 0>*S, .9*S pigment { rgbf .9 } interior { ior 1.5 } }"
     "sphere { <.8, 0, 1>*S, S pigment { rgb .5 } finish { reflection .6 } }",
@@ -124,7 +125,7 @@ static struct scene *bodies_of(int decade)
     return read_text(formatted(BODIES, decade));
 }
 
-/* Returns the figures of all bodies, about a point other than the origin. */
+/* Returns the figures of all bodies. The reference point is not the origin. */
 static struct mass_figures figures_of(int decade)
 {
     const char *densities[] = { "default=2" };
@@ -163,7 +164,7 @@ TEST(masses)
     }
 }
 
-/* Sets the sphere's area, its factor to the torus and its heat loss. */
+/* Computes the area of the sphere, its factor to the torus and its heat loss. */
 static void heat_of(int decade, double found[3])
 {
     const char *temperatures[] = { "default=300", "line 1=900" };

@@ -1,6 +1,6 @@
-/* test_scene_versions.c - syntax of old versions: the fields of scenes and the reports
- * are compared with expected ones. A kind that is reported twice, or not at all, fails
- * here. */
+/* test_scene_versions.c - syntax of old versions. The fields of scenes and the reports
+ * are compared with expected values. A kind that is reported twice, or not at all,
+ * fails here. */
 #include "tests/unit/scene_reading.h"
 
 /* Texts of two primitives with this number of reports. */
@@ -39,7 +39,7 @@ static void assert_ior(const char *text, size_t reports, double ior)
     assert_close(scene->primitives[0].ior, ior, 0);
 }
 
-/* As in POV-Ray, the index in the finish overrides that of the interior. */
+/* As in POV-Ray, the index in the finish overrides the index of the interior. */
 TEST(ior)
 {
     assert_ior("sphere { 0, 1 finish { refraction 1 ior 1.4 } }", 2, 1.4);

@@ -1,7 +1,7 @@
-/* test_screen_bounds.c - the traversal of a mesh by windows is compared with the
- * triangles at which rays through a viewpoint are aimed, and frames by windows with
- * frames by boxes, over random meshes, viewpoints and lights. A window that is too
- * small, or used for rays that miss the viewpoint, fails here.
+/* test_screen_bounds.c - the traversal of a mesh by windows must reach the triangles at
+ * which rays through a viewpoint are aimed. Frames by windows are compared with frames
+ * by boxes, over random meshes, viewpoints and lights. A window that is too small, or
+ * is used for rays that miss the viewpoint, fails here.
  *
  *     test_screen_bounds [SCENES [SEED]]
  */
@@ -18,7 +18,7 @@ static char text[1 << 20];
 
 /* ---- Table lookups -------------------------------------------------------- */
 
-/* Offsets of records.s. */
+/* Offsets in the table, as in records.s. */
 enum {
     TABLE_VIEWPOINTS = 22,
     TABLE_VIEWPOINT_COUNT,
@@ -46,8 +46,8 @@ static struct screen_point project(const double *eye, const double point[3])
     return (struct screen_point){ (point[u] - eye[u]) / z, (point[v] - eye[v]) / z, z };
 }
 
-/* Returns whether the traversal reaches the triangle. Adds the tested windows to
- * *asked. */
+/* Returns true if the traversal reaches the triangle. Adds the number of tested windows
+ * to *asked. */
 static bool traversal_reaches(const double *table, const double *eye,
                               const struct screen_point *look, double triangle,
                               double row, size_t *asked)
@@ -85,7 +85,7 @@ static void random_net(void)
         net_shuffle(&net, &traced.random);
 }
 
-/* Draws a point outside or inside the mesh, near or far, with or without integer
+/* Makes a random point outside or inside the mesh, near or far, with or without integer
  * coordinates. */
 static void random_place(double place[3])
 {
@@ -97,7 +97,7 @@ static void random_place(double place[3])
     }
 }
 
-/* Draws a corner, a point of an edge or an interior point. */
+/* Returns a random corner, point of an edge or interior point. */
 static void random_point(const double *corners, double point[3])
 {
     double a = between(0, 1), b = between(0, 1 - a);
@@ -148,7 +148,7 @@ static bool is_inside(const double place[3], const double *table, double row,
     return true;
 }
 
-/* Makes a primitive of the mesh without a transformation. */
+/* Makes a primitive of the mesh without a transform. */
 static void take_primitive(struct primitive *mesh)
 {
     static const struct transform nowhere = {
@@ -158,7 +158,7 @@ static void take_primitive(struct primitive *mesh)
     mesh->to_world = mesh->to_local = nowhere;
 }
 
-/* Checks three viewpoints of a mesh, at a random scale and place. */
+/* Checks three viewpoints of a mesh at a random scale and position. */
 static void check_net(size_t *seeing, size_t *within)
 {
     struct viewpoints viewpoints = { .count = 3 };
@@ -230,7 +230,7 @@ static void add_vector(const char *name, const double vector[3])
              vector[2]);
 }
 
-/* Adds lights of all kinds. Some are at the same place. */
+/* Adds lights of all kinds. Some are at the same position. */
 static void add_lights(void)
 {
     static const char *const sorts[] = {
@@ -260,8 +260,8 @@ static void put_mesh(void)
     add_text(text, sizeof text, " }\n");
 }
 
-/* Writes meshes, distant objects behind them and a mirror, so that rays come from all
- * directions. `camera` has further words of the camera. */
+/* Writes meshes, and distant objects and a mirror behind them, so that rays come from
+ * all directions. `camera` has further words of the camera. */
 static void write_scene(const char *camera)
 {
     double place[3];
@@ -286,8 +286,9 @@ static void write_scene(const char *camera)
             "{ reflection .6 } }\n");
 }
 
-/* Compares the frames of all forms and of a variant of the kernels; without a variant,
- * of runs without bounds. Returns the number of pixels that show an object. */
+/* Compares the frames of all forms with a variant of the kernels. If the variant is
+ * NULL, compares them with runs without bounds. Returns the number of pixels that show
+ * an object. */
 static size_t check_frame(const char *variant)
 {
     FREED struct words *words = same_frame(text);
@@ -313,9 +314,9 @@ TEST(frames)
     assert_true(seen > scene_count * traced.pixels / 4);
 }
 
-/* Writes meshes in front of the camera. One light is at the camera. Another is at the
- * end of the camera's direction from the origin, a vector which the kernels store in
- * place of the location of an orthographic camera. */
+/* Writes meshes in front of the camera. One light is at the camera. Another light is at
+ * the position that equals the camera's direction vector, because the kernels store
+ * this vector in place of the location of an orthographic camera. */
 static void write_before_camera(const char *camera)
 {
     const double by[3] = { 0, 0, 6 };
@@ -336,8 +337,8 @@ static void write_before_camera(const char *camera)
                "{ reflection .6 } }\n");
 }
 
-/* Rays of these cameras do not pass through the camera's location, but rays to a light
- * there do. */
+/* Rays of these cameras do not pass through the location of the camera, but rays to a
+ * light there do. */
 TEST(other_cameras)
 {
     static const char *const cameras[] = {
@@ -354,7 +355,7 @@ TEST(other_cameras)
     traced.samples = 1;
 }
 
-/* Viewpoints that cannot be used are not recorded, since their windows would need
+/* Viewpoints that cannot be used are not recorded, because their windows would need
  * memory. */
 TEST(places)
 {
@@ -384,7 +385,7 @@ TEST(places)
 
 /* ---- Edge-on ---------------------------------------------------------------- */
 
-/* Adds a triangle whose plane contains the viewpoint; most coordinates are not
+/* Adds a triangle whose plane contains the viewpoint. Most coordinates are not
  * integers. */
 static void add_edge_on(const double eye[3])
 {
@@ -402,8 +403,8 @@ static void add_edge_on(const double eye[3])
     add_text(text, sizeof text, "}\n");
 }
 
-/* Writes two lights at one place, one of them an area light, with near and very distant
- * objects. */
+/* Writes two lights at the same position, one of which is an area light, with near and
+ * very distant objects. */
 static void write_edge_on(void)
 {
     double eye[3], light[3];
@@ -429,7 +430,7 @@ static void write_edge_on(void)
 }
 
 /* Rounding decides whether a ray in the plane of a triangle hits it. All stages must
- * decide alike. */
+ * get the same result. */
 TEST(edge_on)
 {
     for (size_t i = 0; i < scene_count; i++) {
@@ -438,8 +439,8 @@ TEST(edge_on)
     }
 }
 
-/* A scene that once failed: the middle of the area light is at the other light, and
- * rays from the lower plane start far away. */
+/* A scene that has failed: the centre of the area light is at the other light, and rays
+ * from the lower plane start far away. */
 TEST(known)
 {
     strcpy(text, "#version 3.7; global_settings { assumed_gamma 1 }\n"
@@ -503,7 +504,7 @@ TEST(clocks)
     }
 }
 
-/* Slender oblique blades fill a small part of their windows. */
+/* Slender oblique triangles fill a small part of their windows. */
 TEST(where_they_do_not_pay)
 {
     struct viewpoints viewpoints = { 1, { { -6, 8, -6 } } };
@@ -524,8 +525,8 @@ TEST(where_they_do_not_pay)
     assert_int_equal((int)table[TABLE_VIEWPOINT_COUNT], 0);
 }
 
-/* Two lights are at one place, and one of them has parallel rays. A third light is
- * inside the mesh, in front of its far side. */
+/* Two lights are at the same position, and one of them has parallel rays. A third light
+ * is inside the mesh, in front of its far side. */
 TEST(lights)
 {
     for (int i = 0; i < 3; i++) {

@@ -38,7 +38,7 @@ static struct factor_row find(const struct factors *factors, size_t primitive)
 
 /* ---- Areas ------------------------------------------------------------------ */
 
-/* Areas of massprops.csv. */
+/* The areas of massprops.csv. */
 static const struct {
     const char *solid;
     double area;
@@ -56,7 +56,7 @@ static const struct {
       " box { <-1/6,-1/6,-1>, <1/6,1/6,1> } }",
       8 },
     { "torus { 1, .25 rotate 30*x }", 9.86960440108936 },
-    /* These have no emission and use lines. */
+    /* These shapes cannot emit, so they use lines. */
     { "prism { -1, 1, 4, <-1,-1>, <1,-1>, <1,1>, <-1,1> scale <1,2,.5> }", 28 },
     { "intersection { sphere { 0, 1 } plane { x, .5 } }", 11.7809724509617 },
     { "lathe { 4, <.5,-1>, <1,0>, <.5,1>, <.5,-1> }", 16.8204074037407 },
@@ -80,7 +80,7 @@ TEST(areas)
     }
 }
 
-/* A body of triangles radiates outward, whatever the order of their corners. */
+/* A body of triangles radiates outwards, whatever the order of the corners is. */
 TEST(meshes)
 {
     static const char corners[][20] = { "<1, 1, 1>", "<1, -1, -1>", "<-1, 1, -1>",
@@ -178,8 +178,8 @@ TEST(crowds)
 
 /* ---- Factors ------------------------------------------------------------------ */
 
-/* Factors of viewfactors.csv, by the indices of emitter and receiver in the scene. The
- * index after the last primitive is the environment. */
+/* Factors of viewfactors.csv, with the indices of emitter and receiver in the scene.
+ * The index after the last primitive is the environment. */
 struct known_factor {
     size_t from, to;
     double factor;
@@ -189,7 +189,7 @@ struct known_factor {
  * ball. */
 static const struct {
     const char *text;
-    struct known_factor known[6]; /* up to a factor 0 from 0 to 0 */
+    struct known_factor known[6]; /* ends with factor 0 from 0 to 0 */
 } known_factors[] = {
     { "mesh { triangle { 0, z, x + z } triangle { 0, x + z, x } }"
       "mesh { triangle { y, x + y + z, y + z } triangle { y, x + y, x + y + z } }",
@@ -227,7 +227,7 @@ TEST(known_factors)
 
 enum { SEEDS = 64 };
 
-/* The mean over many seeds must be the factor, within the standard error of the
+/* The mean over many seeds must equal the factor, within the standard error of the
  * mean. */
 TEST(bias)
 {
@@ -255,8 +255,8 @@ TEST(bias)
 
 /* ---- Both forms ---------------------------------------------------------------- */
 
-/* Compares the forms and queues for the second primitive: a solid with an emission, and
- * one that needs lines. */
+/* Compares the forms and queues for the second primitive. It is a solid that can emit,
+ * or a solid that needs lines. */
 TEST(forms)
 {
     static const char *const texts[] = {
@@ -295,8 +295,8 @@ TEST(forms)
 
 /* ---- Errors ---------------------------------------------------------------------- */
 
-/* A repeat of more points than a vector holds: its rays do not depend on where it is
- * cut. */
+/* A repeat has more points than a vector can have. Its rays do not depend on where it
+ * is divided. */
 TEST(pieces)
 {
     SCOPED(scene) *scene = read_scene("sphere { 0, 1 } box { 1.5, 3 }");

@@ -1,8 +1,8 @@
 /* test_shape_hits.c - the hit of a picture's middle ray with each shape is compared
- * with the primitive and the distance that geometry gives, in both forms and with
- * queues of several lengths. A kernel that confuses two cases of a shape (an origin
- * inside it, a ray along its axis, in its plane or through its edge, a hit on its rim)
- * fails here.
+ * with the primitive and the distance that follow from geometry, in both forms and with
+ * several queue lengths. A kernel that confuses two cases of a shape fails here. Such
+ * cases are an origin inside the shape, a ray along its axis, in its plane or through
+ * its edge, and a hit on its rim.
  */
 #include "tests/unit/traced_frame.h"
 
@@ -34,12 +34,12 @@ static void check_sights(const char *view, const struct sight *sights, size_t co
 /* A cone of 45 degrees with its apex at the origin, open at the top. */
 #define FUNNEL "cone { 0, 0, 2*y, 2 "
 
-/* Objects behind the eye keep the unit of length of the scene, however small the others
- * are. */
+/* Objects behind the camera fix the unit of length of the scene, however small the
+ * other objects are. */
 #define ORDINARY "#declare Far = sphere { -9*z, 1 }\n"
 #define FAR " object { Far } object { Far translate -z }"
 
-/* Coefficients in POV-Ray's order; most are 0. */
+/* Coefficients in the order of POV-Ray. Most of them are 0. */
 #define ZEROS "0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, "
 #define Z4 "<" ZEROS "0,0,0,0,0, 1,"
 
@@ -48,7 +48,7 @@ static void check_sights(const char *view, const struct sight *sights, size_t co
     "10, <-2, -2>, <2, -2>, <2, 2>, <-2, 2>, <-2, -2>," \
     " <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>"
 
-/* A spline with four corners: from <-1, -1> to <1, -1> its points are <w^2 + w - 1, w^2
+/* A spline with four corners. Its points from <-1, -1> to <1, -1> are <w^2 + w - 1, w^2
  * - w - 1>. */
 #define PRISM "prism { quadratic_spline "
 #define ROUNDED "6, <-1, 1>, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>"
@@ -59,7 +59,7 @@ static void check_sights(const char *view, const struct sight *sights, size_t co
 #define RING "5, <1, -1>, <2, -1>, <2, 1>, <1, 1>, <1, -1>"
 #define CONE "3, <0, 1>, <1, 0>, <0, -1>"
 
-/* (1 - 3/4)^2 = 1/16: a ball of radius r appears with radius r sqrt 3 / 2. */
+/* (1 - 3/4)^2 = 1/16, so a ball of radius r appears with the radius r sqrt 3 / 2. */
 #define BLOB "blob { threshold .0625 "
 #define SEEN 0.86602540378443865
 
@@ -68,8 +68,8 @@ static void check_sights(const char *view, const struct sight *sights, size_t co
     "smooth_triangle { <-1, -1, 0>, <3, 0, -4>, <2, -1, 0>, -z, " \
     "<-1, 2, 0>, -2*z }"
 #define FLAT "triangle { " CORNERS " }"
-/* TINY has an area where it is written, but none in the world. The sphere keeps the
- * scene's unit of length at 1. */
+/* TINY has an area where it is written, but no area in world space. The sphere keeps
+ * the unit of length of the scene at 1. */
 #define TINY "triangle { 0, 1e-10*x, 1e-10*y } "
 #define SPHERE " sphere { <3, 3, 0>, .1 }"
 
@@ -100,7 +100,7 @@ TEST(ahead)
         { "cylinder { <0, .7, 0>, <0, 3, 0>, 1 open rotate -30*x }", 0, 0 },
         { "cylinder { -y, y, 1 open }", 1, 4 },
         { "cylinder { -y, y, 1 open rotate 45*x translate -y }", 1, 5 + 1 - sqrt(2) },
-        /* Of two coincident faces the later one is visible. */
+        /* Of two coincident faces the face of the later object is visible. */
         { "box { -1, 1 } box { -1, 1 } plane { z, 9 }", 2, 4 },
         { "plane { z, 9 } sphere { 0, 1 } box { -1, 1 }", 2, 4 },
         /* ---- cones and quadrics */
@@ -127,7 +127,7 @@ TEST(ahead)
         { "quadric { <-1, -1, 1>, 0, 0, -1 }", 1, 4 },
         { "quadric { <1, 1, -1>, 0, 0, -1 }", 0, 0 },
         { "quadric { <1, 1, -1>, 0, 0, 1 }", 1, 4 },
-        /* The eye is inside, at the apex, within tmin of the surface. */
+        /* The camera is inside, at the apex, or within tmin of the surface. */
         { "cone { <0, -1, -5>, 2, <0, 1, -5>, 2.5 }", 1, 2.25 },
         { "cone { -5*z, 0, 5*z, 1 }", 1, 10 },
         { "quadric { 1, 0, 0, -25 }", 1, 10 },
@@ -143,15 +143,15 @@ TEST(ahead)
         { "torus { .5, 1 rotate 90*x }", 1, 5 - sqrt(.75) },
         { "elliptical_torus { 1, .5, .1 }", 1, 3.5 },
         { "elliptical_torus { 1, .5, .1 rotate 90*x translate x }", 1, 4.9 },
-        /* The eye is in the middle of the tube, on its surface, in the hole. */
+        /* The camera is in the middle of the tube, on its surface, or in the hole. */
         { "torus { 1, .5 translate <0, 0, -4> }", 1, .5 },
         { "torus { 1, .5 translate <0, 0, -3.5> }", 1, 1 },
         { "torus { 1, .5 translate <0, 0, -5> }", 1, .5 },
         { "torus { 1, .5 scale 2 translate <0, 0, -2> }", 1, 2 },
         { "torus { 1, .5 translate <0, 0, -7> }", 0, 0 },
-        /* The nearest crossing beyond 1e-6 of the world counts, at every scale: a
-         * crossing at twice that distance from the eye does, one at half of it does
-         * not. */
+        /* The nearest crossing at a distance above 1e-6 in world space is the hit, at
+         * every scale. A crossing at twice this distance is a hit, a crossing at half
+         * of it is not. */
         { ORDINARY "torus { 1, .5 scale 1000 translate (1500 - 5 + 2e-6)*z }" FAR, 1,
           2e-6 },
         { ORDINARY "torus { 1, .5 scale 1000 translate (1500 - 5 + .5e-6)*z }" FAR, 1,
@@ -175,7 +175,7 @@ TEST(ahead)
         { "prism { -1, 1, " HOLED " translate -5*z }", 1, 1 },
         { "prism { -1, 1, " HOLED " open scale <1, 1, 2> }", 1, 1 },
         { "prism { -1, 1, 3, <-1, -2>, <1, -2>, <0, 4> }", 1, 3 },
-        /* along its axis */
+        /* along the axis of the prism */
         { "prism { -3, 1, " SQUARE " rotate 90*x }", 1, 2 },
         { "prism { -3, 1, " SQUARE " open rotate 90*x }", 0, 0 },
         { "prism { -3, 1, " HOLED " rotate 90*x }", 0, 0 },
@@ -191,7 +191,7 @@ TEST(ahead)
         { PRISM "1, -1, " ROUNDED " open }", 1, 6 - sqrt(5) },
         { PRISM "-1, 1, " ROUNDED " translate -5*z }", 1, sqrt(5) - 1 },
         { PRISM "1, 2, " ROUNDED " }", 0, 0 },
-        /* along its axis */
+        /* along the axis of the prism */
         { PRISM "-3, 1, " ROUNDED " rotate 90*x }", 1, 2 },
         { PRISM "-3, 1, " ROUNDED " open rotate 90*x }", 0, 0 },
         { PRISM "-3, 1, " ROUNDED " rotate 90*x translate 1.1*y }", 1, 2 },
@@ -200,33 +200,33 @@ TEST(ahead)
         /* in solids */
         { "intersection { " PRISM "-1, 1, " ROUNDED " } plane { -z, 1.1 } }", 2, 3.9 },
         { "difference { " PRISM "-1, 1, " ROUNDED " } sphere { -z, .5 } }", 2, 4.5 },
-        /* twice through one edge */
+        /* twice through the same edge */
         { PRISM "-1, 1, " ROUNDED " translate 1.1*x }", 1, 6 - W - W * W },
         { "intersection { " PRISM "-1, 1, " ROUNDED
           " translate 1.1*x } plane { -z, 0 } }",
           2, 5 },
         /* ---- blobs */
         { BLOB "sphere { 0, 2, 1 } }", 1, 5 - 2 * SEEN },
-        /* below, beside, too weak, cancelled */
+        /* components below and beside the ray, too weak, and cancelled */
         { BLOB "sphere { 2*y, 2, 1 } }", 0, 0 },
         { BLOB "sphere { 0, 2, .0624 } sphere { 9*y, 1, .0624 } }", 0, 0 },
         { BLOB "sphere { 0, 2, 1 } sphere { 0, 2.5, -1 } }", 0, 0 },
-        /* sums */
+        /* sums of components */
         { BLOB "sphere { 0, 2, .04 } sphere { 0, 2, .04 } sphere { 0, 2, .92 } }", 1,
           5 - 2 * SEEN },
-        /* a hemisphere, the side, and the other end, in both orders */
+        /* a hemisphere, the side and the other end, in both orders */
         { BLOB "cylinder { 0, 2*z, 2, 1 } }", 1, 5 - 2 * SEEN },
         { BLOB "cylinder { 2*z, 0, 2, 1 } }", 1, 5 - 2 * SEEN },
         { BLOB "cylinder { -x, x, 2, 1 } }", 1, 5 - 2 * SEEN },
         { BLOB "cylinder { x, 3*x, 2, 1 } }", 1, 5 - sqrt(2) },
-        /* in the plane of an end, which belongs to both pieces */
+        /* in the plane of an end, which belongs to two pieces */
         { BLOB "cylinder { 0, 3*x, 2, 1 } }", 1, 5 - 2 * SEEN },
         { BLOB "cylinder { -3*y, 0, 2, 1 } }", 1, 5 - 2 * SEEN },
-        /* moved, stretched */
+        /* moved and stretched components */
         { BLOB "sphere { x, 1, 1 translate -x scale <1, 1, 2> } }", 1, 5 - 2 * SEEN },
         { BLOB "cylinder { -x, x, 1, 1 scale 2 rotate 90*z } rotate 30*y }", 1,
           5 - 2 * SEEN },
-        /* from inside, and behind the eye */
+        /* from inside, and behind the camera */
         { BLOB "sphere { -5*z, 2, 1 } }", 1, 2 * SEEN },
         { BLOB "sphere { -8*z, 2, 1 } }", 0, 0 },
         /* in solids */
@@ -265,20 +265,20 @@ TEST(straight)
         { "disc { .5*x, z, .25 scale <.5, 1, 1> }", 0, 0 },
         { "disc { 0, z, 1, .25 }", 0, 0 },
         { "disc { .5*x, z, 1, .25 }", 1, 5 },
-        /* on its edge, on that of its hole */
+        /* on the edge of the disc, and on the edge of its hole */
         { "disc { .5*x, z, .5 }", 1, 5 },
         { "disc { .5*x, z, 1, .5 }", 1, 5 },
-        /* rays in its plane; the eye in its plane */
+        /* rays in the plane of the disc, and the camera in its plane */
         { "disc { 0, y, 1 }", 0, 0 },
         { "disc { 0, x, 1, .5 }", 0, 0 },
-        /* parallel within the tolerance, and not */
+        /* parallel within the tolerance, and not parallel */
         { "disc { 0, <0, 1, 1e-13>, 1 }", 0, 0 },
         { "disc { 0, <0, 1, 1e-11>, 1 }", 1, 5 },
         { "disc { 0, y, 1 } disc { 3*z, z, 1 }", 2, 8 },
         { "disc { -5*z, z, 1 }", 0, 0 },
         { "disc { -6*z, z, 1 }", 0, 0 },
-        /* The inside of a disc is the half space below its plane; its visible face
-         * is the disc alone. */
+        /* The inside of a disc is the half-space below its plane. Its visible face is
+         * only the disc. */
         { "difference { sphere { 0, 2 } disc { 0, z, 1 } }", 2, 5 },
         { "difference { sphere { 0, 2 } disc { 0, z, 1, .5 } }", 1, 7 },
         { "difference { sphere { 0, 2 } disc { 9*x, z, 1 } }", 1, 7 },
@@ -299,7 +299,7 @@ TEST(straight)
         { "lathe { " RING " rotate 90*x }", 0, 0 },
         { "lathe { " RING " rotate 90*x translate 1.5*y }", 1, 4 },
         { "lathe { " CONE " rotate 90*x translate .5*y }", 1, 4.5 },
-        /* level, in a ring; at a point that is the lowest */
+        /* level, in a ring, and at a point that is the lowest */
         { "lathe { " DRUM " translate y }", 1, 4 },
         { "lathe { " DRUM " translate -y }", 0, 0 },
         { "lathe { 3, <1, 1>, <2, 0>, <1.5, 2> }", 1, 3 },
@@ -332,18 +332,18 @@ TEST(straight)
         { "mesh { " FLAT " rotate 180*y }", 1, 5 },
         { "mesh { " FLAT " translate <1.5, 0, 0> }", 0, 0 },
         { "mesh { " FLAT " translate <-.7, -.4, 0> }", 0, 0 },
-        /* through a corner, an edge; along its plane */
+        /* through a corner or an edge, and along its plane */
         { "mesh { " FLAT " translate <1, 1, 0> }", 1, 5 },
         { "mesh { " FLAT " translate <-.5, -.5, 0> }", 1, 5 },
         { "mesh { " FLAT " translate <0, 1, 0> }", 1, 5 },
         { "mesh { triangle { <0, -1, -1>, <0, -1, 2>, <0, 2, -1> } }", 0, 0 },
-        /* the origin of the ray */
+        /* the triangle is at the origin of the ray */
         { "mesh { " FLAT " translate -5*z }", 0, 0 },
         { "mesh { " FLAT " translate -4*z }", 1, 1 },
         { "mesh { " FLAT " translate -6*z }", 0, 0 },
         { "mesh { " FLAT FLAT " translate -6*z } mesh { " FLAT " }", 2, 5 },
         { "mesh { " FLAT " translate -.01*z scale 1000 translate 6*z }", 1, 1 },
-        /* no area in the world */
+        /* no area in world space */
         { "mesh { " TINY "triangle { <-10000001, -1, 0>, "
           "<-9999999, -1, 0>, <-10000000, 2, 0> } translate 1e7*x }" SPHERE,
           1, 5 },

@@ -1,6 +1,6 @@
-/* test_shape_words.c - the words that the host computes for each primitive, such as a
- * quadric about its centre or the kind of a Steiner patch, are compared with
- * definitions. A wrong word, kernel or count of crossings fails here. */
+/* test_shape_words.c - the words that the host computes for each primitive are compared
+ * with definitions. Examples are a quadric about its centre, and the kind of a Steiner
+ * patch. A wrong word, kernel or number of crossings fails here. */
 
 #include "rt/shapes/moving_planes.h"
 #include "rt/shapes/shape_words.h"
@@ -18,7 +18,7 @@ static void fill(struct singular *singular, size_t rows, size_t columns)
             singular->scaled[i][j] = between(-1, 1);
 }
 
-/* A V = U S: the columns of U S are orthogonal, and their lengths are the singular
+/* A V = U S. The columns of U S are orthogonal, and their lengths are the singular
  * values. */
 TEST(singular_values)
 {
@@ -60,7 +60,7 @@ TEST(least_squares)
     }
 }
 
-/* The words of a shape and its table. */
+/* The words of a shape, and its table. */
 struct words {
     struct shape_words shape;
     size_t table_count;
@@ -85,7 +85,8 @@ static void set_quadric(struct primitive *primitive, const double terms[10])
     memcpy(primitive->shape.quadric.coefficients, terms, QUADRIC_TERMS * sizeof *terms);
 }
 
-/* An ellipsoid about 1, 2, 3; a cylinder about the line x = 1, y = 2; a paraboloid. */
+/* An ellipsoid about (1, 2, 3), a cylinder about the line x = 1, y = 2, and a
+ * paraboloid. */
 TEST(centers_of_quadrics)
 {
     static const double terms[3][10] = {
@@ -107,7 +108,7 @@ TEST(centers_of_quadrics)
     }
 }
 
-/* The value of the quadric at a point must equal that of its words. */
+/* The value of the quadric at a point must equal the value computed from its words. */
 TEST(quadrics_keep_their_values)
 {
     for (int try = 0; try < 100; try++) {
@@ -151,7 +152,7 @@ static void point_at(const double points[6][4], const double p[3], double h[4])
     }
 }
 
-/* Every plane contains its point, and all contain the triple point. */
+/* Every plane contains its point, and all planes contain the triple point. */
 static void check_planes(const double points[6][4], const struct moving_planes *planes)
 {
     for (int try = 0; try < 20; try++) {
@@ -184,8 +185,8 @@ static enum surface_type type_of(const double points[6][4])
 
 TEST(types_of_surfaces)
 {
-    /* The surface (tu, su, st, s^2 + t^2 + u^2); a sphere by stereographic projection;
-     * a cone with two parameters for each point; a plane with curved edges. */
+    /* The surface (tu, su, st, s^2 + t^2 + u^2), a sphere by stereographic projection,
+     * a cone with two parameters for each point, and a plane with curved edges. */
     static const double roman[6][4] = { { 0, 0, 0, 1 },  { 0, 0, 0, 1 },
                                         { 0, 0, 0, 1 },  { 0, 0, .5, 0 },
                                         { .5, 0, 0, 0 }, { 0, .5, 0, 0 } };
@@ -254,7 +255,7 @@ TEST(kernels_of_patches)
     assert_int_equal(words.table_count, STEINER_TABLE);
 }
 
-/* A surface, a solid, a clipping mesh and one with a body: each has space for a
+/* A surface, a solid, a clipping mesh, and a mesh with a body. Each has room for a
  * crossing with every triangle, and for the state at the ray's origin. */
 TEST(sorts_of_meshes)
 {
@@ -289,8 +290,8 @@ TEST(sorts_of_meshes)
     assert_string_equal(words.state, "mesh_body");
 }
 
-/* The kernel of 1984 needs the base, axis, radius and the planes of both ends. A hit
- * has the surfaces of entry and exit. */
+/* The kernel of 1984 needs the base, the axis, the radius, and the planes of both ends.
+ * A hit has the surfaces of entry and exit. */
 TEST(historical_cylinders)
 {
     static const double expected[] = { 1, 2,   3, .6, 0, .8, .5,  -.6,
@@ -315,8 +316,8 @@ TEST(historical_cylinders)
     assert_false(today.on_patch);
 }
 
-/* For every order of corners, H(0, 0), H(1, 0) and H(0, 1) are corners after the centre
- * is added, and the whole patch is inside the bound. */
+/* For every order of the corners, H(0, 0), H(1, 0) and H(0, 1) are corners after the
+ * centre is added, and the whole patch is inside the bound. */
 TEST(polynomials_of_patches)
 {
     for (int try = 0; try < 50; try++) {
@@ -342,8 +343,8 @@ TEST(polynomials_of_patches)
     }
 }
 
-/* If all curves s = const have one direction, a plane through a parallel ray needs a
- * second vector of another direction. */
+/* If all curves s = const have the same direction, a plane through a parallel ray needs
+ * a second vector in another direction. */
 TEST(other_planes)
 {
     static const double straight[][3 * STEINER_POINTS] = {
@@ -368,7 +369,7 @@ TEST(other_planes)
     }
 }
 
-/* Scaling s, t, u gives other weights of the same patch. */
+/* If s, t and u are scaled, the same patch has other weights. */
 TEST(weights_of_one_patch)
 {
     static const double by[] = { 100, 1, .01 };

@@ -17,7 +17,7 @@ TEST(descriptors)
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
         const struct shape *shape = shapes[i];
         const char *name = primitive_kind_name((enum primitive_kind)i);
-        /* these are read by separate files */
+        /* separate files read these */
         bool read = i != PRIMITIVE_MESH && i != PRIMITIVE_BLOB;
         if (!shape->fields || (shape->fields[0].takes == TAKES_END) == read
             || !shape->finish || !shape->bound || !shape->words || !shape->region)
@@ -76,7 +76,8 @@ TEST(kernels)
 
 /* ---- Scenes and the plain tracer ----------------------------------------- */
 
-/* Per kind: the number in the scenes, crossings with lines, and interior points. */
+/* For each kind: the number in the scenes, the crossings with lines, and the interior
+ * points. */
 static struct {
     size_t count, crossings, inside;
 } found[PRIMITIVE_KINDS];

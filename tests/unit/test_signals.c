@@ -1,6 +1,7 @@
 /* test_signals.c - files after signals at random times, to every command that writes,
- * are compared with the old and the complete new file. A file that is incomplete, a
- * temporary file that is left, or an interrupted command that succeeds, fails here. */
+ * are compared with the old file and with the complete new file. A file that is
+ * incomplete, a temporary file that is left, or an interrupted command that succeeds,
+ * fails here. */
 #define _XOPEN_SOURCE 700
 
 #include "tests/unit/asm_helper.h"
@@ -26,7 +27,7 @@ static int below(int end)
 
 static char folder[] = "/tmp/signals.XXXXXX";
 
-/* Input files; a word "%name" is a file in the folder. */
+/* Input files. A word "%name" is a file in the folder. */
 static const struct {
     const char *name, *text;
 } inputs[] = {
@@ -76,7 +77,7 @@ static void path_of(char path[PATH], const char *name)
     snprintf(path, PATH, "%s/%s", folder, name);
 }
 
-/* Executes the command with the default signal actions; stderr is discarded. */
+/* Executes the command with the default signal actions. Discards stderr. */
 static void become(const char *const *given, int in, int out)
 {
     const char *built = getenv("RT205_LIBDIR");
@@ -106,7 +107,7 @@ static pid_t begin(const char *const *words, int in, int out)
     return process;
 }
 
-/* Returns the exit status, or minus the signal. */
+/* Returns the exit status, or the negative number of the signal. */
 static int end(pid_t process)
 {
     int status = 0;
@@ -144,7 +145,7 @@ static size_t read_file(const char *name, char text[TEXT])
 
 static const char old[] = "the old file\n";
 
-/* Returns the text at the end of a complete file with this name; "" if any end is
+/* Returns the text with which a complete file with this name ends, or "" if any end is
  * allowed. */
 static const char *ending_of(const char *name)
 {
@@ -216,8 +217,8 @@ static void write_old_files(const char *const *words)
             write_file(words[i] + 1, old);
 }
 
-/* Most commands begin their work after some milliseconds. A second signal
- * ends a command that continues. */
+/* Most commands begin their work after some milliseconds. If a command continues, a
+ * second signal ends it. */
 static void check_command(const char *const *words, int number)
 {
     int null = open("/dev/null", O_RDWR), status;
@@ -264,7 +265,7 @@ static const char *const render_words[] = {
     "--mode", "scalar", "--debug",          "200,150", "-x",  "%lines", NULL
 };
 
-/* Runs a script, from a file, or from a pipe that stays open. Stores its output in
+/* Runs a script from a file, or from a pipe that stays open. Stores its output in
  * `said`. */
 static int run_script(const char *const *words, const char *lines, int number,
                       char said[TEXT])
@@ -305,8 +306,8 @@ static int run_script(const char *const *words, const char *lines, int number,
     return status;
 }
 
-/* SIGTERM and SIGHUP end the command, Ctrl-C the current movement. No exit status is
- * 0. */
+/* SIGTERM and SIGHUP end the command. Ctrl-C ends the current movement. The exit status
+ * is never 0. */
 TEST(scripts)
 {
     static const char lines[] = "continue\nprint 6 * 7\n";

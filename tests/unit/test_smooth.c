@@ -30,7 +30,7 @@ static void put(struct found *found, size_t i, size_t j, double flow, double var
     }
 }
 
-/* Draws flows with random errors. Some flows are 0, some are exact. */
+/* Makes flows with random errors. Some flows are 0, and some are exact. */
 static void draw(struct found *found, uint64_t *random)
 {
     memset(found, 0, sizeof *found);
@@ -55,7 +55,7 @@ static void draw(struct found *found, uint64_t *random)
 
 /* ---- The oracle ------------------------------------------------------------- */
 
-/* The unknowns are the flows, each once, then a multiplier per surface. */
+/* The unknowns are the flows, each of them once, then a multiplier for each surface. */
 struct system {
     size_t flows, size;
     size_t from[UNKNOWNS], to[UNKNOWNS];
@@ -72,8 +72,8 @@ static void list_flows(const struct found *found, struct system *system)
     system->size = system->flows + found->count;
 }
 
-/* Equations: y - v (l_i + l_j) = x; for a surface itself and for the outside y - v l_i
- * = x; the sums are the areas. */
+/* The equations are y - v (l_i + l_j) = x. For the flow to the surface itself and to
+ * the outside they are y - v l_i = x. The sums of flows are the areas. */
 static void put_equations(const struct found *found, struct system *system)
 {
     for (size_t k = 0; k < system->flows; k++) {
@@ -153,7 +153,7 @@ static bool run(const struct found *found, enum trace_mode mode, double *smooth,
     return good;
 }
 
-/* Reciprocity holds to the last bit, closure up to rounding. */
+/* Reciprocity holds to the last bit, and closure up to rounding. */
 static void check_rules(const struct found *found, const double *smooth)
 {
     for (size_t i = 0; i < found->count; i++) {
@@ -182,7 +182,7 @@ TEST(by_chance)
     }
 }
 
-/* Exact flows, and flows that are closed, do not change. */
+/* Exact flows do not change. Neither do flows that are closed. */
 TEST(left_alone)
 {
     const struct found exact = { .count = 2,

@@ -1,6 +1,6 @@
 /* test_special_values.c - results of machine zeros and indefinites are compared with
  * the operation's rule of special values in vm/arith.def, for words and half words with
- * random digits. A special operand that is treated as a number fails here; a rule
+ * random digits. A special operand that is treated as a number fails here. A rule
  * without a check does not compile. */
 #include "tests/random.h"
 #include "tests/unit/rule_cases.h"
@@ -57,7 +57,7 @@ struct trial {
         arith_unary *unary;
         void (*specials)(const struct trial *t);
     } * of;
-    word_format f; /* of the operation */
+    word_format f; /* format of the operation */
     c205_word a, b;
 };
 
@@ -166,7 +166,7 @@ static void check_MAGNITUDE(const struct trial *t)
         check_KEPT(t);
 }
 
-/* Shifting a normalised number by one more place overflows. */
+/* If a normalised number is shifted by one more place, it overflows. */
 static void check_FITTED(const struct trial *t)
 {
     int32_t exponent = format_exponent(t->f, t->a);
@@ -183,8 +183,8 @@ static void check_FIELD(const struct trial *t)
     expect(t, (struct outcome){ format_make(t->f, 0, exponent), 0 });
 }
 
-/* From words to half words: 24 places, and one more if rounding makes the coefficient
- * too long. */
+/* From words to half words the shift is 24 places, or 25 if rounding makes the
+ * coefficient too long. */
 static void check_CONTRACTED(const struct trial *t)
 {
     int32_t exponent = format_exponent(t->f, t->a) + 24;

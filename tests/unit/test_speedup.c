@@ -9,7 +9,7 @@
 #include "tests/unit/csv_reading.h"
 
 static c205_model *model;
-static struct speedup_report *report; /* of all subjects */
+static struct speedup_report *report; /* report of all subjects */
 static const struct speedup_view view = { .distance = 5, .angle = 37 };
 
 static void measure(const struct speedup_subject *subject,
@@ -38,7 +38,7 @@ static void check_sums(const struct speedup_measure *measure)
     assert_true(regions == measure->total);
 }
 
-/* The solver's region has clocks if the regula falsi made steps. The scalar form
+/* The region of the solver has clocks if the regula falsi made steps. The scalar form
  * refines one bracket at a time. */
 static void check_solver(const struct speedup_subject *subject,
                          const struct speedup_measure measures[TRACE_FORMS])
@@ -59,7 +59,7 @@ static void check_solver(const struct speedup_subject *subject,
     }
 }
 
-/* A subject names the solver's region exactly if it calls the solver. */
+/* A subject names the solver's region if and only if it calls the solver. */
 TEST(subjects)
 {
     for (size_t i = 0; i < speedup_subject_count; i++) {
@@ -83,7 +83,7 @@ TEST(subjects)
     }
 }
 
-/* The historical kernel and its regula falsi differ from ours. */
+/* The historical kernel and its regula falsi differ from the standard kernel. */
 TEST(historical)
 {
     for (size_t i = 0; i < speedup_subject_count; i++) {
@@ -174,8 +174,8 @@ static void read_detail(const char *heading, struct csv_table *table)
     csv_table(strchr(at, '\n') + 1, table);
 }
 
-/* Clocks of each form, divided by the rays of the table above. The names of the shapes
- * contain commas. */
+/* The clocks of each form, divided by the rays of the previous table. The names of the
+ * shapes contain commas. */
 TEST(times)
 {
     static struct csv_table rays, times;
@@ -206,7 +206,7 @@ TEST(times)
 
 enum { FIGURES = 5 };
 
-/* The figures as printed in the paper. */
+/* The figures that are printed in the paper. */
 static const struct {
     const char *primitive;
     double figures[FIGURES];
@@ -216,7 +216,7 @@ static const struct {
     { "Steiner", { 11.157, 1.047, 216.0, 10.67, 206 } },
 };
 
-/* Reads Table 1 back from its CSV; the heading is a comment. */
+/* Reads Table 1 from its CSV. The heading is a comment. */
 static const struct csv_table *read_table1(void)
 {
     static struct csv_table table;
@@ -270,7 +270,7 @@ TEST(paper_lines)
     }
 }
 
-/* Each subject has one row; only those of the paper have more. */
+/* Each subject has one row. Only subjects of the paper have more rows. */
 TEST(our_lines)
 {
     const struct csv_table *table = read_table1();
@@ -310,8 +310,8 @@ TEST(width)
 
 /* ---- Formulations ---------------------------------------------------------- */
 
-/* All formulations see the same image, with different clocks; the first is that of
- * Table 1. */
+/* All formulations produce the same image, with different clocks. The first formulation
+ * is the cylinder of Table 1. */
 TEST(formulations)
 {
     FREED struct speedup_measure(
@@ -362,8 +362,8 @@ TEST(markdown)
 
 /* ---- Projections -------------------------------------------------------- */
 
-/* Prior models are compared with the prior model of the 720, fitted ones with the
- * fitted one. */
+/* Models with priors are compared with the prior model of the 720, fitted models with
+ * its fitted model. */
 TEST(projection_models)
 {
     static const char *const rows[][2] = {
@@ -379,8 +379,8 @@ TEST(projection_models)
     }
 }
 
-/* The scalar form does the same work on both models of the 205, so the difference is
- * that of the 720's models. */
+/* The scalar form does the same work on both models of the 205, so the difference comes
+ * from the models of the 720. */
 TEST(projected)
 {
     c205_model *priors = model;

@@ -1,5 +1,5 @@
 /* test_spelling.c - the distance of two words is compared with its definition, and the
- * nearest of several names with the expected one. A distance that ignores a swap, or a
+ * nearest of several names with the expected name. A distance that ignores a swap, or a
  * suggestion that is too distant, fails here. */
 #include "base/spelling.h"
 #include "tests/random.h"
@@ -10,7 +10,7 @@ static size_t least(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* Computes the distance by its definition, from the first letters. */
+/* Computes the distance by its definition, starting with the first letters. */
 static size_t plain(const char *a, const char *b)
 {
     if (!*a || !*b)

@@ -1,6 +1,6 @@
-/* test_steiner.c - Steiner patches: the frames of both forms are compared with the
- * plain tracer and geometry, also for patches of quadrics and planes and for rays with
- * special cases. A lost root or a gap at an edge fails here. */
+/* test_steiner.c - Steiner patches. The frames of both forms are compared with the
+ * plain tracer and with geometry, also for patches of quadrics and planes, and for
+ * special rays. A lost root or a gap at an edge fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
@@ -12,7 +12,7 @@ static void add_shape(char *text, size_t size)
 
 TEST_CALL(random_scenes, check_random_scenes(add_shape, share_of(10)))
 
-/* Small patches, seen from far away, where lost precision would be visible. */
+/* Small patches are seen from far away, where a loss of precision would be visible. */
 TEST(distant_patches)
 {
     for (int i = 0; i < 4; i++) {
@@ -35,8 +35,8 @@ TEST(rays_along_the_differences)
     check_middle(STRAIGHT BOWL "weights 2, 2, 2, 2, 2, 2 }", 1, 5 + 1 / 3.);
 }
 
-/* Translation surfaces of two parabolas: a plane of rays crosses two curves s = const
- * at once, along lines of pixels. */
+/* Translation surfaces of two parabolas. A plane of rays crosses two curves s = const
+ * at the same time, along lines of pixels. */
 TEST(curves_in_planes_of_rays)
 {
     static const char *const turns[] = { "", "rotate 120*z", "rotate 90*y",
@@ -53,8 +53,8 @@ TEST(curves_in_planes_of_rays)
     }
 }
 
-/* A piece of the unit sphere about <6, 6, -7> / 11, turned to the eye, by stereographic
- * projection. Its weights and points are polar forms. */
+/* A piece of the unit sphere about <6, 6, -7> / 11, turned towards the camera, by
+ * stereographic projection. Its weights and points are polar forms. */
 #define PIECE \
     "steiner_patch { <1, 0, 0>, <0, 1, 0>, <0, 0, -1>, <1, 1, -1>," \
     " <0, 1, -1>, <1, 0, -1> weights 2, 2, 1, 1, 1, 1" \
@@ -72,7 +72,8 @@ TEST(quadrics)
                               " <.5, .5, .5>, <0, .5, 0>, <.5, 0, 0> }"));
 }
 
-/* Flat patches with straight and with curved edges, also seen along their plane. */
+/* Flat patches with straight edges and with curved edges, also seen along their
+ * plane. */
 #define FLAT \
     "steiner_patch { <-1, -1, 0>, <1, -1, 0>, <0, 1, 0>, <0, -1, 0>," \
     " <.5, 0, 0>, <-.5, 0, 0> "
@@ -94,7 +95,7 @@ TEST(planes)
     check_middle(STRAIGHT FLAT "rotate 90*y translate x }", 0, 0);
 }
 
-/* Patches share edges; no ray passes through the seam. */
+/* Patches share edges. No ray passes through the seam. */
 TEST(no_gap_at_an_edge)
 {
     FREED struct words *words = same_frame(
@@ -132,7 +133,7 @@ TEST(starts)
 #define DIAGONAL "rotate -45*y rotate 35.264389682754654*x "
 
 /* The middle ray passes through the triple point of the surface, where the implicit
- * quartic vanishes. The hit is after it, or at it. */
+ * quartic is 0. The hit is at the triple point or after it. */
 TEST(the_triple_point)
 {
     check_middle(STRAIGHT ROMAN DIAGONAL "}", 1, 5 + 1 / sqrt(3));

@@ -30,8 +30,8 @@ TEST(surfaces)
     }
 }
 
-/* The ambient term is multiplied by the ambient light, and the reciprocal of the
- * roughness is stored. */
+/* The ambient term is multiplied by the ambient light. The reciprocal of the roughness
+ * is stored. */
 TEST(finish)
 {
     static const char text[] =
@@ -43,7 +43,7 @@ TEST(finish)
     check_numbers(&stage, 0, "P_FINISH", finish, 8);
 }
 
-/* Finishes that depend on the angle. The opacity of a metal is part of its finish. */
+/* These finishes depend on the angle. The opacity of a metal is part of its finish. */
 TEST(gloss)
 {
     static const char text[] =
@@ -76,7 +76,7 @@ TEST(gloss)
 }
 
 /* As in POV-Ray, opacity is not clamped to 0 .. 1, a colour is weighted by its
- * brightness, and light that is too dim in total is not followed. */
+ * brightness, and light that is too dim in total is not traced. */
 TEST(odd_surfaces)
 {
     static const char text[] =
@@ -98,7 +98,7 @@ TEST(odd_surfaces)
         check_numbers(&stage, i, "P_TRANSMITTED", numbers[i], 4);
 }
 
-/* Two lists share their steps only if their waves are equal too. */
+/* Two lists share their steps only if they also have the same waves. */
 TEST(stops)
 {
     static const char text[] =
@@ -134,7 +134,8 @@ static void check_interiors(const char *text, size_t bodies, double base, double
     assert_number(stage_word(&stage, first + 5 * 64), 9);
 }
 
-/* Interiors that rays can be in, in order. The number that can be stored is limited. */
+/* The interiors that can contain rays, in order. The number of interiors that can be
+ * stored is limited. */
 TEST(interiors)
 {
     static const char few[] =

@@ -1,6 +1,6 @@
-/* test_sweep.c - the measures of rt205 sweep are compared with those of rt205 speedup,
- * with sums of their parts and with expected crossovers, in small frames. A clock that
- * is lost, or a wrong length, fails here. */
+/* test_sweep.c - the measures of rt205 sweep are compared with rt205 speedup, with sums
+ * of their parts and with expected crossovers, in small frames. A clock that is lost,
+ * or a wrong length, fails here. */
 #include "rt/study/sweep/sweep_types.h"
 #include "tests/unit/scene_reading.h"
 
@@ -33,7 +33,7 @@ static void run(const struct sweep_kind *kind, struct sweep *sweep)
 #define SET_LENGTHS(sweep, array) \
     ((sweep).lengths = (array), (sweep).length_count = COUNT(array))
 
-/* Each clock has one cause, in one group. */
+/* Each clock has one cause, which is in one group. */
 static void check_sums(const struct sweep_form *form)
 {
     uint64_t causes = 0, groups = 0;
@@ -103,7 +103,7 @@ TEST(queue)
     }
 }
 
-/* Fourteen balls in one solid: each ray stores its crossings with all of them. */
+/* Fourteen balls in one solid. Each ray stores its crossings with all balls. */
 static const char balls[] =
     "camera { location -9*z look_at 0 right x up y }\n"
     "light_source { <-5, 9, -9> 1 }\n"
@@ -111,8 +111,8 @@ static const char balls[] =
     "sphere { <mod(I, 7)*.6 - 2, div(I, 7)*2 - 1, -2>, .7 } #end\n"
     "pigment { color rgb 1 } }\n";
 
-/* A real memory of some thousand words, so that long queues cause page faults. They
- * also test more parts of the solid, since some ray is near each. */
+/* The real memory has some thousand words, so that long queues cause page faults. Long
+ * queues also test more parts of the solid, because each part is near a ray. */
 TEST(small_memory)
 {
     static const c205_setting settings[] = { { "page.words", 512 },
@@ -139,7 +139,8 @@ TEST(small_memory)
     assert_true(group(longest, SWEEP_STARTUP) < group(best, SWEEP_STARTUP));
 }
 
-/* A model of two frames predicts the memory of a third. Crossings of a tree count. */
+/* A model that is computed from two frames predicts the memory of a third frame.
+ * Crossings of a tree count. */
 TEST(memory)
 {
     SCOPED(scene) *scene = read_scene(balls);
@@ -187,8 +188,9 @@ TEST(queue_report)
 
 /* ---- Pipes --------------------------------------------------------------- */
 
-/* Twice the results per clock halves the stream time, except for work that overlaps it;
- * other clocks do not change. Half words on n pipes take as long as words on 2 n. */
+/* Twice the results per clock halve the stream time, except for work that overlaps it.
+ * Other clocks do not change. Half words on n pipes take the time of words on 2 n
+ * pipes. */
 TEST(pipes)
 {
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
@@ -235,7 +237,7 @@ TEST(hits)
     check_hits("cylinder", 8, 40);
 }
 
-/* A distant camera, and one so near that no ray misses the object. */
+/* A distant camera, and a camera that is so near that no ray misses the object. */
 TEST(hits_out_of_view)
 {
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 16, 16);
@@ -250,7 +252,7 @@ TEST(hits_out_of_view)
 
 /* ---- Lengths ------------------------------------------------------------- */
 
-/* The queued form is cheaper from the crossover on, and not before. */
+/* The queued form is cheaper from the crossover on, but not before it. */
 static void check_crossover(const struct sweep *sweep,
                             const struct sweep_lengths_found *found)
 {
@@ -322,7 +324,7 @@ static struct sweep_measure as_if(size_t length, uint64_t speedup)
     return measure;
 }
 
-/* Adjacent lengths are not a crossover if shorter lengths were not measured. */
+/* Adjacent lengths are no crossover if shorter lengths were not measured. */
 TEST(left_out)
 {
     struct sweep_measure measures[] = { as_if(1, 1),    as_if(400, 7),  as_if(401, 7),
@@ -359,7 +361,7 @@ static bool watch(void *context, size_t done, size_t all)
     return watcher->stop_at == 0 || watcher->calls < watcher->stop_at;
 }
 
-/* Progress increases over all frames, and any call can stop the sweep. */
+/* The progress increases over all frames. Any call can stop the sweep. */
 TEST(progress)
 {
     for (size_t stop_at = 0; stop_at < 4; stop_at++) {

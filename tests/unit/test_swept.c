@@ -1,8 +1,8 @@
-/* test_swept.c - prisms, prisms of quadratic splines and lathes, which sweep a path:
- * both forms of the tracer are compared with each other and with the plain tracer, on
- * random paths, alone and in solids, and the tables of the kernels with the plain
- * shapes. A wrong row of a table, a normal that points inside, or too few segments for
- * the crossings of a ray fail here.
+/* test_swept.c - prisms, prisms of quadratic splines and lathes, which sweep a path.
+ * Both forms of the tracer are compared with each other and with the plain tracer, on
+ * random paths, alone and in solids. The tables of the kernels are compared with the
+ * plain shapes. A wrong row of a table, a normal that points inside, or too few
+ * segments for the crossings of a ray fail here.
  *
  *     test_swept [SCENES [SEED]]
  */
@@ -12,7 +12,8 @@
 #include "rt/shapes/shape_words.h"
 #include "tests/oracle/plain_shapes.h"
 
-static size_t scene_count = 10; /* of each kind; make check draws a third */
+static size_t scene_count = 10; /* number of scenes of each kind; make check uses a
+                                 * third */
 
 /* ---- Normals ------------------------------------------------------------- */
 
@@ -42,7 +43,7 @@ struct parabola {
     double outward;
 };
 
-/* Evaluates a point at w with the words of the crossings, and its normal with the words
+/* Computes a point at w from the words of the crossings, and its normal from the words
  * of normals, which depend on the point. */
 static void check_point(const struct primitive *prism, const struct parabola *row,
                         double w, bool tangled)
@@ -93,8 +94,8 @@ static bool is_closed(const struct primitive *lathe)
            || (first[0] == last[0] && first[1] == last[1]);
 }
 
-/* The normal of each segment points from inside to outside. For an open lathe both
- * sides may be outside. */
+/* The normal of each segment points from inside to outside. In an open lathe both sides
+ * may be outside. */
 static void check_lathe(const struct primitive *lathe, bool tangled UNUSED)
 {
     size_t count = shape_table_count(lathe, NULL);
@@ -122,10 +123,10 @@ static void check_lathe(const struct primitive *lathe, bool tangled UNUSED)
 
 struct swept {
     const char *begin;
-    size_t row_words; /* per row of the table */
+    size_t row_words; /* number of words in a row of the table */
     void (*add)(char *text, size_t size, bool tangles);
     double larger;
-    double reach; /* distance of ray origins */
+    double reach; /* distance of the origins of rays */
     /* Checks the rows of the table. */
     void (*check)(const struct primitive *shape, bool tangled);
 };
@@ -141,7 +142,7 @@ static const struct swept
     lathe = { "lathe { ", 16, add_lathe, 1.4, 1, check_lathe };
 
 static const struct swept *const all[] = { &prism, &quadratic, &lathe };
-static const struct swept *swept; /* the current one */
+static const struct swept *swept; /* the current shape */
 
 static void add_tangled(char *text, size_t size)
 {
@@ -159,8 +160,8 @@ static void check_scenes(const struct swept *shape)
     swept = shape;
     check_random_scenes(add_tangled, scene_count);
     for (size_t i = 0; i < 2 * scene_count; i++) {
-        /* The plain tracer gives other colours through clear quadratic prisms in some
-         * scenes, by at most .007. The reason is unknown. */
+        /* In some scenes the plain tracer's colours through transparent quadratic
+         * prisms differ, by at most .007. The reason is unknown. */
         solids.clear = i % 2 && shape != &quadratic;
         check_solids_with(add_plain);
     }
@@ -233,7 +234,7 @@ TEST(segments)
     assert_int_equal(segments_of(&lathe, ball), 1);
 }
 
-/* A line has at most as many crossings as there is space for. */
+/* A line does not have more crossings than there is room for. */
 static void check_crossings(const struct primitive *shape, double reach)
 {
     struct shape_words words;
@@ -267,8 +268,8 @@ TEST(paths)
         check_paths(all[i]);
 }
 
-/* Normals of paths that do not cross themselves point from inside to outside. The last
- * path crosses itself: its straight edges extend beyond their ends. */
+/* In paths that do not intersect themselves, normals point from inside to outside. The
+ * last path intersects itself, because its straight edges extend beyond their ends. */
 TEST(known_normals)
 {
     static const char *const paths[] = {
@@ -287,7 +288,7 @@ TEST(known_normals)
     }
 }
 
-/* Rays in the side of a cone, along the axis of a tube, and in rings: all forms must
+/* Rays in the side of a cone, along the axis of a tube, and in rings. All forms must
  * agree. */
 TEST(along)
 {

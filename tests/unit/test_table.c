@@ -1,7 +1,7 @@
-/* test_table.c - tables, JSON and atomic files: printed tables of text, counts and
- * numbers are compared with expected texts in every format, and files that cannot be
- * replaced with their old contents. A value that is truncated or quoted incorrectly, or
- * a temporary file that is left, fails here.
+/* test_table.c - tables, JSON and atomic files. Printed tables of text, counts and
+ * numbers are compared with expected texts in every format. Files that cannot be
+ * replaced are compared with their old contents. A value that is truncated or quoted
+ * incorrectly, or a temporary file that is left, fails here.
  */
 #include <float.h>
 
@@ -27,7 +27,7 @@ static const struct table_column named[] = {
 
 static struct {
     char name[32], path[64];
-} folder; /* of the current test */
+} folder; /* folder of the current test */
 
 FIXTURE(set_up)
 {
@@ -38,7 +38,7 @@ FIXTURE(set_up)
     return 0;
 }
 
-/* Removes the file and its folder; rmdir fails if a temporary file is left. */
+/* Removes the file and its folder. If a temporary file is left, rmdir fails. */
 FIXTURE(tear_down)
 {
     unlink(folder.path);
@@ -68,7 +68,7 @@ static struct table *some_table(void)
     return table;
 }
 
-/* Writes `count` words of the letters a to z. */
+/* Writes `count` random words of the letters a to z. */
 static void random_words(unsigned *seed, size_t count, char *text)
 {
     for (size_t i = 0; i < count; i++) {
@@ -79,8 +79,8 @@ static void random_words(unsigned *seed, size_t count, char *text)
     }
 }
 
-/* The lines from the start of the column must contain the whole text, each as full as
- * possible. */
+/* The lines from the start of the column must contain the whole text. Each line must be
+ * as full as possible. */
 static void assert_folded(const char *printed, size_t begins, const char *text)
 {
     enum { WIDE = 100 };
@@ -100,8 +100,8 @@ static void assert_folded(const char *printed, size_t begins, const char *text)
     assert_string_equal(line, "");
 }
 
-/* Texts that could break a format: its separators, line ends, and numbers that are
- * shorter in print. */
+/* Texts that could break a format: its separators, line ends, and numbers that have a
+ * shorter printed form. */
 static const char *const odd_names[] = { "a, b", "\"c\"",      "# d",
                                          "e|f",  "two\nlines", "\\ <g> *h* `i`" };
 
@@ -117,7 +117,7 @@ static struct table *odd_table(void)
     return table;
 }
 
-/* The caller frees the text. */
+/* Returns the printed table. The caller frees it. */
 static char *written(const struct table *table, enum table_format format)
 {
     char *text = NULL;
@@ -165,7 +165,7 @@ TEST_WITH(formats, set_up, tear_down)
                    "| longer |        7 |       |          |\n");
 }
 
-/* A text that is too long for a line is wrapped in the plain format only. */
+/* Only the plain format wraps a text that is too long for a line. */
 TEST(long_text_is_folded)
 {
     enum { FIRST = 76 };
@@ -201,8 +201,8 @@ TEST(csv_comes_back)
     assert_true(strtod(back.cell[4][2], NULL) == 1.0 / 3.0);
 }
 
-/* No cell can be read as a formula of a spreadsheet, whatever its first character;
- * numbers do not change. Other control characters are escaped. */
+/* No cell can be read as a formula of a spreadsheet, whatever its first character is.
+ * Numbers do not change. Other control characters are escaped. */
 TEST(csv_has_no_formulas)
 {
     static const char marks[] = "=+-@\t\n";
@@ -349,7 +349,7 @@ TEST_WITH(old_file_stays, set_up, tear_down)
     expect_text(folder.path, "old");
 }
 
-/* The new file cannot replace a folder of the same name. */
+/* The new file cannot replace a folder with the same name. */
 TEST_WITH(nothing_is_left, set_up, tear_down)
 {
     c205_error error;

@@ -1,6 +1,6 @@
-/* test_terminal.c - the reaction of a debugger at a terminal is compared with its
- * rules, with and without libedit: Ctrl-C stops the program or drops the typed line and
- * has no other effect; SIGTERM and SIGHUP end the command. A dropped line that is
+/* test_terminal.c - the reactions of a debugger at a terminal are compared with its
+ * rules, with and without libedit. Ctrl-C stops the program or drops the typed line,
+ * and has no other effect. SIGTERM and SIGHUP end the command. A dropped line that is
  * executed fails here. */
 #define _XOPEN_SOURCE 700
 
@@ -25,7 +25,8 @@ struct terminal {
     pid_t process;
     struct text_buffer said;
     size_t seen;    /* length of the output that was read */
-    unsigned asked; /* questions; an answer shows that all is done */
+    unsigned asked; /* number of questions; the answer to a question shows that all is
+                     * done */
 };
 
 /* ---- A process at a terminal ----------------------------------------------- */
@@ -64,8 +65,8 @@ static void type(struct terminal *terminal, const char *text)
     assert_int_equal(write(terminal->master, text, length), length);
 }
 
-/* Reads output, waiting for at most that many milliseconds. Returns false if there was
- * none, or the process has ended. */
+/* Reads output. Waits for at most `milliseconds`. Returns false if there was no output,
+ * or if the process has ended. */
 static bool listen_on(struct terminal *terminal, int milliseconds)
 {
     struct pollfd input = { .fd = terminal->master, .events = POLLIN };
@@ -97,7 +98,7 @@ static void expect(struct terminal *terminal, const char *text)
             terminal->said.text);
 }
 
-/* Asks a question; its answer shows that all earlier lines were executed. */
+/* Asks a question. Its answer shows that all earlier lines have been executed. */
 static void ask(struct terminal *terminal)
 {
     char line[80];
@@ -132,8 +133,8 @@ static char *const render_words[] = { "rt205", "render",  "scenes/first.pov",
                                       "30",    "--debug", "20,15",
                                       NULL };
 
-/* Types complete and incomplete lines with Ctrl-C at random places. At the end the
- * first breakpoint must exist, so that no dropped line was executed. */
+/* Types complete and incomplete lines with Ctrl-C at random positions. At the end the
+ * first breakpoint must exist, which shows that no dropped line was executed. */
 static void check_drops(struct terminal *terminal)
 {
     static const char *const dropped[] = { "",     "delete",   "dele", "qu",
@@ -156,7 +157,8 @@ static void check_drops(struct terminal *terminal)
     expect(terminal, "1 break insn EXIT, hit 0 times");
 }
 
-/* A Ctrl-C before the line is read drops it, so the line is typed again. */
+/* If Ctrl-C arrives before the line is read, it drops the line. The line is then typed
+ * again. */
 static void check_program(struct terminal *terminal)
 {
     for (size_t i = 0; i < 3; i++) {

@@ -1,6 +1,6 @@
-/* test_text.c - the scene language: the extents of characters of fonts are compared
- * with those of POV-Ray for the same texts, and outlines with their rules. A wrong
- * bearing, kerning or loop fails here. */
+/* test_text.c - the scene language. The extents of characters of fonts are compared
+ * with POV-Ray for the same texts, and outlines with their rules. A wrong bearing,
+ * kerning or loop fails here. */
 #include "base/file.h"
 #include "rt/scene/font.h"
 #include "rt/scene/transform.h"
@@ -8,8 +8,8 @@
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
-/* The prism of a character: the number of points per corner, 2 with handles, and its
- * ends. */
+/* The prism of a character: the number of points for each corner, which is 2 with
+ * handles, and its ends. */
 struct character {
     const struct outline *path;
     size_t apart;
@@ -83,13 +83,13 @@ static void extent_of(const struct scene *scene, double low[3], double high[3])
 /* POV-Ray's bounds are about 2e-5 too large. */
 #define WITHIN 1e-4
 
-/* POV-Ray's min_extent and max_extent of the same text: bearings, kerning, offsets,
- * blanks, and characters outside of ASCII. */
+/* The min_extent and max_extent of POV-Ray for the same text, with bearings, kerning,
+ * offsets, blanks, and characters outside of ASCII. */
 TEST(extents)
 {
     static const struct {
         const char *font, *string, *offset;
-        double extent[4]; /* the low corner, then the high one */
+        double extent[4]; /* the low corner, then the high corner */
     } rows[] = {
         { "cyrvetic", "C", "0", { 0, -.02102, .63602, .74901 } },
         { "cyrvetic", "@", "0", { 0, -.15102, .90602, .71602 } },
@@ -128,7 +128,7 @@ static double area_of(const double from[2], const double handle[2], const double
            + (lead[0] * way[1] - lead[1] * way[0]) / 3;
 }
 
-/* The dot of this font is round: its parabolas enclose the area of an ellipse. */
+/* The dot of this font is round. Its parabolas enclose the area of an ellipse. */
 TEST(curves)
 {
     SCOPED(scene) *scene = read_scene("text { ttf \"timrom.ttf\" \".\" 1, 0 }");
@@ -143,8 +143,8 @@ TEST(curves)
     assert_close(fabs(area) / ellipse, 1, .01);
 }
 
-/* The letter has small curves at its feet, otherwise straight edges, some slanted. The
- * area between its curves and their chords is nearly zero. */
+/* The letter has small curves at its feet. Its other edges are straight, and some are
+ * slanted. The area between its curves and their chords is nearly zero. */
 TEST(slanted)
 {
     SCOPED(scene) *scene = read_scene("text { ttf \"timrom.ttf\" \"A\" 1, 0 }");
@@ -183,7 +183,8 @@ static size_t four_bytes(const unsigned char *at)
     return (size_t)two_bytes(at) << 16 | two_bytes(at + 2);
 }
 
-/* Returns a table of a TrueType file, found in its directory. */
+/* Returns a table of a TrueType file. The directory of the file contains its
+ * position. */
 static unsigned char *table_of(unsigned char *font, const char *name)
 {
     unsigned count = two_bytes(font + 4);
@@ -194,7 +195,7 @@ static unsigned char *table_of(unsigned char *font, const char *name)
     return NULL;
 }
 
-/* Reduces the first loop of each character that has several to a single point, which
+/* If a character has several loops, reduces the first loop to a single point, which
  * fonts use as a mark. */
 static void leave_points(unsigned char *font)
 {
@@ -213,7 +214,7 @@ static void leave_points(unsigned char *font)
     }
 }
 
-/* All points belong to edges of positive length, in loops that end at their first
+/* All points belong to edges with a positive length, in loops that end at their first
  * point. */
 static void check_outline(const struct glyph *glyph)
 {
@@ -261,8 +262,9 @@ TEST(outlines)
 
 enum { MAX_LOOP = 24 };
 
-/* Random loops on a small grid, which touch themselves. The result must be the same
- * loop from another first point, which occurs once if any point does. */
+/* Random loops on a small grid touch themselves. The result must be the same loop,
+ * starting at another point. If any point occurs only once, the first point must occur
+ * only once. */
 static void check_touching_loop(size_t corners, size_t apart, uint64_t *random)
 {
     size_t count = corners * apart, begin = 0;

@@ -1,7 +1,6 @@
-/* test_text_file.c - the lines of random texts are compared with those of a plain
- * reader, and names and messages that are printed to a terminal with rules for their
- * bytes. A line end that is missed, or a control character that is printed, fails
- * here. */
+/* test_text_file.c - the lines of random texts are compared with a plain reader. Names
+ * and messages that are printed to a terminal are compared with rules for their bytes.
+ * A line end that is missed, or a control character that is printed, fails here. */
 #include "asm/text/assemble.h"
 #include "base/diagnostic.h"
 #include "base/text_file.h"
@@ -13,7 +12,7 @@ enum { TEXTS = 20000, LONGEST = 40 };
 
 /* ---- Lines ------------------------------------------------------------------- */
 
-/* Draws a text of few different bytes, with all significant ones. */
+/* Makes a random text of a few different bytes, which include all significant bytes. */
 static size_t draw_text(char *text)
 {
     static const char bytes[] = "ab \n\n\r\r\x1A\xEF\xBB\xBF\xC2\xA0";
@@ -26,7 +25,7 @@ static size_t draw_text(char *text)
     return marked + length;
 }
 
-/* Reads a text by another method, which splits it into lines first. */
+/* Reads a text by another method, which first splits it into lines. */
 static void read_plainly(const char *text, char *plain)
 {
     *plain = '\0';
@@ -55,7 +54,7 @@ TEST(any_text)
     }
 }
 
-/* The lines of a stream must be those of the whole text. */
+/* The lines of a stream must equal the lines of the whole text. */
 TEST(any_stream)
 {
     for (size_t i = 0; i < TEXTS / 20; i++) {
@@ -136,7 +135,7 @@ static bool is_safe(const char *text)
     return true;
 }
 
-/* Names of any bytes are printed without bytes that a terminal executes; no visible
+/* Names of any bytes are printed without bytes that a terminal interprets. No visible
  * character is lost. */
 TEST(any_name)
 {

@@ -61,7 +61,8 @@ static void study_free(struct study *study)
     scene_free(study->scene);
 }
 
-/* Reads texts NAME=VALUE, separated by blanks; those of the scene are added last. */
+/* Reads texts NAME=VALUE, separated by blanks. The values of the scene are added
+ * last. */
 static void give(const struct study *study, const struct value_kind *kind,
                  const char *texts, struct named_values *given)
 {
@@ -128,7 +129,7 @@ TEST(groups)
 
 /* ---- Flows -------------------------------------------------------------------- */
 
-/* exchange.csv has the flow to a shell of 300 K and .5. */
+/* exchange.csv contains the flow to a shell with 300 K and the emissivity .5. */
 TEST(flows)
 {
     double pi = acos(-1), fourth = 3e2 * 3e2 * 3e2 * 3e2;
@@ -143,7 +144,7 @@ TEST(flows)
     assert_close(flow[1], from_outside, .01 * from_outside);
 }
 
-/* With lines, each flow is counted once for both surfaces, so that the flows sum to
+/* With lines, each flow is counted once for both surfaces. Therefore the flows sum to
  * 0. */
 TEST(lines)
 {

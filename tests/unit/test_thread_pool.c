@@ -1,6 +1,6 @@
-/* test_thread_pool.c - tasks in threads: the tasks that ran and the reported progress
- * are compared with the drawn ones; each must run once, in its place. A task that runs
- * twice or is lost, or a progress that decreases, fails here. */
+/* test_thread_pool.c - tasks in threads. The tasks that ran and the reported progress
+ * are compared with random expectations. Each task must run once, in its place. A task
+ * that runs twice or is lost, or a progress that decreases, fails here. */
 #include <time.h>
 #include <unistd.h>
 
@@ -14,12 +14,12 @@ enum { MAX = 40, STEPS = 5 };
 
 struct bench {
     size_t count;
-    int times[MAX]; /* runs of each task */
+    int times[MAX]; /* number of runs of each task */
     size_t bad;     /* index of the task that fails; MAX: none */
-    bool slow;      /* the failing task is slow, and all after it fail at once */
+    bool slow;      /* the failing task is slow, and all later tasks fail at once */
     size_t last, all, ends;
     size_t stop_at; /* progress requests a stop at this value; SIZE_MAX: never */
-    bool falls;     /* progress decreased */
+    bool falls;     /* the progress decreased */
 };
 
 static bool watch(void *context, size_t done, size_t all)
@@ -105,7 +105,7 @@ TEST(a_bad_one)
     }
 }
 
-/* Many tasks fail, the lowest of them last. Its error is reported. */
+/* Many tasks fail. The lowest of them fails last, and its error is reported. */
 TEST(the_lowest_of_many)
 {
     uint64_t random = RANDOM_SEED + 3;

@@ -15,7 +15,8 @@ static uint64_t random_state = RANDOM_SEED;
 
 /* ---- Runs ----------------------------------------------------------------- */
 
-/* Runs a program for at most MAX_INSNS instructions, to an instruction boundary. */
+/* Runs a program for at most MAX_INSNS instructions. Stops at an instruction
+ * boundary. */
 static c205 *run(const struct object *object, struct timeline *timeline)
 {
     c205 *machine = machine_with(&object->program, prior_model);
@@ -72,7 +73,7 @@ struct reader {
     size_t next; /* the next instruction to be declared */
     struct shown {
         bool there, retired;
-        char stage[16]; /* current stage; "": none */
+        char stage[16]; /* current stage; "": no stage */
         uint64_t since, worked;
         unsigned labels;
     } shown[MAX_INSNS + 2];
@@ -157,7 +158,8 @@ static void check_kanata(const struct timeline *timeline)
 
 /* ---- Other cases ---------------------------------------------------------- */
 
-/* The texts have one event and one box per span, and each is closed. */
+/* The texts contain one event and one box for each span. Each event and each box is
+ * closed. */
 static void check_texts(const struct timeline *timeline)
 {
     SCOPED_VALUE(arena) arena = { NULL, false };

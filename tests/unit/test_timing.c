@@ -4,8 +4,8 @@
  *   test_timing [CASES]
  *
  * The closed formula is compared for every vector row with random operands. Longer
- * vectors are never cheaper, more pipes are never slower, the causes sum to the total
- * at every step, and ten programs take the clocks that are computed by hand.
+ * vectors are never cheaper, and more pipes are never slower. The causes sum to the
+ * total at every step. Ten programs take the clocks that were computed by hand.
  */
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/vector_case.h"
@@ -46,7 +46,7 @@ static bool is_vector(const c205_insn *row)
 
 /* ---- Measured ---------------------------------------------------------- */
 
-/* Runs twice; the second time the pages are mapped. */
+/* Runs the instruction twice. In the second run the pages are mapped. */
 static uint64_t measured(struct small_machine *on, const struct vector_case *one)
 {
     load(on, MEMORY_WORDS);
@@ -79,8 +79,8 @@ static double constant(const c205_model *model, const char *kind, const char *na
     return found->value;
 }
 
-/* ceil(n x rate / pipes). Pipes make half_rate results of 32 bits in the time of one;
- * rates are exact in millionths. */
+/* Returns ceil(n x rate / pipes). Pipes make half_rate results of 32 bits in the time
+ * of one result of 64 bits. Rates are exact in millionths. */
 static uint64_t stream(const c205_model *model, const char *name, uint64_t n, bool half)
 {
     uint64_t million = 1000000, pipes = 1;
@@ -127,7 +127,7 @@ static c205_word unsigned_element(const struct vector_case *one, enum role role,
     return one->reg[role_half[role] / 2] << left >> HALF << HALF;
 }
 
-/* Returns an element; a half word is in the left half. */
+/* Returns an element. A half word is in the left half. */
 static c205_word element(const struct vector_case *one, enum role role, size_t i)
 {
     unsigned g = one->fields.g;
@@ -184,7 +184,8 @@ static uint64_t elements(const struct vector_case *one)
     return one->n;
 }
 
-/* t(k) = max(t(k-1) + 1, free(bank(k))), for the elements that are not suppressed. */
+/* Uses t(k) = max(t(k-1) + 1, free(bank(k))) for the elements that are not
+ * suppressed. */
 static uint64_t conflicts(const struct vector_case *one, const c205_model *model)
 {
     uint64_t banks = (uint64_t)constant(model, "memory", "banks");
@@ -235,7 +236,7 @@ static void draw_plain(struct vector_case *one, const c205_insn *row, uint64_t *
            || one->fields.y != (sparse ? role_register[ROLE_Y] : 0));
 }
 
-/* One instruction, and two in sequence; all operands have each length. */
+/* Tries one instruction, and two in sequence. All operands have each length. */
 static void try_lengths(struct vector_case *one, unsigned times)
 {
     uint64_t before[MODELS] = { 0 }, now[MODELS];
@@ -280,8 +281,8 @@ static bool same_states(void)
     return c205_pc(fixture[0].machine) == c205_pc(fixture[1].machine);
 }
 
-/* Steps all machines. Returns false if one has ended, or has another state; programs
- * that read the clock may. */
+/* Steps all machines. Returns false if one machine has ended or has another state,
+ * which is possible for programs that read the clock. */
 static bool step_all(void)
 {
     bool goes_on = true;
@@ -313,8 +314,8 @@ TEST(random_programs)
 
 /* ---- Ten small programs ------------------------------------------------ */
 
-/* All programs run on two pipes with the constants of docs/timing.md. The first access
- * to a page takes 30 + 1,000. */
+/* All programs run on two pipes, with the constants of docs/timing.md. The first access
+ * to a page takes 30 + 1,000 clocks. */
 static const struct {
     const char *what, *text;
     uint64_t clocks;

@@ -1,6 +1,6 @@
 /* test_tokens.c - the tokens that are recorded for macros and loops are compared with
- * those that a lexer reads again, for random texts and all starts and ends of a body. A
- * token that is lost or of another place fails here. */
+ * tokens that a lexer reads again, for random texts and all starts and ends of a body.
+ * A token that is lost or has another position fails here. */
 #include "rt/scene/language/token.h"
 #include "tests/unit/unit.h"
 
@@ -8,7 +8,7 @@
 
 enum { TEXTS = 200, CUTS = 60, PIECES = 40, MAX_TEXT = 200 };
 
-/* Pieces whose tokens depend on the pieces after them. */
+/* Makes a text of pieces whose tokens depend on the following pieces. */
 static void draw_text(char *text)
 {
     static const char *const pieces[] = { "1",  "1e",   "e",    "+", "5",   ".",  "<",
@@ -43,7 +43,7 @@ static void assert_same(const struct scene_token *a, const struct scene_token *b
             a->place.at, (int)b->length, b->text, text);
 }
 
-/* Compares all tokens of a body, with some steps back. */
+/* Compares all tokens of a body. Sometimes goes back to an earlier token. */
 static void compare(struct lexer *keeping, struct lexer *fresh,
                     const struct scene_source *source, size_t from, size_t end)
 {
@@ -79,7 +79,7 @@ TEST(any_cut)
         draw_text(text);
         struct scene_source *source = NON_NULL(
             source_add(&sources, "drawn", text, strlen(text), &failure));
-        if (i % 2) { /* otherwise the body is that of the main file */
+        if (i % 2) { /* otherwise the body belongs to the main file */
             assert_true(lexer_open(keeping, source));
             assert_true(lexer_open(fresh, source));
         }

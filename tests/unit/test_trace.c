@@ -1,7 +1,7 @@
 /* test_trace.c - the frames of the scalar and the vector form of the tracer are
- * compared bit for bit, with queues of several lengths: random scenes of all shapes
- * with a formula, and rays for which a kernel has a separate branch. A branch that only
- * one form takes, or that rounds in another order, fails here. */
+ * compared bit for bit, with several queue lengths. The scenes are random scenes of all
+ * shapes with a formula, and scenes with rays for which a kernel has a separate branch.
+ * A branch that only one form takes, or that rounds in another order, fails here. */
 #include "tests/unit/random_solids.h"
 
 static void add_shape(char *text, size_t size)
@@ -37,8 +37,8 @@ static void add_torus(char *text, size_t size)
                           : "torus { ^9.5:1.2^, ^9.1:.6^");
 }
 
-/* A closed quartic, because of the terms x^4 + y^4 + z^4. The other terms are random;
- * many are 0. */
+/* A quartic that is closed, because of the terms x^4 + y^4 + z^4. The other terms are
+ * random, and many are 0. */
 static void add_quartic(char *text, size_t size)
 {
     static const int fourth_powers[] = { 0, 20, 30 };
@@ -63,7 +63,7 @@ static void add_quartic_or_torus(char *text, size_t size)
     add_random(text, size, " rotate <^2-90:90^, ^2-90:90^, ^2-90:90^> translate @2@ ");
 }
 
-/* Enough discs for a hierarchy. */
+/* Adds a number of discs that is sufficient for a hierarchy. */
 static void add_discs(char *text, size_t size)
 {
     size_t count = 12 + below(40);
@@ -81,10 +81,11 @@ TEST_CALL(random_quadrics, check_random_scenes(add_quadric_or_cone, share_of(12)
 TEST_CALL(random_quartics, check_random_scenes(add_quartic_or_torus, share_of(8)))
 TEST_CALL(random_discs, check_random_scenes(add_discs, share_of(4)))
 
-/* The light is behind a plane that is seen and lit along its surface. The direction to
- * the light is that of the ray, their half-way vector is zero, and there is no
- * highlight. (The power of an indefinite would be about 2^(28718 / roughness), with an
- * exponent truncated to 16 bits: a large value here.) */
+/* The ray and the light are almost in the plane, and the light is straight ahead of the
+ * ray. The directions to the light and along the ray are almost equal, so the length of
+ * their halfway vector rounds to zero. There must be no highlight. (A wrong highlight
+ * would be visible: the power of an indefinite would be about 2^(28718 / roughness),
+ * with an exponent truncated to 16 bits.) */
 TEST(light_straight_behind)
 {
     FREED struct words *words = same_frame(
@@ -117,7 +118,7 @@ TEST(flat_boxes)
     check_normal_z(AHEAD "box { <-1, -1, 1000>, <1, 1, 1000 + 1e-9> }", -1);
 }
 
-/* The axis is tilted by 1e-7: the ray is in the side from z = 5 to 15. */
+/* The axis is tilted by 1e-7, so the ray is in the side from z = 5 to 15. */
 TEST(ray_almost_along_a_cylinder)
 {
     check_middle_within(STRAIGHT "cylinder { <-1.1e-5, 0, -100>,"
@@ -138,7 +139,8 @@ TEST(numbers_beyond_doubles)
 /* A cone of 45 degrees with its apex at the origin, open at the top. */
 #define FUNNEL "cone { 0, 0, 2*y, 2 "
 
-/* The ray is parallel to a line of the surface, turned by 45 degrees: a = 0. */
+/* The ray is parallel to a line of the surface that is rotated by 45 degrees, so a =
+ * 0. */
 TEST(rays_parallel_to_a_side)
 {
     check_middle_within(AHEAD FUNNEL "translate -y rotate -45*x }", 1, 5 - sqrt(2),

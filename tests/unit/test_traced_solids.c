@@ -1,6 +1,6 @@
-/* test_traced_solids.c - nested solids, shadows, mirrors and glass in random scenes:
- * the frames of the three stages are compared with each other and the plain tracer. A
- * ray that one stage loses fails here. */
+/* test_traced_solids.c - nested solids, shadows, mirrors and glass in random scenes.
+ * The frames of the three stages are compared with each other and with the plain
+ * tracer. A ray that one stage loses fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/random_solids.h"
 
@@ -42,7 +42,7 @@ static void check_scenes(bool clear)
 TEST_CALL(opaque, check_scenes(false))
 TEST_CALL(clear, check_scenes(true))
 
-/* The method of the vector form for visible crossings must not change the frame. */
+/* The CSG method of the vector form must not change the frame. */
 static void check_every(const char *text)
 {
     static const size_t queues[] = QUEUES;
@@ -58,7 +58,7 @@ static void check_every(const char *text)
     }
 }
 
-/* Surfaces that coincide, exactly and nearly, and patches among solids. */
+/* Surfaces that coincide exactly or nearly, and patches among solids. */
 static const char coincident[] = HEAD
     "camera { location <0, 1, -6> look_at 0 angle 30 }\n"
     "difference { box { -1, 1 } box { -1, <0, 1, 1> } "
@@ -85,8 +85,8 @@ TEST(every)
     }
 }
 
-/* More nested bodies than are stored, more panes than rays in a chain, and more
- * reflections than levels with a weight that counts. */
+/* There are more nested bodies than can be stored, more panes than rays in a chain, and
+ * more reflections than levels with a significant weight. */
 TEST(limits_of_rays)
 {
     static const char *const texts[] = {

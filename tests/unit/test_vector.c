@@ -1,11 +1,12 @@
 /* test_vector.c - states after instructions with vector operands are compared with the
- * reference interpreter, which processes one element after another: read, compute,
- * store. A result, flag, trap or page that differs fails here.
+ * reference interpreter, which reads, computes and stores one element after another. A
+ * result, flag, trap or page that differs fails here.
  *
  * Each row of the instruction table with such operands is tried with random registers.
  * The operands are close together, so that words, half words and bits overlap in every
- * way and cross a page boundary. Some are in read-only or missing memory, misaligned or
- * have a bad offset; then both must trap and change nothing.
+ * way and cross a page boundary. Some are in read-only or missing memory, are
+ * misaligned, or have an invalid offset. Both machines must then trap and change
+ * nothing.
  */
 #include "machine_fixture.h"
 
@@ -16,7 +17,10 @@
 
 #include <ctype.h>
 
-enum { CASES = 600 }; /* per instruction; ten times as many pairs */
+enum {
+    CASES = 600
+}; /* cases for each instruction; there are ten times as many
+                       * pairs */
 
 /* ---- Memory ------------------------------------------------------------- */
 
@@ -24,8 +28,8 @@ enum { WORD = 64, BEFORE = 100, AFTER = 450 };
 #define PAGE (C205_PAGE_WORDS * UINT64_C(64))
 #define NOWHERE (DATA + 8 * PAGE)
 
-/* Data are around page boundaries: BEFORE words before and AFTER words after each. The
- * operands of a case are drawn near the first. */
+/* The data is around page boundaries: BEFORE words before and AFTER words after each
+ * boundary. The operands of a case are near the first boundary. */
 static const struct border {
     uint64_t address;
     size_t words;
@@ -43,12 +47,12 @@ static uint64_t begin_of(size_t border)
 
 /* ---- Registers ---------------------------------------------------------- */
 
-/* The roles of registers. A result may be in two half registers. */
+/* The roles of registers. A result may use two half registers. */
 enum {
     OFFSET = 13,
     TABLE,
-    NUMBER,                   /* two registers */
-    HALF_NUMBER = NUMBER + 2, /* four half registers, in two registers */
+    NUMBER,                   /* uses two registers */
+    HALF_NUMBER = NUMBER + 2, /* uses four half registers, which are in two registers */
     COUNT = HALF_NUMBER + 2,
     RESULT = 50,
     HANDED = 60, /* result of the first instruction of a linked pair */
@@ -56,7 +60,7 @@ enum {
     BLOCK = 70 /* first of a block of registers */
 };
 
-/* Vectors in four registers, and in five pairs with an offset of 0 to 3. */
+/* Vectors in four registers, and in five pairs of a vector and an offset of 0 to 3. */
 static const struct pool {
     unsigned width, first, pairs;
 } pools[] = { { WORD, 1, 20 }, { HALF_WORD, 5, 30 }, { 1, 9, 40 } };
@@ -87,7 +91,7 @@ static c205_word draw_half_words(struct bench *bench)
            | random_word(&oracle_half, &bench->random) >> HALF_WORD;
 }
 
-/* The contents of most words of a case. */
+/* The contents of most words in a case. */
 enum contents { NUMBERS, HALF_NUMBERS, INDICES };
 
 static c205_word draw_number(struct bench *bench)
@@ -131,7 +135,7 @@ static void draw_pairs(struct bench *bench, const struct pool *pool)
     }
 }
 
-/* Moves a vector to another boundary, out of memory, or off its alignment. */
+/* Moves a vector to another boundary, out of memory, or to a misaligned address. */
 static void move_away(struct bench *bench, c205_word *vector)
 {
     switch (below(bench, 5)) {
@@ -199,7 +203,7 @@ static uint64_t draw_scalar(struct bench *bench, char letter, bool half)
 {
     if (strchr("wkpWP", letter) && one_in(bench, 10))
         return 0;
-    if (strchr("pP", letter)) /* the odd one of two registers is not a sum */
+    if (strchr("pP", letter)) /* the odd register of two is not a sum */
         return (half ? 2 * RESULT : RESULT) + (uint64_t)one_in(bench, 10);
     if (strchr("wkW", letter))
         return (half ? 2 * RESULT : RESULT) + below(bench, 2);
@@ -354,7 +358,7 @@ static void compare_memory(struct bench *bench)
     }
 }
 
-/* A trap of an unmapped or protected word must name its address. */
+/* A trap of an unmapped or protected word must report its address. */
 static bool has_fault(const struct bench *bench, const c205_stop *stop)
 {
     bool names_address = stop->trap == C205_TRAP_UNMAPPED_ADDRESS
@@ -364,7 +368,7 @@ static bool has_fault(const struct bench *bench, const c205_stop *stop)
                : bench->reference.faults[stop->trap].possible;
 }
 
-/* If several faults are possible for an instruction, each of them is accepted. */
+/* If an instruction has several possible faults, each of them is accepted. */
 static bool step_both(struct bench *bench)
 {
     c205_stop stop = { .trap = C205_TRAP_NONE };
@@ -388,7 +392,7 @@ static bool step_both(struct bench *bench)
 
 /* ---- Cases --------------------------------------------------------------- */
 
-/* The flags are cleared first, so that a case shows those that it raises. */
+/* The flags are cleared first, so that a case shows the flags that it sets. */
 static void begin_case(struct bench *bench)
 {
     begin(&bench->fixture);
@@ -420,7 +424,7 @@ static enum contents contents_for(const struct bench *bench)
     return bench->fields.g & C205_G_HALF ? HALF_NUMBERS : NUMBERS;
 }
 
-/* Returns whether the case trapped. */
+/* Returns true if the case trapped. */
 static bool run_case(struct bench *bench)
 {
     load_code(bench);
@@ -440,7 +444,7 @@ static bool one_case(struct bench *bench, const c205_insn *row)
     return run_case(bench);
 }
 
-/* Draws two rows, usually of different units, the first of which makes words. */
+/* Chooses two rows, usually of different units. The results of the first are words. */
 static void draw_linkables(struct bench *bench, const c205_insn *rows[2])
 {
     do
@@ -452,8 +456,8 @@ static void draw_linkables(struct bench *bench, const c205_insn *rows[2])
            && !one_in(bench, 40));
 }
 
-/* The first instruction usually takes one vector, the second one takes the first's
- * result. */
+/* The first instruction usually has one vector as operand. The second instruction has
+ * the result of the first as operand. */
 static void link_pair(struct bench *bench, const c205_insn *const rows[2],
                       c205_fields f[2])
 {
@@ -486,8 +490,8 @@ static void link_pair(struct bench *bench, const c205_insn *const rows[2],
     }
 }
 
-/* Describes the intermediate result: its length is that of the result; its address is
- * arbitrary, since it is not stored. */
+/* Describes the intermediate result. It has the length of the result. Its address is
+ * arbitrary, because it is not stored. */
 static void describe_handed(struct bench *bench, const c205_fields *second)
 {
     c205_word *registers = bench->reference.now.registers;

@@ -1,13 +1,13 @@
 /* test_vector_use.c - the counts of elements that control vectors permit are compared
- * with those of a program whose bits are known. An instruction that is not counted, or
+ * with a program whose bits are known. An instruction that is not counted, or is
  * counted twice, fails here. */
 #include "tests/unit/saved_machine.h"
 
 #include "rt/trace/vector_use.h"
 
 /* Counts one vector instruction with 150 elements. Its control vector begins in the
- * middle of a word; all its bits are ones except the first two and the last. The bits
- * around it are ones too. */
+ * middle of a word. All its bits are ones, except the first two and the last. The bits
+ * around it are also ones. */
 static struct vector_use use_of(const char *instruction)
 {
     struct vector_use sum = { 0, 0, 0, 0 };

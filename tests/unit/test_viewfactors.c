@@ -1,9 +1,9 @@
 /* test_viewfactors.c - factors between surfaces, estimated with rays, are compared with
- * those of viewfactors.csv, and the forms with each other. A biased ray or a factor of
- * another surface fails here.
+ * viewfactors.csv, and the forms with each other. A biased ray or a factor of another
+ * surface fails here.
  *
- * HEAT_POINTS is the number of points of a primitive in each of 16 repeats; 64 by
- * default. Surfaces that are infinite in the table are long here, and the emitter is a
+ * HEAT_POINTS is the number of points on a primitive in each of 16 repeats. The default
+ * is 64. Surfaces that are infinite in the table are long here, and the emitter is a
  * short piece in the middle.
  */
 #include "base/file.h"
@@ -12,13 +12,13 @@
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
-/* The error is estimated from 16 repeats: 4.6 errors are as rare as 4 of a normal
- * distribution. */
+/* The error is estimated from 16 repeats. 4.6 such errors are as rare as 4 standard
+ * deviations of a normal distribution. */
 #define SIGMAS 4.6
 
 struct factor_case {
     const char *id;
-    const char *from, *to; /* names; to: NULL is the environment */
+    const char *from, *to; /* names of surfaces; `to` NULL is the environment */
     int which;             /* index among the values of the row */
 };
 
@@ -35,7 +35,7 @@ struct factor_scene {
     "#declare Fin = disc { 0, y, " r2 ", " r1 " }\n" \
     "#declare Other = disc { " gap "*y, -y, " r2 ", " r1 " }\n" \
     "object { Tube } object { Fin } object { Other }\n"
-/* A bore of a given length, with the wall around it. */
+/* A bore of a given length, and the wall around it. */
 #define BORE(name, radius, from, to) \
     "#declare " name " = difference { cylinder { " from "*y, " to "*y, 9 }" \
     " cylinder { (" from "-1)*y, (" to "+1)*y, " radius " } }" \
@@ -131,7 +131,7 @@ static const struct factor_scene scenes[] = {
         { "FT2_fins1_environment", "Fins1", NULL, 0 } } },
 };
 
-/* Enclosed bores, by primitives; the second primitive is the bore. */
+/* Enclosed bores, with primitives as surfaces. The second primitive is the bore. */
 static const struct factor_scene bores[] = {
     { BORE("A", "1", "0", "2"), { { "cylinder_self", "2", "2", 0 } } },
     { BORE("A", "1.8", "0", ".7") "cylinder { 0, .7*y, 1 }",
@@ -156,7 +156,8 @@ FIXTURE(read_table)
     return set_up_model(test_state);
 }
 
-/* Returns the value and sets its uncertainty: "0.25 and 0.75", "0.015 +- 0.001". */
+/* Returns the value, and sets *off to its uncertainty. Examples are "0.25 and 0.75",
+ * "0.015 +- 0.001". */
 static double known(const struct factor_case *which, double *off)
 {
     for (size_t row = 1; row < table.rows; row++) {
@@ -255,7 +256,7 @@ static void check_case(const struct factor_case *which, const struct surfaces *s
             expected);
 }
 
-/* Another form must give the same values as the vector form. */
+/* Another form must compute the same values as the vector form. */
 static void check_form(const struct factor_scene *what, enum surfaces_by by,
                        enum trace_mode mode, size_t points)
 {

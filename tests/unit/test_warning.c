@@ -1,7 +1,7 @@
 /* test_warning.c - warnings of the assembler for each text of a table are compared with
- * the expected one, with its line and column, or with none; so are the warnings that
- * each choice of options leaves. A warning that is missing, superfluous or misplaced
- * fails here.
+ * the expected warning, its line and its column, or with no warning. The warnings that
+ * remain with each choice of options are compared, too. A warning that is missing,
+ * superfluous or misplaced fails here.
  */
 #include "tests/unit/asm_helper.h"
 
@@ -44,7 +44,7 @@ static const struct asm_error warnings[] = {
     { "; inspect: r1 = 5\n", 0, 0, NULL },
     { "; r1 = 5\n", 0, 0, NULL },
     { ";\n;:\n;=\n; \n;-:\n;expect\n", 0, 0, NULL },
-    /* Code that runs off its end. */
+    /* Code that runs past its end. */
     { " ES r1, 5\n", 1, 2, "[-Wrun-off]" },
     { " EXIT\n ADDN r1, r1, r1\n", 2, 2, "can continue after this line" },
     { " EXIT r1, r0, 1\n", 1, 2, "EXIT or a branch" },

@@ -1,8 +1,8 @@
 /* test_word.c - conversions of words and half words from and to text, at the limits,
  * are compared with words computed by hand: known words, texts that end early, numbers
- * at both ends of the range and distant digits. Random conversions, also from and to
- * doubles and integers, are compared with MPFR by check-arithmetic. A text that is read
- * beyond its end, or a number that is rounded upward at the largest word, fails here.
+ * at both ends of the range, and distant digits. check-arithmetic compares random
+ * conversions, also from and to doubles and integers, with MPFR. A text that is read
+ * beyond its end, or a number that is rounded up at the largest word, fails here.
  */
 #include "tests/unit/unit.h"
 #include "vm/number/word.h"
@@ -37,7 +37,8 @@ static void check_text(const struct size *size, c205_word word, const char *expe
     assert_string_equal(text, expected);
 }
 
-/* Machine notes, section 1. A number that is not a binary fraction is floored. */
+/* The words are from section 1 of the machine notes. A number that is not a binary
+ * fraction is floored. */
 TEST(known_words)
 {
     static const struct {
@@ -99,7 +100,7 @@ TEST(doubles_at_the_edges)
     assert_true(c205_half_to_double(UINT64_C(0x8FBCDEF000000000)) == 0);
 }
 
-/* The length of the number at the start of a text, and an equal number; 0: no
+/* The length of the number at the start of a text, and an equal number. 0: there is no
  * number. */
 TEST(where_text_ends)
 {
@@ -125,8 +126,8 @@ TEST(where_text_ends)
     }
 }
 
-/* The largest word is 9.5370811543187567767e8644, and 2^28718 is too large; 2^134 is
- * 2.1778071482940061661e40, 2^-90 is 8.0779356694631608874e-28. */
+/* The largest word is 9.5370811543187567767e8644, and 2^28718 is too large. 2^134 is
+ * 2.1778071482940061661e40. 2^-90 is 8.0779356694631608874e-28. */
 TEST(ends_of_the_range)
 {
     static const struct {
@@ -166,7 +167,7 @@ TEST(ends_of_the_range)
     assert_false(word_is_machine_zero(read_all("1e-8616")));
 }
 
-/* A distant digit decides between two words, whatever the number of digits. */
+/* A distant digit decides between two words, whatever the number of digits is. */
 TEST(distant_digits)
 {
     enum { ZEROS = 30000 };

@@ -1,4 +1,4 @@
-/* traced_frame.c - traces frames in both forms and writes random scenes. */
+/* traced_frame.c - traces frames in both forms, and writes random scenes. */
 #include "traced_frame.h"
 #include "tests/unit/scene_reading.h"
 
@@ -64,8 +64,8 @@ struct words *same_frame(const char *text)
     return same_frame_of(scene, text);
 }
 
-/* Returns the first channel of a pixel that differs from the plain tracer's, or
- * FRAME_CHANNELS if all agree. */
+/* Returns the first channel of a pixel that differs from the plain tracer, or
+ * FRAME_CHANNELS if all channels agree. */
 static int other_channel(const struct words *words, const struct frame *plain, size_t k)
 {
     for (int channel = 0; channel < FRAME_CHANNELS; channel++) {

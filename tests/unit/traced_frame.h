@@ -1,7 +1,7 @@
-/* traced_frame.h - frames of both forms of the tracer, for its tests.
+/* traced_frame.h - frames of both forms of the tracer, for the tests of the tracer.
  *
- * Every frame is traced by the scalar form, and by the vector form with queues of
- * several lengths. All frames must be equal, bit for bit.
+ * Every frame is traced by the scalar form, and by the vector form with several queue
+ * lengths. All frames must be equal bit for bit.
  */
 #ifndef TESTS_TRACED_FRAME_H
 #define TESTS_TRACED_FRAME_H
@@ -39,16 +39,17 @@ enum { WIDTH = 41, HEIGHT = 31 };
 
 enum { PIXELS = WIDTH * HEIGHT, MAX_PIXELS = 41 * 31, MAX_QUEUES = 4 };
 
-/* A frame; words after the last pixel are zero. */
+/* A frame. The words after the last pixel are zero. */
 struct words {
     c205_word channel[FRAME_CHANNELS][MAX_PIXELS];
 };
 
-/* How frames are traced. */
+/* The options of the traces. */
 struct traced {
     size_t width, height, pixels;
-    size_t queues[MAX_QUEUES];        /* queue lengths, terminated by 0 if fewer */
-    uint64_t random;                  /* random state of the scenes */
+    size_t queues[MAX_QUEUES];        /* queue lengths; if there are fewer than
+                                       * MAX_QUEUES, a 0 ends them */
+    uint64_t random;                  /* random state for the scenes */
     bool historical, no_bounds, flat; /* as in trace_options */
     const char *variant;              /* as in trace_options */
     enum visible visible;             /* as in trace_options */
@@ -82,8 +83,8 @@ struct words *trace_words(const struct scene *scene, enum trace_mode mode,
 struct words *same_frame_of(const struct scene *scene, const char *text);
 struct words *same_frame(const char *text);
 
-/* Also compares the frame with the plain tracer's. A few pixels in a thousand may
- * differ, at outlines and creases, where one rounding decides. */
+/* Also compares the frame with the plain tracer. A few pixels in a thousand may differ,
+ * at outlines and creases, where rounding decides. */
 struct words *plain_frame(const char *text);
 
 void check_paper_stage(const char *text, const struct words *expected);
@@ -96,20 +97,22 @@ size_t hits(const struct words *words);
     "light_source { <-9, 2, -5>, rgb <.2, .3, .5> shadowless }\n"
 
 double between(double low, double high);
-/* Returns a random number from least to most, both included. */
+/* Returns a random integer from least to most, both included. */
 size_t among(size_t least, size_t most);
 void add_text(char *text, size_t size, const char *format, ...);
 void add_point(char *text, size_t size, double reach);
-/* Writes a patch without its closing brace; every other patch has weights. */
+/* Writes a patch without its closing brace. Every second patch has weights. */
 void add_steiner_patch(char *text, size_t size, double reach);
 
-/* Checks random scenes of six shapes each. At least a quarter of the rays must hit. */
+/* Checks random scenes with six shapes each. At least a quarter of the rays must
+ * hit. */
 void check_random_scenes(void (*add_shape)(char *, size_t), size_t scenes);
 
-/* The rays of the middle column and row lie in the planes of the axes. */
+/* The rays of the middle column and row are in the planes of the axes. */
 #define AHEAD HEAD "camera { location <0, 0, -5> direction z right x up y }\n"
 
-/* The camera's numbers need no rounding: the middle ray is exactly 0, 0, 1. */
+/* The numbers of the camera need no rounding: the direction of the middle ray is
+ * exactly 0, 0, 1. */
 #define STRAIGHT HEAD "camera { location <0, 0, -5> " STRAIGHT_AHEAD " }\n"
 
 void check_middle_within(const char *text, int64_t id, double depth, double tolerance);

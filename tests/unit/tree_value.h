@@ -4,8 +4,8 @@
 
 #include "rt/scene/scene.h"
 
-/* Returns the value of a node, given whether the point is inside each primitive of the
- * scene. */
+/* Returns the value of a node. `inside` contains for each primitive of the scene
+ * whether the point is inside. */
 static inline bool tree_value(const struct scene *scene, size_t node,
                               const bool *inside)
 {

@@ -1,8 +1,8 @@
-/* unit.h - defines and runs the tests of one program.
+/* unit.h - defines and runs the tests of a program.
  *
- * TEST(name) begins the body of a test; the body may use `test_state`. The build
- * (main.awk) lists the tests of a file in the order of their definitions and writes the
- * main that runs them, so that no test can be left out.
+ * TEST(name) begins the body of a test. The body may use `test_state`. The build
+ * (main.awk) lists the tests of a file in the order of their definitions, and writes
+ * the main function that runs them, so that no test can be left out.
  */
 #ifndef TESTS_UNIT_H
 #define TESTS_UNIT_H
@@ -21,7 +21,8 @@
 #include "tests/scoped.h"
 #include "vm/c205.h"
 
-/* Undefines the macro of cmocka: a function of asm/check/expect.h has the same name. */
+/* Undefines a macro of cmocka, because a function of asm/check/expect.h has the same
+ * name. */
 #undef expect_check
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -37,11 +38,11 @@
             fail_msg(__VA_ARGS__); \
     } while (0)
 
-/* The error of the last call that failed. */
+/* The error of the last failed call. */
 static c205_error failure __attribute__((unused));
 
-/* Fails the test unless the value is true, with the message of `failure` or of another
- * error. */
+/* Fails the test unless the value is true. The message is the message of `failure`, or
+ * of another error. */
 #define REQUIRE(value) REQUIRE_OF(value, failure)
 #define REQUIRE_OF(value, error) FAIL_IF(!(value), "%s", error.message)
 
@@ -58,7 +59,8 @@ static inline void *non_null(const void *pointer, const char *text, const char *
     return (void *)pointer;
 }
 
-/* Returns a text that is formatted by printf, until 16 more have been. */
+/* Returns a text that printf formats. It is valid until 16 more texts have been
+ * formatted. */
 __attribute__((format(printf, 1, 2))) static inline const char *
 formatted(const char *format, ...)
 {
@@ -72,30 +74,31 @@ formatted(const char *format, ...)
     return text;
 }
 
-/* Defines a test of one statement. */
+/* Defines a test that consists of one statement. */
 #define TEST_CALL(name, statement) \
     static void test_##name(STATE) \
     { \
         statement; \
     }
 
-/* Defines a test with functions that run before and after it; each may be NULL. */
+/* Defines a test, and functions that run before and after it. Each function may be
+ * NULL. */
 #define TEST_WITH(name, before, after) \
     static const CMFixtureFunction before_##name = before, after_##name = after; \
     static void test_##name(STATE)
 
-/* Begins such a function; it returns 0 if it succeeds. */
+/* Begins such a function. It returns 0 on success. */
 #define FIXTURE(name) static int name(STATE)
 
-/* Sets the functions that run before and after all tests of a file, at its end. Without
- * it they are the FILE_FIXTURES of the header that the file includes. */
+/* Sets the functions that run before and after all tests of a file. It is at the end of
+ * the file. A file without it uses the FILE_FIXTURES of the header that it includes. */
 #define GROUP(before, after) \
     static const CMFixtureFunction before_all = before, after_all = after
 #define FILE_FIXTURES NULL, NULL
 #define RUN_TESTS(...) cmocka_run_group_tests_name(__VA_ARGS__)
 
-/* Returns whether to test everything, as make check-long does. Otherwise slow tests are
- * skipped and a third of the random cases is drawn. */
+/* Returns true if everything is tested, as by make check-long. Otherwise slow tests are
+ * skipped, and a third of the random cases is used. */
 static inline bool thorough(void)
 {
     return getenv("THOROUGH") != NULL;
@@ -109,13 +112,13 @@ static inline size_t share_of(size_t all)
 /* Begins a function that reads the arguments of the program. */
 #define ARGUMENTS(count, words) static void read_arguments(int count, char **words)
 
-/* Returns the numeric argument at an index, or the default if it is missing. */
+/* Returns a numeric argument, or the default if there is no such argument. */
 static inline uint64_t argument(int count, char **words, int place, uint64_t otherwise)
 {
     return count > place ? strtoull(words[place], NULL, 0) : otherwise;
 }
 
-/* The first argument sets the number of cases, the second one changes the seed. */
+/* The first argument sets the number of cases. The second argument changes the seed. */
 #define COUNT_AND_SEED(cases, seed) \
     ARGUMENTS(argc, argv) \
     { \

@@ -1,5 +1,5 @@
-/* vector_case.c - draws operands for a vector instruction: G, places, lengths and
- * contents. */
+/* vector_case.c - makes random operands for a vector instruction: G, places, lengths
+ * and contents. */
 #include "vector_case.h"
 
 #include <ctype.h>
@@ -88,8 +88,8 @@ bool is_half(const struct vector_case *one, enum role role)
     return is_half_register(one->row, one->fields.g, role);
 }
 
-/* A sum occupies two half registers; its name is that of the left one, which is
- * even. */
+/* Returns the register number of an operand. A sum uses two half registers, and its
+ * number is the left one, which is even. */
 uint8_t register_name(const struct vector_case *one, enum role role)
 {
     if (!is_half(one, role))
@@ -110,8 +110,8 @@ void define_half(struct vector_case *one, unsigned number, c205_word word)
            (c205_word)UINT32_MAX << shift);
 }
 
-/* The length fields of a table, of a result whose length the machine sets, and of a
- * control vector are ignored. */
+/* Returns false if the instruction ignores the length field of the operand. The operand
+ * is a table, a control vector or a result whose length the machine sets. */
 static bool length_matters(const struct vector_case *one, enum role role)
 {
     char letter = sized_letter(one->row, one->fields.g, role);
@@ -134,8 +134,8 @@ size_t draw_size(uint64_t *random)
     return kind == 0 ? 0 : draw(random, 1, kind == 1 ? LENGTH : 150);
 }
 
-/* Defines the descriptor of a vector that begins `offset` elements before its extent
- * and is longer by as many. */
+/* Defines the descriptor of a vector. It begins `offset` elements before its extent,
+ * and is longer by `offset` elements. */
 static void place_vector(struct vector_case *one, enum role role, uint64_t *random,
                          size_t length, size_t offset)
 {
@@ -172,7 +172,7 @@ c205_word draw_half(uint64_t *random)
 static void place_scalar(struct vector_case *one, enum role role, uint64_t *random)
 {
     char letter = letter_of(one->row, role);
-    if (letter == 'i') /* groups of a repeated mask */
+    if (letter == 'i') /* number of groups of a repeated mask */
         define(one, role_register[role], (c205_word)draw(random, 1, 20), ADDRESS_BITS);
     else if (letter && strchr("wpk", letter)) /* results */
         return;
@@ -191,7 +191,8 @@ static size_t draw_offset(struct vector_case *one, uint64_t *random, uint8_t *fi
     return offset;
 }
 
-/* Draws the offset of a source; one in four has an offset if the syntax allows one. */
+/* Returns a random offset of a source. One source in four has an offset, if the syntax
+ * allows it. */
 static size_t source_offset(struct vector_case *one, uint64_t *random, enum role role)
 {
     const char *syntax = c205_format_syntax(one->row->format);
@@ -210,7 +211,8 @@ size_t source_length(uint64_t *random, size_t n)
 
 /* ---- G ------------------------------------------------------------------ */
 
-/* Rejects reductions and moves of a single number, which are not instructions. */
+/* Returns false for reductions and moves of a single number, which are not
+ * instructions. */
 static bool makes_sense(const c205_insn *row, unsigned g)
 {
     bool a = g & C205_G_BROADCAST_A, b = g & C205_G_BROADCAST_B;
@@ -288,7 +290,8 @@ uint64_t indexed(const struct vector_case *one, size_t i)
     return table->address + index * table->width;
 }
 
-/* Places all n elements of the table in its zone, starting at either end. */
+/* Places all n elements of the table in its zone. The first element is at either
+ * end. */
 static void place_period(struct vector_case *one, uint64_t *random)
 {
     enum role role = table_of(one->row);

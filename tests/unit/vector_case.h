@@ -1,9 +1,9 @@
-/* vector_case.h - random operands for any vector instruction, drawn from its row of the
- * instruction table, for tests of properties that all instructions share.
+/* vector_case.h - random operands for any vector instruction. They are made from its
+ * row of the instruction table, for tests of properties that all instructions share.
  *
- * Each operand lies in its own zone, so that no two overlap. A case records which bits
- * of memory and registers the instruction may read (defined) and which it may change
- * (written).
+ * Each operand is in a zone of its own, so that operands do not overlap. A case records
+ * the bits of memory and registers that the instruction may read (defined), and the
+ * bits that it may change (written).
  */
 #ifndef VECTOR_CASE_H
 #define VECTOR_CASE_H
@@ -18,13 +18,15 @@ enum {
     WORD = 64,
     HALF = 32,
     ZONE_WORDS = 1024,
-    MEMORY_WORDS = (ROLES + 1) * ZONE_WORDS, /* the last zone belongs to no operand */
-    LEAD = 40,                               /* words of a zone before its operand */
-    LENGTH = 700,                            /* elements of the longest operand */
+    MEMORY_WORDS = (ROLES + 1) * ZONE_WORDS, /* no operand is in the last zone */
+    LEAD = 40,                               /* number of words of a zone before its
+                                              * operand */
+    LENGTH = 700,                            /* number of elements of the longest
+                                              * operand */
     MAX_OFFSET = 9
 };
 
-/* A vector without its offset: the address of the first element and the length. */
+/* A vector without its offset: the address of the first element, and the length. */
 struct extent_of {
     uint64_t address;
     size_t length;
@@ -41,8 +43,9 @@ struct vector_case {
     c205_fields fields;
     struct extent_of vector[ROLES];
     bool scalar[ROLES]; /* the operand is a register, not a vector */
-    size_t n;           /* elements of the result, or of the scanned operand */
-    int64_t period;     /* of a periodic gather or scatter */
+    size_t n;           /* number of elements of the result, or of the scanned
+                         * operand */
+    int64_t period;     /* period of a periodic gather or scatter */
     c205_word memory[MEMORY_WORDS], reg[C205_REGISTERS];
     struct bits_of defined, written;
 };
@@ -53,11 +56,11 @@ struct vector_case {
 
 bool is_row_of(const c205_insn *row, const char *names);
 
-/* True for rows whose Z operand selects where the elements of A and B go and suppresses
- * no result. */
+/* Returns true for rows whose operand Z selects where the elements of A and B go, but
+ * suppresses no result. */
 bool z_selects(const c205_insn *row);
 bool has_control(const struct vector_case *one);
-/* True if the order vector of a sparse result is an operand. */
+/* Returns true if the order vector of a sparse result is an operand. */
 bool is_given(const struct vector_case *one);
 
 /* ---- Bits --------------------------------------------------------------- */
@@ -66,21 +69,21 @@ void mark(struct bits_of *bits, uint64_t address, uint64_t count);
 void mark_element(struct bits_of *bits, const struct extent_of *vector, size_t i);
 bool bit_of(const struct vector_case *one, enum role role, size_t i);
 
-/* True if the control vector selects element i by a one, or by a zero if zeros
- * select. */
+/* is_chosen returns true if the control vector selects element i, by a one or, if zeros
+ * select, by a zero. */
 bool is_chosen(const struct vector_case *one, size_t i);
 bool is_permitted(const struct vector_case *one, size_t i);
 size_t count_chosen(const struct vector_case *one, bool chosen);
 
 /* ---- Registers ---------------------------------------------------------- */
 
-/* The register of each role; registers that follow A .. C have their offsets. A half
- * register is the left or the right half of a register of its own. */
+/* The register of each role. The registers that follow A, B and C contain their
+ * offsets. A half register is the left or the right half of a separate register. */
 extern const uint8_t role_register[ROLES], role_half[ROLES];
 
 bool is_half(const struct vector_case *one, enum role role);
 
-/* Returns the register field of the instruction. */
+/* Returns the number in the register field of the instruction. */
 uint8_t register_name(const struct vector_case *one, enum role role);
 
 void define(struct vector_case *one, unsigned number, c205_word word, c205_word bits);
@@ -92,21 +95,22 @@ size_t draw(uint64_t *random, size_t low, size_t high);
 size_t draw_size(uint64_t *random);
 c205_word draw_word(uint64_t *random);
 
-/* Draws a half word, right-justified. */
+/* Returns a random half word, right-justified. */
 c205_word draw_half(uint64_t *random);
 size_t source_length(uint64_t *random, size_t n);
 
 /* ---- Contents ----------------------------------------------------------- */
 
-/* Elements of a table, addressed by a list of indices or by a period. table_of returns
- * the role of the table; indexed returns the address of element i. */
+/* Elements of a table that an index list or a period addresses. table_of returns the
+ * role of the table. indexed returns the address of element i. */
 bool has_indices(const c205_insn *row);
 enum role table_of(const c205_insn *row);
 uint64_t indexed(const struct vector_case *one, size_t i);
 
 /* ---- The complete case ----------------------------------------------------- */
 
-/* Draws the operands for a row; mark_case marks their defined and written bits. */
+/* draw_case makes random operands for a row. mark_case marks their defined and written
+ * bits. */
 void draw_case(struct vector_case *one, const c205_insn *row, uint64_t *random,
                size_t n);
 
