@@ -24,7 +24,7 @@ static int begin_ranks(const struct trace_session *session)
     };
 
     snprintf(count, sizeof count, "%zu", session->jobs->ranks);
-    /* Without these variables mpirun refuses to run as root. */
+    /* mpirun refuses to run as root without these variables. */
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
     /* Selects communication within one host. Otherwise the library would search for

@@ -6,8 +6,8 @@
 #include "rt/scene/scene.h"
 #include "vm/c205.h"
 
-/* Numbers of words: the words of P_PATTERN before the stops of a gradient, all words of
- * P_PATTERN of a pattern, and the numbers of P_MAP. */
+/* Numbers of words: P_PATTERN of a gradient without its stops, P_PATTERN of a pattern,
+ * and the numbers in P_MAP. */
 enum { GRADIENT_STOPS = 4, PATTERN_ROWS = 12, MAP_NUMBERS = 4 };
 
 /* Returns true if a pigment or normal of the scene needs light/pattern.s. */

@@ -153,8 +153,7 @@ void overlaps_free(struct overlaps *overlaps)
 
 /* ---- The machine's tables ------------------------------------------------ */
 
-/* The number of bits in a word of fields, and the number of levels of a part, as in
- * overlaps.s. */
+/* The bits per word of fields, and the levels per part, as in overlaps.s. */
 enum { GROUP_BITS = 47, LEVELS_OF_PART = 2 };
 
 struct part_field {

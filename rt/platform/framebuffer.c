@@ -20,7 +20,7 @@ static int open_nameless(size_t bytes)
     if (file < 0)
         return -1;
     unlink(path);
-    /* Without the reservation, a full disk would end the process while it writes. */
+    /* Otherwise a full disk would end the process while it writes. */
     if (posix_fallocate(file, 0, (off_t)bytes) == 0)
         return file;
     close(file);

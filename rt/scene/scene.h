@@ -61,9 +61,9 @@ struct light {
     size_t area_size[2];    /* number of points along each edge, from which shadows are
                              * cast; 0: no area */
     bool circular;          /* the area is an ellipse */
-    double fade_distance, fade_power; /* If neither is 0, the light is multiplied by 2 /
-                                       * (1 + (distance / fade_distance) ^
-                                       * fade_power). */
+    double fade_distance, fade_power; /* The light is multiplied by 2 / (1 + (distance /
+                                       * fade_distance) ^ fade_power) if fade_distance
+                                       * and fade_power are not 0. */
 };
 
 /* POV-Ray's finish. The defaults (3.7) are ambient .1, diffuse .6, phong_size 40,

@@ -67,9 +67,9 @@ struct closed {
     size_t count; /* number of points of the path and of the closing segments */
 };
 
-/* If a segment of the path coincided with a closing segment, it would not be a face of
- * the solid, and it would be invisible in other solids. The closing segments are
- * therefore moved by this fraction of the radius. */
+/* The closing segments are moved by this fraction of the radius. Otherwise a segment of
+ * the path could coincide with a closing segment. It would then not be a face of the
+ * solid, and it would be invisible in other solids. */
 #define ASIDE 1e-4
 
 static const double *point_of(const struct closed *closed, size_t i)

@@ -95,7 +95,7 @@ static bool same_in_any_order(const struct random_scene *grid,
     return other == PIXELS;
 }
 
-/* Where two opaque regions touch, rounding decides which of them is nearer. */
+/* Rounding decides which of two opaque regions is nearer where they touch. */
 static bool in_one_region(const struct scene *scene, size_t id, size_t other)
 {
     for (size_t i = 0; i < scene->region_count; i++) {

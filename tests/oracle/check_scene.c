@@ -36,8 +36,8 @@
 static const struct comparison with_povray = {
     "colour", CHANNEL_RED, 3, 1, false, POVRAY_TOLERANCE, DECIDED_BY_ROUNDING
 };
-/* With a lens, POV-Ray traces hundreds of random rays for a pixel, this tracer only a
- * few. */
+/* POV-Ray traces hundreds of random rays for a pixel with a lens. This tracer traces
+ * only a few. */
 static const struct comparison roughly = {
     "colour", CHANNEL_RED, 3, 1, false, .05, .002
 };
@@ -62,11 +62,10 @@ static const struct exception {
     { "scenes/steiner.pov", NO_POVRAY },
     { "tests/scenes/patches.pov", NO_POVRAY },
     { "tests/scenes/csg_patches.pov", NO_POVRAY },
-    /* With a lens and an orthographic camera, POV-Ray's picture has only one colour. */
+    /* POV-Ray's picture has only one colour if an orthographic camera has a lens. */
     { "tests/scenes/lens_orthographic.pov", NO_POVRAY },
     { "tests/scenes/lens.pov", ROUGH_POVRAY },
-    /* If a transparent body and another body coincide, POV-Ray loses one of the two
-     * faces. */
+    /* POV-Ray loses one of two coincident faces if a body is transparent. */
     { "tests/scenes/coincident.pov", NO_POVRAY },
     { "tests/scenes/csg_coincident.pov", NO_POVRAY },
     { "tests/scenes/standing.pov", NO_POVRAY },

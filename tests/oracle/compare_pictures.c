@@ -91,7 +91,7 @@ struct picture_difference compare_pictures(const struct comparison *comparison,
     return result;
 }
 
-/* If no pixel was compared, the comparison fails. */
+/* The comparison fails if no pixel was compared. */
 bool within(const struct comparison *comparison,
             const struct picture_difference *difference)
 {

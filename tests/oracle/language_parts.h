@@ -78,9 +78,9 @@ extern const size_t language_rule_count;
 void write_text(struct language *draw, const char *format, ...);
 void write_pattern(struct language *draw, const char *pattern);
 
-/* With the probability 1/one_of, writes an image as the pigment. clear: a transparent
- * colour surrounds the image. The pattern up to end_image is then evaluated, but not
- * printed. */
+/* Writes an image as the pigment, with the probability 1/one_of. If it does, the
+ * pattern up to end_image is evaluated, but not printed. `clear` surrounds the image
+ * with a transparent colour. */
 void begin_image(struct language *draw, size_t one_of, bool clear);
 void end_image(struct language *draw);
 

@@ -76,7 +76,7 @@ const struct language_rule language_rules[] = {
     { "checker", NULL, "checker$8[| $color;$[, | $]$color;$]\n$pattern_place;" },
     { "map", write_map, NULL },
     { "gradient", NULL, "gradient $arrow;$6[\n|$map;$]$pattern_place;" },
-    /* With more than two repetitions the edges would be as narrow as a pixel. */
+    /* More than two repetitions would make the edges as narrow as a pixel. */
     { "waves", NULL,
       "$2[$[ramp_wave|triangle_wave|sine_wave|scallop_wave|cubic_wave|poly_wave$]\n|$]"
       "$6[poly_wave ^3.3:4^\n|$]$3[frequency ~-2:2~\n|$]$3[phase ~-1:2~\n|$]" },

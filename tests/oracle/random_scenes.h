@@ -13,7 +13,7 @@
  * looks along an axis, or is inside or on a solid. The same is true of the lamps.
  */
 
-/* If the camera looks along an axis, a pixel is one unit wide, and the middle ray
+/* A pixel is one unit wide if the camera looks along an axis. The middle ray then
  * passes through points of the grid. */
 
 enum { GRID_WIDTH = 21, GRID_HEIGHT = 15 };

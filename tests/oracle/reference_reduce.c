@@ -55,7 +55,7 @@ static struct parts term(struct reference *reference, const struct vector *vecto
     };
 }
 
-/* If C is register 0, neither part of the sum is written. */
+/* Neither part of the sum is written if C is register 0. */
 static void sum_up(struct reference *reference, const struct vector *vector,
                    uint64_t length)
 {
@@ -111,7 +111,7 @@ static bool surpasses(const struct oracle_format *format, c205_word word,
                         : oracle_less(format, word, best, &flags));
 }
 
-/* If both results have the same register, it receives the value. */
+/* The register receives the value if both results have the same register. */
 static void extreme(struct reference *reference, const struct vector *vector,
                     uint64_t length, bool greatest)
 {

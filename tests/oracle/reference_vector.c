@@ -284,8 +284,8 @@ static unsigned streams(const struct pair *sources)
            + (sources->b.kind == VECTOR ? 1u : 0u);
 }
 
-/* If a source has the register of the first instruction's result, replaces it by this
- * result. Returns false if it has an offset, because it cannot be linked then. */
+/* Replaces a source by the first instruction's result if both have the same register.
+ * Returns false if the source has an offset, because it cannot be linked then. */
 static bool link_source(struct source *source, unsigned number, unsigned offset,
                         const struct vector *first)
 {

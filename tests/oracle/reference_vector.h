@@ -62,7 +62,7 @@ void use_control(struct reference *reference, const struct vector *vector, uint6
 
 /* Returns true if the control vector permits element i. */
 bool permitted(struct reference *reference, const struct vector *vector, uint64_t i);
-/* If the control vector permits element i, stores it and sets its flags. */
+/* Stores element i and sets its flags if the control vector permits it. */
 void write_element(struct reference *reference, const struct vector *vector, uint64_t i,
                    c205_word word, uint64_t flags);
 

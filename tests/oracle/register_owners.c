@@ -174,7 +174,7 @@ static void find(struct register_owners *owners, uint64_t address, size_t name,
         };
 }
 
-/* If an instruction has two names for a register, either name is correct. */
+/* Either name is correct if an instruction has two names for a register. */
 static void read_register(struct register_owners *owners, uint64_t address,
                           struct names names, unsigned number)
 {

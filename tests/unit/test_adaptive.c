@@ -246,9 +246,9 @@ static double red(const struct trace *trace, size_t pixel)
     return c205_to_double(trace_channel(trace, CHANNEL_RED)[pixel]);
 }
 
-/* If all pixels differ by more than the threshold, all are refined, and the first ray
- * counts as an additional sample. If no pixel differs, each pixel has only its first
- * ray. */
+/* All pixels are refined if all differ by more than the threshold. The first ray then
+ * counts as an additional sample. Each pixel has only its first ray if no pixel
+ * differs. */
 TEST(ends)
 {
     SCOPED(scene) *scene = read_text(shades);

@@ -388,7 +388,7 @@ static bool check_object(FILE *out, c205_error *error)
     return true;
 }
 
-/* If a correct answer does not pass, it was not graded because memory was exhausted. */
+/* A correct answer can only fail because memory was exhausted before it was graded. */
 static bool grade_answer(FILE *out, c205_error *error)
 {
     static const char test[] = "; test: one\n; goals: gold 1, silver 2, "

@@ -162,8 +162,8 @@ TEST(planted)
     check_planted(scene, whole, UINT64_MAX, ROWS, false);
 }
 
-/* If both scenes are the same, the saved bands of the first scene must be accepted for
- * the second scene. */
+/* The saved bands of the first scene must be accepted for the second scene if both
+ * scenes are the same. */
 static void check_kept(const char *one, const char *other, bool same,
                        enum trace_mode mode)
 {

@@ -52,7 +52,7 @@ static void check_line(struct debug_session *session, const char *line, bool goo
 
 /* ---- Addresses ------------------------------------------------------------ */
 
-/* If `stripped` is set, the debugger has only the words, as from an object file. */
+/* The debugger has only the words, as from an object file, if `stripped` is set. */
 static void check_addresses(const char *path, bool stripped)
 {
     struct object *whole = good_file(path), *object = good_file(path);

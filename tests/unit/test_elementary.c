@@ -141,8 +141,8 @@ TEST(halfway)
     }
 }
 
-/* Where a function is undefined or infinite, the result equals the C function's
- * result. */
+/* The result equals the C function's result where a function is undefined or
+ * infinite. */
 TEST(ends)
 {
     static const double ends[] = { 0,        -0.,       1,      -1,     2,

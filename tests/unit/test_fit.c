@@ -219,7 +219,7 @@ static double slower_swaps(const struct fit_run *run, const char *form)
     return clocks_of(run, form, &swaps[1]) - clocks_of(run, form, &swaps[0]);
 }
 
-/* With its own random function, the scalar form swaps registers twice for each number.
+/* The scalar form swaps registers twice for each number from its own random function.
  * No other code swaps registers. Rounding and the short logarithm change the paths of
  * very few photons. */
 TEST(photons)

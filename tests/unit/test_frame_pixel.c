@@ -311,9 +311,8 @@ static void check_rays(struct following *following)
     } while (c205_step(machine, &stop));
 }
 
-/* In scenes of a sphere and a plane, kernels find every hit. The crossing must be that
- * of the ray. Without mirrors and glass, the colour of the hit is the colour of the
- * pixel. */
+/* Kernels must find the crossing of every hit in scenes of a sphere and a plane. The
+ * colour of the hit is the colour of the pixel if there are no mirrors and no glass. */
 static void check_hit(const struct following *following, const struct scene *scene)
 {
     const struct frame_pixel *pixel = following->pixel;

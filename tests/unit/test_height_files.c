@@ -176,7 +176,7 @@ TEST(large_file)
     field_expect_fault("pgm", "", 20, "more than 4000000 triangles");
 }
 
-/* Without the library adapter only PGM can be read. */
+/* Only PGM can be read without the library adapter. */
 TEST(no_adapter)
 {
     for (size_t i = 0; i < COUNT(known_files); i++) {

@@ -22,7 +22,7 @@
 
 #define GLASS "pigment { rgbft <.2, .8, .5, .4, .1> } "
 
-/* A patch with two sheets, and objects behind it. */
+/* A patch with two sheets is in front of other objects. */
 #define SHEETS \
     "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 6 }\n" \
     "background { rgb <.2, .3, .5> } light_source { <-1.9, 8, -7>, .7 }\n" \

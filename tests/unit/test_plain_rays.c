@@ -78,8 +78,8 @@ TEST(colors)
         { &ahead, .5, .5, .5,
           "background { rgb 1 } plane { -z, 0 pigment { "
           "checker rgbt <0, 0, 0, .5> rgb 0 translate -.5 } }" },
-        /* If the transmitted weight or its brightness is below the threshold, the ray
-         * is not traced. */
+        /* A ray is not traced if its transmitted weight or its brightness is below the
+         * threshold. */
         { &ahead, .9, .9, 0, DARK "rgbf <.9, .9, 0, 1> } }" },
         { &ahead, 0, 0, 0, DARK "rgbf <.9, 0, 0, 1> } }" }, /* brightness .267 */
         { &ahead, 0, 0, 0, DARK "rgbt <0, 0, 0, .5> } }" },
@@ -252,8 +252,8 @@ TEST(total_keeps)
           2 - (.5 + aside(1.5, 2)) - 1);
 }
 
-/* If the indices on both sides are equal, a ray continues straight and keeps the level
- * of its parent. At the last level no ray is transmitted. */
+/* A ray continues straight and keeps the level of its parent if the indices on both
+ * sides are equal. At the last level no ray is transmitted. */
 static void check_level(int level, const char *things, double seen)
 {
     check(&ahead, seen, seen, seen,

@@ -232,7 +232,7 @@ TEST_WITH(bad_paths, set_up, tear_down)
     assert_true(plot_check_path("plot.svg", &failure));
 }
 
-/* If one of the files cannot be written, neither is written. */
+/* Neither file is written if one of them cannot be written. */
 TEST_WITH(name_is_taken, set_up, tear_down)
 {
     static const char *const names[] = { "plot.svg", "plot.png" };
@@ -379,8 +379,8 @@ TEST(axes_are_labelled)
                   "0 5e+12 1e+13 1.5e+13 2e+13 2.5e+13 3e+13 3.5e+13 4e+13 ");
 }
 
-/* If the y axis is cut off, the levels are still drawn, and the caption states that it
- * is cut off. */
+/* The levels are still drawn if the y axis is cut off. The caption states that it is
+ * cut off. */
 TEST_WITH(curves_are_cut, set_up, tear_down)
 {
     struct plot plot = lines;

@@ -133,7 +133,7 @@ TEST(groups)
         assert_non_null(strstr(text, *name));
 }
 
-/* If all parts are in vector form, Amdahl's law gives the measured speedup. */
+/* Amdahl's law gives the measured speedup if all parts are in vector form. */
 TEST(amdahl)
 {
     FREED char *text = table_text_of(PROFILE_SPEEDUP);

@@ -235,7 +235,7 @@ TEST(crossings)
     assert_true(crossed > 9);
 }
 
-/* With a step, the values in between are not run. */
+/* The values between two steps are not run. */
 TEST(steps)
 {
     FREED_BY(swept_free) struct program_sweep sweep = sweep_of("n", 8, 1000);

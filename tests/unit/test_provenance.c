@@ -96,7 +96,7 @@ TEST(models)
         holds(text, cases[i].holds);
         snprintf(expected, sizeof expected, cases[i].json, belief.figures);
         holds(json, expected);
-        /* Without --provenance only the first line is printed. */
+        /* Only the first line is printed without --provenance. */
         snprintf(expected, sizeof expected, "%.*s; details: --provenance\n", first,
                  text);
         assert_string_equal(line, expected);

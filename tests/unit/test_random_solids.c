@@ -40,8 +40,7 @@ static void write_scene(char *text, size_t size)
 
 /* ---- Comparisons -------------------------------------------------------- */
 
-/* If surfaces coincide, rounding decides which surface is visible, but not its
- * depth. */
+/* Rounding decides which of two coincident surfaces is visible, but not its depth. */
 static void check_depths(const struct scene *scene, const char *text,
                          const struct words *words)
 {

@@ -220,8 +220,9 @@ static double retimed(const struct run *run, const c205_setting *setting,
     return clocks[1];
 }
 
-/* With a thousand ticks per clock, integer constants give the same clocks except for
- * rounding up to full clocks. Fractional constants give values in between. */
+/* Integer constants give the same clocks with 1 tick and with 1,000 ticks per clock,
+ * except for rounding up to full clocks. Fractional constants give values in
+ * between. */
 TEST(ticks)
 {
     static const c205_setting settings[] = { { "latency.load", 15.5 },

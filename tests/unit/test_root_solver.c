@@ -423,7 +423,7 @@ TEST(signs_ascend)
     check_parity(scalar.in[0], scalar.out[0]);
 }
 
-/* Without double roots, both entry points have the same result. */
+/* Both entry points have the same result if there are no double roots. */
 TEST(signs_of_sharp)
 {
     static struct lanes all, signs;

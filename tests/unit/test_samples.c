@@ -103,7 +103,7 @@ static void check_scene(const char *text, int times)
 
 TEST_CALL(linear, check_scene(linear, 6))
 
-/* With an assumed gamma other than 1, samples are averaged in linear light. */
+/* Samples are averaged in linear light if the assumed gamma is not 1. */
 TEST_CALL(gamma, check_scene(curved, 4))
 
 /* One sample for each pixel is the same as the default. */

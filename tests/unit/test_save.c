@@ -212,7 +212,7 @@ TEST(flipped)
     assert_rejected(bytes.byte, bytes.count, prior_model, "damaged");
 }
 
-/* With a correct hash, any word may have any value. The result must be an error, or a
+/* Any word may have any value if the hash is correct. The result must be an error, or a
  * machine that runs. */
 static void try_word(struct bytes *bytes, size_t i, uint64_t word)
 {

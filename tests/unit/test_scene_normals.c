@@ -171,8 +171,7 @@ TEST(normal_maps)
     assert_false(scene->primitives[1].bumps.list->average);
 }
 
-/* If an entry contains a map of several normals, the first of these normals is used at
- * the value of the entry. */
+/* The first normal of a map inside an entry is used at the value of the entry. */
 TEST(nested)
 {
     static const char text[] = "onion normal_map { [0 radial] [1 planar scale 2"

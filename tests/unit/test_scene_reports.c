@@ -315,7 +315,7 @@ TEST(many_reports)
     assert_non_null(strstr(reports.items[MAX_TOLD].message, "omitted"));
 }
 
-/* If there are more places than can be recorded, the report states it. */
+/* The report states if there are more places than can be recorded. */
 TEST(lost_notes)
 {
     enum { NOTES = 100001 };

@@ -75,7 +75,7 @@ static void find_place(const char *text, const char *at, size_t *line, size_t *c
     *column = (size_t)(at - start) + 1;
 }
 
-/* Without this ';' the text has one error at the position of the ';' if it is
+/* This ';' is removed. The text must then have one error at its position if it is
  * mandatory, and no error otherwise. */
 static void leave_out(char *text, char *semicolon)
 {

@@ -343,8 +343,8 @@ TEST(polynomials_of_patches)
     }
 }
 
-/* If all curves s = const have the same direction, a plane through a parallel ray needs
- * a second vector in another direction. */
+/* A plane through a parallel ray needs a second vector in another direction if all
+ * curves s = const have the same direction. */
 TEST(other_planes)
 {
     static const double straight[][3 * STEINER_POINTS] = {
@@ -369,7 +369,7 @@ TEST(other_planes)
     }
 }
 
-/* If s, t and u are scaled, the same patch has other weights. */
+/* The same patch has other weights if s, t and u are scaled. */
 TEST(weights_of_one_patch)
 {
     static const double by[] = { 100, 1, .01 };

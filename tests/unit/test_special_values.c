@@ -166,7 +166,7 @@ static void check_MAGNITUDE(const struct trial *t)
         check_KEPT(t);
 }
 
-/* If a normalised number is shifted by one more place, it overflows. */
+/* A normalised number overflows if it is shifted by one more place. */
 static void check_FITTED(const struct trial *t)
 {
     int32_t exponent = format_exponent(t->f, t->a);

@@ -296,7 +296,7 @@ TEST(length)
     }
 }
 
-/* If one form is cheaper at every length, there is no crossover. */
+/* There is no crossover if one form is cheaper at every length. */
 TEST(no_crossover)
 {
     static const size_t shortest[] = { 1 }, longer[] = { 64, 128 };

@@ -157,7 +157,7 @@ static void check_drops(struct terminal *terminal)
     expect(terminal, "1 break insn EXIT, hit 0 times");
 }
 
-/* If Ctrl-C arrives before the line is read, it drops the line. The line is then typed
+/* Ctrl-C drops the line if it arrives before the line is read. The line is then typed
  * again. */
 static void check_program(struct terminal *terminal)
 {

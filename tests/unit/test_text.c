@@ -195,7 +195,7 @@ static unsigned char *table_of(unsigned char *font, const char *name)
     return NULL;
 }
 
-/* If a character has several loops, reduces the first loop to a single point, which
+/* Reduces the first loop of a character with several loops to a single point, which
  * fonts use as a mark. */
 static void leave_points(unsigned char *font)
 {

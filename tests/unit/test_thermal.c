@@ -144,8 +144,7 @@ TEST(flows)
     assert_close(flow[1], from_outside, .01 * from_outside);
 }
 
-/* With lines, each flow is counted once for both surfaces. Therefore the flows sum to
- * 0. */
+/* Lines count each flow once for both surfaces, so the flows sum to 0. */
 TEST(lines)
 {
     struct sampling_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,

@@ -368,7 +368,7 @@ static bool has_fault(const struct bench *bench, const c205_stop *stop)
                : bench->reference.faults[stop->trap].possible;
 }
 
-/* If an instruction has several possible faults, each of them is accepted. */
+/* Each possible fault of an instruction is accepted. */
 static bool step_both(struct bench *bench)
 {
     c205_stop stop = { .trap = C205_TRAP_NONE };

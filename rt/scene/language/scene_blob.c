@@ -188,7 +188,7 @@ static bool keep(struct reader *reader, struct blob_reading *blob)
     if (!list)
         return false;
     primitive->shape.blob.parts = (struct blob_parts){ count, list };
-    /* If only one component has a texture, the result is the same as in POV-Ray. */
+    /* The result is the same as in POV-Ray if only one component has a texture. */
     if (count != 1 || blob->object.textured)
         shape_choose_texture(reader, &blob->object, &blob->look_at, "blob components",
                              "the texture of the blob");
