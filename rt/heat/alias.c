@@ -3,8 +3,8 @@
 
 #include <stdlib.h>
 
-/* The columns with a share below 1 (scarce), and the other columns (ample). The two
- * lists grow from the two ends of one array. */
+/* A scarce column has a share below 1. All other columns are ample. The two lists grow
+ * from the two ends of one array. */
 struct columns {
     size_t *list, scarce, ample, count;
 };

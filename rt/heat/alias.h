@@ -1,5 +1,5 @@
-/* alias.h - builds alias tables. An alias table selects one of many items by their
- * probabilities in one step (rt/kernels/heat/pieces.s).
+/* alias.h - builds alias tables. An alias table selects a random item in one step, with
+ * given probabilities (rt/kernels/heat/pieces.s).
  *
  * A column i is selected uniformly. The selected item is i with the probability
  * share[i], else alias[i]. Sources: Walker 1977; Vose, "A linear algorithm for

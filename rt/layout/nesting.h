@@ -11,8 +11,8 @@
 #include "rt/bvh/bound.h"
 #include "rt/shapes/primitive.h"
 
-/* A scene with grouped trees. It has nodes, regions and bounds of its own, and shares
- * all other data with the original scene. An original node has the bound that bounds.h
+/* A scene with grouped trees. It has its own nodes, regions and bounds, and shares all
+ * other data with the original scene. An original node has the bound that bounds.h
  * computes. A group has a bound around its parts. */
 struct nested_scene {
     struct scene scene;

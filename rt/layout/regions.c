@@ -156,7 +156,7 @@ static void layout_nodes(struct record_layout *layout, struct places *places)
 /* ---- Regions ------------------------------------------------------------- */
 
 /* Returns 0: no shadow, 1: a full shadow, 2: a shadow with transparent parts. A region
- * casts a shadow if one of its primitives casts a shadow. */
+ * casts a shadow if any of its primitives does. */
 static size_t shadow_of(const struct scene *scene, const struct region *region)
 {
     const struct primitive *first = &scene->primitives[region->first_primitive];

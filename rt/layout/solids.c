@@ -326,7 +326,7 @@ static size_t table_words(const struct scene *scene, const struct leaf_plan *pla
 }
 
 /* Returns the address of the primitive's material. Spheres in world space with equal
- * surfaces share a material; every other primitive has a material of its own. */
+ * surfaces share a material; every other primitive has its own material. */
 static uint64_t material_of(struct record *record, const struct primitive *primitive,
                             struct material_table *materials)
 {

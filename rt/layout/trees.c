@@ -105,7 +105,7 @@ bool scene_has_crossed_meshes(const struct scene *scene)
 }
 
 /* Returns the number of crossings that a kernel lists, or 0 for two shapes: a blob
- * alone reports only its nearest crossing, and a mesh has a count of its own. */
+ * alone reports only its nearest crossing, and a mesh has its own count. */
 static size_t crossings_of(const struct primitive *primitive, bool alone)
 {
     struct shape_words shape;
@@ -159,8 +159,8 @@ struct evaluation {
     struct tree_term *stack;
 };
 
-/* Computes x and y. De Morgan's rules avoid steps for complements. Each step has a
- * value of its own, so that all values can be inspected afterwards. */
+/* Computes x and y. De Morgan's rules avoid steps for complements. Each step has its
+ * own value, so that all values can be inspected afterwards. */
 static struct tree_term both(struct evaluation *evaluation, struct tree_term x,
                              struct tree_term y)
 {

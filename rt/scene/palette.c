@@ -24,7 +24,7 @@ enum {
     BMP_BITS = 28,
     BMP_CORE = 12, /* size of BITMAPCOREHEADER, whose fields are shorter */
     BMP_CORE_BITS = 24,
-    TGA_TABLE = 18, /* to which the length of the identification field is added */
+    TGA_TABLE = 18, /* offset, if there is no identification field */
 };
 
 static unsigned byte_at(const char *bytes, size_t i)

@@ -1,8 +1,8 @@
 /* emitter.h - the data with which the kernels of emission (rt/kernels/heat) sample the
  * surface of a shape.
  *
- * A kernel samples the surface in a space of its own. The surface is a unit sphere, a
- * torus, or a list of pieces: frusta about the y axis, or triangles.
+ * A kernel samples the surface in its own space. The surface is a unit sphere, a torus,
+ * or a list of pieces: frusta about the y axis, or triangles.
  */
 #ifndef RT_EMITTER_H
 #define RT_EMITTER_H

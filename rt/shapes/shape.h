@@ -1,6 +1,6 @@
 /* shape.h - the descriptor of a kind of primitive.
  *
- * Each kind has one descriptor, in a file of its own. It has the arguments in the scene
+ * Each kind has one descriptor, in its own file. It has the arguments in the scene
  * language, the bound, the words for the machine, and the routines among the kernels.
  * rt/shapes/shapes.def lists the kinds. If a row has no descriptor, the program does
  * not link.

@@ -15,7 +15,7 @@ enum { PATCH_CROSSINGS = 4 };
 struct shape_words {
     double words[MAX_SHAPE_WORDS];
     size_t count;
-    bool transformed;            /* the primitive has a space of its own */
+    bool transformed;            /* the primitive has its own space */
     bool on_patch;               /* a hit has two additional parameters */
     bool on_mesh;                /* one of the two parameters is a triangle */
     const char *kernel, *normal; /* names of routines, for both forms of the program */

@@ -159,7 +159,7 @@ uint64_t trace_rays(const struct trace *trace, enum ray_kind kind);
 
 /* Returns the assembled program. */
 const struct object *trace_program(const struct trace *trace);
-/* Returns the options. Their number of samples is the number that is used. */
+/* Returns the options, with the number of samples that is used. */
 const struct trace_options *trace_how(const struct trace *trace);
 /* Returns the machine of a band, which has been loaded but has not run. The caller
  * frees it. */

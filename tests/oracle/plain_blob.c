@@ -24,7 +24,8 @@ static void way_from(const struct blob_part *part, const double own[3], double w
     add_scaled(way, way, -fmin(fmax(share, 0), 1), axis);
 }
 
-/* Returns 1 - (distance / radius)^2 of a component at a point of its own space. */
+/* Returns 1 - (distance / radius)^2 of a component at a point in the component's
+ * space. */
 static double nearness(const struct blob_part *part, const double own[3])
 {
     double way[3];

@@ -389,7 +389,7 @@ static void link_pairs(uint64_t *random, struct random_program *program,
     }
 }
 
-/* Ends the loop with a branch back. The branch has registers of its own. */
+/* Ends the loop with a branch back. The branch has its own registers. */
 static void close_loop(struct random_program *program)
 {
     const c205_insn *insn = c205_insn_named("DBNZ", 4);

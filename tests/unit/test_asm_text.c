@@ -136,7 +136,7 @@ TEST(words)
         /* Parameters. */
         { " .macro put a=7, b\n .word \\a + \\b\n .endm\n .data\n put , 1\n", DATA, 8 },
         { " .macro put ab, a\n .word \\a\n .endm\n .data\n put 5, 6\n", DATA, 6 },
-        /* Each expansion has a number of its own. */
+        /* Each expansion has its own number. */
         { " .macro out\n .macro in\n l\\@: .word l\\@\n .endm\n .endm\n .data\n"
           " out\n in\n in\n",
           DATA + 64, DATA + 64 },

@@ -5,7 +5,8 @@
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
-/* The middle ray is the z axis, starting at z = -5. A light is on it. */
+/* The middle ray starts at z = -5 on the z axis and follows this axis. A light is also
+ * on the axis. */
 #define VIEW STRAIGHT "light_source { -4.5*z, .5 }\n"
 
 static struct words *frame_of_all(const char *text)

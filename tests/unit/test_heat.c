@@ -30,8 +30,8 @@ static size_t random_of(const char *text, const struct heat_request *request,
     return heat.drawn;
 }
 
-/* Each round has four times as many points, up to the limit, which has a round of its
- * own. The number of lines is a power of two. */
+/* Each round has four times as many points, up to the limit, which has its own round.
+ * The number of lines is a power of two. */
 TEST(rounds)
 {
     struct heat_request request = usual();

@@ -180,7 +180,7 @@ TEST(long_vectors)
     }
 }
 
-/* The instruction is in its own result, which overwrites it with two EXITs. */
+/* The instruction's result overwrites the instruction itself with two EXITs. */
 TEST(overwritten_instruction)
 {
     static const char program[] =

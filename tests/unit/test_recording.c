@@ -64,9 +64,9 @@ static void run_free(struct run *run)
     c205_model_free(run->model);
 }
 
-/* Replayed with a model and settings, the recording must give the clocks of a machine
- * or a projection. Projections have no clocks for vector instructions, so regions with
- * vector instructions are skipped. */
+/* A replay of the recording, with a model and settings, must give the clocks of a
+ * machine or a projection. Projections have no clocks for vector instructions, so
+ * regions with vector instructions are skipped. */
 static void assert_retimes(const char *name, const struct run *recorded,
                            const c205_model *model, const c205_setting *settings,
                            size_t setting_count, const c205 *machine,

@@ -462,7 +462,7 @@ TEST(many_parts)
     }
 }
 
-/* Each step has a value of its own, and each value except the last belongs to one step.
+/* Each step has its own value, and each value except the last belongs to one step.
  * Every primitive therefore has a unique path to the root. */
 TEST(values)
 {

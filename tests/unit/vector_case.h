@@ -1,9 +1,9 @@
 /* vector_case.h - random operands for any vector instruction. They are made from its
  * row of the instruction table, for tests of properties that all instructions share.
  *
- * Each operand is in a zone of its own, so that operands do not overlap. A case records
- * the bits of memory and registers that the instruction may read (defined), and the
- * bits that it may change (written).
+ * Each operand is in its own zone, so that operands do not overlap. A case records the
+ * bits of memory and registers that the instruction may read (defined), and the bits
+ * that it may change (written).
  */
 #ifndef VECTOR_CASE_H
 #define VECTOR_CASE_H

@@ -116,8 +116,8 @@ static bool read_one(struct reader *reader, const struct shape_field *field, dou
     return false;
 }
 
-/* Reads the elements of an argument. Except the first element of all arguments, an
- * element may follow a comma. */
+/* Reads the elements of an argument. A comma may precede each element, except the first
+ * element of all arguments. */
 static bool read_row(struct reader *reader, const struct shape_field *field, bool first,
                      double *to)
 {

@@ -138,11 +138,11 @@ bool light_read(struct reader *reader, struct scene_object *object);
  * light. */
 bool looks_like_read(struct reader *reader, struct scene_object *object,
                      const double position[3]);
-/* Gives an object an interior of its own with this refractive index. */
+/* Gives an object its own interior with this refractive index. */
 void object_fill(struct reader *reader, struct scene_object *object, double ior);
 /* Keywords that modify an object, which is the subject. */
 item_reader part_read, clipped_by_read, bounded_by_read;
-/* Copies an object. The copy has interiors of its own. Reports an error above
+/* Copies an object. The copy has its own interiors. Reports an error above
  * MAX_PRIMITIVES. */
 bool shape_copy(struct reader *reader, struct scene_object *copy,
                 const struct scene_object *object);
