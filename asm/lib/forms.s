@@ -4,14 +4,14 @@
 ; A program first selects a form and then contains operations:
 ;
 ;       scalar_form prefix, scratch, second, third
-;       vector_form prefix, bits, more_bits
+;       vector_form prefix, bits, more_bits, rest
 ;
 ; prefix is the start of the name of each operation. It is empty by default, as
 ; in times and plus. Code for both forms in one program is a macro with an
 ; argument form. It contains operations such as \form\()_times (asm/lib/exp.s).
 ; The scalar form changes the registers scratch, second and third. bits has the
-; descriptor of the control vector, and more_bits has that of a second one for
-; otherwise_if.
+; descriptor of the control vector, and more_bits and rest have those of two
+; more for and_if and otherwise_if.
 ;
 ; Both forms execute the same operations in the same order, so their results are
 ; equal, bit for bit. The vector form links two operations into one stream if
@@ -59,8 +59,8 @@
 ; Several operations. The scalar form interleaves them, because a result takes
 ; five clocks:
 ;
-;       line_three a, k, l, c, m, n, d, o, p, e
-;               c = a k + l, likewise d = a m + n and e = a o + p
+;       line_two a, k, l, c, m, n, d            c = a k + l,  d = a m + n
+;       line_three a, k, l, c, m, n, d, o, p, e  also e = a o + p
 ;       add_scaled_two x, k, s, l, t          s = s + x k,  t = t + x l
 ;       add_scaled_three x, k, s, l, t, m, u  also u = u + x m
 ;       step_four x, p, k, q, l, r, m, s, n   p = p x + k, likewise q, r and s
@@ -107,6 +107,7 @@
 ;       then_from k, a, c  then_raise a, k, c        then_raise_index a, k, c
 ;       then_negate a, c   then_negate_index a, c    then_clear c
 ;       then_scale a, k, c then_lower a, k, c        then_set_minus k, c
+;       then_sign a, k, l, c, t, case   c = k, or l if a is below 0; changes t
 ;       otherwise_set k, c       if the condition is false
 ;       otherwise_copy a, c      if the condition is false
 ;
@@ -122,8 +123,12 @@
 ;       if_less_number a, k, label      is a < k?
 ;       if_number_less k, a, label      is k < a?
 ;       if_not_less a, b, label         is a >= b?
+;       if_nearer a, b, label           is |a| < |b|?
 ;       if_not_nearer a, b, label       is |a| >= |b|?
-;       otherwise_if_less_number a, k, label    is the condition false and a < k?
+;       and_if_not_nearer a, b, label           is it true and |a| >= |b|?
+;       otherwise_if_less_number a, k, label    is it false and a < k?
+;       otherwise_if_not_nearer a, b, label     is it false and |a| >= |b|?
+;                               the case rest of then_sign: if both are false
 
         .ifndef forms.s
         .equ    forms.s, 1
@@ -273,6 +278,12 @@ not_below\@:
         .macro  \prefix\()lower_absolute a, k, c
         ABS     \a, \c
         SUBN    \c, \k, \c
+        .endm
+        .macro  \prefix\()line_two a, k, l, c, m, n, d
+        MPYS    \a, \k, \c
+        MPYS    \a, \m, \d
+        ADDN    \c, \l, \c
+        ADDN    \d, \n, \d
         .endm
         .macro  \prefix\()line_three a, k, l, c, m, n, d, o, p, e
         MPYS    \a, \k, \c
@@ -437,10 +448,21 @@ not_below\@:
         .macro  \prefix\()if_not_less a, b, label
         CFPLT   \a, \b, \label
         .endm
+        .macro  \prefix\()if_nearer a, b, label
+        ABS     \a, \scratch
+        ABS     \b, \second
+        CFPGE   \scratch, \second, \label
+        .endm
         .macro  \prefix\()if_not_nearer a, b, label
         ABS     \a, \scratch
         ABS     \b, \second
         CFPLT   \scratch, \second, \label
+        .endm
+        .macro  \prefix\()and_if_not_nearer a, b, label
+        \prefix\()if_not_nearer \a, \b, \label
+        .endm
+        .macro  \prefix\()otherwise_if_not_nearer a, b, label
+        \prefix\()if_not_nearer \a, \b, \label
         .endm
         .macro  \prefix\()otherwise_if_less_number a, k, label
         CFPGE   \a, \k, \label
@@ -488,6 +510,9 @@ not_below\@:
         .macro  \prefix\()then_negate_index a, c
         SUBU    r0, \a, \c
         .endm
+        .macro  \prefix\()then_sign a, k, l, c, t, case=
+        \prefix\()sign \a, \k, \l, \c
+        .endm
         .macro  \prefix\()otherwise_set k, c
         RTOR    \k, \c
         .endm
@@ -514,7 +539,7 @@ select\@:
 
 ; The first operation of a link needs a vector of its length as its result: a
 ; source or the final result. It does not change this vector.
-        .macro  vector_form prefix=, bits=, more_bits=
+        .macro  vector_form prefix=, bits=, more_bits=, rest=
         .macro  \prefix\()times a, b, c
         MPYSV   [\a], [\b], [\c]
         .endm
@@ -664,9 +689,12 @@ select\@:
         .macro  \prefix\()lower_absolute a, k, c
         SUBNV   |[\a]|, \k, [\c]
         .endm
-        .macro  \prefix\()line_three a, k, l, c, m, n, d, o, p, e
+        .macro  \prefix\()line_two a, k, l, c, m, n, d
         \prefix\()line \a, \k, \l, \c
         \prefix\()line \a, \m, \n, \d
+        .endm
+        .macro  \prefix\()line_three a, k, l, c, m, n, d, o, p, e
+        \prefix\()line_two \a, \k, \l, \c, \m, \n, \d
         \prefix\()line \a, \o, \p, \e
         .endm
         .macro  \prefix\()raised_times a, k, b, c
@@ -811,8 +839,20 @@ select\@:
         .macro  \prefix\()if_not_less a, b, label
         CMPGEV  [\a], [\b], [\bits]
         .endm
+        .macro  \prefix\()if_nearer a, b, label
+        CMPLTV  |[\a]|, |[\b]|, [\bits]
+        .endm
         .macro  \prefix\()if_not_nearer a, b, label
         CMPGEV  |[\a]|, |[\b]|, [\bits]
+        .endm
+        .macro  \prefix\()and_if_not_nearer a, b, label
+        CMPGEV  |[\a]|, |[\b]|, [\more_bits]
+        ANDB    [\bits], [\more_bits], [\bits]
+        .endm
+        .macro  \prefix\()otherwise_if_not_nearer a, b, label
+        CMPGEV  |[\a]|, |[\b]|, [\more_bits]
+        NORB    [\bits], [\more_bits], [\rest]
+        ANDNB   [\more_bits], [\bits], [\bits]
         .endm
         .macro  \prefix\()otherwise_if_less_number a, k, label
         CMPLTV  [\a], \k, [\more_bits]
@@ -857,6 +897,11 @@ select\@:
         .endm
         .macro  \prefix\()then_negate_index a, c
         SUBUV   r0, [\a], [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()then_sign a, k, l, c, t, case=\bits
+        CMPGEV  [\a], r0, [\more_bits]
+        MASKV   \k, \l, [\t] ? [\more_bits]
+        VTOV    [\t], [\c] ? [\case]
         .endm
         .macro  \prefix\()otherwise_set k, c
         VTOV    \k, [\c] ?! [\bits]

@@ -61,5 +61,5 @@ normal_open_cylinder:
         .endkernel
 
         .ifdef  HISTORICAL
-        by_hand cylinder_clipped
+        .include "shapes/normal_cylinder_clipped.s"
         .endif

@@ -42,6 +42,19 @@
         LOD     [\a], \a
         .endm
 
+; The extremes of a.
+        .macro  least_of a, c
+        RTOR    \a, \c
+        .endm
+
+        .macro  greatest_of a, c
+        RTOR    \a, \c
+        .endm
+
+; Branches to label if the condition is false for all points.
+        .macro  skip_if_none label
+        .endm
+
         .macro  leave_normal
         BIM     0, normal_link
         .endm
@@ -51,9 +64,4 @@
         .macro  leave_or label
         leave_normal
 \label:
-        .endm
-
-; A normal that is written by hand in each form.
-        .macro  by_hand shape
-        .include "shapes/normal_\shape\()_scalar.s"
         .endm

@@ -19,12 +19,13 @@
 ; The operations of kernels that are written once (forms.s), with the names of
 ; registers in the scalar form.
         .include "forms.s"
-        vector_form , hits1, hits2
+        vector_form , hits1, hits2, rest
         .share  normals
         .regs   v0, t0, t1, t2, t3, t4, t5, t6, t7
         .reg    m_zero, r0
         .reg    table, s1
         .reg    spare, s2
+        .reg    rest, hits3
         .reg    point_s, cr
         .reg    point_t, cg
         .reg    m_one, one
@@ -76,14 +77,22 @@
         set     big, \a
         .endm
 
+        .macro  least_of a, c
+        MINV    [\a], s0, \c
+        .endm
+
+        .macro  greatest_of a, c
+        MAXV    [\a], s0, \c
+        .endm
+
+        .macro  skip_if_none label
+        CNTOB   [hits1], s0
+        IBXEQ   s0, r0, r0, \label
+        .endm
+
         .macro  leave_normal
         BIM     0, link_kernel
         .endm
 
         .macro  leave_or label
-        .endm
-
-; A normal that is written by hand in each form.
-        .macro  by_hand shape
-        .include "shapes/normal_\shape\()_vector.s"
         .endm
