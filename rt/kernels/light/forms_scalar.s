@@ -1,18 +1,10 @@
 ; forms_scalar.s - kernels of light that are written once, in the scalar form:
 ; their registers, and the macros that differ from those of forms_vector.s.
 
-; p_x = p_x ^ k.
-        .macro  power_of k
-        RTOR    \k, exponent
-        EX      target, power
-        BSAVE   power_link, [target]
-        .endm
-
 ; c = a, where the light reaches the surface, else 1.
         .macro  copy_lit a, c
         RTOR    \a, \c
         .endm
-
         .macro  unit_vector x, y, z, length, work
         normalise_by m_one, \x, \y, \z, \length, \work
         .endm
@@ -55,17 +47,14 @@
 
         .macro  set_mirror_weight
         .endm
-
         .macro  weigh_mirror
         MPYS    sp_own_weight, sp_greatest, sp_weight
         .endm
-
         .macro  add_share_of_range
         add_scaled g_share, g_red, sp_red
         add_scaled g_share, g_green, sp_green
         add_scaled g_share, g_blue, sp_blue
         .endm
-
         .macro  find_mirror_index to
         .if     INTERIORS
         RTOR    in_mirror, \to
@@ -80,7 +69,6 @@ mirror_side:
 mirror_enters:
         .endif
         .endm
-
         .macro  load_pigment
         ELEN    g_pigment, 3
         SWAP    [g_pigment], g_pigment_r, [r0]
@@ -90,25 +78,19 @@ mirror_enters:
         .macro  beam_towards
         find_beam_direction
         .endm
-
         .macro  add_where bits, x, channel
         ADDN    \channel, \x, \channel
         .endm
-
         .macro  leave_if_dark label
         .endm
-
         .macro  leave_if_matt label
         .endm
-
         .macro  base_of_highlight x, none
         CFPGE   r0, \x, \none
         .endm
-
         .macro  leave_if_indefinite x, label
         CFPNE   \x, \x, \label
         .endm
-
         .macro  root_lit x
         SQRT    \x, \x
         .endm
@@ -136,22 +118,18 @@ towards_lit\@:
         .macro  leave_beam label
         BIM     \label
         .endm
-
         .macro  darken_far_side none
         CFPGE   r0, light_distance, \none
         .endm
-
         .macro  darken_unless_above_0 x, none
         CFPGE   r0, \x, \none
         .endm
-
         .macro  smaller_to_greater
         RTOR    beam_q, p_x
         CFPGE   m_one, beam_q, smaller\@
         DIVS    m_one, beam_q, p_x
 smaller\@:
         .endm
-
         .macro  one_where_near x
         CFPLT   m_one, beam_q, one_where_near\@
         RTOR    m_one, \x
@@ -196,23 +174,19 @@ image_outside:
         ES      image_cell, 256
         BIM     0, colour_link
         .endm
-
         .macro  find_colour
         BIM     0, map_wave
         .endm
-
         .macro  find_texel
         SHIFTI  texel, 6, texel
         ADDX    map_stops, texel, texel
         ELEN    texel, PIXEL_SIZE
         .endm
-
         .macro  load_pixel
         AND     texel, p_fraction, texel        ; y_1 may be a machine zero
         find_texel
         SWAP    [texel], image_r, [r0]
         .endm
-
         .macro  add_pixel
         find_texel
         SWAP    [texel], corner_r, [r0]
@@ -253,10 +227,8 @@ image_outside:
         apply_bumps
 not_bumped\@:
         .endm
-
         .macro  begin_bumps
         .endm
-
         .macro  leave_bumped label
         BIM     \label
         .endm
@@ -284,7 +256,6 @@ bumped_between\@:
         add_scaled ly, bump_share, bump_sum_y
         add_scaled lz, bump_share, bump_sum_z
         .endm
-
         .macro  find_value_of_pattern
         EX      target, find_pattern
         BSAVE   pattern_link, [target]
@@ -300,7 +271,6 @@ bumped_between\@:
         ELEN    height_at, HEIGHT_SIZE
         SWAP    [height_at], height_from, [r0]
         .endm
-
         .macro  set_height next, last
         ADDN    t2, height_0, y_0
         .endm

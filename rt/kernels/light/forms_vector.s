@@ -9,18 +9,10 @@
         .reg    m_index_minus_one, minus_one_index
         .endshare
 
-; [v0] = [v0] ^ k.
-        .macro  power_of k
-        RTOR    \k, exponent
-        EX      target, power
-        BSAVE   link_inner, [target]
-        .endm
-
 ; [c] = [a] in hits3, else 1.
         .macro  copy_lit a, c
         MASKV   [\a], one, [\c] ? [hits3]
         .endm
-
         .macro  unit_vector x, y, z, length, work
         normalise \x, \y, \z, \length, \work
         .endm
@@ -70,20 +62,16 @@
         .macro  spawn_record offset, number, first
         load_record \offset, \number, \first
         .endm
-
         .macro  set_mirror_weight
         VTOV    spawn_most, [ndotl]
         .endm
-
         .macro  weigh_mirror
         .endm
-
         .macro  add_share_of_range
         line    g_share, g_red, spawn_r, red
         line    g_share, g_green, spawn_g, green
         line    g_share, g_blue, spawn_b, blue
         .endm
-
         .macro  find_mirror_index to
         .if     INTERIORS
         VTOV    [v7], [\to]
@@ -92,7 +80,6 @@
         MASKV   spawn_index, spawn_reciprocal, [\to] ? [hits2]
         .endif
         .endm
-
         .macro  load_pigment
         .endm
 
@@ -106,7 +93,6 @@
         EX      target, beam_towards
         BSAVE   link_inner, [target]
         .endm
-
         .macro  add_where bits, x, channel
         ADDNV   [\channel], [\x], [\channel] ? [\bits]
         .endm
@@ -117,7 +103,6 @@
         CNTOB   [hits3], s0
         IBXEQ   s0, r0, r0, \label
         .endm
-
         .macro  leave_if_matt label
         ADDN    f_phong, f_specular, s0
         CFPGE   r0, s0, \label
@@ -131,10 +116,8 @@
         IBXEQ   s0, r0, r0, \none
         MASKV   [\x], one, [\x] ? [hits0]
         .endm
-
         .macro  leave_if_indefinite x, label
         .endm
-
         .macro  root_lit x
         SQRTV   [\x], [\x] ? [hits3]
         MASKV   [\x], one, [\x] ? [hits3]
@@ -156,24 +139,20 @@
         .macro  leave_beam label
         BIM     0, link_inner
         .endm
-
         .macro  darken_far_side none
         CMPLTV  r0, [light_distance], [hits1]
         VTOV    r0, [beam_q] ?! [hits1]
         .endm
-
         .macro  darken_unless_above_0 x, none
         CMPLTV  r0, [\x], [hits1]
         ANDB    [hits1], [hits3], [hits3]
         .endm
-
         .macro  smaller_to_greater
         CMPLTV  one, [beam_q], [hits2]          ; farther than fade_distance
         DIVSV   one, [beam_q], [v1]
         VTOV    [v1], [beam_q] ? [hits2]
         copy_lit beam_q, p_x
         .endm
-
         .macro  one_where_near x
         MASKV   [\x], one, [\x] ? [hits2]
         .endm
@@ -218,7 +197,6 @@ cells_found:
         CMPNEV  [\u_floor], r0, [hits1]
         ORB     [hits1], [hits3], [hits3]
         .endm
-
         .macro  find_colour
         RTOR    map_wave, target
         BSAVE   link_inner, [target]
@@ -230,7 +208,6 @@ cells_found:
 image_found:
         BIM     0, link_pattern
         .endm
-
         .macro  load_pixel
         RTOR    map_stops, s0
         VXTOV   [texel], [s0], [cr]
@@ -239,14 +216,12 @@ image_found:
         IX      s0, 64
         VXTOV   [texel], [s0], [cb]
         .endm
-
         .macro  add_channel color
         VXTOV   [texel], [s0], [image_pixel]
         MPYSV   [image_pixel], [weight], [image_pixel]
         ADDNV   [\color], [image_pixel], [\color]
         IX      s0, 64
         .endm
-
         .macro  add_pixel
         RTOR    map_stops, s0
         add_channel cr
@@ -279,7 +254,6 @@ image_found:
         describe \x1, bump_normals + 64 * QUEUE, m
         describe \x2, bump_normals + 64 * QUEUE * 2, m
         .endm
-
         .macro  begin_bumps
 bumped:
         RTOR    link_inner, link_bump
@@ -289,7 +263,6 @@ bumped:
         VTOV    [nz], [s3]
         apply_bumps
         .endm
-
         .macro  leave_bumped label
         BIM     0, link_bump
         .endm
@@ -300,7 +273,6 @@ bumped:
         MPYSV   [\x], [ndotl], [v1]
         ADDNV   [\sum], [v1], [\sum] ? [hits1]
         .endm
-
         .macro  bump_lower x, sum
         MPYSV   [\x], [v0], [v1]
         VTOV    [v1], [\sum] ? [hits2]
@@ -334,7 +306,6 @@ bumped_next:
         IX      bump_at, 64 * BUMP_SIZE
         IBXNE   bump_left, minus_one_index, r0, bumped_entry, bump_left
         .endm
-
         .macro  find_value_of_pattern
         EX      target, find_value
         BSAVE   link_pattern, [target]
@@ -352,7 +323,6 @@ bumped_next:
         CFPGE   height_from, big, \last
         CMPGEV  [y_0], height_from, [hits1]
         .endm
-
         .macro  set_height next, last
         ADDNV   [v2], height_0, [v3] ? [hits1]
         BIM     \next

@@ -14,6 +14,13 @@
 ; shine in all directions or that fade.
 ; Source: POV-Ray's finish.
 
+; p_x = p_x ^ k.
+        .macro  power_of k
+        RTOR    \k, exponent
+        EX      target, power
+        BSAVE   power_link, [target]
+        .endm
+
         .if     BEAMS
         .include "light/beam.s"
         .endif
