@@ -28,6 +28,10 @@
         dot_rows \x0, \x1, \x2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, \a, \b, \c, \w0, \w1, \w2, \w3
         .endm
 
+        .macro  times_matrix x0, x1, x2, y0, y1, y2, w0, w1, w2, w3
+        matrix_rows \x0, \x1, \x2, \y0, \y1, \y2, \w0, \w1, \w2, \w3
+        .endm
+
         .macro  include_columns
         .ifndef LANE_REGISTERS
         .include "shapes/lanes_scalar.s"
@@ -309,4 +313,65 @@ cone_double\@:
         RTOR    big, tout
         RTOR    one, quad_a
 cone_sided\@:
+        .endm
+
+        .macro  quadric_roots miss
+        CFPLT   t2, r0, \miss
+        quadratic_roots quad_a, quad_b, quad_c, t2, t0, t1, quadric_one\@, quadric_double\@
+        sort_roots t0, t1
+        BIM     quadric_crossed\@
+quadric_double\@:
+        CFPEQ   quad_a, r0, \miss
+        DIVS    t2, quad_a, t1
+quadric_one\@:
+        RTOR    t1, tin
+        RTOR    t1, tout
+quadric_crossed\@:
+        .endm
+
+        .macro  crossings_or_miss
+        move_back shift
+        .endm
+
+        .macro  quadric_segments
+        RTOR    big, t8
+        RTOR    minus_big, t9
+        CFPLT   t2, r0, solid_uncrossed\@
+        quadratic_roots quad_a, quad_b, quad_c, t2, t0, t1, solid_one\@, solid_double\@
+        sort_roots t0, t1
+solid_two\@:
+        move_back shift
+        CFPGE   quad_a, r0, solid_stored\@
+        RTOR    tin, t7
+        RTOR    tout, t8
+        RTOR    big, t9
+        RTOR    minus_big, tin
+        RTOR    t7, tout
+        BIM     solid_stored\@
+solid_double\@:
+        CFPEQ   quad_a, r0, solid_constant\@
+        DIVS    t2, quad_a, tin
+        RTOR    tin, tout
+        BIM     solid_two\@
+solid_one\@:
+        SUBN    t1, shift, t1
+        RTOR    minus_big, tin
+        RTOR    t1, tout
+        CFPGE   quad_b, r0, solid_stored\@
+        RTOR    t1, tin
+        RTOR    big, tout
+        BIM     solid_stored\@
+solid_constant\@:
+        RTOR    quad_c, quad_a
+solid_uncrossed\@:
+        RTOR    big, tin
+        RTOR    minus_big, tout
+        CFPGE   quad_a, r0, solid_stored\@
+        RTOR    minus_big, tin
+        RTOR    big, tout
+solid_stored\@:
+        ES      t7, 2
+        STO     [a_segment, t7], t8
+        IX      t7, 1
+        STO     [a_segment, t7], t9
         .endm

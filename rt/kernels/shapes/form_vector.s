@@ -46,6 +46,17 @@
         dot_constant \x0, \x1, \x2, sh9, sh10, sh11, \c, \work
         .endm
 
+; y = A x for the symmetric matrix of a quadric's record.
+        .macro  times_matrix x0, x1, x2, y0, y1, y2, work, w1=, w2=, w3=
+        quadric_rows \x0, \x1, \x2, \y0, \y1, \y2, \work
+        .endm
+
+        .macro  quadric_rows x0, x1, x2, y0, y1, y2, work
+        dot_constant \x0, \x1, \x2, sh3, sh6, sh7, \y0, \work
+        dot_constant \x0, \x1, \x2, sh6, sh4, sh8, \y1, \work
+        dot_constant \x0, \x1, \x2, sh7, sh8, sh5, \y2, \work
+        .endm
+
         .macro  include_columns
         .ifndef LANE_VECTORS
         .include "shapes/lanes_vector.s"
@@ -386,4 +397,69 @@ cone_rooted\@:
         sort_roots t0, t1
         VTOV    big, [tin] ?! [bits0]
         VTOV    minus_big, [tout] ?! [bits0]
+        .endm
+
+; tin, tout = the two crossings with a quadric, from disc in t2.  bits0 = the
+; rays that have them; with one root tin = tout.
+        .macro  quadric_roots miss=
+        quadratic_roots quad_a, quad_b, quad_c, t2, t0, t1
+        ORB     [bits1], [bits2], [bits1]
+        CNTOB   [bits1], s0
+        IBXEQ   s0, r0, r0, quadric_rooted\@
+        CMPEQV  [quad_a], r0, [bits1]
+        VTOV    [t0], [t1] ? [bits2]
+        VTOV    [t1], [t0] ? [bits1]
+        ANDB    [bits1], [bits2], [bits1]
+        ANDNB   [bits0], [bits1], [bits0]       ; lanes without a root
+quadric_rooted\@:
+        sort_roots t0, t1
+        .endm
+
+        .macro  crossings_or_miss
+        VTOV    big, [tin] ?! [bits0]
+        VTOV    minus_big, [tout] ?! [bits0]
+        move_back shift
+        .endm
+
+; The two segments of each ray inside a quadric, from disc in t2.
+; Two crossings: the ray is inside between them or, if a < 0, before the first
+; and after the second.  One crossing (a = 0): it is inside before it if the
+; polynomial rises.  None: it is inside everywhere or nowhere, by the sign of a
+; or, if a = b = 0, of c.
+        .macro  quadric_segments
+        quadric_roots
+        SUBNV   [tin], [shift], [tin]
+        SUBNV   [tout], [shift], [tout]
+        VTOV    big, [tin2]
+        VTOV    minus_big, [tout2]
+        VTOV    big, [tin] ?! [bits0]
+        VTOV    minus_big, [tout] ?! [bits0]
+        CMPLTV  r0, [quad_a], [bits1]
+        CNTOB   [bits1], s0
+        IBXEQ   s0, r0, near, solid_stored\@   ; a > 0 for all
+        CMPLTV  [quad_a], r0, [bits1]           ; a < 0
+        ANDB    [bits0], [bits1], [bits2]
+        VTOV    [tout], [tin2] ? [bits2]
+        VTOV    big, [tout2] ? [bits2]
+        VTOV    [tin], [tout] ? [bits2]
+        VTOV    minus_big, [tin] ? [bits2]
+        ANDNB   [bits1], [bits0], [bits2]
+        VTOV    minus_big, [tin] ? [bits2]
+        VTOV    big, [tout] ? [bits2]
+        CMPEQV  [quad_a], r0, [bits1]
+        CNTOB   [bits1], s0
+        IBXEQ   s0, r0, r0, solid_stored\@
+        ANDB    [bits0], [bits1], [bits0]       ; a = 0: one crossing
+        ANDNB   [bits1], [bits0], [bits1]       ; a = 0: no crossing
+        CMPGEV  [quad_b], r0, [bits2]
+        ANDNB   [bits0], [bits2], [bits2]       ; the polynomial falls
+        VTOV    big, [tout] ? [bits2]
+        CMPGEV  [quad_b], r0, [bits2]
+        ANDB    [bits0], [bits2], [bits2]       ; the polynomial rises
+        VTOV    minus_big, [tin] ? [bits2]
+        CMPLTV  [quad_c], r0, [bits2]
+        ANDB    [bits1], [bits2], [bits2]       ; inside everywhere
+        VTOV    minus_big, [tin] ? [bits2]
+        VTOV    big, [tout] ? [bits2]
+solid_stored\@:
         .endm

@@ -1,3 +1,58 @@
-; quadric.s - the quadric, by hand in each form.
+; quadric.s - intersects rays with a quadric:
+;
+;   f(X) = X A X + 2 g X + k = 0,  A symmetric, X relative to the shape's centre
+;   (or to a point of its axis, for paraboloids have no centre).
+;
+; With o, the ray's closest approach to the centre, as its origin:
+;
+;   h = A o + g,   a = D A D,   b = D h,   c = o (h + g) + k
+;
+; The crossings are the roots of a t^2 + 2 b t + c.  A quadric can contain the
+; part before one crossing and after the other.  Therefore tin, tout are not a
+; segment here but the two crossings, the smaller first; the nearest one ahead
+; is then chosen as for all shapes.  With one root (a = 0) tin = tout.
+;
+;       CALL QUADRIC (RAY, PRIMITIVE, SEGMENT)
+;       CALL QUADRIC_SOLID (RAY, PRIMITIVE, SEGMENTS)
+;
+; In:  ox oy oz dx dy dz; the primitive's record.
+; Out: tin, tout; a miss is big, minus_big.  quadric_solid: the two segments of
+;      the ray inside, where the polynomial is below 0.
+; Source: derived here; the project's notes on ray tracing, 4.2.
 
-        shape_by_hand quadric
+; Computes a, b, c, and t2 = b^2 - a c.
+        .macro  quadric_polynomial
+        enter_shape quadric, 13, index_one
+        ray_lower ox, sh0, t0
+        ray_lower oy, sh1, t1
+        ray_lower oz, sh2, t2
+        closest_approach t0, t1, t2, t0, t1, t2, shift, t3, t4
+        times_matrix dx, dy, dz, t7, t8, t9, t3, t4, t5, t6
+        dot_vectors dx, dy, dz, t7, t8, t9, quad_a, t3
+        times_matrix t0, t1, t2, t7, t8, t9, t3, t4, t5, t6
+        ray_raise t7, sh9, t7
+        ray_raise t8, sh10, t8
+        ray_raise t9, sh11, t9
+        dot_vectors dx, dy, dz, t7, t8, t9, quad_b, t3
+        ray_raise t7, sh9, t7
+        ray_raise t8, sh10, t8
+        ray_raise t9, sh11, t9
+        dot_vectors t0, t1, t2, t7, t8, t9, quad_c, t3
+        ray_raise quad_c, sh12, quad_c
+        discriminant quad_a, quad_b, quad_c, t2, t0
+        .endm
+
+        saves   quadric, 41, r62                ; after quad_c
+        .kernel quadric
+quadric:
+        quadric_polynomial
+        quadric_roots quadric_missed
+        crossings_or_miss
+        leave_shape index_one
+        missed  quadric_missed, index_one
+
+quadric_solid:
+        quadric_polynomial
+        quadric_segments
+        leave_shape index_one
+        .endkernel
