@@ -38,7 +38,7 @@ typedef struct c205 c205;
 enum { C205_REGISTERS = 256 };
 #define C205_NO_LIMIT UINT64_MAX
 #define C205_PAGE_WORDS 65536u /* size of a large page (primary source) */
-#define C205_MAX_LENGTH 65535u /* of a vector (primary source) */
+#define C205_MAX_LENGTH 65535u /* elements of a vector (primary source) */
 
 c205 *c205_new(const c205_model *model, c205_error *error);
 void c205_free(c205 *machine);

@@ -155,7 +155,7 @@ MRGB.chain: .word   X'8000 0000 0000 0000'
         MRGB    [va], [vb], [to] ? [vz]
 ; expect: [MRGB.chain] = X'AA80 0000 0000 0000'
         flags_are MRGB, X'0000 0000 0000 0000'
-; CPSB: C := bits of A where Z has ones; length of C := their number
+; CPSB: C := bits of A where Z has ones; length of C := number of ones
         .data
 CPSB.ones: .word   X'FFFF FFFF FFFF FFFF', X'FFFF FFFF FFFF FFFF'
 CPSB.second_ones: .word X'5555 5555 5555 5555'
