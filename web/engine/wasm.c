@@ -1,6 +1,6 @@
-/* wasm.c - an engine for the host of a WebAssembly module. The host writes the bytes of
- * a request to the address that host_room returns, calls host_answer, and frees the
- * reply.
+/* wasm.c - exports an engine to the host of a WebAssembly module. The host writes a
+ * request to the address that `room` returns, calls `answer`, and releases the reply by
+ * `free`.
  */
 #include <stdlib.h>
 
