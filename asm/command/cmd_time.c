@@ -298,10 +298,10 @@ const struct command time_command = {
                 "measure the vector instructions"),
     .details =
         "Prints the start-up (in clocks), clocks per element, r-infinity and n-half "
-        "of these instructions. Without MNEMONIC: of all, with one line for those of "
-        "a class that take the same time; \",H\" after a class: on 32-bit operands. "
-        "CSV and JSON have a row for each instruction. Off line: the largest "
-        "distance in clocks of a measured point from the straight line. The elements "
-        "of sparse vectors are the bits of their order vectors; the rate counts "
-        "executed operations.",
+        "of these instructions. Without MNEMONIC all instructions are measured, and "
+        "instructions of a class that take the same time share one line; \",H\" after "
+        "a class means 32-bit operands. CSV and JSON have a row for each instruction. "
+        "Off line: the largest distance in clocks of a measured point from the "
+        "straight line. The elements of sparse vectors are the bits of their order "
+        "vectors; the rate counts executed operations.",
 };
