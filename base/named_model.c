@@ -12,7 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns the position of a line of a text. */
 static struct position position_of(const char *name, const char *text,
                                    const c205_place *place)
 {

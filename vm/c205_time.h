@@ -27,7 +27,7 @@ const char *c205_cause_name(c205_cause cause);
 typedef struct c205_account {
     const char *name; /* name of the region; "": code outside regions */
     uint64_t clocks[C205_CAUSES];
-    uint64_t instructions; /* all issued instructions */
+    uint64_t instructions;
     uint64_t vector_instructions;
     uint64_t elements;   /* vector results, or scanned operands */
     uint64_t operations; /* floating-point operations, scalar or on elements */

@@ -62,7 +62,7 @@ struct effect {
     size_t recurrent; /* elements that read the result of an earlier element */
     bool ends;        /* the block ends: a branch was taken, or code was changed */
     bool taken;       /* a branch was taken */
-    uint64_t target;  /* its target */
+    uint64_t target;  /* target of that branch */
     unsigned touch_count;
     struct touch touch[EFFECT_TOUCHES];
     const c205_word *indices; /* gather, scatter: the indices used, in the low 48 bits

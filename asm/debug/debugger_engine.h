@@ -117,7 +117,6 @@ bool text_cursor_finish(struct debugger *debugger, struct text_cursor *cursor);
 void text_cursor_text(const char *from, const struct text_cursor *cursor,
                       char text[MAX_TEXT]);
 
-/* Parses and evaluates an expression. */
 bool debug_value(struct debugger *debugger, struct text_cursor *cursor,
                  struct value_of *value);
 /* Checks that the text is an expression. Values of registers and memory do not

@@ -25,7 +25,6 @@ unsigned disassemble_one(c205_word word, uint64_t address,
     return halves;
 }
 
-/* A list of addresses. */
 struct addresses {
     uint64_t *items;
     size_t count;

@@ -40,7 +40,6 @@ static bool value_of_symbol(struct assembler *assembler, const struct line *line
     }
 }
 
-/* Converts a value to a word of memory. */
 static bool word_of(struct assembler *assembler, const struct line *line,
                     const struct expression *expression, const struct value *value,
                     c205_word *word)

@@ -42,7 +42,6 @@ static bool parse_mnemonic(struct cursor *cursor)
     return parse_instruction(cursor, insn);
 }
 
-/* Parses a directive or an instruction. */
 static bool parse_body(struct cursor *cursor)
 {
     if (cursor->token.kind == TOKEN_DIRECTIVE)

@@ -344,7 +344,6 @@ bool take_warm(const struct json_value *request, struct object *object,
     return take_truth(request, "warm", &object->program.warm, error);
 }
 
-/* Replaces the program. */
 static bool begin_program(struct engine *engine, const char *name,
                           struct object *object, c205_model *model, c205_error *error)
 {
