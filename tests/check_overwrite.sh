@@ -15,7 +15,7 @@ lesson=$(pwd)/docs/course/03-first-vector
 fitted=$(pwd)/rt/study/fit
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cd "$work" || eit 1
+cd "$work" || exit 1
 said=$work/said
 
 # ---- Inputs, all with the suffix of the output -----------------------------------
