@@ -53,6 +53,7 @@
 ;       scaled_lower a, k, l, c c = (a - k) l
 ;       scaled_difference a, b, k, c  c = (a - b) k
 ;       lower_absolute a, k, c  c = |a| - k
+;       floor_over a, k, c      c = the largest integer not above a / k, exponent 0
 ;       raised_times a, k, b, c c = (a + k) b
 ;       lowered_times a, k, b, c c = (a - k) b
 ;
@@ -274,6 +275,10 @@ not_below\@:
         .macro  \prefix\()scaled_difference a, b, k, c
         SUBN    \a, \b, \c
         MPYS    \c, \k, \c
+        .endm
+        .macro  \prefix\()floor_over a, k, c
+        DIVS    \a, \k, \c
+        FLR     \c, \c
         .endm
         .macro  \prefix\()lower_absolute a, k, c
         ABS     \a, \c
@@ -685,6 +690,11 @@ select\@:
         LINKV
         SUBNV   [\a], [\b], [\c]
         MPYSV   [\c], \k, [\c]
+        .endm
+        .macro  \prefix\()floor_over a, k, c
+        LINKV
+        DIVSV   [\a], \k, [\c]
+        FLRV    [\c], [\c]
         .endm
         .macro  \prefix\()lower_absolute a, k, c
         SUBNV   |[\a]|, \k, [\c]

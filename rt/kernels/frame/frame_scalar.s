@@ -63,7 +63,7 @@ frame_sample_number: .word 0            ; number of the sample that is traced
         .code
 
         .if     ADAPTIVE
-        .include "frame/places_scalar.s"
+        .include "frame/places.s"
         .endif
 
         .macro  store_sample word
@@ -171,7 +171,10 @@ frame_refine:
 frame_sample:
         EX      main_at, frame_sample_number
         STO     [main_at], main_t
-        through_sample main_t, column, row
+        load_of scene_wide, place_width
+        load_place_steps
+        ADDN    main_t, r0, place_rest
+        through_sample place_rest, place_width, column, row
         BIM     frame_pixel
 frame_sample_traced:
         load_at frame_sample_number, 1, main_t

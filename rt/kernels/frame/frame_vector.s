@@ -55,13 +55,12 @@ frame:
         .include "solids/visible_every_vector.s"
         .include "solids/levels_vector.s"
         .include "light/resolve_vector.s"
+        .include "shapes/normal_vector.s"
         .if     LENS
         .include "frame/lens.s"
-        .include "frame/lens_vector.s"
         .endif
         .include "frame/generate_vector.s"
         .include "frame/order_vector.s"
-        .include "shapes/normal_vector.s"
         .include "shapes/every_normal.s"
         .include "light/forms_vector.s"
         .include "light/shade_vector.s"

@@ -11,7 +11,7 @@
         .endshare
 
         .if     ADAPTIVE
-        .include "frame/places_scalar.s"
+        .include "frame/places.s"
         .endif
 
         .data
@@ -100,7 +100,9 @@ generate_next_of_tile:
         .if     ADAPTIVE
 generate_sample:
         ADDX    first_pixel, loop_index, loop_work
-        through_sample loop_work, place_column, place_down
+        load_place_steps
+        ADDN    loop_work, r0, place_rest
+        through_sample place_rest, width, place_column, place_down
         BIM     generate_aimed
         .endif
         .endkernel

@@ -10,9 +10,18 @@
         .regs   r37, g_ox, g_oy, g_oz, g_dx, g_dy, g_dz, g_t, g_u
         .regs   r45, g_lx, g_ly, g_lz, g_basex, g_basey, g_basez, g_colx
         .regs   r52, g_coly, g_colz, g_rowx, g_rowy, g_rowz, g_focus
-        .endshare
         .if     LENS
-        .include "frame/lens_scalar.s"
+        .regs   r58, g_across, g_table, g_place, g_plane
+        .endif
+        .endshare
+        .if     ADAPTIVE
+        .share  local
+        .regs   r32, place_step, place_first, place_squared, place_row, place_whole
+        .regs   r37, place_rest, place_list, place_width, place_sample
+        .regs   r41, place_column, place_down
+        .endshare
+        .endif
+        .if     LENS
         .equ    GENERATE_REGISTERS, 30
         .else
         .equ    GENERATE_REGISTERS, 25
@@ -51,7 +60,7 @@ generate_ray:
         RTOR    g_lz, g_dz
         .endif
         .if     LENS
-        lens_ray
+        lens_rays
         .endif
         .if     LENS || ! ORTHOGRAPHIC
         dot     g_dx, g_dy, g_dz, g_dx, g_dy, g_dz, g_t, g_u

@@ -18,8 +18,32 @@
         .regs   r242, width, first_pixel
         .endshare
 
+        .if     LENS
+        .share  scratch
+        .regs   r244, g_across, g_table, g_focus, g_lx, g_ly, g_lz
+        .endshare
+        .reg    g_column, w0
+        .reg    g_row, w1
+        .reg    g_place, w2
+        .reg    g_t, w3
+        .reg    g_ox, aox
+        .reg    g_oy, aoy
+        .reg    g_oz, aoz
+        .reg    g_dx, adx
+        .reg    g_dy, ady
+        .reg    g_dz, adz
+        .reg    g_plane, s1
+        .endif
+
         .if     ADAPTIVE
-        .include "frame/places_vector.s"
+        .share  scratch
+        .regs   r244, place_step, place_first, place_squared, place_row
+        .endshare
+        .reg    place_list, s0
+        .reg    place_whole, w4
+        .reg    place_sample, w2
+        .reg    place_rest, w3
+        .include "frame/places.s"
         .endif
 
         .macro  direction base, col, row, d
@@ -58,7 +82,9 @@ generate:
         SUBNV   [w0], [w2], [w0]
 generate_directions:
         .if     ADAPTIVE
-        through_middles
+        load_place_steps
+        through_middle w0, w0
+        through_middle w1, w1
 generate_aimed:
         .endif
         .if     ORTHOGRAPHIC
@@ -77,6 +103,12 @@ generate_aimed:
         direction basez, colz, rowz, adz
         .endif
         .if     LENS
+        load_word view + 64 * VIEW_FOCUS, g_focus
+        .if     1 - ORTHOGRAPHIC
+        EX      s0, view + 64 * VIEW_LOCATION
+        ELEN    s0, 3
+        SWAP    [s0], g_lx, [r0]
+        .endif
         lens_rays
         .endif
         .if     LENS || ! ORTHOGRAPHIC
@@ -90,7 +122,10 @@ generate_tile:
         BIM     generate_directions
         .if     ADAPTIVE
 generate_samples:
-        through_samples
+        load_place_steps
+        INTVLV  position, one_index, [w0]
+        ADDNV   [w0], r0, [w0]
+        through_sample w0, width, w0, w1
         BIM     generate_aimed
         .endif
         .endkernel

@@ -18,3 +18,45 @@ scene_lens:     .word 0                 ; address of L: x of all samples of a
                                         ; pixel, row by row, then y, then z
 scene_focus:    .word 1.0               ; F
         .code
+
+; In:  g_column, g_row; g_dx g_dy g_dz, not normalised; g_ox g_oy g_oz of an
+;      orthographic camera, or g_lx g_ly g_lz, the location of another camera;
+;      g_focus.
+; Out: g_dx g_dy g_dz, not normalised; g_ox g_oy g_oz.
+
+; Computes the position of samples within their pixel, across or down.
+        .macro  within_pixel position, into
+        floor_over \position, g_across, \into
+        normal  \into, \into
+        scale   \into, g_across, \into
+        minus   \position, \into, \into
+        .endm
+
+        .macro  through_lens location, o, d
+        pick    g_place, g_table, g_t
+        .if     ORTHOGRAPHIC
+        plus    \o, g_t, \o
+        .else
+        raise   g_t, \location, \o
+        .endif
+        minus_scaled g_t, g_focus, \d, \d
+        .endm
+
+        .macro  lens_rays
+        EX      g_plane, scene_samples
+        LOD     [g_plane], g_plane
+        EX      g_table, scene_lens
+        LOD     [g_table], g_table
+        ADDN    g_plane, r0, g_across
+        within_pixel g_column, g_place
+        within_pixel g_row, g_t
+        add_scaled g_t, g_across, g_place
+        floor   g_place, g_place
+        MPYX    g_plane, g_plane, g_plane
+        SHIFTI  g_plane, 6, g_plane
+        through_lens g_lx, g_ox, g_dx
+        ADDX    g_table, g_plane, g_table
+        through_lens g_ly, g_oy, g_dy
+        ADDX    g_table, g_plane, g_table
+        through_lens g_lz, g_oz, g_dz
+        .endm

@@ -1,0 +1,47 @@
+; places.s - computes positions of rays in the frame, in units of samples.
+;
+; adaptive.s describes the units. Each form declares place_step .. place_rest
+; (generate_scalar.s, generate_vector.s).
+;
+; Let p = floor(k / samples^2). Ray k belongs to sample s = k - samples^2 p of
+; the pixel at entry p of fine_list. Sample s is in row floor(s / samples).
+
+        .macro  load_place_steps
+        EX      place_list, scene_samples
+        LOD     [place_list], place_list
+        ADDN    place_list, r0, place_step
+        first_places m_one, m_half, place_step, place_first
+        .endm
+
+; whole = floor(number / by), rest = the remainder. Writes whole first.
+        .macro  divide_place number, by, whole, rest
+        floor_over \number, \by, \whole
+        normal  \whole, \whole
+        minus_scaled \whole, \by, \number, \rest
+        .endm
+
+; Computes the position of the sample ray with the number k, normalised; width =
+; the columns of the first rays. The steps are loaded.
+        .macro  through_sample k, width, column, row
+        MPYS    place_step, place_step, place_squared
+        divide_place \k, place_squared, place_whole, place_sample
+        floor   place_whole, place_whole
+        EX      place_list, fine_list
+        LOD     [place_list], place_list
+        pick    place_whole, place_list, \column
+        normal  \column, \column
+        divide_place \column, \width, \row, \column
+        EX      place_row, scene_band
+        LOD     [place_row], place_row
+        raise   \row, place_row, \row
+        divide_place place_sample, place_step, place_whole, place_rest
+        scaled_plus \column, place_step, place_rest, \column
+        scaled_plus \row, place_step, place_whole, \row
+        lower   \column, place_step, \column
+        lower   \row, place_step, \row
+        .endm
+
+; Computes the position of the first ray of a column or row.
+        .macro  through_middle number, position
+        line    \number, place_step, place_first, \position
+        .endm
