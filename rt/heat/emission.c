@@ -12,6 +12,7 @@
 #include "rt/scene/transform.h"
 #include "rt/scene/vector3.h"
 #include "rt/shapes/shape.h"
+#include "rt/trace/form.h"
 
 struct emission {
     struct emission_options options;
@@ -123,11 +124,6 @@ static bool lay_out_emitter(struct emission *emission,
 
 /* ---- The program ---------------------------------------------------------- */
 
-static const char *const programs[TRACE_FORMS] = {
-    [TRACE_SCALAR] = "heat/emission_scalar.s",
-    [TRACE_VECTOR] = "heat/emission_vector.s",
-};
-
 static bool check_options(const struct emission_options *options, c205_error *error)
 {
     if (options->mode >= TRACE_FORMS)
@@ -152,7 +148,8 @@ static bool assemble_emission(struct emission *emission, c205_error *error)
         { options->mode == TRACE_VECTOR ? "QUEUE" : NULL, (int64_t)options->queue },
         { NULL, 0 },
     };
-    emission->program = program_assemble(programs[options->mode], defines, error);
+    emission->program = form_assemble_beside("heat/emission", options->mode, defines,
+                                             error);
     return emission->program != NULL;
 }
 

@@ -33,7 +33,7 @@ struct emission_choice {
 };
 
 /* The output planes, which have a word for each point. The words are in the machine's
- * number format and in world space, in the order of emission_program.s. */
+ * number format and in world space, in the order of emission.s. */
 enum emitted {
     EMITTED_POINT, /* x, y, z of the point */
     /* The outward unit normal. For a complement in a tree it points into the

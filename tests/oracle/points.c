@@ -6,6 +6,7 @@
 
 #include "vm/error.h"
 #include "rt/layout/program.h"
+#include "rt/trace/form.h"
 
 /* ---- By the definition --------------------------------------------------- */
 
@@ -72,10 +73,10 @@ static bool prepare(struct point_maker *maker, c205_error *error)
         { "NUMBERS", kind->numbers },
         { NULL, 0 },
     };
-    maker->program = program_assemble(kind->form == POINTS_SCALAR
-                                          ? "points/points_scalar.s"
-                                          : "points/points_vector.s",
-                                      defines, error);
+    maker->program = form_assemble_beside("points/points",
+                                          kind->form == POINTS_SCALAR ? TRACE_SCALAR
+                                                                      : TRACE_VECTOR,
+                                          defines, error);
     if (!maker->program)
         return false;
     maker->given = (uint64_t)object_symbol(maker->program, "points_arguments")->value;

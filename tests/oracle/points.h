@@ -29,7 +29,7 @@ uint64_t lattice_word(unsigned m, uint64_t seed, uint64_t shift, uint64_t i,
 
 enum point_form { POINTS_SCALAR, POINTS_VECTOR, POINT_FORMS };
 
-/* The output of points_scalar.s or points_vector.s. There are at most 65,535 points. */
+/* The output of points.s. There are at most 65,535 points. */
 struct point_kind {
     enum point_form form;
     bool lattice;

@@ -40,13 +40,12 @@ static void check_assembled(const char *kernel, const struct asm_define *defines
     assert_non_null(program);
 }
 
-/* Assembles all programs among the kernels, with each constant that selects a
- * variant. */
+/* Assembles all programs among the kernels in both forms, with each constant that
+ * selects a variant. */
 TEST(assembled)
 {
     static const struct asm_define switches[] = {
         { NULL, 0 },
-        { "SCALAR", 1 },
         { "HISTORICAL", 1 },
         { "BLOB_PIECES", 4 },
         { "FALSI", FALSI_PAPER },
@@ -66,19 +65,20 @@ TEST(assembled)
         bool is_program = false;
         for (const char *const *line = kernel->lines; *line; line++)
             is_program |= strstr(*line, "        .entry ")
-                          || strstr(*line, "        .include \"points/points_");
+                          || strstr(*line, "        .include \"points/points.s");
         if (!is_program)
             continue;
         programs++;
-        for (size_t i = 0; i < COUNT(switches); i++) {
+        for (size_t i = 0; i < 2 * COUNT(switches); i++) {
             const struct asm_define defines[] = { { "QUEUE", 10 },
-                                                  switches[i],
+                                                  { i % 2 ? "SCALAR" : "VECTOR", 1 },
+                                                  switches[i / 2],
                                                   { NULL, 0 } };
             check_assembled(kernel->name, defines);
         }
     }
     /* a smaller number would mean that programs are missing */
-    assert_true(programs >= 23);
+    assert_true(programs >= 21);
 }
 
 /* The formulations of the cylinder that the study compares. */
