@@ -150,13 +150,13 @@ one_where_near\@:
         .regs   r52, row_at, row_before, image_u, texel, weight
         .regs   r58, corner_r, corner_g, corner_b, edge_before, edge_after
         .regs   r63, weight_sum
-        .regs   r101, image_r, image_g, image_b, image_work, last_column
-        .reg    colour_link, r98                 ; pattern_link
         .endshare
 
 ; Computes the cell of the primitive's image, for pigment_cell, which calls it
 ; by BSAVE image_link.
         .macro  begin_image
+        .regs   y_0, image_r, image_g, image_b, image_work, last_column
+        .reg    colour_link, pattern_link
 find_image_cell:
         get_record P_PATTERN, 12, sh0
         get_record P_MAP, MAP_SIZE, map_function
