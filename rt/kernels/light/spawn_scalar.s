@@ -20,21 +20,9 @@
 ;              INTERIORS the region that the ray passed, bodies and level, the
 ;              weight, the factor of its colour (12 words without INTERIORS)
 ;
-; With c = -N . D:
-;
-;   reflected   D' = D - (2 N . D) N        times the reflection's colour;
-;               normalised again
-;   refracted   k = 1 - e^2 (1 - c^2),  e of interior.s;
-;               D' = e D + (e c - sqrt(k)) N; if e = 1, D' = D;
-;                                           times the transmitted colour
-;
-; k < 0 is total reflection: the refracted ray gets the direction of the
-; reflected one, its colour does not change, and there is no other reflected
-; ray.  The weight of a new ray is the weight of RAY times the maximum component
-; of the colour.  A ray whose weight is below scene_bailout is not followed.  If
+; The formulas and the order of the operations are those of spawn_vector.s.  If
 ; the outward N . D is below 0, the ray enters the shape, or leaves it if the
-; shape is inverted.  The operations have the order of spawn_vector.s.
-; Source: Snell's law; the rules are POV-Ray's.
+; shape is inverted.
 
         .share  local
         .regs   r32, sp_ray, sp_primitive, sp_surface, sp_weight_at
