@@ -60,7 +60,7 @@ cylinder_sided\@:
         .endm
 
         .ifdef  CYLINDER_HALF_SPACES
-        .include "shapes/cylinder_half_spaces_scalar.s"
+        .include "shapes/cylinder_half_spaces.s"
         .else
         .macro  cut_by_ends miss
         SUBN    r0, sh13, t9
@@ -113,7 +113,7 @@ open_cylinder:
         .endkernel
 
         .ifdef  CYLINDER_IN_FRAME
-        .include "shapes/cylinder_in_frame_scalar.s"
+        .include "shapes/cylinder_in_frame.s"
         .endif
 
         .ifdef  HISTORICAL

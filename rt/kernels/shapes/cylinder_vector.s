@@ -76,7 +76,7 @@ cylinder_crossed\@:
         .endm
 
         .ifdef  CYLINDER_HALF_SPACES
-        .include "shapes/cylinder_half_spaces_vector.s"
+        .include "shapes/cylinder_half_spaces.s"
         .else
         .macro  cut_by_ends
         SUBN    r0, sh13, s1
@@ -126,7 +126,7 @@ open_cylinder:
         .endkernel
 
         .ifdef  CYLINDER_IN_FRAME
-        .include "shapes/cylinder_in_frame_vector.s"
+        .include "shapes/cylinder_in_frame.s"
         .endif
 
         .ifdef  HISTORICAL

@@ -196,6 +196,27 @@ either\@:
         RTOR    big, tout
         .endm
 
+        .macro  half_space_segment a, d, from, to, miss
+        RTOR    minus_big, \from
+        RTOR    big, \to
+        ABS     \d, t1
+        CFPLT   t1, tiny, space_parallel\@
+        DIVS    \a, \d, \a
+        CFPLT   \d, r0, space_enters\@
+        RTOR    \a, \to
+        BIM     space_found\@
+space_enters\@:
+        RTOR    \a, \from
+        BIM     space_found\@
+space_parallel\@:
+        CFPLT   \a, r0, \miss
+space_found\@:
+        .endm
+
+        .macro  leave_empty miss
+        CFPLT   tout, tin, \miss
+        .endm
+
         .macro  leave_on_half_line a, k, t, first=one
         CFPLT   \a, \k, enters\@
         RTOR    minus_big, tin
@@ -374,4 +395,46 @@ solid_stored\@:
         STO     [a_segment, t7], t8
         IX      t7, 1
         STO     [a_segment, t7], t9
+        .endm
+
+; ---- A cylinder in its own frame ---------------------------------------------
+
+        .macro  sides_unless_along a, least, divisor, along
+        CFPLT   \a, \least, \along
+        .endm
+
+        .macro  real_root disc, miss
+        CFPLT   \disc, r0, \miss
+        SQRT    \disc, \disc
+        .endm
+
+        .macro  opposite_roots b, root, first, last
+        SUBN    r0, \b, \b
+        SUBN    \b, \root, \first
+        ADDN    \b, \root, \last
+        .endm
+
+        .macro  ends_unless_across a, least, d, divisor, along, across
+\along:
+        ABS     \d, t3
+        CFPLT   t3, tiny, \across
+        .endm
+
+        .macro  quotient_by a, b, divisor, c
+        DIVS    \a, \b, \c
+        .endm
+
+        .macro  candidate_within a, k, t
+        ABS     \a, \a
+        candidate_not_above \a, \k, \t
+        .endm
+
+        .macro  candidate_not_above a, k, t
+        CFPLT   \k, \a, not_candidate\@
+        CFPGE   \t, tin, not_first\@
+        RTOR    \t, tin
+not_first\@:
+        CFPGE   tout, \t, not_candidate\@
+        RTOR    \t, tout
+not_candidate\@:
         .endm

@@ -233,15 +233,34 @@
 ; They are inside everywhere if a >= k, else nowhere.
         .macro  inside_if_not_less_number a, k, miss
         CMPGEV  [\a], \k, [bits1]
-        everywhere_or_nowhere
+        everywhere_or_nowhere tin, tout
         .endm
 
-        .macro  everywhere_or_nowhere
+        .macro  everywhere_or_nowhere from, to
         ANDB    [bits1], [bits0], [bits1]
-        VTOV    big, [tin] ? [bits0]
-        VTOV    minus_big, [tout] ? [bits0]
-        VTOV    minus_big, [tin] ? [bits1]
-        VTOV    big, [tout] ? [bits1]
+        VTOV    big, [\from] ? [bits0]
+        VTOV    minus_big, [\to] ? [bits0]
+        VTOV    minus_big, [\from] ? [bits1]
+        VTOV    big, [\to] ? [bits1]
+        .endm
+
+; from, to = the part of a ray for which t d <= a.  Changes t1, t2.
+        .macro  half_space_segment a, d, from, to, miss=
+        CMPLTV  |[\d]|, tiny, [bits0]
+        MASKV   one, [\d], [t1] ? [bits0]
+        DIVSV   [\a], [t1], [t2]
+        CMPLTV  [t1], r0, [bits1]
+        MASKV   [t2], minus_big, [\from] ? [bits1]
+        MASKV   big, [t2], [\to] ? [bits1]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, space_found\@
+        CMPGEV  [\a], r0, [bits1]
+        everywhere_or_nowhere \from, \to
+space_found\@:
+        .endm
+
+; A ray with an empty segment misses; close_segment follows in the vector form.
+        .macro  leave_empty miss=
         .endm
 
 ; The segment is t, big if a < k, else minus_big, t.  A ray that is not parallel
@@ -462,4 +481,62 @@ quadric_rooted\@:
         VTOV    minus_big, [tin] ? [bits2]
         VTOV    big, [tout] ? [bits2]
 solid_stored\@:
+        .endm
+
+; ---- A cylinder in its own frame ---------------------------------------------
+
+; Rays with a < least branch to along: bits2.  divisor = a, or 1 for these.
+        .macro  sides_unless_along a, least, divisor, along
+        CMPLTV  [\a], \least, [bits2]
+        MASKV   one, [\a], [\divisor] ? [bits2]
+        .endm
+
+; bits0 = the rays that are not along the axis and have a real root.
+        .macro  real_root disc, miss
+        CMPGEV  [\disc], r0, [bits0]
+        ANDNB   [bits0], [bits2], [bits0]
+        SQRTV   [\disc], [\disc] ? [bits0]
+        .endm
+
+; first = -b - root, last = -b + root.
+        .macro  opposite_roots b, root, first, last
+        SUBNV   -[\b], [\root], [\first]
+        ADDNV   -[\b], [\root], [\last]
+        .endm
+
+; bits0 = these and those along the axis, without those with |d| < tiny, which
+; branch to across.  divisor = d, or 1 for these.
+        .macro  ends_unless_across a, least, d, divisor, along, across
+        CMPLTV  [\a], \least, [bits2]
+        ORB     [bits0], [bits2], [bits0]
+        CMPLTV  |[\d]|, tiny, [bits2]
+        ANDNB   [bits0], [bits2], [bits0]
+        MASKV   one, [\d], [\divisor] ? [bits2]
+        .endm
+
+; c = a / b, with the divisor for b.
+        .macro  quotient_by a, b, divisor, c
+        DIVSV   [\a], [\divisor], [\c]
+        .endm
+
+; t counts for the rays of bits0 with |a| <= k, or with a <= k: tin is the smallest
+; such t, tout the greatest.
+        .macro  candidate_within a, k, t
+        CMPGEV  \k, |[\a]|, [bits1]
+        candidate \t
+        .endm
+
+        .macro  candidate_not_above a, k, t
+        CMPGEV  \k, [\a], [bits1]
+        candidate \t
+        .endm
+
+        .macro  candidate t
+        ANDB    [bits1], [bits0], [bits1]
+        CMPLTV  [\t], [tin], [bits2]
+        ANDB    [bits2], [bits1], [bits2]
+        VTOV    [\t], [tin] ? [bits2]
+        CMPLTV  [tout], [\t], [bits2]
+        ANDB    [bits2], [bits1], [bits2]
+        VTOV    [\t], [tout] ? [bits2]
         .endm
