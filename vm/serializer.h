@@ -39,8 +39,8 @@ void serializer_word(struct serializer *serializer, uint64_t *word);
 void serializer_words(struct serializer *serializer, uint64_t *words, size_t count);
 /* Serializes a fixed number of words and their count. */
 void serializer_array(struct serializer *serializer, uint64_t *words, size_t count);
-/* Serializes a number. A number above most is an error when reading and is not checked
- * when writing. */
+/* Serializes a number. Reading fails if the number is above `most`. Writing does not
+ * check it. */
 void serializer_size(struct serializer *serializer, size_t *size, size_t most);
 /* Serializes the number of items that follow. Each item has at least one word. */
 void serializer_count(struct serializer *serializer, size_t *count);

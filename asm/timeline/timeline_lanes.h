@@ -31,8 +31,8 @@ struct lanes {
 };
 
 const char *lane_name(enum lane lane);
-/* Makes the spans within the clocks of the timeline, and clips them. Returns false if
- * memory is exhausted. */
+/* Makes the spans that overlap the timeline's range of clocks, clipped to that range.
+ * Returns false if memory is exhausted. */
 bool lanes_make(const struct timeline *timeline, struct arena *arena,
                 struct lanes *lanes);
 

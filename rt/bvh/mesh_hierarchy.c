@@ -21,7 +21,9 @@ static double surface_of(const struct box *box)
     return x * y + y * z + z * x;
 }
 
-/* Returns the expected number of triangles that rays test in a part. */
+/* Returns the cost of a part by the surface-area heuristic: its number of triangles
+ * times half its surface area. The cost is proportional to the expected number of
+ * tests. */
 static double part_cost(const struct cut_part *part, const struct box *whole)
 {
     (void)whole;

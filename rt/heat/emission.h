@@ -32,8 +32,9 @@ struct emission_choice {
     uint64_t seed, first, m, shift;
 };
 
-/* The output planes, which have a word for each point. The words are in the machine's
- * number format and in world space, in the order of emission.s. */
+/* The output planes. A plane has one word for each point, in the machine's number
+ * format. Points and directions are in world space. The planes are in the order in
+ * which emission.s writes them. */
 enum emitted {
     EMITTED_POINT, /* x, y, z of the point */
     /* The outward unit normal. For a complement in a tree it points into the

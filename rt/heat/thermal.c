@@ -103,7 +103,8 @@ static bool alike(double one, double other)
     return one == other || (isnan(one) && isnan(other));
 }
 
-/* Checks that all parts of a surface have the values of its first part. */
+/* Checks that all parts of each surface have the same temperature and the same
+ * emissivity. */
 static bool check_parts(const struct thermal_work *work)
 {
     const struct surfaces *surfaces = work->surfaces;

@@ -1,4 +1,5 @@
-/* nesting.c - regroups trees with many parts by a hierarchy. */
+/* nesting.c - groups the parts of large CSG trees into nested nodes, along a bounding
+ * volume hierarchy. */
 #include "rt/layout/nesting.h"
 
 #include <stdlib.h>

@@ -25,8 +25,8 @@ void surface_color(const struct pigment *pigment, int which, double color[3]);
  * reflects in its full colour. This is impossible if the two colours of a checker have
  * different opacities. */
 bool surface_is_metal(const struct pigment *pigment, const struct finish *finish);
-/* Returns the weight of a colour. As in POV-Ray, a negative channel counts by its
- * absolute value. */
+/* Returns the weight of a colour as in POV-Ray: the largest absolute value of its
+ * channels. */
 double greatest_of(const double color[3]);
 
 #endif

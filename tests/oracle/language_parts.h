@@ -30,7 +30,8 @@
 
 #include <stdio.h>
 
-/* Kinds of declared names; N0, N1 and so on are floats. */
+/* Kinds of declared names. The names of a kind are numbered: for example, N0, N1 and so
+ * on are the floats. */
 enum language_name {
     NAME_FLOAT,
     NAME_VECTOR,

@@ -174,7 +174,8 @@ static void find(struct register_owners *owners, uint64_t address, size_t name,
         };
 }
 
-/* Either name is correct if an instruction has two names for a register. */
+/* Records a read of a register under a name that is not its owner. If the instruction
+ * mentions the register under several names, one of them must be the owner. */
 static void read_register(struct register_owners *owners, uint64_t address,
                           struct names names, unsigned number)
 {

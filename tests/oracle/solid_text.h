@@ -67,7 +67,7 @@ void beam_words(uint64_t state, const double position[3], double size,
  * because the state is a copy. */
 void bump_words(uint64_t state, size_t in, char look[SOLID_WORDS]);
 
-/* Prints a box of triangles. A diagonal divides each side. */
+/* Prints a box of triangles. A diagonal divides each face into two triangles. */
 void mesh_box_words(uint64_t state, double corner[2][3], char words[SOLID_WORDS]);
 /* Prints a star around the origin with radius 1. It has near and far points, and an
  * apex above and below, so that a line can cross it many times. */

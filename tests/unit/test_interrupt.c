@@ -329,8 +329,8 @@ TEST(pair_that_waits)
     }
 }
 
-/* An element that waits for an earlier element is not counted until it has been
- * computed. */
+/* If an interruption comes while an element waits for the result of an earlier one, the
+ * waiting element is not among the elements done. */
 TEST(in_the_middle_of_a_recurrence)
 {
     SCOPED_VALUE(small_machine) fixture = make_small_machine();

@@ -34,7 +34,8 @@ enum {
 };
 #define MET 0x1p40
 
-/* A ray through a viewpoint: its slopes, and its extent along the axis. */
+/* A point as seen from a viewpoint: u and v are the slopes of the ray to the point, z
+ * is its depth along the view axis. */
 struct screen_point {
     double u, v, z;
 };

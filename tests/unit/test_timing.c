@@ -281,8 +281,8 @@ static bool same_states(void)
     return c205_pc(fixture[0].machine) == c205_pc(fixture[1].machine);
 }
 
-/* Steps all machines. Returns false if one machine has ended or has another state,
- * which is possible for programs that read the clock. */
+/* Steps all machines. Returns false if one machine has ended, or if its state differs
+ * from that of the others. The states may differ in programs that read the clock. */
 static bool step_all(void)
 {
     bool goes_on = true;

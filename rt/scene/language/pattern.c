@@ -22,8 +22,8 @@ bool map_pattern_read(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Reads the colours of a list. The frequency 0 leaves the values of the pattern
- * unchanged. */
+/* Reads the list of colours of a pattern such as checker or brick, and makes its colour
+ * map of them. The frequency 0 leaves the values of the pattern unchanged. */
 static bool read_listed(struct reader *reader, const struct item *item)
 {
     const struct pattern_rule *rule = &pattern_rules[item->keyword->detail];

@@ -1,8 +1,8 @@
 /* string_value.h - string expressions.
  *
  * A string has up to STRING_LONGEST bytes. In the text it is quoted and has escapes as
- * in C; \uXXXX becomes UTF-8. The caller frees a string. The last token of a string is
- * left with reader_pass.
+ * in C; \uXXXX becomes UTF-8. The caller frees a string. After the last token of a
+ * string, string_read advances with reader_pass, because a directive may end there.
  */
 #ifndef RT_SCENE_STRING_VALUE_H
 #define RT_SCENE_STRING_VALUE_H
