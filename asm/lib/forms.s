@@ -52,6 +52,9 @@
 ;       twice_times a, b, c     c = 2 a b
 ;       scaled_lower a, k, l, c c = (a - k) l
 ;       scaled_difference a, b, k, c  c = (a - b) k
+;       scaled_sum a, b, k, c         c = (a + b) k
+;       scaled_raise a, k, l, c   c = (a + k) l
+;       from_product k, a, b, c   c = k - a b
 ;       lower_absolute a, k, c  c = |a| - k
 ;       floor_over a, k, c      c = the largest integer not above a / k, exponent 0
 ;       raised_times a, k, b, c c = (a + k) b
@@ -63,6 +66,7 @@
 ;       line_two a, k, l, c, m, n, d            c = a k + l,  d = a m + n
 ;       line_three a, k, l, c, m, n, d, o, p, e  also e = a o + p
 ;       add_scaled_two x, k, s, l, t          s = s + x k,  t = t + x l
+;       add_scaled_twice x, k, l, s           s = (s + x k) + x l
 ;       add_scaled_three x, k, s, l, t, m, u  also u = u + x m
 ;       step_four x, p, k, q, l, r, m, s, n   p = p x + k, likewise q, r and s
 ;       derivative_step x, k, v, d            d = d x + v, then v = v x + k
@@ -110,7 +114,11 @@
 ;       then_scale a, k, c then_lower a, k, c        then_set_minus k, c
 ;       then_sign a, k, l, c, t, case   c = k, or l if a is below 0; changes t
 ;       otherwise_set k, c       if the condition is false
+;       then_absolute a, c       then_minus a, b, c
 ;       otherwise_copy a, c      if the condition is false
+;       otherwise_plus a, b, c   if the condition is false
+;       default k, c             before the condition: with then_choose l, k, c
+;                                in its case, c = l if it is true, else k
 ;
 ;       select if, x, y, a, b, c        c = a if if_.. x, y is true, or b; c is not b
 ;       select_number if, x, y, k, b, c the same with a number k
@@ -130,6 +138,13 @@
 ;       otherwise_if_less_number a, k, label    is it false and a < k?
 ;       otherwise_if_not_nearer a, b, label     is it false and |a| >= |b|?
 ;                               the case rest of then_sign: if both are false
+;
+; The scalar form leaves a calculation early, for a result that the rest does
+; not change; label is after the last one of these:
+;
+;       leaving k, l, c                 c = k for elements that leave, else l
+;       leave_if_number_not_less k, a, m, c, label   if k >= a, with c = m
+;       staying l, c                    ends it
 
         .ifndef forms.s
         .equ    forms.s, 1
@@ -280,6 +295,18 @@ not_below\@:
         DIVS    \a, \k, \c
         FLR     \c, \c
         .endm
+        .macro  \prefix\()scaled_sum a, b, k, c
+        ADDN    \a, \b, \c
+        MPYS    \c, \k, \c
+        .endm
+        .macro  \prefix\()scaled_raise a, k, l, c
+        ADDN    \a, \k, \c
+        MPYS    \c, \l, \c
+        .endm
+        .macro  \prefix\()from_product k, a, b, c
+        MPYS    \a, \b, \c
+        SUBN    \k, \c, \c
+        .endm
         .macro  \prefix\()lower_absolute a, k, c
         ABS     \a, \c
         SUBN    \c, \k, \c
@@ -311,6 +338,12 @@ not_below\@:
         MPYS    \x, \l, \second
         ADDN    \scratch, \s, \s
         ADDN    \second, \t, \t
+        .endm
+        .macro  \prefix\()add_scaled_twice x, k, l, s
+        MPYS    \x, \k, \scratch
+        MPYS    \x, \l, \second
+        ADDN    \scratch, \s, \s
+        ADDN    \second, \s, \s
         .endm
         .macro  \prefix\()add_scaled_three x, k, s, l, t, m, u
         MPYS    \x, \k, \scratch
@@ -472,6 +505,15 @@ not_below\@:
         .macro  \prefix\()otherwise_if_less_number a, k, label
         CFPGE   \a, \k, \label
         .endm
+        .macro  \prefix\()leaving k, l, c
+        RTOR    \k, \c
+        .endm
+        .macro  \prefix\()leave_if_number_not_less k, a, m, c, label
+        CFPGE   \k, \a, \label
+        .endm
+        .macro  \prefix\()staying l, c
+        RTOR    \l, \c
+        .endm
         .macro  \prefix\()otherwise end, label
         BIM     \end
 \label:
@@ -488,8 +530,14 @@ not_below\@:
         .macro  \prefix\()then_copy a, c
         RTOR    \a, \c
         .endm
+        .macro  \prefix\()then_absolute a, c
+        ABS     \a, \c
+        .endm
         .macro  \prefix\()then_plus a, b, c
         ADDN    \a, \b, \c
+        .endm
+        .macro  \prefix\()then_minus a, b, c
+        SUBN    \a, \b, \c
         .endm
         .macro  \prefix\()then_raise a, k, c
         ADDN    \a, \k, \c
@@ -515,6 +563,12 @@ not_below\@:
         .macro  \prefix\()then_negate_index a, c
         SUBU    r0, \a, \c
         .endm
+        .macro  \prefix\()default k, c
+        RTOR    \k, \c
+        .endm
+        .macro  \prefix\()then_choose l, k, c
+        RTOR    \l, \c
+        .endm
         .macro  \prefix\()then_sign a, k, l, c, t, case=
         \prefix\()sign \a, \k, \l, \c
         .endm
@@ -523,6 +577,9 @@ not_below\@:
         .endm
         .macro  \prefix\()otherwise_copy a, c
         RTOR    \a, \c
+        .endm
+        .macro  \prefix\()otherwise_plus a, b, c
+        ADDN    \a, \b, \c
         .endm
         .macro  \prefix\()select if, x, y, a, b, c
         RTOR    \b, \c
@@ -696,6 +753,21 @@ select\@:
         DIVSV   [\a], \k, [\c]
         FLRV    [\c], [\c]
         .endm
+        .macro  \prefix\()scaled_sum a, b, k, c
+        LINKV
+        ADDNV   [\a], [\b], [\c]
+        MPYSV   [\c], \k, [\c]
+        .endm
+        .macro  \prefix\()scaled_raise a, k, l, c
+        LINKV
+        ADDNV   [\a], \k, [\c]
+        MPYSV   [\c], \l, [\c]
+        .endm
+        .macro  \prefix\()from_product k, a, b, c
+        LINKV
+        MPYSV   [\a], [\b], [\c]
+        SUBNV   \k, [\c], [\c]
+        .endm
         .macro  \prefix\()lower_absolute a, k, c
         SUBNV   |[\a]|, \k, [\c]
         .endm
@@ -720,6 +792,10 @@ select\@:
         .macro  \prefix\()add_scaled_two x, k, s, l, t
         \prefix\()add_scaled \x, \k, \s
         \prefix\()add_scaled \x, \l, \t
+        .endm
+        .macro  \prefix\()add_scaled_twice x, k, l, s
+        \prefix\()add_scaled \x, \k, \s
+        \prefix\()add_scaled \x, \l, \s
         .endm
         .macro  \prefix\()add_scaled_three x, k, s, l, t, m, u
         \prefix\()add_scaled \x, \k, \s
@@ -868,6 +944,15 @@ select\@:
         CMPLTV  [\a], \k, [\more_bits]
         ANDNB   [\more_bits], [\bits], [\bits]
         .endm
+        .macro  \prefix\()leaving k, l, c
+        VTOV    \l, [\c]
+        .endm
+        .macro  \prefix\()leave_if_number_not_less k, a, m, c, label
+        CMPGEV  \k, [\a], [\bits]
+        VTOV    \m, [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()staying l, c
+        .endm
         .macro  \prefix\()otherwise end, label
         .endm
         .macro  \prefix\()end_if label
@@ -881,8 +966,14 @@ select\@:
         .macro  \prefix\()then_copy a, c
         VTOV    [\a], [\c] ? [\bits]
         .endm
+        .macro  \prefix\()then_absolute a, c
+        ABSV    [\a], [\c] ? [\bits]
+        .endm
         .macro  \prefix\()then_plus a, b, c
         ADDNV   [\a], [\b], [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()then_minus a, b, c
+        SUBNV   [\a], [\b], [\c] ? [\bits]
         .endm
         .macro  \prefix\()then_raise a, k, c
         ADDNV   [\a], \k, [\c] ? [\bits]
@@ -908,6 +999,11 @@ select\@:
         .macro  \prefix\()then_negate_index a, c
         SUBUV   r0, [\a], [\c] ? [\bits]
         .endm
+        .macro  \prefix\()default k, c
+        .endm
+        .macro  \prefix\()then_choose l, k, c
+        MASKV   \l, \k, [\c] ? [\bits]
+        .endm
         .macro  \prefix\()then_sign a, k, l, c, t, case=\bits
         CMPGEV  [\a], r0, [\more_bits]
         MASKV   \k, \l, [\t] ? [\more_bits]
@@ -918,6 +1014,9 @@ select\@:
         .endm
         .macro  \prefix\()otherwise_copy a, c
         VTOV    [\a], [\c] ?! [\bits]
+        .endm
+        .macro  \prefix\()otherwise_plus a, b, c
+        ADDNV   [\a], [\b], [\c] ?! [\bits]
         .endm
         .macro  \prefix\()select if, x, y, a, b, c
         \prefix\()if_\if \x, \y, select\@

@@ -9,7 +9,8 @@
 #define ROUND 1.00001 /* the frequency has this period in POV-Ray, not exactly 1 */
 
 const struct pattern_rule pattern_rules[PATTERN_FUNCTIONS] = {
-#define PATTERN(KIND, name, pigment, ...) { .routine = "pattern_" #name, __VA_ARGS__ },
+#define PATTERN(KIND, name, pigment, value, ...) \
+    { .routine = "pattern_" #name, __VA_ARGS__ },
 #include "rt/scene/patterns.def"
 };
 

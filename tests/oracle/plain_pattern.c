@@ -20,12 +20,12 @@ static double within(double distance)
     return fmax(0, 1 - distance);
 }
 
-static double leopard(const double point[3])
+static double gradient(const struct pigment *pigment, const double point[3])
 {
-    double sum = 0;
+    double along = 0;
     for (int i = 0; i < 3; i++)
-        sum += sin(point[i]) / 3;
-    return sum * sum;
+        along += point[i] * pigment->axis[i];
+    return along > 1 ? fmod(along, 1) : along;
 }
 
 /* Returns true if a point is in a joint between bricks of this length. */
@@ -68,26 +68,11 @@ static double hexagon(const double point[3])
 static double value_at(const struct pigment *pigment, const double point[3])
 {
     double x = point[0], y = point[1], z = point[2];
-    double far = sqrt(x * x + y * y + z * z), along;
-    switch (pigment->pattern.function) {
-    case PATTERN_PLANAR: return within(fabs(y));
-    case PATTERN_SPHERICAL: return within(far);
-    case PATTERN_CYLINDRICAL: return within(hypot(x, z));
-    case PATTERN_BOXED: return within(fmax(fabs(x), fmax(fabs(y), fabs(z))));
-    case PATTERN_ONION: return fmod(far, 1);
-    case PATTERN_LEOPARD: return leopard(point);
-    case PATTERN_RADIAL: return .25 + (atan2(x, z) + half_turn()) / (2 * half_turn());
-    case PATTERN_GRADIENT:
-        along = x * pigment->axis[0] + y * pigment->axis[1] + z * pigment->axis[2];
-        return along > 1 ? fmod(along, 1) : along;
-    case PATTERN_BRICK: return brick(&pigment->pattern, point);
-    case PATTERN_CHECKER:
-        return fabs(
-            fmod(floor(x + EARLIER) + floor(y + EARLIER) + floor(z + EARLIER), 2));
-    case PATTERN_HEXAGON: return hexagon(point);
-    case PATTERN_QUILTED: /* no values; see plain_bump.c */
-    case PATTERN_FUNCTIONS: break;
-    }
+    double far = sqrt(x * x + y * y + z * z), turn = 2 * half_turn();
+#define PATTERN(KIND, name, words, value, ...) \
+    if (pigment->pattern.function == PATTERN_##KIND) \
+        return value;
+#include "rt/scene/patterns.def"
     return NAN;
 }
 

@@ -81,7 +81,7 @@ frame:
         .endif
         .include "solids/invisible_vector.s"
         .if     PATTERNS
-        .include "light/pattern_vector.s"
+        .include "light/pattern.s"
         .endif
         .if     IMAGES
         .include "light/image.s"

@@ -143,7 +143,7 @@
         .field  P_PATTERN, 12      ; from world to pigment space; of a gradient
                                    ; as scene_sky
         .if     PATTERNS
-        .field  P_MAP, 8           ; of another pattern: a MAP (light/pattern.s)
+        .field  P_MAP, 8           ; of another pattern: a MAP
         .endif
         .if     BUMPS
         .field  P_BUMP             ; address of the bump of its normals, or 0
@@ -212,6 +212,22 @@
                                                     ; in a tree, written by the
                                                     ; scalar form only
         .endrecord
+        .if     PATTERNS
+        .record MAP
+        .field  MAP_FUNCTION            ; address of the routine that computes v
+        .field  MAP_WAVE                ; address of the one that computes w;
+                                        ; 0: v is the value
+        .field  MAP_NUMBERS, 4          ; frequency, phase, exponent; for bricks
+                                        ; 1 / size (3 words), mortar
+        .field  MAP_STOPS               ; as P_STOPS
+        .field  MAP_STOP_COUNT
+        .endrecord
+        .equ    P_MAP_FUNCTION, P_MAP + MAP_FUNCTION
+        .equ    P_MAP_WAVE, P_MAP + MAP_WAVE
+        .equ    P_MAP_NUMBERS, P_MAP + MAP_NUMBERS
+        .equ    P_MAP_STOPS, P_MAP + MAP_STOPS
+        .equ    P_MAP_STOP_COUNT, P_MAP + MAP_STOP_COUNT
+        .endif
         .equ    P_STOPS, P_PATTERN + 4
         .equ    P_STOP_COUNT, P_PATTERN + 5
 

@@ -257,7 +257,7 @@ bumped_between\@:
         add_scaled lz, bump_share, bump_sum_z
         .endm
         .macro  find_value_of_pattern
-        EX      target, find_pattern
+        EX      target, find_value
         BSAVE   pattern_link, [target]
         .endm
 

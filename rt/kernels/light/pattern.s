@@ -1,5 +1,4 @@
-; pattern.s - the waves and series of patterns, for the scalar and the vector
-; form (PATTERNS = 1).
+; pattern.s - computes the values of patterns, in both forms (PATTERNS = 1).
 ;
 ; A pattern has a value v at each point X of the pigment's space.  v is a
 ; position between the stops of a map.  rt/scene/patterns.def has the formulas;
@@ -20,8 +19,8 @@
 ; with s = 0 if {y/(2 h)} <= 1/2, else 1/2.
 ;
 ; Hexagons: the nearest node of the lattice k = 2/3 x, a = z / sqrt(3) - x/3 is
-; found by three roundings (k, a, -k-a; the one that changes most is computed
-; from the other two).  The value is a - k modulo 3, halved.
+; found by three roundings, of k, a and k + a.  If k or a changes most, it is
+; computed from the other two.  The value is a - k modulo 3, halved.
 ;
 ; sin(2 pi t): t minus the nearest integer, reflected at 1/4 if it is beyond,
 ; and the series up to the 15th power, within 1e-11.  Angles: atan by its series
@@ -29,21 +28,6 @@
 ; (t - 1) / (t + 1).
 ; Source: POV-Ray 3.7's patterns and waves, by its documentation, verified by
 ; its pictures (1.00001 is from these); the nearest hexagon by cube coordinates.
-
-        .record MAP
-        .field  MAP_FUNCTION            ; address of the routine that computes v
-        .field  MAP_WAVE                ; address of the one that computes w;
-                                        ; 0: v is the value
-        .field  MAP_NUMBERS, 4          ; frequency, phase, exponent; for bricks
-                                        ; 1 / size (3 words), mortar
-        .field  MAP_STOPS               ; as P_STOPS
-        .field  MAP_STOP_COUNT
-        .endrecord
-        .equ    P_MAP_FUNCTION, P_MAP + MAP_FUNCTION
-        .equ    P_MAP_WAVE, P_MAP + MAP_WAVE
-        .equ    P_MAP_NUMBERS, P_MAP + MAP_NUMBERS
-        .equ    P_MAP_STOPS, P_MAP + MAP_STOPS
-        .equ    P_MAP_STOP_COUNT, P_MAP + MAP_STOP_COUNT
 
         .data
 pattern_constants:
@@ -59,3 +43,284 @@ pattern_constants:
         .word 3.0
         .equ    PATTERN_CONSTANTS, 11
         .code
+
+; A routine pattern_name sets y_0 to the value at q_x, q_y, q_z and returns to
+; inner_link.  y_1 .. y_4, q_x, q_y, q_z are scratch.  In both forms number and
+; none are registers for numbers.  pigment_scalar.s and pigment_vector.s define
+; the registers, and the macros that differ.
+
+; rest = x - floor(x).
+        .macro  fraction x, rest, work
+        floor   \x, \work
+        normal  \work, \work
+        minus   \x, \work, \rest
+        .endm
+
+        .macro  less_floor x, work
+        fraction \x, \x, \work
+        .endm
+
+; y_0 = sin(2 pi y_0).
+        .macro  sine_of_turn
+        EX      target, find_sine
+        BSAVE   sine_link, [target]
+        .endm
+
+        .kernel shade
+        begin_pattern
+find_value:
+        EX      number, pattern_constants
+        ELEN    number, PATTERN_CONSTANTS
+        SWAP    [number], turn, [r0]
+        RTOR    map_function, target
+        BSAVE   inner_link, [target]
+        IBXEQ   map_wave, r0, r0, pattern_found
+        CFPEQ   map_a, r0, pattern_wave
+        line    y_0, map_a, map_b, y_0
+        scale   y_0, unwrap, y_1
+        truncate y_1, y_1
+        normal  y_1, y_1
+        minus_scaled y_1, wrap, y_0, y_0
+pattern_wave:
+        floor   y_0, y_1
+        normal  y_1, y_1
+        if_less_number y_1, r0, pattern_above
+        then_minus y_0, y_1, y_0
+        end_if  pattern_above
+        RTOR    map_wave, target
+        BSAVE   inner_link, [target]            ; continues at pattern_found
+wave_ramp:
+pattern_found:
+        end_pattern
+
+wave_triangle:
+        scale   y_0, m_two, y_0
+        if_number_less m_one, y_0, wave_rises
+        then_from m_two, y_0, y_0
+        end_if  wave_rises
+        return_wave
+wave_sine:
+        sine_of_turn
+        scaled_raise y_0, m_one, m_half, y_0
+        return_wave
+wave_scallop:
+        scale   y_0, m_half, y_0
+        sine_of_turn
+        absolute y_0, y_0
+        return_wave
+wave_cubic:
+        times   y_0, y_0, y_1
+        from_scaled y_0, m_two, three, y_0
+        times   y_0, y_1, y_0
+        return_wave
+wave_poly:
+        not_below_number m_tiny, y_0
+        raise_value map_c
+        return_wave
+
+find_sine:
+        raise   y_0, m_half, y_1
+        floor   y_1, y_1
+        normal  y_1, y_1
+        minus   y_0, y_1, y_2
+        absolute y_2, y_3
+        if_number_less quarter, y_3, sine_near
+        then_from m_half, y_3, y_3
+        end_if  sine_near
+        if_less_number y_2, r0, sine_above
+        then_negate y_3, y_3
+        end_if  sine_above
+        scale   y_3, turn, y_2
+        from_product r0, y_2, y_2, y_3
+        line    y_3, sin15, exp13, y_0
+        step    y_3, exp11, y_0
+        step    y_3, exp9, y_0
+        step    y_3, exp7, y_0
+        step    y_3, exp5, y_0
+        step    y_3, exp3, y_0
+        step    y_3, m_one, y_0
+        times   y_0, y_2, y_0
+        BIM     0, sine_link
+
+pattern_planar:
+        absolute q_y, y_0
+pattern_within:
+        from    m_one, y_0, y_0
+        not_below_number m_zero, y_0
+        BIM     0, inner_link
+pattern_spherical:
+        dot_product q_x, q_y, q_z, q_x, q_y, q_z, y_0, y_1
+        root    y_0, y_0
+        BIM     pattern_within
+pattern_cylindrical:
+        times   q_x, q_x, y_0
+        times   q_z, q_z, y_1
+        plus    y_1, y_0, y_0
+        root    y_0, y_0
+        BIM     pattern_within
+pattern_boxed:
+        absolute q_x, y_0
+        absolute q_y, y_1
+        not_below y_1, y_0
+        absolute q_z, y_1
+        not_below y_1, y_0
+        BIM     pattern_within
+pattern_onion:
+        dot_product q_x, q_y, q_z, q_x, q_y, q_z, y_0, y_1
+        root    y_0, y_0
+        less_floor y_0, y_1
+        BIM     0, inner_link
+pattern_gradient:
+        floor   q_x, y_1
+        normal  y_1, y_1
+        not_below_number m_zero, y_1
+        minus   q_x, y_1, y_0
+        BIM     0, inner_link
+pattern_leopard:
+        scale   q_x, per_turn, y_0
+        sine_of_turn
+        copy    y_0, q_x
+        scale   q_y, per_turn, y_0
+        sine_of_turn
+        plus    y_0, q_x, q_x
+        scale   q_z, per_turn, y_0
+        sine_of_turn
+        scaled_sum y_0, q_x, third_part, y_0
+        times   y_0, y_0, y_0
+        BIM     0, inner_link
+
+; y_0 = the smaller of |x| and |z|, y_1 = the greater.
+pattern_radial:
+        absolute q_x, y_0
+        absolute q_z, y_1
+        if_less y_1, y_0, radial_z
+        then_absolute q_z, y_0
+        then_absolute q_x, y_1
+        end_if  radial_z
+        if_equal_number y_1, r0, radial_off
+        then_set m_one, y_1                     ; on the axis
+        end_if  radial_off
+        quotient y_0, y_1, y_0
+        MPYS    quarter, m_half, number
+        ADDN    r0, r0, none
+        default none, y_4                       ; turns between it and t
+        if_number_less eighth, y_0, radial_series
+        lower   y_0, m_one, y_1
+        raise   y_0, m_one, y_2
+        quotient y_1, y_2, y_2
+        then_copy y_2, y_0
+        then_choose number, none, y_4
+        end_if  radial_series
+        from_product r0, y_0, y_0, y_3
+        line    y_3, log17, log15, y_2
+        step    y_3, log13, y_2
+        step    y_3, log11, y_2
+        step    y_3, log9, y_2
+        step    y_3, log7, y_2
+        step    y_3, log5, y_2
+        step    y_3, log3, y_2
+        step    y_3, m_one, y_2
+        times   y_2, y_0, y_0
+        scale   y_0, per_turn, y_0
+        plus    y_0, y_4, y_0
+        if_nearer q_z, q_x, radial_quarter
+        then_from quarter, y_0, y_0
+        end_if  radial_quarter
+        if_less_number q_z, r0, radial_half
+        then_from m_half, y_0, y_0
+        end_if  radial_half
+        if_less_number q_x, r0, radial_found
+        then_negate y_0, y_0
+        end_if  radial_found
+        ADDN    m_half, quarter, number
+        raise   y_0, number, y_0
+        BIM     0, inner_link
+
+; The value is 0 where the rest y_1 is in the mortar.
+        .macro  leave_if_mortar per
+        MPYS    map_d, \per, number
+        leave_if_number_not_less number, y_1, m_zero, y_0, brick_found
+        .endm
+
+        .macro  mortar q, per, shift
+        scaled_plus \q, \per, \shift, y_1
+        less_floor y_1, y_2
+        leave_if_mortar \per
+        .endm
+
+pattern_brick:
+        ADDN    map_d, m_checker_shift, number
+        raise   q_x, number, q_x
+        raise   q_y, number, q_y
+        raise   q_z, number, q_z
+        leaving m_zero, m_one, y_0
+        scale   q_y, map_b, y_3
+        fraction y_3, y_1, y_2
+        leave_if_mortar map_b
+        scale   y_3, m_half, y_3
+        less_floor y_3, y_2
+        default m_zero, y_4                     ; s
+        if_number_less m_half, y_3, brick_shifted
+        then_choose m_half, m_zero, y_4
+        end_if  brick_shifted
+        mortar  q_x, map_a, y_4
+        from    m_half, y_4, y_4
+        mortar  q_z, map_c, y_4
+        staying m_one, y_0
+brick_found:
+        BIM     0, inner_link
+
+        .macro  nearest_whole x, whole, away
+        raise   \x, m_half, \whole
+        floor   \whole, \whole
+        normal  \whole, \whole
+        minus   \whole, \x, \away
+        absolute \away, \away
+        .endm
+
+; y_4 = the change of k + a minus those of k and a.
+pattern_hexagon:
+        scale   q_x, two_thirds, q_x            ; k
+        scale   q_z, per_root3, q_z
+        minus_scaled q_x, m_half, q_z, q_z      ; a
+        plus    q_x, q_z, q_y
+        nearest_whole q_x, y_0, y_2
+        nearest_whole q_z, y_1, y_3
+        nearest_whole q_y, y_4, q_x             ; k + a
+        minus   y_4, y_0, y_4
+        minus   y_4, y_1, y_4
+        minus   y_1, y_0, y_0
+        if_less y_3, y_2, hexagon_a
+        then_negate y_4, y_4                    ; k changes more than a
+        then_copy y_2, y_3
+        end_if  hexagon_a
+        if_less q_x, y_3, hexagon_found
+        then_plus y_0, y_4, y_0
+        end_if  hexagon_found
+        scale   y_0, third_part, y_1
+        raise   y_1, m_checker_shift, y_1
+        floor   y_1, y_1
+        normal  y_1, y_1
+        minus_scaled y_1, three, y_0, y_0
+        scale   y_0, m_half, y_0
+        BIM     0, inner_link
+
+        .if     BUMPS
+        .macro  cell_floor q, whole
+        raise   \q, m_checker_shift, \whole
+        floor   \whole, \whole
+        .endm
+
+pattern_checker:
+        cell_floor q_x, y_1
+        cell_floor q_y, y_2
+        cell_floor q_z, y_3
+        add_index y_1, y_2, y_1
+        add_index y_1, y_3, y_1
+        default m_zero, y_0
+        if_bit  y_1, m_index_one, checker_even
+        then_choose m_one, m_zero, y_0
+        end_if  checker_even
+        BIM     0, inner_link
+        .endif
+        .endkernel

@@ -107,6 +107,71 @@ map_between\@:
         ADDN    color0b, sh10, color0b
         .endm
 
+        .if     PATTERNS
+        .share  local
+        .regs   r95, q_x, q_y, q_z, pattern_link, inner_link, sine_link
+        .regs   r101, y_0, y_1, y_2, y_3, y_4, number
+        .regs   r107, map_function, map_wave, map_a, map_b, map_c, map_d
+        .regs   r113, map_stops, map_stop_count
+        .regs   r115, turn, per_turn, sin15, quarter, eighth, wrap, unwrap
+        .regs   r122, two_thirds, per_root3, third_part, three
+        .reg    none, m_zero
+        .regs   y_0, image_r, image_g, image_b, image_work, last_column
+        .reg    colour_link, pattern_link
+        .endshare
+
+; Computes color0 at the point.  sh0 .. = P_PATTERN, map_function .. = P_MAP.
+        .macro  pattern_colour
+        pattern_axis sh0, sh1, sh2, sh3, q_x
+        pattern_axis sh4, sh5, sh6, sh7, q_y
+        pattern_axis sh8, sh9, sh10, sh11, q_z
+        .if     IMAGES
+        ES      image_cell, 0
+        .endif
+        EX      target, find_value
+        BSAVE   pattern_link, [target]
+        .if     IMAGES
+        IBXNE   map_stop_count, r0, r0, pattern_mapped\@
+        RTOR    y_0, color0r
+        RTOR    y_1, color0g
+        RTOR    y_2, color0b
+        BIM     pattern_coloured\@
+pattern_mapped\@:
+        .endif
+        RTOR    y_0, t0
+        RTOR    map_stops, sh4
+        RTOR    map_stop_count, sh5
+        map_colour
+        .if     IMAGES
+pattern_coloured\@:
+        .endif
+        .endm
+
+        .macro  pattern_axis k0, k1, k2, k3, q
+        dot     px, py, pz, \k0, \k1, \k2, \q, t0
+        ADDN    \q, \k3, \q
+        .endm
+
+        .macro  begin_pattern
+        .endm
+
+        .macro  end_pattern
+        BIM     0, pattern_link
+        .endm
+
+        .macro  return_wave
+        BIM     0, pattern_link
+        .endm
+
+        .macro  raise_value to
+        RTOR    y_0, p_x
+        RTOR    \to, exponent
+        EX      target, power
+        BSAVE   power_link, [target]
+        RTOR    p_x, y_0
+        .endm
+        .endif
+
         .kernel shade
 pigment_cell:
         EX      save_at, pigment_save
@@ -131,7 +196,6 @@ pigment_found:
 
         .if     PATTERNS
         .include "light/pattern.s"
-        .include "light/pattern_scalar.s"
         .endif
         .if     IMAGES
         .include "light/image.s"

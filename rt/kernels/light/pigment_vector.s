@@ -33,6 +33,62 @@
         MPYSV   [v1], sh1, [v1]
         .endm
 
+        .if     PATTERNS
+        .share  scratch
+        .reg    link_pattern, r248
+        .reg    sine_link, r249
+        .endshare
+        .share  shape
+        .regs   r40, turn, per_turn, sin15, quarter, eighth, wrap, unwrap
+        .regs   r47, two_thirds, per_root3, third_part, three
+        .endshare
+        .share  patterns
+        .regs   s0, number, none
+        .endshare
+
+        .macro  pattern_axis k0, k1, k2, k3, q
+        dot_constant px, py, pz, \k0, \k1, \k2, \q, v0
+        ADDNV   [\q], \k3, [\q]
+        .endm
+
+; In:  px py pz; m00 .. = P_PATTERN, map_function .. = P_MAP or the map of the
+;      sky.
+; Out: cr cg cb.  Changes v0-v7, hits1-hits3.
+; find_value is called by BSAVE link_pattern.  If there are no stops, it returns
+; the values v0 of the points v5 v6 v7.
+        .macro  begin_pattern
+find_pattern:
+        RTOR    link_inner, link_pattern
+        pattern_axis m00, m01, m02, m03, q_x
+        pattern_axis m10, m11, m12, m13, q_y
+        pattern_axis m20, m21, m22, m23, q_z
+        .endm
+
+        .macro  end_pattern
+        .if     BUMPS
+        IBXEQ   map_stop_count, r0, r0, pattern_value
+        .endif
+        RTOR    map_stops, m10
+        RTOR    map_stop_count, m11
+        RTOR    link_pattern, link_inner
+        BIM     find_colours
+        .if     BUMPS
+pattern_value:
+        BIM     0, link_pattern
+        .endif
+        .endm
+
+        .macro  return_wave
+        BIM     pattern_found
+        .endm
+
+        .macro  raise_value to
+        RTOR    \to, exponent
+        EX      target, power
+        BSAVE   link_inner, [target]
+        .endm
+        .endif
+
         .kernel shade
 find_checker:
         load_record P_PATTERN, 12, m00

@@ -27,7 +27,6 @@
         .endshare
 
         .if     PATTERNS
-        .include "light/pattern.s"
         .share  scratch
         .regs   r240, map_function, map_wave, map_a, map_b, map_c, map_d
         .regs   r246, map_stops, map_stop_count
