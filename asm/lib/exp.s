@@ -4,10 +4,9 @@
 ;   e^r = 1 + r + r^2 Q(r),  e^x = 2^k e^r
 ;
 ; ln 2 is the sum of two parts. The first part has 32 digits, so its product
-; with k is exact. Q interpolates (e^r - 1 - r) / r^2 at the nine Chebyshev
-; points. Adding k to the exponent multiplies by 2^k. A result that is too
-; small is machine zero. A result that is too large is indefinite, and so is
-; the result for an indefinite operand.
+; with k is exact. Q is in series.s. Adding k to the exponent multiplies by
+; 2^k. A result that is too small is machine zero. A result that is too large is
+; indefinite, and so is the result for an indefinite operand.
 ;
 ; Source: the method is textbook (W. J. Cody and W. Waite, Software
 ; Manual for the Elementary Functions, 1980); parts and polynomial are
@@ -17,6 +16,7 @@
         .equ    exp.s, 1
 
         .include "functions.s"
+        .include "series.s"
 
         .share  functions
         .regs   r232, exp_least, exp_most, exp_per_ln2, exp_half, exp_ln2_high, exp_ln2_low
@@ -33,11 +33,7 @@ exp.constants:
         .word   X'FFB1 9718 432A 1B0E'          ; the remaining digits
         .word   1.0
 exp.polynomial:
-        .word   5.0000000000000000000000e-01, 1.6666666666648302851375e-01
-        .word   4.1666666666651367273706e-02, 8.3333333537171569677078e-03
-        .word   1.3888888905871345596794e-03, 1.9841208756992321040719e-04
-        .word   2.4801536409064086482771e-05, 2.7625102005388106898371e-06
-        .word   2.7613795554519858706070e-07
+        exp_coefficients
         .code
 
         .macro  exp_formula form, x, y, r, s
@@ -52,29 +48,8 @@ exp.polynomial:
         \form\()_line f_0, exp_per_ln2, exp_half, f_1
         \form\()_floor f_1, f_1                         ; k
         \form\()_normal f_1, f_2
-        \form\()_add_scaled f_2, exp_ln2_high, f_0
-        \form\()_add_scaled f_2, exp_ln2_low, f_0       ; r
-        exp_of_rest \form, \r
-        .endm
-
-; \r := 2^k e^r, with r in f_0 and k in f_1.
-        .macro  exp_of_rest form, r
-        \form\()_line f_0, exp_8, exp_7, f_2
-        \form\()_step f_0, exp_6, f_2
-        \form\()_step f_0, exp_5, f_2
-        \form\()_step f_0, exp_4, f_2
-        \form\()_step f_0, exp_3, f_2
-        \form\()_step f_0, exp_2, f_2
-        \form\()_step f_0, exp_1, f_2
-        \form\()_step f_0, exp_0, f_2                   ; Q
-        \form\()_times f_2, f_0, f_2
-        \form\()_times f_2, f_0, f_2
-        \form\()_plus f_2, f_0, f_2
-        \form\()_raise f_2, exp_one, f_2                ; e^r
-        \form\()_exponent f_2, f_3
-        \form\()_add_index f_3, f_1, f_3
-        \form\()_pack_each f_3, f_2, f_3
-        \form\()_normal f_3, \r
+        \form\()_add_scaled_twice f_2, exp_ln2_high, exp_ln2_low, f_0 ; r
+        exp_of_rest \form\()_, f_0, f_1, f_2, f_3, \r
         .endm
 
         routines exp, exp_formula

@@ -35,7 +35,7 @@ f_work: .space  F_WORK * F_STRIP
         .bitvector f_work_bits, F_STRIP
         .code
 
-        scalar_form number_, f_scratch
+        scalar_form number_, f_scratch, f_bits
         vector_form vector_, f_bits
 
 ; ---- Routines ----------------------------------------------------------------

@@ -3,10 +3,10 @@
 ;   x = 2^k f,  sqrt(1/2) <= f < sqrt(2),  g = f - 1,  s = g / (1 + f)
 ;   ln f = 2 artanh s = g - s (g - s^2 R(s^2)),  ln x = k ln 2 + ln f
 ;
-; Near 1 the first term, g, is exact. R interpolates (2 artanh s - 2 s) / s^3
-; at the six Chebyshev points of s^2. f is x with another exponent. ln 2 is the
-; sum of two parts. The first part has 32 digits, so its product with k is
-; exact. The result is indefinite if x is indefinite or not above 0.
+; Near 1 the first term, g, is exact. R is in series.s. f is x with another
+; exponent. ln 2 is the sum of two parts. The first part has 32 digits, so its
+; product with k is exact. The result is indefinite if x is indefinite or not
+; above 0.
 ;
 ; Source: the method is textbook (W. J. Cody and W. Waite, Software
 ; Manual for the Elementary Functions, 1980); parts and polynomial are
@@ -16,6 +16,7 @@
         .equ    log.s, 1
 
         .include "functions.s"
+        .include "series.s"
 
         .share  functions
         .regs   r232, log_47, log_minus_47, log_minus_1, log_root_half, log_one, log_minus_one
@@ -33,9 +34,7 @@ log.constants:
         .word   X'FFB1 68E7 BCD5 E4F2'          ; the remaining digits
         .word   X'7000 0000 0000 0000'
 log.polynomial:
-        .word   6.6666666666662083223228e-01, 4.0000000011206506321435e-01
-        .word   2.8571424138324160584902e-01, 2.2222862280108715554131e-01
-        .word   1.8140193802865991002223e-01, 1.6621817152858929503025e-01
+        log_coefficients
         .code
 
         .macro  log_formula form, x, y, r, s
@@ -52,11 +51,7 @@ log.polynomial:
         \form\()_raise f_2, log_one, f_4
         \form\()_quotient f_3, f_4, f_4                     ; s
         \form\()_times f_4, f_4, f_5
-        \form\()_line f_5, log_5, log_4, f_6
-        \form\()_step f_5, log_3, f_6
-        \form\()_step f_5, log_2, f_6
-        \form\()_step f_5, log_1, f_6
-        \form\()_step f_5, log_0, f_6                   ; R
+        log_polynomial \form\()_, f_5, f_6                ; R
         \form\()_times f_6, f_5, f_6
         \form\()_minus f_3, f_6, f_6
         \form\()_times f_6, f_4, f_6

@@ -132,7 +132,7 @@ power.low:
         \form\()_plus f_3, f_2, f_3
         \form\()_scale f_3, power_ln2, f_0              ; (z - n) ln 2
         load_constants exp, EXP_CONSTANTS
-        exp_of_rest \form, \r
+        exp_of_rest \form\()_, f_0, f_1, f_2, f_3, \r
         \form\()_if_above_number f_5, power_most, power_over\@
         \form\()_then_set power_indefinite, \r
         \form\()_end_if power_over\@

@@ -7,8 +7,7 @@
 ; r, cos r, -sin r, -cos r for k mod 4 = 0, 1, 2, 3. The cosine increases k by
 ; 1. pi/2 is the sum of four parts. The first three have 24 digits, so their
 ; products with k are exact. x minus one or two of these products is exact,
-; too. S and C interpolate (sin r - r) / r^3 and (cos r - 1 + r^2 / 2) / r^4 at
-; six and five Chebyshev points of r^2.
+; too. S and C are in series.s.
 ;
 ; The result is indefinite if x is indefinite, or if |x| is above 2^23 pi/2,
 ; because k then has too many digits.
@@ -21,14 +20,15 @@
         .equ    sin.s, 1
 
         .include "functions.s"
+        .include "series.s"
 
         .share  functions
         .regs   r232, sin_most, sin_indefinite, sin_two_over_pi, sin_half
         .regs   r236, sin_part_0, sin_part_1, sin_part_2, sin_part_3, sin_1, sin_2
-        .regs   r242, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5
-        .regs   r248, sin_one, sin_minus_half, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4
+        .regs   r242, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6
+        .regs   r249, sin_one, sin_minus_half, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4
         .endshare
-        .equ    SIN_CONSTANTS, 23
+        .equ    SIN_CONSTANTS, 24
 
         .data
 sin.constants:
@@ -42,14 +42,10 @@ sin.constants:
         .word   X'FF8A 9CCE BA3F 91F2'          ; the remaining digits
         .word   1, 2
 sin.polynomial:
-        .word   -1.6666666666666664623545e-01, 8.3333333333309484855453e-03
-        .word   -1.9841269836758574322968e-04, 2.7557316102552440118832e-06
-        .word   -2.5051131845003624418631e-08, 1.5918129294866608802001e-10
+        sine_coefficients
         .word   1.0, -0.5
 cos.polynomial:
-        .word   4.1666666666664678603829e-02, -1.3888888887277342898921e-03
-        .word   2.4801585210990515948197e-05, -2.7556369695573006222767e-07
-        .word   2.0700600483433117897579e-09
+        cosine_coefficients
         .code
 
         .macro  quarter_turns form, x
@@ -61,39 +57,27 @@ cos.polynomial:
         \form\()_line f_0, sin_two_over_pi, sin_half, f_1
         \form\()_floor f_1, f_1                         ; k
         \form\()_normal f_1, f_2
-        \form\()_add_scaled f_2, sin_part_0, f_0
-        \form\()_add_scaled f_2, sin_part_1, f_0
+        \form\()_add_scaled_twice f_2, sin_part_0, sin_part_1, f_0
         \form\()_scale f_2, sin_part_2, f_3
         \form\()_plus f_0, f_3, f_4                     ; r
-        \form\()_minus f_0, f_4, f_0
-        \form\()_plus f_0, f_3, f_0
-        \form\()_scaled_plus f_2, sin_part_3, f_0, f_5  ; d
         .endm
 
         .macro  sine_of_quarter form, r
-        \form\()_times f_4, f_4, f_2
+        \form\()_times f_4, f_4, f_7
         \form\()_if_bit f_1, sin_1, sin_even\@
-        \form\()_line f_2, cosine_4, cosine_3, f_3
-        \form\()_step f_2, cosine_2, f_3
-        \form\()_step f_2, cosine_1, f_3
-        \form\()_step f_2, cosine_0, f_3
-        \form\()_step f_2, sin_minus_half, f_3
-        \form\()_step f_2, sin_one, f_3                 ; cos r
+        cosine_of_rest \form\()_, f_7, \r
         \form\()_otherwise sin_end\@, sin_even\@
-        \form\()_line f_2, sine_5, sine_4, f_6
-        \form\()_step f_2, sine_3, f_6
-        \form\()_step f_2, sine_2, f_6
-        \form\()_step f_2, sine_1, f_6
-        \form\()_step f_2, sine_0, f_6
-        \form\()_times f_6, f_2, f_6
+        \form\()_minus f_0, f_4, f_0
+        \form\()_plus f_0, f_3, f_0
+        \form\()_scaled_plus f_2, sin_part_3, f_0, f_5  ; d
+        sine_polynomial \form\()_, f_7, f_6
+        \form\()_times f_6, f_7, f_6
         \form\()_times f_6, f_4, f_6
         \form\()_plus f_6, f_5, f_6
-        \form\()_plus f_6, f_4, f_6                     ; sin r
-        \form\()_otherwise_copy f_6, f_3
+        \form\()_otherwise_plus f_6, f_4, \r          ; sin r
         \form\()_end_if sin_end\@
-        \form\()_copy f_3, \r
         \form\()_if_bit f_1, sin_2, sin_upper\@
-        \form\()_then_negate f_3, \r
+        \form\()_then_negate \r, \r
         \form\()_end_if sin_upper\@
         .endm
 

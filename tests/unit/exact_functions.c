@@ -59,6 +59,15 @@ static void squares_of_artanh(mpfr_t low, mpfr_t high)
     mpfr_sqr(high, high, MPFR_RNDN);
 }
 
+/* The interval from 0 to the square of pi/2. */
+static void squares_of_half(mpfr_t low, mpfr_t high)
+{
+    from_zero(low);
+    mpfr_const_pi(high, MPFR_RNDN);
+    mpfr_div_ui(high, high, 2, MPFR_RNDN);
+    mpfr_sqr(high, high, MPFR_RNDN);
+}
+
 /* The interval from 0 to the square of pi/4. */
 static void squares_of_quarter(mpfr_t low, mpfr_t high)
 {
@@ -149,7 +158,7 @@ static void rest_of_log2(mpfr_t value, const mpfr_t q)
 static const struct exact_polynomial polynomials[] = {
     { "exp.polynomial", 9, half_of_ln2, rest_of_exp },
     { "log.polynomial", 6, squares_of_artanh, rest_of_log },
-    { "sin.polynomial", 6, squares_of_quarter, rest_of_sin },
+    { "sin.polynomial", 7, squares_of_half, rest_of_sin },
     { "cos.polynomial", 5, squares_of_quarter, rest_of_cos },
     { "atan2.polynomial", 10, squares_of_eighth, rest_of_atan },
     { "power.polynomial", 7, thirty_seconds, rest_of_log2 },
