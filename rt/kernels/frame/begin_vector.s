@@ -9,7 +9,7 @@ begin_queues:
         SWAP    [s0], one, [r0]
         EX      s0, power_constants
         ELEN    s0, POWER_CONSTANTS
-        SWAP    [s0], p_fraction, [r0]
+        SWAP    [s0], p_47, [r0]
         begin_counting
         EX      target, camera
         BSAVE   link, [target]

@@ -60,7 +60,7 @@ frame:
         .include "light/forms_scalar.s"
         .include "light/transmitted_scalar.s"
         .include "frame/nearest_1984.s"
-        .include "light/power_scalar.s"
+        .include "light/power.s"
         .include "light/pigment_scalar.s"
         .include "light/sky_scalar.s"
         .include "light/surface_scalar.s"

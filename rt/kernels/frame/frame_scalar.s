@@ -41,7 +41,7 @@
         .include "light/forms_scalar.s"
         .include "light/transmitted_scalar.s"
         .include "light/shadow_scalar.s"
-        .include "light/power_scalar.s"
+        .include "light/power.s"
         .include "light/pigment_scalar.s"
         .include "light/sky_scalar.s"
         .include "light/surface_scalar.s"
@@ -75,7 +75,7 @@ frame_sample_number: .word 0            ; number of the sample that is traced
         .kernel frame
 frame:
         load_main_constants
-        load_at power_constants, POWER_CONSTANTS, p_fraction
+        load_at power_constants, POWER_CONSTANTS, p_47
         EX      target, camera
         BSAVE   link, [target]
         EX      target, levels_begin

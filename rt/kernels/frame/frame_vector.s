@@ -72,7 +72,7 @@ frame:
         .include "light/interior.s"
         .include "light/interior_vector.s"
         .endif
-        .include "light/power_vector.s"
+        .include "light/power.s"
         .include "frame/samples.s"
         .if     ADAPTIVE
         .include "frame/adaptive_vector.s"

@@ -8,7 +8,7 @@
 ;          + sum of (1 - a) fog
 ;
 ; A ray that hits nothing sees the background at fog_far.  e^(-d / distance) is
-; 2^(d FOG_SCALE), computed by the second half of the power (power_vector.s).
+; 2^(d FOG_SCALE), computed by the second half of the power (power.s).
 ; Source: POV-Ray 3.7's fog of type 1, verified by its pictures.
 
         .record FOG

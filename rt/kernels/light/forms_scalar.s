@@ -9,6 +9,21 @@
         normalise_by m_one, \x, \y, \z, \length, \work
         .endm
 
+; power.s
+        .regs   r233, p_x, p_k, p_s, p_square, power_link
+        .reg    exp_one, m_one
+
+; p_x := p_x ^ exponent if p_x is above 0, else 0.
+        .macro  power_of_positive
+        CFPGE   r0, p_x, power_dark\@
+        EX      target, power
+        BSAVE   power_link, [target]
+        BIM     power_done\@
+power_dark\@:
+        RTOR    m_zero, p_x
+power_done\@:
+        .endm
+
 ; fog.s
         .share  local
         .regs   r32, fog_at, fogs_left, fog_distance

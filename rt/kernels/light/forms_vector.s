@@ -4,8 +4,6 @@
 
         .share  light
         .reg    here, s0
-        .reg    p_x, v0
-        .reg    power_link, link_inner
         .reg    m_index_minus_one, minus_one_index
         .endshare
 
@@ -15,6 +13,24 @@
         .endm
         .macro  unit_vector x, y, z, length, work
         normalise \x, \y, \z, \length, \work
+        .endm
+
+; power.s, for m numbers
+        .share  light
+        .regs   v0, p_x, p_k, p_s, p_square
+        .reg    power_link, link_inner
+        .reg    exp_one, one
+        .endshare
+
+; [v0] := [v0] ^ exponent where [v0] is above 0, else 0.  Also changes hits0,
+; s2.
+        .macro  power_of_positive
+        CMPLTV  r0, [v0], [hits0]
+        MASKV   [v0], one, [v0] ? [hits0]
+        EX      target, power
+        BSAVE   power_link, [target]
+        ADDN    r0, r0, s2
+        MASKV   [v0], s2, [v0] ? [hits0]
         .endm
 
 ; fog.s

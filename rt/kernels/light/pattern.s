@@ -22,10 +22,9 @@
 ; found by three roundings, of k, a and k + a.  If k or a changes most, it is
 ; computed from the other two.  The value is a - k modulo 3, halved.
 ;
-; sin(2 pi t): t minus the nearest integer, reflected at 1/4 if it is beyond,
-; and the series up to the 15th power, within 1e-11.  Angles: atan by its series
-; up to the 17th power below tan(pi/8), within 3e-9; above, of
-; (t - 1) / (t + 1).
+; sin(2 pi t) = (-1)^n sin(2 pi (t - n/2)),  n = floor(2 t + 1/2), by the
+; polynomial of asm/lib/series.s.  Angles: atan by its series up to the 17th
+; power below tan(pi/8), within 3e-9; above, of (t - 1) / (t + 1).
 ; Source: POV-Ray 3.7's patterns and waves, by its documentation, verified by
 ; its pictures (1.00001 is from these); the nearest hexagon by cube coordinates.
 
@@ -33,7 +32,6 @@
 pattern_constants:
         .word 6.28318530717958647693    ; 2 pi
         .word 0.15915494309189533577    ; 1 / (2 pi)
-        .word 7.64716373181981647590e-13 ; 1/15!
         .word 0.25
         .word 0.41421356237309504880    ; tan(pi/8)
         .word 1.00001, 0.99999000009999900001   ; 1.00001 and its reciprocal
@@ -41,7 +39,17 @@ pattern_constants:
         .word 0.57735026918962576451    ; 1/sqrt(3)
         .word 0.33333333333333333333
         .word 3.0
-        .equ    PATTERN_CONSTANTS, 11
+        .equ    PATTERN_CONSTANTS, 10
+angle_constants:
+        .word 0.33333333333333333333    ; 1/3
+        .word 0.2
+        .word 0.14285714285714285714    ; 1/7
+        .word 0.11111111111111111111    ; 1/9
+        .word 0.09090909090909090909    ; 1/11
+        .word 0.07692307692307692308    ; 1/13
+        .word 0.06666666666666666667    ; 1/15
+        .word 0.05882352941176470588    ; 1/17
+        .equ    ANGLE_CONSTANTS, 8
         .code
 
 ; A routine pattern_name sets y_0 to the value at q_x, q_y, q_z and returns to
@@ -119,27 +127,19 @@ wave_poly:
         return_wave
 
 find_sine:
-        raise   y_0, m_half, y_1
-        floor   y_1, y_1
-        normal  y_1, y_1
-        minus   y_0, y_1, y_2
-        absolute y_2, y_3
-        if_number_less quarter, y_3, sine_near
-        then_from m_half, y_3, y_3
-        end_if  sine_near
-        if_less_number y_2, r0, sine_above
-        then_negate y_3, y_3
-        end_if  sine_above
-        scale   y_3, turn, y_2
-        from_product r0, y_2, y_2, y_3
-        line    y_3, sin15, exp13, y_0
-        step    y_3, exp11, y_0
-        step    y_3, exp9, y_0
-        step    y_3, exp7, y_0
-        step    y_3, exp5, y_0
-        step    y_3, exp3, y_0
-        step    y_3, m_one, y_0
+        line    y_0, m_two, m_half, y_1
+        floor   y_1, y_1                        ; half turns
+        normal  y_1, y_2
+        minus_scaled y_2, m_half, y_0, y_2
+        scale   y_2, turn, y_2                  ; r
+        times   y_2, y_2, y_3
+        sine_polynomial , y_3, y_0
+        times   y_0, y_3, y_0
         times   y_0, y_2, y_0
+        plus    y_0, y_2, y_0
+        if_bit  y_1, m_index_one, sine_even
+        then_negate y_0, y_0
+        end_if  sine_even
         BIM     0, sine_link
 
 pattern_planar:
@@ -191,6 +191,9 @@ pattern_leopard:
 
 ; y_0 = the smaller of |x| and |z|, y_1 = the greater.
 pattern_radial:
+        EX      number, angle_constants
+        ELEN    number, ANGLE_CONSTANTS
+        SWAP    [number], angle3, [r0]
         absolute q_x, y_0
         absolute q_z, y_1
         if_less y_1, y_0, radial_z
@@ -212,13 +215,13 @@ pattern_radial:
         then_choose number, none, y_4
         end_if  radial_series
         from_product r0, y_0, y_0, y_3
-        line    y_3, log17, log15, y_2
-        step    y_3, log13, y_2
-        step    y_3, log11, y_2
-        step    y_3, log9, y_2
-        step    y_3, log7, y_2
-        step    y_3, log5, y_2
-        step    y_3, log3, y_2
+        line    y_3, angle17, angle15, y_2
+        step    y_3, angle13, y_2
+        step    y_3, angle11, y_2
+        step    y_3, angle9, y_2
+        step    y_3, angle7, y_2
+        step    y_3, angle5, y_2
+        step    y_3, angle3, y_2
         step    y_3, m_one, y_2
         times   y_2, y_0, y_0
         scale   y_0, per_turn, y_0

@@ -26,7 +26,7 @@
         .equ    SKY_REGISTERS, 96
         .elseif PATTERNS
         .equ    PIGMENT_REGISTERS, 46
-        .equ    SKY_REGISTERS, 94
+        .equ    SKY_REGISTERS, 93
         .else
         .equ    PIGMENT_REGISTERS, 46
         .equ    SKY_REGISTERS, 50
@@ -113,8 +113,10 @@ map_between\@:
         .regs   r101, y_0, y_1, y_2, y_3, y_4, number
         .regs   r107, map_function, map_wave, map_a, map_b, map_c, map_d
         .regs   r113, map_stops, map_stop_count
-        .regs   r115, turn, per_turn, sin15, quarter, eighth, wrap, unwrap
-        .regs   r122, two_thirds, per_root3, third_part, three
+        .regs   r115, turn, per_turn, quarter, eighth, wrap, unwrap
+        .regs   r121, two_thirds, per_root3, third_part, three
+        .regs   r64, angle3, angle5, angle7, angle9, angle11, angle13, angle15
+        .reg    angle17, r71
         .reg    none, m_zero
         .regs   y_0, image_r, image_g, image_b, image_work, last_column
         .reg    colour_link, pattern_link

@@ -39,8 +39,10 @@
         .reg    sine_link, r249
         .endshare
         .share  shape
-        .regs   r40, turn, per_turn, sin15, quarter, eighth, wrap, unwrap
-        .regs   r47, two_thirds, per_root3, third_part, three
+        .regs   r40, turn, per_turn, quarter, eighth, wrap, unwrap
+        .regs   r46, two_thirds, per_root3, third_part, three
+        .regs   r50, angle3, angle5, angle7, angle9, angle11, angle13, angle15
+        .reg    angle17, r57
         .endshare
         .share  patterns
         .regs   s0, number, none
