@@ -68,7 +68,8 @@
 ;       add_scaled_two x, k, s, l, t          s = s + x k,  t = t + x l
 ;       add_scaled_twice x, k, l, s           s = (s + x k) + x l
 ;       add_scaled_three x, k, s, l, t, m, u  also u = u + x m
-;       step_four x, p, k, q, l, r, m, s, n   p = p x + k, likewise q, r and s
+;       line_both x, p, y, q, k, l            p = x k + l,  q = y k + l
+;       step_both x, p, y, q, k               p = p x + k,  q = q y + k
 ;       derivative_step x, k, v, d            d = d x + v, then v = v x + k
 ;       scaled_sum_two x, y, k, l, s, m, n, t  s = x k + y l,  t = x m + y n
 ;       scaled_lower_two a, k, m, s, b, l, n, t  s = (a - k) m,  t = (b - l) n
@@ -353,15 +354,17 @@ not_below\@:
         ADDN    \second, \t, \t
         ADDN    \third, \u, \u
         .endm
-        .macro  \prefix\()step_four x, p, k, q, l, r, m, s, n
-        MPYS    \p, \x, \p
-        MPYS    \q, \x, \q
-        MPYS    \r, \x, \r
-        MPYS    \s, \x, \s
-        ADDN    \p, \k, \p
+        .macro  \prefix\()line_both x, p, y, q, k, l
+        MPYS    \x, \k, \p
+        MPYS    \y, \k, \q
+        ADDN    \p, \l, \p
         ADDN    \q, \l, \q
-        ADDN    \r, \m, \r
-        ADDN    \s, \n, \s
+        .endm
+        .macro  \prefix\()step_both x, p, y, q, k
+        MPYS    \p, \x, \p
+        MPYS    \q, \y, \q
+        ADDN    \p, \k, \p
+        ADDN    \q, \k, \q
         .endm
         .macro  \prefix\()derivative_step x, k, v, d
         MPYS    \d, \x, \d
@@ -802,11 +805,13 @@ select\@:
         \prefix\()add_scaled \x, \l, \t
         \prefix\()add_scaled \x, \m, \u
         .endm
-        .macro  \prefix\()step_four x, p, k, q, l, r, m, s, n
+        .macro  \prefix\()line_both x, p, y, q, k, l
+        \prefix\()line \x, \k, \l, \p
+        \prefix\()line \y, \k, \l, \q
+        .endm
+        .macro  \prefix\()step_both x, p, y, q, k
         \prefix\()step \x, \k, \p
-        \prefix\()step \x, \l, \q
-        \prefix\()step \x, \m, \r
-        \prefix\()step \x, \n, \s
+        \prefix\()step \y, \k, \q
         .endm
         .macro  \prefix\()derivative_step x, k, v, d
         MPYSV   [\d], [\x], [\d]

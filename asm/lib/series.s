@@ -81,6 +81,16 @@
         \form\()step  \square, sine_0, \sum
         .endm
 
+; The same of two squares, which the scalar form interleaves.
+        .macro  sine_polynomials form=, square, sum, other, other_sum
+        \form\()line_both \square, \sum, \other, \other_sum, sine_6, sine_5
+        \form\()step_both \square, \sum, \other, \other_sum, sine_4
+        \form\()step_both \square, \sum, \other, \other_sum, sine_3
+        \form\()step_both \square, \sum, \other, \other_sum, sine_2
+        \form\()step_both \square, \sum, \other, \other_sum, sine_1
+        \form\()step_both \square, \sum, \other, \other_sum, sine_0
+        .endm
+
 ; sum = cos r.
         .macro  cosine_of_rest form=, square, sum
         \form\()line  \square, cosine_4, cosine_3, \sum
