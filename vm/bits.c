@@ -1,5 +1,5 @@
-/* bits.c - instructions on bit strings. Strings are read and stored as 64 bits per
- * word, so the bitwise loops of lanes.h apply.
+/* bits.c - executes instructions on bit strings. Strings are read and stored as 64 bits
+ * per word, so the bitwise loops of lanes.h apply.
  */
 #include "vm/direct.h"
 #include "vm/vector.h"

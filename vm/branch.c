@@ -1,4 +1,4 @@
-/* branch.c - branches, and requests to the monitor. */
+/* branch.c - executes branches and requests to the monitor. */
 #include "vm/machine.h"
 #include "vm/number/fast_path.h"
 

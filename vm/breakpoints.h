@@ -1,4 +1,5 @@
-/* breakpoints.h - breakpoints and watchpoints; see c205_machine.h. */
+/* breakpoints.h - checks after each instruction whether a breakpoint or watchpoint
+ * stops the run; see c205_machine.h. */
 #ifndef C205_BREAKPOINTS_H
 #define C205_BREAKPOINTS_H
 

@@ -1,4 +1,5 @@
-/* direct.h - operands of a vector instruction as pointers into the memory of the host.
+/* direct.h - converts the operands of a vector instruction to pointers into the memory
+ * of the host, if the instruction is simple.
  *
  * Most instructions are simple. They work on words without offsets and sign control,
  * and complete in one turn. Each operand is within one page, except the table of a

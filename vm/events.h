@@ -1,4 +1,5 @@
-/* events.h - notifies the listeners; see c205_machine.h. */
+/* events.h - notifies the listeners of executed instructions and of the end of a run;
+ * see c205_machine.h. */
 #ifndef C205_EVENTS_H
 #define C205_EVENTS_H
 

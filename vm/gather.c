@@ -1,5 +1,5 @@
-/* gather.c - gather and scatter: copies between a vector and table elements, which an
- * index list or a constant distance selects.
+/* gather.c - executes gather and scatter, which copy between a vector and the elements
+ * of a table that an index list or a constant distance selects.
  */
 #include "vm/direct.h"
 #include "vm/number/host.h"

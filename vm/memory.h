@@ -1,4 +1,4 @@
-/* memory.h - bit-addressed, paged virtual memory.
+/* memory.h - maps, reads and writes bit-addressed, paged virtual memory.
  *
  * An address has 48 bits and names a bit. A page holds 65,536 words (2^22 bits). A word
  * is a host integer whose top bit is its bit 0. Time, residence and associative

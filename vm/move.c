@@ -1,5 +1,5 @@
-/* move.c - vector instructions that move elements within a vector: reverse, mask,
- * merge, compress.
+/* move.c - executes vector instructions that move elements within a vector: reverse,
+ * mask, merge, compress.
  */
 #include "vm/direct.h"
 #include "vm/vector.h"

@@ -1,4 +1,4 @@
-/* reduce.c - vector instructions that reduce a vector to one number. It takes one or
+/* reduce.c - executes vector instructions that reduce a vector to one number, in one or
  * two registers.
  */
 #include "vm/vector.h"

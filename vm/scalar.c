@@ -1,5 +1,5 @@
-/* scalar.c - arithmetic on registers, loads, stores and the register swap. Register 0
- * needs no special case (see SLOT_MACHINE_ZERO and SLOT_SINK).
+/* scalar.c - executes arithmetic on registers, loads, stores and the register swap.
+ * Register 0 needs no special case (see SLOT_MACHINE_ZERO and SLOT_SINK).
  */
 #include "vm/machine.h"
 #include "vm/number/fast_path.h"

@@ -1,6 +1,6 @@
-/* sparse.c - arithmetic on sparse vectors. A sparse vector consists of its present
- * elements, packed, and of an order vector. The order vector has a one for each present
- * and a zero for each absent element.
+/* sparse.c - executes arithmetic on sparse vectors. A sparse vector consists of its
+ * present elements, packed, and of an order vector. The order vector has a one for each
+ * present and a zero for each absent element.
  *
  * All order vectors are read before the first element is stored. A result whose order
  * vector is not given stores it after the last element.

@@ -1,4 +1,4 @@
-/* stop_text.c - the names of traps and rules, and the text of a stop. */
+/* stop_text.c - names traps and rules, and writes the reason of a stop as text. */
 #include "vm/machine.h"
 #include "vm/error.h"
 

@@ -1,4 +1,4 @@
-/* vector.c - vector instructions that work element by element. */
+/* vector.c - executes vector instructions that work element by element. */
 #include "vm/vector.h"
 
 #include "vm/direct.h"

@@ -1,5 +1,5 @@
-/* check_site.c - the checks before and after an instruction. The kind of instruction
- * determines the checks. */
+/* check_site.c - checks the operands of an instruction before it runs and its results
+ * after it. The kind of instruction determines the checks. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <string.h>

@@ -1,4 +1,5 @@
-/* check_site.h - declarations for the files of the runtime checks. Not public. */
+/* check_site.h - the check sites of a program, each an instruction with its run-time
+ * checks, and the state of the runtime checker. Not public. */
 #ifndef ASM_CHECK_SITE_H
 #define ASM_CHECK_SITE_H
 

@@ -1,4 +1,5 @@
-/* cmd_check.h - declarations for the files of c205 check. */
+/* cmd_check.h - the arguments and the state of c205 check, and the functions that its
+ * files share. */
 #ifndef ASM_CMD_CHECK_H
 #define ASM_CMD_CHECK_H
 

@@ -1,4 +1,4 @@
-/* cmd_run.h - declarations for the files of c205 run. */
+/* cmd_run.h - the arguments of c205 run, and its part for test programs. */
 #ifndef ASM_CMD_RUN_H
 #define ASM_CMD_RUN_H
 

@@ -1,4 +1,4 @@
-/* launch.c - the requests that start and end a session. */
+/* launch.c - executes the requests that start and end a session. */
 #include <stdio.h>
 #include <string.h>
 

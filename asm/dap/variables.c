@@ -1,5 +1,5 @@
-/* variables.c - the requests for scopes and variables. The scopes are registers,
- * operands, vectors and time. */
+/* variables.c - answers the requests for scopes and variables. The scopes are
+ * registers, operands, vectors and time. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

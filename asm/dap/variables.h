@@ -1,4 +1,5 @@
-/* variables.h - the contents of the scopes. Not public.
+/* variables.h - writes the variables of the scopes: registers, operands, vectors and
+ * times. Not public.
  *
  * A reference consists of its kind and a number. It needs no table, and it remains
  * valid after later stops.

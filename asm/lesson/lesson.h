@@ -1,4 +1,5 @@
-/* lesson.h - lessons with an exercise, and the grading of answers.
+/* lesson.h - builds lessons from the texts of their files, and grades answers to their
+ * exercises.
  *
  * A lesson is a folder with a text, a program to complete and tests. A test is a source
  * file of the assembler that holds data:

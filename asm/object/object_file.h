@@ -1,4 +1,4 @@
-/* object_file.h - assembled programs as files.
+/* object_file.h - writes assembled programs to object files, and reads them.
  *
  * An object file is text with one fact in each line. The first line has the version:
  *

@@ -1,4 +1,4 @@
-/* storage.h - an object and the arena that owns its memory. */
+/* storage.h - builds an object in an arena that owns its memory. */
 #ifndef ASM_STORAGE_H
 #define ASM_STORAGE_H
 

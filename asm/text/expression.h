@@ -1,4 +1,5 @@
-/* expression.h - expressions, whose value may depend on labels that are defined later.
+/* expression.h - parses and evaluates expressions, whose value may depend on labels
+ * that are defined later.
  *
  * Integers have 64 bits, with C's operators and precedence; sums, differences and
  * products wrap. An operation with a floating-point number has a floating-point result,

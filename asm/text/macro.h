@@ -1,4 +1,4 @@
-/* macro.h - definitions of macros and their expansion. */
+/* macro.h - parses definitions of macros, and expands their calls. */
 #ifndef ASM_MACRO_H
 #define ASM_MACRO_H
 

@@ -1,4 +1,5 @@
-/* statement.h - functions that the files of the parser share. */
+/* statement.h - functions that the files of the parser share: they parse operands,
+ * directives and expectations, and add items to the layout. */
 #ifndef ASM_STATEMENT_H
 #define ASM_STATEMENT_H
 

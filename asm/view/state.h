@@ -1,4 +1,4 @@
-/* state.h - files of saved machines. vm/save.c defines their format. */
+/* state.h - saves machines to files and restores them. vm/save.c defines the format. */
 #ifndef ASM_STATE_H
 #define ASM_STATE_H
 

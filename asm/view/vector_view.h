@@ -1,4 +1,5 @@
-/* vector_view.h - vectors in memory, described by a register, an operand or a label. */
+/* vector_view.h - finds and reads the vector that a register, an operand or a label
+ * describes. */
 #ifndef ASM_VECTOR_VIEW_H
 #define ASM_VECTOR_VIEW_H
 

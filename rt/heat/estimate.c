@@ -1,4 +1,4 @@
-/* estimate.c - means and ratios with their standard errors. */
+/* estimate.c - computes means and ratios with their standard errors. */
 #include "rt/heat/estimate.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* estimate.h - means and ratios of independent repeats, with their standard
+/* estimate.h - computes means and ratios of independent repeats, with their standard
  * errors. */
 #ifndef RT_ESTIMATE_H
 #define RT_ESTIMATE_H

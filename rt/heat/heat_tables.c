@@ -1,4 +1,5 @@
-/* heat_tables.c - the results of a heat computation as tables. */
+/* heat_tables.c - converts the areas, factors and flows of a heat computation to
+ * tables. */
 #include "rt/heat/heat_tables.h"
 
 #include <math.h>

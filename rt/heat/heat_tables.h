@@ -1,5 +1,5 @@
-/* heat_tables.h - the results of a heat computation as tables. All functions that
- * return a table return NULL if out of memory. */
+/* heat_tables.h - converts the areas, factors and flows of a heat computation to
+ * tables. All functions that return a table return NULL if out of memory. */
 #ifndef RT_HEAT_TABLES_H
 #define RT_HEAT_TABLES_H
 

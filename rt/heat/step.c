@@ -1,4 +1,4 @@
-/* step.c - the names and the clocks of the steps. */
+/* step.c - names the steps of a heat computation, and sums the clocks of each step. */
 #include "rt/heat/step.h"
 
 static const char *const names[HEAT_STEPS] = {

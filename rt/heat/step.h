@@ -1,5 +1,5 @@
-/* step.h - the steps of computing a packet of rays or lines, and of the computations
- * after all packets. */
+/* step.h - the steps of a heat computation, and the clocks of each step: the steps of a
+ * packet of rays or lines, and the steps after all packets. */
 #ifndef RT_HEAT_STEP_H
 #define RT_HEAT_STEP_H
 

@@ -1,4 +1,5 @@
-/* bounding.h - which bounding volumes the machine tests before primitives. */
+/* bounding.h - the choice of the bounding volumes that the machine tests before
+ * primitives. */
 #ifndef RT_BOUNDING_H
 #define RT_BOUNDING_H
 

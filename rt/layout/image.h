@@ -1,4 +1,5 @@
-/* image.h - the contents of memory at the start of a program.
+/* image.h - collects the contents of memory at the start of a program, and loads them
+ * into machines.
  *
  * A scene is converted to words only once. Each machine that traces a part of the frame
  * gets a copy.

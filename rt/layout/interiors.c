@@ -1,4 +1,4 @@
-/* interiors.c - numbers the bodies that rays can be in. */
+/* interiors.c - numbers the bodies that can contain a ray. */
 #include "rt/layout/interiors.h"
 
 #include <math.h>

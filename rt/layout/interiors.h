@@ -1,4 +1,4 @@
-/* interiors.h - numbers the bodies that rays can be in, and writes their table in
+/* interiors.h - numbers the bodies that can contain a ray, and writes their table in
  * the order of rt/kernels/light/interior.s. */
 #ifndef RT_LAYOUT_INTERIORS_H
 #define RT_LAYOUT_INTERIORS_H

@@ -1,4 +1,4 @@
-/* surface.c - the light that a surface transmits and reflects. */
+/* surface.c - computes the fractions of light that a surface transmits and reflects. */
 #include "rt/layout/surface.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* surface.h - the light that a surface transmits and reflects. */
+/* surface.h - computes the fractions of light that a surface transmits and reflects,
+ * from its pigment and finish. */
 #ifndef RT_SURFACE_H
 #define RT_SURFACE_H
 

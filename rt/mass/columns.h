@@ -1,4 +1,5 @@
-/* columns.h - sums over columns through solids, computed on machines.
+/* columns.h - computes the moments of solids on machines, as sums over columns: the
+ * rays of three views.
  *
  * A view looks along one of the axes x, y and z. It has 2^rays_log parallel rays
  * through the box around the scene's bodies, at points of a lattice, a grid or the

@@ -1,4 +1,5 @@
-/* densities.c - assigns densities to a scene's parts. */
+/* densities.c - assigns a density to each part of a scene, by the name of the part or
+ * of its material. */
 #include "rt/mass/densities.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* densities.h - the densities of a scene's parts. */
+/* densities.h - assigns a density to each part of a scene. */
 #ifndef RT_DENSITIES_H
 #define RT_DENSITIES_H
 

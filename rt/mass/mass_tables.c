@@ -1,4 +1,4 @@
-/* mass_tables.c - the mass properties of a scene as tables. */
+/* mass_tables.c - converts the mass properties of a scene to tables. */
 #include "rt/mass/mass_tables.h"
 
 #include <math.h>

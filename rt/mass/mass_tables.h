@@ -1,5 +1,5 @@
-/* mass_tables.h - the mass properties of a scene as tables. All functions return NULL
- * if out of memory. */
+/* mass_tables.h - converts the mass properties of a scene to tables. All functions
+ * return NULL if out of memory. */
 #ifndef RT_MASS_TABLES_H
 #define RT_MASS_TABLES_H
 

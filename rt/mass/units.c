@@ -1,4 +1,4 @@
-/* units.c - the units of lengths and masses. */
+/* units.c - parses, converts and formats the units of lengths and masses. */
 #include "rt/mass/units.h"
 
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* units.h - the units of reported lengths and masses.
+/* units.h - parses, converts and formats the units of reported lengths and masses.
  *
  * Without units, lengths are in the unit of the scene, and a density is a mass per cube
  * of this unit. With units, densities are in grams per cubic centimetre, as in tables

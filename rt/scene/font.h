@@ -1,4 +1,4 @@
-/* font.h - the outlines of characters, from the bytes of a font file.
+/* font.h - extracts the outlines of characters from the bytes of a font file.
  *
  * FreeType reads the file. Its library is loaded when the first font is opened. Lengths
  * are in the em of the font. The x axis points right and the y axis up; the origin is

@@ -1,4 +1,5 @@
-/* palette.h - image files with a colour table. */
+/* palette.h - replaces the colours of the colour table in an image file by their
+ * indices, so that the indices can be read as heights. */
 #ifndef RT_SCENE_PALETTE_H
 #define RT_SCENE_PALETTE_H
 

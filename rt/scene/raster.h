@@ -1,4 +1,4 @@
-/* raster.h - image files as arrays of integer samples.
+/* raster.h - reads image files as arrays of integer samples.
  *
  * PGM and PPM are read here. All other formats are read by a raster_reader of the
  * caller: the adapter to OpenImageIO (rt/picture/picture.h), which is optional.

@@ -1,4 +1,4 @@
-/* spline.h - splines: values interpolated between given points. */
+/* spline.h - evaluates splines, which interpolate values between given points. */
 #ifndef RT_SCENE_SPLINE_H
 #define RT_SCENE_SPLINE_H
 

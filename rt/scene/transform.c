@@ -1,4 +1,4 @@
-/* transform.c - affine maps and their inverses. */
+/* transform.c - composes, inverts and applies affine maps. */
 #include "rt/scene/transform.h"
 
 #include "rt/scene/elementary.h"

@@ -1,4 +1,4 @@
-/* transform.h - affine maps of a scene file.
+/* transform.h - composes, inverts and applies the affine maps of a scene.
  *
  * Each step (translate, rotate, ..) is stored with its inverse. The inverse is computed
  * from the arguments of the step, and is therefore as accurate as the step.

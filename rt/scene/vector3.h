@@ -1,4 +1,4 @@
-/* vector3.h - vectors of doubles, mostly of three components. */
+/* vector3.h - arithmetic on vectors of doubles, mostly of three components. */
 #ifndef RT_SCENE_VECTOR3_H
 #define RT_SCENE_VECTOR3_H
 

@@ -1,4 +1,4 @@
-/* axis.h - orthonormal frames of shapes that have an axis. */
+/* axis.h - computes orthonormal frames for shapes that have an axis. */
 #ifndef RT_AXIS_H
 #define RT_AXIS_H
 

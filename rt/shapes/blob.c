@@ -1,4 +1,5 @@
-/* blob.c - the descriptor of blobs. */
+/* blob.c - the descriptor of blobs: checks their arguments, computes their bounds and
+ * the words of their records, and names their kernels. */
 #include "rt/shapes/blob.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* blob.h - sizes of blobs, which the kernels are assembled with. */
+/* blob.h - counts the pieces of blobs along a ray, for which the kernels reserve
+ * space. */
 #ifndef RT_BLOB_H
 #define RT_BLOB_H
 

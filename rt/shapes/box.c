@@ -1,4 +1,5 @@
-/* box.c - the descriptor of boxes. */
+/* box.c - the descriptor of boxes: checks their arguments, computes their bounds and
+ * the words of their records, and names their kernels. */
 #include "rt/shapes/shape.h"
 
 #include <math.h>

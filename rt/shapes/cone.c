@@ -1,4 +1,5 @@
-/* cone.c - the descriptor of cones. */
+/* cone.c - the descriptor of cones: checks their arguments, computes their bounds and
+ * the words of their records, and names their kernels. */
 #include "rt/shapes/shape.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* cylinder.c - the descriptor of cylinders. */
+/* cylinder.c - the descriptor of cylinders: checks their arguments, computes their
+ * bounds and the words of their records, and names their kernels. */
 #include "rt/shapes/axis.h"
 #include "rt/shapes/shape.h"
 

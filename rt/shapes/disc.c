@@ -1,4 +1,5 @@
-/* disc.c - the descriptor of discs. */
+/* disc.c - the descriptor of discs: checks their arguments, computes their bounds and
+ * the words of their records, and names their kernels. */
 #include "rt/shapes/shape.h"
 
 #include "rt/scene/vector3.h"

@@ -1,4 +1,5 @@
-/* elliptical_torus.c - the descriptor of elliptical tori. */
+/* elliptical_torus.c - the descriptor of elliptical tori: checks their arguments,
+ * computes their bounds and the words of their records, and names their kernels. */
 #include "rt/shapes/shape.h"
 
 #include "rt/shapes/tori.h"

@@ -1,5 +1,5 @@
-/* emitter.h - the data with which the kernels of emission (rt/kernels/heat) sample the
- * surface of a shape.
+/* emitter.h - builds the data with which the kernels of emission (rt/kernels/heat)
+ * sample the surface of a shape.
  *
  * A kernel samples the surface in its own space. The surface is a unit sphere, a torus,
  * or a list of pieces: frusta about the y axis, or triangles.

@@ -1,4 +1,5 @@
-/* lathe.c - the descriptor of lathes. */
+/* lathe.c - the descriptor of lathes: checks their arguments, computes their bounds and
+ * the words of their records, and names their kernels. */
 #include "rt/scene/elementary.h"
 #include "rt/shapes/shape.h"
 

@@ -1,4 +1,5 @@
-/* mesh.c - the descriptor of meshes. */
+/* mesh.c - the descriptor of meshes: checks their arguments, computes their bounds and
+ * the words of their records, and names their kernels. */
 #include "rt/shapes/mesh.h"
 #include "rt/shapes/shape.h"
 

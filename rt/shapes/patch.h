@@ -1,4 +1,4 @@
-/* patch.h - quadratic triangular patches with weights.
+/* patch.h - tests whether a quadratic triangular patch with weights has an area.
  *
  * The homogeneous position at s, t, u (s + t + u = 1) is
  *

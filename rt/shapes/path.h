@@ -1,4 +1,5 @@
-/* path.h - closed loops of edges that are swept along y.
+/* path.h - walks over the edges of a prism's path, bounds the path, and counts the
+ * crossings of a line with it.
  *
  * A path is a list of loops of points in x and z. Each loop ends with its first point.
  * If the edges are curves, there is one handle between the two corners of an edge.

@@ -1,4 +1,5 @@
-/* plane.c - the descriptor of planes. */
+/* plane.c - the descriptor of planes: checks their arguments, computes the words of
+ * their records, and names their kernels. */
 #include "rt/shapes/shape.h"
 
 #include "rt/scene/transform.h"

@@ -1,4 +1,5 @@
-/* prism.c - the descriptor of prisms with straight edges. */
+/* prism.c - the descriptor of prisms with straight edges: checks their arguments,
+ * computes their bounds and the words of their records, and names their kernels. */
 #include "rt/scene/elementary.h"
 #include "rt/shapes/path.h"
 #include "rt/shapes/shape.h"

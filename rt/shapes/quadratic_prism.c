@@ -1,4 +1,6 @@
-/* quadratic_prism.c - the descriptor of prisms with parabolic edges. */
+/* quadratic_prism.c - the descriptor of prisms with parabolic edges: checks their
+ * arguments, computes their bounds and the words of their records, and names their
+ * kernels. */
 #include "rt/shapes/path.h"
 #include "rt/shapes/shape.h"
 

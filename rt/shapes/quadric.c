@@ -1,4 +1,5 @@
-/* quadric.c - the descriptor of quadrics. */
+/* quadric.c - the descriptor of quadrics: checks their arguments, computes the words of
+ * their records, and names their kernels. */
 #include "rt/shapes/shape.h"
 
 #include "rt/shapes/singular.h"

@@ -1,4 +1,6 @@
-/* quartic.c - the descriptor of quartics, and the checks of polynomial surfaces. */
+/* quartic.c - the descriptor of quartics: computes the words of their records, and
+ * names their kernels. Also checks the coefficients of all polynomial surfaces
+ * (terms.h). */
 #include "rt/shapes/shape.h"
 
 #include <math.h>

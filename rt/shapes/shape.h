@@ -1,4 +1,5 @@
-/* shape.h - the descriptor of a kind of primitive.
+/* shape.h - the descriptor of a kind of primitive, through which all other code handles
+ * the primitive.
  *
  * Each kind has one descriptor, in its own file. It has the arguments in the scene
  * language, the bound, the words for the machine, and the routines among the kernels.

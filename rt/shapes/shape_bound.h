@@ -1,4 +1,4 @@
-/* shape_bound.h - bounding spheres and boxes of primitives. */
+/* shape_bound.h - computes bounding spheres and boxes of primitives. */
 #ifndef RT_SHAPE_BOUND_H
 #define RT_SHAPE_BOUND_H
 

@@ -1,4 +1,4 @@
-/* shape_words.h - the data of a primitive for its kernels.
+/* shape_words.h - computes the data of a primitive that its kernels read.
  *
  * The data consists of the words in the primitive's record, the names and limits of its
  * routines, and the words of its table. Computing the table may take long.

@@ -1,4 +1,5 @@
-/* sphere.c - the descriptor of spheres. */
+/* sphere.c - the descriptor of spheres: checks their arguments, computes their bounds
+ * and the words of their records, and names their kernels. */
 #include "rt/shapes/shape.h"
 
 #include "rt/scene/vector3.h"

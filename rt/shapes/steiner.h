@@ -1,4 +1,4 @@
-/* steiner.h - the data of a Steiner patch for its kernels.
+/* steiner.h - computes the data of a Steiner patch that its kernels read.
  *
  * The points of the patch are relative to its centre. The weights are normalised so
  * that all corners have the same weight. The corners are ordered as the kernel needs

@@ -1,4 +1,5 @@
-/* steiner_patch.c - the descriptor of Steiner patches. */
+/* steiner_patch.c - the descriptor of Steiner patches: checks their arguments, computes
+ * their bounds and the words of their records, and names their kernels. */
 #include "rt/shapes/shape.h"
 
 #include <string.h>

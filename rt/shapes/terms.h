@@ -1,4 +1,5 @@
-/* terms.h - surfaces that are defined by the coefficients of a polynomial. */
+/* terms.h - checks and scales the surfaces that are defined by the coefficients of a
+ * polynomial. */
 #ifndef RT_TERMS_H
 #define RT_TERMS_H
 

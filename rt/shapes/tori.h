@@ -1,4 +1,5 @@
-/* tori.h - bounds and words of circular and elliptical tori about the y axis. */
+/* tori.h - computes the bounds and the record words of circular and elliptical tori
+ * about the y axis. */
 #ifndef RT_TORI_H
 #define RT_TORI_H
 

@@ -1,4 +1,5 @@
-/* torus.c - the descriptor of tori. */
+/* torus.c - the descriptor of tori: checks their arguments, computes their bounds and
+ * the words of their records, and names their kernels. */
 #include "rt/shapes/shape.h"
 
 #include <math.h>

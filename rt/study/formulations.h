@@ -1,5 +1,5 @@
-/* formulations.h - a table of Table 1's cylinder in several formulations, with their
- * times and the times of the paper. */
+/* formulations.h - makes a table of Table 1's cylinder in several formulations, with
+ * their times and the times of the paper. */
 #ifndef RT_FORMULATIONS_H
 #define RT_FORMULATIONS_H
 

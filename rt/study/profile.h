@@ -1,5 +1,5 @@
-/* profile.h - the cost of each part of a frame in the three stages of the tracer:
- * scalar, the paper's stage, vector. */
+/* profile.h - measures the cost of each part of a frame in the three stages of the
+ * tracer: scalar, the paper's stage, vector. */
 #ifndef RT_PROFILE_H
 #define RT_PROFILE_H
 

@@ -1,4 +1,4 @@
-/* speedup_report.c - the results of rt205 speedup as tables. */
+/* speedup_report.c - converts the results of rt205 speedup to tables. */
 #include "rt/study/speedup_report.h"
 
 #include <math.h>

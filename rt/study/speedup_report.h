@@ -1,4 +1,4 @@
-/* speedup_report.h - the results of rt205 speedup as tables.
+/* speedup_report.h - converts the results of rt205 speedup to tables.
  *
  * The same tables are printed in several formats and written as JSON.
  */

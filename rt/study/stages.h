@@ -1,5 +1,5 @@
-/* stages.h - the cost of each step of a computation in its three stages: scalar; vector
- * kernels in scalar programs, as in 1984; vector. */
+/* stages.h - compares the cost of each step of a computation in its three stages:
+ * scalar; vector kernels in scalar programs, as in 1984; vector. */
 #ifndef RT_STAGES_H
 #define RT_STAGES_H
 

@@ -1,5 +1,5 @@
-/* band_words.h - a band as a sequence of words, for files and for messages to other
- * processes. */
+/* band_words.h - converts a band to a sequence of words and back, for files and for
+ * messages to other processes. */
 #ifndef RT_BAND_WORDS_H
 #define RT_BAND_WORDS_H
 

@@ -1,5 +1,5 @@
-/* spans.h - loops over spans of words, for the files that define the functions of
- * lanes.h.
+/* spans.h - defines loops over spans of words, for the files that define the functions
+ * of lanes.h.
  */
 #ifndef C205_SPANS_H
 #define C205_SPANS_H

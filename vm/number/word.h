@@ -1,4 +1,5 @@
-/* word.h - a word as a number: its parts and classes.
+/* word.h - extracts the exponent, the coefficient and the class of a word, and composes
+ * words.
  *
  * See c205_word.h for the format of 64 bits. A number of another format is in the high
  * bits of a c205_word, followed by zeros:

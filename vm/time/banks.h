@@ -1,4 +1,4 @@
-/* banks.h - the delays of gather and scatter by memory banks.
+/* banks.h - computes the delays of gather and scatter by busy memory banks.
  *
  * Word w is in bank w mod count. An access makes its bank busy for some clocks (80 ns,
  * from a primary source). An access to a busy bank waits, and so do all later accesses.

@@ -1,4 +1,5 @@
-/* pages.h - the pages in real memory and in the associative registers.
+/* pages.h - finds the translation misses and page faults of accesses. It stores which
+ * pages are in real memory and in the associative registers.
  *
  * The registers are in move-to-front order (primary source). Real memory drops its
  * least recently used page (reconstructed). Both depend on the same references, so one

@@ -1,4 +1,4 @@
-/* projection.h - the time that another machine would take for a program.
+/* projection.h - computes the time that another machine would take for a program.
  *
  * The program runs on this machine. Each scalar instruction that it executes is charged
  * the other machine's time for the same operation. The other machine is not emulated,

@@ -1,4 +1,5 @@
-/* recording.h - records the input of the clock during a run; see c205_time.h. */
+/* recording.h - records the input of the clock during a run: each executed instruction
+ * and its effect; see c205_time.h. */
 #ifndef C205_RECORDING_H
 #define C205_RECORDING_H
 

@@ -1,4 +1,5 @@
-/* schedule.h - a cache of the costs of blocks of scalar instructions.
+/* schedule.h - stores the costs of blocks of scalar instructions, and charges them when
+ * a block runs again.
  *
  * The cost of a block and the state in flight after it depend only on the state in
  * flight before it and on where and how control leaves it. This holds while the vector

@@ -1,4 +1,4 @@
-/* array.c - arrays of values. */
+/* array.c - allocates, copies and frees the arrays of a scene text. */
 #include "rt/scene/language/value.h"
 #include "vm/error.h"
 

@@ -1,4 +1,4 @@
-/* array_element.h - arrays and their elements. */
+/* array_element.h - parses arrays and the indices of their elements. */
 #ifndef RT_SCENE_ELEMENT_H
 #define RT_SCENE_ELEMENT_H
 

@@ -1,4 +1,4 @@
-/* choice.c - #switch, #case and #range.
+/* choice.c - executes #switch, #case and #range.
  *
  * The first matching case is read. As in POV-Ray, all cases after it and the #else are
  * read too, up to a #break.

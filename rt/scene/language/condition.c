@@ -1,4 +1,4 @@
-/* condition.c - #if, #ifdef, #ifndef, #elseif, #else, #end and #break. */
+/* condition.c - executes #if, #ifdef, #ifndef, #elseif, #else, #end and #break. */
 #include "rt/scene/language/condition.h"
 
 #include "rt/scene/language/scene_expression.h"

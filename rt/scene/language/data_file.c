@@ -1,4 +1,5 @@
-/* data_file.c - #fopen, #read, #write, #fclose: values from files.
+/* data_file.c - executes #fopen, #read, #write and #fclose, which read values from
+ * files.
  *
  * A file is found as by #include, and read value by value: floats, vectors and strings,
  * with or without commas in between. After the last value its name is undeclared, as in

@@ -1,4 +1,4 @@
-/* declare.c - #declare, #local, #undef, and the values of names. */
+/* declare.c - executes #declare, #local and #undef, and parses the values of names. */
 #include "rt/scene/language/declare.h"
 
 #include "rt/scene/language/scene_expression.h"

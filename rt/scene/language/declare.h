@@ -1,4 +1,4 @@
-/* declare.h - assigns values to names: #declare, #local, #undef. */
+/* declare.h - executes #declare, #local and #undef, which assign values to names. */
 #ifndef RT_SCENE_DECLARE_H
 #define RT_SCENE_DECLARE_H
 

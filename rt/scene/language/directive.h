@@ -1,4 +1,4 @@
-/* directive.h - the directives: words after '#'. */
+/* directive.h - executes the directives, which are words after '#'. */
 #ifndef RT_SCENE_DIRECTIVE_H
 #define RT_SCENE_DIRECTIVE_H
 

@@ -1,4 +1,4 @@
-/* formula.h - functions that a scene declares.
+/* formula.h - parses and evaluates the functions that a scene declares.
  *
  *     #declare Wave = function(x, y) { sin(x)*exp(-y*y) };
  *

@@ -1,4 +1,5 @@
-/* function.c - the functions of expressions.
+/* function.c - evaluates the functions of floats and vectors in expressions, such as
+ * sin and vcross.
  *
  * For an argument outside of its domain, a function returns NaN or infinity. The
  * expression parser then reports an error.

@@ -1,4 +1,4 @@
-/* heights.h - height data of an image or a function. */
+/* heights.h - reads the heights of a height field, from an image or a function. */
 #ifndef RT_SCENE_HEIGHTS_H
 #define RT_SCENE_HEIGHTS_H
 

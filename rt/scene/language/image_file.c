@@ -1,4 +1,4 @@
-/* image_file.c - reads image files that a scene names. */
+/* image_file.c - finds, reads and decodes the image files that a scene names. */
 #include "rt/scene/language/image_file.h"
 
 #include "rt/scene/language/string_value.h"

@@ -1,4 +1,4 @@
-/* image_file.h - image files that a scene names. */
+/* image_file.h - finds, reads and decodes the image files that a scene names. */
 #ifndef RT_SCENE_IMAGE_FILE_H
 #define RT_SCENE_IMAGE_FILE_H
 

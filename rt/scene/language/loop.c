@@ -1,4 +1,4 @@
-/* loop.c - #while and #for. */
+/* loop.c - executes #while and #for. */
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/declare.h"
 #include "rt/scene/language/scene_expression.h"

@@ -1,4 +1,4 @@
-/* pattern.h - the patterns of pigments and textures.
+/* pattern.h - parses the patterns of pigments and textures.
  *
  * rt/scene/patterns.def lists the patterns that pigments and normals support. For all
  * others, and in textures, the first colour or the first texture is used.

@@ -1,4 +1,5 @@
-/* query.c - functions of strings, files, names, arrays and random numbers. */
+/* query.c - evaluates the functions of strings, files, names, arrays and random
+ * streams, whose value is a float. */
 #include "rt/scene/language/scene_expression.h"
 
 #include "base/array.h"

@@ -1,4 +1,4 @@
-/* scene_block.h - blocks: `{`, keywords with their arguments, `}`.
+/* scene_block.h - parses blocks by grammars: `{`, keywords with their arguments, `}`.
  *
  * A grammar consists of a few tables of keywords. A row has one or more keywords, and
  * the function that reads their arguments into the subject of the block. If the

@@ -1,4 +1,5 @@
-/* scene_expression.h - floats, vectors and colours. */
+/* scene_expression.h - parses and evaluates the expressions of a scene: floats, vectors
+ * and colours. */
 #ifndef RT_SCENE_EXPRESSION_H
 #define RT_SCENE_EXPRESSION_H
 

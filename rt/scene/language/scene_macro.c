@@ -1,4 +1,4 @@
-/* scene_macro.c - #macro, and calls of macros.
+/* scene_macro.c - defines macros (#macro), and executes calls of macros.
  *
  * A call of a macro is replaced by the macro's body. The parameters are names at a
  * level of their own. An argument that is only a name or an element is passed by

@@ -1,4 +1,4 @@
-/* scene_read.h - scenes from files in POV-Ray's language (docs/scenes.md). */
+/* scene_read.h - reads scenes from files in POV-Ray's language (docs/scenes.md). */
 #ifndef RT_SCENE_READ_H
 #define RT_SCENE_READ_H
 

@@ -1,4 +1,5 @@
-/* scene_unit.h - the unit of length in which a scene is traced. */
+/* scene_unit.h - chooses the unit of length in which a scene is traced, and scales the
+ * scene. */
 #ifndef RT_SCENE_UNIT_H
 #define RT_SCENE_UNIT_H
 

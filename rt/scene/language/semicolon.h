@@ -1,4 +1,5 @@
-/* semicolon.h - the ';' that ends the numbers of a declaration.
+/* semicolon.h - finds, inserts or reports the ';' that ends the numbers of a
+ * declaration.
  *
  * An expression may continue after a directive or a macro, so only a ';' definitely
  * ends a value. If it is missing, the value ends before the directive or macro. The

@@ -1,4 +1,4 @@
-/* string_value.h - string expressions.
+/* string_value.h - parses and evaluates string expressions.
  *
  * A string has up to STRING_LONGEST bytes. In the text it is quoted and has escapes as
  * in C; \uXXXX becomes UTF-8. The caller frees a string. After the last token of a

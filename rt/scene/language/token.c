@@ -1,4 +1,4 @@
-/* token.c - the lexer. */
+/* token.c - the lexer of scene texts: splits the bytes of a file into tokens. */
 #include "rt/scene/language/token.h"
 #include "vm/error.h"
 

@@ -1,4 +1,4 @@
-/* value.c - operations on numbers and values. */
+/* value.c - widens, copies and frees the values of a scene text. */
 #include "rt/scene/language/value.h"
 
 #include "rt/scene/spline.h"

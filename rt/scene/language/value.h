@@ -1,4 +1,5 @@
-/* value.h - the values of names in a scene file. */
+/* value.h - the values that a name in a scene file can have, from floats to cameras,
+ * and operations on them. */
 #ifndef RT_SCENE_VALUE_H
 #define RT_SCENE_VALUE_H
 

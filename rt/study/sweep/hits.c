@@ -1,4 +1,4 @@
-/* hits.c - sweeps the fraction of rays that hit.
+/* hits.c - measures the cost of a ray as a function of the fraction of rays that hit.
  *
  * A scout frame finds the pixels where rays hit the primitive. The narrow frames that
  * are measured have the size of its largest square of hits, reduced a little. The eye

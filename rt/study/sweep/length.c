@@ -1,4 +1,4 @@
-/* length.c - sweeps the length of the vectors.
+/* length.c - measures the cost of a ray as a function of the length of the vectors.
  *
  * The frame is one row across the centre, with as many rays as the queue length, so
  * that all work per queue is done once. Page faults do not count, because such a short

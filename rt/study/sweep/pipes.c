@@ -1,4 +1,5 @@
-/* pipes.c - sweeps the number of pipes, with operands of 64 and 32 bits. */
+/* pipes.c - measures the cost of a ray as a function of the number of pipes, with
+ * operands of 64 and 32 bits. */
 #include <math.h>
 
 #include "vm/error.h"

@@ -1,4 +1,5 @@
-/* queue.c - sweeps the length of the queue of a whole frame. */
+/* queue.c - measures the cost of a ray as a function of the length of the queue, for a
+ * whole frame. */
 #include <math.h>
 
 #include "vm/error.h"

@@ -1,4 +1,5 @@
-/* sweep_report.c - the results of a sweep as text, JSON and a plot. */
+/* sweep_report.c - prints the results of a sweep as text and JSON, and draws its
+ * plot. */
 #include "rt/study/sweep/sweep_report.h"
 
 #include <stdarg.h>

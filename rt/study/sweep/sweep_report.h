@@ -1,4 +1,4 @@
-/* sweep_report.h - the results of a sweep as text, JSON and a plot.
+/* sweep_report.h - prints the results of a sweep as text and JSON, and draws its plot.
  *
  * A report consists of tables, and of lines of text with numbers. All of them are
  * computed from the measures.
