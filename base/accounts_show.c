@@ -212,7 +212,8 @@ static struct table *widest(const struct accounts *accounts, size_t first,
     return table;
 }
 
-/* Prints one matrix, or several in sequence. */
+/* Prints the matrix of causes and regions. If it is wider than the output, prints
+ * several matrices, each with some of the regions. */
 static int show_parts(const struct accounts *accounts,
                       const struct command_output *results)
 {

@@ -31,7 +31,7 @@ void axis_round(struct axis *axis);
 
 /* Returns the position of a value: 0 at the low end, 1 at the high end. */
 double axis_place(const struct axis *axis, double value);
-/* Returns the value at a position. */
+/* Returns the value at a position on the axis, the inverse of axis_place. */
 double axis_value(const struct axis *axis, double place);
 /* Formats a number for a label, as in "16,384". */
 void axis_label(char label[AXIS_LABEL_SIZE], double value);

@@ -7,7 +7,7 @@
 
 #include "vm/min_max.h"
 
-/* Longer words have no suggestions. */
+/* Words with more letters than this get no suggestion. */
 enum { MAX_LETTERS = 40 };
 
 static bool equal(char a, char b)

@@ -69,7 +69,7 @@ const char *table_remark(enum table_format format);
  * dialect of GitHub. Returns false if the host is out of memory or was while the table
  * was filled. */
 bool table_write(const struct table *table, enum table_format format, FILE *file);
-/* Writes a table in plain format. */
+/* Writes a table as text with aligned columns. */
 bool table_print(const struct table *table, FILE *file);
 /* Writes an array of objects, one for each row. Returns false and writes nothing if the
  * host was out of memory while the table was filled. */

@@ -19,7 +19,7 @@ bool text_clean(char *text, size_t *length, c205_error *error);
 
 /* Returns a text of a table by its name, or NULL. The table is part of the program. */
 const struct text *text_find(const struct text *table, const char *name);
-/* Writes the lines of such a text. */
+/* Writes the lines of a text of the program to a sink. */
 void text_put(const struct text *text, const struct sink *sink);
 
 /* The state of reading a text line by line, also from a pipe or a terminal. It must be

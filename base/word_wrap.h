@@ -13,7 +13,7 @@ enum { WORD_WRAP_WIDTH = 100 };
  * continues on the next line in the same column. A text whose column is too far to the
  * right is not wrapped. */
 void word_wrap_print(const char *text, size_t column, FILE *file);
-/* Writes a text like word_wrap_print. */
+/* Writes a text to a sink, with the line breaks of word_wrap_print. */
 void word_wrap_put(const char *text, size_t column, const struct sink *sink);
 
 #endif

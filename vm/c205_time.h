@@ -56,7 +56,7 @@ void c205_reset_clock(c205 *machine);
 
 /* ---- The times of an instruction ----------------------------------------- */
 
-/* What an instruction waits for. */
+/* The reasons for which an instruction waits. */
 typedef enum c205_wait {
     C205_WAIT_NONE,     /* no wait: work of the instruction */
     C205_WAIT_REGISTER, /* a register by number: its source is not ready, or its result

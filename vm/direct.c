@@ -6,7 +6,7 @@
 #include "vm/number/pairs.h"
 #include "vm/vector.h"
 
-/* The destination of the result. */
+/* The destination of the result in the host's memory, with its control vector. */
 struct direct_result {
     struct c205 *machine;
     size_t n;
@@ -167,7 +167,7 @@ static inline void compare_chunk(const struct direct_result *result,
                       n);
 }
 
-/* Computes n elements, which are all permitted. */
+/* Computes n elements, all of which the control vector permits. */
 static inline void operate_all(struct c205 *machine, const struct operation *operation,
                                c205_word *c, const c205_word *a, const c205_word *b,
                                size_t n)

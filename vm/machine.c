@@ -127,7 +127,7 @@ static void set_trap(struct c205 *machine, c205_trap trap, const c205_insn *insn
     machine->rule = RULE_NONE;
 }
 
-/* Stops between two instructions. */
+/* Stops the run between two instructions, and notifies the listeners. */
 static bool stop_between(struct c205 *machine, c205_trap why, uint64_t address,
                          c205_stop *stop)
 {

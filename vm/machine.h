@@ -234,7 +234,7 @@ static inline c205_trap machine_fault(struct c205 *machine, c205_trap trap,
  * the trap has no rule (vm/stop_text.c). */
 const char *machine_broken_rule(const struct c205 *machine, c205_trap trap);
 
-/* Discards an interrupted instruction. */
+/* Discards the resume state of an interrupted vector instruction. */
 void machine_clear_resume(struct c205 *machine);
 
 /* The functions that execute the instructions of insn.def. */

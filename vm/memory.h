@@ -59,9 +59,9 @@ struct memory {
 
 /* Initialises the memory of a machine. The struct must be zeroed. */
 void memory_init(struct memory *memory);
-/* Unmaps everything. Decoded code becomes invalid. */
+/* Unmaps all pages. Decoded code becomes invalid. */
 void memory_clear(struct memory *memory);
-/* Unmaps everything and frees the spare pages. */
+/* Unmaps all pages and frees the spare pages. */
 void memory_free(struct memory *memory);
 /* Maps pages. Pages that were mapped before retain their words and get the new
  * access. */
@@ -175,7 +175,8 @@ static inline size_t memory_word_index(uint64_t address)
     return address / WORD_BITS % C205_PAGE_WORDS;
 }
 
-/* Load or store one word, with checks. */
+/* Load or store one word, after checks of its alignment and page, and for a store of
+ * the access. */
 static inline c205_trap memory_load(const struct memory *memory, uint64_t address,
                                     c205_word *word)
 {

@@ -37,12 +37,13 @@ c205_trap stream_describe_sources(struct stream *stream, struct c205 *machine,
                                   const struct decoded *decoded);
 /* Sets n to the length of A. If A is broadcast, n is the length of B. */
 c205_trap stream_take_length(struct stream *stream, const struct decoded *decoded);
-/* Claims all operands and sets the chunk. */
+/* Claims all operands, and sets the number of elements that are processed at a time,
+ * the chunk. */
 c205_trap stream_claim(struct stream *stream);
 /* Claims the sources and sets the chunk, if the result is a register or is not
  * stored. */
 c205_trap stream_claim_sources(struct stream *stream);
-/* Describes and claims the operands. */
+/* Describes and claims all operands of an instruction. */
 c205_trap stream_open(struct stream *stream, struct c205 *machine,
                       const struct decoded *decoded);
 /* Describes and claims the operands of an instruction that reads all of B for each

@@ -29,7 +29,7 @@ bool check_read_lesson(struct lesson *lesson, const char *path, c205_error *erro
 /* Grades a file. The error does not contain its name. */
 bool check_grade(const struct lesson *lesson, const char *path,
                  struct lesson_verdict *verdict, c205_error *error);
-/* Appends all sentences as one line. */
+/* Appends all sentences of a report to a buffer, as one line. */
 void check_join(struct text_buffer *buffer, const struct lesson_report *report);
 
 /* Print all lessons, print one lesson with its tests, and write the program of a lesson

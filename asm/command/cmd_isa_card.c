@@ -11,7 +11,8 @@
 /* Operands beyond this length may extend beyond their column. */
 enum { MAX_OPERANDS = 14 };
 
-/* Texts that a sign replaces in print. */
+/* Texts of the instruction table, with the mathematical signs of groff that replace
+ * them on the card. */
 static const struct {
     const char *written, *set;
 } signs[] = {

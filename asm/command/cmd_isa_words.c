@@ -205,7 +205,8 @@ static bool must_have_control(const c205_insn *insn)
     return strchr(c205_format_syntax(insn->format), '!') != NULL;
 }
 
-/* Formats whose length has a special rule. */
+/* Formats whose number of elements follows a special rule, and the sentence that states
+ * it. */
 static const struct {
     c205_format format;
     const char *length, *clocked;
@@ -229,7 +230,8 @@ const char *isa_clocked(const c205_insn *insn)
     return "";
 }
 
-/* Describes the number of elements. */
+/* Returns the sentence that states the number of elements of an instruction, or "" for
+ * a scalar instruction. */
 static const char *length_rule(const c205_insn *insn)
 {
     if (!is_vector(insn))

@@ -134,7 +134,7 @@ void lesson_refuse(struct lesson_verdict *verdict, const struct lesson *lesson,
 void lesson_verdict_free(struct lesson_verdict *verdict);
 
 void lesson_verdict_put(const struct lesson_verdict *verdict, const struct sink *sink);
-/* Writes the members of an open object. */
+/* Writes the verdict as members of the JSON object that is open. */
 void lesson_verdict_json(const struct lesson_verdict *verdict, struct json *json);
 
 #endif

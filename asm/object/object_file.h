@@ -30,7 +30,7 @@ struct object *object_load(const char *path, c205_error *error);
 
 void object_write(const struct object *object, const struct sink *sink);
 struct object *object_read(const char *text, size_t length, c205_error *error);
-/* Checks that the program has instructions. */
+/* Checks that a program contains at least one instruction. If not, sets the error. */
 bool object_check(const struct object *object, c205_error *error);
 /* Returns true if a text begins like an object file. */
 bool object_recognise(const char *text, size_t length);

@@ -8,7 +8,7 @@
 /* Adds an item at the current address (layout.c). */
 struct layout_item *layout_add(struct cursor *cursor, enum item_kind kind,
                                uint64_t halves);
-/* Adds words with known values. */
+/* Adds words with known values at the current address. */
 bool layout_known(struct cursor *cursor, const c205_word *words, uint64_t count);
 /* Aligns the current address. Labels that wait for data move with it. */
 void layout_align(struct assembler *assembler, uint64_t bits);

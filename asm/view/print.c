@@ -19,7 +19,7 @@ static bool fetch(const struct printer *printer, const c205 *machine,
     return true;
 }
 
-/* The layout of numbers. */
+/* The layout of printed numbers, as register S of a print request specifies it. */
 struct number_columns {
     unsigned notation; /* 0: shortest; otherwise 1 + c205_notation */
     unsigned width;    /* minimum width; shorter numbers are padded with blanks */

@@ -140,7 +140,7 @@ static void print_result(const struct result *result,
         output_printf(results, "picture %s\n", args->shared.output);
 }
 
-/* Returns the results as a table. */
+/* Returns the results of a render as a table with one row. */
 static struct table *table_of(const struct result *result)
 {
     static const struct table_column columns[] = {

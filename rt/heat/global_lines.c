@@ -392,7 +392,7 @@ static bool are_counts(const struct global_work *work,
     return good && !look.failed;
 }
 
-/* Adds the whole packet, or nothing. */
+/* Adds the serialized result of a packet to the sums. After an error, adds nothing. */
 static bool take_unit(void *context, size_t unit, struct serialized_result *words,
                       c205_error *error)
 {

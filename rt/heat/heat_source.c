@@ -10,7 +10,8 @@
 #include "rt/layout/single_run.h"
 #include "rt/trace/form.h"
 
-/* The bound is enlarged by this factor. */
+/* The factor by which the radius of the sphere around the primitive exceeds its
+ * bound. */
 static const double larger = 1.001;
 
 struct heat_source {

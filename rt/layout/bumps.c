@@ -14,7 +14,8 @@ enum { CORNERS = 4, CORNER_WORDS = 6, HEIGHT_SIZE = 6 };
 #define BEYOND 4e30 /* greater than `big` of the kernels */
 #define STEP 1e-30  /* a smaller distance counts as 0 */
 
-/* The constants of POV-Ray, with its digits. */
+/* The directions in which POV-Ray samples heights for a normal: the corners of a
+ * tetrahedron, with POV-Ray's digits. */
 static const double corners[CORNERS][3] = {
     { .942809041, -.333333333, 0 },
     { -.471404521, -.333333333, .816496581 },

@@ -21,7 +21,7 @@ struct interiors {
     struct rank_index bodies; /* ranks of the scene's interior numbers */
     double *index;            /* refractive indices: first air, then the bodies */
 };
-/* Returns false if out of memory. */
+/* Numbers the bodies of a scene. Returns false if out of memory. */
 bool interiors_find(const struct scene *scene, struct interiors *interiors);
 void interiors_free(struct interiors *interiors);
 /* Returns the number of a primitive's body, or 0 if rays need not store it. */

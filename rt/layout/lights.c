@@ -77,7 +77,8 @@ static double weight_of(size_t first, size_t last, size_t at)
     return (weight_of(first, sum / 2, at) + weight_of((sum + 1) / 2, last, at)) / 2;
 }
 
-/* Returns a position from -.5 to .5. */
+/* Returns the position of point `at` of the `size` points along a side of an area
+ * light, from -.5 to .5. */
 static double place_on_side(size_t at, size_t size)
 {
     return size > 1 ? (double)at / (double)(size - 1) - .5 : 0;

@@ -10,7 +10,7 @@
 
 enum { MANY = 8 }; /* smaller lists are not grouped */
 
-/* The original scene and the nested one. */
+/* The state of the grouping: the original scene, and the nested scene that is built. */
 struct nesting {
     const struct scene *scene;
     const struct bound *bounds; /* bounds of the scene's nodes */

@@ -91,7 +91,7 @@ struct row record_row(const struct record *record)
     return (struct row){ record->address, record->size };
 }
 
-/* Calls go_on after every ASKED_EACH records. */
+/* Calls go_on after every ASKED_EACH records. If it returns false, the layout fails. */
 static void ask(struct record_layout *layout)
 {
     enum { ASKED_EACH = 4096 };

@@ -74,7 +74,7 @@ void record_check(struct record *record, const double *values, size_t count);
 void record_numbers(struct record *record, const char *name, const double *values,
                     size_t count);
 void record_integer(struct record *record, const char *name, size_t value);
-/* Accepts negative values. */
+/* Sets a field to an integer, which may be negative. */
 void record_signed(struct record *record, const char *name, int value);
 /* Reads words of a field that has been set. */
 void record_read(struct record *record, const char *name, c205_word *words,

@@ -54,7 +54,8 @@ static void put_shape_table(struct record *record, const struct primitive *primi
     free(words);
 }
 
-/* Returns P_ON_PATCH of a mesh. */
+/* Returns the value of P_ON_PATCH for a mesh, which states whether the mesh is
+ * invisible, and whether it has an outside. */
 static size_t mesh_sort(const struct primitive *primitive,
                         const struct shape_words *shape)
 {

@@ -189,7 +189,7 @@ static struct tree_term either(struct evaluation *evaluation, struct tree_term x
     return value;
 }
 
-/* Combines the top `count` values into one. */
+/* Combines the top `count` values of the stack into one by an operation. */
 static void join_terms(struct evaluation *evaluation, size_t count,
                        enum tree_operation operation)
 {

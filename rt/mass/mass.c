@@ -27,7 +27,7 @@ static bool take_densities(const struct mass *mass, struct named_values *densiti
     return good && named_add_scene(densities, mass->scene, error);
 }
 
-/* Sets the density of each part. */
+/* Reads the given densities, and sets the density of each part. */
 static bool weigh_parts(struct mass *mass, struct diagnostics *reports,
                         c205_error *error)
 {

@@ -12,7 +12,7 @@
 #include "rt/layout/single_run.h"
 #include "rt/scene/scene.h"
 
-/* A pair. parts[0] is the lower number. */
+/* Two parts that may overlap. parts[0] is the lower number. */
 struct overlap_pair {
     size_t parts[2];
 };

@@ -192,7 +192,7 @@ static int move_to(const FT_Vector *to, void *context)
                       (double)to->y * drawing->unit);
 }
 
-/* Converts a point to em. */
+/* Converts a point of an outline from font units to em. */
 static void point_of(const struct drawing *drawing, const FT_Vector *vector,
                      double point[2])
 {

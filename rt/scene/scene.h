@@ -33,7 +33,7 @@ struct camera {
     int lens_points;       /* least number of points on the lens for a pixel */
 };
 
-/* The largest value of lens_points. */
+/* The largest value of lens_points, the number of points of a camera's lens. */
 enum { MAX_LENS_POINTS = 256 };
 
 /* The directions in which a light shines: all directions, or a beam around the axis
@@ -208,7 +208,7 @@ struct bumps {
     struct transform to_local;    /* from world space to the space of the pattern */
     bool unscaled; /* this map does not scale the normals (no_bump_scale) */
 };
-/* Returns true if any normal is changed. */
+/* Returns true if the bumps change the normal at any point. */
 bool bumps_show(const struct bumps *bumps);
 
 /* Fog of constant density. The fraction 1/e of the light passes `distance` unchanged.

@@ -27,7 +27,7 @@ bool emitter_begin(struct emitter *emitter, const char *kernel, size_t most,
     return emitter->pieces && emitter->areas;
 }
 
-/* Returns the words of the next piece. */
+/* Adds a piece with an area. Returns its words, which the caller sets. */
 static double *next_piece(struct emitter *emitter, double area)
 {
     emitter->areas[emitter->piece_count] = area;

@@ -166,7 +166,7 @@ static void bound_cylinder(const struct primitive *primitive, struct bound *boun
     bound_hull(&hull, bound);
 }
 
-/* Bounds the circles of all points. */
+/* Bounds a lathe by the circles that the points of its path describe. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     const struct outline *path = &primitive->shape.lathe.path;

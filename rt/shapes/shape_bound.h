@@ -29,7 +29,7 @@ void hull_rings(struct hull *hull, const struct primitive *primitive,
                 const double base[3], double base_radius, const double cap[3],
                 double cap_radius);
 void bound_hull(const struct hull *hull, struct bound *bound);
-/* Sets only the box of the bound. */
+/* Sets only the box of the bound to the box around the hull. */
 void bound_hull_box(const struct hull *hull, struct bound *bound);
 
 /* Returns the greatest length, in world space, of a vector whose components divided by

@@ -69,7 +69,8 @@ const char *visible_name(enum visible method)
     return methods[method];
 }
 
-/* The default of MAX_CROSSINGS in the kernels. */
+/* The value of MAX_CROSSINGS with which kernels are assembled if no shape needs more
+ * crossings. */
 enum { CROSSINGS_USUAL = 6 };
 
 static bool is_orthographic(const struct scene *scene)

@@ -142,7 +142,8 @@ size_t trace_rows_done(const struct trace *trace);
  * frame. Colours are linear light: the machine's values raised to the power of the
  * scene's assumed_gamma. */
 void trace_read(const struct trace *trace, size_t first_row, struct frame *part);
-/* Does the same for a band (band_look). */
+/* Reads the samples of a band that is traced (band_look), as trace_read does for the
+ * frame. */
 void trace_read_band(const struct trace *trace, const struct band *band,
                      struct frame *part);
 /* Returns the samples of a channel in the machine's format, pixel by pixel. */
@@ -153,7 +154,7 @@ size_t trace_hits(const struct trace *trace);
  * with equal checksums are assumed to be equal bit for bit. */
 uint64_t trace_checksum(const struct trace *trace);
 
-/* Return sums over all bands. */
+/* Return the accounts, and the number of rays of a kind, summed over all bands. */
 const struct accounts *trace_accounts(const struct trace *trace);
 uint64_t trace_rays(const struct trace *trace, enum ray_kind kind);
 

@@ -46,7 +46,8 @@ bool pixel_is_in_queue(const struct frame_pixel *pixel, const c205 *machine);
 /* Returns true if the machine is at the label where a queue with rays of the pixel has
  * just been generated. */
 bool pixel_is_made(const struct frame_pixel *pixel, const c205 *machine);
-/* Returns this label. */
+/* Returns the label of pixel_is_made, at which the rays of a queue have just been
+ * generated. */
 const char *pixel_made_label(const struct frame_pixel *pixel);
 
 #endif

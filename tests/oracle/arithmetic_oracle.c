@@ -94,7 +94,7 @@ static c205_word plain(enum kind kind, uint64_t *flags)
     return kind == INDEFINITE ? indefinite(0, flags) : machine_zero(flags);
 }
 
-/* Returns a special operand unchanged. */
+/* Returns a machine zero or an indefinite unchanged, and sets its flag. */
 static c205_word kept(c205_word word, enum kind kind, uint64_t *flags)
 {
     if (kind == MACHINE_ZERO)

@@ -115,7 +115,8 @@ static size_t span_length(uint64_t *random)
     return (size_t)random_between(random, 1, longest);
 }
 
-/* Makes both checks of an operation. */
+/* Checks an operation on single words, and on arrays if it has a function for
+ * arrays. */
 static bool check_operation(const void *what, struct span *span)
 {
     const struct operation *operation = what;

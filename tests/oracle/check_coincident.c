@@ -75,7 +75,7 @@ static bool same_pictures(const struct comparison *comparison, const char *who,
     return (double)is.beyond <= comparison->share * (double)is.compared;
 }
 
-/* No pixel may differ. */
+/* Compares the frame with the frame of the plain tracer. No inner pixel may differ. */
 static bool same_as_plain(const struct frame *plain, const struct frame *ours,
                           const bool *inner, char *reason)
 {

@@ -20,7 +20,8 @@ enum {
                            * loops */
 };
 
-/* State for one program. */
+/* The state of the comparison for one program: the machine and the reference
+ * interpreter. */
 struct trial {
     const struct random_program *program;
     c205 *machine;
@@ -231,7 +232,8 @@ static bool skip(struct trial *trial)
     return halves != 0;
 }
 
-/* Returns true if the program continues. */
+/* Compares the machine with the reference after a trap, and skips the instruction.
+ * Returns true if the program continues. */
 static bool after_trap(struct trial *trial, bool done, const c205_stop *stop)
 {
     if (!has_fault(&trial->reference, stop)) {

@@ -255,7 +255,7 @@ static bool is_land(mpfr_t *c, int degree, const mpfr_t a, const mpfr_t b)
     return land;
 }
 
-/* Merges both lists in ascending order. */
+/* Merges the roots of a and b in ascending order. Returns their number. */
 static size_t merge(mpfr_ptr *shores, struct exact_roots *a, struct exact_roots *b)
 {
     size_t count = 0, i = 0, j = 0;

@@ -17,7 +17,7 @@ enum {
     NARROW_EXPONENT_MIN = -28
 };
 
-/* Call this before the first rule. */
+/* Initialises the oracle. Must be called before the first rule. */
 void small_begin(void);
 
 typedef c205_word small_rule(c205_word a, c205_word b, uint64_t *flags);

@@ -293,7 +293,7 @@ static void multiples(struct draw draw, c205_word *a, c205_word *b)
     *b = pack(draw.format, usual_exponent(draw), divisor);
 }
 
-/* b is a shift count. */
+/* Generates a random word and a shift count. */
 static void counts(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t most = 3 * draw.format->width + 8;
@@ -301,7 +301,8 @@ static void counts(struct draw draw, c205_word *a, c205_word *b)
     *b = pack(draw.format, 0, between(draw, -most, most));
 }
 
-/* Some of the words are special. */
+/* Generates operands of the fast path. One word in eight is replaced by a random word
+ * of any kind. */
 static void sprinkled(struct draw draw, c205_word *a, c205_word *b)
 {
     fast_path(draw, a, b);

@@ -18,7 +18,7 @@ struct operands {
 };
 
 struct operands operands_begin(const struct oracle_format *format, uint64_t seed);
-/* Generates the next n pairs. */
+/* Generates the next n pairs of operands. */
 void operands_next(struct operands *operands, c205_word *a, c205_word *b, size_t n);
 
 /* random_bits returns 64 random bits. random_between returns an integer from low to

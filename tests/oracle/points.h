@@ -14,7 +14,7 @@ enum { STREAM_DRAWS = 5, LATTICE_COORDINATES = 6 };
 /* Returns a^p mod 2^47: the state of the generator before the output function. p is not
  * negative. */
 uint64_t stream_state_at(uint64_t p);
-/* Returns t(x), the output function. */
+/* Returns t(x), the output function of the random stream (docs/points.md). */
 uint64_t stream_mixed(uint64_t x);
 /* Returns the position of a random number in the stream, modulo 2^47. */
 uint64_t stream_position(uint64_t seed, uint64_t ray, unsigned draw);

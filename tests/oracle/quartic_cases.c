@@ -56,7 +56,7 @@ static void product_end(struct product *product)
         mpfr_clear(product->c[i]);
 }
 
-/* Multiplies by (t - x). */
+/* Multiplies a polynomial by (t - x), so x becomes a root. */
 static void add_root(struct product *product, double x)
 {
     mpfr_t term;
@@ -68,7 +68,7 @@ static void add_root(struct product *product, double x)
     mpfr_clear(term);
 }
 
-/* Multiplies by (t - x)^2 + y^2. */
+/* Multiplies a polynomial by (t - x)^2 + y^2, so x + iy and x - iy become roots. */
 static void add_pair(struct product *product, double x, double y)
 {
     mpfr_t first, term;

@@ -56,7 +56,7 @@ void half_clear(struct half *half);
 const char *quartic_rule(struct half *half, const struct polynomial *polynomial,
                          const struct polynomial_roots *roots, struct tally *tally);
 
-/* Random polynomials of every difficult kind. */
+/* The kinds of random polynomials, each difficult for a solver. */
 enum quartic_kind {
     QUARTIC_COEFFICIENTS, /* random coefficients */
     QUARTIC_INTEGERS,     /* small integer coefficients */

@@ -12,7 +12,7 @@ void random_machines_end(void);
 
 /* Returns the machine of the program's model before its first step. */
 c205 *random_machine_load(const struct random_program *program);
-/* Returns this machine with shared pages. */
+/* Like random_machine_load, for a machine that shares pages with other machines. */
 c205 *random_machine_load_shared(const struct random_program *program,
                                  struct random_shared *shared);
 /* Returns a hash of the contents of all shared pages. Replaces the program of the

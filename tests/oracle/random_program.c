@@ -183,7 +183,7 @@ void program_data(const struct random_program *program, const struct random_area
 
 /* ---- Registers --------------------------------------------------------- */
 
-/* random_parts.h describes the roles. */
+/* The registers of each role. random_parts.h describes the roles. */
 static const struct pool {
     char role;
     unsigned first, count;

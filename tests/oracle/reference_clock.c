@@ -9,7 +9,7 @@ enum { WORD = 64, HALF = 32, NAME = 64 };
 
 /* ---- Constants --------------------------------------------------------- */
 
-/* Returns a constant in millionths. */
+/* Returns the constant FAMILY.NAME of the model, in millionths. */
 static uint64_t millionths(const struct reference_clock *clock, const char *family,
                            const char *name)
 {

@@ -103,7 +103,8 @@ static uint64_t low_product(c205_word r, c205_word s)
     return ((r & LOW_48) * (s & LOW_48)) & LOW_48;
 }
 
-/* Adds the possible faults of both vectors. */
+/* Records the faults that a SWAP may cause by loading the vector `from` and saving to
+ * the vector `to`. */
 static void look_at_vectors(struct reference *reference, c205_word from, c205_word to)
 {
     for (unsigned i = 0; i < length_of(from); i++)

@@ -14,7 +14,7 @@ static void each_element(struct reference *reference, const struct vector *vecto
     }
 }
 
-/* Combines each element with its successor. */
+/* Executes an instruction that combines each element of A with its successor. */
 static void each_neighbour(struct reference *reference, const struct vector *vector)
 {
     const struct source *a = &vector->sources.a;
@@ -72,7 +72,7 @@ static bool scan_recurs(const struct vector *vector, uint64_t i)
     return found;
 }
 
-/* Combines each element with all of B. */
+/* Executes an instruction that combines each element of A with all elements of B. */
 static void each_scan(struct reference *reference, const struct vector *vector)
 {
     const struct pair *pair = &vector->sources;

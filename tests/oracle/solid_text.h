@@ -27,7 +27,7 @@ struct solid {
 void *test_room(size_t size);
 /* Opens a stream. When it is closed, *words is its output. */
 FILE *test_text(char **words);
-/* Prints to the text of a solid. */
+/* Prints a formatted text to the words of a solid. */
 void solid_words(char words[SOLID_WORDS], const char *format, ...);
 
 /* Freeing a solid also frees its parts. */

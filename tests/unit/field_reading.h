@@ -13,7 +13,7 @@ int field_begin(void **state);
 int field_end(void **state);
 #undef FILE_FIXTURES
 #define FILE_FIXTURES field_begin, field_end
-/* Writes these bytes to the file. */
+/* Writes bytes to the file that field_read names. */
 void field_keep(const char *bytes, size_t count);
 
 /* Reads height_field { words, the file, modifiers }. */

@@ -9,7 +9,7 @@
 
 enum { MAX_PLAIN_STEPS = 3000 };
 
-/* The state before a step. */
+/* The state of the machine before a step of the plain run. */
 struct moment {
     uint64_t pc, clock;
     c205_word registers[C205_REGISTERS];

@@ -41,7 +41,7 @@ void net_fan(struct net *net, size_t blades, double around, double height);
 /* Makes separate triangles. In slender triangles two corners nearly coincide. */
 void net_soup(struct net *net, size_t count, bool slender, uint64_t *random);
 
-/* Divides each face into four. */
+/* Divides each face into four triangles. */
 void net_divide(struct net *net);
 /* Scales each point by a random factor from low to high. If `grain` is not 0, the
  * factor is a multiple of it. */

@@ -329,7 +329,7 @@ static void add_leaf(char *text, size_t size)
 
 /* ---- Trees -------------------------------------------------------------- */
 
-/* Repeats the text that begins at `from`. */
+/* Appends a copy of the part of the text that begins at `from`. */
 static void add_again(char *text, size_t size, size_t from)
 {
     FREED char *copy = NON_NULL(malloc(size));

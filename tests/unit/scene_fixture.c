@@ -6,7 +6,7 @@
 #include "rt/shapes/shape.h"
 #include "vm/text.h"
 
-/* Defines a label, but only once. */
+/* Defines a label, unless it is already defined. */
 static void put_label(const struct sink *sink, const char *name)
 {
     if (name)

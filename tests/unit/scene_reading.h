@@ -14,7 +14,7 @@ extern const struct scene_options reading_options, strict_options;
 /* Options that also read images. */
 extern const struct scene_options with_images;
 
-/* Writes these bytes to a file. */
+/* Writes bytes to a file. */
 void write_bytes(const char *path, const char *bytes, size_t count);
 
 void assert_close(double a, double b, double within);

@@ -16,7 +16,7 @@ static const char *const programs[] = {
     "tests/programs/half_reduce.s"
 };
 
-/* Typical mistakes. */
+/* Texts that typical mistakes insert into a program. */
 static const char *const pieces[] = {
     "[",         "]",     ",",      "(",     ")",          "?",
     "?!",        "|",     "-",      ";",     ":",          "\"",

@@ -67,7 +67,7 @@ static const struct request breakpoints[] = {
     { "setDataBreakpoints", "dataId:text accessType:text" },
 };
 
-/* Values, and the types that they match. */
+/* JSON values, and the types of arguments that each of them matches. */
 static const struct {
     const char *text, *types;
 } values[] = {

@@ -87,7 +87,7 @@ static void draw_value(const struct object *object, script_line value)
         snprintf(value, LINE, "%s", PICK(values));
 }
 
-/* Makes a line that moves the program. */
+/* Makes a line with a random command that executes the program forward or back. */
 static void draw_motion(const struct object *object, script_line line)
 {
     static const char *const plain[] = {
@@ -105,7 +105,7 @@ static void draw_motion(const struct object *object, script_line line)
     }
 }
 
-/* Makes a line that prints state. */
+/* Makes a line with a random command that prints the state of the program. */
 static void draw_view(const struct object *object, script_line line)
 {
     static const char *const plain[] = {

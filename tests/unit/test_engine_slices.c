@@ -7,7 +7,7 @@
 #include "tests/unit/random_stepping.h"
 #include "tests/unit/engine_client.h"
 
-/* About 200,000 steps, with calls. */
+/* A program of about 200,000 steps, with subroutine calls. */
 static const char long_program[] = "        .include \"core.s\"\n"
                                    "        .regs r16, turns, to, link, place\n"
                                    "        .regs r24, inner, back, n\n"

@@ -22,7 +22,7 @@ static const char *const paths[SHARES] = { path[0], path[1], path[2] };
 static const char text[] = "sphere { 0, 1 } sphere { <2.2, 0, 0>, .8 }"
                            "disc { <0, -2, 0>, y, 3 }";
 
-/* The request and its result. */
+/* A run of packets: the request and its result. */
 struct run {
     bool lines;
     size_t jobs, seed;

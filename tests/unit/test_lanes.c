@@ -155,7 +155,7 @@ static void check_comparison(const operation *op, const c205_word *a,
     FAIL_IF(memcmp(bits, expected, sizeof bits) != 0, "%s, length %zu", op->name, n);
 }
 
-/* Checks the operations of two operands. */
+/* Checks the operations of two operands on all pairs of a[i] and b[i]. */
 static void check_pairs(const operations *size, const c205_word *a, const c205_word *b,
                         size_t n, size_t place)
 {

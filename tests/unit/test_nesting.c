@@ -113,7 +113,7 @@ static void check_within(const struct nested_scene *nested, size_t node,
             check_within(nested, child, whole);
 }
 
-/* Each leaf occurs once. */
+/* Checks that each primitive of the scene is exactly one leaf of the nested scene. */
 static void check_leaves(const struct scene *scene, const struct scene *nested)
 {
     FREED bool *there = NON_NULL(calloc(scene->primitive_count, sizeof *there));

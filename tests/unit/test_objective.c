@@ -6,7 +6,7 @@
 
 enum { ROWS = 12 };
 
-/* Each is requested twice. */
+/* The speedups that the report requests, in this order. Each is requested twice. */
 static const double speedups[] = { 1.0999, 1.1001, .9001, .8999,
                                    1.0499, 1.0501, .9501, .9499 };
 static size_t speedups_asked;

@@ -59,7 +59,7 @@ static const struct shape_row {
       NULL, 0, 4, 0 },
 };
 
-/* Returns REGION_SIMPLE and REGION_BOXED of a region. */
+/* Returns the flags of a region's record, REGION_SIMPLE and REGION_BOXED. */
 static int64_t way_of(const struct stage *stage, size_t i)
 {
     return c205_to_integer(region(stage, i, "R_FLAGS"));

@@ -159,7 +159,7 @@ static uint64_t get_word(const struct bytes *bytes, size_t i)
     return word;
 }
 
-/* Corrects the hash at the end. */
+/* Replaces the hash at the end of a saved machine by the hash of its words. */
 static void seal(struct bytes *bytes)
 {
     size_t last = bytes->count / WORD_BYTES - 1;

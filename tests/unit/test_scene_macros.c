@@ -150,7 +150,7 @@ TEST(bounds)
     check_bounded(rows, COUNT(rows));
 }
 
-/* These texts take seconds. */
+/* The limits of these texts are reached only after seconds of reading. */
 TEST(slow_bounds)
 {
     static const struct bounded rows[] = {
@@ -166,7 +166,7 @@ TEST(slow_bounds)
     check_bounded(rows, COUNT(rows));
 }
 
-/* The caller can stop a long reading. */
+/* A go_on function that counts its calls and stops the reading at the first call. */
 static bool end_at_once(void *context)
 {
     ++*(size_t *)context;

@@ -153,7 +153,7 @@ TEST(lathes)
     assert_int_equal(p[1].shape.lathe.path.count, 2);
 }
 
-/* Each text has exactly this error. */
+/* Texts with one error each, its column and a part of its message. */
 static const struct line_error errors[] = {
     { "cone { 0, 1, y }", 16, "expected a number" },
     { "cone { 0, 1, y, 0 opened }", 19, "found 'opened'" },

@@ -129,7 +129,7 @@ TEST(errors)
     assert_non_null(strstr(error.message, "sphere"));
 }
 
-/* Returns the report of all subjects. */
+/* Measures all rows of Table 1, and returns their report. */
 static struct speedup_report *report_all(void)
 {
     struct speedup_report *all = speedup_report_new(model);
@@ -141,7 +141,7 @@ static struct speedup_report *report_all(void)
     return all;
 }
 
-/* The last printed text. */
+/* The text that the last call of print has written. */
 static char text[1 << 17];
 
 static void print(bool (*print_tables)(const struct speedup_report *, enum table_format,
@@ -227,7 +227,7 @@ static const struct csv_table *read_table1(void)
     return &table;
 }
 
-/* Compares up to rounding. */
+/* Asserts that two numbers differ only by rounding. */
 static void assert_near(double a, double b)
 {
     FAIL_IF(!(fabs(a - b) <= 1e-12 * fabs(b) + 1e-11), "%.17g is not %.17g", a, b);

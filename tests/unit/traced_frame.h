@@ -44,7 +44,7 @@ struct words {
     c205_word channel[FRAME_CHANNELS][MAX_PIXELS];
 };
 
-/* The options of the traces. */
+/* The options with which a test traces its frames. */
 struct traced {
     size_t width, height, pixels;
     size_t queues[MAX_QUEUES];        /* queue lengths; if there are fewer than

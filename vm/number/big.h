@@ -18,7 +18,7 @@ typedef struct big {
 
 void big_set(big *number, uint64_t value);
 int32_t big_bit_length(const big *number);
-/* Returns the low 64 bits. */
+/* Returns the lowest 64 bits of a number. */
 uint64_t big_low(const big *number);
 
 /* number := number x factor + addend */

@@ -108,7 +108,7 @@ static inline uint64_t room(int64_t t)
 
 /* ---- Results ------------------------------------------------------------ */
 
-/* Returns a number with exponent 0. */
+/* Returns the word of an integer: the exponent 0 and the coefficient c. */
 static inline c205_word integer(int64_t c)
 {
     return (c205_word)c << format_padding(LANE_FORMAT)

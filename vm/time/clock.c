@@ -110,7 +110,7 @@ static void set_results(struct clock *clock, const struct decoded *decoded,
     }
 }
 
-/* Divides. Hosts divide small numbers faster. */
+/* Divides, by a 32-bit division if possible, which is faster on many hosts. */
 static inline uint64_t divided(uint64_t dividend, uint64_t divisor)
 {
     if ((dividend | divisor) <= UINT32_MAX)

@@ -40,10 +40,10 @@ bool model_check_whole(const struct rule *rule, const char *text, uint64_t milli
                        c205_error *error);
 bool model_check_range(const struct rule *rule, const char *text, uint64_t millionths,
                        c205_error *error);
-/* Checks the constraints between two constants. */
+/* Checks the constraints that relate two constants of a model. */
 bool model_check_together(const c205_model *model, c205_error *error);
 
-/* Sets the message and returns NULL. */
+/* Sets the error "out of memory" and returns NULL. */
 void *model_out_of_memory(c205_error *error);
 
 #endif

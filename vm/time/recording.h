@@ -5,7 +5,7 @@
 
 #include "vm/decode.h"
 
-/* Adds an executed instruction. */
+/* Adds an executed instruction and its effect to a recording. */
 void recording_add(c205_recording *recording, const struct decoded *decoded,
                    const struct effect *effect, size_t region);
 

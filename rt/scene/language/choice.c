@@ -6,7 +6,7 @@
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/scene_expression.h"
 
-/* Skips to the next case. */
+/* Skips to the next #case, #range or #else of a #switch, or to its #end. */
 static bool to_next(struct reader *reader, struct scene_condition *condition)
 {
     struct scene_token at = condition->at;

@@ -22,7 +22,7 @@ struct clipping {
     bool is_clip;               /* bounded_by { clipped_by }, which has no effect */
 };
 
-/* Checks that the object has an inside. */
+/* Checks that an object has an inside, so that it can clip or bound another object. */
 static bool check_inside(struct reader *reader, const struct scene_object *object,
                          const struct scene_token *at)
 {

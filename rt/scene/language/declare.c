@@ -68,7 +68,7 @@ bool item_statement(struct reader *reader, const struct item *item)
     }
 }
 
-/* detail: the kind of value */
+/* Reads a declared value. detail: the kind of value */
 static bool declare(struct reader *reader, const struct item *item)
 {
     struct scene_value *value = item->subject;

@@ -22,7 +22,7 @@ void normal_begin(struct normal_reading *reading, const struct bumps *bumps)
     reading->unscaled = bumps->unscaled;
 }
 
-/* Reads the optional amount after a pattern. */
+/* Reads the optional bump size after the pattern of a normal. */
 static bool read_amount(struct reader *reader, struct normal_reading *reading)
 {
     reader_comma(reader);

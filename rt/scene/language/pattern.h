@@ -59,7 +59,7 @@ struct map_kind {
     /* Reads an entry and adds it to the map, whose capacity is *room. */
     bool (*entry)(struct reader *reader, void *map, size_t *room);
 };
-/* Reads an empty map. */
+/* Reads the entries of a map, or the name of a map, into *map, which is empty. */
 bool map_read(struct reader *reader, const struct map_kind *kind, void *map);
 /* Returns false, after an error report, if a map has the maximum number of entries. */
 enum { MAX_ENTRIES = 256 }; /* as in POV-Ray */

@@ -106,7 +106,7 @@ bool object_add(struct scene_object *object, const struct scene_object *child)
     return true;
 }
 
-/* Inserts a root above all branches. */
+/* Inserts a root with an operation above all branches of an object's tree. */
 static bool add_root(struct scene_object *object, enum tree_operation operation)
 {
     size_t count = object->branch_count;

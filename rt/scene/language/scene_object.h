@@ -79,9 +79,10 @@ bool object_add_child(struct scene_object *object, struct scene_object *child);
 unsigned object_hidden_from(const struct scene_object *object);
 /* Makes all parts except clipping parts visible to all rays. */
 void object_show(struct scene_object *object);
-/* Joins all solids into one. */
+/* Joins all solids of an object into one solid. */
 bool object_join(struct scene_object *object);
-/* Joins all solids and swaps inside and outside. Clipping stays. */
+/* Joins all solids of an object, and swaps inside and outside. Clipping does not
+ * change. */
 bool object_invert(struct scene_object *object);
 /* Clips each solid by all solids of another object. The other object becomes
  * invisible. */

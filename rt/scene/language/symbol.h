@@ -41,7 +41,7 @@ const char *symbols_add(struct declared_names *symbols, size_t level, const char
 const char *symbols_assign(struct declared_names *symbols, struct declared_name *symbol,
                            size_t level, const struct scene_token *name,
                            struct scene_value *value);
-/* Adds an alias. */
+/* Adds a name that is an alias of a symbol or of an element of an array. */
 const char *symbols_refer(struct declared_names *symbols, size_t level,
                           const char *name, size_t length,
                           const struct reference *reference);
@@ -60,7 +60,7 @@ void symbols_walk(const struct declared_names *symbols,
                   void *context);
 /* Removes the innermost symbol with this name. Returns false if there is none. */
 bool symbols_remove(struct declared_names *symbols, const char *name, size_t length);
-/* Removes all symbols above the level. */
+/* Removes all symbols of scopes that are deeper than the level. */
 void symbols_leave(struct declared_names *symbols, size_t level);
 void symbols_free(struct declared_names *symbols);
 

@@ -35,7 +35,7 @@ static const struct keyword reflection_words[] = {
 static const struct grammar reflection_grammar = { "a keyword of reflection",
                                                    .tables = { reflection_words } };
 
-/* Reads the reflectivity for all angles. */
+/* Reads a reflectivity that is the same for all angles. */
 static bool read_mirror(struct reader *reader, struct finish *finish)
 {
     bool good = read_rgb(reader, finish->reflection);

@@ -58,7 +58,7 @@ bool fit_solve(const struct fit *fit, const struct fit_change *change,
 bool fit_predict(const struct fit *fit, const double *places,
                  double predicted[MAX_FIT_OBSERVATIONS], c205_error *error);
 
-/* Returns (predicted - value) / value. */
+/* Returns the relative error of a prediction, (predicted - value) / value. */
 double fit_error(const struct observation *observation, double predicted);
 
 #endif

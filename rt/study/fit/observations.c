@@ -156,7 +156,8 @@ static const struct unit {
     { "ratio", COUNTED_NOTHING, NULL, false, 1 },
 };
 
-/* Finds the amount of the quantity. */
+/* Finds the count in a unit: the value of a symbol of the program, the number of rays,
+ * or the clock period. */
 static bool find_count(const struct run_timing *timing, const struct unit *unit,
                        double *count, c205_error *error)
 {

@@ -31,7 +31,7 @@
 
 #define PRIOR_SUFFIX "-prior"
 
-/* A program on a machine. */
+/* A recorded program, and the model of the machine on which it is timed. */
 struct run_timing {
     const struct fit_run *run;
     const c205_model *model;

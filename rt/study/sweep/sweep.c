@@ -92,7 +92,7 @@ static size_t weight_of(const struct sweep_point *point, int form)
     return form == SWEEP_SCALAR ? rays : rays + 100 * (rays / point->trace.queue);
 }
 
-/* The frames with which points are measured. */
+/* The frames that are traced to measure the points of a sweep. */
 struct plan {
     struct sweep *sweep;
     struct form_run *runs;

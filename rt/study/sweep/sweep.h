@@ -14,7 +14,7 @@
 
 #include "rt/study/speedup.h"
 
-/* The parameters of a measurement. */
+/* The parameters with which one point of a sweep is measured. */
 struct sweep_point {
     struct trace_options trace; /* its mode is the form that is used in queues */
     struct speedup_view view;   /* view of a primitive */
