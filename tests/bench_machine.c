@@ -77,7 +77,7 @@ static const char scalar_program[] =
     "        DIVS    s, a, s\n"
     "away:   BIM     0, link\n";
 
-/* ---- The same in doubles --------------------------------------------- */
+/* ---- Loops over doubles of the host ---------------------------------- */
 
 static double x[LENGTH], y[LENGTH], z[LENGTH];
 static volatile double sink; /* keeps the compiler from removing the loops */

@@ -6,7 +6,7 @@
 
 #include "asm/dap/dap_internal.h"
 
-/* ---- One stop ------------------------------------------------------------------- */
+/* ---- One breakpoint ------------------------------------------------------------- */
 
 /* Reads the place of a breakpoint from a request. Reports an error and returns false if
  * there is no such place. */

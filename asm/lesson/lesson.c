@@ -18,7 +18,7 @@ const char *medal_name(enum medal medal)
     return names[medal];
 }
 
-/* ---- One ------------------------------------------------------------------- */
+/* ---- Lessons from their files ---------------------------------------------- */
 
 /* Begins a lesson. The name of its folder is NUMBER-NAME. */
 bool lesson_begin(struct lesson *lesson, const char *folder, c205_error *error)

@@ -141,7 +141,7 @@ static bool parse_signed(struct cursor *cursor, const struct operand *operand,
            && (!magnitude || expect_operator(cursor, '|', "'|'"));
 }
 
-/* ---- The other kinds ---- */
+/* ---- Branch targets, control vectors, all operands ---- */
 
 static bool parse_target(struct cursor *cursor, struct instruction *instruction)
 {

@@ -148,7 +148,7 @@ static bool print_result(const struct hits_ways *ways,
     return good;
 }
 
-/* ---- The work ----------------------------------------------------------------- */
+/* ---- Running the command ------------------------------------------------------ */
 
 static bool begin(struct hits_ways *ways)
 {

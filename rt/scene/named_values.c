@@ -80,7 +80,7 @@ void named_free(struct named_values *given)
     arena_free(&given->kept);
 }
 
-/* ---- A file of them ------------------------------------------------------ */
+/* ---- Files of values ----------------------------------------------------- */
 
 static bool is_blank(char letter)
 {

@@ -152,7 +152,7 @@ static bool paint_tga(char *bytes, size_t length)
                     byte_at(bytes, 5) | byte_at(bytes, 6) << 8, bits / 8);
 }
 
-/* ---- All of them --------------------------------------------------------- */
+/* ---- All formats --------------------------------------------------------- */
 
 /* In TGA the types 1 and 9 (run-length encoded) have a colour table. */
 bool palette_is_used(enum raster_kind kind, const char *bytes, size_t length)

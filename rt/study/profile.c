@@ -189,7 +189,7 @@ static void fill_clocks(struct table *table, const struct profile *profile)
     add_clocks(table, profile, "the frame", "", clocks);
 }
 
-/* ---- The same in three groups --------------------------------------------- */
+/* ---- The parts in three groups -------------------------------------------- */
 
 static const struct table_column group_columns[] = {
     { "part", "part", TABLE_TEXT, 0 },

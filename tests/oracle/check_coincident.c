@@ -61,7 +61,7 @@ static const struct trace_options forms[] = {
 };
 enum { FORMS = sizeof forms / sizeof *forms };
 
-/* --- other tracers -------------------------------------------------------- */
+/* --- Comparison with the plain tracer and POV-Ray ------------------------- */
 
 static bool same_pictures(const struct comparison *comparison, const char *who,
                           const struct frame *expected, const struct frame *ours,

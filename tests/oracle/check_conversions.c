@@ -300,7 +300,7 @@ static bool to_hex_agrees(const struct converters *as, uint64_t *random)
     return same_text(word, expected, text);
 }
 
-/* ---- All of them -------------------------------------------------------- */
+/* ---- The table of conversions ------------------------------------------- */
 
 const struct conversion conversions[] = {
     { "from_double", &words, from_double_agrees },

@@ -114,7 +114,7 @@ static unsigned long compare_ways(const struct polynomial *polynomials, size_t c
     return differ;
 }
 
-/* ---- All ---------------------------------------------------------------- */
+/* ---- The report --------------------------------------------------------- */
 
 static unsigned long report(const struct tally *tallies)
 {

@@ -226,7 +226,7 @@ static void check_modes(struct file *file, unsigned turn, struct trace_options o
         check_ways(file, options, others, options.historical ? 1 : 2);
 }
 
-/* ---- Other tracers ------------------------------------------------------- */
+/* ---- Comparison with the plain tracer and POV-Ray ------------------------ */
 
 static bool report(const char *who, const struct comparison *comparison,
                    const struct frame *expected, const struct frame *found,
@@ -241,7 +241,8 @@ static bool report(const char *who, const struct comparison *comparison,
     return good;
 }
 
-/* Traces the machine's frame, which the caller frees. */
+/* Traces the scene on the machine, and compares the frame with the frame of the plain
+ * tracer. The caller frees the frame. */
 static bool same_as_plain(struct file *file, const struct frame *plain,
                           const bool *inner, bool historical, struct frame *frame)
 {

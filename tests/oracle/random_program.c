@@ -389,7 +389,7 @@ static void preset_rewrites(uint64_t *random, struct random_program *program)
     program->registers[REWRITE_TABLE] = code - page < before ? page : code - before;
 }
 
-/* ---- The whole --------------------------------------------------------- */
+/* ---- Whole programs ---------------------------------------------------- */
 
 uint64_t program_address(const struct random_program *program, size_t i)
 {

@@ -266,7 +266,7 @@ static void swap(struct register_owners *owners, const c205 *machine,
          name_of(owners->program, names, fields->s));
 }
 
-/* ---- The other instructions --------------------------------------------- */
+/* ---- Instructions without special rules --------------------------------- */
 
 static void read_operands(struct register_owners *owners, const c205_event *event,
                           struct names names)
@@ -321,7 +321,7 @@ void register_owners_listen(void *context, const c205 *machine, const c205_event
     write_results(owners, event, names);
 }
 
-/* ---- What was found ----------------------------------------------------- */
+/* ---- Results ------------------------------------------------------------ */
 
 uint64_t register_owners_read(const struct register_owners *owners)
 {

@@ -359,7 +359,7 @@ static size_t elements_of(const struct vector_case *one)
     }
 }
 
-/* ---- The whole ---------------------------------------------------------- */
+/* ---- Whole cases -------------------------------------------------------- */
 
 static void place_operand(struct vector_case *one, enum role role, uint64_t *random,
                           size_t n, size_t offset)

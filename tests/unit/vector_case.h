@@ -52,7 +52,7 @@ struct vector_case {
 
 #define ADDRESS_BITS UINT64_C(0xFFFFFFFFFFFF)
 
-/* ---- What the row says -------------------------------------------------- */
+/* ---- Properties of an instruction --------------------------------------- */
 
 bool is_row_of(const c205_insn *row, const char *names);
 

@@ -160,7 +160,7 @@ static uint64_t conflicts(const struct banks *banks, uint64_t table, unsigned st
                : conflicts_of_all(banks, table, step, indices, count);
 }
 
-/* ---- The same list again ------------------------------------------------ */
+/* ---- A list that is used again ------------------------------------------ */
 
 /* Returns true if the bank of every access changes by the same number when the table
  * moves. This holds if no address wraps around to the start of memory. */

@@ -70,7 +70,7 @@ static bool is_near(const double a[3], const double b[3], double near)
     return true;
 }
 
-/* ---- Its points ---------------------------------------------------------- */
+/* ---- Points of a polygon ------------------------------------------------- */
 
 static bool read_count(struct polygon *polygon)
 {
@@ -111,7 +111,7 @@ static bool read_points(struct polygon *polygon)
     return true;
 }
 
-/* ---- Its plane ----------------------------------------------------------- */
+/* ---- Plane of a polygon -------------------------------------------------- */
 
 /* Computes the normal from three points, as in POV-Ray: the first point, the next point
  * that differs from it, and the next point that is not on a line with both. Returns
@@ -171,7 +171,7 @@ static const char *find_plane(struct polygon *polygon)
     return NULL;
 }
 
-/* ---- Its edges ----------------------------------------------------------- */
+/* ---- Edges of a polygon -------------------------------------------------- */
 
 static void add_edge(struct polygon *polygon, const double *a, const double *b)
 {

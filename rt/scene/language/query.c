@@ -197,7 +197,7 @@ void queries_free(struct reader *reader)
     free(reader->seeds);
 }
 
-/* ---- All ----------------------------------------------------------------- */
+/* ---- The table of functions ---------------------------------------------- */
 
 static const struct query {
     const char *words;

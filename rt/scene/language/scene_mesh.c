@@ -209,7 +209,7 @@ bool mesh_close(struct reader *reader, const struct block *block, bool good)
     return block_finish(reader, block) && good;
 }
 
-/* ---- Its words ----------------------------------------------------------- */
+/* ---- Keywords of a mesh -------------------------------------------------- */
 
 static bool read_corners(struct reader *reader, bool smooth, struct triangle *triangle)
 {
