@@ -104,7 +104,8 @@ struct command_program {
                                               their meaning, or NULL */
 };
 
-/* The whole work of main. Returns the exit code. */
+/* Parses the command line, runs the command and returns the exit code, for use as the
+ * whole of main. */
 int command_main(const struct command_program *program, int argc, char **argv);
 
 #endif

@@ -34,7 +34,8 @@ struct direct_sources {
     c205_word space_a[CHUNK], space_b[CHUNK]; /* copies of broadcast words */
 };
 
-/* Returns false if operand.h must read the source. */
+/* Finds the words of a source in the host's memory. Returns false if operand.h must
+ * read the source. */
 static inline bool find_source(struct place *place, struct c205 *machine,
                                bool broadcast, uint16_t slot, c205_word *space,
                                size_t n)

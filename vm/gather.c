@@ -466,7 +466,8 @@ static c205_trap describe_scatter(struct transfer *transfer, struct c205 *machin
     return trap;
 }
 
-/* Takes A as the distance, if it is not a list. */
+/* Reads the distance between indices from register A, for an instruction without an
+ * index list. */
 static void take_period(struct transfer *transfer, const struct decoded *decoded)
 {
     struct stream *stream = &transfer->stream;

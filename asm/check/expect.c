@@ -195,7 +195,7 @@ static bool check_trap(struct outcome *outcome,
     return false;
 }
 
-/* Compares a line of the output, without its newline. */
+/* Compares the next line of the output, without its newline, with an expectation. */
 static bool check_print(struct outcome *outcome,
                         const struct asm_expectation *expectation)
 {

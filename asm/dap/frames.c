@@ -49,7 +49,7 @@ static bool has_folder(const struct dap *dap, const char *file)
     return *file != '/' && *dap->setup.folder;
 }
 
-/* Returns the absolute path, or NULL if memory is exhausted. */
+/* Returns the absolute path of a source file, or NULL if memory is exhausted. */
 static char *path_of(const struct dap *dap, const char *file)
 {
     struct text_buffer path = { 0 };

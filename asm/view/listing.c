@@ -18,7 +18,8 @@ static bool put_half(const struct object *object, uint64_t address,
     return true;
 }
 
-/* Prints rows of two halves. The source is in the first row. */
+/* Prints the words of a source line, two half words in a row. The source is in the
+ * first row. */
 static void put_line(const struct object *object, const struct asm_line *line,
                      const struct sink *sink)
 {

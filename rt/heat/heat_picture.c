@@ -156,7 +156,8 @@ static void color_of(const struct heat_drawing *drawing, size_t surface,
         color_at(drawing, share, color);
 }
 
-/* Gives a primitive one colour, half of which does not depend on light. */
+/* Gives a primitive one colour. Half of the colour is emitted, so it does not depend on
+ * light. */
 static void paint(struct primitive *primitive, const double color[3])
 {
     primitive->pigment = (struct pigment){ .kind = PIGMENT_COLOR };

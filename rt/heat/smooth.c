@@ -34,7 +34,7 @@ static bool check_factors(const struct smooth_given *given, c205_error *error)
     return true;
 }
 
-/* Transposes rows to the columns that the machine needs. */
+/* Converts a matrix from rows to the columns that the program for the machine reads. */
 static void lay_columns(const double *rows, size_t n, c205_word *words)
 {
     for (size_t i = 0; i < n; i++)

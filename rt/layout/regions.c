@@ -212,7 +212,7 @@ static bool is_boxed(const struct bound *bound)
                   < worth * PI * bound->radius * bound->radius;
 }
 
-/* Writes the centre of the box and half of each side length. */
+/* Writes the centre of a region's bounding box and half of each side length. */
 static void layout_box(struct record *record, const struct bound *bound)
 {
     double words[6];

@@ -101,7 +101,7 @@ double columns_integral(const struct columns_sums *sums, size_t view, size_t rep
 /* Returns the volume that both parts of a pair occupy. */
 double columns_overlap(const struct columns_sums *sums, size_t view, size_t repeat,
                        size_t pair);
-/* Returns the 64-bit FNV-1a hash of all words. */
+/* Returns the 64-bit FNV-1a hash of all sums. */
 uint64_t columns_checksum(const struct columns_sums *sums);
 
 #endif

@@ -202,7 +202,8 @@ static struct trace_options in_mode(struct trace_options options, enum trace_mod
     return options;
 }
 
-/* Compares frames with the frame of the scalar form, in its size. */
+/* Traces a scene in the scalar form and with other options, and compares the frames.
+ * All have the size of the scalar frame. */
 static void check_ways(struct file *file, struct trace_options scalar,
                        const struct way *others, size_t count)
 {

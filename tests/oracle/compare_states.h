@@ -16,7 +16,8 @@ struct difference {
     char texts[DIFFERENCES][DIFFERENCE_TEXT];
 };
 
-/* Machines are created once for each model, and loaded again for each program. */
+/* compare_begin creates a machine for each model. compare_run loads each program into
+ * these machines. compare_end frees them. */
 void compare_begin(void);
 void compare_end(void);
 

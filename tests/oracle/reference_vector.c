@@ -229,7 +229,8 @@ static uint64_t linked_recurrences(const struct vector *first,
 
 /* ---- By kind ----------------------------------------------------------- */
 
-/* Computes words, bits or half words, one for each element of the sources. */
+/* Executes an instruction with one result, a word, half word or bit, for each element
+ * of the sources. */
 static void each_result(struct reference *reference, const struct vector *vector)
 {
     if (strchr(vector->insn->operands, 'e'))

@@ -222,8 +222,8 @@ static void check_words(const char *name, const char *what, const c205_word *a,
                 (unsigned long long)(bits[i] ^ flip));
 }
 
-/* Compares the bits of two images that are written, or the bits that are not
- * written. */
+/* Compares two images of memory and registers: the bits that an instruction has
+ * written, or the other bits. */
 static void check_contents(const char *name, const struct image *a,
                            const struct image *b, const struct bits_of *written,
                            bool outside)

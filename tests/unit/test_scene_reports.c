@@ -6,7 +6,7 @@
  */
 #include "tests/unit/scene_reading.h"
 
-/* Each text has exactly this error. */
+/* Texts with exactly one error each, its position and a part of its message. */
 TEST(errors)
 {
     static const struct place_error rows[] = {
@@ -99,7 +99,7 @@ TEST(errors)
     assert_place_errors(rows, COUNT(rows), &reading_options);
 }
 
-/* Each text has exactly this report, which is an error in strict mode. */
+/* Texts with exactly one report each, which is an error in strict mode. */
 TEST(reports)
 {
     static const struct line_error rows[] = {

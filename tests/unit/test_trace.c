@@ -37,8 +37,8 @@ static void add_torus(char *text, size_t size)
                           : "torus { ^9.5:1.2^, ^9.1:.6^");
 }
 
-/* A quartic that is closed, because of the terms x^4 + y^4 + z^4. The other terms are
- * random, and many are 0. */
+/* Writes a quartic that is closed, because of the terms x^4 + y^4 + z^4. The other
+ * terms are random, and many are 0. */
 static void add_quartic(char *text, size_t size)
 {
     static const int fourth_powers[] = { 0, 20, 30 };

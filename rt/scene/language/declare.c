@@ -25,7 +25,7 @@ static bool read_layers(struct reader *reader, struct texture *texture)
     return done;
 }
 
-/* Sets the initial value that the text modifies. */
+/* Sets a declared value to the default that its block modifies. */
 static void begin_value(const struct reader *reader, struct scene_value *value)
 {
     const struct texture *usual = &reader->default_texture;
