@@ -76,6 +76,8 @@
 ;       scaled_plus_two a, k, b, c, d, l, e, f  c = a k + b,  f = d l + e
 ;       from_times_two k, l, a, b, c, d  c = (k - a) b,  d = (l - a) b
 ;       scaled_difference_two x, y, k, l, s, m, n, t  s = x k - y l,  t = x m - y n
+;       lower_absolute_three a, k, s, b, l, t, c, m, u
+;               s = |a| - k, likewise t = |b| - l and u = |c| - m
 ;       scaled_lower_three a, k, s, b, l, t, c, m, u, n
 ;               s = (a - k) n, likewise t = (b - l) n and u = (c - m) n
 ;       lower_times_three a, k, s, b, l, t, c, m, u, x        the same with x
@@ -405,6 +407,14 @@ not_below\@:
         MPYS    \y, \n, \second
         SUBN    \s, \scratch, \s
         SUBN    \t, \second, \t
+        .endm
+        .macro  \prefix\()lower_absolute_three a, k, s, b, l, t, c, m, u
+        ABS     \a, \s
+        ABS     \b, \t
+        ABS     \c, \u
+        SUBN    \s, \k, \s
+        SUBN    \t, \l, \t
+        SUBN    \u, \m, \u
         .endm
         .macro  \prefix\()scaled_lower_three a, k, s, b, l, t, c, m, u, n
         SUBN    \a, \k, \s
@@ -845,6 +855,11 @@ select\@:
         \prefix\()minus_scaled \y, \l, \s, \s
         \prefix\()scale \x, \m, \t
         \prefix\()minus_scaled \y, \n, \t, \t
+        .endm
+        .macro  \prefix\()lower_absolute_three a, k, s, b, l, t, c, m, u
+        SUBNV   |[\a]|, \k, [\s]
+        SUBNV   |[\b]|, \l, [\t]
+        SUBNV   |[\c]|, \m, [\u]
         .endm
         .macro  \prefix\()scaled_lower_three a, k, s, b, l, t, c, m, u, n
         \prefix\()scaled_lower \a, \k, \n, \s
