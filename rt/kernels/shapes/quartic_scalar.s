@@ -82,108 +82,6 @@ term_none\@:
 term_none\@:
         .endm
 
-        .macro  multiply o, d, degree, c0, c1, c2, c3, c4
-        MPYS    \c0, \d, b0
-        .if     \degree >= 2
-        MPYS    \c1, \d, b1
-        .endif
-        .if     \degree >= 3
-        MPYS    \c2, \d, b2
-        .endif
-        .if     \degree >= 4
-        MPYS    \c3, \d, b3
-        .endif
-        MPYS    \c0, \o, \c0
-        .if     \degree >= 2
-        MPYS    \c1, \o, \c1
-        .endif
-        .if     \degree >= 3
-        MPYS    \c2, \o, \c2
-        .endif
-        .if     \degree >= 4
-        MPYS    \c3, \o, \c3
-        ADDN    b0, \c1, \c1
-        ADDN    b1, \c2, \c2
-        ADDN    b2, \c3, \c3
-        RTOR    b3, \c4
-        .elseif \degree == 3
-        ADDN    b0, \c1, \c1
-        ADDN    b1, \c2, \c2
-        RTOR    b2, \c3
-        .elseif \degree == 2
-        ADDN    b0, \c1, \c1
-        RTOR    b1, \c2
-        .elseif \degree == 1
-        RTOR    b0, \c1
-        .endif
-        .endm
-
-        .macro  times_y degree
-        IBXEQ   used_terms, r0, r0, times_none\@
-        multiply t1, dy, \degree, a0, a1, a2, a3, a4
-times_none\@:
-        .endm
-
-        .macro  times_x degree
-        multiply t0, dx, \degree, k0, k1, k2, k3, k4
-        .endm
-
-        .macro  clear_group degree
-        ADDN    r0, r0, a0
-        ADDN    r0, r0, a1
-        ADDN    r0, r0, a2
-        ADDN    r0, r0, a3
-        ADDN    r0, r0, a4
-        .endm
-
-        .macro  add_group degree
-        ADDN    k0, a0, k0
-        .if     \degree >= 1
-        ADDN    k1, a1, k1
-        .endif
-        .if     \degree >= 2
-        ADDN    k2, a2, k2
-        .endif
-        .if     \degree >= 3
-        ADDN    k3, a3, k3
-        .endif
-        .if     \degree >= 4
-        ADDN    k4, a4, k4
-        .endif
-        .endm
-
-        .macro  power_of_z
-        MPYS    t2, t2, z20
-        MPYS    t2, dz, z21
-        MPYS    dz, dz, z22
-        ADDN    z21, z21, z21
-        MPYS    z20, t2, z30
-        MPYS    z20, dz, b0
-        MPYS    z22, t2, z32
-        MPYS    z21, t2, z31
-        MPYS    z21, dz, b1
-        MPYS    z22, dz, z33
-        MPYS    z30, t2, z40
-        MPYS    z30, dz, b2
-        ADDN    b0, z31, z31
-        ADDN    b1, z32, z32
-        MPYS    z33, t2, z43
-        MPYS    z33, dz, z44
-        MPYS    z31, t2, z41
-        MPYS    z31, dz, b3
-        MPYS    z32, t2, z42
-        MPYS    z32, dz, b4
-        ADDN    b2, z41, z41
-        ADDN    b3, z42, z42
-        ADDN    b4, z43, z43
-        .endm
-
-        .macro  at_least x, most
-        CFPGE   \most, \x, at_least\@
-        RTOR    \x, \most
-at_least\@:
-        .endm
-
         .macro  horner_step k
         MPYS    e0, near_low, e0
         ADDN    e0, \k, e0
@@ -217,15 +115,15 @@ at_least\@:
         MPYS    e4, e1, e4
         MPYS    e5, e1, e5
         RTOR    one, near_high
-        at_least e2, near_high
+        ray_not_below e2, near_high
         SQRT    e3, e3
-        at_least e3, near_high
+        ray_not_below e3, near_high
         SQRT    e4, e4
         SQRT    e4, e4
-        at_least e4, near_high
+        ray_not_below e4, near_high
         DIVS    e5, near_high, e5
         SQRT    e5, e5
-        at_least e5, near_high
+        ray_not_below e5, near_high
         ADDN    near_high, near_high, near_high
         CFPGE   e0, near_high, surface_high\@
         RTOR    e0, near_high

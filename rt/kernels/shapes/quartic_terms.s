@@ -12,12 +12,111 @@
 ; Most quartics have few terms, and zero coefficients are skipped.  used_terms =
 ; 1 if the group has a term so far, used_groups = 1 if F has.
 ;
-; Each form defines the macros
-;   term<p> c              Am += c z^p
-;   times_y m, times_x m   Am, F times o + d t, then of degree m
-;   clear_group m          Am := 0
-;   add_group m            F += Am
+; Each form defines the macros  term<p> c: Am += c z^p.
 ; Source: derived here; the order is that of POV-Ray's quartic.
+
+; z^2, z^3, z^4, each the previous power times o + d t.
+        .macro  power_of_z
+        ray_times t2, t2, z20
+        ray_twice_times t2, dz, z21
+        ray_times dz, dz, z22
+        ray_times z20, t2, z30
+        ray_times z20, dz, a0
+        ray_times z22, t2, z32
+        ray_times z21, t2, z31
+        ray_times z21, dz, a1
+        ray_times z22, dz, z33
+        ray_times z30, t2, z40
+        ray_times z30, dz, a2
+        ray_plus a0, z31, z31
+        ray_plus a1, z32, z32
+        ray_times z33, t2, z43
+        ray_times z33, dz, z44
+        ray_times z31, t2, z41
+        ray_times z31, dz, a3
+        ray_times z32, t2, z42
+        ray_times z32, dz, a4
+        ray_plus a2, z41, z41
+        ray_plus a3, z42, z42
+        ray_plus a4, z43, z43
+        .endm
+
+; c(i) := c(i) o + c(i-1) d, up to the degree, which is that of the product.
+        .macro  multiply o, d, degree, c0, c1, c2, c3, c4
+        .if     \degree == 4
+        ray_times \c3, \d, \c4
+        ray_times \c2, \d, b2
+        ray_times \c3, \o, \c3
+        .elseif \degree == 3
+        ray_times \c2, \d, \c3
+        .elseif \degree == 2
+        ray_times \c1, \d, \c2
+        .else
+        ray_times \c0, \d, \c1
+        .endif
+        .if     \degree >= 3
+        ray_times \c1, \d, b1
+        ray_times \c2, \o, \c2
+        .endif
+        .if     \degree >= 2
+        ray_times \c1, \o, \c1
+        ray_times \c0, \d, b0
+        .endif
+        ray_times \c0, \o, \c0
+        .if     \degree >= 4
+        ray_plus b2, \c3, \c3
+        .endif
+        .if     \degree >= 3
+        ray_plus b1, \c2, \c2
+        .endif
+        .if     \degree >= 2
+        ray_plus b0, \c1, \c1
+        .endif
+        .endm
+
+        .macro  times_y degree
+        IBXEQ   used_terms, r0, r0, times_none\@
+        multiply t1, dy, \degree, a0, a1, a2, a3, a4
+times_none\@:
+        .endm
+
+; F := F (o + d t) + Am.
+        .macro  times_x degree
+        multiply t0, dx, \degree, k0, k1, k2, k3, k4
+        .endm
+
+; a0 .. := 0, and k0 .. += a0 .., up to the degree.
+        .macro  clear_group degree
+        ray_clear a0
+        .if     \degree >= 1
+        ray_clear a1
+        .endif
+        .if     \degree >= 2
+        ray_clear a2
+        .endif
+        .if     \degree >= 3
+        ray_clear a3
+        .endif
+        .if     \degree >= 4
+        ray_clear a4
+        .endif
+        .endm
+
+        .macro  add_group degree
+        ray_plus k0, a0, k0
+        .if     \degree >= 1
+        ray_plus k1, a1, k1
+        .endif
+        .if     \degree >= 2
+        ray_plus k2, a2, k2
+        .endif
+        .if     \degree >= 3
+        ray_plus k3, a3, k3
+        .endif
+        .if     \degree >= 4
+        ray_plus k4, a4, k4
+        .endif
+        .endm
 
         .macro  quartic_row0
         term0   sh0

@@ -25,12 +25,12 @@
         .reg    used_terms, s2
         .reg    used_groups, s3
         .regs   lane_ox, z20, z21, z22, z30, z31, z32, z33, z40
-        .regs   e0, z41, z42, z43, z44, a0, a1, a2, a3, a4, term_work
+        .regs   e0, z41, z42, z43, z44, a0, a1, a2, a3, a4, b0, b1, b2
 
         .macro  scaled c, z, a
         LINKV
-        MPYSV   [\z], \c, [term_work]
-        ADDNV   [term_work], [\a], [\a]
+        MPYSV   [\z], \c, [b0]
+        ADDNV   [b0], [\a], [\a]
         .endm
 
         .macro  term0 c
@@ -78,107 +78,6 @@ term_none\@:
 term_none\@:
         .endm
 
-; c(i) := c(i) o + c(i-1) d
-        .macro  times_inner o, d, c, before
-        MPYSV   [\c], [\o], [\c]
-        MPYSV   [\before], [\d], [term_work]
-        ADDNV   [term_work], [\c], [\c]
-        .endm
-
-        .macro  multiply o, d, degree, c0, c1, c2, c3, c4
-        .if     \degree == 4
-        MPYSV   [\c3], [\d], [\c4]
-        times_inner \o, \d, \c3, \c2
-        .endif
-        .if     \degree == 3
-        MPYSV   [\c2], [\d], [\c3]
-        .endif
-        .if     \degree >= 3
-        times_inner \o, \d, \c2, \c1
-        .endif
-        .if     \degree == 2
-        MPYSV   [\c1], [\d], [\c2]
-        .endif
-        .if     \degree >= 2
-        times_inner \o, \d, \c1, \c0
-        .endif
-        .if     \degree == 1
-        MPYSV   [\c0], [\d], [\c1]
-        .endif
-        MPYSV   [\c0], [\o], [\c0]
-        .endm
-
-        .macro  times_y degree
-        IBXEQ   used_terms, r0, r0, times_none\@
-        multiply w1, dy, \degree, a0, a1, a2, a3, a4
-times_none\@:
-        .endm
-
-        .macro  times_x degree
-        multiply w0, dx, \degree, k0, k1, k2, k3, k4
-        .endm
-
-        .macro  clear_group degree
-        VTOV    r0, [a0]
-        .if     \degree >= 1
-        VTOV    r0, [a1]
-        .endif
-        .if     \degree >= 2
-        VTOV    r0, [a2]
-        .endif
-        .if     \degree >= 3
-        VTOV    r0, [a3]
-        .endif
-        .if     \degree >= 4
-        VTOV    r0, [a4]
-        .endif
-        .endm
-
-        .macro  add_group degree
-        ADDNV   [k0], [a0], [k0]
-        .if     \degree >= 1
-        ADDNV   [k1], [a1], [k1]
-        .endif
-        .if     \degree >= 2
-        ADDNV   [k2], [a2], [k2]
-        .endif
-        .if     \degree >= 3
-        ADDNV   [k3], [a3], [k3]
-        .endif
-        .if     \degree >= 4
-        ADDNV   [k4], [a4], [k4]
-        .endif
-        .endm
-
-; z^2, z^3, z^4, each the previous power times o + d t.
-        .macro  power_of_z
-        MPYSV   [w2], [w2], [z20]
-        LINKV
-        MPYSV   [w2], [dz], [z21]
-        ADDNV   [z21], [z21], [z21]
-        MPYSV   [dz], [dz], [z22]
-        MPYSV   [z20], [w2], [z30]
-        next_power z21, z20, z31
-        next_power z22, z21, z32
-        MPYSV   [z22], [dz], [z33]
-        MPYSV   [z30], [w2], [z40]
-        next_power z31, z30, z41
-        next_power z32, z31, z42
-        next_power z33, z32, z43
-        MPYSV   [z33], [dz], [z44]
-        .endm
-
-        .macro  next_power c, before, to
-        MPYSV   [\c], [w2], [\to]
-        MPYSV   [\before], [dz], [term_work]
-        ADDNV   [term_work], [\to], [\to]
-        .endm
-
-        .macro  at_least x, most
-        CMPLTV  [\most], [\x], [bits0]
-        VTOV    [\x], [\most] ? [bits0]
-        .endm
-
         .macro  surface_polynomial
         set_lanes near
         closest_approach ox, oy, oz, w0, w1, w2, w3, w4
@@ -193,20 +92,20 @@ times_none\@:
         DIVSV   one, |[k4]|, [w4]
         MPYSV   |[k3]|, [w4], [w6]
         VTOV    one, [w5]
-        at_least w6, w5
+        ray_not_below w6, w5
         LINKV
         MPYSV   |[k2]|, [w4], [w6]
         SQRTV   [w6], [w6]
-        at_least w6, w5
+        ray_not_below w6, w5
         LINKV
         MPYSV   |[k0]|, [w4], [w6]
         SQRTV   [w6], [w6]
         SQRTV   [w6], [w6]
-        at_least w6, w5
+        ray_not_below w6, w5
         MPYSV   |[k1]|, [w4], [w6]
         DIVSV   [w6], [w5], [w6]
         SQRTV   [w6], [w6]
-        at_least w6, w5
+        ray_not_below w6, w5
         ADDNV   [w5], [w5], [w5]
         load_record P_SHAPE, 2, sh0             ; 1e7, resolution
         CMPEQV  [k4], r0, [bits0]
