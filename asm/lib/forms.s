@@ -65,6 +65,7 @@
 ;
 ;       line_two a, k, l, c, m, n, d            c = a k + l,  d = a m + n
 ;       line_three a, k, l, c, m, n, d, o, p, e  also e = a o + p
+;       add_both x, s, y, t, k                s = s + x k,  t = t + y k
 ;       add_scaled_two x, k, s, l, t          s = s + x k,  t = t + x l
 ;       add_scaled_twice x, k, l, s           s = (s + x k) + x l
 ;       add_scaled_three x, k, s, l, t, m, u  also u = u + x m
@@ -335,6 +336,12 @@ not_below\@:
         .macro  \prefix\()lowered_times a, k, b, c
         SUBN    \a, \k, \c
         MPYS    \c, \b, \c
+        .endm
+        .macro  \prefix\()add_both x, s, y, t, k
+        MPYS    \x, \k, \scratch
+        MPYS    \y, \k, \second
+        ADDN    \scratch, \s, \s
+        ADDN    \second, \t, \t
         .endm
         .macro  \prefix\()add_scaled_two x, k, s, l, t
         MPYS    \x, \k, \scratch
@@ -801,6 +808,10 @@ select\@:
         LINKV
         SUBNV   [\a], \k, [\c]
         MPYSV   [\c], [\b], [\c]
+        .endm
+        .macro  \prefix\()add_both x, s, y, t, k
+        \prefix\()add_scaled \x, \k, \s
+        \prefix\()add_scaled \y, \k, \t
         .endm
         .macro  \prefix\()add_scaled_two x, k, s, l, t
         \prefix\()add_scaled \x, \k, \s

@@ -13,74 +13,15 @@
         .include "shapes/quartic_terms.s"
 
         .share  local
-        .regs   r91, a0, a1, a2, a3, a4, b0, b1, b2, b3, b4
-        .regs   r101, z20, z21, z22, z30, z31, z32, z33, z40, z41, z42, z43
-        .regs   r112, z44, table_at, used_terms, used_groups
+        .regs   r91, a0, a1, a2, a3, a4, b0, b1, b2
+        .regs   r99, z20, z21, z22, z30, z31, z32, z33, z40, z41, z42, z43
+        .regs   r110, z44, table_at, used_terms, used_groups
         .endshare
-        .equ    SURFACE_REGISTERS, 84
+        .equ    SURFACE_REGISTERS, 82
 
         .data
 surface_save:   .space SURFACE_REGISTERS
         .code
-
-        .macro  term0 c
-        CFPEQ   \c, r0, term_none\@
-        ADDN    a0, \c, a0
-        ES      used_terms, 1
-term_none\@:
-        .endm
-
-        .macro  term1 c
-        CFPEQ   \c, r0, term_none\@
-        MPYS    t2, \c, b0
-        MPYS    dz, \c, b1
-        ES      used_terms, 1
-        ADDN    b0, a0, a0
-        ADDN    b1, a1, a1
-term_none\@:
-        .endm
-
-        .macro  term2 c
-        CFPEQ   \c, r0, term_none\@
-        MPYS    z20, \c, b0
-        MPYS    z21, \c, b1
-        MPYS    z22, \c, b2
-        ES      used_terms, 1
-        ADDN    b0, a0, a0
-        ADDN    b1, a1, a1
-        ADDN    b2, a2, a2
-term_none\@:
-        .endm
-
-        .macro  term3 c
-        CFPEQ   \c, r0, term_none\@
-        MPYS    z30, \c, b0
-        MPYS    z31, \c, b1
-        MPYS    z32, \c, b2
-        MPYS    z33, \c, b3
-        ES      used_terms, 1
-        ADDN    b0, a0, a0
-        ADDN    b1, a1, a1
-        ADDN    b2, a2, a2
-        ADDN    b3, a3, a3
-term_none\@:
-        .endm
-
-        .macro  term4 c
-        CFPEQ   \c, r0, term_none\@
-        MPYS    z40, \c, b0
-        MPYS    z41, \c, b1
-        MPYS    z42, \c, b2
-        MPYS    z43, \c, b3
-        MPYS    z44, \c, b4
-        ES      used_terms, 1
-        ADDN    b0, a0, a0
-        ADDN    b1, a1, a1
-        ADDN    b2, a2, a2
-        ADDN    b3, a3, a3
-        ADDN    b4, a4, a4
-term_none\@:
-        .endm
 
         .macro  horner_step k
         MPYS    e0, near_low, e0

@@ -12,8 +12,47 @@
 ; Most quartics have few terms, and zero coefficients are skipped.  used_terms =
 ; 1 if the group has a term so far, used_groups = 1 if F has.
 ;
-; Each form defines the macros  term<p> c: Am += c z^p.
 ; Source: derived here; the order is that of POV-Ray's quartic.
+
+; term<p> c: Am += c z^p.
+        .macro  term0 c
+        CFPEQ   \c, r0, term_none\@
+        ray_raise a0, \c, a0
+        ES      used_terms, 1
+term_none\@:
+        .endm
+
+        .macro  term1 c
+        CFPEQ   \c, r0, term_none\@
+        ray_add_both t2, a0, dz, a1, \c
+        ES      used_terms, 1
+term_none\@:
+        .endm
+
+        .macro  term2 c
+        CFPEQ   \c, r0, term_none\@
+        ray_add_both z20, a0, z21, a1, \c
+        ray_add_scaled z22, \c, a2
+        ES      used_terms, 1
+term_none\@:
+        .endm
+
+        .macro  term3 c
+        CFPEQ   \c, r0, term_none\@
+        ray_add_both z30, a0, z31, a1, \c
+        ray_add_both z32, a2, z33, a3, \c
+        ES      used_terms, 1
+term_none\@:
+        .endm
+
+        .macro  term4 c
+        CFPEQ   \c, r0, term_none\@
+        ray_add_both z40, a0, z41, a1, \c
+        ray_add_both z42, a2, z43, a3, \c
+        ray_add_scaled z44, \c, a4
+        ES      used_terms, 1
+term_none\@:
+        .endm
 
 ; z^2, z^3, z^4, each the previous power times o + d t.
         .macro  power_of_z

@@ -27,57 +27,6 @@
         .regs   lane_ox, z20, z21, z22, z30, z31, z32, z33, z40
         .regs   e0, z41, z42, z43, z44, a0, a1, a2, a3, a4, b0, b1, b2
 
-        .macro  scaled c, z, a
-        LINKV
-        MPYSV   [\z], \c, [b0]
-        ADDNV   [b0], [\a], [\a]
-        .endm
-
-        .macro  term0 c
-        CFPEQ   \c, r0, term_none\@
-        ADDNV   [a0], \c, [a0]
-        ES      used_terms, 1
-term_none\@:
-        .endm
-
-        .macro  term1 c
-        CFPEQ   \c, r0, term_none\@
-        scaled  \c, w2, a0
-        scaled  \c, dz, a1
-        ES      used_terms, 1
-term_none\@:
-        .endm
-
-        .macro  term2 c
-        CFPEQ   \c, r0, term_none\@
-        scaled  \c, z20, a0
-        scaled  \c, z21, a1
-        scaled  \c, z22, a2
-        ES      used_terms, 1
-term_none\@:
-        .endm
-
-        .macro  term3 c
-        CFPEQ   \c, r0, term_none\@
-        scaled  \c, z30, a0
-        scaled  \c, z31, a1
-        scaled  \c, z32, a2
-        scaled  \c, z33, a3
-        ES      used_terms, 1
-term_none\@:
-        .endm
-
-        .macro  term4 c
-        CFPEQ   \c, r0, term_none\@
-        scaled  \c, z40, a0
-        scaled  \c, z41, a1
-        scaled  \c, z42, a2
-        scaled  \c, z43, a3
-        scaled  \c, z44, a4
-        ES      used_terms, 1
-term_none\@:
-        .endm
-
         .macro  surface_polynomial
         set_lanes near
         closest_approach ox, oy, oz, w0, w1, w2, w3, w4
