@@ -232,7 +232,8 @@ bump_quilted:
 
 ; y_0 = the height at q_x, q_y, q_z, by map_function .. and the bump's map.
 find_height:
-        find_value_of_pattern
+        EX      target, find_value
+        BSAVE   pattern_link, [target]
         bump_word BUMP_HEIGHTS, height_at
         IBXEQ   height_at, r0, r0, height_found
         each_height height_next, height_last

@@ -170,8 +170,6 @@ one_where_near\@:
 ; Computes the cell of the primitive's image, for pigment_cell, which calls it
 ; by BSAVE image_link.
         .macro  begin_image
-        .regs   y_0, image_r, image_g, image_b, image_work, last_column
-        .reg    colour_link, pattern_link
 find_image_cell:
         get_record P_PATTERN, 12, sh0
         get_record P_MAP, MAP_SIZE, map_function
@@ -270,10 +268,6 @@ bumped_between\@:
         add_scaled lx, bump_share, bump_sum_x
         add_scaled ly, bump_share, bump_sum_y
         add_scaled lz, bump_share, bump_sum_z
-        .endm
-        .macro  find_value_of_pattern
-        EX      target, find_value
-        BSAVE   pattern_link, [target]
         .endm
 
 ; Loads the height of the map that is the last one not above y_0.

@@ -322,10 +322,6 @@ bumped_next:
         IX      bump_at, 64 * BUMP_SIZE
         IBXNE   bump_left, minus_one_index, r0, bumped_entry, bump_left
         .endm
-        .macro  find_value_of_pattern
-        EX      target, find_value
-        BSAVE   link_pattern, [target]
-        .endm
 
 ; Loads each height of the map; hits1 = the values that are not below it.
         .macro  each_height next, last

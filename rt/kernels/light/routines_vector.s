@@ -60,6 +60,7 @@ refract_from_back:
         BIM     0, link_kernel
         .endkernel
 
+        .reg    pattern_link, link_pattern
         .include "light/bump.s"
         .endif
 
