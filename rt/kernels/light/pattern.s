@@ -224,8 +224,7 @@ pattern_radial:
         step    y_3, angle3, y_2
         step    y_3, m_one, y_2
         times   y_2, y_0, y_0
-        scale   y_0, per_turn, y_0
-        plus    y_0, y_4, y_0
+        scaled_plus y_0, per_turn, y_4, y_0
         if_nearer q_z, q_x, radial_quarter
         then_from quarter, y_0, y_0
         end_if  radial_quarter
