@@ -29,7 +29,9 @@
 
         .include "roots/quartic_constants.s"
         .include "roots/falsi_scalar.s"
-        .include "roots/signs_scalar.s"
+        .include "roots/signs.s"
+        .include "forms.s"
+        scalar_form solver_
 
         .share  local
         .regs   r32, q_one, q_half, q_three_halves, q_three, q_four
@@ -53,6 +55,9 @@
         .equ    QUARTIC_REGISTERS, 67
         .regs   third, q_want, q_accept         ; also fourth
         .endshare
+        .share  local
+        .reg    q_last, r78             ; previous root; replaces q_knot_touch
+        .endshare
 
         .data
 solver_image:  quartic_constants
@@ -60,7 +65,7 @@ solver_save:   .space QUARTIC_REGISTERS
         .code
 
 ; fx = value at x, by Horner's rule.
-        .macro  quartic_value x, fx
+        .macro  value_at x, fx
         MPYS    q_c4, \x, \fx
         ADDN    \fx, q_c3, \fx
         MPYS    \fx, \x, \fx
@@ -71,7 +76,7 @@ solver_save:   .space QUARTIC_REGISTERS
         ADDN    \fx, q_c0, \fx
         .endm
 
-        .macro  cubic_value x, fx
+        .macro  slope_at x, fx
         MPYS    q_s3, \x, \fx
         ADDN    \fx, q_s2, \fx
         MPYS    \fx, \x, \fx
@@ -120,13 +125,13 @@ is_zero\@:
         .endm
 
 ; Branches to same if two values have the same sign; 0 is positive.
-        .macro  same_sign f, g, same
-        CFPGE   \f, r0, same_sign_above\@
-        CFPGE   \g, r0, same_sign_end\@
+        .macro  if_signs_differ f, g, same
+        CFPGE   \f, r0, signs_above\@
+        CFPGE   \g, r0, signs_differ\@
         BIM     \same
-same_sign_above\@:
+signs_above\@:
         CFPGE   \g, r0, \same
-same_sign_end\@:
+signs_differ\@:
         .endm
 
         .macro  clamp x
@@ -140,7 +145,7 @@ clamp_end\@:
 
 ; Sharpens a double root by one Newton step on f' (quartic_vector.s).
         .macro  polish
-        cubic_value q_next, q_w
+        slope_at q_next, q_w
         MPYS    q_s3, q_three, q_s
         ADDN    q_s2, q_s2, q_d
         MPYS    q_s, q_next, q_s
@@ -191,7 +196,7 @@ take_shown\@:
         quartic_at q_next, q_next_f, q_next_touch
         IBXNE   q_next_touch, r0, r0, search_touch\@
         IBXNE   q_knot_touch, r0, r0, search_move\@
-        same_sign q_knot_f, q_next_f, search_move\@
+        if_signs_differ q_knot_f, q_next_f, search_move\@
         refine_value
         take_root search_move\@
 search_touch\@:
@@ -230,7 +235,7 @@ search_none\@:
         IBXNE   q_right_flat, r0, r0, search_flat\@
         .endif
         IBXNE   q_left_flat, r0, r0, search_flat\@
-        same_sign q_left_slope, q_right_slope, search_flat\@
+        if_signs_differ q_left_slope, q_right_slope, search_flat\@
         refine_slope \right
 search_knot\@:
         search_values 1
@@ -253,6 +258,18 @@ search_flat\@:
         SWAP    [q_interval], q_low, [r0]
         ES      q_count, 0
         STO     [q_roots], q_none
+        .endm
+
+; The operations of signs.s.
+        .macro  move    new, old
+        RTOR    \new, \old
+        .endm
+
+        .macro  append_root
+        solver_not_below q_last, q_answer
+        RTOR    q_answer, q_last
+        STO     [q_roots, q_count], q_answer
+        IX      q_count, 1
         .endm
 
 ; Computes the coefficients of the derivative.
@@ -355,9 +372,10 @@ solve_quartic_signs:
         CFPGE   q_low, q_high, solver_end
         derive
         find_bends
+        SUBN    r0, q_none, q_last
         search_signs
         BIM     solver_end
 
-        refine  refine_quartic, quartic_value, q_close
-        refine  refine_cubic, cubic_value, q_knot_close
+        refine  refine_quartic, value_at, q_close
+        refine  refine_cubic, slope_at, q_knot_close
         .endkernel

@@ -51,7 +51,7 @@
 ; reported.  Knots need not be sharp: an error of 2^-28 changes f there by 2^-56
 ; of its terms.  A knot that is a root is sharpened by a Newton step on f'.
 ;
-; Roots by signs alone have no tolerance (signs_vector.s).
+; Roots by signs alone have no tolerance (signs.s).
 ;
 ; Lanes that have their root, or that never had an interval, are removed by
 ; compression when fewer than half are left.  The refinement has a loop of its
@@ -60,7 +60,9 @@
 
         .include "roots/quartic_constants.s"
         .include "roots/falsi_vector.s"
-        .include "roots/signs_vector.s"
+        .include "roots/signs.s"
+        .include "forms.s"
+        vector_form solver_, q_sign
 
 ; Registers of the caller.  r68, r69, r113, r114 are scratch here and not saved.
         .regs   r68, q_table_at, q_image_at
@@ -154,6 +156,14 @@ solver_roots:  .space QUEUE * 5
         horner_step \x, \fx, \c0
         .endm
 
+        .macro  value_at x, fx
+        quartic_polynomial \x, \fx, q_c4, q_c3, q_c2, q_c1, q_c0
+        .endm
+
+        .macro  slope_at x, fx
+        cubic_polynomial \x, \fx, q_s3, q_s2, q_s1, q_c1
+        .endm
+
 ; Clamps bends outside the interval, and indefinite ones, to its ends.
         .macro  clamp x
         CMPGEV  [\x], [q_low], [q_sign]
@@ -218,12 +228,12 @@ is_zero\@:
         .endm
 
         .macro  quartic_at x, fx, zero
-        quartic_polynomial \x, \fx, q_c4, q_c3, q_c2, q_c1, q_c0
+        value_at \x, \fx
         is_zero \x, \fx, q_most_value, \zero, quartic_size
         .endm
 
         .macro  cubic_at x, fx, zero
-        cubic_polynomial \x, \fx, q_s3, q_s2, q_s1, q_c1
+        slope_at \x, \fx
         is_zero \x, \fx, q_most_slope, \zero, cubic_size
         .endm
 
@@ -252,6 +262,23 @@ is_zero\@:
         .macro  count_lanes bits, none
         CNTOB   [\bits], q_u
         IBXEQ   q_u, r0, r0, \none
+        .endm
+
+; The operations of signs.s.
+        .macro  if_signs_differ f, g, same
+        signs_differ \f, \g, q_need
+        ANDB    [q_need], [q_alive], [q_need]
+        count_lanes q_need, \same
+        .endm
+
+        .macro  move    new, old
+        exchange \new, \old
+        .endm
+
+        .macro  append_root
+        CNTOB   [q_need], q_u
+        CPSV    [q_root], [q_t] ? [q_need]
+        give_place
         .endm
 
 ; Keeps only the lanes of q_alive.  compress_input moves an input of the caller
@@ -335,7 +362,7 @@ give_none\@:
         lengthen q_lanes, q_w
         lengthen q_lanes, q_s
         lengthen q_lanes, q_d
-        cubic_polynomial q_next, q_w, q_s3, q_s2, q_s1, q_c1
+        slope_at q_next, q_w
         MPYSV   [q_s3], q_three, [q_s]
         ADDNV   [q_s2], [q_s2], [q_d]
         MPYSV   [q_s], [q_next], [q_s]
@@ -596,6 +623,12 @@ solve_quartic_signs:
         enter_search 4
         find_bends
         search_signs
+        VTOVX   [q_lane], [q_count], [root_count]
+        LTOR    root0, q_u
+        lengthen q_u, q_sign
+        solver_not_below root0, root1
+        solver_not_below root1, root2
+        solver_not_below root2, root3
         BIM     solver_end
 
 ; Passes the roots q_t of the lanes of q_need to the caller's routine; only the
