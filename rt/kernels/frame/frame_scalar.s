@@ -171,7 +171,7 @@ frame_refine:
 frame_sample:
         EX      main_at, frame_sample_number
         STO     [main_at], main_t
-        load_of scene_wide, place_width
+        load_word scene_wide, place_width
         load_place_steps
         ADDN    main_t, r0, place_rest
         through_sample place_rest, place_width, column, row

@@ -43,10 +43,8 @@ scene_focus:    .word 1.0               ; F
         .endm
 
         .macro  lens_rays
-        EX      g_plane, scene_samples
-        LOD     [g_plane], g_plane
-        EX      g_table, scene_lens
-        LOD     [g_table], g_table
+        load_word scene_samples, g_plane
+        load_word scene_lens, g_table
         ADDN    g_plane, r0, g_across
         within_pixel g_column, g_place
         within_pixel g_row, g_t

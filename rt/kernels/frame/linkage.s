@@ -77,11 +77,13 @@ image_minus_big: .word -1e30
         SWAP    [image_at], \first, [r0]
         .endm
 
-; Loads the word at `label`.
-        .macro  load_of label, register
+; Loads the word at `label`, like queue.s.
+        .ifndef load_word
+        .macro  load_word label, register
         EX      \register, \label
         LOD     [\register], \register
         .endm
+        .endif
 
         .macro  load_main_constants
         load_at constants, CONSTANTS, m_one

@@ -7,8 +7,7 @@
 ; the pixel at entry p of fine_list. Sample s is in row floor(s / samples).
 
         .macro  load_place_steps
-        EX      place_list, scene_samples
-        LOD     [place_list], place_list
+        load_word scene_samples, place_list
         ADDN    place_list, r0, place_step
         first_places m_one, m_half, place_step, place_first
         .endm
@@ -26,13 +25,11 @@
         MPYS    place_step, place_step, place_squared
         divide_place \k, place_squared, place_whole, place_sample
         floor   place_whole, place_whole
-        EX      place_list, fine_list
-        LOD     [place_list], place_list
+        load_word fine_list, place_list
         pick    place_whole, place_list, \column
         normal  \column, \column
         divide_place \column, \width, \row, \column
-        EX      place_row, scene_band
-        LOD     [place_row], place_row
+        load_word scene_band, place_row
         raise   \row, place_row, \row
         divide_place place_sample, place_step, place_whole, place_rest
         scaled_plus \column, place_step, place_rest, \column

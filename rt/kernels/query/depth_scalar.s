@@ -12,12 +12,12 @@
         ADDX    depth_at, m_index_minus_one, depth_at
         MPYX    depth_at, query_work, depth_at
         SHIFTI  depth_at, 6, depth_at
-        load_of scene_primitives, query_work
+        load_word scene_primitives, query_work
         ADDX    depth_at, query_work, depth_at
         IX      depth_at, 64 * P_OBJECT
         LOD     [depth_at], depth_at
         SHIFTI  depth_at, 6, depth_at
-        load_of query_depths, query_work
+        load_word query_depths, query_work
         ADDX    depth_at, query_work, depth_at
         .endm
 

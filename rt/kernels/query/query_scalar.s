@@ -55,8 +55,8 @@ query_hit_count: .space 1
 
 ; Loads the number of the ray's crossings and the address of the first one.
         .macro  load_ray_hits
-        load_of query_hit_count, ray_hits_left
-        load_of query_list, ray_hit_at
+        load_word query_hit_count, ray_hits_left
+        load_word query_list, ray_hit_at
         .endm
 
 ; Copies the next word of the crossing at ray_hit_at to its plane.
@@ -75,14 +75,14 @@ query_hit_count: .space 1
         .kernel lines
 lines:
         load_main_constants
-        load_of k_tmin, query_least
-        load_of k_lower, query_lower
-        load_of query_start, query_start_distance
-        load_of query_count, query_left
-        load_of query_rays, query_at
-        load_of query_counts, query_counts_at
-        load_of query_hits, query_hits_at
-        load_of query_list, query_work
+        load_word k_tmin, query_least
+        load_word k_lower, query_lower
+        load_word query_start, query_start_distance
+        load_word query_count, query_left
+        load_word query_rays, query_at
+        load_word query_counts, query_counts_at
+        load_word query_hits, query_hits_at
+        load_word query_list, query_work
         EX      ray_hit_at, query_hits_buffer
         STO     [ray_hit_at], query_work
         SHIFTI  query_left, 6, query_stride
