@@ -12,7 +12,7 @@ static const struct table_column observed[] = {
     { "unit", "unit", TABLE_TEXT, 0 },
     { "observed", "observed", TABLE_NUMBER, 4 },
     { "uncertainty", "+- %", TABLE_NUMBER, 0 },
-    { "shared", "alike", TABLE_NUMBER, 0 },
+    { "shared", "shared", TABLE_NUMBER, 0 },
     { "prior_error", "by priors %", TABLE_NUMBER, 1 },
     { "predicted", "predicted", TABLE_NUMBER, 4 },
     { "error", "error %", TABLE_NUMBER, 1 },
@@ -87,7 +87,7 @@ static const struct table_column unidentifiable[] = {
     { "constant", "constant", TABLE_TEXT, 0 },
     { "prior", "prior", TABLE_NUMBER, 2 },
     { "source", "src", TABLE_TEXT, 0 },
-    { "moved_by", "moved all the same by", TABLE_TEXT, 0 },
+    { "moved_by", "scaled with", TABLE_TEXT, 0 },
 };
 
 /* ---- Observations ------------------------------------------------------- */
