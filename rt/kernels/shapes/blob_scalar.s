@@ -12,8 +12,6 @@
         .ifndef LANE_REGISTERS
         .include "shapes/lanes_scalar.s"
         .endif
-        .include "shapes/blob_constants.s"
-
         .share  local
         .regs   r91, part_kind, part_x, part_y, part_z, part_square, part_inverse
         .regs   r97, part_strength, part_length
@@ -28,6 +26,10 @@
         .regs   r145, blob_quarter, blob_sixth, blob_four, blob_crossed_at
         .regs   r149, f0, f1, f2, f3
         .endshare
+        .regs   t0, q0, q1, q2, q3, q4, q5, q6, q7, q8, q9
+        .reg    strength, piece_strength
+        .reg    strength4, fourth
+        .include "shapes/blob_terms.s"
         .equ    BLOB_REGISTERS, 121
         .equ    PIECE_WORDS, 6
 
@@ -280,29 +282,12 @@ blob_next_row:
 
 ; ---- The walk
 
-        .macro  add_piece
-        MPYS    piece_a, interval_t, t0
-        MPYS    piece_strength, blob_four, t4
-        ADDN    piece_b, t0, t1                 ; b'
-        MPYS    piece_a, piece_strength, t3
-        ADDN    piece_b, t1, t2
-        MPYS    t1, t4, t4
-        MPYS    t2, interval_t, t2
-        MPYS    t3, piece_a, t5
-        ADDN    t2, piece_c, t2                 ; c'
-        MPYS    t4, piece_a, t6
-        MPYS    t4, t1, t7
-        MPYS    t2, piece_strength, t8
-        MPYS    t3, t2, t9
-        ADDN    k4, t5, k4
-        ADDN    k3, t6, k3
-        ADDN    k2, t7, k2
-        ADDN    t9, t9, t9
-        MPYS    t4, t2, t4
-        MPYS    t8, t2, t8
-        ADDN    k2, t9, k2
-        ADDN    k1, t4, k1
-        ADDN    k0, t8, k0
+        .macro  load_strength
+        MPYS    piece_strength, blob_four, strength4
+        .endm
+
+        .macro  add_to k, x
+        ADDN    \k, \x, \k
         .endm
 
 ; Computes the interval interval_t .. interval_end, and in k4 .. k0 the field
@@ -333,9 +318,15 @@ interval_next:
         IBXNE   piece_at, r0, pieces_end, interval_piece
         .endm
 
-; Branches to differ if the sign of k is not the one in e6.  e6 = 1 if the field
-; is at least T at the start of the interval.  test_interval branches to alike if
-; all Bernstein coefficients on the interval have that sign.
+; e6 = 1 if the field is at least T at the start of the interval.  Branches to
+; differ if the sign of k is another one; else end_signs branches to alike.
+        .macro  begin_signs
+        ES      e6, 1
+        CFPGE   k0, r0, interval_begins
+        ES      e6, 0
+interval_begins:
+        .endm
+
         .macro  signs_of k, differ
         CFPGE   \k, r0, signs_above\@
         IBXNE   e6, r0, r0, \differ
@@ -345,38 +336,9 @@ signs_above\@:
 signs_same\@:
         .endm
 
-        .macro  test_interval alike
-        SUBN    interval_end, interval_t, interval_length
-        ES      e6, 1
-        CFPGE   k0, r0, interval_begins\@
-        ES      e6, 0
-interval_begins\@:
-        MPYS    interval_length, interval_length, t4
-        MPYS    k1, interval_length, t0
-        MPYS    t4, interval_length, t5
-        MPYS    k2, t4, t1
-        MPYS    t4, t4, t6
-        MPYS    k3, t5, t2
-        MPYS    t0, blob_quarter, t4
-        MPYS    t1, blob_sixth, t5
-        MPYS    k4, t6, t3
-        MPYS    t2, blob_quarter, t6
-        ADDN    k0, t4, t7
-        ADDN    t4, t5, t4
-        signs_of t7, interval_signs_differ
-        ADDN    t7, t4, t8
-        ADDN    t4, t5, t4
-        signs_of t8, interval_signs_differ
-        ADDN    t4, t6, t4
-        ADDN    k0, t0, t9
-        ADDN    t8, t4, t8
-        ADDN    t9, t1, t9
-        signs_of t8, interval_signs_differ
-        ADDN    t9, t2, t9
-        ADDN    t9, t3, t9
-        signs_of t9, interval_signs_differ
+        .macro  end_signs differ, alike
         BIM     \alike
-interval_signs_differ:
+\differ:
         .endm
 
 ; Records a crossing, relative to the ray's origin instead of its closest

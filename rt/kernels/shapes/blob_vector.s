@@ -41,8 +41,6 @@
         .ifndef LANE_VECTORS
         .include "shapes/lanes_vector.s"
         .endif
-        .include "shapes/blob_constants.s"
-
 ; Vectors, one word per lane: start, end and length of the current interval, the
 ; sum of the maxima of the pieces; for solids the index of the next crossing in
 ; the columns, and the number of free columns.
@@ -58,6 +56,11 @@
         .share  hits
         .reg    lane_inside, hits3
         .endshare
+
+        .regs   e0, q0, q1, q2, q3, q4, q5, q6, q7, q8, q9
+        .reg    strength, s2
+        .reg    strength4, s3
+        .include "shapes/blob_terms.s"
 
 ; Vectors of a cylinder, used only before the walk.
         .reg    first_z, k0             ; heights over the ends, in ray order
@@ -410,35 +413,13 @@ keep_piece\@:
 leave_lanes\@:
         .endm
 
-        .macro  add_to k
-        ADDNV   [\k], [e6], [\k] ? [hits1]
+        .macro  load_strength
+        LOD     [strength_at], strength
+        MPYS    strength, blob_four, strength4
         .endm
 
-; Adds the field of a piece in the lanes of hits1, about the interval's start.
-        .macro  add_piece
-        LOD     [strength_at], s2
-        MPYS    s2, blob_four, s3
-        MPYSV   [piece_a], [interval_t], [e0]
-        ADDNV   [piece_b], [e0], [e1]           ; b'
-        ADDNV   [piece_b], [e1], [e2]
-        MPYSV   [e2], [interval_t], [e2]
-        ADDNV   [e2], [piece_c], [e2]           ; c'
-        MPYSV   [piece_a], s2, [e3]             ; S a
-        MPYSV   [e1], s3, [e4]                  ; 4 S b'
-        MPYSV   [e2], s2, [e5]                  ; S c'
-        MPYSV   [e3], [piece_a], [e6]
-        add_to  k4
-        MPYSV   [e4], [piece_a], [e6]
-        add_to  k3
-        MPYSV   [e4], [e1], [e6]
-        add_to  k2
-        MPYSV   [e3], [e2], [e6]
-        ADDNV   [e6], [e6], [e6]
-        add_to  k2
-        MPYSV   [e4], [e2], [e6]
-        add_to  k1
-        MPYSV   [e5], [e2], [e6]
-        add_to  k0
+        .macro  add_to k, x
+        ADDNV   [\k], [\x], [\k] ? [hits1]
         .endm
 
 ; Computes the interval interval_t .. interval_end of each lane, and in k4 .. k0
@@ -473,42 +454,20 @@ interval_next\@:
 
 ; hits0 = the field is at least T at the start of the interval.  hits1 = the
 ; Bernstein coefficients have both signs.
-        .macro  differ k
+        .macro  begin_signs
+        CMPLTV  [interval_end], big, [hits2]
+        VTOV    r0, [interval_length] ?! [hits2]
+        CMPGEV  [k0], r0, [hits0]
+        XORB    [hits1], [hits1], [hits1]
+        .endm
+
+        .macro  signs_of k, differ
         CMPGEV  [\k], r0, [hits2]
         XORB    [hits0], [hits2], [hits2]
         ORB     [hits1], [hits2], [hits1]
         .endm
 
-        .macro  test_interval
-        SUBNV   [interval_end], [interval_t], [interval_length]
-        CMPLTV  [interval_end], big, [hits2]
-        VTOV    r0, [interval_length] ?! [hits2]
-        MPYSV   [k1], [interval_length], [e0]
-        MPYSV   [interval_length], [interval_length], [e4]
-        MPYSV   [k2], [e4], [e1]
-        MPYSV   [e4], [interval_length], [e5]
-        MPYSV   [k3], [e5], [e2]
-        MPYSV   [e4], [e4], [e5]
-        MPYSV   [k4], [e5], [e3]
-        MPYSV   [e0], blob_quarter, [e4]
-        MPYSV   [e1], blob_sixth, [e5]
-        MPYSV   [e2], blob_quarter, [e6]
-        ADDNV   [k0], [e4], [e7]
-        ADDNV   [e4], [e5], [e4]
-        ADDNV   [e7], [e4], [e8]
-        ADDNV   [e4], [e5], [e4]
-        ADDNV   [e4], [e6], [e4]
-        ADDNV   [e8], [e4], [e9]
-        ADDNV   [k0], [e0], [e10]
-        ADDNV   [e10], [e1], [e10]
-        ADDNV   [e10], [e2], [e10]
-        ADDNV   [e10], [e3], [e10]
-        CMPGEV  [k0], r0, [hits0]
-        XORB    [hits1], [hits1], [hits1]
-        differ  e7
-        differ  e8
-        differ  e9
-        differ  e10
+        .macro  end_signs differ, alike
         .endm
 
 ; Computes the roots of the lanes of hits1, relative to interval_t.
@@ -657,7 +616,7 @@ blob_lanes:
         leave_lanes blob_done
 blob_walk:
         next_interval
-        test_interval
+        test_interval blob_passed
         CNTOB   [hits1], s0
         IBXEQ   s0, r0, r0, blob_passed
         solve_interval
