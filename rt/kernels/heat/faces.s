@@ -52,13 +52,13 @@ faces_kept:     .word 0                 ; address of a plane of zeros; later the
         .regs   r23, face_step          ; bits between planes of crossings
         .regs   r24, face_count, face_at, face_to, face_work, face_left, face_row
 
-        .macro  faces_begin
+        .entry  faces
+        .kernel faces
+faces:
         EX      face_work, faces_arguments
         ELEN    face_work, FACES_ARGUMENTS
         SWAP    [face_work], face_points, [r0]
         SHIFTI  face_points, 6, face_stride
         SHIFTI  face_crossings, 6, face_step
-        .endm
-
-        .entry  faces
         by_hand heat/faces
+        .endkernel

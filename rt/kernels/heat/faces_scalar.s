@@ -24,9 +24,6 @@
         BIM     \again
         .endm
 
-        .kernel faces
-faces:
-        faces_begin
         ES      face_zero, 0
         ES      face_inward, FACE_INWARD
         RTOR    face_list, face_row
@@ -80,4 +77,3 @@ faces_copied:
         ADDX    face_results, face_work, face_results
         STO     [face_results], face_count
         EXIT
-        .endkernel

@@ -59,9 +59,6 @@ strip_full\@:
         BIM     \again
         .endm
 
-        .kernel faces
-faces:
-        faces_begin
         ES      face_zero, 0
         RTOR    face_list, face_row
         RTOR    face_crossings, face_left
@@ -123,4 +120,3 @@ faces_none:
         IBXNE   face_planes, face_minus_one, r0, faces_plane, face_planes
         STO     [face_to], face_count
         EXIT
-        .endkernel

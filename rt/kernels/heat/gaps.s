@@ -38,7 +38,9 @@ gaps_least:     .word 0                 ; a length
         .regs   r10, gap_count, gap_surfaces, gap_distances, gap_counts, gap_buffer, gap_least, gap_one
         .regs   r17, gap_kinds, gap_scene_depths, gap_from, gap_to, gap_row, gap_work
 
-        .macro  gaps_begin
+        .entry  gaps
+        .kernel gaps
+gaps:
         EX      gap_work, gaps_arguments
         ELEN    gap_work, GAPS_ARGUMENTS
         SWAP    [gap_work], gap_count, [r0]
@@ -47,7 +49,5 @@ gaps_least:     .word 0                 ; a length
         ADDX    gap_distances, gap_work, gap_kinds
         ADDX    gap_kinds, gap_work, gap_scene_depths
         SHIFTI  gap_surfaces, 6, gap_row
-        .endm
-
-        .entry  gaps
         by_hand heat/gaps
+        .endkernel

@@ -2,9 +2,6 @@
 
         .regs   r30, gap_at, gap_near, gap_far, gap_cell
 
-        .kernel gaps
-gaps:
-        gaps_begin
         ES      gap_at, 0
 gaps_next:
         LOD     [gap_scene_depths, gap_at], gap_work
@@ -25,4 +22,3 @@ gaps_next:
 gaps_none:
         IBXNE   gap_at, r0, gap_count, gaps_next
         EXIT
-        .endkernel

@@ -43,9 +43,6 @@ gap_bits:       .space 65536 / 64 * 2
         ANDB    [b_gap], [b_open], [b_gap]
         .endm
 
-        .kernel gaps
-gaps:
-        gaps_begin
         ES      gap_zero, 0
         SHIFTI  gap_count, 6, gap_work
         gap_plane gap_distances, v_near, v_far
@@ -78,4 +75,3 @@ gaps_done:
         IBXNE   gap_from, gap_one, gap_surfaces, gaps_from, gap_from
 gaps_counted:
         EXIT
-        .endkernel

@@ -33,12 +33,6 @@ received_places: .word 0                ; address of a word for each receiver
         .regs   r16, rec_buffer, rec_places, rec_one, rec_minus_one
         .regs   r20, rec_count, rec_at, rec_work
 
-        .macro  received_begin
-        EX      rec_work, received_arguments
-        ELEN    rec_work, RECEIVED_ARGUMENTS
-        SWAP    [rec_work], rec_rays, [r0]
-        .endm
-
 ; Stores the word at the address as the next sum.
         .macro  store_sum address
         LOD     [\address], rec_work
@@ -46,4 +40,10 @@ received_places: .word 0                ; address of a word for each receiver
         .endm
 
         .entry  received
+        .kernel received
+received:
+        EX      rec_work, received_arguments
+        ELEN    rec_work, RECEIVED_ARGUMENTS
+        SWAP    [rec_work], rec_rays, [r0]
         by_hand heat/received
+        .endkernel

@@ -5,9 +5,6 @@
 
         .regs   r30, rec_ray, rec_receiver, rec_first
 
-        .kernel received
-received:
-        received_begin
         ES      rec_ray, 0
 received_count:
         LOD     [rec_list, rec_ray], rec_receiver
@@ -51,4 +48,3 @@ received_none:
         fold    rec_first, rec_count, rec_one, rec_at
         store_sum rec_first
         EXIT
-        .endkernel

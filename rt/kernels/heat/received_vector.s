@@ -8,9 +8,6 @@
 received_bits:  .space 65536 / 64
         .code
 
-        .kernel received
-received:
-        received_begin
         ADDLEN  rec_weights, rec_rays, v_weights
         ADDLEN  rec_list, rec_rays, v_receivers
         EX      b_own, received_bits
@@ -35,4 +32,3 @@ received_none:
         fold    rec_buffer, rec_count, rec_one, rec_at
         store_sum rec_buffer
         EXIT
-        .endkernel

@@ -72,12 +72,12 @@ overlap_bits:   .word 0                 ; address of LEVEL_BITS bits per level
 
         .regs   r50, ovl_groups, ovl_group, ovl_levels, ovl_pairs, ovl_parts, ovl_carries, ovl_bits
 
-        .macro  overlaps_begin
+        .entry  overlaps
+        .kernel overlaps
+overlaps:
         crossed_begin
         EX      col_work0, overlaps_arguments
         ELEN    col_work0, OVERLAPS_ARGUMENTS
         SWAP    [col_work0], ovl_groups, [r0]
-        .endm
-
-        .entry  overlaps
         by_hand mass/overlaps
+        .endkernel

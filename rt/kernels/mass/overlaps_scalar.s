@@ -53,9 +53,6 @@ level_done\@:
         IBXNE   ovl_level_left, col_index_minus_one, r0, level_next\@, ovl_level_left
         .endm
 
-        .kernel overlaps
-overlaps:
-        overlaps_begin
         ES      ovl_zero, 0
 overlaps_next:
         crossed_next overlaps_fold
@@ -82,4 +79,3 @@ overlaps_done:
 overlaps_fold:
         fold_lanes
         EXIT
-        .endkernel

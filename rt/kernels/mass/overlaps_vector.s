@@ -91,9 +91,6 @@ add_next\@:
         CNTOB   [b_visible], col_count
         .endm
 
-        .kernel overlaps
-overlaps:
-        overlaps_begin
         ES      ovl_zero, 0
         ES      ovl_level_bits, LEVEL_BITS
 overlaps_next:
@@ -142,4 +139,3 @@ overlaps_added:
 overlaps_fold:
         fold_lanes
         EXIT
-        .endkernel
