@@ -117,5 +117,5 @@ open_cylinder:
         .endif
 
         .ifdef  HISTORICAL
-        .include "shapes/cylinder_clipped_scalar.s"
+        .include "shapes/cylinder_clipped.s"
         .endif

@@ -130,5 +130,5 @@ open_cylinder:
         .endif
 
         .ifdef  HISTORICAL
-        .include "shapes/cylinder_clipped_vector.s"
+        .include "shapes/cylinder_clipped.s"
         .endif

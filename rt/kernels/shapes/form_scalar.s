@@ -438,3 +438,116 @@ not_first\@:
         RTOR    \t, tout
 not_candidate\@:
         .endm
+
+; ---- A cylinder clipped by planes --------------------------------------------
+
+        .reg    two, m_two
+        .reg    surface_in, quad_c
+        .reg    surface_out, o_along
+
+        .macro  cross_constant x0, x1, x2, k0, k1, k2, c0, c1, c2, work
+        cross_product \x0, \x1, \x2, \k0, \k1, \k2, \c0, \c1, \c2
+        .endm
+
+        .macro  normalise x0, x1, x2, length, work
+        normalise_by one, \x0, \x1, \x2, \length, \work
+        .endm
+
+        .macro  unless_parallel length, along
+        CFPLT   \length, tiny, \along
+        .endm
+
+        .macro  set_within a, k, set, out
+        ABS     \a, \a
+        CFPLT   \k, \a, \out
+        .endm
+
+        .macro  quotient_opposite a, b, c
+        SUBN    r0, \a, \a
+        DIVS    \a, \b, \c
+        .endm
+
+        .macro  half_chord distance, radius, set
+        MPYS    \distance, \distance, \distance
+        MPYS    \radius, \radius, t8
+        SUBN    t8, \distance, \distance
+        SQRT    \distance, \distance
+        .endm
+
+        .macro  segment_about t, half, set
+        ABS     \half, \half
+        SUBN    \t, \half, tin
+        ADDN    \t, \half, tout
+        .endm
+
+        .macro  only_parallel label, end
+        BIM     \end
+\label:
+        .endm
+
+        .macro  restore_across
+        .endm
+
+        .macro  inside_if_number_not_less k, a, miss
+        CFPLT   \k, \a, \miss
+        RTOR    minus_big, tin
+        RTOR    big, tout
+        .endm
+
+        .macro  record_surface surface, where
+        .ifndef CYLINDER_UNRECORDED
+        RTOR    \surface, \where
+        .endif
+        .endm
+
+        .macro  clip p0, p1, p2, q, surface, miss
+        MPYS    dx, \p0, t0
+        MPYS    dy, \p1, t1
+        MPYS    dz, \p2, t2
+        MPYS    ox, \p0, t3
+        MPYS    oy, \p1, t4
+        MPYS    oz, \p2, t5
+        ADDN    t1, t0, t0
+        ADDN    t4, t3, t3
+        ADDN    t2, t0, t0
+        ADDN    t5, t3, t3
+        ABS     t0, t1
+        ADDN    t3, \q, t3
+        CFPLT   t1, tiny, clip_parallel\@
+        SUBN    r0, t3, t3
+        DIVS    t3, t0, t1
+        CFPGE   t0, r0, clip_leaves\@
+        CFPGE   tin, t1, clip_done\@
+        CFPLT   tout, t1, \miss
+        RTOR    t1, tin
+        record_surface    \surface, surface_in
+        BIM     clip_done\@
+clip_leaves\@:
+        CFPGE   t1, tout, clip_done\@
+        CFPLT   t1, tin, \miss
+        RTOR    t1, tout
+        record_surface    \surface, surface_out
+        BIM     clip_done\@
+clip_parallel\@:
+        CFPLT   r0, t3, \miss
+clip_done\@:
+        .endm
+
+        .macro  give_surfaces
+        .ifndef CYLINDER_UNRECORDED
+        IX      a_primitive, 64 * (P_PATCH_POINT - P_SHAPE)
+        STO     [a_primitive], surface_in
+        STO     [a_primitive, index_one], surface_out
+        .endif
+        .endm
+
+        .macro  leave_with_side miss, recorded
+        CFPEQ   surface_in, r0, clipped_enters\@
+        CFPNE   surface_out, r0, \miss
+        RTOR    tout, tin
+        BIM     \recorded
+clipped_enters\@:
+        CFPEQ   surface_out, r0, \recorded
+        RTOR    tin, tout
+        BIM     \recorded
+        .endm

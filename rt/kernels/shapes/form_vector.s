@@ -540,3 +540,111 @@ solid_stored\@:
         ANDB    [bits2], [bits1], [bits2]
         VTOV    [\t], [tout] ? [bits2]
         .endm
+
+; ---- A cylinder clipped by planes --------------------------------------------
+
+        .reg    surface_in, patch_s
+        .reg    surface_out, patch_t
+
+; bits0 = the rays parallel to the axis; their length becomes 1.
+        .macro  unless_parallel length, along
+        CMPLTV  [\length], tiny, [bits0]
+        MASKV   one, [\length], [\length] ? [bits0]
+        .endm
+
+; set = the rays with |a| <= k.
+        .macro  set_within a, k, set, out
+        CMPGEV  \k, |[\a]|, [\set]
+        .endm
+
+; c = -a / b
+        .macro  quotient_opposite a, b, c
+        DIVSV   -[\a], [\b], [\c]
+        .endm
+
+; distance = sqrt(radius^2 - distance^2)
+        .macro  half_chord distance, radius, set
+        MPYS    \radius, \radius, s0
+        LINKV
+        MPYSV   [\distance], [\distance], [\distance]
+        SUBNV   s0, [\distance], [\distance]
+        SQRTV   [\distance], [\distance] ? [\set]
+        .endm
+
+; The segment is t - |half| .. t + |half| for the rays of the set; others miss.
+        .macro  segment_about t, half, set
+        VTOV    big, [tin]
+        VTOV    minus_big, [tout]
+        SUBNV   [\t], |[\half]|, [tin] ? [\set]
+        ADDNV   [\t], |[\half]|, [tout] ? [\set]
+        .endm
+
+; What follows, up to end, is for the rays of bits0.
+        .macro  only_parallel label, end
+        skip_empty bits0, \end
+        .endm
+
+; Computes the cross product of O - B and the axis again.
+        .macro  restore_across
+        ray_lower ox, sh0, t4
+        ray_lower oy, sh1, t5
+        ray_lower oz, sh2, t6
+        across_axis t4, t5, t6, across0, across1, across2
+        .endm
+
+        .macro  inside_if_number_not_less k, a, miss
+        CMPGEV  \k, [\a], [bits1]
+        everywhere_or_nowhere tin, tout
+        .endm
+
+        .macro  record_surface surface, where, bits
+        .ifndef CYLINDER_UNRECORDED
+        VTOV    \surface, [\where] ? [\bits]
+        .endif
+        .endm
+
+; Clips the rays by a plane.  The t of a ray parallel to the plane is set so
+; that it changes nothing or makes the ray a miss.
+        .macro  clip p0, p1, p2, q, surface, miss
+        dot_constant dx, dy, dz, \p0, \p1, \p2, w0, w2
+        dot_constant ox, oy, oz, \p0, \p1, \p2, w1, w2
+        ADDNV   [w1], \q, [w1]
+        CMPLTV  |[w0]|, tiny, [bits0]
+        MASKV   one, [w0], [w0] ? [bits0]
+        DIVSV   -[w1], [w0], [w2]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, clip_crossed\@
+        CMPLTV  r0, [w1], [bits1]
+        ANDB    [bits1], [bits0], [bits1]
+        VTOV    big, [w2] ? [bits0]
+        VTOV    minus_big, [w2] ? [bits1]
+clip_crossed\@:
+        CMPLTV  [w0], r0, [bits0]
+        CMPLTV  [tin], [w2], [bits1]
+        CMPLTV  [w2], [tout], [bits2]
+        ANDB    [bits1], [bits0], [bits1]
+        ANDNB   [bits2], [bits0], [bits2]
+        VTOV    [w2], [tin] ? [bits1]
+        record_surface    \surface, surface_in, bits1
+        VTOV    [w2], [tout] ? [bits2]
+        record_surface    \surface, surface_out, bits2
+        .endm
+
+; The scalar form stores the surfaces.
+        .macro  give_surfaces
+        .endm
+
+; Keeps the crossings with the side.  A single one is both entry and exit.
+        .macro  leave_with_side miss, recorded
+        CMPLTV  [tout], [tin], [bits0]
+        CMPEQV  [surface_in], r0, [bits1]
+        CMPEQV  [surface_out], r0, [bits2]
+        VTOV    [tin], [w0]
+        VTOV    [tout], [tin] ?! [bits1]
+        VTOV    [w0], [tout] ?! [bits2]
+        ORB     [bits1], [bits2], [bits1]
+        ORNB    [bits0], [bits1], [bits0]
+        VTOV    big, [tin] ? [bits0]
+        VTOV    minus_big, [tout] ? [bits0]
+        BIM     0, link_kernel
+        .endm
