@@ -1,5 +1,5 @@
 ; normal_cylinder_clipped.s - computes the normal of a cylinder that is
-; intersected by cylinder_clipped_vector.s (normal_vector.s).
+; intersected by cylinder_clipped.s (normal_vector.s).
 ;
 ; A point belongs to the surface of the ray's entry or to that of its exit,
 ; whichever is nearer.  X is relative to the base and x = X - (X . A) A is its
