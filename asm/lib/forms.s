@@ -69,8 +69,11 @@
 ;       add_scaled_two x, k, s, l, t          s = s + x k,  t = t + x l
 ;       add_scaled_twice x, k, l, s           s = (s + x k) + x l
 ;       add_scaled_three x, k, s, l, t, m, u  also u = u + x m
-;       line_both x, p, y, q, k, l            p = x k + l,  q = y k + l
 ;       step_both x, p, y, q, k               p = p x + k,  q = q y + k
+;       line_four x, k, l, p, m, n, q, y, r, s
+;               p = x k + l,  q = x m + n,  r = y k + l,  s = y m + n
+;       step_four x, p, k, q, l, y, r, s
+;               p = p x + k,  q = q x + l,  r = r y + k,  s = s y + l
 ;       derivative_step x, k, v, d            d = d x + v, then v = v x + k
 ;       scaled_sum_two x, y, k, l, s, m, n, t  s = x k + y l,  t = x m + y n
 ;       scaled_lower_two a, k, m, s, b, l, n, t  s = (a - k) m,  t = (b - l) n
@@ -363,11 +366,25 @@ not_below\@:
         ADDN    \second, \t, \t
         ADDN    \third, \u, \u
         .endm
-        .macro  \prefix\()line_both x, p, y, q, k, l
+        .macro  \prefix\()line_four x, k, l, p, m, n, q, y, r, s
         MPYS    \x, \k, \p
-        MPYS    \y, \k, \q
+        MPYS    \x, \m, \q
+        MPYS    \y, \k, \r
+        MPYS    \y, \m, \s
         ADDN    \p, \l, \p
+        ADDN    \q, \n, \q
+        ADDN    \r, \l, \r
+        ADDN    \s, \n, \s
+        .endm
+        .macro  \prefix\()step_four x, p, k, q, l, y, r, s
+        MPYS    \p, \x, \p
+        MPYS    \q, \x, \q
+        MPYS    \r, \y, \r
+        MPYS    \s, \y, \s
+        ADDN    \p, \k, \p
         ADDN    \q, \l, \q
+        ADDN    \r, \k, \r
+        ADDN    \s, \l, \s
         .endm
         .macro  \prefix\()step_both x, p, y, q, k
         MPYS    \p, \x, \p
@@ -826,9 +843,17 @@ select\@:
         \prefix\()add_scaled \x, \l, \t
         \prefix\()add_scaled \x, \m, \u
         .endm
-        .macro  \prefix\()line_both x, p, y, q, k, l
+        .macro  \prefix\()line_four x, k, l, p, m, n, q, y, r, s
         \prefix\()line \x, \k, \l, \p
-        \prefix\()line \y, \k, \l, \q
+        \prefix\()line \x, \m, \n, \q
+        \prefix\()line \y, \k, \l, \r
+        \prefix\()line \y, \m, \n, \s
+        .endm
+        .macro  \prefix\()step_four x, p, k, q, l, y, r, s
+        \prefix\()step \x, \k, \p
+        \prefix\()step \x, \l, \q
+        \prefix\()step \y, \k, \r
+        \prefix\()step \y, \l, \s
         .endm
         .macro  \prefix\()step_both x, p, y, q, k
         \prefix\()step \x, \k, \p

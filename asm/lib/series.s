@@ -81,14 +81,18 @@
         \form\()step  \square, sine_0, \sum
         .endm
 
-; The same of two squares, which the scalar form interleaves.
-        .macro  sine_polynomials form=, square, sum, other, other_sum
-        \form\()line_both \square, \sum, \other, \other_sum, sine_6, sine_5
-        \form\()step_both \square, \sum, \other, \other_sum, sine_4
-        \form\()step_both \square, \sum, \other, \other_sum, sine_3
-        \form\()step_both \square, \sum, \other, \other_sum, sine_2
-        \form\()step_both \square, \sum, \other, \other_sum, sine_1
-        \form\()step_both \square, \sum, \other, \other_sum, sine_0
+; The same of two squares. Even and odd powers have sums of their own, which the
+; scalar form interleaves. fourth, odd and the last two are scratch.
+        .macro  sine_polynomials form=, square, sum, fourth, odd, other, other_sum, other_fourth, other_odd
+        \form\()times \square, \square, \fourth
+        \form\()times \other, \other, \other_fourth
+        \form\()line_four \fourth, sine_6, sine_4, \sum, sine_5, sine_3, \odd, \other_fourth, \other_sum, \other_odd
+        \form\()step_four \fourth, \sum, sine_2, \odd, sine_1, \other_fourth, \other_sum, \other_odd
+        \form\()step_both \fourth, \sum, \other_fourth, \other_sum, sine_0
+        \form\()times \odd, \square, \odd
+        \form\()times \other_odd, \other, \other_odd
+        \form\()plus  \sum, \odd, \sum
+        \form\()plus  \other_sum, \other_odd, \other_sum
         .endm
 
 ; sum = cos r.

@@ -17,13 +17,13 @@
         .data
 circle_constants:
         .word   0.5, 1.0, -1.0
-        .word   3.1415926535897932384626
+        .word   3.1415926535897932384626, 1.5707963267948966192313
         sine_coefficients
-        .equ    CIRCLE_CONSTANTS, 11
+        .equ    CIRCLE_CONSTANTS, 12
         .code
 
-        .regs   r67, half, one, minus_one, half_turn
-        .regs   r71, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6
+        .regs   r67, half, one, minus_one, half_turn, quarter_turn
+        .regs   r72, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6
 
         .macro  circle_load scratch
         EX      \scratch, circle_constants
@@ -31,24 +31,23 @@ circle_constants:
         SWAP    [\scratch], half, [r0]
         .endm
 
-; work0 .. work3 are scratch.
-        .macro  circle turn, sine, cosine, work0, work1, work2, work3
-        from    half, \turn, \work0             ; v
-        absolute \work0, \work1
-        from    half, \work1, \work1
-        scale   \work0, half_turn, \work0
-        scale   \work1, half_turn, \work1
-        times   \work0, \work0, \work2
-        times   \work1, \work1, \work3
-        sine_polynomials , \work2, \sine, \work3, \cosine
-        times   \sine, \work2, \sine
-        times   \cosine, \work3, \cosine
-        times   \sine, \work0, \sine
-        times   \cosine, \work1, \cosine
-        plus    \sine, \work0, \work0           ; s
-        plus    \cosine, \work1, \work1         ; c
-        plus    \work0, \work0, \work2
-        times   \work2, \work1, \sine
-        times   \work2, \work0, \cosine
+; work, temp0-temp4, temp7, temp8 are scratch.
+        .macro  circle turn, sine, cosine, work
+        from    half, \turn, temp0              ; v
+        scale   temp0, half_turn, temp0
+        absolute temp0, temp1
+        from    quarter_turn, temp1, temp1
+        times   temp0, temp0, temp2
+        times   temp1, temp1, temp3
+        sine_polynomials , temp2, \sine, temp4, temp7, temp3, \cosine, temp8, \work
+        times   temp2, temp0, temp2
+        times   temp3, temp1, temp3
+        times   \sine, temp2, \sine
+        times   \cosine, temp3, \cosine
+        plus    \sine, temp0, temp0            ; s
+        plus    \cosine, temp1, temp1          ; c
+        plus    temp0, temp0, temp2
+        times   temp2, temp1, \sine
+        times   temp2, temp0, \cosine
         raise   \cosine, minus_one, \cosine
         .endm

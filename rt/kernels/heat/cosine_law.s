@@ -22,7 +22,7 @@
 emission_direction:
         root    draw2, temp5                    ; r
         from    one, draw2, temp6
-        circle  draw3, ray_y, ray_x, temp0, temp1, temp2, temp3
+        circle  draw3, ray_y, ray_x, ray_z
         root    temp6, temp6                    ; z
         times   temp5, ray_x, ray_x
         times   temp5, ray_y, ray_y

@@ -28,7 +28,7 @@ emit_frustum:
         times   draw0, temp1, temp1
         plus    temp1, temp0, temp1
         root    temp1, temp6                    ; r
-        circle  draw1, local_face_z, local_face_x, temp0, temp1, temp2, temp3
+        circle  draw1, local_face_z, local_face_x, local_spot_x
         plus    piece2, temp6, temp0
         quotient temp5, temp0, temp5            ; l
         times   temp6, local_face_x, local_spot_x

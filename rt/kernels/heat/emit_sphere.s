@@ -14,7 +14,7 @@ emit_sphere:
         times   draw0, temp0, temp5
         minus   temp0, draw0, local_spot_y
         root    temp5, temp5
-        circle  draw1, local_spot_z, local_spot_x, temp0, temp1, temp2, temp3
+        circle  draw1, local_spot_z, local_spot_x, temp6
         plus    temp5, temp5, temp5             ; r
         times   temp5, local_spot_x, local_spot_x
         times   temp5, local_spot_z, local_spot_z

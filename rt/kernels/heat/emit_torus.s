@@ -18,8 +18,8 @@
 
         .kernel emit
 emit_torus:
-        circle  draw0, local_face_y, local_spot_y, temp0, temp1, temp2, temp3
-        circle  draw1, local_face_z, local_face_x, temp0, temp1, temp2, temp3
+        circle  draw0, local_face_y, local_spot_y, temp5
+        circle  draw1, local_face_z, local_face_x, temp5
         scale   local_spot_y, form1, temp0
         scale   local_spot_y, form2, temp1
         scale   local_face_y, form2, local_spot_y
