@@ -56,7 +56,9 @@
 ;       scaled_raise a, k, l, c   c = (a + k) l
 ;       from_product k, a, b, c   c = k - a b
 ;       lower_absolute a, k, c  c = |a| - k
+;       plus_absolute a, b, c   c = |a| + b       c is not b
 ;       floor_over a, k, c      c = the largest integer not above a / k, exponent 0
+;       floor_quotient a, b, c  c = the largest integer not above a / b, exponent 0
 ;       raised_times a, k, b, c c = (a + k) b
 ;       lowered_times a, k, b, c c = (a - k) b
 ;
@@ -100,6 +102,7 @@
 ;                               address
 ;       pack_each e, a, c        c = the exponent e with the coefficient of a
 ;       pack_all k, a, c        like pack_each, with the exponent k for all
+;       pack_number e, k, c     like pack_each, with the coefficient of k for all
 ;
 ; Conditions: vectors compute all operations between the condition and end_if
 ; label for all elements. Operations then_.. store only elements for which the
@@ -302,6 +305,10 @@ not_below\@:
         DIVS    \a, \k, \c
         FLR     \c, \c
         .endm
+        .macro  \prefix\()floor_quotient a, b, c
+        DIVS    \a, \b, \c
+        FLR     \c, \c
+        .endm
         .macro  \prefix\()scaled_sum a, b, k, c
         ADDN    \a, \b, \c
         MPYS    \c, \k, \c
@@ -317,6 +324,10 @@ not_below\@:
         .macro  \prefix\()lower_absolute a, k, c
         ABS     \a, \c
         SUBN    \c, \k, \c
+        .endm
+        .macro  \prefix\()plus_absolute a, b, c
+        ABS     \a, \c
+        ADDN    \c, \b, \c
         .endm
         .macro  \prefix\()line_two a, k, l, c, m, n, d
         MPYS    \a, \k, \c
@@ -480,6 +491,9 @@ not_below\@:
         .endm
         .macro  \prefix\()pack_all k, a, c
         PACK    \k, \a, \c
+        .endm
+        .macro  \prefix\()pack_number e, k, c
+        PACK    \e, \k, \c
         .endm
         .macro  \prefix\()if_above a, b, label
         CFPLE   \a, \b, \label
@@ -790,6 +804,11 @@ select\@:
         DIVSV   [\a], \k, [\c]
         FLRV    [\c], [\c]
         .endm
+        .macro  \prefix\()floor_quotient a, b, c
+        LINKV
+        DIVSV   [\a], [\b], [\c]
+        FLRV    [\c], [\c]
+        .endm
         .macro  \prefix\()scaled_sum a, b, k, c
         LINKV
         ADDNV   [\a], [\b], [\c]
@@ -807,6 +826,9 @@ select\@:
         .endm
         .macro  \prefix\()lower_absolute a, k, c
         SUBNV   |[\a]|, \k, [\c]
+        .endm
+        .macro  \prefix\()plus_absolute a, b, c
+        ADDNV   |[\a]|, [\b], [\c]
         .endm
         .macro  \prefix\()line_two a, k, l, c, m, n, d
         \prefix\()line \a, \k, \l, \c
@@ -942,6 +964,9 @@ select\@:
         .endm
         .macro  \prefix\()pack_all k, a, c
         PACKV   \k, [\a], [\c]
+        .endm
+        .macro  \prefix\()pack_number e, k, c
+        PACKV   [\e], \k, [\c]
         .endm
         .macro  \prefix\()if_above a, b, label
         CMPLTV  [\b], [\a], [\bits]

@@ -7,9 +7,10 @@
 #include "vm/error.h"
 #include "base/plural.h"
 #include "rt/layout/program.h"
+#include "rt/trace/form.h"
 
 /* The planes of the polynomials and of the results in the machine's memory, as in
- * rt/kernels/roots/roots_records.s. */
+ * rt/kernels/roots/roots.s. */
 struct planes {
     uint64_t coefficients, bound, inputs;
     uint64_t count, roots, results;
@@ -26,11 +27,6 @@ struct root_search {
     struct planes planes;
 };
 
-static const char *const programs[TRACE_FORMS] = {
-    [TRACE_SCALAR] = "roots/roots_scalar.s",
-    [TRACE_VECTOR] = "roots/roots_vector.s",
-};
-
 static struct object *assemble_roots(const struct roots_options *options,
                                      c205_error *error)
 {
@@ -41,7 +37,7 @@ static struct object *assemble_roots(const struct roots_options *options,
         defines[1].name = "FALSI";
         defines[1].value = options->falsi;
     }
-    return program_assemble(programs[options->mode], defines, error);
+    return form_assemble_beside("roots/roots", options->mode, defines, error);
 }
 
 static bool write_symbol(struct root_search *search, const char *name, c205_word word,

@@ -38,7 +38,7 @@ struct polynomial {
 
 enum {
     MAX_ROOTS = 4,
-    ROOTS_REFUSED = -1 /* count of a rejected polynomial (scaling_vector.s) */
+    ROOTS_REFUSED = -1 /* count of a rejected polynomial (scaling.s) */
 };
 struct polynomial_roots {
     int count;                 /* number of roots, or ROOTS_REFUSED */

@@ -147,7 +147,7 @@ TEST(falsi)
                              { "ANDERSON_BJORCK", FALSI_ANDERSON_BJORCK } };
     const struct asm_define defines[] = { { "QUEUE", 1 }, { NULL, 0 } };
     SCOPED(object) *program = NON_NULL(
-        program_assemble("roots/roots_vector.s", defines, &failure));
+        program_assemble("roots/roots.s", defines, &failure));
     for (int i = 0; i < FALSI_RULES; i++)
         assert_int_equal(object_symbol(program, rules[i].name)->value, rules[i].rule);
 }
