@@ -70,15 +70,6 @@ fine_left:      .word 0                 ; entries after this list, untraced
 fine_rays:      .word 0                 ; rays of the list; 0: none are left
         .code
 
-; A frame of samples^2 times as many pixels has the samples at integer
-; positions. In it, the first ray of column or row k is at step k + first, with
-; first = -(samples + 1)/2.
-        .macro  first_places unit, a_half, step, first
-        ADDN    \step, \unit, \first
-        MPYS    \first, \a_half, \first
-        SUBN    r0, \first, \first
-        .endm
-
 ; Computes the address of a pixel in plane `number` from its address in plane 0.
         .macro  of_plane pixel, number, address
         ES      \address, \number

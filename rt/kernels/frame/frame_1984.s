@@ -48,10 +48,11 @@ frame:
         .include "frame/linkage.s"
         .include "frame/vectors_scalar.s"
         .include "frame/begin_1984.s"
+        .include "frame/forms_scalar.s"
         .if     LENS
         .include "frame/lens.s"
         .endif
-        .include "frame/generate_scalar.s"
+        .include "frame/generate.s"
         .include "frame/order_1984.s"
         .include "frame/generate_1984.s"
         .include "frame/bound_scalar.s"

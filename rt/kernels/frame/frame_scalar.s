@@ -28,10 +28,11 @@
         .include "shapes/every.s"
         .include "frame/transform_scalar.s"
         .include "frame/camera.s"
+        .include "frame/forms_scalar.s"
         .if     LENS
         .include "frame/lens.s"
         .endif
-        .include "frame/generate_scalar.s"
+        .include "frame/generate.s"
         .include "frame/bound_scalar.s"
         .include "solids/visible_scalar.s"
         .include "solids/span_scalar.s"

@@ -56,10 +56,14 @@ frame:
         .include "solids/levels_vector.s"
         .include "light/resolve_vector.s"
         .include "shapes/normal_vector.s"
+        .include "frame/forms_vector.s"
         .if     LENS
         .include "frame/lens.s"
         .endif
-        .include "frame/generate_vector.s"
+        .if     ADAPTIVE
+        .include "frame/places.s"
+        .endif
+        .include "frame/generate.s"
         .include "frame/order_vector.s"
         .include "shapes/every_normal.s"
         .include "light/forms_vector.s"

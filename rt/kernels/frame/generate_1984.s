@@ -1,6 +1,6 @@
 ; generate_1984.s - generates the queue's rays one after another.
 ;
-; In, out: as in generate_vector.s.
+; In, out: as in generate.s.
 
         .share  loop
         .regs   r156, first_pixel, to_dx, to_dy, to_dz
@@ -48,11 +48,9 @@ generate:
         load_at queue_order, 1, tile_places
         IBXNE   tile_places, r0, r0, generate_tiles
         ADDN    first_pixel, r0, column
-        DIVS    column, width, row
-        FLR     row, row
-        ADDN    row, r0, row
-        MPYS    row, width, loop_work
-        SUBN    column, loop_work, column
+        floor_over column, width, row
+        normal  row, row
+        minus_scaled row, width, column, column
 generate_next:
         EX      loop_at, pixel
         .if     ADAPTIVE

@@ -1,7 +1,9 @@
 ; places.s - computes positions of rays in the frame, in units of samples.
 ;
-; adaptive.s describes the units. Each form declares place_step .. place_rest
-; (generate_scalar.s, generate_vector.s).
+; adaptive.s describes the units. forms_scalar.s and forms_vector.s declare
+; place_step .. place_rest. A frame of samples^2 times as many pixels has the
+; samples at integer positions. In it, the first ray of column or row k is at
+; step k + first, with first = -(samples + 1)/2.
 ;
 ; Let p = floor(k / samples^2). Ray k belongs to sample s = k - samples^2 p of
 ; the pixel at entry p of fine_list. Sample s is in row floor(s / samples).
@@ -9,7 +11,9 @@
         .macro  load_place_steps
         load_word scene_samples, place_list
         ADDN    place_list, r0, place_step
-        first_places m_one, m_half, place_step, place_first
+        ADDN    place_step, m_one, place_first
+        MPYS    place_first, m_half, place_first
+        SUBN    r0, place_first, place_first
         .endm
 
 ; whole = floor(number / by), rest = the remainder. Writes whole first.

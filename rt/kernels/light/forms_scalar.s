@@ -5,9 +5,6 @@
         .macro  copy_lit a, c
         RTOR    \a, \c
         .endm
-        .macro  unit_vector x, y, z, length, work
-        normalise_by m_one, \x, \y, \z, \length, \work
-        .endm
 
 ; power.s
         .regs   r233, p_x, p_k, p_s, p_square, power_link

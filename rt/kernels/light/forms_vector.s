@@ -11,9 +11,6 @@
         .macro  copy_lit a, c
         MASKV   [\a], one, [\c] ? [hits3]
         .endm
-        .macro  unit_vector x, y, z, length, work
-        normalise \x, \y, \z, \length, \work
-        .endm
 
 ; power.s, for m numbers
         .share  light

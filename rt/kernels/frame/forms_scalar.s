@@ -1,0 +1,68 @@
+; forms_scalar.s - kernels of the frame that are written once, in the scalar
+; form: their registers, and the macros that differ from those of
+; forms_vector.s.
+
+        .macro  unit_vector x, y, z, length, work
+        normalise_by m_one, \x, \y, \z, \length, \work
+        .endm
+
+; generate.s
+        .share  local
+        .regs   r32, g_pixel, g_view, g_ray, g_column, g_row
+        .regs   r37, g_ox, g_oy, g_oz, g_dx, g_dy, g_dz, g_t, g_u
+        .regs   r45, g_lx, g_ly, g_lz, g_basex, g_basey, g_basez, g_colx
+        .regs   r52, g_coly, g_colz, g_rowx, g_rowy, g_rowz, g_focus
+        .endshare
+        .equ    GENERATE_REGISTERS, 25 + 5 * LENS
+
+        .data
+generate_save:  .space GENERATE_REGISTERS
+        .code
+
+        .macro  begin_rays
+generate_ray:
+        EX      save_at, generate_save
+        ELEN    save_at, GENERATE_REGISTERS
+        SWAP    [r0], r32, [save_at]
+        ELEN    arguments, 3
+        SWAP    [arguments], g_pixel, [r0]
+        SWAP    [g_pixel], g_column, [r0]
+        SWAP    [g_view], g_lx, [r0]
+        .endm
+
+; x, y, z = base + column per_column + row per_row.
+        .macro  aim x, y, z
+        MPYS    g_column, g_colx, \x
+        MPYS    g_column, g_coly, \y
+        MPYS    g_column, g_colz, \z
+        MPYS    g_row, g_rowx, g_t
+        MPYS    g_row, g_rowy, g_u
+        MPYS    g_row, g_rowz, third
+        ADDN    \x, g_basex, \x
+        ADDN    \y, g_basey, \y
+        ADDN    \z, g_basez, \z
+        ADDN    g_t, \x, \x
+        ADDN    g_u, \y, \y
+        ADDN    third, \z, \z
+        .endm
+        .macro  end_rays
+        .if     ! ORIGINS_DIFFER
+        RTOR    g_lx, g_ox
+        RTOR    g_ly, g_oy
+        RTOR    g_lz, g_oz
+        .endif
+        SWAP    [r0], g_ox, [g_ray]
+        leave   generate_save, GENERATE_REGISTERS
+        .endm
+
+; lens.s
+        .share  local
+        .regs   r58, g_across, g_table, g_place, g_plane
+        .endshare
+
+; places.s
+        .share  local
+        .regs   r32, place_step, place_first, place_squared, place_row, place_whole
+        .regs   r37, place_rest, place_list, place_width, place_sample
+        .regs   r41, place_column, place_down
+        .endshare
