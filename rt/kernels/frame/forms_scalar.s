@@ -66,3 +66,31 @@ generate_ray:
         .regs   r37, place_rest, place_list, place_width, place_sample
         .regs   r41, place_column, place_down
         .endshare
+
+; average.s
+        .share  local
+        .regs   r32, samples, sample_plane, plane_end, sample_row, sample_at
+        .regs   r37, row_stride, pixel_at, framebuffer_left, picture_columns
+        .regs   r41, pixels_left, grid_rows, grid_row, grid_left, grid_at
+        .regs   r46, share, middle, average_at, average_t, sum
+        .regs   r51, sample_step, colours_end
+        .reg    pixels, sum
+        .endshare
+        .macro  begin_average
+        SHIFTI  samples, 6, sample_step
+        ES      colours_end, FRAME_CHANNELS - 3
+        .endm
+        .macro  begin_pixels
+        .endm
+        .macro  fetch_samples at, c
+        LOD     [\at], \c
+        .endm
+        .macro  next_pixels again
+        STO     [pixel_at], pixels
+        IX      pixel_at, 64
+        ADDX    sample_at, sample_step, sample_at
+        IBXNE   pixels_left, m_index_minus_one, r0, \again, pixels_left
+        .endm
+        .macro  end_average
+        BIM     0, link
+        .endm

@@ -105,3 +105,50 @@ generate_samples:
         .regs   w2, place_sample, place_rest, place_whole
         .reg    place_list, s0
         .endshare
+
+; average.s
+        .share  scratch
+        .regs   r233, samples, sample_plane, plane_end, sample_row, sample_at
+        .regs   r238, row_stride, pixel_at, pixels, framebuffer_left, picture_columns
+        .regs   r243, pixels_left, grid_rows, grid_row, grid_left, grid_at
+        .regs   r248, share, middle
+        .reg    average_at, s2
+        .reg    average_t, s3
+        .reg    colours_end, s2
+        .reg    sum, red
+        .endshare
+        .macro  begin_average
+        RTOR    link, link_levels
+        ES      h, 0
+        .endm
+
+; The next h pixels of the row, at most QUEUE.
+        .macro  begin_pixels
+        EX      s2, QUEUE
+        IBXLE   s2, r0, pixels_left, average_lengths
+        RTOR    pixels_left, s2
+average_lengths:
+        IBXEQ   s2, r0, h, average_some
+        RTOR    s2, h
+        EX      target, set_hits
+        BSAVE   link_inner, [target]
+        INTVLV  r0, samples, [at]
+average_some:
+        ADDLEN  pixel_at, h, pixels
+        ES      colours_end, FRAME_CHANNELS - 3
+        .endm
+        .macro  fetch_samples from, c
+        VXTOV   [at], [\from], [\c]
+        .endm
+        .macro  next_pixels again
+        SHIFTI  h, 6, s2
+        ADDX    pixel_at, s2, pixel_at
+        MPYX    s2, samples, s2
+        ADDX    sample_at, s2, sample_at
+        SUBX    pixels_left, h, pixels_left
+        IBXNE   pixels_left, r0, r0, \again
+        .endm
+        .macro  end_average
+        RTOR    link_levels, link
+        BIM     0, link
+        .endm

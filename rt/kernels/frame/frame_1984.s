@@ -81,7 +81,7 @@ frame:
         .include "frame/adaptive_scalar.s"
         .include "frame/adaptive_1984.s"
         .else
-        .include "frame/average_scalar.s"
+        .include "frame/average.s"
         .include "frame/average_1984.s"
         .endif
         .endshare

@@ -203,6 +203,6 @@ frame_refined:
         .if     ADAPTIVE
         .include "frame/adaptive_scalar.s"
         .else
-        .include "frame/average_scalar.s"
+        .include "frame/average.s"
         .endif
         .include "solids/invisible_scalar.s"

@@ -81,7 +81,7 @@ frame:
         .if     ADAPTIVE
         .include "frame/adaptive_vector.s"
         .else
-        .include "frame/average_vector.s"
+        .include "frame/average.s"
         .endif
         .include "solids/invisible_vector.s"
         .if     PATTERNS

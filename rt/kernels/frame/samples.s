@@ -1,9 +1,9 @@
 ; samples.s - several rays for each pixel, on a regular grid: data of the host.
 ;
 ; Unless adaptive.s selects the pixels, the band is traced in all forms as one
-; with scene_samples times the columns and rows. At the end, average_scalar.s or
-; average_vector.s computes its pixels. For samples c_ij in row i and column j
-; of a pixel, and the scene's assumed_gamma:
+; with scene_samples times the columns and rows. At the end, average.s computes
+; its pixels. For samples c_ij in row i and column j of a pixel, and the scene's
+; assumed_gamma:
 ;
 ;   colour = (c_00^gamma + c_01^gamma + .. + c_10^gamma + ..) (1 / samples^2)
 ;
