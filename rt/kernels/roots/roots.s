@@ -42,17 +42,6 @@ scaling_constants:
         .word   1                       ; the integer
         .code
 
-        .macro  load_words at, number, register
-        EX      s0, \at
-        ELEN    s0, \number
-        SWAP    [s0], \register, [r0]
-        .endm
-
-        .macro  load_number at, register
-        EX      s0, \at
-        LOD     [s0], \register
-        .endm
-
         .include "forms.s"
 
         .ifdef  SCALAR
@@ -142,8 +131,8 @@ clear_less\@:
         .macro  begin_list
         ES      index_minus_one, -1
         clear   resolution
-        load_number roots_inputs, input
-        load_number roots_results, result
+        load_word roots_inputs, input
+        load_word roots_results, result
         .endm
 
         .macro  load_input register
@@ -174,7 +163,7 @@ clear_less\@:
         SWAP    [r0], d4, [s0]
         EX      arguments, quartic_list
         BSAVE   link, [routine]
-        load_words roots_arguments, 5, root0
+        load_at roots_arguments, 5, root0
         .endm
 
         .macro  append root
@@ -258,6 +247,17 @@ roots_bits:     .space ROOTS_BIT_WORDS * ROOTS_BITS
 roots_planes:   .space QUEUE * ROOTS_VECTORS
         .code
 
+        .macro  load_at label, number, first
+        EX      s0, \label
+        ELEN    s0, \number
+        SWAP    [s0], \first, [r0]
+        .endm
+
+        .macro  load_word label, register
+        EX      \register, \label
+        LOD     [\register], \register
+        .endm
+
         .macro  if_any bits, none
         CNTOB   [\bits], number
         IBXEQ   number, r0, r0, \none
@@ -340,7 +340,7 @@ scale_moved:
         RTOR    s0, batch
 roots_last:
         SHIFTI  first, 6, s1
-        load_number roots_inputs, plane
+        load_word roots_inputs, plane
         ADDX    plane, s1, plane
         describe_plane c4
         describe_plane c3
@@ -348,7 +348,7 @@ roots_last:
         describe_plane c1
         describe_plane c0
         describe_plane bound
-        load_number roots_results, plane
+        load_word roots_results, plane
         ADDX    plane, s1, plane
         describe_plane counts
         describe_plane roots
@@ -358,8 +358,8 @@ roots_last:
         EX      s1, roots_descriptors
         ELEN    s1, ROOTS_VECTORS + ROOTS_BITS
         ORV     [s0], s2, [s1]
-        load_words roots_descriptors, ROOTS_VECTORS, d4
-        load_words roots_bits_at, ROOTS_BITS, at_zero
+        load_at roots_descriptors, ROOTS_VECTORS, d4
+        load_at roots_bits_at, ROOTS_BITS, at_zero
         INTVLV  r0, index_one, [ray_index]
         clear   found
         .endm
@@ -439,9 +439,9 @@ leave_out\@:
         .entry  roots_begin
         .kernel quartic
 roots_begin:
-        load_words scaling_constants, SCALING_CONSTANTS, one
-        load_number roots_polynomials, polynomials
-        load_number roots_wanted, wanted
+        load_at scaling_constants, SCALING_CONSTANTS, one
+        load_word roots_polynomials, polynomials
+        load_word roots_wanted, wanted
         begin_list
         EX      routine, solve_quartic_all
         IBXNE   wanted, r0, index_one, roots_all
