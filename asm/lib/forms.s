@@ -57,7 +57,7 @@
 ;       from_product k, a, b, c   c = k - a b
 ;       lower_absolute a, k, c  c = |a| - k
 ;       plus_absolute a, b, c   c = |a| + b       c is not b
-;       floor_over a, k, c      c = the largest integer not above a / k, exponent 0
+;       floor_over a, k, c      c = the largest integer not above a / k
 ;       floor_quotient a, b, c  c = the largest integer not above a / b, exponent 0
 ;       raised_times a, k, b, c c = (a + k) b
 ;       lowered_times a, k, b, c c = (a - k) b
@@ -304,6 +304,7 @@ not_below\@:
         .macro  \prefix\()floor_over a, k, c
         DIVS    \a, \k, \c
         FLR     \c, \c
+        ADDN    \c, r0, \c
         .endm
         .macro  \prefix\()floor_quotient a, b, c
         DIVS    \a, \b, \c
@@ -803,6 +804,7 @@ select\@:
         LINKV
         DIVSV   [\a], \k, [\c]
         FLRV    [\c], [\c]
+        ADDNV   [\c], r0, [\c]
         .endm
         .macro  \prefix\()floor_quotient a, b, c
         LINKV

@@ -54,7 +54,6 @@ generate:
         ADDX    s0, position, s0
         number_rays s0, g_column
         floor_over g_column, width, g_row
-        normal  g_row, g_row
         scale   g_row, width, g_u
         minus   g_column, g_u, g_column
 generate_directions:

@@ -49,7 +49,6 @@ generate:
         IBXNE   tile_places, r0, r0, generate_tiles
         ADDN    first_pixel, r0, column
         floor_over column, width, row
-        normal  row, row
         minus_scaled row, width, column, column
 generate_next:
         EX      loop_at, pixel

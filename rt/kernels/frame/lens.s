@@ -27,7 +27,6 @@ scene_focus:    .word 1.0               ; F
 ; Computes the position of samples within their pixel, across or down.
         .macro  within_pixel position, into
         floor_over \position, g_across, \into
-        normal  \into, \into
         scale   \into, g_across, \into
         minus   \position, \into, \into
         .endm

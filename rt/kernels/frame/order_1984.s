@@ -36,11 +36,8 @@ tiles_strip:
         ADDN    strip_at, r0, column
         ADDN    strip_height, r0, loop_work
         ADDN    column, r0, row
-        DIVS    column, loop_work, column
-        FLR     column, column
-        ADDN    column, r0, column
-        MPYS    column, loop_work, loop_work
-        SUBN    row, loop_work, row
+        floor_over column, loop_work, column
+        minus_scaled column, loop_work, row, row
         FLR     row, tile_place
         FLR     column, loop_work
         ADDN    row, tile_row, row

@@ -101,12 +101,9 @@ tile_some:
         ADDN    strip_height, r0, s8
         INTVLV  strip_at, one_index, [s7]
         ADDNV   [s7], r0, [s7]
-        LINKV
-        DIVSV   [s7], s8, [s5]
-        FLRV    [s5], [s5]
-        ADDNV   [s5], r0, [s5]
-        MPYSV   [s5], s8, [s6]
-        SUBNV   [s7], [s6], [s6]
+        floor_over s7, s8, s5
+        scale   s5, s8, s6
+        minus   s7, s6, s6
         ADDN    strip_row, r0, s8
         ADDNV   [s6], s8, [s6]
         SHIFTI  tile_count, 6, s9

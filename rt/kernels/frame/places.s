@@ -19,7 +19,6 @@
 ; whole = floor(number / by), rest = the remainder. Writes whole first.
         .macro  divide_place number, by, whole, rest
         floor_over \number, \by, \whole
-        normal  \whole, \whole
         minus_scaled \whole, \by, \number, \rest
         .endm
 
