@@ -64,32 +64,46 @@ static struct kept *make_room(void)
     return oldest;
 }
 
-static struct object *assemble(const char *kernel, const struct asm_define *defines,
-                               c205_error *error)
+/* Returns a cached program with another user, or NULL. */
+static struct object *reuse(const char *asked)
 {
-    char asked[ASKED_ROOM];
-    bool reported = write_asked(kernel, defines, asked);
-    struct kept *kept = reported ? find(asked) : NULL;
-    if (!kept) {
-        struct object *object = __real_program_assemble(kernel, defines, error);
-        kept = object && reported ? make_room() : NULL;
-        if (!kept)
-            return object;
-        memcpy(kept->asked, asked, sizeof asked);
-        kept->object = object;
+    pthread_mutex_lock(&one_at_a_time);
+    struct kept *kept = find(asked);
+    if (kept) {
+        kept->users++;
+        kept->used = ++now;
     }
-    kept->users++;
-    kept->used = ++now;
-    return kept->object;
+    pthread_mutex_unlock(&one_at_a_time);
+    return kept ? kept->object : NULL;
 }
 
+/* Caches a program with its first user, if there is room. */
+static void cache(const char *asked, struct object *object)
+{
+    pthread_mutex_lock(&one_at_a_time);
+    struct kept *kept = make_room();
+    if (kept) {
+        strcpy(kept->asked, asked);
+        kept->object = object;
+        kept->users = 1;
+        kept->used = ++now;
+    }
+    pthread_mutex_unlock(&one_at_a_time);
+}
+
+/* The lock is not held during assembly, because a program with an error is freed there. */
 struct object *__wrap_program_assemble(const char *kernel,
                                        const struct asm_define *defines,
                                        c205_error *error)
 {
-    pthread_mutex_lock(&one_at_a_time);
-    struct object *object = assemble(kernel, defines, error);
-    pthread_mutex_unlock(&one_at_a_time);
+    char asked[ASKED_ROOM];
+    bool is_cached = write_asked(kernel, defines, asked);
+    struct object *object = is_cached ? reuse(asked) : NULL;
+    if (object)
+        return object;
+    object = __real_program_assemble(kernel, defines, error);
+    if (object && is_cached)
+        cache(asked, object);
     return object;
 }
 
