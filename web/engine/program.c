@@ -231,11 +231,7 @@ static void forget_printed(struct printed *printed)
 
 /* ---- The debugger -------------------------------------------------------- */
 
-enum {
-    MAX_HISTORY = 64 << 20
-};
-    /* bytes; the page of a browser has little memory */ /* bytes; small, because it is in the page of a
-                                    browser */
+enum { MAX_HISTORY = 64 << 20 }; /* bytes; the page of a browser has little memory */
 
 /* Creates the machine and adds the listener of replays. */
 static c205 *make_machine(void *context, c205_error *error)
