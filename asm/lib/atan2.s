@@ -76,7 +76,7 @@ atan2.polynomial:
         \form\()_step f_5, atan_0, f_6                  ; A
         \form\()_times f_6, f_5, f_6
         \form\()_times f_6, f_4, f_6
-        \form\()_add_scaled f_9, atan_low_of_one, f_6
+        \form\()_scaled_plus f_9, atan_low_of_one, f_6, f_6
         \form\()_plus f_6, f_4, f_6
         \form\()_plus f_6, f_9, \r                      ; b
         \form\()_if_above f_2, f_3, atan_turned\@

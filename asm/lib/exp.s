@@ -48,7 +48,7 @@ exp.polynomial:
         \form\()_line f_0, exp_per_ln2, exp_half, f_1
         \form\()_floor f_1, f_1                         ; k
         \form\()_normal f_1, f_2
-        \form\()_add_scaled_twice f_2, exp_ln2_high, exp_ln2_low, f_0 ; r
+        \form\()_scaled_plus_two f_2, exp_ln2_high, f_0, f_0, f_2, exp_ln2_low, f_0, f_0 ; r
         exp_of_rest \form\()_, f_0, f_1, f_2, f_3, \r
         .endm
 

@@ -33,8 +33,6 @@
 ;       floor a, c              c = the largest integer not above a, exponent 0
 ;       truncate a, c           c = the integer part of a, exponent 0
 ;       sign a, k, l, c         c = k, or l if a is below 0
-;       minimum a, b, c         c = the lesser of a and b      c is not b
-;       maximum a, b, c         c = the greater of a and b     c is not b
 ;       not_above a, c          c = the lesser of c and a     none is indefinite
 ;       not_below a, c          c = the greater of c and a    none is indefinite
 ;       not_above_number k, c   c = the lesser of c and k     none is indefinite
@@ -43,7 +41,6 @@
 ;       line a, k, l, c         c = a k + l
 ;       step x, k, c            c = c x + k, a step of Horner's rule
 ;       step_lower x, k, c      c = c x - k
-;       add_scaled a, k, c      c = c + a k       a is not c
 ;       scaled_plus a, k, b, c  c = b + a k       a is not b
 ;       minus_scaled a, k, b, c c = b - a k       a is not b
 ;       scaled_less a, k, b, c  c = a k - b       a is not b
@@ -67,10 +64,6 @@
 ;
 ;       line_two a, k, l, c, m, n, d            c = a k + l,  d = a m + n
 ;       line_three a, k, l, c, m, n, d, o, p, e  also e = a o + p
-;       add_both x, s, y, t, k                s = s + x k,  t = t + y k
-;       add_scaled_two x, k, s, l, t          s = s + x k,  t = t + x l
-;       add_scaled_twice x, k, l, s           s = (s + x k) + x l
-;       add_scaled_three x, k, s, l, t, m, u  also u = u + x m
 ;       step_both x, p, y, q, k               p = p x + k,  q = q y + k
 ;       line_four x, k, l, p, m, n, q, y, r, s
 ;               p = x k + l,  q = x m + n,  r = y k + l,  s = y m + n
@@ -80,6 +73,7 @@
 ;       scaled_sum_two x, y, k, l, s, m, n, t  s = x k + y l,  t = x m + y n
 ;       scaled_lower_two a, k, m, s, b, l, n, t  s = (a - k) m,  t = (b - l) n
 ;       scaled_plus_two a, k, b, c, d, l, e, f  c = a k + b,  f = d l + e
+;       scaled_plus_three a, k, b, c, d, l, e, f, g, m, h, i  also i = g m + h
 ;       from_times_two k, l, a, b, c, d  c = (k - a) b,  d = (l - a) b
 ;       scaled_difference_two x, y, k, l, s, m, n, t  s = x k - y l,  t = x m - y n
 ;       lower_absolute_three a, k, s, b, l, t, c, m, u
@@ -125,16 +119,11 @@
 ;       then_sign a, k, l, c, t, case   c = k, or l if a is below 0; changes t
 ;       otherwise_set k, c       if the condition is false
 ;       then_absolute a, c       then_minus a, b, c
-;       otherwise_copy a, c      if the condition is false
 ;       otherwise_plus a, b, c   if the condition is false
-;       default k, c             before the condition: with then_choose l, k, c
-;                                in its case, c = l if it is true, else k
-;
-;       select if, x, y, a, b, c        c = a if if_.. x, y is true, or b; c is not b
-;       select_number if, x, y, k, b, c the same with a number k
-;                       select less, x, y, a, b, c is c = a if x < y, or b
-;       select_number_then if, x, y, k, b, c, label
-;                       the same, and the condition continues up to end_if label
+;       default k, c             before the condition: k is a number or a vector
+;       then_set_or k, l, c      c = k, or l where the condition is false; l is
+;                                the operand of default
+;       then_set_or_copy k, b, c the same with the default b
 ;
 ; Conditions with one branch in the scalar form; no operand may be indefinite:
 ;
@@ -225,18 +214,6 @@
         RTOR    \l, \c
 sign\@:
         .endm
-        .macro  \prefix\()minimum a, b, c
-        RTOR    \a, \c
-        CFPLT   \a, \b, minimum\@
-        RTOR    \b, \c
-minimum\@:
-        .endm
-        .macro  \prefix\()maximum a, b, c
-        RTOR    \a, \c
-        CFPGT   \a, \b, maximum\@
-        RTOR    \b, \c
-maximum\@:
-        .endm
         .macro  \prefix\()not_above a, c
         CFPGE   \a, \c, not_above\@
         RTOR    \a, \c
@@ -264,10 +241,6 @@ not_below\@:
         .macro  \prefix\()step_lower x, k, c
         MPYS    \c, \x, \c
         SUBN    \c, \k, \c
-        .endm
-        .macro  \prefix\()add_scaled a, k, c
-        MPYS    \a, \k, \scratch
-        ADDN    \scratch, \c, \c
         .endm
         .macro  \prefix\()scaled_plus a, k, b, c
         MPYS    \a, \k, \scratch
@@ -352,31 +325,13 @@ not_below\@:
         SUBN    \a, \k, \c
         MPYS    \c, \b, \c
         .endm
-        .macro  \prefix\()add_both x, s, y, t, k
-        MPYS    \x, \k, \scratch
-        MPYS    \y, \k, \second
-        ADDN    \scratch, \s, \s
-        ADDN    \second, \t, \t
-        .endm
-        .macro  \prefix\()add_scaled_two x, k, s, l, t
-        MPYS    \x, \k, \scratch
-        MPYS    \x, \l, \second
-        ADDN    \scratch, \s, \s
-        ADDN    \second, \t, \t
-        .endm
-        .macro  \prefix\()add_scaled_twice x, k, l, s
-        MPYS    \x, \k, \scratch
-        MPYS    \x, \l, \second
-        ADDN    \scratch, \s, \s
-        ADDN    \second, \s, \s
-        .endm
-        .macro  \prefix\()add_scaled_three x, k, s, l, t, m, u
-        MPYS    \x, \k, \scratch
-        MPYS    \x, \l, \second
-        MPYS    \x, \m, \third
-        ADDN    \scratch, \s, \s
-        ADDN    \second, \t, \t
-        ADDN    \third, \u, \u
+        .macro  \prefix\()scaled_plus_three a, k, b, c, d, l, e, f, g, m, h, i
+        MPYS    \a, \k, \scratch
+        MPYS    \d, \l, \second
+        MPYS    \g, \m, \third
+        ADDN    \scratch, \b, \c
+        ADDN    \second, \e, \f
+        ADDN    \third, \h, \i
         .endm
         .macro  \prefix\()line_four x, k, l, p, m, n, q, y, r, s
         MPYS    \x, \k, \p
@@ -618,8 +573,11 @@ not_below\@:
         .macro  \prefix\()default k, c
         RTOR    \k, \c
         .endm
-        .macro  \prefix\()then_choose l, k, c
-        RTOR    \l, \c
+        .macro  \prefix\()then_set_or k, l, c
+        RTOR    \k, \c
+        .endm
+        .macro  \prefix\()then_set_or_copy k, b, c
+        RTOR    \k, \c
         .endm
         .macro  \prefix\()then_sign a, k, l, c, t, case=
         \prefix\()sign \a, \k, \l, \c
@@ -627,25 +585,8 @@ not_below\@:
         .macro  \prefix\()otherwise_set k, c
         RTOR    \k, \c
         .endm
-        .macro  \prefix\()otherwise_copy a, c
-        RTOR    \a, \c
-        .endm
         .macro  \prefix\()otherwise_plus a, b, c
         ADDN    \a, \b, \c
-        .endm
-        .macro  \prefix\()select if, x, y, a, b, c
-        RTOR    \b, \c
-        \prefix\()if_\if \x, \y, select\@
-        RTOR    \a, \c
-select\@:
-        .endm
-        .macro  \prefix\()select_number if, x, y, k, b, c
-        \prefix\()select \if, \x, \y, \k, \b, \c
-        .endm
-        .macro  \prefix\()select_number_then if, x, y, k, b, c, label
-        RTOR    \b, \c
-        \prefix\()if_\if \x, \y, \label
-        RTOR    \k, \c
         .endm
         .endm
 
@@ -716,14 +657,6 @@ select\@:
         VTOV    \k, [\c]
         VTOV    \l, [\c] ? [\bits]
         .endm
-        .macro  \prefix\()minimum a, b, c
-        CMPLTV  [\a], [\b], [\bits]
-        MASKV   [\a], [\b], [\c] ? [\bits]
-        .endm
-        .macro  \prefix\()maximum a, b, c
-        CMPLTV  [\b], [\a], [\bits]
-        MASKV   [\a], [\b], [\c] ? [\bits]
-        .endm
         .macro  \prefix\()not_above a, c
         CMPLTV  [\a], [\c], [\bits]
         VTOV    [\a], [\c] ? [\bits]
@@ -754,11 +687,6 @@ select\@:
         LINKV
         MPYSV   [\c], [\x], [\c]
         SUBNV   [\c], \k, [\c]
-        .endm
-        .macro  \prefix\()add_scaled a, k, c
-        LINKV
-        MPYSV   [\a], \k, [\a]
-        ADDNV   [\a], [\c], [\c]
         .endm
         .macro  \prefix\()scaled_plus a, k, b, c
         LINKV
@@ -850,22 +778,9 @@ select\@:
         SUBNV   [\a], \k, [\c]
         MPYSV   [\c], [\b], [\c]
         .endm
-        .macro  \prefix\()add_both x, s, y, t, k
-        \prefix\()add_scaled \x, \k, \s
-        \prefix\()add_scaled \y, \k, \t
-        .endm
-        .macro  \prefix\()add_scaled_two x, k, s, l, t
-        \prefix\()add_scaled \x, \k, \s
-        \prefix\()add_scaled \x, \l, \t
-        .endm
-        .macro  \prefix\()add_scaled_twice x, k, l, s
-        \prefix\()add_scaled \x, \k, \s
-        \prefix\()add_scaled \x, \l, \s
-        .endm
-        .macro  \prefix\()add_scaled_three x, k, s, l, t, m, u
-        \prefix\()add_scaled \x, \k, \s
-        \prefix\()add_scaled \x, \l, \t
-        \prefix\()add_scaled \x, \m, \u
+        .macro  \prefix\()scaled_plus_three a, k, b, c, d, l, e, f, g, m, h, i
+        \prefix\()scaled_plus_two \a, \k, \b, \c, \d, \l, \e, \f
+        \prefix\()scaled_plus \g, \m, \h, \i
         .endm
         .macro  \prefix\()line_four x, k, l, p, m, n, q, y, r, s
         \prefix\()line \x, \k, \l, \p
@@ -890,9 +805,9 @@ select\@:
         .endm
         .macro  \prefix\()scaled_sum_two x, y, k, l, s, m, n, t
         \prefix\()scale \x, \k, \s
-        \prefix\()add_scaled \y, \l, \s
+        \prefix\()scaled_plus \y, \l, \s, \s
         \prefix\()scale \x, \m, \t
-        \prefix\()add_scaled \y, \n, \t
+        \prefix\()scaled_plus \y, \n, \t, \t
         .endm
         .macro  \prefix\()scaled_lower_two a, k, m, s, b, l, n, t
         \prefix\()scaled_lower \a, \k, \m, \s
@@ -1084,8 +999,11 @@ select\@:
         .endm
         .macro  \prefix\()default k, c
         .endm
-        .macro  \prefix\()then_choose l, k, c
-        MASKV   \l, \k, [\c] ? [\bits]
+        .macro  \prefix\()then_set_or k, l, c
+        MASKV   \k, \l, [\c] ? [\bits]
+        .endm
+        .macro  \prefix\()then_set_or_copy k, b, c
+        MASKV   \k, [\b], [\c] ? [\bits]
         .endm
         .macro  \prefix\()then_sign a, k, l, c, t, case=\bits
         CMPGEV  [\a], r0, [\more_bits]
@@ -1095,22 +1013,8 @@ select\@:
         .macro  \prefix\()otherwise_set k, c
         VTOV    \k, [\c] ?! [\bits]
         .endm
-        .macro  \prefix\()otherwise_copy a, c
-        VTOV    [\a], [\c] ?! [\bits]
-        .endm
         .macro  \prefix\()otherwise_plus a, b, c
         ADDNV   [\a], [\b], [\c] ?! [\bits]
-        .endm
-        .macro  \prefix\()select if, x, y, a, b, c
-        \prefix\()if_\if \x, \y, select\@
-        MASKV   [\a], [\b], [\c] ? [\bits]
-        .endm
-        .macro  \prefix\()select_number if, x, y, k, b, c
-        \prefix\()if_\if \x, \y, select\@
-        MASKV   \k, [\b], [\c] ? [\bits]
-        .endm
-        .macro  \prefix\()select_number_then if, x, y, k, b, c, label
-        \prefix\()select_number \if, \x, \y, \k, \b, \c
         .endm
         .endm
 

@@ -57,7 +57,7 @@ log.polynomial:
         \form\()_times f_6, f_4, f_6
         \form\()_minus f_3, f_6, f_6                    ; ln f
         \form\()_normal f_1, f_1
-        \form\()_add_scaled f_1, log_ln2_low, f_6
+        \form\()_scaled_plus f_1, log_ln2_low, f_6, f_6
         \form\()_scaled_plus f_1, log_ln2_high, f_6, \r
         \form\()_unless_above_number f_0, r0, log_good\@
         \form\()_otherwise_set log_indefinite, \r

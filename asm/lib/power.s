@@ -110,7 +110,7 @@ power.low:
         \form\()_step f_7, power_0, f_2
         \form\()_times f_2, f_7, f_2
         \form\()_times f_2, f_7, f_2
-        \form\()_add_scaled f_7, power_per_ln2, f_2
+        \form\()_scaled_plus f_7, power_per_ln2, f_2, f_2
         \form\()_plus f_2, f_6, f_2                     ; B
         \form\()_normal f_1, f_1
         \form\()_plus f_1, f_5, f_1                     ; A

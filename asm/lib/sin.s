@@ -57,7 +57,7 @@ cos.polynomial:
         \form\()_line f_0, sin_two_over_pi, sin_half, f_1
         \form\()_floor f_1, f_1                         ; k
         \form\()_normal f_1, f_2
-        \form\()_add_scaled_twice f_2, sin_part_0, sin_part_1, f_0
+        \form\()_scaled_plus_two f_2, sin_part_0, f_0, f_0, f_2, sin_part_1, f_0, f_0
         \form\()_scale f_2, sin_part_2, f_3
         \form\()_plus f_0, f_3, f_4                     ; r
         .endm

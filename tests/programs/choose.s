@@ -1,6 +1,6 @@
-; Minima, maxima and selections of both forms of forms.s are compared with words worked
-; out by hand.  A form that takes the other operand, or stores where the condition is
-; false, makes a word differ.
+; Limits and selections of both forms of forms.s are compared with words worked out by
+; hand. A form that takes the other operand, or stores where the condition is false, makes
+; a word differ.
 
         .include "core.s"
         .include "forms.s"
@@ -46,18 +46,6 @@ next\@: EX      at, xs
         \operation vector
         .endm
 
-        .macro  lesser form
-        \form\()_minimum x, y, z
-        .endm
-        both    lesser
-; expect: [each.lesser] = 1.0, 2.0, -4.0, 5.0, 6.0
-; expect: [all.lesser] = 1.0, 2.0, -4.0, 5.0, 6.0
-        .macro  greater form
-        \form\()_maximum x, y, z
-        .endm
-        both    greater
-; expect: [each.greater] = 2.0, 2.0, -3.0, 7.0, 6.0
-; expect: [all.greater] = 2.0, 2.0, -3.0, 7.0, 6.0
         .macro  lowered form
         \form\()_not_above x, z
         .endm
@@ -78,16 +66,21 @@ next\@: EX      at, xs
 ; expect: [each.clamped] = 2.0, 2.0, -3.5, 3.0, 3.0
 ; expect: [all.clamped] = 2.0, 2.0, -3.5, 3.0, 3.0
         .macro  selected form
-        \form\()_select above, x, y, y, x, z
+        \form\()_default x, z
+        \form\()_if_above x, y, selected\@
+        \form\()_then_set_or_copy high, x, z
+        \form\()_end_if selected\@
         .endm
         both    selected
-; expect: [each.selected] = 1.0, 2.0, -4.0, 5.0, indefinite
-; expect: [all.selected] = 1.0, 2.0, -4.0, 5.0, indefinite
+; expect: [each.selected] = 1.0, 2.0, 3.0, 3.0, indefinite
+; expect: [all.selected] = 1.0, 2.0, 3.0, 3.0, indefinite
         .macro  replaced form
-        \form\()_select_number equal_number, x, r0, high, x, z
-        \form\()_select_number beyond_number, y, high, high, z, z
+        \form\()_default low, z
+        \form\()_if_beyond_number x, high, replaced\@
+        \form\()_then_set_or high, low, z
+        \form\()_end_if replaced\@
         .endm
         both    replaced
-; expect: [each.replaced] = 1.0, 2.0, 3.0, 3.0, 3.0
-; expect: [all.replaced] = 1.0, 2.0, 3.0, 3.0, 3.0
+; expect: [each.replaced] = -3.5, -3.5, -3.5, 3.0, -3.5
+; expect: [all.replaced] = -3.5, -3.5, -3.5, 3.0, -3.5
         EXIT

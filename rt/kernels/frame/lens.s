@@ -47,7 +47,7 @@ scene_focus:    .word 1.0               ; F
         ADDN    g_plane, r0, g_across
         within_pixel g_column, g_place
         within_pixel g_row, g_t
-        add_scaled g_t, g_across, g_place
+        scaled_plus g_t, g_across, g_place, g_place
         floor   g_place, g_place
         MPYX    g_plane, g_plane, g_plane
         SHIFTI  g_plane, 6, g_plane

@@ -17,8 +17,8 @@
         scale   \x, \k00, \to0
         scale   \x, \k10, \to1
         scale   \x, \k20, \to2
-        add_scaled_three \y, \k01, \to0, \k11, \to1, \k21, \to2
-        add_scaled_three \z, \k02, \to0, \k12, \to1, \k22, \to2
+        scaled_plus_three \y, \k01, \to0, \to0, \y, \k11, \to1, \to1, \y, \k21, \to2, \to2
+        scaled_plus_three \z, \k02, \to0, \to0, \z, \k12, \to1, \to1, \z, \k22, \to2, \to2
         .endm
 
         .kernel carry

@@ -52,7 +52,7 @@ eliminate_next:
         each    eliminate_add
         fetch   lin_from, lin_factor
         fetch   at_lin_entry, lin_entry
-        add_scaled lin_factor, lin_work, lin_entry
+        scaled_plus lin_factor, lin_work, lin_entry, lin_entry
         store   lin_entry, at_lin_entry
         next    eliminate_add, lin_below
         ADDX    lin_row, lin_stride, lin_row
@@ -78,7 +78,7 @@ solve_back:
         each    solve_add
         load    lin_column, lin_factor, lin_k
         load    lin_b, lin_entry, lin_k
-        add_scaled lin_factor, lin_work, lin_entry
+        scaled_plus lin_factor, lin_work, lin_entry, lin_entry
         store   lin_entry, lin_b
         next    solve_add, lin_k
         BIM     solve_back

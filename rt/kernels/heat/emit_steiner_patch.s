@@ -24,7 +24,7 @@
         scale   temp0, \k4, \across
         raise   \along, \k1, \along
         raise   \across, \k2, \across
-        add_scaled_two temp1, \k4, \along, \k5, \across   ; X_p, X_q
+        scaled_plus_two temp1, \k4, \along, \along, temp1, \k5, \across, \across ; X_p, X_q
         raise   \along, \k1, temp2
         raise   \across, \k2, temp3
         times   temp2, temp0, temp2

@@ -132,7 +132,7 @@ exchange_incident:
         each    exchange_add
         fetch   at_factor, factor
         fetch   exc_h, irradiation
-        add_scaled factor, lin_work, irradiation
+        scaled_plus factor, lin_work, irradiation, irradiation
         store   irradiation, exc_h
         next    exchange_add
         advance factor, lin_stride

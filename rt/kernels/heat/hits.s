@@ -139,8 +139,8 @@ hits_bits:      .space (QUEUE + 63) / 64 * 6
 
         .macro  dot_axis x, y, z, result, w
         MPYSV   [\x], cyl_ax, [\result]
-        add_scaled \y, cyl_ay, \result
-        add_scaled \z, cyl_az, \result
+        scaled_plus \y, cyl_ay, \result, \result
+        scaled_plus \z, cyl_az, \result, \result
         .endm
 
         .macro  next_rays

@@ -165,9 +165,9 @@ bumped_by_all\@:
 bumped_each\@:
         call_bump
         bump_word BUMP_RISE, bump_weight
-        add_scaled lx, bump_weight, bump_sum_x
-        add_scaled ly, bump_weight, bump_sum_y
-        add_scaled lz, bump_weight, bump_sum_z
+        scaled_plus lx, bump_weight, bump_sum_x, bump_sum_x
+        scaled_plus ly, bump_weight, bump_sum_y, bump_sum_y
+        scaled_plus lz, bump_weight, bump_sum_z, bump_sum_z
         IX      bump_at, 64 * BUMP_SIZE
         IBXNE   bump_left, m_index_minus_one, r0, bumped_each\@, bump_left
         BIM     bumped_summed\@
@@ -198,9 +198,9 @@ bump_next:
         raise   bump_y, b1, q_y
         raise   bump_z, b2, q_z
         call_height
-        add_scaled y_0, b3, lx
-        add_scaled y_0, b4, ly
-        add_scaled y_0, b5, lz
+        scaled_plus y_0, b3, lx, lx
+        scaled_plus y_0, b4, ly, ly
+        scaled_plus y_0, b5, lz, lz
         IX      bump_corner, 64 * BUMP_CORNER_SIZE
         IBXNE   bump_corners_left, m_index_minus_one, r0, bump_next, bump_corners_left
 bump_back:

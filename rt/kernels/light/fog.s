@@ -29,7 +29,7 @@ fog_far:        .word 2e10              ; POV-Ray's value
         .macro  fog_channel fog, fog_pass, pass, haze
         scale   p_x, \fog_pass, fog_work
         times   \pass, fog_work, \pass
-        add_scaled fog_share, \fog, \haze
+        scaled_plus fog_share, \fog, \haze, \haze
         .endm
 
         .macro  fog_blend color, pass, haze

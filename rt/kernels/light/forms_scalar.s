@@ -63,9 +63,9 @@ power_done\@:
         MPYS    sp_own_weight, sp_greatest, sp_weight
         .endm
         .macro  add_share_of_range
-        add_scaled g_share, g_red, sp_red
-        add_scaled g_share, g_green, sp_green
-        add_scaled g_share, g_blue, sp_blue
+        scaled_plus g_share, g_red, sp_red, sp_red
+        scaled_plus g_share, g_green, sp_green, sp_green
+        scaled_plus g_share, g_blue, sp_blue, sp_blue
         .endm
         .macro  find_mirror_index to
         .if     INTERIORS
@@ -262,9 +262,9 @@ bumped_between\@:
         MPYS    lz, t0, bump_sum_z
         IX      bump_at, 64 * BUMP_SIZE
         call_bump
-        add_scaled lx, bump_share, bump_sum_x
-        add_scaled ly, bump_share, bump_sum_y
-        add_scaled lz, bump_share, bump_sum_z
+        scaled_plus lx, bump_share, bump_sum_x, bump_sum_x
+        scaled_plus ly, bump_share, bump_sum_y, bump_sum_y
+        scaled_plus lz, bump_share, bump_sum_z, bump_sum_z
         .endm
 
 ; Loads the height of the map that is the last one not above y_0.

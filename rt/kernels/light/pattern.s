@@ -212,7 +212,7 @@ pattern_radial:
         raise   y_0, m_one, y_2
         quotient y_1, y_2, y_2
         then_copy y_2, y_0
-        then_choose number, none, y_4
+        then_set_or number, none, y_4
         end_if  radial_series
         from_product r0, y_0, y_0, y_3
         line    y_3, angle17, angle15, y_2
@@ -263,7 +263,7 @@ pattern_brick:
         less_floor y_3, y_2
         default m_zero, y_4                     ; s
         if_number_less m_half, y_3, brick_shifted
-        then_choose m_half, m_zero, y_4
+        then_set_or m_half, m_zero, y_4
         end_if  brick_shifted
         mortar  q_x, map_a, y_4
         from    m_half, y_4, y_4
@@ -321,7 +321,7 @@ pattern_checker:
         add_index y_1, y_3, y_1
         default m_zero, y_0
         if_bit  y_1, m_index_one, checker_even
-        then_choose m_one, m_zero, y_0
+        then_set_or m_one, m_zero, y_0
         end_if  checker_even
         BIM     0, inner_link
         .endif

@@ -15,7 +15,9 @@
         times   t1, t1, t4
         plus    t4, t3, t3
         root    t3, t6
-        select_number_then equal_number, t6, r0, m_one, t6, t7, off_axis\@
+        default t6, t7
+        if_equal_number t6, r0, off_axis\@
+        then_set_or_copy m_one, t6, t7
         then_set m_one, t0
         end_if  off_axis\@
         .endm
@@ -23,7 +25,7 @@
         .macro  slope_part u, v, w, n, lower
         MPYS    sh13, \w, spare
         scale   t0, \u, t5
-        add_scaled t1, \v, t5
+        scaled_plus t1, \v, t5, t5
         \lower  t5, spare, \n
         .endm
 

@@ -33,7 +33,7 @@
 
         .macro  side_part u, v, n, scale
         scale   t0, \u, t5
-        add_scaled t1, \v, t5
+        scaled_plus t1, \v, t5, t5
         \scale  t5, sh15, \n
         .endm
 

@@ -56,7 +56,9 @@ normal_lathe_next:
         IX      table, 64 * LATHE_SIZE
         SUBN    spare, m_one, spare
         CFPLT   r0, spare, normal_lathe_row
-        select_number_then equal_number, t6, r0, m_one, qx, t1, lathe_off_axis
+        default qx, t1
+        if_equal_number t6, r0, lathe_off_axis
+        then_set_or_copy m_one, qx, t1
         then_set m_one, t6
         end_if  lathe_off_axis
         quotient nx, t6, t2

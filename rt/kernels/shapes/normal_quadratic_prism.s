@@ -23,7 +23,7 @@
         lower   qx, foot_x, t1
         lower   qz, foot_z, t2
         scale   t1, share_x, t3
-        add_scaled t2, share_z, t3
+        scaled_plus t2, share_z, t3, t3
         not_below_number m_zero, t3             ; w
         not_above_number m_one, t3
         line_two t3, bow_x, path_x, t4, bow_z, path_z, t5

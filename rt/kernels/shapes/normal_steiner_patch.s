@@ -17,7 +17,7 @@
         ADDN    \yy, \yy, \yy
         ADDN    \zz, \zz, \zz
         line_three \this, \xx, \x, \e0, \yy, \y, \e1, \zz, \z, \e2
-        add_scaled_three \other, kx4, \e0, ky4, \e1, kz4, \e2
+        scaled_plus_three \other, kx4, \e0, \e0, \other, ky4, \e1, \e1, \other, kz4, \e2, \e2
         .endm
 
         .macro  tangents
@@ -34,7 +34,7 @@
         .macro  less_weight this, other, k, square, e0, e1, e2
         ADDN    \square, \square, \square
         line    \this, \square, \k, t6
-        add_scaled \other, sh7, t6
+        scaled_plus \other, sh7, t6, t6
         lower_times_three qx, sh0, nx, qy, sh1, ny, qz, sh2, nz, t6
         minus   \e0, nx, \e0
         minus   \e1, ny, \e1

@@ -24,32 +24,32 @@ term_none\@:
 
         .macro  term1 c
         CFPEQ   \c, r0, term_none\@
-        ray_add_both t2, a0, dz, a1, \c
+        ray_scaled_plus_two t2, \c, a0, a0, dz, \c, a1, a1
         ES      used_terms, 1
 term_none\@:
         .endm
 
         .macro  term2 c
         CFPEQ   \c, r0, term_none\@
-        ray_add_both z20, a0, z21, a1, \c
-        ray_add_scaled z22, \c, a2
+        ray_scaled_plus_two z20, \c, a0, a0, z21, \c, a1, a1
+        ray_scaled_plus z22, \c, a2, a2
         ES      used_terms, 1
 term_none\@:
         .endm
 
         .macro  term3 c
         CFPEQ   \c, r0, term_none\@
-        ray_add_both z30, a0, z31, a1, \c
-        ray_add_both z32, a2, z33, a3, \c
+        ray_scaled_plus_two z30, \c, a0, a0, z31, \c, a1, a1
+        ray_scaled_plus_two z32, \c, a2, a2, z33, \c, a3, a3
         ES      used_terms, 1
 term_none\@:
         .endm
 
         .macro  term4 c
         CFPEQ   \c, r0, term_none\@
-        ray_add_both z40, a0, z41, a1, \c
-        ray_add_both z42, a2, z43, a3, \c
-        ray_add_scaled z44, \c, a4
+        ray_scaled_plus_two z40, \c, a0, a0, z41, \c, a1, a1
+        ray_scaled_plus_two z42, \c, a2, a2, z43, \c, a3, a3
+        ray_scaled_plus z44, \c, a4, a4
         ES      used_terms, 1
 term_none\@:
         .endm
