@@ -26,8 +26,7 @@ static double now(void)
     return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
 }
 
-/* Copies the values of a and b to the half words, which are truncated, and to the
- * doubles. */
+/* Copies the values of a and b to the doubles, and truncated to the half words. */
 static void share_values(void)
 {
     uint64_t flags = 0;

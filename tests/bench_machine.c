@@ -97,8 +97,7 @@ static void multiply_doubles(void)
 
 typedef void loop(void);
 
-/* Returns seconds per element. The volatile pointer keeps the compiler from merging
- * iterations. */
+/* Returns seconds per element. The compiler cannot merge iterations (volatile). */
 static double time_doubles(loop *run)
 {
     loop *volatile turn = run;

@@ -35,8 +35,7 @@ static size_t count_taken(struct load *load, size_t more)
     return taken;
 }
 
-/* The own thread of rank 0 waits, holding the last unit, until all other units are
- * done. */
+/* The own thread of rank 0 holds the last unit until all other units are done. */
 static bool run_unit(void *context, size_t job, size_t unit,
                      struct serialized_result *words, c205_error *error)
 {

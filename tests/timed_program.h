@@ -8,18 +8,15 @@
 
 /* Prints the reason and exits with status 1. */
 void stop_bench(const char *message);
-/* Returns the processor seconds of this process, which exclude those of other
- * processes. */
+/* Returns the processor seconds of this process alone. */
 double processor_seconds(void);
 /* Returns the seconds of a monotonic wall clock. */
 double wall_seconds(void);
 /* Assembles a text; stops the benchmark if it has errors. */
 struct object *program_to_time(const char *text);
-/* Reads the scene of a file for frames of this size; stops the benchmark if the file
- * has errors. */
+/* Reads a file's scene for frames of this size. Errors stop the benchmark. */
 struct scene *scene_to_time(const char *path, int width, int height);
-/* Returns the seconds of the fastest of `trials` runs. The machine's accounts are those
- * of the last run. */
+/* Returns the seconds of the fastest of `trials` runs. The last run's accounts stay. */
 double time_program(c205 *machine, const c205_program *program, int trials);
 
 #endif

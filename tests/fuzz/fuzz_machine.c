@@ -17,15 +17,13 @@ bool fuzz_accepted;
 #define CODE UINT64_C(0x400000)   /* page 1 */
 #define DATA UINT64_C(0x10000000) /* page 64; no other page is near */
 #define CLOCKS 100000
-/* The data flag of the job interval timer. The timer may expire while an instruction
- * traps. */
+/* The data flag of the job interval timer, which may expire during a trap. */
 #define TIMER (UINT64_C(1) << 27)
 #define SLICE 37
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 enum { WORD_BITS = 64, CODE_WORDS = 256, DATA_WORDS = 1024 };
 
-/* All state that a program can change, except code outside of its first CODE_WORDS
- * words. */
+/* All state that a program can change, except code after its first CODE_WORDS words. */
 struct state {
     c205_word registers[C205_REGISTERS];
     c205_word flags;

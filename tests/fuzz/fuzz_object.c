@@ -1,5 +1,4 @@
-/* fuzz_object.c - reads any bytes as an object file; a valid object is loaded and
- * run. */
+/* fuzz_object.c - reads any bytes as an object file, and runs valid objects. */
 #include "asm/object/object_file.h"
 #include "tests/fuzz/fuzz.h"
 

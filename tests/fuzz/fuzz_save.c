@@ -49,8 +49,7 @@ static c205 *restore(const uint8_t *data, size_t size)
     return machine;
 }
 
-/* Writes the hash of all words but the last into the last word. Returns the size in
- * full words. */
+/* Writes the hash of the other words into the last word. Returns the size in words. */
 static size_t seal(uint8_t *byte, size_t size)
 {
     size_t words = size / WORD_BYTES;
@@ -88,8 +87,7 @@ static c205_stop go_on(c205 *machine)
     return stop;
 }
 
-/* Compares a machine with a copy that was saved and restored, before and after some
- * steps. */
+/* Compares a machine with a saved and restored copy, before and after some steps. */
 static void check_twins(c205 *machine)
 {
     struct bytes bytes = save(machine);
@@ -114,8 +112,7 @@ static void try_bytes(const uint8_t *data, size_t size)
     }
 }
 
-/* The copy has an allocation of exact size, so that reads after its end are
- * detected. */
+/* The copy has an allocation of exact size, so that reads after its end fail. */
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     FREED uint8_t *sealed = malloc(size ? size : 1);

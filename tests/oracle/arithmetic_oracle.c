@@ -4,8 +4,7 @@
 #include <assert.h>
 #include <gmp.h>
 
-/* GMP's short operands are of type long. The oracle needs a host whose long has 64
- * bits. */
+/* GMP's short operands have type long, so the host's long must have 64 bits. */
 typedef char long_holds_a_word[sizeof(long) == sizeof(c205_word) ? 1 : -1];
 
 const struct oracle_format oracle_full = { 64, 47, -28672, 28671 };
@@ -371,8 +370,7 @@ ORACLE_RULE(square_root)
     long exponent = left.exponent - places;
     long odd = (exponent - format->digits) % 2 != 0;
     long k = format->digits - odd;
-    /* The root has exactly this number of digits, so MPFR's rounding down gives the
-     * floor. */
+    /* The root has exactly this number of digits, so rounding down gives the floor. */
     mpfr_set_prec(root, format->digits);
     mpfr_set_z_2exp(radicand, left.coefficient, k, MPFR_RNDD);
     mpfr_sqrt(root, radicand, MPFR_RNDD);
@@ -491,8 +489,7 @@ ORACLE_RULE(adjust_exponent)
 
 /* ---- Between the sizes -------------------------------------------------- */
 
-/* Shortens a word to a half word. `addend` makes the result rounded; with 0 it is
- * truncated. */
+/* Shortens a word to a half word. `addend` rounds the result; 0 truncates it. */
 static c205_word contract(c205_word a, unsigned long addend, uint64_t *flags)
 {
     long places = oracle_full.digits - oracle_half.digits;
@@ -538,8 +535,7 @@ void oracle_value(const struct oracle_format *format, mpfr_t value, c205_word wo
         mpfr_set_z_2exp(value, left.coefficient, left.exponent, MPFR_RNDD);
 }
 
-/* MPFR's predicates are false for NaN. The machine's comparisons are false for
- * indefinite. */
+/* MPFR's predicates are false for NaN, the machine's are false for indefinite. */
 #define COMPARISON(name, holds) \
     ORACLE_RULE(name) \
     { \

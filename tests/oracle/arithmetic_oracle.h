@@ -23,8 +23,7 @@ struct oracle_format {
     long exponent_min, exponent_max;
 };
 
-/* Words of 16 + 48 bits and of 8 + 24 bits. Words of 6 + 8 bits are few enough to test
- * all pairs. */
+/* Words of 16 + 48, 8 + 24 and 6 + 8 bits. All pairs of the last can be tested. */
 extern const struct oracle_format oracle_full, oracle_half, oracle_narrow;
 
 /* Call oracle_begin before the first rule, and oracle_end after the last rule. */
@@ -47,8 +46,7 @@ typedef c205_word oracle_rule(const struct oracle_format *format, c205_word a,
 #define ELEMENTWISE(name, specials) oracle_rule oracle_##name;
 #include "vm/arith.def"
 
-/* Each macro defines call_NAME, which calls a function of arith.h, as a rule without a
- * format. */
+/* Each macro defines call_NAME: a function of arith.h as a rule without a format. */
 #define CALL_BINARY(function) \
     static c205_word call_##function(c205_word a, c205_word b, uint64_t *flags) \
     { \

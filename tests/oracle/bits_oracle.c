@@ -8,8 +8,7 @@ static c205_word bit(c205_word word, long i)
     return word >> (63 - i) & 1;
 }
 
-/* Returns a word with the exponent field of `high` and the coefficient field of
- * `low`. */
+/* Returns a word with the exponent field of `high` and the coefficient of `low`. */
 static c205_word join(const struct oracle_format *format, c205_word high, c205_word low)
 {
     long middle = format->width - format->digits - 1;
@@ -74,8 +73,7 @@ ORACLE_RULE(shift)
     return justified(format, shifted);
 }
 
-/* Computes each bit of the result as truth[a][b], where a and b are bits of the
- * operands. */
+/* Computes each bit of the result as truth[a][b] of the bits a and b. */
 static c205_word bitwise(const struct oracle_format *format, c205_word a, c205_word b,
                          const unsigned truth[2][2])
 {

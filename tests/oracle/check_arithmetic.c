@@ -19,8 +19,7 @@
 
 /* ---- One operation ------------------------------------------------------ */
 
-/* No operation sets this flag. Operations do not clear flags, so it must still be set
- * afterwards. */
+/* No operation sets or clears this flag, so it must still be set afterwards. */
 #define EARLIER_FLAG UINT64_C(1)
 
 struct outcome {
@@ -107,16 +106,14 @@ static bool check_span(const struct operation *operation, struct span *span)
     return false;
 }
 
-/* Returns a random length. Short spans detect wrong flags, long spans test vectorised
- * loops. */
+/* Returns a random length. Short spans detect wrong flags, long ones test loops. */
 static size_t span_length(uint64_t *random)
 {
     int64_t longest = random_bits(random) % 2 == 0 ? 9 : SPAN;
     return (size_t)random_between(random, 1, longest);
 }
 
-/* Checks an operation on single words, and on arrays if it has a function for
- * arrays. */
+/* Checks an operation on single words, and on arrays if it has such a function. */
 static bool check_operation(const void *what, struct span *span)
 {
     const struct operation *operation = what;
@@ -185,8 +182,7 @@ static void count(struct run *run, const char *name, size_t cases, bool pass)
     fflush(stdout);
 }
 
-/* Checks spans of random operands. The masks of stores come from the random stream of
- * the lengths. */
+/* Checks random spans. The masks of stores use the random stream of the lengths. */
 static void check_spans(struct run *run, const char *name,
                         const struct oracle_format *format,
                         bool (*check)(const void *what, struct span *span),

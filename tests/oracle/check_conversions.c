@@ -57,8 +57,7 @@ static int64_t usual_power(uint64_t *random)
                                         : random_between(random, -60, 60);
 }
 
-/* Returns a random double. Every second double is of common size. Every third double
- * has few bits. */
+/* Returns a random double. One in two is of common size, one in three has few bits. */
 static double random_double(uint64_t *random)
 {
     uint64_t choice = random_bits(random);
@@ -252,8 +251,7 @@ static bool fewer_digits_do(const mpfr_t value, size_t digits)
     return mpfr_equal_p(cut, value) != 0;
 }
 
-/* Reads the text with MPFR. If the value is in the machine's range, also reads it with
- * the machine. */
+/* Reads the text with MPFR, and with the machine if the value is in its range. */
 static bool reads_back(const struct converters *as, const mpfr_t value,
                        const char *text)
 {

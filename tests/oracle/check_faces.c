@@ -126,8 +126,7 @@ static bool same_sight(const struct scene *scene, const struct frame *plain,
                    && !in_one_region(scene, id, other)));
 }
 
-/* Up to 1 % of the pixels may differ, because rounding decides at edges and
- * outlines. */
+/* Up to 1 % of the pixels may differ, because rounding decides at edges. */
 static bool same_as_plain(const struct scene *scene, const struct trace *expected,
                           char *reason)
 {

@@ -134,8 +134,7 @@ static struct povray *begin_run(const char *text, size_t number, const char *wha
     return povray_begin(path, text, WIDTH, HEIGHT);
 }
 
-/* Returns the text with the camera that rt205 has read, moved by `right` and `up`
- * pixels. */
+/* Returns the text with rt205's camera moved by `right` and `up` pixels. */
 static char *text_seen_from(const char *text, const struct camera *camera, double right,
                             double up)
 {
@@ -348,8 +347,7 @@ static bool check_scene(size_t number, bool first)
     return judgement.fault == NO_FAULT;
 }
 
-/* Writes the image atomically, because several processes may run in this folder at the
- * same time. */
+/* Writes the image atomically, because several processes may run in this folder. */
 static void keep_image(void)
 {
     char path[PATH];

@@ -114,8 +114,7 @@ static void compare(struct comparing *comparing, double a, double a_error, doubl
     }
 }
 
-/* Computes the second moments from the inertia tensor about the centroid. Returns their
- * size. */
+/* Computes the second moments from the central inertia tensor. Returns their size. */
 static double second_moments(const double inertia[6], double second[3][3])
 {
     double half = (inertia[0] + inertia[1] + inertia[2]) / 2;

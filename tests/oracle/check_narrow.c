@@ -90,8 +90,7 @@ static void some_words(struct words *words)
 
 /* ---- One operation ------------------------------------------------------ */
 
-/* No operation sets this flag. Operations do not clear flags, so it must still be set
- * afterwards. */
+/* No operation sets or clears this flag, so it must still be set afterwards. */
 #define EARLIER_FLAG UINT64_C(1)
 
 static void show(const char *which, c205_word word, uint64_t flags)

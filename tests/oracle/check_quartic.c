@@ -74,8 +74,7 @@ static bool same_roots(const struct polynomial_roots *a,
     return true;
 }
 
-/* Computes the roots with other options. Returns the number of polynomials whose roots
- * differ. */
+/* Computes the roots with other options. Returns the number of differences. */
 static unsigned long compare(const struct polynomial *polynomials, size_t count,
                              const struct polynomial_roots *expected,
                              const struct roots_options *options)

@@ -94,8 +94,7 @@ static void simpler_surroundings(struct random_program *program)
     keep_if_differing(program, &trial);
 }
 
-/* Removes instructions and simplifies registers while the machine and the reference
- * still differ. */
+/* Simplifies the program while the machine and the reference still differ. */
 static void shrink_program(struct random_program *program)
 {
     simpler_surroundings(program);

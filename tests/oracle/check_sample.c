@@ -31,8 +31,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The samples of the two pictures differ. Up to this tolerance a user sees no
- * difference. */
+/* The samples of the pictures differ. Users see no difference up to this tolerance. */
 static const struct comparison with_povray = { "colour", CHANNEL_RED, 3, 1,
                                                false,    .02,         1 };
 

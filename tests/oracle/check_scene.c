@@ -36,8 +36,7 @@
 static const struct comparison with_povray = {
     "colour", CHANNEL_RED, 3, 1, false, POVRAY_TOLERANCE, DECIDED_BY_ROUNDING
 };
-/* POV-Ray traces hundreds of random rays for a pixel with a lens. This tracer traces
- * only a few. */
+/* POV-Ray traces hundreds of random rays for a pixel with a lens, this tracer few. */
 static const struct comparison roughly = {
     "colour", CHANNEL_RED, 3, 1, false, .05, .002
 };
@@ -324,8 +323,7 @@ static unsigned turn_of(const char *path)
     return sum % TURNS;
 }
 
-/* Checks a file. The example scenes have many parts, so their frames have fewer
- * pixels. */
+/* Checks a file. Example scenes have many parts, so their frames have fewer pixels. */
 static void check_file(const char *path, bool all)
 {
     bool large = strncmp(path, "scenes/", 7) == 0;

@@ -1,5 +1,4 @@
-/* coincident_scene.c - prints random bodies on a ground or in stacks
- * (random_scenes.h). */
+/* coincident_scene.c - random bodies on a ground or in stacks (random_scenes.h). */
 #include "tests/oracle/random_scenes.h"
 
 #include "tests/oracle/chance.h"
@@ -12,8 +11,7 @@ struct stand {
     double x, y, z, size, height;
 };
 
-/* Defines a function that prints a shape with the half width s, the height h and a
- * random number r. */
+/* Defines a function that prints a shape: half width s, height h, random number r. */
 #define SHAPE(name, random, ...) \
     static void name##_words(uint64_t *state, const struct stand *at, char *words) \
     { \

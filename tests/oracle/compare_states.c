@@ -1,5 +1,4 @@
-/* compare_states.c - runs a program on the machine and on the reference, step by
- * step. */
+/* compare_states.c - steps a program on the machine and on the reference. */
 #include "compare_states.h"
 
 #include "asm/object/disassemble.h"
@@ -20,8 +19,7 @@ enum {
                            * loops */
 };
 
-/* The state of the comparison for one program: the machine and the reference
- * interpreter. */
+/* The state of one comparison: the machine and the reference interpreter. */
 struct trial {
     const struct random_program *program;
     c205 *machine;

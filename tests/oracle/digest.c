@@ -60,8 +60,7 @@ static void run_texts(struct digest *digest, char **paths)
 
 /* ---- Random programs ---------------------------------------------------- */
 
-/* Runs a program. An instruction that traps is skipped, so that the program
- * continues. */
+/* Runs a program. An instruction that traps is skipped; the program continues. */
 static void run_on(c205 *machine)
 {
     for (int i = 0; i < MAX_TRAPS; i++) {

@@ -154,8 +154,7 @@ static void add_root(struct exact_roots *roots, const mpfr_t x, bool multiple)
     roots->multiple[roots->count++] = multiple;
 }
 
-/* Searches for roots between successive knots, and up to the bound. s->a is the left
- * end. */
+/* Searches for roots between successive knots, up to the bound, from s->a on. */
 static void search_between(struct search *s, const struct exact_roots *knots,
                            struct exact_roots *roots, long bound)
 {

@@ -31,8 +31,7 @@ void exact_clear(struct exact_roots *roots);
 /* c has degree + 1 elements; leading and trailing zeros are allowed. */
 void exact_positive_roots(struct exact_roots *roots, mpfr_t *c, int degree);
 
-/* exact_value sets value to f(x). exact_size sets size to the sum of |c_i| x^i. x must
- * be positive. */
+/* exact_value computes f(x), exact_size the sum of |c_i| x^i for positive x. */
 void exact_value(mpfr_t value, mpfr_t *c, int degree, const mpfr_t x);
 void exact_size(mpfr_t size, mpfr_t *c, int degree, const mpfr_t x);
 
@@ -55,8 +54,7 @@ struct islands {
 
 void islands_init(struct islands *islands);
 void islands_clear(struct islands *islands);
-/* Computes the islands of the polynomial with coefficients c[i] of x^i, in ascending
- * order. */
+/* Computes the islands of the polynomial with coefficients c[i] of x^i, ascending. */
 void islands_find(struct islands *islands, mpfr_t *c, int degree);
 
 #endif

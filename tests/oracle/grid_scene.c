@@ -210,8 +210,7 @@ static struct solid *random_clip(uint64_t state)
     return clip;
 }
 
-/* Makes one in ten shapes a box of triangles. The other random choices do not depend on
- * this choice. */
+/* Makes one shape in ten a box of triangles, without changing other random choices. */
 static void random_box_mesh(uint64_t state, char *shape)
 {
     double corner[2][3];
@@ -247,8 +246,7 @@ static struct solid *random_solid(uint64_t *state, size_t depth)
     return solid;
 }
 
-/* The diagonals divide a square into four triangles. Makes three of them, flat or
- * bent. */
+/* Makes three of the four triangles between a square's diagonals, flat or bent. */
 static struct solid *random_mesh(uint64_t *state)
 {
     struct solid *solid = solid_new(SHAPE, 0);

@@ -1,5 +1,4 @@
-/* language_materials.c - random pigments, finishes, normals, textures and transforms.
- * */
+/* language_materials.c - random pigments, finishes, normals and transforms. */
 #include "tests/oracle/language_parts.h"
 
 /* --- pigments ------------------------------------------------------------- */

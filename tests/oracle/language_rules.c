@@ -9,8 +9,7 @@
     "$" in "[no_shadow\n|$]$" in "[$6[no_image off|no_image$]\n|$]$" in \
     "[no_reflection\n|$]"
 #define AFTER_TURNED "location <.021, .033, -8>\ndirection <.02, .01, ^31.2:2^>\n"
-/* The patterns with a map. Rules name all other patterns, because they have
- * arguments. */
+/* The patterns with a map. Rules name all other patterns, which have arguments. */
 #define CHOICE_map(name) #name "|"
 #define CHOICE_gradient(name)
 #define CHOICE_list(name)

@@ -1,5 +1,4 @@
-/* language_scene.c - generates the settings, cameras and lights of random scene
- * texts. */
+/* language_scene.c - generates settings, cameras and lights of random scene texts. */
 #include "tests/oracle/language_scene.h"
 
 #include "tests/oracle/language_parts.h"

@@ -15,8 +15,7 @@
 /* The size of the pictures for which the scenes are made. */
 enum { LANGUAGE_WIDTH = 40, LANGUAGE_HEIGHT = 30 };
 
-/* The name of the image file of their image_map. The file is in the folder of the
- * scene. */
+/* The image file of their image_map, which is in the folder of the scene. */
 #define LANGUAGE_IMAGE "language_image.ppm"
 extern const char language_image[];
 

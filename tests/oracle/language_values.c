@@ -1,5 +1,4 @@
-/* language_values.c - evaluates patterns, and generates names and random
- * expressions. */
+/* language_values.c - evaluates patterns, generates names and random expressions. */
 #include "tests/oracle/language_parts.h"
 
 #include <stdarg.h>
@@ -36,8 +35,7 @@ static void write_name(struct language *draw, enum language_name kind, char use)
 static void write_float(struct language *draw, int depth);
 static void write_vector(struct language *draw, int depth);
 
-/* Prints an operation. # becomes a float, and @ a vector. Other characters are
- * copied. */
+/* Prints an operation. # becomes a float, @ a vector. Other characters are copied. */
 static void write_operation(struct language *draw, const char *operation, int depth)
 {
     for (; *operation; operation++)
@@ -179,8 +177,7 @@ static const char *alternative_end(const char *p)
     return p;
 }
 
-/* Lists the alternatives of the brackets at p. Returns the position after the
- * brackets. */
+/* Lists the alternatives of the brackets at p. Returns the place after them. */
 static const char *list_alternatives(const char *p, const char *alternative[16],
                                      size_t *count)
 {

@@ -1,5 +1,4 @@
-/* machine_mass.h - the mass properties of a scene text as the machine computes them,
- * for tests. */
+/* machine_mass.h - the mass properties of a scene text from the machine. */
 #ifndef MACHINE_MASS_H
 #define MACHINE_MASS_H
 

@@ -1,5 +1,4 @@
-/* many_scenes.h - functions that checks with random scenes share: arguments, exit
- * status, files. */
+/* many_scenes.h - arguments, exit status and files of checks with random scenes. */
 #ifndef MANY_SCENES_H
 #define MANY_SCENES_H
 
@@ -14,21 +13,18 @@
 
 /* Returns the model for the traces. The caller frees it. */
 c205_model *usual_model(void);
-/* Reads a scene. After an error, prints the text and the messages, and ends the program
- * with status 2. */
+/* Reads a scene. After an error, prints it and the messages, and exits with 2. */
 struct scene *scene_of(const char *text);
 /* Returns the options for a frame of this size. */
 struct trace_options sized(struct trace_options form, size_t width, size_t height);
-/* Returns a finished trace on the model of check_many. If the trace fails, ends the
- * program. */
+/* Returns a finished trace on check_many's model. A failure ends the program. */
 struct trace *traced_in(const struct scene *scene, struct trace_options options);
 /* Traces the scene with other options, in the same size. The frames must be equal bit
  * for bit, and the numbers of rays must be equal. Otherwise writes a reason of at most
  * MANY_REASON characters, which ends with the options, and returns false. */
 bool same_in_form(const struct scene *scene, const struct trace *expected,
                   struct trace_options form, char *reason);
-/* Writes the text to a file in the current folder. Errors are ignored, because the text
- * is also printed. */
+/* Writes a file in the current folder. Errors are ignored: the text is also printed. */
 void keep_scene(const char *path, const char *text);
 
 /* The model for the traces, valid during check_many. */
@@ -58,8 +54,7 @@ struct random_scene {
     uint64_t state; /* random state after the scene was generated */
 };
 
-/* A check of random scenes. The random state of number N is initially RANDOM_SEED ^ (N
- * + 1) * seed. */
+/* A check of random scenes. Scene N has the seed RANDOM_SEED ^ (N + 1) * seed. */
 struct random_check {
     const char *kind;
     uint64_t seed;

@@ -1,5 +1,4 @@
-/* narrow_oracle.c - the rules of docs/arithmetic.md for the narrow format, in plain
- * integers. */
+/* narrow_oracle.c - the rules of docs/arithmetic.md for narrow words, in integers. */
 #include "narrow_oracle.h"
 
 /* ---- Words -------------------------------------------------------------- */
@@ -87,8 +86,7 @@ static c205_word make(int64_t exponent, int64_t coefficient, uint64_t *flags)
 
 /* ---- Significant bits --------------------------------------------------- */
 
-/* The number of bits of the longest integer: a product, a quotient, or a sum before it
- * is shortened. */
+/* The bits of the longest integer: a product, a quotient or an unshortened sum. */
 enum { LONGEST = SUM_DIGITS + 1 };
 static signed char significant[2 << LONGEST];
 
@@ -414,8 +412,7 @@ SMALL_RULE(shift)
 
 /* ---- Compare ------------------------------------------------------------ */
 
-/* Returns the value in units of the smallest exponent. The value of machine zero is
- * 0. */
+/* Returns the value in units of the smallest exponent, or 0 for machine zero. */
 static int64_t value(struct number a)
 {
     return a.zero || a.indefinite

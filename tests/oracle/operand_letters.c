@@ -1,5 +1,4 @@
-/* operand_letters.c - matches the syntax of a format with the operand letters of a
- * row. */
+/* operand_letters.c - matches the syntax of a format with a row's operand letters. */
 #include "operand_letters.h"
 
 #include "tests/oracle/reference.h"

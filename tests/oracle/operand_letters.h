@@ -19,8 +19,7 @@ char letter_of(const c205_insn *row, enum role role);
  * be a result in some cases and a source in others; g decides which letter it has. */
 char sized_letter(const c205_insn *row, unsigned g, enum role role);
 
-/* Returns true if the operand is a register, not a vector. The register may be
- * broadcast as a vector. */
+/* Returns true if the operand is a register, which a vector may broadcast. */
 bool is_scalar(const c205_insn *row, unsigned g, enum role role);
 bool is_half_register(const c205_insn *row, unsigned g, enum role role);
 

@@ -1,9 +1,7 @@
-/* operands.c - generates pairs of operands: all pairs of edge words, and random
- * families of pairs. */
+/* operands.c - generates all pairs of edge words and random families of pairs. */
 #include "operands.h"
 
-/* splitmix64: Steele, Lea, Flood, "Fast splittable pseudorandom number generators",
- * 2014. */
+/* splitmix64: Steele, Lea, Flood, "Fast splittable pseudorandom generators", 2014. */
 uint64_t random_bits(uint64_t *random)
 {
     uint64_t z = *random += UINT64_C(0x9E3779B97F4A7C15);
@@ -156,8 +154,7 @@ static int64_t usual_exponent(struct draw draw)
     return between(draw, -2 * digits - 16, digits / 2 - 3);
 }
 
-/* Returns a difference of exponents. It may exceed the number of digits of a sum, in
- * both directions. */
+/* Returns a difference of exponents, which may exceed the digits of a sum. */
 static int64_t difference(struct draw draw)
 {
     int64_t past = 2 * draw.format->digits + 6;
@@ -270,8 +267,7 @@ static void extreme_sums(struct draw draw, c205_word *a, c205_word *b)
     *b = any_digits(draw, second);
 }
 
-/* a is a square, or differs from a square by one. Roots are less than the root of
- * 2^digits. */
+/* a is a square, or differs from it by one. Roots are less than that of 2^digits. */
 static void squares(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t last = two(draw.format->digits / 2) * 1414 / 1000;
@@ -301,8 +297,7 @@ static void counts(struct draw draw, c205_word *a, c205_word *b)
     *b = pack(draw.format, 0, between(draw, -most, most));
 }
 
-/* Generates operands of the fast path. One word in eight is replaced by a random word
- * of any kind. */
+/* Generates operands of the fast path. One word in eight is of any kind. */
 static void sprinkled(struct draw draw, c205_word *a, c205_word *b)
 {
     fast_path(draw, a, b);

@@ -21,8 +21,7 @@ struct operands operands_begin(const struct oracle_format *format, uint64_t seed
 /* Generates the next n pairs of operands. */
 void operands_next(struct operands *operands, c205_word *a, c205_word *b, size_t n);
 
-/* random_bits returns 64 random bits. random_between returns an integer from low to
- * high, both included. */
+/* Return 64 random bits, and a random integer from low to high, both included. */
 uint64_t random_bits(uint64_t *random);
 int64_t random_between(uint64_t *random, int64_t low, int64_t high);
 /* Returns a random word of any kind. */

@@ -1,5 +1,4 @@
-/* operations.c - tables of the operations, with the functions of the oracle and of the
- * machine. */
+/* operations.c - the operations with the functions of the oracle and the machine. */
 #include "operations.h"
 
 #include "vm/number/lanes.h"
@@ -36,8 +35,7 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
         (void)b; \
         function(c, a, n, flags); \
     }
-/* Clears the flags if the bitmap has bits after its end. Comparisons do not change
- * flags. */
+/* Clears the flags if the bitmap is too long. Comparisons do not change flags. */
 #define CALL_RELATION_SPAN(function) \
     SPAN_OF(function) \
     { \

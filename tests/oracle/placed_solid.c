@@ -50,8 +50,7 @@ SHAPE_AT(random_box)
     }
 }
 
-/* Prints a cone or cylinder along an axis: both ends, the radii, and optionally the
- * keyword `open`. */
+/* Prints a cone or cylinder along an axis: ends, radii and optionally `open`. */
 static void print_axis(uint64_t *state, const struct place *place, struct solid *solid,
                        bool cone)
 {

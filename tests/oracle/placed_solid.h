@@ -21,8 +21,7 @@ void place_make_short(struct place *place);
 /* The finishes of the objects of a scene. */
 enum mood { DULL, MIXED, CLEAR, MOODS };
 
-/* Returns a shape. If depth is not 0, it may be a tree of at most this depth. The
- * caller frees it. */
+/* Returns a shape, or a tree of at most this depth. The caller frees it. */
 struct solid *solid_at(uint64_t *state, const struct place *place, enum mood mood,
                        int depth);
 /* Returns an open or a closed mesh. */

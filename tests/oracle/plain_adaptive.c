@@ -1,5 +1,4 @@
-/* plain_adaptive.c - refines pixels adaptively, one block of pixels at a time
- * (plain_adaptive.h). */
+/* plain_adaptive.c - refines pixels adaptively, block by block (plain_adaptive.h). */
 #include "tests/oracle/plain_adaptive.h"
 
 #include <math.h>

@@ -1,5 +1,4 @@
-/* plain_area.c - computes areas and centroids of surfaces as sums over parameter grids
- * (plain_area.h). */
+/* plain_area.c - areas and centroids of surfaces as sums over grids (plain_area.h). */
 #include "tests/oracle/plain_area.h"
 
 #include <stddef.h>
@@ -37,8 +36,7 @@ PLACE(place_torus)
     point[2] = from_axis * sin(TURN * v);
 }
 
-/* Computes a point of a circle about `center`, in the plane perpendicular to the
- * axis. */
+/* Computes a point of the circle about `center` perpendicular to the axis. */
 static void place_on_circle(const double center[3], const double axis[3], double radius,
                             double v, double point[3])
 {
@@ -173,8 +171,7 @@ static struct plain_area sum_cells(const struct surface_grid *grid)
     return sum;
 }
 
-/* Removes the error term that is quadratic in the cell size, by Richardson
- * extrapolation from two grids. */
+/* Removes the quadratic error of the cell size by Richardson extrapolation. */
 struct plain_area plain_area(const struct primitive *primitive)
 {
     struct surface_grid grid = grid_over(primitive);

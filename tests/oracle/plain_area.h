@@ -10,8 +10,7 @@ struct plain_area {
     double middle[3]; /* centroid of the surface, in world space */
 };
 
-/* Computes the area of a primitive that can emit light. The relative error is about
- * 1e-6. */
+/* Computes the area of an emitter with a relative error of about 1e-6. */
 struct plain_area plain_area(const struct primitive *primitive);
 
 #endif

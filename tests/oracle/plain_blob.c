@@ -11,8 +11,7 @@ enum { NODES = HIGHEST_DEGREE + 1 };
 
 /* ---- The field ----------------------------------------------------------- */
 
-/* Computes the vector to a point from the nearest point of the axis, or from the
- * centre. */
+/* Computes the vector to a point from the nearest point of the axis or the centre. */
 static void way_from(const struct blob_part *part, const double own[3], double way[3])
 {
     double axis[3];
@@ -24,8 +23,7 @@ static void way_from(const struct blob_part *part, const double own[3], double w
     add_scaled(way, way, -fmin(fmax(share, 0), 1), axis);
 }
 
-/* Returns 1 - (distance / radius)^2 of a component at a point in the component's
- * space. */
+/* Returns 1 - (distance / radius)^2 at a point in a component's space. */
 static double nearness(const struct blob_part *part, const double own[3])
 {
     double way[3];

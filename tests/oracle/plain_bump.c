@@ -1,5 +1,4 @@
-/* plain_bump.c - normals changed by bump patterns, by POV-Ray's rules
- * (plain_light.h). */
+/* plain_bump.c - normals changed by POV-Ray's bump patterns (plain_light.h). */
 #include "tests/oracle/plain_light.h"
 
 #include "tests/oracle/plain_shapes.h"

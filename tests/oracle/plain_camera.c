@@ -10,8 +10,7 @@ size_t plain_samples(const struct camera *camera)
     return (size_t)ceil(sqrt(camera->lens_points));
 }
 
-/* Divides the interval from -1 to 1 into `cells` cells, and returns the centre of a
- * cell. */
+/* Divides the interval from -1 to 1 into `cells` cells. Returns a cell's centre. */
 static double in_cell(size_t number, size_t cells)
 {
     return ((double)(number % cells) + .5) * 2 / (double)cells - 1;

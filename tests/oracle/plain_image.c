@@ -14,8 +14,7 @@ static double turn(double a, double b)
     return share < 0 ? share + 1 : share;
 }
 
-/* Computes the coordinates on the image: u from 0 to 1 over its width, and v
- * upwards. */
+/* Computes the image coordinates: u from 0 to 1 over its width, and v upwards. */
 static void place_of(const struct image_map *map, const double point[3], double *u,
                      double *v)
 {

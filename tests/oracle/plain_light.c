@@ -102,8 +102,7 @@ static double highlight(const struct finish *finish, const double eye[3],
     return sum;
 }
 
-/* By POV-Ray's rule, a metal shows less of its own colour the more obliquely it is seen
- * or lit. */
+/* By POV-Ray's rule, a metal shows less of its colour at oblique angles. */
 static void add_metal(double metallic, double cosine, const double pigment[3],
                       double color[3])
 {
@@ -114,8 +113,7 @@ static void add_metal(double metallic, double cosine, const double pigment[3],
         color[i] *= 1 - own + own * pigment[i];
 }
 
-/* Returns the fraction of unpolarised light that an interface between two media
- * reflects. */
+/* Returns the fraction of unpolarised light that a border of media reflects. */
 static double fresnel_share(double index, double cosine)
 {
     double inside = sqrt(fmax(1 - (1 - cosine * cosine) / (index * index), 0));
@@ -292,8 +290,7 @@ static void area_place(const struct light *light, int u, int v, double place[3])
     add_scaled(place, place, b, light->area_axes[1]);
 }
 
-/* Sums the contributions of all points of an area light. The surfaces in front of a
- * point attenuate it. */
+/* Sums the light of all points of an area light, attenuated by surfaces before it. */
 static void pass_from_area(const struct plain_tracer *tracer, const struct light *light,
                            const struct ray *to_light, double color[3])
 {

@@ -57,8 +57,7 @@ double plain_mirror(const struct plain_surface *surface, double index, double co
 void plain_shade(const struct plain_tracer *tracer, const struct plain_surface *surface,
                  double color[3]);
 
-/* Returns the number of rays across a pixel and down a pixel. It is 1 for a camera
- * without a lens. */
+/* Returns the rays across and down a pixel, which is 1 for a camera without a lens. */
 size_t plain_samples(const struct camera *camera);
 
 /* Returns the ray of sample x, y in a picture of width x height samples. */

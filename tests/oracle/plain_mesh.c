@@ -31,8 +31,7 @@ static long double sum_of(const accurate a, const accurate b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* The intersection of a line with a triangle's plane, in barycentric coordinates, whose
- * sum is 1. */
+/* A line's hit with a triangle's plane, in barycentric coordinates of sum 1. */
 struct meeting {
     long double distance, shares[3];
 };

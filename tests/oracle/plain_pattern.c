@@ -1,5 +1,4 @@
-/* plain_pattern.c - the values of patterns at points, by POV-Ray's rules
- * (plain_light.h). */
+/* plain_pattern.c - the values of POV-Ray's patterns at points (plain_light.h). */
 #include "tests/oracle/plain_light.h"
 
 #include <math.h>

@@ -45,8 +45,7 @@ ENCLOSE(in_prism)
            && is_round(&primitive->shape.prism.path, point[0], point[2]);
 }
 
-/* Intersects the line with the plane of the side, then tests the bounds of the
- * rectangle. */
+/* Intersects the line with the plane of the side and tests the rectangle's bounds. */
 static bool cross_side(const struct edges *edge, double low, double high,
                        const struct ray *ray, struct crossing *crossing)
 {

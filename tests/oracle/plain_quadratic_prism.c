@@ -56,8 +56,7 @@ static size_t meet_line(const struct arc *arc, double nx, double nz, double c,
     return 1;
 }
 
-/* Returns true if the path encloses a point. It counts the crossings at the same z with
- * a greater x. */
+/* Returns true if the number of crossings at z with a greater x is odd: inside. */
 static bool is_round(const struct outline *path, double x, double z)
 {
     struct arcs arcs = { .path = path };

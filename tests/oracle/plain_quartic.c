@@ -120,8 +120,7 @@ CROSS(cross_elliptical_torus)
 
 /* ---- Any quartic --------------------------------------------------------- */
 
-/* The powers of x, y and z of the terms in order: descending in x, then in y, then in
- * z. */
+/* The powers of x, y and z of the terms, descending in x, then y, then z. */
 typedef int powers_of_term[3];
 
 static void list_powers(powers_of_term powers[QUARTIC_TERMS])

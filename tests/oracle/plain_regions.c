@@ -1,5 +1,4 @@
-/* plain_regions.c - finds crossings of a ray with a CSG tree, by point tests
- * (plain_regions.h). */
+/* plain_regions.c - crossings of a ray with a CSG tree (plain_regions.h). */
 #include "tests/oracle/plain_regions.h"
 
 #include "rt/shapes/shape.h"
@@ -183,8 +182,7 @@ static bool shows_below(const struct sides *sides, size_t at,
     return false;
 }
 
-/* Returns true if a crossing is visible. For a region of one primitive, all crossings
- * are. */
+/* Returns true if a crossing is visible, as all are for a region of one primitive. */
 static bool shows(const struct sides *sides, const struct primitive *primitive)
 {
     const struct region *region = sides->before.list->region;

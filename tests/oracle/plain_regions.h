@@ -72,8 +72,7 @@ size_t plain_line(const struct scene *scene, const struct ray *line, double leas
 /* The volume and the three first moments about the centre of the box. */
 enum { PLAIN_MASS_FIGURES = 4 };
 
-/* Samples the box with one random point in each cell. error receives the standard
- * errors. */
+/* Samples the box with a random point in each cell. Sets error to standard errors. */
 void plain_mass(const struct scene *scene, const double middle[3],
                 const double width[3], uint64_t *state,
                 double value[PLAIN_MASS_FIGURES], double error[PLAIN_MASS_FIGURES]);

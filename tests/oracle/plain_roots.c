@@ -1,5 +1,4 @@
-/* plain_roots.c - finds real roots by bisection between the roots of the derivative
- * (plain_roots.h). */
+/* plain_roots.c - bisection between roots of the derivative (plain_roots.h). */
 #include "tests/oracle/plain_roots.h"
 
 #include <math.h>

@@ -46,8 +46,7 @@ bool cross_level(double height, const struct ray *ray, struct crossing *crossing
     return true;
 }
 
-/* Computes the intersection of the three intervals of the line between opposite
- * faces. */
+/* Intersects the three intervals of the line between opposite faces. */
 CROSS(cross_box)
 {
     const double(*const corner)[3] = primitive->shape.box.corner;
@@ -180,8 +179,7 @@ CROSS(cross_disc)
     return away >= primitive->shape.disc.hole && away <= primitive->shape.disc.radius;
 }
 
-/* Computes the gradient of a quadric at a point. If linear is 0, computes the Hessian
- * times a direction. */
+/* Computes the gradient of a quadric, or the Hessian times a direction (linear 0). */
 static void quadric_gradient(const double c[QUADRIC_TERMS], const double at[3],
                              double linear, double gradient[3])
 {

@@ -40,8 +40,7 @@ enclose_point plain_encloses;
 #define ENCLOSE(name) \
     bool name(const struct primitive *primitive, const double point[3])
 
-/* A cone or a torus. A cylinder is a cone with equal radii. A circular torus is an
- * elliptical torus. */
+/* A cone (a cylinder has equal radii), or an elliptical or circular torus. */
 struct round {
     const double *base, *cap;
     double base_radius, cap_radius;
@@ -50,8 +49,7 @@ struct round {
 struct torus {
     double major, radial, axial;
 };
-/* Intersects the line with the horizontal plane at this height. Also computes the
- * point. */
+/* Intersects the line with the horizontal plane at this height. Computes the point. */
 bool cross_level(double height, const struct ray *ray, struct crossing *crossing,
                  double point[3]);
 struct round round_of(const struct primitive *primitive);

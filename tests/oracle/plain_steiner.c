@@ -41,8 +41,7 @@ static const struct place corners[3] = { { { 1, 0, 0 } },
                                          { { 0, 1, 0 } },
                                          { { 0, 0, 1 } } };
 
-/* The polar form is linear in both places. If they are equal, it is the value of the
- * conic. */
+/* The polar form is linear in both places; for equal ones it is the conic's value. */
 static long double polar(const struct conic *conic, const struct place *a,
                          const struct place *b)
 {
@@ -73,8 +72,7 @@ static void plane_normals(const struct ray *ray, double normals[2][3])
     normalise(normals[1]);
 }
 
-/* The coefficient of a control point is its height above the plane, times its
- * weight. */
+/* The coefficient of a control point is its height above the plane times its weight. */
 static struct conic conic_of(const struct primitive *primitive, const struct ray *ray,
                              const double normal[3])
 {
@@ -106,8 +104,7 @@ static void note(struct search *search, const struct place *place)
         search->found[search->count++] = *place;
 }
 
-/* Computes a conic's value and its derivatives with respect to s and t, where u = 1 - s
- * - t. */
+/* Computes a conic's value and derivatives in s and t, where u = 1 - s - t. */
 static void linearise(const struct conic *conic, const struct place *at,
                       long double terms[3])
 {
@@ -198,8 +195,7 @@ static struct homogeneous row_of(const struct primitive *primitive, int row,
     return sum;
 }
 
-/* Computes the derivative of the point with respect to s (or t), relative to u, divided
- * by 2 / w. */
+/* Computes the point's derivative in s (or t), relative to u, divided by 2 / w. */
 static void tangent(const struct homogeneous *by, const struct homogeneous *against,
                     const double point[3], double result[3])
 {

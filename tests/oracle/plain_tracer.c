@@ -50,8 +50,7 @@ static bool has_clear_part(const struct scene *scene, size_t region)
     return false;
 }
 
-/* The index of a region from 1, among all regions or among those with transparent
- * parts. */
+/* The index of a region from 1, among all or among those with transparent parts. */
 struct rank {
     size_t place, count;
 };
@@ -124,8 +123,7 @@ static double innermost_index(const struct interiors *in)
     return in->count ? in->of[in->count - 1]->ior : 1;
 }
 
-/* Returns the index of an interior, or the number of interiors if it is not in the
- * list. */
+/* Returns the index of an interior, or the number of interiors if it is absent. */
 static size_t find(const struct interiors *in, size_t interior)
 {
     size_t at = 0;
@@ -234,8 +232,7 @@ static bool refract(const struct plain_surface *surface, double ratio,
     return true;
 }
 
-/* By POV-Ray's rule, no ray is refracted if the brightness of the transmission is below
- * the limit. */
+/* By POV-Ray's rule, no ray is refracted if its brightness is below the limit. */
 static bool is_clear(const struct scene *scene, const double passing[3])
 {
     return .297 * passing[0] + .589 * passing[1] + .114 * passing[2]

@@ -12,8 +12,7 @@
 
 static const uint64_t mask = (UINT64_C(1) << 47) - 1;
 
-/* Products of unsigned integers are exact in their low 64 bits, and therefore in their
- * low 47 bits. */
+/* Products of unsigned integers are exact in their low 64, and low 47, bits. */
 uint64_t stream_state_at(uint64_t p)
 {
     if (p == 0)

@@ -11,8 +11,7 @@
 
 enum { STREAM_DRAWS = 5, LATTICE_COORDINATES = 6 };
 
-/* Returns a^p mod 2^47: the state of the generator before the output function. p is not
- * negative. */
+/* Returns a^p mod 2^47, the state before the output function, for p >= 0. */
 uint64_t stream_state_at(uint64_t p);
 /* Returns t(x), the output function of the random stream (docs/points.md). */
 uint64_t stream_mixed(uint64_t x);
@@ -52,8 +51,7 @@ void point_maker_free(struct point_maker *maker);
 bool point_maker_run(struct point_maker *maker, const struct point_choice *choice,
                      c205_word *words, c205_error *error);
 const struct object *point_maker_program(const struct point_maker *maker);
-/* Returns the machine for a run with this choice before it runs, so that listeners can
- * be attached. */
+/* Returns the machine of this choice before its run, for attaching listeners. */
 c205 *point_maker_load(struct point_maker *maker, const struct point_choice *choice,
                        c205_error *error);
 

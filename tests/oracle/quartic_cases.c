@@ -254,8 +254,7 @@ static void make_coefficients(struct polynomial *polynomial, enum quartic_kind k
                                : c205_from_double(signed_unit(state));
 }
 
-/* Replaces leading coefficients that are 0 by numbers near 0, which add a root far
- * away. */
+/* Replaces leading zeros by numbers near 0, which add a root far away. */
 static void weaken(struct polynomial *polynomial, uint64_t *state)
 {
     for (int i = 0; i < 3 && unit(state) < 0.6; i++)

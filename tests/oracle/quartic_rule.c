@@ -1,5 +1,4 @@
-/* quartic_rule.c - compares computed roots with exact roots and islands
- * (quartic_rule.h). */
+/* quartic_rule.c - compares roots with exact roots and islands (quartic_rule.h). */
 #include "quartic_rule.h"
 
 #include "arithmetic_oracle.h"

@@ -51,8 +51,7 @@ struct half {
 void half_init(struct half *half);
 void half_clear(struct half *half);
 
-/* Returns the reason of a failure, or NULL. Call oracle_begin (arithmetic_oracle.h)
- * first. */
+/* Returns the reason of a failure, or NULL. oracle_begin must be called first. */
 const char *quartic_rule(struct half *half, const struct polynomial *polynomial,
                          const struct polynomial_roots *roots, struct tally *tally);
 

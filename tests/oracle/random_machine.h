@@ -15,8 +15,7 @@ c205 *random_machine_load(const struct random_program *program);
 /* Like random_machine_load, for a machine that shares pages with other machines. */
 c205 *random_machine_load_shared(const struct random_program *program,
                                  struct random_shared *shared);
-/* Returns a hash of the contents of all shared pages. Replaces the program of the
- * machine. */
+/* Returns a hash of all shared pages. Replaces the program of the machine. */
 uint64_t random_shared_hash(c205 *machine, const struct random_shared *shared);
 
 /* Saves the machine. After an error, ends the program. */
@@ -24,8 +23,7 @@ void random_machine_save(const c205 *machine, c205_writer *write, void *context)
 /* Returns a hash of the complete state. */
 uint64_t machine_hash(const c205 *machine);
 
-/* Maps the pages of a program in memory, which must be empty, and copies the machine's
- * initial words. */
+/* Maps a program's pages in empty memory and copies the machine's initial words. */
 void random_machine_memory(const c205 *machine, const struct random_program *program,
                            struct plain_memory *memory);
 

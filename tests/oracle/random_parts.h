@@ -23,12 +23,10 @@ uint64_t draw_length(uint64_t *random);
  *     f        field of a register */
 unsigned draw_register(uint64_t *random, char role);
 c205_word draw_descriptor(uint64_t *random, char role);
-/* Returns the address of an instruction of the program. Rarely it is not a multiple of
- * a half word. */
+/* Returns the address of an instruction, rarely no multiple of a half word. */
 c205_word draw_code_address(uint64_t *random, const struct random_program *program);
 
-/* Registers outside of the pools: the remaining iterations of a loop, and its start
- * address. */
+/* Registers outside of the pools: a loop's remaining iterations and start address. */
 enum { LOOP_COUNT = 250, LOOP_BEGIN = 251 };
 /* Registers of the scatter with which a loop changes its code. */
 enum { REWRITE_LIST = 252, REWRITE_FROM, REWRITE_TABLE };

@@ -291,8 +291,7 @@ static c205_word code_vector(uint64_t *random, const struct random_program *prog
     return (c205_word)random_between(random, 1, 5) << 48 | address / WORD * WORD;
 }
 
-/* Returns a table in the program's code, on a read-only page, or at the end of a
- * page. */
+/* Returns a table in the code, on a read-only page, or at the end of a page. */
 static c205_word table_elsewhere(uint64_t *random, const struct random_program *program)
 {
     uint64_t before = (uint64_t)random_between(random, 0, 90);
@@ -339,8 +338,7 @@ static c205_word preset(uint64_t *random, const struct random_program *program,
     }
 }
 
-/* Returns a vector near the previous vector, or a vector of half words near a vector of
- * words. */
+/* Returns a vector near the previous one; half words may be near words. */
 static c205_word near_another(uint64_t *random, const struct random_program *program,
                               char role, unsigned number)
 {

@@ -67,8 +67,7 @@ extern const size_t random_area_count;
 
 struct random_program random_program(uint64_t seed);
 
-/* Returns the bit address of instruction i. If i is too large, returns the address of
- * the program's end. */
+/* Returns the bit address of instruction i, or of the program's end. */
 uint64_t program_address(const struct random_program *program, size_t i);
 
 /* Sets `words` to the contents of an area, which has area->words words. */

@@ -1,5 +1,4 @@
-/* ray_query_rules.c - generates lines, and checks the hits of the all-hits ray
- * query. */
+/* ray_query_rules.c - generates lines, and checks hits of the all-hits ray query. */
 #include "tests/oracle/ray_query_rules.h"
 
 #include "tests/oracle/chance.h"

@@ -21,8 +21,7 @@ struct ray_hits find_lines(const struct scene *scene,
                            const struct ray_query_options *options,
                            const struct scene_ray *list, size_t count);
 
-/* On failure these functions write a reason of at most LINE_REASON characters, and
- * return false. */
+/* On failure these return false and a reason of at most LINE_REASON characters. */
 
 /* Compares all values of the hits bit for bit. */
 bool same_crossings(const struct ray_hits *expected, const struct ray_hits *found,

@@ -5,8 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* An option --name VALUE or --name, or an argument without a name. One of the pointers
- * is set. */
+/* An option --name VALUE or --name, or an unnamed argument. One pointer is set. */
 struct check_option {
     const char *name; /* NULL: an argument that is not an option */
     uint64_t *number; /* receives a non-negative integer */

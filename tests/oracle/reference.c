@@ -1,5 +1,4 @@
-/* reference.c - fetches, decodes and executes an instruction, and undoes it
- * (reference.h). */
+/* reference.c - fetches, decodes, executes and undoes an instruction (reference.h). */
 #include "reference_parts.h"
 
 #include <ctype.h>
@@ -153,8 +152,7 @@ static void check_write(struct reference *reference, uint64_t address, unsigned 
         add_fault(reference, C205_TRAP_PROTECTED_ADDRESS, address, certain);
 }
 
-/* Returns a mask of the bits of a word that belong to an operand. Bit 0 is the leftmost
- * bit. */
+/* Returns a mask of an operand's bits in a word. Bit 0 is the leftmost bit. */
 static uint64_t bits_in_word(uint64_t address, unsigned width)
 {
     return UINT64_MAX << (BITS - width) >> address % BITS;

@@ -19,8 +19,7 @@
 
 #include "tests/oracle/plain_memory.h"
 
-/* All faults of one kind in an instruction, with the lowest and the highest faulting
- * address. */
+/* All faults of one kind in an instruction, with the lowest and highest address. */
 struct fault {
     bool possible, certain;
     uint64_t low, high;
@@ -100,8 +99,7 @@ unsigned reference_bits_of_g(const c205_insn *insn);
 /* Returns true if register C+1 is an offset of the result. */
 bool reference_has_offset(const c205_insn *insn, const c205_fields *fields);
 
-/* Returns the letter in the instruction table for a field of the syntax. The field 'a'
- * means A. */
+/* Returns the table's letter for a field of the syntax. The field 'a' means A. */
 char reference_table_letter(const c205_insn *insn, char field);
 /* Returns the same letter, but a capital if the operand has 32 bits, which may depend
  * on G. G also decides whether an order vector is a source or a result. Returns 0 if

@@ -8,8 +8,7 @@
 
 enum relation { LESS = 1, EQUAL = 2, GREATER = 4, UNORDERED = 8 };
 
-/* Returns the relations on which an instruction branches, according to the end of its
- * name. */
+/* Returns the relations on which an instruction branches, by the end of its name. */
 static unsigned branches_on(const c205_insn *insn)
 {
     static const struct {
@@ -53,8 +52,7 @@ static void go_to(struct reference *reference, uint64_t target, bool taken)
     reference->now.pc = target;
 }
 
-/* Returns the target of a 64-bit branch, which is relative to the branch, or is (Y) +
- * (B). */
+/* Returns the target of a 64-bit branch: relative to the branch, or (Y) + (B). */
 static uint64_t long_target(const struct reference *reference,
                             const c205_fields *fields)
 {

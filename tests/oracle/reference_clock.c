@@ -101,8 +101,7 @@ static bool is_reduction(const c205_insn *insn)
            || insn->format == C205_FORMAT_EXTREME;
 }
 
-/* Returns true if a sum has a second register. If its first register is 0, it has no
- * registers. */
+/* Returns true if a sum has a second register. A first register of 0 has none. */
 static bool has_second_part(const c205_insn *insn, const c205_fields *fields)
 {
     return strchr(insn->operands, 'p') && fields->c != 0;
@@ -353,8 +352,7 @@ static void step_scalar(struct reference_clock *clock, const struct deed *deed)
 
 /* ---- Branches ---------------------------------------------------------- */
 
-/* Extends the instruction stack by the sequential code up to this instruction, which is
- * included. */
+/* Extends the instruction stack by the sequential code through this instruction. */
 static void run_on(struct reference_clock *clock, const struct deed *deed)
 {
     uint64_t halves = 0, end;
@@ -539,8 +537,7 @@ static uint64_t operations(const struct deed *deed)
     return all;
 }
 
-/* Counts instructions, elements, operations, and entries to the region from other
- * regions. */
+/* Counts instructions, elements, operations, and entries from other regions. */
 static void count(struct reference_clock *clock, const struct deed *deed, size_t region)
 {
     struct counts *counts = clock->counts + region;

@@ -35,8 +35,7 @@ static void note_index(struct reference *reference, uint64_t address)
     deed->indexed[deed->indexed_count++] = address;
 }
 
-/* Returns the address of index i. It is that number of elements after the address of
- * the table. */
+/* Returns the address of index i: i elements after the address of the table. */
 static uint64_t indexed(struct reference *reference, const struct vector *vector,
                         uint64_t i, const struct target *table)
 {

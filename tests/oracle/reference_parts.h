@@ -1,5 +1,4 @@
-/* reference_parts.h - declarations that the files of the reference interpreter
- * share. */
+/* reference_parts.h - declarations for the files of the reference interpreter. */
 #ifndef REFERENCE_PARTS_H
 #define REFERENCE_PARTS_H
 

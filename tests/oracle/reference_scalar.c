@@ -26,8 +26,7 @@ static void apply_rule(struct reference *reference, const c205_insn *insn,
                   reference_rule(insn)(format, r, s, &reference->now.flags));
 }
 
-/* Returns a half register with the low 24 bits of `low`. Its other bits come from
- * `high`. */
+/* Returns a half register: the low 24 bits of `low`, the other bits of `high`. */
 static c205_word half_of(uint64_t high, uint64_t low)
 {
     return (high & ~(LOW_24 << HALF_BITS)) | (low & LOW_24) << HALF_BITS;
@@ -62,8 +61,7 @@ static void exchange_flags(struct reference *reference, const c205_fields *field
     write_register(reference, fields->t, old);
 }
 
-/* A field of a register. Its descriptor has a length and a first bit. Bit 0 is the
- * leftmost bit. */
+/* A register field: a length and a first bit, where bit 0 is the leftmost bit. */
 struct field {
     unsigned shift; /* distance of its last bit from the right end */
     uint64_t mask;  /* right-justified */
@@ -103,8 +101,7 @@ static uint64_t low_product(c205_word r, c205_word s)
     return ((r & LOW_48) * (s & LOW_48)) & LOW_48;
 }
 
-/* Records the faults that a SWAP may cause by loading the vector `from` and saving to
- * the vector `to`. */
+/* Records the faults of a SWAP that loads the vector `from` and saves to `to`. */
 static void look_at_vectors(struct reference *reference, c205_word from, c205_word to)
 {
     for (unsigned i = 0; i < length_of(from); i++)

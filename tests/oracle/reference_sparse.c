@@ -47,8 +47,7 @@ static void use_packed(struct reference *reference, const struct vector *vector,
     use_source(reference, &b->elements, b->ones);
 }
 
-/* Returns true for multiply and divide, which need both elements. Add and subtract need
- * one element. */
+/* Returns true for multiply and divide, which need both elements, not one. */
 static bool needs_both(const c205_insn *insn)
 {
     return insn->flags & C205_INSN_PADO;
@@ -108,8 +107,7 @@ static void make_elements(struct reference *reference, const struct vector *vect
     }
 }
 
-/* Stores the order vector Z of the result after the elements, with one bit for each
- * place. */
+/* Stores the order vector Z of the result after its elements: one bit for a place. */
 static void store_order(struct reference *reference, const struct vector *vector,
                         const struct order *z)
 {

@@ -28,8 +28,7 @@ static void each_neighbour(struct reference *reference, const struct vector *vec
     }
 }
 
-/* Evaluates the polynomial with the coefficients B. The highest coefficient is the
- * first. */
+/* Evaluates the polynomial with coefficients B, from the highest to the lowest. */
 static c205_word polynomial(struct reference *reference, const struct pair *pair,
                             c205_word x, uint64_t *flags)
 {
@@ -43,8 +42,7 @@ static c205_word polynomial(struct reference *reference, const struct pair *pair
     return value;
 }
 
-/* Returns the index of the first element of B to which x has the relation, or the
- * length. */
+/* Returns the first index of B to which x has the relation, or the length. */
 static c205_word search(struct reference *reference, const struct pair *pair,
                         c205_word x, uint64_t *compared)
 {
@@ -57,12 +55,10 @@ static c205_word search(struct reference *reference, const struct pair *pair,
     return pair->b.length;
 }
 
-/* The largest number of steps of a polynomial or a search. With more steps the
- * comparison ends. */
+/* The most steps of a polynomial or a search. With more, the comparison ends. */
 enum { PATIENCE = 100000 };
 
-/* Returns true if A(i) of a polynomial, or one of its coefficients, is an earlier
- * result. */
+/* Returns true if a polynomial's A(i) or a coefficient is an earlier result. */
 static bool scan_recurs(const struct vector *vector, uint64_t i)
 {
     const struct pair *pair = &vector->sources;
@@ -158,8 +154,7 @@ static bool takes_neighbours(const c205_insn *insn)
     return reference_which(insn) == DO_DELTAV || reference_which(insn) == DO_ADJMV;
 }
 
-/* Returns the second source of an instruction on neighbours: A from its next
- * element. */
+/* Returns the second source of an instruction on neighbours: A(1) and later. */
 static struct source next_of(const struct vector *vector)
 {
     struct source next = vector->sources.a;
@@ -195,8 +190,7 @@ bool lies_on_results(const struct source *source, uint64_t i, const struct targe
            && address < c->address + c->width * stored;
 }
 
-/* Counts the elements of the result that have at least one source among earlier
- * results. */
+/* Counts the elements of the result with a source among earlier results. */
 static uint64_t recurrences(const struct source *sources, size_t count,
                             const struct target *c)
 {
@@ -217,8 +211,7 @@ static uint64_t own_recurrences(const struct vector *vector)
     return recurrences(sources, sizeof sources / sizeof sources[0], &vector->c);
 }
 
-/* Counts the recurrences of the sources of both instructions with the result of the
- * second. */
+/* Counts the recurrences of both instructions' sources with the second's result. */
 static uint64_t linked_recurrences(const struct vector *first,
                                    const struct vector *second)
 {
@@ -229,8 +222,7 @@ static uint64_t linked_recurrences(const struct vector *first,
 
 /* ---- By kind ----------------------------------------------------------- */
 
-/* Executes an instruction with one result, a word, half word or bit, for each element
- * of the sources. */
+/* Executes an instruction with one word, half word or bit of result per element. */
 static void each_result(struct reference *reference, const struct vector *vector)
 {
     if (strchr(vector->insn->operands, 'e'))

@@ -88,8 +88,7 @@ bool lies_on_results(const struct source *source, uint64_t i, const struct targe
 void do_sparse(struct reference *reference, const c205_insn *insn,
                const c205_fields *fields);
 void do_reduction(struct reference *reference, const struct vector *vector);
-/* Executes an instruction that moves elements. Returns false if it is of another
- * kind. */
+/* Executes an instruction that moves elements. Returns false for other kinds. */
 bool do_move(struct reference *reference, const struct vector *vector);
 
 #endif

@@ -127,8 +127,7 @@ static struct names known_names(struct register_owners *owners, uint64_t address
     return known->names;
 }
 
-/* Returns the last name of a register in an instruction, because results follow
- * sources. */
+/* Returns the last name of a register in an instruction: results follow sources. */
 static long name_of(const struct object *program, struct names names, unsigned number)
 {
     long found = ANYONE;

@@ -74,8 +74,7 @@ static void ignore_events(void *context UNUSED, const c205 *machine UNUSED,
 {
 }
 
-/* Machines are reused, and a listener cannot be removed, so the listener is attached to
- * a copy. */
+/* Listeners cannot be removed from reused machines, so a copy gets the listener. */
 static void listen(struct run *run)
 {
     change_machine(run);
@@ -131,8 +130,7 @@ static uint64_t hash_at_end(const struct random_program *program, const struct w
     return hash;
 }
 
-/* Runs the program on pages shared with other machines. The contents of the pages must
- * not change. */
+/* Runs the program on shared pages, whose contents must not change. */
 static const char *disagreeing_share(const struct random_program *program,
                                      uint64_t limit, uint64_t expected)
 {

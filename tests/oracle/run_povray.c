@@ -1,5 +1,4 @@
-/* run_povray.c - runs POV-Ray in a child process and reads its picture
- * (run_povray.h). */
+/* run_povray.c - runs POV-Ray as a child and reads its picture (run_povray.h). */
 #include "tests/oracle/run_povray.h"
 
 #include "tests/oracle/many_scenes.h"

@@ -1,5 +1,4 @@
-/* scene_words.c - random lights, normals and meshes in the scene language
- * (solid_text.h). */
+/* scene_words.c - random lights, normals and meshes as scene texts (solid_text.h). */
 #include "tests/oracle/solid_text.h"
 
 #include "tests/oracle/chance.h"
@@ -114,8 +113,7 @@ void bump_words(uint64_t state, size_t in, char look[SOLID_WORDS])
 
 /* ---- Meshes -------------------------------------------------------------- */
 
-/* Returns a vector. No two of the vectors are parallel, and none is parallel to an
- * axis. */
+/* Returns a vector. None is parallel to another one or to an axis. */
 static const char *inside(uint64_t *state)
 {
     static const char *const vectors[] = { "<.31, .83, .17>", "<-.73, .22, .41>",

@@ -1,5 +1,4 @@
-/* solid_text.h - solids and other parts of random scenes as texts in the scene
- * language. */
+/* solid_text.h - solids and other parts of random scenes as scene texts. */
 #ifndef SOLID_TEXT_H
 #define SOLID_TEXT_H
 

@@ -45,8 +45,7 @@ static int opened(const char *line)
     return open;
 }
 
-/* Returns the line that closes the block that this line opens. If it opens no block,
- * returns the line. */
+/* Returns the line that closes the block of this line, or the line itself. */
 static const char *last_line(const char *line)
 {
     int open = opened(line);

@@ -1,5 +1,4 @@
-/* asm_helper.c - assembles texts for the tests of the assembler and compares
- * programs. */
+/* asm_helper.c - assembles texts and compares programs for the assembler's tests. */
 #include "asm_helper.h"
 
 #include <glob.h>

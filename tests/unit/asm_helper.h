@@ -1,5 +1,4 @@
-/* asm_helper.h - assembles texts and checks the results, for the tests of the
- * assembler. */
+/* asm_helper.h - assembles texts and checks the results for the assembler's tests. */
 #ifndef TESTS_ASM_HELPER_H
 #define TESTS_ASM_HELPER_H
 
@@ -9,8 +8,7 @@
 /* Assembles a text or a file. If there is an error, the test fails. */
 struct object *good(const char *text);
 struct object *good_file(const char *path);
-/* Calls `use` with the path of each file that matches the pattern. Returns the number
- * of files. */
+/* Calls `use` with each path that matches the pattern. Returns their number. */
 size_t each_file(const char *pattern, void (*use)(const char *path));
 size_t count_of(const char *text, const char *part);
 
@@ -19,8 +17,7 @@ uint64_t clocks_of_cause(const c205 *machine, c205_cause cause);
 /* Fails unless the clocks of all causes sum to the machine's time. */
 void assert_sum(const c205 *machine);
 
-/* The only error of a text: its position, and a part of its message. Column 0 matches
- * any column. */
+/* The only error of a text. Column 0 matches any column. */
 struct asm_error {
     const char *text;
     size_t line, column;

@@ -1,5 +1,4 @@
-/* clock_driver.c - charges a clock with instructions and effects that the test
- * makes. */
+/* clock_driver.c - charges a clock with instructions and effects of the test. */
 #include "clock_driver.h"
 
 uint64_t driven_pc;

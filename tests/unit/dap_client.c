@@ -1,5 +1,4 @@
-/* dap_client.c - runs c205 debug --dap in a child process and exchanges messages with
- * it. */
+/* dap_client.c - runs c205 debug --dap in a child and exchanges messages with it. */
 #include "tests/unit/dap_client.h"
 #include "tests/unit/unit.h"
 
@@ -29,8 +28,7 @@ static void become_adapter(int in, int out, const char *const *arguments)
     _exit(127);
 }
 
-/* Starts the adapter. If the client waits too long for a message, an alarm signal ends
- * it. */
+/* Starts the adapter. An alarm signal ends a client that waits too long. */
 void client_begin(struct dap_client *client, const char *const *arguments)
 {
     int to[2], from[2];
@@ -86,8 +84,7 @@ static void put(void *context, const char *text, size_t length)
     client_send(context, text, length);
 }
 
-/* Sequence numbers of requests are multiples of 3, so that they differ from the numbers
- * of responses. */
+/* Sequence numbers of requests are multiples of 3, unlike those of responses. */
 void client_command(struct dap_client *client, const char *command, const char *format,
                     ...)
 {

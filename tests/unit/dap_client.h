@@ -32,8 +32,7 @@ struct dap_client {
     struct text_buffer output;  /* concatenated text of all output events */
 };
 
-/* Starts the adapter. `arguments` follow --dap on the command line. They end with
- * NULL. */
+/* Starts the adapter. `arguments` follow --dap and end with NULL. */
 void client_begin(struct dap_client *client, const char *const *arguments);
 /* Reads the remaining messages and returns the exit status. */
 int client_end(struct dap_client *client);
@@ -43,22 +42,19 @@ void client_send(struct dap_client *client, const char *bytes, size_t length);
 /* Sends a request. printf formats its arguments; NULL: no arguments. */
 void client_command(struct dap_client *client, const char *command, const char *format,
                     ...) __attribute__((format(printf, 3, 4)));
-/* Returns the response to the last request. Events that arrive before the response are
- * queued. */
+/* Returns the response to the last request. Earlier events are queued. */
 const struct json_value *client_response(struct dap_client *client);
 /* Returns the body of the response to the last request, which must report success. */
 const struct json_value *client_success(struct dap_client *client, const char *command);
 /* Fails the test unless the last request fails with `words` in the message. */
 void client_failure(struct dap_client *client, const char *words, const char *command);
-/* client_ask sends a request that must succeed, client_refused a request that must
- * fail. */
+/* client_ask sends a request that must succeed, client_refused one that must fail. */
 #define client_ask(client, command, ...) \
     (client_command(client, command, __VA_ARGS__), client_success(client, command))
 #define client_refused(client, words, command, ...) \
     (client_command(client, command, __VA_ARGS__), \
      client_failure(client, words, command))
-/* Returns the body of the next event, which must have this name. Output events are
- * skipped. */
+/* Returns the body of the next event except output, which must have this name. */
 const struct json_value *client_event(struct dap_client *client, const char *name);
 /* Returns the body of the next event, which must be `stopped` with this reason. */
 const struct json_value *client_stopped(struct dap_client *client, const char *reason);

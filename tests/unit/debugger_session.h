@@ -19,8 +19,7 @@ void session_end(struct debug_session *session);
 void session_obey(struct debug_session *session, const char *line);
 bool session_says(const struct debug_session *session, const char *part);
 
-/* A command line and a part of its expected output. After a leading "!" the part must
- * be absent. */
+/* A command line and a part of its output, which must be absent after a "!". */
 struct line_said {
     const char *line, *said;
 };

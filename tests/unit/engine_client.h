@@ -21,8 +21,7 @@ void talk_free(struct talk *talk);
  * If it is false, the reply must have an "error". */
 const struct json_value *talk_bytes(struct talk *talk, const char *request,
                                     size_t length);
-/* Replaces each ' by ". In requests and parts of replies ' is written for the quotes of
- * JSON. */
+/* Replaces each ' by ". Requests and replies are written with ' for JSON's quotes. */
 void talk_quote(char *text);
 /* Sends a request that printf formats. Returns its text. */
 const char *talk_send(struct talk *talk, const char *format, ...)
@@ -37,8 +36,7 @@ void talk_failure(const struct talk *talk, const char *why, const char *request)
     talk_failure(talk, why, talk_send(talk, __VA_ARGS__))
 /* Fails the test unless the last reply contains `part`. */
 void talk_says(const struct talk *talk, const char *part);
-/* Loads a program. `more` has further members of the request; a comma precedes each of
- * them. */
+/* Loads a program. `more`: further members of the request, each after a comma. */
 const struct json_value *talk_load(struct talk *talk, const char *text,
                                    const char *more);
 

@@ -1,5 +1,4 @@
-/* exact_functions.c - computes the functions of asm/lib and their polynomials with
- * MPFR. */
+/* exact_functions.c - the functions of asm/lib and their polynomials with MPFR. */
 #include "exact_functions.h"
 
 #include <assert.h>
@@ -77,8 +76,7 @@ static void squares_of_quarter(mpfr_t low, mpfr_t high)
     mpfr_sqr(high, high, MPFR_RNDN);
 }
 
-/* Computes (e^r - 1 - r) / r^2. Near r = 0, where the quotient cancels, the limit 1/2
- * is used. */
+/* Computes (e^r - 1 - r) / r^2, or the limit 1/2 near r = 0, where it cancels. */
 static void rest_of_exp(mpfr_t value, const mpfr_t r)
 {
     if (mpfr_zero_p(r) || mpfr_get_exp(r) < -DIGITS / 2) {
@@ -188,8 +186,7 @@ static void chebyshev_point(mpfr_t point, size_t i, size_t count, const mpfr_t l
     mpfr_clear(middle);
 }
 
-/* Replaces the values by divided differences, which are the coefficients of Newton's
- * form. */
+/* Replaces the values by divided differences, the coefficients of Newton's form. */
 static void divide_differences(mpfr_t values[], mpfr_t points[], size_t count)
 {
     mpfr_t width;

@@ -11,8 +11,7 @@ typedef void exact_function(mpfr_t value, const mpfr_t x, const mpfr_t y);
 
 exact_function exact_exp, exact_log, exact_sin, exact_cos, exact_atan2, exact_power;
 
-/* A polynomial that interpolates `value` at `count` Chebyshev points of the interval
- * `bounds`. */
+/* A polynomial that interpolates `value` at `count` Chebyshev points of `bounds`. */
 struct exact_polynomial {
     const char *label; /* label of the coefficients; the lowest power is the first */
     size_t count;

@@ -1,5 +1,4 @@
-/* field_reading.c - reads height fields from a temporary file, and finds points of
- * their triangles. */
+/* field_reading.c - reads height fields from a file and finds points of triangles. */
 #include "tests/unit/field_reading.h"
 
 #include <unistd.h>

@@ -125,8 +125,7 @@ static const char *depend(struct kanata_log *log)
     return number_of(log, 2) < log->count ? NULL : "there is no producer";
 }
 
-/* The words after each command: n is a number, i is an instruction that exists, t is a
- * text. */
+/* The words after a command: n is a number, i an existing instruction, t a text. */
 static const struct kanata_command {
     const char *name, *words;
     const char *(*take)(struct kanata_log *log); /* NULL: any words are accepted */

@@ -55,8 +55,7 @@ c205_word lane_any_bits(word_format f, uint64_t *seed)
     return xorshift(seed) & format_mask(f);
 }
 
-/* Coefficients with few ones or few zeros, so that carries propagate over many
- * digits. */
+/* Coefficients with few ones or few zeros, so that carries cross many digits. */
 c205_word lane_sparse(word_format f, uint64_t *seed)
 {
     c205_word word = around(f, seed);
@@ -79,8 +78,7 @@ static c205_word zero(word_format f, uint64_t *seed)
 
 SUPPLY(mostly_zero, xorshift(seed) % 128 == 0 ? special(f, seed) : zero(f, seed))
 
-/* Exponents at both ends of a range that is `less` bits shorter than the range of the
- * format. */
+/* Exponents at the ends of a range that is `less` bits shorter than the format's. */
 static c205_word at_the_ends(word_format f, uint64_t *seed, int less)
 {
     int32_t end = 1 << (f.exponent_bits - 1 - less);
@@ -88,8 +86,7 @@ static c205_word at_the_ends(word_format f, uint64_t *seed, int less)
     return xorshift_normalised_of(f, seed, e, e);
 }
 
-/* Words just inside the common range (vm/number/common_range.h). Some words are just
- * outside. */
+/* Words inside, some just outside, of the common range (vm/number/common_range.h). */
 SUPPLY(about_usual, at_the_ends(f, seed, xorshift(seed) % 128 == 0 ? 1 : 2))
 SUPPLY(beyond_usual, at_the_ends(f, seed, 1))
 

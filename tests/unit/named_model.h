@@ -1,5 +1,4 @@
-/* named_model.h - machine models for the tests of models and clocks. The models must
- * exist. */
+/* named_model.h - machine models for the tests of models and clocks. */
 #ifndef TESTS_NAMED_MODEL_H
 #define TESTS_NAMED_MODEL_H
 

@@ -1,5 +1,4 @@
-/* plain_run.c - records all states of a program, and finds the stops of a debugger
- * among them. */
+/* plain_run.c - records a program's states and finds a debugger's stops among them. */
 #include "tests/unit/plain_run.h"
 
 #include "tests/random.h"

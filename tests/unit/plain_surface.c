@@ -1,5 +1,4 @@
-/* plain_surface.c - computes crossings and volumes of surfaces with many rays, and
- * compares surfaces. */
+/* plain_surface.c - crossings and volumes of surfaces from many rays. */
 #include "plain_surface.h"
 
 void assert_near(double found, double expected, double within)

@@ -31,8 +31,7 @@ struct spelling {
 struct spelling shoot(const struct surface *surface, const struct ray *ray);
 struct surface one(enum primitive_kind kind);
 
-/* A ray, its expected distance (0: no hit), and the expected normal that faces the
- * ray. */
+/* A ray, its expected distance (0: no hit), and the expected normal against it. */
 struct expectation {
     double origin[3], direction[3];
     double distance, normal[3];

@@ -1,5 +1,4 @@
-/* random_debug_program.h - random program texts that terminate. Each has a start,
- * vectors and a loop. */
+/* random_debug_program.h - random programs with a start, vectors and a finite loop. */
 #ifndef TESTS_DRAWN_PROGRAM_H
 #define TESTS_DRAWN_PROGRAM_H
 

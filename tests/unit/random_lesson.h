@@ -52,8 +52,7 @@ struct random_lesson {
 
 /* Makes a lesson, except its goals. */
 void draw_lesson(struct random_lesson *drawn, uint64_t *random_state);
-/* Opens the lesson as if its folder were on disk. If the lesson is rejected, the test
- * fails. */
+/* Opens the lesson like a folder on disk. A rejected lesson fails the test. */
 void random_open(const struct random_lesson *drawn, struct lesson *lesson);
 
 /* Grades an answer. If the lesson itself is wrong, the test fails. */

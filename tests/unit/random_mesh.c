@@ -259,8 +259,7 @@ static void face_normal(const struct net *net, const size_t face[3], double norm
     cross_product(edges[0], edges[1], normal);
 }
 
-/* Adds normals that point away from the origin. The faces may have either
- * orientation. */
+/* Adds normals that point away from the origin, for either orientation of faces. */
 static void add_normals(struct net *net)
 {
     memset(net->normals, 0, sizeof net->normals);

@@ -32,11 +32,9 @@ void net_take(struct net *net, enum net_body body);
 /* Makes a cube from -half to half with squares x squares squares on each face. A random
  * diagonal divides each square. */
 void net_cube(struct net *net, double half, size_t squares, uint64_t *random);
-/* Makes a height field over x and z from -1 to 1. Its heights are from -height to
- * height. */
+/* Makes a height field over x and z from -1 to 1, within -height to height. */
 void net_sheet(struct net *net, size_t squares, double height, uint64_t *random);
-/* Makes triangles around the first point. `around` is the fraction of the circle that
- * they cover. */
+/* Makes triangles around the first point over the fraction `around` of a circle. */
 void net_fan(struct net *net, size_t blades, double around, double height);
 /* Makes separate triangles. In slender triangles two corners nearly coincide. */
 void net_soup(struct net *net, size_t count, bool slender, uint64_t *random);

@@ -1,5 +1,4 @@
-/* random_nest.c - generates nests of directives from a seed, in written or expanded
- * form. */
+/* random_nest.c - random nests of directives, in written or expanded form. */
 #include "tests/unit/random_nest.h"
 
 #include "tests/random.h"
@@ -53,8 +52,7 @@ static void put(struct making *making, const char *format, ...)
 /* Writes a directive. The expanded form omits it. */
 #define direct(making, ...) ((making)->written ? put(making, __VA_ARGS__) : (void)0)
 
-/* Writes the number of a directive. In the expanded form it only computes the
- * number. */
+/* Writes the number of a directive, or only computes it in the expanded form. */
 static double direct_number(struct making *making, size_t depth)
 {
     double before = making->value;

@@ -225,8 +225,7 @@ static void add_torus(char *text, size_t size)
         add_text(text, size, "torus { %.4f, %.4f ", major, minor);
 }
 
-/* Writes a prism: a corner piece, an arrow, or a shape with parabolas. All use the same
- * random numbers. */
+/* Writes a prism: a corner piece, an arrow or parabolas, from the same numbers. */
 static void add_prism(char *text, size_t size)
 {
     double x = size_between(.4, 1.1), z = size_between(.4, 1.1);

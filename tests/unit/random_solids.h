@@ -21,8 +21,7 @@ extern struct solids {
 
 size_t below(size_t count);
 
-/* size_between returns a size of a shape, which is above 0. place_between returns a
- * coordinate. */
+/* Return a size of a shape above 0, and a coordinate. */
 double size_between(double low, double high);
 double place_between(double low, double high);
 double angle(void);

@@ -1,5 +1,4 @@
-/* random_verdict.c - derives the sentences of a verdict from the known mistake of an
- * answer. */
+/* random_verdict.c - derives the sentences of a verdict from the known mistake. */
 #include "tests/unit/random_verdict.h"
 
 #include <math.h>

@@ -1,5 +1,4 @@
-/* rule_cases.h - macros that compare the result and the flags of an operation with the
- * exact rule. */
+/* rule_cases.h - compares an operation's result and flags with the exact rule. */
 #ifndef TESTS_RULE_CASES_H
 #define TESTS_RULE_CASES_H
 

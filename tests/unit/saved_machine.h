@@ -16,8 +16,7 @@ bool append(void *context, const void *more, size_t count);
 struct bytes save(const c205 *machine);
 c205 *restore(const struct bytes *bytes, const c205_model *model);
 
-/* Fails unless both machines save the same bytes. A save contains the whole state of a
- * machine. */
+/* Fails unless both machines save the same bytes, which are their whole state. */
 void assert_same(const c205 *a, const c205 *b);
 
 /* Saves a machine, restores it to a new machine, compares both, and frees the old

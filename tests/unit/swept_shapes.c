@@ -3,8 +3,7 @@
 
 /* ---- Prisms -------------------------------------------------------------- */
 
-/* Adds a loop around a point. The angles of its corners increase, so that it does not
- * intersect itself. */
+/* Adds a loop around a point with increasing angles, so that it is simple. */
 static size_t add_prism_loop(char *text, size_t size, double x, double z, double reach)
 {
     size_t corners = 3 + below(8);
@@ -31,8 +30,7 @@ static size_t add_tangle(char *text, size_t size, size_t least, double low)
     return corners;
 }
 
-/* Adds a comb. A ray can cross many teeth; it then has more than three segments inside
- * the prism. */
+/* Adds a comb, in which a ray can have more than three segments. */
 static size_t add_prism_comb(char *text, size_t size)
 {
     size_t teeth = 2 + below(10);

@@ -14,8 +14,7 @@ int make_folder(STATE)
     return mkdtemp(temporary_folder) ? 0 : -1;
 }
 
-/* cmocka reports a failed fixture of a group, but does not count it as a failed
- * test. */
+/* cmocka reports a failed fixture of a group, but counts no failed test. */
 int remove_folder(STATE)
 {
     if (rmdir(temporary_folder) == 0)

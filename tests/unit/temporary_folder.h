@@ -1,5 +1,4 @@
-/* temporary_folder.h - a folder for the files of a test. Its name has blanks and
- * quotes. */
+/* temporary_folder.h - a folder for a test's files, named with blanks and quotes. */
 #ifndef TESTS_TEMPORARY_FOLDER_H
 #define TESTS_TEMPORARY_FOLDER_H
 

@@ -106,8 +106,7 @@ static void check_place(struct view view, const struct accounts *accounts,
     }
 }
 
-/* Fails unless the matrix contains the values of the accounts, and no row or column of
- * zeros. */
+/* Fails unless the matrix has the accounts' values and no row or column of zeros. */
 static void check_matrix(const struct accounts *accounts, enum accounts_rows rows)
 {
     c205_account sum = accounts_together(accounts);
@@ -185,8 +184,7 @@ TEST(matrices_are_narrow)
     }
 }
 
-/* Fails unless the row continues with the seconds of the clocks and their percentage of
- * the total. */
+/* Fails unless the row continues with the clocks' seconds and percentage. */
 static void check_share(const struct accounts *accounts, const char *text,
                         const char *row, uint64_t clocks)
 {

@@ -76,8 +76,7 @@ static void look_beyond(struct camera *camera, double width, double height)
     add_scaled(camera->up, camera->up, 1 / height, camera->up);
 }
 
-/* Refines the picture by the plain rule. Colours are averaged and compared before
- * gamma. */
+/* Refines the picture by the plain rule, which compares colours before gamma. */
 static struct plain_refined
 expect(struct scene *scene, const struct trace_options *options, struct frame *picture)
 {
@@ -266,8 +265,7 @@ TEST(ends)
     assert_true(trace_accounts(first)->clocks < trace_accounts(all)->clocks);
 }
 
-/* Depth, normal and id are the values of the ray through the middle, which every
- * sampling includes. */
+/* Depth, normal and id belong to the middle ray, which every sampling includes. */
 TEST(middles)
 {
     char text[3000] = "";

@@ -311,8 +311,7 @@ static void compare(void)
     }
 }
 
-/* Shifts by the coefficient of a word. For half words the expected result is the left
- * half. */
+/* Shifts by a word's coefficient. A half word's result is the left half. */
 static void shift(void)
 {
     int32_t width = format_width(size->format);

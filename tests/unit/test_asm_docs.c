@@ -44,8 +44,7 @@ static void check_block(const char *name, const char *text, size_t length)
         run(object, name);
 }
 
-/* Checks the blocks of a file. The name of a block is the file and the line of its
- * start. */
+/* Checks the blocks of a file, which are named by file and first line. */
 static void check_file(const char *path)
 {
     size_t length;

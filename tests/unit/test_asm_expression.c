@@ -119,8 +119,7 @@ static char *times(char *text, const char *part, int count)
     return text;
 }
 
-/* MAX_EXPRESSION_DEPTH limits the nesting of brackets, including the operand, and of
- * operators. */
+/* MAX_EXPRESSION_DEPTH limits the nesting of brackets and of operators. */
 TEST(depth)
 {
     enum { DEEPEST = 200 };

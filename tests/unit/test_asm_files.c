@@ -146,8 +146,7 @@ TEST(any_bits)
     check_disassembly(&object);
 }
 
-/* Labels keep their names if these are valid in a text. Each label occurs once, on its
- * line. */
+/* Labels keep valid names. Each label occurs once, on its line. */
 TEST(names)
 {
     static const char file[] =
@@ -170,8 +169,7 @@ TEST(names)
     assert_null(strstr(text.text, "inside"));
 }
 
-/* Neither a prefix of an object file nor a file with one changed byte causes a
- * crash. */
+/* No prefix of an object file and no changed byte in it causes a crash. */
 TEST(broken_files)
 {
     SCOPED(object) *object = good(sample);

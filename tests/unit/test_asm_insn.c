@@ -216,8 +216,7 @@ TEST(round_trip)
         check_round_trip(xorshift(&seed));
 }
 
-/* Fails unless a row disassembles to its mnemonic, not to data, in a size that it
- * supports. */
+/* Fails unless a row disassembles to its mnemonic in a size that it supports. */
 static void check_written(const c205_insn *insn, uint8_t g)
 {
     c205_fields fields = { insn->opcode, 0, 0, 7, 0, 8, 9, 10, 7, 8, 10, 3 };

@@ -63,8 +63,7 @@ static void draw_sum(struct drawn *drawn, int depth)
     uint64_t flags = 0;
     draw_value(&sides[0], depth);
     draw_value(&sides[1], depth);
-    /* Operators on two integers are integer operators, so one of the operands is
-     * converted. */
+    /* Operators on two integers are integer operators, so one operand is converted. */
     if (sides[0].is_integer && sides[1].is_integer) {
         sides[0].word = number_of(&sides[0]);
         sides[0].is_integer = false;
@@ -203,8 +202,7 @@ static void check_function(const char *name, bool two)
     }
 }
 
-/* A word may be indefinite. Of the comparisons with an indefinite operand, only != is
- * true. */
+/* A word may be indefinite. Then only the comparison != is true. */
 TEST(indefinite)
 {
     for (size_t i = 0; i < COUNT(operators); i++) {

@@ -55,8 +55,7 @@ struct random_record {
     struct text_buffer text;
 };
 
-/* Adds fields of random sizes. Some .at directives return to an earlier field, or skip
- * words. */
+/* Adds fields of random sizes. Some .at directives go back or skip words. */
 static void make_record(struct random_record *record, uint64_t *seed)
 {
     struct sink text = text_buffer_sink(&record->text);

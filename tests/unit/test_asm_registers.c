@@ -115,8 +115,7 @@ TEST(mentions)
 
 enum { LINES = 40, NAMES = 6, REGISTERS = 4, WORDS = 3, DEPTH = 4 };
 
-/* A declaration with the blocks around it. Each block has a number and a word. 0: no
- * word. */
+/* A declaration in its blocks, each with a number and a word (0: no word). */
 struct given {
     size_t name, depth;
     unsigned number, blocks[DEPTH], words[DEPTH];

@@ -22,8 +22,7 @@ static bool is_link(const char *path)
     return lstat(path, &status) == 0 && S_ISLNK(status.st_mode);
 }
 
-/* Makes links. Link n refers to link n - 1, or to the file, by its name or by its
- * complete path. */
+/* Makes links. Link n refers to link n - 1 or the file, by name or complete path. */
 static const char *make_links(unsigned count, bool whole_paths)
 {
     const char *target = "file";
@@ -109,8 +108,7 @@ TEST(device)
     REQUIRE(atomic_file_commit(whole, &failure));
 }
 
-/* A signal removes the incomplete file, regardless of how many files have been
- * completed. */
+/* A signal removes the incomplete file, however many files are complete. */
 TEST(signals)
 {
     int status;

@@ -114,8 +114,7 @@ TEST(stopped)
 
 /* ---- Saved --------------------------------------------------------------- */
 
-/* Writes a unit in the format of a run, with samples that no frame has. Its number of
- * rows may be wrong. */
+/* Writes a unit like a run's, with samples of no frame and perhaps a wrong height. */
 static void plant(struct trace *trace, struct job_set *job_set, uint64_t unit,
                   size_t rows)
 {
@@ -130,8 +129,7 @@ static void plant(struct trace *trace, struct job_set *job_set, uint64_t unit,
     assert_true(checkpoint_add(job_set->file, unit, &words, &failure));
 }
 
-/* Adds such a unit to a file. Either the unit is accepted, or the frame is the same as
- * without the unit. */
+/* Adds such a unit to a file. It is accepted, or the frame does not change. */
 static void check_planted(const struct scene *scene, const struct trace *whole,
                           uint64_t unit, size_t rows, bool taken)
 {
@@ -162,8 +160,7 @@ TEST(planted)
     check_planted(scene, whole, UINT64_MAX, ROWS, false);
 }
 
-/* The saved bands of the first scene must be accepted for the second scene if both
- * scenes are the same. */
+/* The second scene must accept the first one's bands if both are the same. */
 static void check_kept(const char *one, const char *other, bool same,
                        enum trace_mode mode)
 {

@@ -9,8 +9,7 @@
 
 enum { LISTS = 2000, MAX_LENGTH = 1500, MAX_BANKS = 70, AGAIN = 4 };
 
-/* An access begins one access time after the previous access, or when its bank is free
- * if that is later. */
+/* An access waits one access time after the previous one, and for its bank. */
 static uint64_t by_the_rule(const struct banks *banks, uint64_t table, unsigned step,
                             const c205_word *indices, size_t count)
 {
@@ -25,8 +24,7 @@ static uint64_t by_the_rule(const struct banks *banks, uint64_t table, unsigned 
     return next - count * banks->access;
 }
 
-/* Fills a list with ascending indices with gaps, with indices of one bank, or with
- * random indices. */
+/* Fills a list with ascending indices, indices of one bank, or random indices. */
 static void fill(c205_word *indices, size_t count, size_t banks, uint64_t *seed)
 {
     uint64_t kind = xorshift(seed) % 4, at = xorshift(seed) >> 16;
@@ -39,8 +37,7 @@ static void fill(c205_word *indices, size_t count, size_t banks, uint64_t *seed)
     }
 }
 
-/* Changes a list to the list of a later gather, which usually has the same indices at
- * another place. */
+/* Changes a list to that of a later gather, usually the same at another place. */
 static void change(c205_word *indices, size_t count, uint64_t *table, unsigned *step,
                    uint64_t *seed)
 {

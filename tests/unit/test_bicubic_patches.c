@@ -28,8 +28,7 @@ struct cell {
     int depth;
 };
 
-/* The blossom of a cubic: a symmetric function that is linear in each of three
- * parameters. */
+/* The blossom of a cubic: symmetric, and linear in each of three parameters. */
 static double blossom(const double p[4], const double t[3])
 {
     double sum = 0;

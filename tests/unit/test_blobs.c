@@ -15,8 +15,7 @@ static size_t scene_count = 4; /* number of scenes of each kind */
 
 /* ---- Components ---------------------------------------------------------- */
 
-/* On a grid, ends, planes and axes of several components coincide. Some of them are on
- * rays. */
+/* On a grid, ends, planes and axes of components coincide, some with rays. */
 static void add_motions(char *text, size_t size)
 {
     if (below(3) == 0)

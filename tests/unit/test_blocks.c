@@ -58,8 +58,7 @@ static c205_stop step_to_end(c205 *machine)
     return stop;
 }
 
-/* Two machines, one of which ran a program from block to block and one step by step,
- * and their stop. */
+/* A machine that ran blocks, a machine that ran single steps, and their stop. */
 struct both {
     c205 *whole, *stepped;
     c205_stop stop;
@@ -203,8 +202,7 @@ TEST(changes)
 
 /* ---- Faults -------------------------------------------------------------- */
 
-/* Loads access unmapped memory in the middle of a block. When the page is mapped, the
- * run continues. */
+/* Loads access unmapped memory within a block. Once it is mapped, the run continues. */
 TEST(fault)
 {
     static const char text[] = "        .regs   r10, at, x, sum, turns, to\n"
@@ -284,8 +282,7 @@ static const struct {
           "inner:  LOD     [at], y\n"
           "        MPYS    y, y, x\n"
           "        EX      to, again\n" LOOP_END },
-    /* An instruction that reads the time gets the clock at which it begins, at any
-     * position in a block. */
+    /* An instruction that reads the time gets its first clock, anywhere in a block. */
     { "", "        .regs   r10, turns, to, x, y, wait, left, flags, sum, run_out\n"
           "        ES      turns, 30\n"
           "        ES      wait, 50\n"
@@ -413,8 +410,7 @@ TEST(programs)
     prior_model = usual;
 }
 
-/* Data after a branch that is always taken is not code. A store to it counts once as a
- * change of code. */
+/* Data after an unconditional branch is not code. A store there is one change. */
 TEST(data_behind_branch)
 {
     SCOPED_VALUE(both) both = compare("        .regs   r10, turns, to, at, x, one\n"
@@ -439,8 +435,7 @@ TEST(data_behind_branch)
 
 /* ---- Limits of memory ---------------------------------------------------- */
 
-/* There are more blocks than the cache can hold, so the cache is cleared and filled
- * again. */
+/* The cache cannot hold all blocks, so it is cleared and filled again. */
 TEST(many_blocks)
 {
     static const char text[] = "        .regs   r10, turns, to, sum\n"

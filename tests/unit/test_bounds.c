@@ -18,8 +18,7 @@ static struct bound first_bound(const char *text)
     return bounds[0];
 }
 
-/* Shapes with the centre and radius of their smallest sphere, and shapes without a
- * bound. */
+/* Shapes with the centre and radius of their smallest sphere, or without bound. */
 TEST(known)
 {
     static const struct {

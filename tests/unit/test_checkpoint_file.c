@@ -248,8 +248,7 @@ TEST_WITH(of_something_else, set_up, tear_down)
     expect(0, (bool[UNITS]){ false });
 }
 
-/* Starts a process that keeps the file open until it is killed. The process reports
- * when it is ready. */
+/* Starts a process that keeps the file open until killed, and reports it. */
 static pid_t open_elsewhere(void)
 {
     int ready[2];

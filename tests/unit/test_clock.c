@@ -72,8 +72,7 @@ static uint64_t gather_clocks(struct clock *clock, const c205_word *indices,
 
 enum { LIST = 60000 };
 
-/* The published mean is 40 million elements a second, which is 1.25 clocks for each
- * element. */
+/* The published mean of 40 million elements a second is 1.25 clocks an element. */
 TEST(random_gather)
 {
     SCOPED(clock) *clock = two_pipes();

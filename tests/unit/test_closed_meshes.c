@@ -198,8 +198,7 @@ static void write_aimed(const size_t face[3], const double location[3], double s
     end_mesh();
 }
 
-/* Aims rays at edges of bodies. From outside they pass through a body from one side to
- * the other. */
+/* Aims rays at edges of bodies. From outside they pass through a body. */
 static void check_edges(bool outside)
 {
     set_size(9, 9);

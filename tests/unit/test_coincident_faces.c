@@ -5,8 +5,7 @@
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
-/* The middle ray starts at z = -5 on the z axis and follows this axis. A light is also
- * on the axis. */
+/* The middle ray follows the z axis from z = -5. A light is also on the axis. */
 #define VIEW STRAIGHT "light_source { -4.5*z, .5 }\n"
 
 static struct words *frame_of_all(const char *text)
@@ -35,8 +34,7 @@ static struct words *frame_of_all(const char *text)
     "box { <-1, 0, -2>, 2 matrix <1, 0, 0, 0, 1, 0, 0, " slope ", 1, " \
     "0, 0, 0> } "
 
-/* The hit of the middle ray: the id of the primitive from 1 (0: none), and the
- * distance. */
+/* The hit of the middle ray: the primitive from 1 (0: none), and the distance. */
 static const struct {
     const char *text;
     int64_t id;

@@ -295,8 +295,7 @@ static void release(struct caught *caught)
     fclose(caught->file);
 }
 
-/* A correct line with these additional words must be rejected with the message
- * `why`. */
+/* A correct line with these words added must be rejected with the message `why`. */
 static void refused(const char *word, const char *value, const char *why)
 {
     for (uint64_t seed = 1; seed <= 20; seed++) {

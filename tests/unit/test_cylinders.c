@@ -7,8 +7,7 @@
 
 #include "rt/study/speedup.h"
 
-/* Compares the depth and the normal of the middle ray's hit. The normal faces the
- * ray. */
+/* Compares the middle ray's depth and normal. The normal faces the ray. */
 static void check_hit(const char *text, double depth, double x, double y, double z)
 {
     FREED struct words *words = same_frame(text);
@@ -57,8 +56,7 @@ static void check_scenes(void)
     free(plain_frame(text));
 }
 
-/* The side and the ends are hit from outside, along the axis and obliquely, and from
- * inside. */
+/* The side and the ends are hit from outside, inside, along the axis and obliquely. */
 #define SOLID "cylinder { <0, 0, -1>, <0, 0, 2>, .5 "
 #define SLOPE "cylinder { <-.6, 0, -.8>, <.6, 0, .8>, .5 "
 
@@ -90,8 +88,7 @@ static void check_misses(void)
     check_middle(STRAIGHT SLOPE "translate <1.4, 0, 1.2> }", 0, 0);
 }
 
-/* In cylinders without ends, the ray passes through an open end and hits the side from
- * inside. */
+/* The ray enters a cylinder without ends at an open end and hits the inner side. */
 static void check_tubes(void)
 {
     check_middle(STRAIGHT SOLID "open }", 0, 0);
@@ -118,8 +115,7 @@ TEST(formulations)
     traced.variant = NULL;
 }
 
-/* The historical formulation does not change transparent cylinders, or cylinders in
- * trees. */
+/* The historical formulation leaves transparent cylinders and trees unchanged. */
 TEST(trees)
 {
     static const char text[] = AHEAD "difference { " SOLID

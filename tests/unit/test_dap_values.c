@@ -107,8 +107,7 @@ static const struct json_value *read_file(struct arena *arena, const char *name)
     return tree;
 }
 
-/* Writes the members with the defaults that the editor proposes. `program` is the
- * program of the test. */
+/* Writes the members with the editor's defaults. `program` is the test's program. */
 static void put_defaults(struct json *json, const struct json_value *properties)
 {
     for (const struct json_value *item = properties->first; item; item = item->next) {
@@ -127,8 +126,7 @@ static void put_defaults(struct json *json, const struct json_value *properties)
     }
 }
 
-/* The entry of the package starts the adapter, which accepts the members that the entry
- * proposes. */
+/* The package's entry starts the adapter, which accepts the entry's members. */
 TEST(extension)
 {
     FREED_BY(client_leave) struct dap_client client;

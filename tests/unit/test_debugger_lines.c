@@ -153,8 +153,7 @@ static const struct {
     struct line_said lines[MAX_LINES];
     size_t faults;
 } sessions[] = {
-    /* Output of the program is printed once, however often its instruction is
-     * executed. */
+    /* Output of the program is printed once, however often it is executed again. */
     { "        ES  r10, 5\n"
       "        EXIT r10, r0, 2\n"
       "        EXIT r0, r0, 5\n"

@@ -226,8 +226,7 @@ static void check_same(const struct text_buffer *one, const struct text_buffer *
             "%s:\n%s\nand again:\n%s", name, one->text, other->text);
 }
 
-/* Two debuggers run the script alternately, line by line. They must not affect each
- * other. */
+/* Two debuggers run the script in turn. They must not affect each other. */
 static void check_in_turn(const struct object *object, const char *name,
                           script_line *lines, const struct text_buffer *expected)
 {

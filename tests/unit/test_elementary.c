@@ -40,8 +40,7 @@ enum { EXACT = 300 }; /* bits */
 
 static uint64_t state = 205;
 
-/* Returns a random number with a magnitude between two powers of 2. Most numbers are
- * near 1. */
+/* Returns a random number between two powers of 2 in magnitude, most near 1. */
 static double draw(double least, double most)
 {
     double share = xorshift_real(&state, 0, 1);
@@ -66,8 +65,7 @@ static double rounded(of_one *one, of_two *two, double x, double y)
         two(value, a, b, MPFR_RNDN);
     else
         one(value, a, MPFR_RNDN);
-    /* A value nearly halfway between two doubles is rounded as a tie, as elementary.h
-     * specifies. */
+    /* A value nearly halfway between doubles is rounded as a tie (elementary.h). */
     mpfr_prec_round(value, 53 + 40, MPFR_RNDN);
     double result = mpfr_get_d(value, MPFR_RNDN);
     mpfr_clears(value, a, b, (mpfr_ptr)0);
@@ -141,8 +139,7 @@ TEST(halfway)
     }
 }
 
-/* The result equals the C function's result where a function is undefined or
- * infinite. */
+/* The result equals the C function's where this is undefined or infinite. */
 TEST(ends)
 {
     static const double ends[] = { 0,        -0.,       1,      -1,     2,

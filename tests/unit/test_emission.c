@@ -157,8 +157,7 @@ static void add_to(struct mean *mean, double value)
     mean->squares += value * value;
 }
 
-/* Fails unless the mean is within `sigmas` standard errors and `more` of the expected
- * value. */
+/* Fails unless the mean is within `sigmas` standard errors and `more`. */
 static void assert_mean(const struct mean *mean, double expected, double sigmas,
                         double more)
 {
@@ -214,8 +213,7 @@ TEST(exact_areas)
 
 /* ---- The circle, and the cosine law ---------------------------------------- */
 
-/* Points and directions of a sphere are compared with their formulas in long
- * doubles. */
+/* Points and directions of a sphere are compared with long double formulas. */
 TEST(accuracy)
 {
     SCOPED(scene) *scene = read_scene("sphere { 0, 1 }");
@@ -266,8 +264,7 @@ TEST_CALL(cosine_law, each_shape(tries, check_cosine_law))
 
 /* ---- Both forms ------------------------------------------------------------ */
 
-/* Compares the scalar form in one call with the vector form in two calls and with other
- * queues. */
+/* Compares the scalar form with the vector form in two calls and other queues. */
 static void compare_forms(const struct primitive *primitive)
 {
     size_t count = between(2, 3000), cut = between(1, count - 1);

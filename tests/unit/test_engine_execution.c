@@ -351,8 +351,7 @@ static void check_timeline(struct walk *walk)
     assert_non_null(strstr(text_of(reply, "file"), "<svg"));
 }
 
-/* Profiles and timelines, complete or not, must not change the position of the
- * program. */
+/* Profiles and timelines, complete or not, must not move the program. */
 TEST(replays)
 {
     enum { ROUNDS = 10, MOVES = 6 };

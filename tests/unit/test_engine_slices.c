@@ -24,8 +24,7 @@ static const char long_program[] = "        .include \"core.s\"\n"
                                    "        DBNZ inner, [back]\n"
                                    "        return link\n";
 
-/* Compares the replies. Slices have at most `clocks` clocks. Returns the number of
- * slices. */
+/* Compares the replies to slices of at most `clocks`. Returns the slices' number. */
 static size_t ask_both(struct talk *whole, struct talk *sliced, const char *request,
                        uint64_t clocks)
 {

@@ -168,8 +168,7 @@ TEST(pages)
 
 /* ---- Stops --------------------------------------------------------------- */
 
-/* Breakpoints and a watched range. The breakpoints are at places that a run without
- * stops visits. */
+/* Breakpoints where a run without stops passes, and a watched range. */
 struct places {
     uint64_t at[PLACES];
     uint64_t watched;
@@ -283,8 +282,7 @@ TEST(stops)
         check_stops(RANDOM_SEED + 31 * i, i % 2 == 0);
 }
 
-/* Moves forwards and backwards with stops. A machine without a history must take the
- * same steps. */
+/* Moves both ways with stops. A machine without history takes the same steps. */
 static void check_history(uint64_t seed)
 {
     enum { STEPS = 60 };

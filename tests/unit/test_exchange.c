@@ -82,8 +82,7 @@ TEST(cube)
     assert_close(exchange.sum, 0, 1e-9 * 36940);
 }
 
-/* The three surfaces are the tube and two fins. The emission through the opening is
- * compared. */
+/* The surfaces are the tube and two fins, compared by emission through the opening. */
 TEST(finned_bay)
 {
     static const double emissivities[] = { .5, 1 };

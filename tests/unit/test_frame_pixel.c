@@ -275,8 +275,7 @@ static void follow(void *context, const struct pixel_element *element)
     }
 }
 
-/* Checks the rays where a region is left or entered, where a queue is shaded, and at
- * other steps. */
+/* Checks the rays at borders of regions, at shaded queues and at other steps. */
 static void check_rays(struct following *following)
 {
     const struct frame_pixel *pixel = following->pixel;
@@ -301,8 +300,7 @@ static void check_rays(struct following *following)
         if (rays != 1 || pc != shade || following->ray[0].list > 0
             || trace_how(pixel->trace)->mode == TRACE_SCALAR)
             continue;
-        /* Before a queue is shaded, the hit of its ray must be the hit of the
-         * picture. */
+        /* Before a queue is shaded, its ray's hit must be the picture's. */
         bool hit = c205_to_double(ray_word(following, "nearest_primitive")) != 0;
         assert_int_equal(hit, c205_to_integer(channel_of(pixel, CHANNEL_ID)) != 0);
         if (hit)
@@ -351,8 +349,7 @@ TEST(rays)
 
 /* ---- Debugger sessions --------------------------------------------------- */
 
-/* A debugger session moves forwards and backwards to the queue of a pixel, and to the
- * end. */
+/* A session moves both ways to the queue of a pixel, and to the end. */
 TEST(sessions)
 {
     for (size_t i = 0; i < 2 * TRACE_MODES; i++) {

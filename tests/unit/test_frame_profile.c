@@ -56,8 +56,7 @@ static struct trace_options some_options(enum trace_mode mode)
 
 /* ---- Frames -------------------------------------------------------------- */
 
-/* Compares the profile with the accounts. Returns the listing, which the caller
- * frees. */
+/* Compares the profile with the accounts. The caller frees the returned listing. */
 static char *check_frame(const struct scene *scene, struct trace_options options,
                          const char *what)
 {

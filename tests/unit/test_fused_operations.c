@@ -10,8 +10,7 @@ enum { TURNS = 40000, BELOW = 9, SLACK = 3 };
 
 /* ---- Operands ------------------------------------------------------------ */
 
-/* Returns a random normalised word or machine zero. Some words have an extreme
- * coefficient. */
+/* Returns a normalised word, sometimes extreme, or machine zero. */
 static c205_word word_within(uint64_t *seed, int32_t low, int32_t high)
 {
     int64_t half = INT64_C(1) << 46;
@@ -35,8 +34,7 @@ static c205_word stranger(uint64_t *seed)
     return strangers[xorshift(seed) % COUNT(strangers)];
 }
 
-/* Fills words with exponents of a wide range, or of a narrow range in which sums
- * cancel. */
+/* Fills words with exponents of a wide range, or of one where sums cancel. */
 static void fill(c205_word *words, size_t n, uint64_t *seed)
 {
     int32_t high = xorshift(seed) % 2 ? 255 : (int32_t)(xorshift(seed) % 50);
@@ -77,8 +75,7 @@ static c205_word exact_result(const struct pair *pair, size_t i, uint64_t *flags
                          : pair->second->exact(pair->d[i], handed, flags);
 }
 
-/* Returns true if the fast path accepts a word: its exponent is moderate, and it is
- * normalised or zero. */
+/* Returns true for the fast path's words: a moderate exponent, normalised or zero. */
 static bool is_moderate(c205_word w)
 {
     int32_t e = word_exponent(w);

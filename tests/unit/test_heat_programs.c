@@ -102,8 +102,7 @@ struct staying {
     c205_word planes[PLANES * MAX_POINTS], list[LIST_PLANES * MAX_LIST];
 };
 
-/* Returns true if a crossing is near the point. Also reads its primitive and its
- * direction. */
+/* Returns true near a crossing. Also reads its primitive and direction. */
 static bool is_near(const struct staying *given, size_t i, size_t point,
                     int64_t *primitive, int64_t *sense)
 {

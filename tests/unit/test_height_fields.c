@@ -20,8 +20,7 @@ struct grid {
     int heights[MAX_GRID][MAX_GRID]; /* indexed [z][x] */
 };
 
-/* Makes a random field, and writes it as a text image. Its rows are in order of
- * descending z. */
+/* Makes a random field and its text image, in rows of descending z. */
 static struct grid draw_grid(void)
 {
     struct grid grid = { .columns = (int)between(2, MAX_GRID + 1),
@@ -146,8 +145,7 @@ TEST(normals)
     }
 }
 
-/* Normals that POV-Ray's trace() returned for a field of 16 bits, at one corner
- * each. */
+/* Normals from POV-Ray's trace() for a field of 16 bits, at one corner each. */
 TEST(known_normals)
 {
     static const char field[] = "P2\n4 3\n255\n0 50 100 150\n10 80 200 30\n"
@@ -228,8 +226,7 @@ static void assert_is_closed(const struct triangles *triangles)
     }
 }
 
-/* As a solid, a field fills its square below the slope or the water, down to any
- * depth. */
+/* A solid field fills its square below the slope or water to any depth. */
 TEST(bodies)
 {
     SCOPED(scene) *scene = read_scene(

@@ -88,8 +88,7 @@ static const struct known_file known_files[] = {
              "\x00\x00\x11IDATx\x01\x01\x06\x00\xf9\xff\x00\x01 \x00\x34P\x01"
              "\x43\x00\xa6\x63~\xb7\x9a"),
       { 0, 256, 512, 768, 1024, 1280 } },
-    /* The palette contains each colour twice. The second palette belongs to the
-     * image. */
+    /* The palette contains each colour twice; the second belongs to the image. */
     { FILE_OF("gif", "GIF89a\x03\0\x02\0\x72\0\0!\xfe\x02yo\0,\0\0\0\0\x03\0"
                      "\x02\0\x82"
                      "aaaaaabbbbbbccccccdddddd"

@@ -21,8 +21,7 @@ static struct bound ball(double x, double y, double z, double radius)
                            .high = { x + radius, y + radius, z + radius } };
 }
 
-/* Sizes of SMALLER decrease by a constant factor, so that bins separate only a few of
- * them. */
+/* Sizes of SMALLER decrease by a factor, so that bins separate only a few. */
 enum kind {
     ANYWHERE,
     SAME_POINT,

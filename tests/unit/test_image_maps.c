@@ -9,8 +9,7 @@
 
 #define OLD_VERSION "#version 3.6; global_settings { assumed_gamma 1 }"
 
-/* Returns a sphere with the image map of `words`. The text `before` precedes the
- * sphere. */
+/* Returns a sphere with the image map of `words`, after the text `before`. */
 static const char *image_text(const char *before, const char *words)
 {
     static char text[1000];
@@ -19,8 +18,7 @@ static const char *image_text(const char *before, const char *words)
     return strcat(text, " } } }");
 }
 
-/* Reads an image map that must cause `count` reports, the first of which contains
- * `message`. */
+/* Reads an image map that causes `count` reports, the first with `message`. */
 static struct scene *expect_reports(const char *before, const char *words, size_t count,
                                     const char *message)
 {

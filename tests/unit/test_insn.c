@@ -34,8 +34,7 @@ TEST(rows)
                          c205_unit_is_vector(insn->unit));
         FAIL_IF((insn->flags & C205_INSN_PADZ) && (insn->flags & C205_INSN_PADO),
                 "%s is padded with zeros and ones", insn->mnemonic);
-        /* Only the operation of an instruction with numeric operands has a rule for
-         * special values. */
+        /* Only operations on numeric operands have a rule for special values. */
         const char *rule = c205_operation_specials(insn->operation);
         bool has_numbers = strpbrk(insn->operands, "fvFV") != NULL;
         FAIL_IF(has_numbers && strcmp(rule, of_bits) == 0, "%s: numbers, but %s",

@@ -307,8 +307,7 @@ TEST(in_the_middle_of_a_pair)
                          i < 16 ? one_and_half : 0);
 }
 
-/* Each operation of a pair waits for its own scalar operand, even if the pair is
- * interrupted. */
+/* Each operation of a pair waits for its own operand, even if interrupted. */
 TEST(pair_that_waits)
 {
     for (uint8_t late = 3; late <= 4; late++) {
@@ -418,8 +417,7 @@ static void map_next_page(c205 *machine)
     assert_true(c205_write(machine, NEXT_PAGE, words, 60));
 }
 
-/* A vector across the end of a page, or a short vector before it, with other results in
- * flight. */
+/* A vector across a page's end, or a short one before it, during other results. */
 static void load_crossing(struct small_machine *fixture, bool short_one)
 {
     begin(fixture);

@@ -78,8 +78,7 @@ static bool do_job_set(struct job_set *job_set, struct bench *bench, size_t jobs
     return job_set_open(job_set, KEY, error) && job_set_run(&work, error);
 }
 
-/* Each unit must be taken once. It must run once, unless a killed process has run it,
- * too. */
+/* Each unit is taken once and runs once, or again after a killed process. */
 static void assert_all_taken(const struct bench *bench, bool killed)
 {
     for (size_t unit = 0; unit < bench->count; unit++) {

@@ -41,8 +41,7 @@ static void check_assembled(const char *kernel, const struct asm_define *defines
     assert_non_null(program);
 }
 
-/* Assembles all programs among the kernels in both forms, with each constant that
- * selects a variant. */
+/* Assembles all programs of the kernels in both forms and in each variant. */
 TEST(assembled)
 {
     static const struct asm_define switches[] = {

@@ -174,8 +174,7 @@ static void check_unaries(const operations *size, const c205_word *a, size_t n,
             check_words(&size->list[i], a, a, n, place);
 }
 
-/* Checks every place and length. The operands are all pairs of lane_supplies in
- * turn. */
+/* Checks every place and length with all pairs of lane_supplies in turn. */
 static void check_lengths(const operations *size, uint64_t seed)
 {
     static c205_word a[SPAN], b[SPAN];

@@ -111,8 +111,7 @@ TEST(focus)
 
 #define FOCUS "aperture -4 focal_point 7*z blur_samples 10 "
 
-/* The values of POV-Ray, which were measured in its pictures of a small, distant
- * sphere. */
+/* POV-Ray's values, which were measured in pictures of a small, distant sphere. */
 TEST(words)
 {
     static const struct {

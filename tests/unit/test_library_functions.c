@@ -57,8 +57,7 @@ static c205_word special(void)
     return words[below(&state, COUNT(words))];
 }
 
-/* Returns a word that differs from a multiple of `near` by at most two units of the
- * last place. */
+/* Returns a word within two units of the last place of a multiple of `near`. */
 static c205_word beside(double near)
 {
     double number = near * (double)xorshift_between(&state, -40, 40);
@@ -221,8 +220,7 @@ static bool has_none(const struct function *function, const mpfr_t x, const mpfr
     return false;
 }
 
-/* Returns the exponent of a word with this value. The exponent of zero is less than all
- * others. */
+/* Returns the exponent of a word with this value, the least one for zero. */
 static long exponent_of(const mpfr_t exact)
 {
     return mpfr_zero_p(exact) ? LONG_MIN / 2 : (long)mpfr_get_exp(exact) - 47;
@@ -252,8 +250,7 @@ static void check_value(const struct function *function, size_t i, const mpfr_t 
     errors->count++;
 }
 
-/* Sets `value` to the value of a word. If it is too small to be normalised, the value
- * is 0. */
+/* Sets `value` to a word's value, or to 0 if it is too small to be normalised. */
 static void value_of(mpfr_t value, c205_word word)
 {
     uint64_t flags = 0;
@@ -274,8 +271,7 @@ static void check_result(const struct function *function, size_t i,
         good = word == C205_INDEFINITE;
     } else {
         function->exact(exact, x, y);
-        /* For these arguments, sums in atan2 and products in power may be out of
-         * range. */
+        /* For these, sums in atan2 and products in power may be out of range. */
         if (function->exact == exact_atan2)
             overflows = (!mpfr_zero_p(x) && labs(exponent_of(x)) >= EXPONENTS - AT_END)
                         || (!mpfr_zero_p(y)

@@ -50,8 +50,7 @@ static double named(const struct csv_table *table, size_t row, const char *name)
     return 0;
 }
 
-/* Fails unless the difference is within four standard errors plus a fraction of the
- * scale. */
+/* Fails unless the difference is within four standard errors plus a fraction. */
 static void check_figure(const char *solid, const struct mass_figures *found,
                          size_t figure, double expected, double scale, double share)
 {
@@ -208,8 +207,7 @@ TEST(overlap)
                 < 1e-12);
 }
 
-/* A distant solid has its centroid there. Its moments of inertia follow the parallel
- * axis theorem. */
+/* A distant solid has its centroid there. The parallel axis theorem holds. */
 TEST(about)
 {
     struct measured box = measured_of("box { <99,199,299>, <101,201,301> }", usual(11));

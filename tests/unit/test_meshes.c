@@ -84,8 +84,7 @@ static void write_world(void)
     add_text(text, sizeof text, "}\n");
 }
 
-/* Traces the text by another method, or traces another text. The frame must be the
- * same. */
+/* Traces the text by another method, or another text. The frame is the same. */
 static void check_other_way(const struct words *words)
 {
     FREED struct words *others = same_frame(text);
@@ -192,8 +191,7 @@ static uint64_t checksum_of(const struct scene *scene, enum trace_mode mode,
     return trace_checksum(trace);
 }
 
-/* A triangle at the end of a shadow ray casts no shadow. A triangle in front of the end
- * casts a shadow. */
+/* A triangle in front of a shadow ray's end casts a shadow, one at the end none. */
 TEST(shadow_limit)
 {
     free(plain_frame(
@@ -309,8 +307,7 @@ static void add_doubles(void)
     }
 }
 
-/* Of two equal triangles in a mesh the first is visible. Of two equal meshes the second
- * is visible. */
+/* Of equal triangles in a mesh the first is visible, of equal meshes the second. */
 TEST(doubles)
 {
     net_take(&net, ICOSAHEDRON);

@@ -30,8 +30,7 @@ TEST(built_in)
     }
 }
 
-/* Variants: the model that each variant resembles, and the constant in which both
- * differ. */
+/* Variants: the most similar model, and the constant in which both differ. */
 TEST(variants)
 {
     static const struct {

@@ -96,8 +96,7 @@ TEST(random_patches)
     }
 }
 
-/* Crossings of regions are the first data of a scene in memory. The words after them
- * must not change. */
+/* Crossings of regions are a scene's first data. The words after them stay. */
 static void check_behind_crossings(const struct scene *scene, const struct trace *trace,
                                    c205 *machine, const char *text)
 {

@@ -20,8 +20,7 @@ static const struct picture_note notes[] = {
     { NULL, NULL },
 };
 
-/* Returns a frame with smooth colours, some of which are above 1, and with channels of
- * many magnitudes. */
+/* Returns a frame with smooth colours, some above 1, and channels of many sizes. */
 static struct frame sample_frame(void)
 {
     struct frame frame;
@@ -272,8 +271,7 @@ static void limit_file_size(rlim_t bytes)
     assert_int_equal(setrlimit(RLIMIT_FSIZE, &limit), 0);
 }
 
-/* The disk is full after some bytes. The old file remains, and there is no other
- * file. */
+/* The disk is full after some bytes. Only the old file remains. */
 TEST(failure_keeps_the_old_file)
 {
     static const char *const names[] = { "o.png", "o.jpg", "o.exr", "o.tif" };

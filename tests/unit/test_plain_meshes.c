@@ -48,8 +48,7 @@ static void random_triangle(uint64_t *random, struct triangle *triangle)
     }
 }
 
-/* Makes random barycentric coordinates. All of them are above `least`, or one of them
- * is below -least. */
+/* Makes barycentric coordinates: all above `least`, or one below -least. */
 static void random_shares(uint64_t *random, bool within, double shares[3])
 {
     static const double least = 1e-6;
@@ -118,8 +117,7 @@ TEST(there_and_back)
 
 /* ---- Closed bodies ------------------------------------------------------- */
 
-/* The line starts inside a star-shaped body, so there is one crossing ahead and one
- * behind. */
+/* The line starts in a star-shaped body: one crossing is ahead, one behind. */
 static void assert_two(const struct primitive *mesh, const double from[3],
                        const double to[3])
 {

@@ -52,8 +52,7 @@ TEST(roman_volume)
 
 /* ---- Surfaces of Steiner patches ----------------------------------------- */
 
-/* The quadratic forms x, y, z and w of s, t and u. The coefficients belong to s^2 t^2
- * u^2 2st 2tu 2su. */
+/* The quadratic forms x, y, z and w: coefficients of s^2 t^2 u^2 2st 2tu 2su. */
 typedef double four_forms[4][STEINER_POINTS];
 
 static const four_forms roman_forms = {

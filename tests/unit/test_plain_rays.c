@@ -78,8 +78,7 @@ TEST(colors)
         { &ahead, .5, .5, .5,
           "background { rgb 1 } plane { -z, 0 pigment { "
           "checker rgbt <0, 0, 0, .5> rgb 0 translate -.5 } }" },
-        /* A ray is not traced if its transmitted weight or its brightness is below the
-         * threshold. */
+        /* A ray whose weight or brightness is below the threshold is not traced. */
         { &ahead, .9, .9, 0, DARK "rgbf <.9, .9, 0, 1> } }" },
         { &ahead, 0, 0, 0, DARK "rgbf <.9, 0, 0, 1> } }" }, /* brightness .267 */
         { &ahead, 0, 0, 0, DARK "rgbt <0, 0, 0, .5> } }" },

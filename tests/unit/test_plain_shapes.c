@@ -29,8 +29,7 @@ static struct surface surface_of(const char *text)
 #define LEMON "torus { .5, 1 }"
 #define FLAT_RING "elliptical_torus { 2, .5, .25 }"
 
-/* A triangle as a mesh, and as a patch whose other control points are the midpoints of
- * its edges. */
+/* A triangle as a mesh, and as a patch with the midpoints of its edges. */
 #define TRIANGLE "mesh { triangle { 4*x, 4*y, 0 } }"
 #define PATCH "steiner_patch { 4*x, 4*y, 0, <2, 2, 0>, 2*y, 2*x }"
 

@@ -22,8 +22,7 @@
 #define SHEARED "sphere { 0, 1 matrix <1, 0, -.5, 0, .5, 0, 0, 0, 1, 0, 3, 0> }"
 #define THREE "box { -1, 1 } sphere { -z, 1 } plane { y, 5 }"
 
-/* The number of the object, the distance and the normal. Without a hit all of them are
- * 0. */
+/* The number of the object, the distance and the normal: all 0 without a hit. */
 TEST(hits)
 {
     double length = sqrt(1.25);

@@ -379,8 +379,7 @@ TEST(axes_are_labelled)
                   "0 5e+12 1e+13 1.5e+13 2e+13 2.5e+13 3e+13 3.5e+13 4e+13 ");
 }
 
-/* The levels are still drawn if the y axis is cut off. The caption states that it is
- * cut off. */
+/* The levels are drawn if the y axis is cut off. The caption states the cut. */
 TEST_WITH(curves_are_cut, set_up, tear_down)
 {
     struct plot plot = lines;

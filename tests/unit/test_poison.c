@@ -335,8 +335,7 @@ static c205_fields first_fields(const c205_insn *row, unsigned half)
     return fields;
 }
 
-/* The result of the first instruction is the operand A of the second instruction. It is
- * not stored. */
+/* The result of the first instruction is operand A of the second, not stored. */
 static void draw_pair(uint64_t *random)
 {
     do

@@ -38,8 +38,7 @@ static double distance(const double a[2], const double b[2], const double p[2])
     return hypot(p[0] - a[0] - part * way[0], p[1] - a[1] - part * way[1]);
 }
 
-/* Returns true if the number of crossings of the outline to the right of the point is
- * odd. */
+/* Returns true if the outline has an odd number of crossings right of the point. */
 static bool is_inside(const struct flat_outline *outline, const double p[2])
 {
     bool inside = false;
@@ -102,8 +101,7 @@ static void close_part(struct flat_outline *outline, size_t first)
     outline->ends[outline->count - 1] = true;
 }
 
-/* Adds a star around a point. With a step of 1 it does not intersect itself. With other
- * steps it does. */
+/* Adds a star around a point. Only with a step of 1 it is simple. */
 static void add_star(struct flat_outline *outline, size_t count, size_t step)
 {
     double x = between(-1, 1), y = between(-1, 1), turn = between(0, 6);
@@ -116,8 +114,7 @@ static void add_star(struct flat_outline *outline, size_t count, size_t step)
     close_part(outline, first);
 }
 
-/* Adds a loop with points of a grid. Points are on edges and on each other, and edges
- * overlap. */
+/* Adds a loop of grid points, which are on edges and each other. Edges overlap. */
 static void add_grid_part(struct flat_outline *outline, size_t count)
 {
     size_t first = outline->count;

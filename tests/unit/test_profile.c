@@ -57,8 +57,7 @@ static double number_of(const char *row, const char *key)
     return strtod(strchr(at, ':') + 1, NULL);
 }
 
-/* The sum of all parts is the frame. The sum of all kernels is the part that they
- * belong to. */
+/* All parts sum to the frame, all kernels to the part to which they belong. */
 TEST(sums)
 {
     enum { FRAME, PARTS, KERNELS, INTERSECT, SUMS };
@@ -91,8 +90,7 @@ TEST(sums)
 /* Columns of clocks in the table of groups. The percentages are next to them. */
 static const size_t millions[TRACE_MODES] = { 1, 3, 6 };
 
-/* Sums the displayed rows: either the groups or their members, which are indented below
- * them. */
+/* Sums the displayed rows: the groups, or their members, which are indented. */
 static double sum_of_rows(const struct table *table, const char *text, size_t column,
                           bool members)
 {
@@ -108,8 +106,7 @@ static double sum_of_rows(const struct table *table, const char *text, size_t co
     return sum;
 }
 
-/* The groups sum to the frame, the members to the group. This is also true of their
- * percentages. */
+/* The groups and their percentages sum to the frame, the members to the group. */
 TEST(groups)
 {
     static char text[8192];

@@ -133,8 +133,7 @@ TEST(examples)
 
 static size_t tried, ended;
 
-/* Sweeps a constant that has no effect. Programs that trap intentionally are
- * skipped. */
+/* Sweeps a constant without effect. Programs that trap on purpose are skipped. */
 static void try_program(const char *path)
 {
     FREED_BY(swept_free) struct program_sweep sweep = sweep_of("no_change", 1, 2);
@@ -177,8 +176,7 @@ TEST(random_programs)
 
 /* ---- Crossings ------------------------------------------------------------- */
 
-/* Runs both programs for every value to find the values at which another program
- * becomes the faster one. */
+/* Runs both programs for every value to find where the faster one changes. */
 static void check_crossings(const struct program_sweep *sweep)
 {
     size_t found = 0;
@@ -275,8 +273,7 @@ static void make_points(struct program_sweep *sweep, double startup, double slop
     }
 }
 
-/* Solves the normal equations for the least squares fit of ((s + b x - t) / t)^2 in
- * long doubles. */
+/* Solves the normal equations for the least ((s + b x - t) / t)^2 in long double. */
 static void solve(const struct program_sweep *sweep, long double *startup,
                   long double *slope)
 {
@@ -467,8 +464,7 @@ TEST(faults)
 
 /* ---- The picture ----------------------------------------------------------- */
 
-/* The picture has every point, each half length and each crossing, and all are within
- * its borders. */
+/* The picture has every point, half length and crossing within its borders. */
 static void check_picture(const struct program_sweep *sweep)
 {
     SCOPED_VALUE(text_buffer) svg = { 0 };

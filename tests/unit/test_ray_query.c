@@ -28,8 +28,7 @@ static void check(bool good, const char *reason, const char *text)
     FAIL_IF(!good, "%s in\n%s", reason, text);
 }
 
-/* The camera is on either side of the solids, or inside them with crossings behind
- * it. */
+/* The camera is on either side of the solids, or inside them. */
 static void check_solids(double z, double behind)
 {
     static const size_t queues[] = { 1, 7, LINES - 1, 2000, 2000, 300 };
@@ -203,8 +202,7 @@ static const struct {
       "3 0 0 0 0 0; 4 1 1 0 0 0; 5 0 0 0 0 0" },
     { "box { -1, 1 clipped_by { plane { z, 0 } } } plane { z, 2 }", 0,
       "3 0 0 0 0 0; 6 2 1 -1 -1 -1" },
-    /* Distances are measured from the origin. The distances of crossings behind it are
-     * negative. */
+    /* Distances are measured from the origin. Crossings behind it are negative. */
     { "box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 inverse }", 8,
       "-3 0 0 1 1 1; -2 0 0 -1 0 0; 3 1 1 -1 -1 -1; 5 1 1 1 0 0" },
     { "box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 }", 0,

@@ -356,8 +356,7 @@ static const char powers[] = "title t\nlike cyber720-prior\n"
                              "time.monitor 300000 clk R\n"
                              "branch.stack_halves 8 halves R\n";
 
-/* Each operation has its own power of ten, so that the sum shows which operations were
- * charged. */
+/* Each operation has its own power of ten, so that the sum shows all charges. */
 TEST_CALL(operations, assert_int_equal(projected(operations, powers),
                                        6 + 30 + 300 + 3000 + 10000 + 600000))
 

@@ -10,8 +10,7 @@
 enum { TEXT_ROOM = 60000 };
 static size_t scene_count = 6; /* number of scenes of each kind */
 
-/* Adds a translation to a random position, or to a point of a grid, where objects touch
- * and coincide. */
+/* Translates to a random position, or to a grid point where objects coincide. */
 static void add_place(char *text, size_t size)
 {
     if (solids.gridded)

@@ -339,8 +339,7 @@ static bool is_inside(const struct evaluation *evaluation, uint64_t leaf)
     return evaluation->inside[bits / (64 * symbol(evaluation->stage, "P_SIZE"))];
 }
 
-/* Returns true if the point is inside a primitive below the node, or if the node has no
- * bound. */
+/* Returns true if the point is in a primitive of the node, or it has no bound. */
 static bool may_be_inside(const struct evaluation *evaluation, uint64_t node)
 {
     const struct stage *stage = evaluation->stage;
@@ -354,8 +353,7 @@ static bool may_be_inside(const struct evaluation *evaluation, uint64_t node)
     return may_be;
 }
 
-/* Visits the nodes of a region. If the point cannot be inside a node, skips the nodes
- * below it. */
+/* Visits the nodes of a region. Skips those below a node that excludes the point. */
 static void visit_nodes(struct evaluation *evaluation, size_t i)
 {
     const struct stage *stage = evaluation->stage;

@@ -45,8 +45,7 @@ struct lost {
 TEST(lost)
 {
     static const struct lost cases[] = {
-        /* The register is a source, a modified register, an index, an address or a
-         * link. */
+        /* The register is a source, modified, an index, an address or a link. */
         { " ES a, 1\n ES b, 2\n ADDX a, r8, r8\n", 2, 1, NULL },
         { " ES b, 1\n IS a, 2\n", 1, 0, NULL },
         { " ES b, 0\n EX r9, data\n LOD [r9, a], r9\n", 2, 0, NULL },

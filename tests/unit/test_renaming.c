@@ -83,8 +83,7 @@ static void shuffle(unsigned *order, unsigned first, unsigned end)
     }
 }
 
-/* Shuffles groups of tied registers as units. The first group begins with register
- * 0. */
+/* Shuffles groups of tied registers. The first group begins with register 0. */
 static void draw_names(struct renaming *renaming)
 {
     unsigned begin[C205_REGISTERS + 1], order[C205_REGISTERS];
@@ -103,8 +102,7 @@ static void draw_names(struct renaming *renaming)
             renaming->new_name[r] = (uint8_t)next++;
 }
 
-/* A sum needs an even register, and traps with an odd one. Therefore the parity must
- * not change. */
+/* A sum traps with an odd register, so the parity must not change. */
 static bool keeps_sums(const struct renaming *renaming,
                        const struct random_program *program)
 {

@@ -17,8 +17,7 @@
 
 enum { LANES = 300, INPUTS = 8, OUTPUTS = 5 };
 
-/* The inputs are c4 .. c0, low, high and resolution. The outputs are four roots and
- * their number. */
+/* The inputs are c4 .. c0, low, high and resolution, the outputs roots and number. */
 struct lanes {
     c205_word in[LANES][INPUTS], out[LANES][OUTPUTS];
 };
@@ -239,8 +238,7 @@ TEST(alone)
 
 enum { ROOTS = 4, ROUNDS = 8 };
 
-/* The roots of a polynomial. For complex pairs, `above` is the squared distance from
- * the real axis. */
+/* A polynomial's roots. `above`: a pair's squared distance from the real axis. */
 struct factors {
     double root[ROOTS], above[ROOTS / 2];
 };
@@ -399,8 +397,7 @@ TEST(signs)
     }
 }
 
-/* Two roots are nearer than the resolution of 1e-3, so that they could be returned in
- * the wrong order. */
+/* Two roots nearer than the resolution of 1e-3 could come in the wrong order. */
 TEST(signs_ascend)
 {
     static const double c[INPUTS] = { 1,

@@ -161,8 +161,7 @@ TEST(storage)
           "'y' ends at 800240");
 }
 
-/* A program that executes an instruction `times` times with numbers, and once more with
- * integers. */
+/* A program that executes an instruction `times` times, and then with integers. */
 #define LATE(times) \
     DATA " ES r20, " #times "\n EX r21, top\n ES r24, 1\n ES r25, 2\n" \
          "top: MPYSV [fs], [fs], [ys]\n DBNZ r20, [r21]\n RTOR xs, fs\n" \
@@ -220,8 +219,7 @@ static double exact(char sign, double a, double b)
     return sign == '+' ? a + b : sign == '-' ? a - b : sign == '*' ? a * b : a / b;
 }
 
-/* A loss must be reported if and only if the error of the machine's result is larger
- * than allowed. */
+/* A loss is reported if and only if the result's error is larger than allowed. */
 static void check_loss(const char *mnemonic, arith_binary *operation, char sign,
                        bool half, uint64_t *seed)
 {

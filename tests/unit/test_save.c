@@ -25,8 +25,7 @@ static c205_stop run_in_pieces(c205 **machine, uint64_t clocks)
     return stop;
 }
 
-/* Runs a saved machine to its end, once in one run and once in slices of `clocks`
- * clocks. */
+/* Runs a saved machine to its end, in one run and in slices of `clocks`. */
 static void compare_runs(const struct bytes *begin, uint64_t clocks)
 {
     SCOPED(c205) *whole = restore(begin, prior_model);
@@ -97,8 +96,7 @@ TEST(access)
                      C205_TRAP_PROTECTED_ADDRESS);
 }
 
-/* A page that was never accessed is saved as a page of zeros. Saving does not allocate
- * it. */
+/* A page that was never accessed is saved as zeros without being allocated. */
 TEST(untouched)
 {
     const c205_access access[] = { C205_READ_WRITE, C205_WHEN_TOUCHED };
@@ -185,8 +183,7 @@ static void assert_rejected(const void *bytes, size_t count, const c205_model *o
             error.message, why);
 }
 
-/* Each part has an allocation of exactly its size, so that reads after its end are
- * detected. */
+/* Each part is allocated with its exact size, so that reads after its end fail. */
 TEST(truncated)
 {
     SCOPED_VALUE(bytes) bytes = in_the_middle();

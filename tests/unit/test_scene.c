@@ -282,8 +282,7 @@ TEST(no_transform)
     assert_false(scene->primitives[1].transformed); /* 0 became 1 */
 }
 
-/* Fails unless the x coordinate of the pattern at a point in world space is as
- * expected. */
+/* Fails unless the pattern's x coordinate at a world point is as expected. */
 static void assert_pattern_at(const struct pigment *pigment, double world_x,
                               double pattern_x)
 {

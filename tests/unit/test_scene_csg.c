@@ -117,8 +117,7 @@ TEST(trees)
           "|(0,1) ++" },
         { "union { " A B " bounded_by { box { -.9, 2 } scale 1.2 } }", "0 1 ++" },
         { "union { " A B " bounded_by { clipped_by } }", "0 1 ++" },
-        /* As in POV-Ray, surfaces are not inverted, not even within an inverted
-         * solid. */
+        /* As in POV-Ray, surfaces are not inverted, even within an inverted solid. */
         { "difference { " B " mesh { " E " inside_vector z } }", "&(0,!(1)) +-" },
         { "union { " B E A " inverse }", "&(!(0),1,!(2)) -+-" },
         { "object { union { " B E " inverse } inverse }", "|(0,1) ++" },
@@ -258,8 +257,7 @@ TEST(interiors)
         assert_close(scene->primitives[i].ior, expected[i], 0);
 }
 
-/* Compares the bodies of the primitives. They are letters from `a` on. `.` is an
- * invisible primitive. */
+/* Compares the primitives' bodies: letters from `a`, and `.` for invisible ones. */
 static void check_bodies(const char *text, const char *expected)
 {
     SCOPED(scene) *scene = read_scene(text);
@@ -281,8 +279,7 @@ static void check_bodies(const char *text, const char *expected)
 
 #define FILLED "sphere { 0, 1 interior { ior 1.5 } } "
 
-/* Each object of the scene is a body. Each use of an interior is a separate body, by
- * name and in copies. */
+/* Each object is a body. Each use of an interior is another one, also in copies. */
 TEST(bodies)
 {
     static const char *const rows[][2] = {
@@ -391,8 +388,7 @@ TEST(clear_pigments)
     }
 }
 
-/* A second reflection keeps the values of the first that it does not set, as was
- * measured in POV-Ray. */
+/* As measured in POV-Ray, a second reflection keeps values that it does not set. */
 TEST(reflections)
 {
     static const struct {

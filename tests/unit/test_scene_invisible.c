@@ -84,8 +84,7 @@ static const struct {
 #define GROUND "plane { y, -1 pigment { rgb .5 } }\n"
 #define BALL "sphere { 0, 1 pigment { rgb 1 }"
 
-/* Places of a shape: the text before and after the shape. `ball` is true if the ball is
- * visible. */
+/* Texts before and after a shape. `ball` is true if the ball is visible. */
 static const struct {
     const char *before, *after;
     bool ball;

@@ -15,8 +15,7 @@ static void check_map(const struct color_map *map, const char *expected)
     assert_string_equal(found, expected);
 }
 
-/* Checks the pigment of a sphere. It is written directly, by name, and in a named
- * texture. */
+/* Checks a sphere's pigment, written directly, by name, and in a named texture. */
 static void check_pigment(const char *words, enum pigment_kind kind,
                           const char *expected)
 {
@@ -187,8 +186,7 @@ TEST(named_maps)
     assert_int_equal(p[3].pigment.kind, PIGMENT_COLOR);
 }
 
-/* As in POV-Ray, if a gradient replaces a checker, the checker's colours form a map
- * from 0 to 1. */
+/* As in POV-Ray, a gradient that replaces a checker maps its colours from 0 to 1. */
 TEST(gradients_after_checkers)
 {
     static const struct {

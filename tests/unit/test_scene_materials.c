@@ -133,8 +133,7 @@ static unsigned put_thing(struct drawing *drawing)
     }
 }
 
-/* Declares the materials in the first lines. Returns the materials that the scene
- * uses. */
+/* Declares the materials first. Returns the materials that the scene uses. */
 static unsigned draw(struct drawing *drawing)
 {
     static const char *const words[LOOKS] = { "crand", "irid", "subsurface",

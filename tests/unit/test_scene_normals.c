@@ -71,8 +71,7 @@ TEST(none)
     }
 }
 
-/* A normal is added to the previous one. It moves with its object, texture and
- * material. */
+/* Normals are added. They move with their object, texture and material. */
 TEST(motions)
 {
     static const char *const texts[] = {

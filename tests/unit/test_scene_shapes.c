@@ -134,8 +134,7 @@ TEST(quadratic_prisms)
     assert_true(p[1].shape.quadratic_prism.open);
 }
 
-/* Repeated points are omitted. A last point near the first point is set to the first
- * point. */
+/* Repeated points are omitted. A last point near the first is set to it. */
 TEST(lathes)
 {
     SCOPED(scene) *scene = read_scene(

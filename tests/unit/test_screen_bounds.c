@@ -47,8 +47,7 @@ static struct screen_point project(const double *eye, const double point[3])
     return (struct screen_point){ (point[u] - eye[u]) / z, (point[v] - eye[v]) / z, z };
 }
 
-/* Returns true if the traversal reaches the triangle. Adds the number of tested windows
- * to *asked. */
+/* Returns true if the triangle is reached. Adds the tested windows to *asked. */
 static bool traversal_reaches(const double *table, const double *eye,
                               const struct screen_point *look, double triangle,
                               double row, size_t *asked)
@@ -86,8 +85,7 @@ static void random_net(void)
         net_shuffle(&net, &traced.random);
 }
 
-/* Makes a random point outside or inside the mesh, near or far, with or without integer
- * coordinates. */
+/* Makes a point outside or inside the mesh, near or far, integer or not. */
 static void random_place(double place[3])
 {
     double reach = below(4) ? between(1.2, 6) : pow(10, between(-2, 2));
@@ -338,8 +336,7 @@ static void write_before_camera(const char *camera)
                "{ reflection .6 } }\n");
 }
 
-/* Rays of these cameras do not pass through the location of the camera, but rays to a
- * light there do. */
+/* These cameras' rays do not pass through their location, but rays to a light do. */
 TEST(other_cameras)
 {
     static const char *const cameras[] = {
@@ -356,8 +353,7 @@ TEST(other_cameras)
     traced.samples = 1;
 }
 
-/* Viewpoints that cannot be used are not recorded, because their windows would need
- * memory. */
+/* Useless viewpoints are not recorded, because their windows need memory. */
 TEST(places)
 {
     static const struct {
@@ -386,8 +382,7 @@ TEST(places)
 
 /* ---- Edge-on ---------------------------------------------------------------- */
 
-/* Adds a triangle whose plane contains the viewpoint. Most coordinates are not
- * integers. */
+/* Adds a triangle in a plane of the viewpoint, mostly without integers. */
 static void add_edge_on(const double eye[3])
 {
     double corners[3][3];

@@ -156,8 +156,7 @@ TEST(crowds)
         FREED char *text = draw_crowd(boxes, &random);
         SCOPED(scene) *scene = read_scene(text);
         SCOPED(factors) *factors = begin(scene, options);
-        /* Counts the exposed faces of cells. A cell belongs to the first box that
-         * contains it. */
+        /* Counts the exposed faces of cells, each in the first box that contains it. */
         for (int k = 0; k < SIDE * SIDE * SIDE; k++)
             for (int face = 0; face < 6; face++) {
                 const int cell[3] = { k % SIDE, k / SIDE % SIDE, k / SIDE / SIDE };
@@ -185,8 +184,7 @@ struct known_factor {
     double factor;
 };
 
-/* Squares and discs that see each other, a bay of a finned tube, and a shell around a
- * ball. */
+/* Squares and discs that see each other, a finned tube's bay, a ball in a shell. */
 static const struct {
     const char *text;
     struct known_factor known[6]; /* ends with factor 0 from 0 to 0 */
@@ -227,8 +225,7 @@ TEST(known_factors)
 
 enum { SEEDS = 64 };
 
-/* The mean over many seeds must equal the factor, within the standard error of the
- * mean. */
+/* The mean over many seeds is the factor, within its standard error. */
 TEST(bias)
 {
     SCOPED(scene) *scene = read_scene("disc { 0, y, 1 } disc { .9*y, -y, .6 }");
@@ -295,8 +292,7 @@ TEST(forms)
 
 /* ---- Errors ---------------------------------------------------------------------- */
 
-/* A repeat has more points than a vector can have. Its rays do not depend on where it
- * is divided. */
+/* A repeat exceeds a vector's length. Its rays do not depend on the division. */
 TEST(pieces)
 {
     SCOPED(scene) *scene = read_scene("sphere { 0, 1 } box { 1.5, 3 }");

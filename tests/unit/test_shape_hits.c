@@ -34,8 +34,7 @@ static void check_sights(const char *view, const struct sight *sights, size_t co
 /* A cone of 45 degrees with its apex at the origin, open at the top. */
 #define FUNNEL "cone { 0, 0, 2*y, 2 "
 
-/* Objects behind the camera fix the unit of length of the scene, however small the
- * other objects are. */
+/* Objects behind the camera fix the scene's unit of length for small objects. */
 #define ORDINARY "#declare Far = sphere { -9*z, 1 }\n"
 #define FAR " object { Far } object { Far translate -z }"
 

@@ -18,8 +18,7 @@ static void fill(struct singular *singular, size_t rows, size_t columns)
             singular->scaled[i][j] = between(-1, 1);
 }
 
-/* A V = U S. The columns of U S are orthogonal, and their lengths are the singular
- * values. */
+/* A V = U S. The columns of U S are orthogonal with the singular values as lengths. */
 TEST(singular_values)
 {
     for (size_t rows = 1; rows <= MAX_SINGULAR; rows++) {
@@ -85,8 +84,7 @@ static void set_quadric(struct primitive *primitive, const double terms[10])
     memcpy(primitive->shape.quadric.coefficients, terms, QUADRIC_TERMS * sizeof *terms);
 }
 
-/* An ellipsoid about (1, 2, 3), a cylinder about the line x = 1, y = 2, and a
- * paraboloid. */
+/* An ellipsoid about (1, 2, 3), a cylinder about x = 1, y = 2, a paraboloid. */
 TEST(centers_of_quadrics)
 {
     static const double terms[3][10] = {

@@ -76,8 +76,7 @@ TEST(kernels)
 
 /* ---- Scenes and the plain tracer ----------------------------------------- */
 
-/* For each kind: the number in the scenes, the crossings with lines, and the interior
- * points. */
+/* For each kind: its number, the crossings with lines, and the interior points. */
 static struct {
     size_t count, crossings, inside;
 } found[PRIMITIVE_KINDS];

@@ -145,8 +145,7 @@ static size_t read_file(const char *name, char text[TEXT])
 
 static const char old[] = "the old file\n";
 
-/* Returns the text with which a complete file with this name ends, or "" if any end is
- * allowed. */
+/* Returns the end of a complete file with this name, or "" for any end. */
 static const char *ending_of(const char *name)
 {
     return strcmp(name, "json") == 0      ? "}\n"
@@ -265,8 +264,7 @@ static const char *const render_words[] = {
     "--mode", "scalar", "--debug",          "200,150", "-x",  "%lines", NULL
 };
 
-/* Runs a script from a file, or from a pipe that stays open. Stores its output in
- * `said`. */
+/* Runs a script from a file or an open pipe. Stores its output in `said`. */
 static int run_script(const char *const *words, const char *lines, int number,
                       char said[TEXT])
 {

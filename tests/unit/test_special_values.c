@@ -183,8 +183,7 @@ static void check_FIELD(const struct trial *t)
     expect(t, (struct outcome){ format_make(t->f, 0, exponent), 0 });
 }
 
-/* From words to half words the shift is 24 places, or 25 if rounding makes the
- * coefficient too long. */
+/* Words become half words by a shift of 24 places, or 25 after a long rounding. */
 static void check_CONTRACTED(const struct trial *t)
 {
     int32_t exponent = format_exponent(t->f, t->a) + 24;
@@ -255,8 +254,7 @@ static const struct ordering {
 #include "vm/arith.def"
 };
 
-/* An indefinite is equal to nothing, and neither >= nor < anything. A machine zero
- * equals every zero. */
+/* Indefinites are unequal to all, and unordered. A machine zero equals every zero. */
 static void check_relation(const struct ordering *relation, uint64_t *seed)
 {
     word_format f = relation->f;

@@ -362,8 +362,7 @@ TEST(markdown)
 
 /* ---- Projections -------------------------------------------------------- */
 
-/* Models with priors are compared with the prior model of the 720, fitted models with
- * its fitted model. */
+/* Models are compared with the 720's prior model, fitted ones with its fitted model. */
 TEST(projection_models)
 {
     static const char *const rows[][2] = {

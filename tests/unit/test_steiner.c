@@ -72,8 +72,7 @@ TEST(quadrics)
                               " <.5, .5, .5>, <0, .5, 0>, <.5, 0, 0> }"));
 }
 
-/* Flat patches with straight edges and with curved edges, also seen along their
- * plane. */
+/* Flat patches with straight and curved edges, also seen along their plane. */
 #define FLAT \
     "steiner_patch { <-1, -1, 0>, <1, -1, 0>, <0, 1, 0>, <0, -1, 0>," \
     " <.5, 0, 0>, <-.5, 0, 0> "

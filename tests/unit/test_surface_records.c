@@ -30,8 +30,7 @@ TEST(surfaces)
     }
 }
 
-/* The ambient term is multiplied by the ambient light. The reciprocal of the roughness
- * is stored. */
+/* The ambient term includes the ambient light. 1 / roughness is stored. */
 TEST(finish)
 {
     static const char text[] =
@@ -134,8 +133,7 @@ static void check_interiors(const char *text, size_t bodies, double base, double
     assert_number(stage_word(&stage, first + 5 * 64), 9);
 }
 
-/* The interiors that can contain rays, in order. The number of interiors that can be
- * stored is limited. */
+/* The interiors that can contain rays, in order, up to a limited number. */
 TEST(interiors)
 {
     static const char few[] =

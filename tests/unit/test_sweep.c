@@ -227,8 +227,7 @@ static void check_hits(const char *subject, size_t width, size_t height)
                     >= sweep.measures[k - 1].hits + (width == height));
 }
 
-/* All subjects, and a wide and a tall frame, in which two views may have the same
- * hits. */
+/* All subjects, and a wide and a tall frame whose views may share hits. */
 TEST(hits)
 {
     for (size_t i = 0; i < speedup_subject_count; i++)

@@ -94,8 +94,7 @@ static bool is_closed(const struct primitive *lathe)
            || (first[0] == last[0] && first[1] == last[1]);
 }
 
-/* The normal of each segment points from inside to outside. In an open lathe both sides
- * may be outside. */
+/* Normals of segments point outside. In an open lathe both sides may be outside. */
 static void check_lathe(const struct primitive *lathe, bool tangled UNUSED)
 {
     size_t count = shape_table_count(lathe, NULL);
@@ -288,8 +287,7 @@ TEST(known_normals)
     }
 }
 
-/* Rays in the side of a cone, along the axis of a tube, and in rings. All forms must
- * agree. */
+/* Rays along a cone's side and a tube's axis, and in rings. All forms agree. */
 TEST(along)
 {
     static const char *const lathes[] = {

@@ -157,8 +157,7 @@ static void check_drops(struct terminal *terminal)
     expect(terminal, "1 break insn EXIT, hit 0 times");
 }
 
-/* Ctrl-C drops the line if it arrives before the line is read. The line is then typed
- * again. */
+/* Ctrl-C drops the line if it precedes its reading. The line is typed again. */
 static void check_program(struct terminal *terminal)
 {
     for (size_t i = 0; i < 3; i++) {

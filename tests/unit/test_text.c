@@ -8,8 +8,7 @@
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
-/* The prism of a character: the number of points for each corner, which is 2 with
- * handles, and its ends. */
+/* A character's prism: its points for each corner (2 with handles), and its ends. */
 struct character {
     const struct outline *path;
     size_t apart;
@@ -183,8 +182,7 @@ static size_t four_bytes(const unsigned char *at)
     return (size_t)two_bytes(at) << 16 | two_bytes(at + 2);
 }
 
-/* Returns a table of a TrueType file. The directory of the file contains its
- * position. */
+/* Returns a table of a TrueType file by the position in the directory. */
 static unsigned char *table_of(unsigned char *font, const char *name)
 {
     unsigned count = two_bytes(font + 4);
@@ -195,8 +193,7 @@ static unsigned char *table_of(unsigned char *font, const char *name)
     return NULL;
 }
 
-/* Reduces the first loop of a character with several loops to a single point, which
- * fonts use as a mark. */
+/* Reduces the first of several loops to a point, which fonts use as a mark. */
 static void leave_points(unsigned char *font)
 {
     const unsigned char *places = table_of(font, "loca");
@@ -214,8 +211,7 @@ static void leave_points(unsigned char *font)
     }
 }
 
-/* All points belong to edges with a positive length, in loops that end at their first
- * point. */
+/* All points belong to edges of positive length in closed loops. */
 static void check_outline(const struct glyph *glyph)
 {
     const struct outline path = { glyph->count, glyph->points };

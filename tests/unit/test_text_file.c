@@ -135,8 +135,7 @@ static bool is_safe(const char *text)
     return true;
 }
 
-/* Names of any bytes are printed without bytes that a terminal interprets. No visible
- * character is lost. */
+/* Names are printed without bytes that a terminal interprets, with all characters. */
 TEST(any_name)
 {
     static const char *const parts[] = {

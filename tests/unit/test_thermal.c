@@ -61,8 +61,7 @@ static void study_free(struct study *study)
     scene_free(study->scene);
 }
 
-/* Reads texts NAME=VALUE, separated by blanks. The values of the scene are added
- * last. */
+/* Reads texts NAME=VALUE, separated by blanks. The scene's values come last. */
 static void give(const struct study *study, const struct value_kind *kind,
                  const char *texts, struct named_values *given)
 {

@@ -15,8 +15,7 @@ static uint64_t random_state = RANDOM_SEED;
 
 /* ---- Runs ----------------------------------------------------------------- */
 
-/* Runs a program for at most MAX_INSNS instructions. Stops at an instruction
- * boundary. */
+/* Runs a program for MAX_INSNS instructions, to an instruction boundary. */
 static c205 *run(const struct object *object, struct timeline *timeline)
 {
     c205 *machine = machine_with(&object->program, prior_model);
@@ -158,8 +157,7 @@ static void check_kanata(const struct timeline *timeline)
 
 /* ---- Other cases ---------------------------------------------------------- */
 
-/* The texts contain one event and one box for each span. Each event and each box is
- * closed. */
+/* The texts contain one event and one closed box for each span. */
 static void check_texts(const struct timeline *timeline)
 {
     SCOPED_VALUE(arena) arena = { NULL, false };

@@ -184,8 +184,7 @@ static uint64_t elements(const struct vector_case *one)
     return one->n;
 }
 
-/* Uses t(k) = max(t(k-1) + 1, free(bank(k))) for the elements that are not
- * suppressed. */
+/* Uses t(k) = max(t(k-1) + 1, free(bank(k))) for the stored elements. */
 static uint64_t conflicts(const struct vector_case *one, const c205_model *model)
 {
     uint64_t banks = (uint64_t)constant(model, "memory", "banks");

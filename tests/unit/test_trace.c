@@ -139,8 +139,7 @@ TEST(numbers_beyond_doubles)
 /* A cone of 45 degrees with its apex at the origin, open at the top. */
 #define FUNNEL "cone { 0, 0, 2*y, 2 "
 
-/* The ray is parallel to a line of the surface that is rotated by 45 degrees, so a =
- * 0. */
+/* The ray is parallel to a line of the surface rotated by 45 degrees: a = 0. */
 TEST(rays_parallel_to_a_side)
 {
     check_middle_within(AHEAD FUNNEL "translate -y rotate -45*x }", 1, 5 - sqrt(2),

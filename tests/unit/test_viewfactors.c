@@ -156,8 +156,7 @@ FIXTURE(read_table)
     return set_up_model(test_state);
 }
 
-/* Returns the value, and sets *off to its uncertainty. Examples are "0.25 and 0.75",
- * "0.015 +- 0.001". */
+/* Returns the value, and sets *off: "0.25 and 0.75", "0.015 +- 0.001". */
 static double known(const struct factor_case *which, double *off)
 {
     for (size_t row = 1; row < table.rows; row++) {

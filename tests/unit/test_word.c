@@ -37,8 +37,7 @@ static void check_text(const struct size *size, c205_word word, const char *expe
     assert_string_equal(text, expected);
 }
 
-/* The words are from section 1 of the machine notes. A number that is not a binary
- * fraction is floored. */
+/* Words of the machine notes, section 1. Fractions that are not binary are floored. */
 TEST(known_words)
 {
     static const struct {
@@ -100,8 +99,7 @@ TEST(doubles_at_the_edges)
     assert_true(c205_half_to_double(UINT64_C(0x8FBCDEF000000000)) == 0);
 }
 
-/* The length of the number at the start of a text, and an equal number. 0: there is no
- * number. */
+/* The length of the number at a text's start (0: none), and an equal number. */
 TEST(where_text_ends)
 {
     static const struct {

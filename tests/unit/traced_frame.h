@@ -78,8 +78,7 @@ struct trace *run_trace(const struct scene *scene, const struct trace_options *o
 struct words *trace_words(const struct scene *scene, enum trace_mode mode,
                           size_t queue);
 
-/* Returns the scalar frame after comparing it with the vector frames of all queue
- * lengths. */
+/* Returns the scalar frame, which equals the vector frames of all queue lengths. */
 struct words *same_frame_of(const struct scene *scene, const char *text);
 struct words *same_frame(const char *text);
 
@@ -104,15 +103,13 @@ void add_point(char *text, size_t size, double reach);
 /* Writes a patch without its closing brace. Every second patch has weights. */
 void add_steiner_patch(char *text, size_t size, double reach);
 
-/* Checks random scenes with six shapes each. At least a quarter of the rays must
- * hit. */
+/* Checks scenes with six random shapes. At least a quarter of the rays hit. */
 void check_random_scenes(void (*add_shape)(char *, size_t), size_t scenes);
 
 /* The rays of the middle column and row are in the planes of the axes. */
 #define AHEAD HEAD "camera { location <0, 0, -5> direction z right x up y }\n"
 
-/* The numbers of the camera need no rounding: the direction of the middle ray is
- * exactly 0, 0, 1. */
+/* The camera's numbers are exact: the middle ray's direction is 0, 0, 1. */
 #define STRAIGHT HEAD "camera { location <0, 0, -5> " STRAIGHT_AHEAD " }\n"
 
 void check_middle_within(const char *text, int64_t id, double depth, double tolerance);

@@ -21,8 +21,7 @@
 #include "tests/scoped.h"
 #include "vm/c205.h"
 
-/* Undefines a macro of cmocka, because a function of asm/check/expect.h has the same
- * name. */
+/* Undefines a macro of cmocka: asm/check/expect.h has a function of this name. */
 #undef expect_check
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -59,8 +58,7 @@ static inline void *non_null(const void *pointer, const char *text, const char *
     return (void *)pointer;
 }
 
-/* Returns a text that printf formats. It is valid until 16 more texts have been
- * formatted. */
+/* Returns a text from printf, which is valid until 16 more texts are formatted. */
 __attribute__((format(printf, 1, 2))) static inline const char *
 formatted(const char *format, ...)
 {
@@ -81,8 +79,7 @@ formatted(const char *format, ...)
         statement; \
     }
 
-/* Defines a test, and functions that run before and after it. Each function may be
- * NULL. */
+/* Defines a test with functions before and after it, which may be NULL. */
 #define TEST_WITH(name, before, after) \
     static const CMFixtureFunction before_##name = before, after_##name = after; \
     static void test_##name(STATE)

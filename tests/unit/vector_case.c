@@ -1,5 +1,4 @@
-/* vector_case.c - makes random operands for a vector instruction: G, places, lengths
- * and contents. */
+/* vector_case.c - random operands for a vector instruction: G, places, lengths. */
 #include "vector_case.h"
 
 #include <ctype.h>
@@ -191,8 +190,7 @@ static size_t draw_offset(struct vector_case *one, uint64_t *random, uint8_t *fi
     return offset;
 }
 
-/* Returns a random offset of a source. One source in four has an offset, if the syntax
- * allows it. */
+/* Returns a source's random offset: one in four, if the syntax allows it. */
 static size_t source_offset(struct vector_case *one, uint64_t *random, enum role role)
 {
     const char *syntax = c205_format_syntax(one->row->format);
@@ -211,8 +209,7 @@ size_t source_length(uint64_t *random, size_t n)
 
 /* ---- G ------------------------------------------------------------------ */
 
-/* Returns false for reductions and moves of a single number, which are not
- * instructions. */
+/* Returns false for reductions and moves of one number, which do not exist. */
 static bool makes_sense(const c205_insn *row, unsigned g)
 {
     bool a = g & C205_G_BROADCAST_A, b = g & C205_G_BROADCAST_B;
@@ -290,8 +287,7 @@ uint64_t indexed(const struct vector_case *one, size_t i)
     return table->address + index * table->width;
 }
 
-/* Places all n elements of the table in its zone. The first element is at either
- * end. */
+/* Places the table's n elements in its zone, with the first at either end. */
 static void place_period(struct vector_case *one, uint64_t *random)
 {
     enum role role = table_of(one->row);

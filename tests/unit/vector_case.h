@@ -109,8 +109,7 @@ uint64_t indexed(const struct vector_case *one, size_t i);
 
 /* ---- The complete case ----------------------------------------------------- */
 
-/* draw_case makes random operands for a row. mark_case marks their defined and written
- * bits. */
+/* draw_case makes random operands for a row, mark_case marks their bits. */
 void draw_case(struct vector_case *one, const c205_insn *row, uint64_t *random,
                size_t n);
 
