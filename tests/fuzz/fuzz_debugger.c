@@ -1,6 +1,5 @@
-/* fuzz_debugger.c - reads any bytes as lines for the debugger of a small program. For
- * any lines, the accounts must sum to the clock, and moving backward must reach step
- * 0. */
+/* fuzz_debugger.c - reads any bytes as lines for the debugger of a small program. The
+ * accounts must sum to the clock, and moving backward must reach step 0. */
 #include <string.h>
 
 #include "asm/debug/debug_internal.h"

@@ -1,6 +1,5 @@
 /* fuzz_engine.c - reads any bytes as requests of a page, one per line. For any request,
- * the reply must be JSON that reports success, or an error with its reason.
- */
+ * the reply must be JSON that reports success, or an error with its reason. */
 #include <string.h>
 
 #include "base/json_read.h"

@@ -1,6 +1,5 @@
 /* machine.c - a client of the installed libraries: encodes a program by the
- * instruction table and runs it.
- */
+ * instruction table and runs it. */
 #include <c205.h>
 #include <stdio.h>
 #include <string.h>

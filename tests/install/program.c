@@ -1,6 +1,5 @@
 /* program.c - a client of the installed libraries: assembles a text, runs it and prints
- * the final value of a register.
- */
+ * the final value of a register. */
 #include <asm/text/assemble.h>
 
 #include <stdio.h>

@@ -1,6 +1,5 @@
 /* scene.c - a client of the installed libraries: traces a small scene and prints the
- * number of hits and the frame's checksum.
- */
+ * number of hits and the frame's checksum. */
 #include <rt/scene/language/scene_read.h>
 #include <rt/trace/trace.h>
 

@@ -172,9 +172,8 @@ static long less_significant_operand(void)
 
 enum form { UPPER, LOWER, NORMALISED };
 
-/* Shifts a coefficient to the position of the larger exponent. Bits that are shifted
- * out of the high part of the register go to its low part. Bits below the low part are
- * lost. */
+/* Shifts a coefficient to the position of the larger exponent. Bits shifted out of the
+ * register's high part go to its low part. Bits below it are lost. */
 static void align(mpz_t place, const struct oracle_format *format,
                   const struct number *number, long exponent)
 {

@@ -31,9 +31,8 @@ static inline double of_any_size(uint64_t *state, double low, double high)
     return exp(between(state, log(low), log(high)));
 }
 
-/* Returns the state of a second stream, which does not change the first stream. Several
- * streams from the same state need different multipliers; the first multiplier must be
- * odd. */
+/* Returns the state of a second stream, which does not change the first stream. Streams
+ * from the same state need different multipliers; the first must be odd. */
 static inline uint64_t stream_beside(uint64_t state, uint64_t times, uint64_t more)
 {
     uint64_t other = state * times + more;

@@ -1,6 +1,5 @@
 /* check_conversions.c - compares conversions of random doubles, integers and texts with
- * MPFR. A conversion fails if a word or a text differs, or the end of a parsed
- * number. */
+ * MPFR. A conversion fails if a word, a text or the end of a number differs. */
 #include "operands.h"
 #include "operations.h"
 

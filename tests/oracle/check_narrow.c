@@ -70,8 +70,7 @@ static void every_word(struct words *words)
 }
 
 /* Adds all words with these exponents: machine zero, indefinite, the ends of the range,
- * and exponents whose distances are below, equal to and above the length of a
- * coefficient. */
+ * and exponents at distances below, at and above the length of a coefficient. */
 static void some_words(struct words *words)
 {
     static const int64_t exponents[] = { NARROW_EXPONENT_MIN - 1,

@@ -28,8 +28,7 @@
 enum { WAYS = 5 };
 
 /* The fraction of pixels, plus one pixel, at which rounding may decide: on edges of
- * faces, shadows and checkers. It is larger than in check_scene, because the frame is
- * small. */
+ * faces, shadows and checkers. It is larger than in check_scene for the small frame. */
 #define ROUNDED .01
 
 /* --- ways to trace -------------------------------------------------------- */

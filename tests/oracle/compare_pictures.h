@@ -20,9 +20,8 @@ struct comparison {
     double share;     /* allowed fraction of pixels with larger differences */
 };
 
-/* The fraction of pixels whose colour or primitive may depend on rounding. Such pixels
- * are on an edge of a box, a checker's cell or a shadow, or where two primitives
- * touch. */
+/* The fraction of pixels whose colour or primitive may depend on rounding. They are on
+ * an edge of a box, a checker's cell or a shadow, or where primitives touch. */
 #define DECIDED_BY_ROUNDING .0005
 
 /* The comparisons of a frame of rt205 with the plain tracer's frame. */

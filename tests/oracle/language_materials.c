@@ -66,8 +66,7 @@ void write_slopes(struct language *draw)
 }
 
 /* Adds a normal to some textures. On mirrors it is less steep, because POV-Ray's
- * tolerance decides whether a reflected ray along the surface hits the surface
- * again. */
+ * tolerance decides whether a ray along the surface hits it again. */
 static void write_normal_of(struct language *draw, double steep)
 {
     uint64_t before = draw->state;

@@ -9,8 +9,7 @@
 /* ---- Solids -------------------------------------------------------------- */
 
 /* Makes an outline that does not intersect itself, sometimes with a hole. Its edges are
- * straight or are parabolas. A loop of parabolas has an additional point before its
- * first point. */
+ * straight or are parabolas, which need an additional point before the first. */
 static void open_prism(struct language *draw)
 {
     uint64_t state = stream_beside(draw->state, 5, 1);

@@ -18,8 +18,7 @@ struct measured {
 };
 
 /* Measures a scene with density one. The inertia is about the origin. The options need
- * no model and no parts. If the scene cannot be measured, sets the error and returns
- * false. */
+ * no model and no parts. On failure sets the error and returns false. */
 bool measure_scene(const char *text, struct columns_options options,
                    struct measured *measured);
 

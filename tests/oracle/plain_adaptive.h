@@ -1,6 +1,5 @@
-/* plain_adaptive.h - the rule of rt/kernels/frame/adaptive.s in plain C: selects the
- * pixels that differ from their neighbours, and computes their colours from more
- * rays. */
+/* plain_adaptive.h - the rule of rt/kernels/frame/adaptive.s in plain C: selects pixels
+ * that differ from their neighbours, and traces more rays for them. */
 #ifndef PLAIN_ADAPTIVE_H
 #define PLAIN_ADAPTIVE_H
 

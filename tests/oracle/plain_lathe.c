@@ -1,6 +1,5 @@
-/* plain_lathe.c - lathes. A segment of the path is a part of a cone, a part of a
- * cylinder, or a ring. A point is inside if the closed path winds around it an odd
- * number of times. */
+/* plain_lathe.c - lathes. A segment of the path is a part of a cone or cylinder, or a
+ * ring. A point is inside if the closed path winds around it an odd number of times. */
 #include "tests/oracle/plain_shapes.h"
 
 /* Returns true if the segment includes the height y. The segment includes its lower

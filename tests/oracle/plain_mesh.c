@@ -117,8 +117,7 @@ static bool goes_before(double a, double b)
 }
 
 /* Returns true if the list has a crossing at this distance. If a line crosses several
- * triangles at the same point, such as on an edge, only the first crossing is
- * stored. */
+ * triangles at a point, as on an edge, only the first is stored. */
 static bool is_known(const struct crossing *crossings, size_t count, double distance)
 {
     long double within = SAME * (1 + fabsl(distance));

@@ -209,8 +209,7 @@ static const struct place *first_shown(const struct crossing_list *list,
 }
 
 /* Returns true if the ray enters a solid. A ray always enters a mesh without an inside.
- * If such a mesh is opaque and alone, the side to which its normal points decides, as
- * for a patch. */
+ * If such a mesh is opaque and alone, its normal decides, as for a patch. */
 static bool comes_into(const struct crossing_list *list, const struct place *place,
                        double along)
 {

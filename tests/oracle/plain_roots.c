@@ -60,8 +60,7 @@ static size_t roots_between(const struct polynomial *f, long double low,
 }
 
 /* Roots outside of -1 to 1 are reciprocals of roots of the polynomial with reversed
- * coefficients. Therefore no bound of the roots is needed, and a leading coefficient of
- * 0 loses no root. */
+ * coefficients. So no bound of the roots is needed, and a leading 0 loses no root. */
 size_t plain_roots(const long double *c, int degree, long double roots[HIGHEST_DEGREE])
 {
     struct polynomial forward = { degree, { 0 } };

@@ -68,9 +68,8 @@ CROSS(cross_box)
     return crossings[0].distance <= crossings[1].distance ? 2 : 0;
 }
 
-/* The axis of a cone, its length, and the components of a ray along and across the
- * axis. The radius at height h is radius + slope h. A cylinder is a cone with slope
- * 0. */
+/* The axis of a cone, its length, and a ray's components along and across it. The
+ * radius at height h is radius + slope h. A cylinder is a cone with slope 0. */
 struct axial_view {
     double axis[3], length;
     double height, rise;          /* components of origin and direction along the

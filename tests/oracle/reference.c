@@ -227,8 +227,7 @@ static bool fetch(struct reference *reference)
 /* ---- The bits of G ----------------------------------------------------- */
 
 /* Derives the bits of G from the operands of the row: which operands may be broadcast
- * or signed, whether there is a control vector, and whether a result may have an
- * offset. */
+ * or signed, and whether it has a control vector or an offset of the result. */
 static unsigned vector_bits(const c205_insn *insn)
 {
     const char *syntax = c205_format_syntax(insn->format);

@@ -1,6 +1,5 @@
 /* csv_reading.h - reads CSV as RFC 4180 defines it. Commas separate cells. A quoted
- * cell may contain any character, and "" means a quote.
- */
+ * cell may contain any character, and "" means a quote. */
 #ifndef TESTS_CSV_READING_H
 #define TESTS_CSV_READING_H
 

@@ -1,6 +1,5 @@
 /* dap_session.h - debug sessions of a client of c205 debug --dap, and queries of the
- * program's state.
- */
+ * program's state. */
 #ifndef TESTS_DAP_SESSION_H
 #define TESTS_DAP_SESSION_H
 
@@ -25,9 +24,8 @@ extern char client_path[];
 void client_write(const char *text);
 const char *client_file_name(void);
 
-/* Starts a session up to the point where breakpoints are set. Returns the capabilities
- * of the adapter. `more` has further members of the launch request; a comma precedes
- * each of them. */
+/* Starts a session up to the point where breakpoints are set. Returns the adapter's
+ * capabilities. `more`: further members of the request, each after a comma. */
 const struct json_value *client_launch(struct dap_client *client, const char *text,
                                        const char *more);
 const struct json_value *client_launch_file(struct dap_client *client,

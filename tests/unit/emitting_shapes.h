@@ -11,8 +11,7 @@ enum { EMITTING_KINDS = 9 };
 extern const enum primitive_kind emitting_kinds[EMITTING_KINDS];
 
 /* Makes a finished primitive whose size is near 1. Most primitives are rotated,
- * stretched, mirrored and moved. The triangles of a mesh are valid until the next mesh
- * is made. */
+ * stretched, mirrored and moved. A mesh's triangles are valid until the next. */
 struct primitive draw_emitting(enum primitive_kind kind, uint64_t *random);
 /* Applies a placement to a shape. */
 void move_shape(struct primitive *primitive, const struct placement *placement);

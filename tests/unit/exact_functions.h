@@ -1,6 +1,5 @@
 /* exact_functions.h - reference values of the routines of asm/lib and their
- * polynomials. MPFR computes them to any number of digits.
- */
+ * polynomials. MPFR computes them to any number of digits. */
 #ifndef EXACT_FUNCTIONS_H
 #define EXACT_FUNCTIONS_H
 

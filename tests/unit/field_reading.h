@@ -1,6 +1,5 @@
 /* field_reading.h - writes image files for a test, and finds triangles of the
- * height_field that such a file becomes.
- */
+ * height_field that such a file becomes. */
 #ifndef TESTS_FIELD_READING_H
 #define TESTS_FIELD_READING_H
 

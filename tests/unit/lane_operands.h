@@ -1,6 +1,5 @@
 /* lane_operands.h - random words and half words for tests of spans. They include all
- * kinds of words that a fast path of vm/number may accept or must reject.
- */
+ * kinds of words that a fast path of vm/number may accept or must reject. */
 #ifndef TESTS_LANE_OPERANDS_H
 #define TESTS_LANE_OPERANDS_H
 

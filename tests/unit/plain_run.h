@@ -1,6 +1,5 @@
 /* plain_run.h - records all states of a program in one forward run. They are the
- * reference for a debugger.
- */
+ * reference for a debugger. */
 #ifndef TESTS_PLAIN_RUN_H
 #define TESTS_PLAIN_RUN_H
 

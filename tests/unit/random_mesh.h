@@ -49,8 +49,7 @@ void net_stretch(struct net *net, double low, double high, double grain,
 void net_round(struct net *net, double grain);
 void net_move(struct net *net, double scale, const double by[3]);
 /* Makes a body, divides its faces `times` times and moves its points. The result is
- * star-shaped about the origin. All points are at distances of at least 1/4 from the
- * origin. */
+ * star-shaped about the origin. All points are at least 1/4 from it. */
 void net_random_body(struct net *net, size_t times, uint64_t *random);
 /* Shuffles the faces, and the corners of each face. */
 void net_shuffle(struct net *net, uint64_t *random);

@@ -1,6 +1,5 @@
 /* random_stepping.h - random programs for a debugger to step through: loops with vector
- * instructions, calls, stores and prints.
- */
+ * instructions, calls, stores and prints. */
 #ifndef TESTS_DRAWN_WALK_H
 #define TESTS_DRAWN_WALK_H
 

@@ -1,6 +1,5 @@
 /* random_verdict.h - the verdict that a random answer must get, derived from its known
- * mistake.
- */
+ * mistake. */
 #ifndef TESTS_DRAWN_WORDS_H
 #define TESTS_DRAWN_WORDS_H
 

@@ -1,6 +1,5 @@
 /* scene_fixture.h - scenes in the memory of a machine. Tests read them by the names of
- * the records' fields.
- */
+ * the records' fields. */
 #ifndef TESTS_SCENE_FIXTURE_H
 #define TESTS_SCENE_FIXTURE_H
 

@@ -200,8 +200,7 @@ TEST(random)
 }
 
 /* The stripes have the width of a pixel, so that all first rays are white. A refined
- * pixel is darker, so that the next pixel is refined, too, up to the end of the
- * block. */
+ * pixel is darker, so that the next one is refined up to the block's end. */
 TEST(chains)
 {
     for (int i = 0; i < 6; i++) {
@@ -246,8 +245,7 @@ static double red(const struct trace *trace, size_t pixel)
 }
 
 /* All pixels are refined if all differ by more than the threshold. The first ray then
- * counts as an additional sample. Each pixel has only its first ray if no pixel
- * differs. */
+ * counts as an additional sample. If none differs, each has its first ray only. */
 TEST(ends)
 {
     SCOPED(scene) *scene = read_text(shades);

@@ -2,8 +2,7 @@
  * computed by hand: all operators and their precedence, constants, the ends of the
  * range and the deepest nesting. Messages of wrong expressions are compared with
  * expected messages; test_asm_errors checks their columns. An operator with another
- * precedence or rounding fails here.
- */
+ * precedence or rounding fails here. */
 #include "tests/unit/asm_helper.h"
 
 /* Returns the word that .word makes of the expression. */

@@ -1,7 +1,6 @@
 /* test_asm_records.c - the offsets that .record assigns to fields are compared with
  * offsets computed by hand, and wrong records with a table of their errors. A field at
- * another word, or a record that is accepted without its end, fails here.
- */
+ * another word, or a record that is accepted without its end, fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "tests/random.h"

@@ -1,7 +1,6 @@
 /* test_asm_text.c - directives, macros and conditions. The words that short programs
  * write to memory are compared with words computed by hand, and wrong texts with a
- * table of their errors. A directive that moves or drops a word fails here.
- */
+ * table of their errors. A directive that moves or drops a word fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "asm/check/expect.h"

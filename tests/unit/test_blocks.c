@@ -2,8 +2,7 @@
  * with a run step by step, in state, clock and accounts. The programs have loops with
  * calls, branches, loads, SWAP, vectors and code that changes. Some runs are stopped,
  * or have a listener. A schedule that is used for another state of the clock, or stale
- * code, fails here.
- */
+ * code, fails here. */
 #include "tests/unit/saved_machine.h"
 #include "tests/unit/prior_model.h"
 
@@ -453,8 +452,7 @@ TEST(many_blocks)
 }
 
 /* Each of many branches is taken at random, so that new states of in-flight results
- * occur. When the cache of states is cleared, the blocks must not use its old
- * entries. */
+ * occur. When the cache of states is cleared, no block may use old entries. */
 TEST(many_flights)
 {
     static const char text[] =

@@ -114,8 +114,7 @@ TEST(known_boxes)
 }
 
 /* Computes the crossings of a random line with a shape, in the shape's space, and
- * compares the crossings in world space with the shape's bound. Returns their
- * number. */
+ * compares them in world space with the shape's bound. Returns their number. */
 static size_t count_crossings(const struct primitive *primitive,
                               const struct bound *bound)
 {

@@ -3,8 +3,7 @@
  * from the built-in models, loops as long as the instruction stack, and gathers of
  * 60,000 random elements. A pair, loop or gather with other clocks fails here. All
  * other instructions are compared with a second clock by check-random, and with the
- * closed formula by test_timing.
- */
+ * closed formula by test_timing. */
 #include "tests/random.h"
 #include "tests/unit/clock_driver.h"
 

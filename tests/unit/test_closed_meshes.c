@@ -177,9 +177,8 @@ TEST(rays_to_points)
     }
 }
 
-/* The rays of the first row hit points of one edge of a face, including its ends and
- * its midpoint. The rays of the first column and of a diagonal hit the other two
- * edges. */
+/* The rays of the first row hit points of a face's edge, including ends and midpoint.
+ * The rays of the first column and of a diagonal hit the other two edges. */
 static void write_aimed(const size_t face[3], const double location[3], double scale)
 {
     double stretch = (double)traced.width / (double)(traced.width - 1);

@@ -1,8 +1,7 @@
 /* test_cylinder_hits.c - the rays that hit cylinders. Random rays and cylinders in both
  * forms are compared with plain C, and a scene is compared with all first hits of the
  * same rays. A hit that one form misses, or a part that is accepted although it is not
- * a solid cylinder, fails here.
- */
+ * a solid cylinder, fails here. */
 #include "rt/heat/hits.h"
 #include "rt/layout/single_run.h"
 #include "rt/trace/form.h"

@@ -1,8 +1,7 @@
 /* test_dap.c - responses of c205 debug --dap to a client over pipes are compared with
  * the responses that the sessions of dap.txt expect. Its reactions to malformed
  * messages are compared with the rules of the protocol. A capability without a session,
- * or another response, fails here.
- */
+ * or another response, fails here. */
 #include "tests/unit/dap_session.h"
 #include "tests/unit/prior_model.h"
 

@@ -1,7 +1,6 @@
 /* test_dap_execution.c - the states that an editor reaches with random execution
  * requests in random programs are compared with a plain run of the same program. A stop
- * at another step, or for another reason, fails here.
- */
+ * at another step, or for another reason, fails here. */
 #include <unistd.h>
 
 #include <inttypes.h>

@@ -1,8 +1,7 @@
 /* test_dap_values.c - the values that c205 debug --dap shows are compared with the
  * machine: elements with their control bits in every range, and the accounts after
  * every step. The launch members that the editor's extension proposes must be accepted.
- * A value of another element, or a cause without its clocks, fails here.
- */
+ * A value of another element, or a cause without its clocks, fails here. */
 #include "base/file.h"
 #include "base/json.h"
 #include "tests/unit/dap_session.h"

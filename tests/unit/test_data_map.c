@@ -1,7 +1,6 @@
 /* test_data_map.c - the types and sizes of data that the assembler records for labels
  * are compared with random texts. A label with another type, or a count that includes
- * data of the next label, fails here.
- */
+ * data of the next label, fails here. */
 #include <inttypes.h>
 
 #include "tests/oracle/chance.h"

@@ -1,6 +1,5 @@
 /* test_debugger.c - the position of a debugger after random command lines is compared
- * with a plain run of the program. A stop that is missed, or a step too many, fails
- * here. */
+ * with a plain run of the program. A missed stop or a step too many fails here. */
 #include <inttypes.h>
 
 #include "tests/unit/draw.h"

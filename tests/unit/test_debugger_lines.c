@@ -1,7 +1,6 @@
 /* test_debugger_lines.c - the debugger's output for command lines is compared with a
  * table: values, invalid lines, output of the program, calls, links, macros and ends. A
- * value of another register, or an output that is printed twice, fails here.
- */
+ * value of another register, or an output that is printed twice, fails here. */
 #include <inttypes.h>
 
 #include "tests/unit/debugger_session.h"

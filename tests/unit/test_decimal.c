@@ -1,6 +1,5 @@
 /* test_decimal.c - conversions of words to decimal text are compared with MPFR, over
- * random words, all notations and numbers of digits. A wrong rounding or exponent fails
- * here. */
+ * random words, notations and numbers of digits. A wrong rounding or exponent fails. */
 #include "tests/oracle/arithmetic_oracle.h"
 #include "tests/random.h"
 #include "tests/unit/machine_fixture.h"

@@ -83,8 +83,7 @@ static void each_shape(size_t times, void (*check)(const struct primitive *primi
 /* ---- On the surface ------------------------------------------------------- */
 
 /* Returns true if a vertical ray from above hits the surface at the point. The crossing
- * is computed in the shape's own space. Near an edge another crossing may be the
- * first. */
+ * is computed in the shape's own space. Near an edge another one may be first. */
 static bool meets(const struct primitive *primitive, const double place[3],
                   const double face[3])
 {
@@ -119,8 +118,7 @@ static bool encloses(const struct primitive *primitive, const double place[3],
 }
 
 /* Fails unless each point is on the surface, with the outside above it. A thousandth of
- * the points may fail, because near an edge another surface may be nearer than a
- * ten-millionth. */
+ * the points may fail, because near an edge another surface may be within 1e-7. */
 static void check_surface(const struct primitive *primitive)
 {
     struct emission_options options = { TRACE_VECTOR, 500, POINTS, between(0, 1),

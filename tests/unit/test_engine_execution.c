@@ -1,7 +1,6 @@
 /* test_engine_execution.c - replies of the engine after random moves, forwards and
  * backwards, are compared with machines that run to the same step. Profiles, timelines
- * and output are compared, too. State that remains from an earlier move fails here.
- */
+ * and output are compared, too. State that remains from an earlier move fails here. */
 #include "asm/measure/line_profile.h"
 #include "asm/view/print.h"
 #include "base/accounts.h"

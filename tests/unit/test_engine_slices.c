@@ -1,7 +1,6 @@
 /* test_engine_slices.c - requests that are executed in slices are compared with the
  * same requests in one piece, and endless programs with their limit. A slice that
- * repeats or skips a step, or a program that never stops, fails here.
- */
+ * repeats or skips a step, or a program that never stops, fails here. */
 #include "tests/unit/draw.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/random_stepping.h"

@@ -1,8 +1,7 @@
 /* test_event_changes.c - the changes that an event reports, and stops, are compared
  * with the machine before and after each step of random programs, with and without a
  * listener, forwards and backwards. A store that is not reported, or a stop that is
- * missed, fails here.
- */
+ * missed, fails here. */
 #include <inttypes.h>
 
 #include "tests/unit/draw.h"

@@ -1,8 +1,7 @@
 /* test_file_name_case.c - files that are found by a name in another case. Random
  * spellings of a path are looked up in folders whose names differ only in case, and the
  * results are compared with the files. A file that is missed, or a result with only one
- * of several matching files, fails here.
- */
+ * of several matching files, fails here. */
 #include "base/other_case.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/temporary_folder.h"

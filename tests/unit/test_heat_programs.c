@@ -115,8 +115,7 @@ static bool is_near(const struct staying *given, size_t i, size_t point,
 }
 
 /* Returns true if a point stays. The direction of the last crossing of its own
- * primitive must be above 0, and no crossing of an earlier primitive may have this
- * direction. */
+ * primitive must be above 0, and that of no earlier primitive may be. */
 static bool stays(const struct staying *given, size_t point)
 {
     int64_t own = 0, primitive, sense;

@@ -1,8 +1,7 @@
 /* test_hierarchy.c - hierarchies over regions with random, equal, nested and missing
  * bounds are compared with their rules: every region occurs once, spheres enclose their
  * regions, and the machine's stack is large enough. A region that is lost or outside of
- * its node fails here.
- */
+ * its node fails here. */
 #include <math.h>
 
 #include "rt/bvh/hierarchy.h"

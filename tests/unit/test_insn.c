@@ -1,8 +1,7 @@
 /* test_insn.c - the instruction table. The fields of every instruction, each with a
  * different value, are encoded, decoded and compared. Known words are compared, too. A
  * field at another place, two instructions with the same code, or a letter of an
- * operand without a field fails here.
- */
+ * operand without a field fails here. */
 #include "tests/unit/unit.h"
 
 #include <ctype.h>

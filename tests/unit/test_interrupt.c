@@ -374,8 +374,7 @@ TEST(given_up_or_reset)
 }
 
 /* After the clock is reset in the middle of an instruction, the remaining time of the
- * job interval timer is unchanged. This is also true of a machine that is restored at
- * this point. */
+ * job interval timer is unchanged. This also holds after a restore. */
 TEST(reset_timer)
 {
     SCOPED_VALUE(small_machine) fixture = make_small_machine();

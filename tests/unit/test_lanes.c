@@ -1,8 +1,7 @@
 /* test_lanes.c - spans of words and half words are compared with the rule for one word:
  * every operation, at every length and alignment, for operands of every kind, and with
  * results that overlap an operand. A lane with other bits, a flag that is lost, or a
- * word that changes after the end fails here.
- */
+ * word that changes after the end fails here. */
 #include "tests/oracle/arithmetic_oracle.h"
 #include "tests/unit/lane_operands.h"
 #include "tests/unit/unit.h"

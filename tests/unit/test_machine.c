@@ -2,8 +2,7 @@
  * and SWAP. Traps with their addresses and messages, limits, regions, events and copies
  * of memory are compared with expected values. check-programs compares results of
  * instructions with results computed by hand, and check-random with a second
- * interpreter. A trap that is missing, or reported with another address, fails here.
- */
+ * interpreter. A trap that is missing, or reported with another address, fails here. */
 #include "machine_fixture.h"
 
 static c205_stop expect_stop(struct small_machine *fixture, c205_trap trap,

@@ -1,8 +1,7 @@
 /* test_memory.c - the memory of a machine is compared with its rules: access rights,
  * pages that are allocated on access or unmapped, words across pages, and code marks.
  * Strings of bits at every alignment are compared with a loop over bits. A span that
- * ends at another bit, or a page that keeps an old word or right, fails here.
- */
+ * ends at another bit, or a page that keeps an old word or right, fails here. */
 #include "tests/unit/unit.h"
 #include "vm/memory.h"
 

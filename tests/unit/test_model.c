@@ -1,8 +1,7 @@
 /* test_model.c - machine models. The built-in models are compared with a list of names,
  * changed models with their changes, and wrong texts with the position and message of
  * their error. A model that is missing, a change that affects other constants, or an
- * error at another column fails here.
- */
+ * error at another column fails here. */
 #include "tests/unit/named_model.h"
 
 #include <math.h>

@@ -1,6 +1,5 @@
 /* test_overlaps.c - the volumes that two parts share are compared with counts of cells,
- * over random boxes with integer coordinates. A pair that is missing or counted twice
- * fails here. */
+ * over random boxes with integer coordinates. A missing or repeated pair fails here. */
 #include <math.h>
 
 #include "rt/mass/figures.h"

@@ -2,8 +2,7 @@
  * memories of any size are compared with the list of docs/timing.md, searched from its
  * front, for ranges and index lists. Their clocks, 30 for a miss and 1,000 more for a
  * fault, are compared with cases computed by hand. A page that leaves too early, or a
- * damaged list that is restored, fails here.
- */
+ * damaged list that is restored, fails here. */
 #include "tests/unit/clock_driver.h"
 #include "tests/unit/saved_machine.h"
 

@@ -115,9 +115,8 @@ static void check_behind_crossings(const struct scene *scene, const struct trace
     }
 }
 
-/* All rays are in one queue, and no ray is finished before the last region. Data that a
- * tree leaves in memory is therefore still there when the next kernel writes its
- * crossings. */
+/* All rays are in one queue, and no ray is finished before the last region. A tree's
+ * data in memory is therefore still there when the next kernel writes crossings. */
 static void check_memory(const char *text)
 {
     SCOPED(scene) *scene = read_text(text);

@@ -1,7 +1,6 @@
 /* test_plot.c - plots. The picture of a table is compared with the table, with unusual
  * names, values that are not numbers, and a converter that is missing or fails. A file
- * that is left incomplete, or a row or curve that is lost, fails here.
- */
+ * that is left incomplete, or a row or curve that is lost, fails here. */
 #include "rt/study/sweep/plot_file.h"
 
 #include <math.h>

@@ -1,8 +1,7 @@
 /* test_provenance.c - the text and the JSON about a table's model are compared with the
  * model. They contain the sources of its constants, and its errors against published
  * figures, for models that are fitted, compared, changed or projections. A figure of
- * another model, or a constant that is counted with another source, fails here.
- */
+ * another model, or a constant that is counted with another source, fails here. */
 #include "base/provenance.h"
 #include "tests/unit/named_model.h"
 

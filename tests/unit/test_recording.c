@@ -221,8 +221,7 @@ static double retimed(const struct run *run, const c205_setting *setting,
 }
 
 /* Integer constants give the same clocks with 1 tick and with 1,000 ticks per clock,
- * except for rounding up to full clocks. Fractional constants give values in
- * between. */
+ * except for rounding up to full clocks. Fractions give values in between. */
 TEST(ticks)
 {
     static const c205_setting settings[] = { { "latency.load", 15.5 },

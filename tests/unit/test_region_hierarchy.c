@@ -160,8 +160,7 @@ TEST_CALL(spheres, check_scenes(false, false, true))
 TEST_CALL(grids_of_spheres, check_scenes(true, false, true))
 
 /* Light passes down through many panes and balls with different colours. The product of
- * the colours must be the same as in the order of the scene, whatever the order of the
- * hits is. */
+ * the colours must be that of the scene's order for any order of the hits. */
 static void write_window(char *text)
 {
     text[0] = '\0';

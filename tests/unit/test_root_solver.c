@@ -2,8 +2,7 @@
  * routines find the roots of random polynomials, with separate, double, triple and
  * quadruple roots. The results are compared bit for bit with each other, and with the
  * sign changes in small steps. A lane that ends early, or roots that are out of order,
- * fail here.
- */
+ * fail here. */
 #include <math.h>
 
 #include "rt/layout/program.h"
@@ -250,8 +249,7 @@ static double tiny(uint64_t *state, int least)
 }
 
 /* A kind of polynomial: the root that each root equals or is near to, the complex
- * pairs, and whether roots are integers, so that the polynomial is 0 at ends, extrema
- * and knots. */
+ * pairs, and whether roots are integers, with zeros at ends, extrema and knots. */
 static const struct kind {
     int like[ROOTS];
     bool near, above[ROOTS / 2], whole;

@@ -1,8 +1,7 @@
 /* test_roots.c - the programs of rt205 quartic. Roots of 33 quartics, cubics,
  * quadratics and lines of all magnitudes are compared with their known roots, in both
  * forms and by every rule of the regula falsi. A root that is lost at a bound, a double
- * root that is counted twice, or an overflow fails here.
- */
+ * root that is counted twice, or an overflow fails here. */
 #include <math.h>
 
 #include "rt/layout/program.h"

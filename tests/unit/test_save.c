@@ -1,8 +1,7 @@
 /* test_save.c - saving and restoring machines. Runs of examples and kernels that are
  * interrupted by a save and a restore are compared with uninterrupted runs. Saved
  * machines that are truncated, damaged, forged or of another model are rejected. State
- * that is not saved, or bytes that are accepted without their hash, fail here.
- */
+ * that is not saved, or bytes that are accepted without their hash, fail here. */
 #include "tests/unit/prior_model.h"
 #include "tests/unit/saved_machine.h"
 

@@ -1,8 +1,7 @@
 /* test_scene_blobs.c - blobs of the scene language. The components, motions, materials,
  * pieces and table rows of texts are compared with values computed by hand. A motion in
  * the wrong order, a material of the wrong component, or an error at another column
- * fails here.
- */
+ * fails here. */
 #include "tests/unit/scene_reading.h"
 
 #include "rt/scene/vector3.h"

@@ -1,6 +1,5 @@
 /* test_scene_maps.c - the scene language. Colour maps, patterns and skies are compared
- * with expected entries. A stop out of order, a lost wave or a missing transform fails
- * here. */
+ * with expected entries. A stop out of order, a lost wave or transform fails here. */
 #include "rt/scene/transform.h"
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"

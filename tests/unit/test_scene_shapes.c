@@ -110,8 +110,7 @@ TEST(prisms)
 }
 
 /* The first point of a loop only defines a direction. Between two further points is the
- * handle of their parabola. As in POV-Ray, a last point that begins no loop is
- * ignored. */
+ * handle of their parabola. As in POV-Ray, a last point alone is ignored. */
 TEST(quadratic_prisms)
 {
     SCOPED(scene) *scene = read_scene(

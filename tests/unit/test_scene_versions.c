@@ -1,6 +1,5 @@
 /* test_scene_versions.c - syntax of old versions. The fields of scenes and the reports
- * are compared with expected values. A kind that is reported twice, or not at all,
- * fails here. */
+ * are compared with expected values. A kind that is not reported once fails here. */
 #include "tests/unit/scene_reading.h"
 
 /* Texts of two primitives with this number of reports. */

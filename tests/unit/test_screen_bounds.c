@@ -286,8 +286,7 @@ static void write_scene(const char *camera)
 }
 
 /* Compares the frames of all forms with a variant of the kernels. If the variant is
- * NULL, compares them with runs without bounds. Returns the number of pixels that show
- * an object. */
+ * NULL, compares them with runs without bounds. Returns the number of hit pixels. */
 static size_t check_frame(const char *variant)
 {
     FREED struct words *words = same_frame(text);

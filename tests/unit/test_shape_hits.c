@@ -2,8 +2,7 @@
  * with the primitive and the distance that follow from geometry, in both forms and with
  * several queue lengths. A kernel that confuses two cases of a shape fails here. Such
  * cases are an origin inside the shape, a ray along its axis, in its plane or through
- * its edge, and a hit on its rim.
- */
+ * its edge, and a hit on its rim. */
 #include "tests/unit/traced_frame.h"
 
 /* A scene, the id of the primitive from 1 (0: no hit), and the distance. */

@@ -1,6 +1,5 @@
 /* test_surface_records.c - the finishes, bodies and levels in a machine's memory are
- * compared with the words of the scene. A wrong field, weight or index of a body fails
- * here. */
+ * compared with the words of the scene. A wrong field, weight or index fails here. */
 #include "tests/unit/scene_fixture.h"
 
 #include "rt/layout/pigment.h"

@@ -189,8 +189,7 @@ TEST(queue_report)
 /* ---- Pipes --------------------------------------------------------------- */
 
 /* Twice the results per clock halve the stream time, except for work that overlaps it.
- * Other clocks do not change. Half words on n pipes take the time of words on 2 n
- * pipes. */
+ * Other clocks do not change. Half words on n pipes take as long as words on 2 n. */
 TEST(pipes)
 {
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);

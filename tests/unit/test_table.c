@@ -1,8 +1,7 @@
 /* test_table.c - tables, JSON and atomic files. Printed tables of text, counts and
  * numbers are compared with expected texts in every format. Files that cannot be
  * replaced are compared with their old contents. A value that is truncated or quoted
- * incorrectly, or a temporary file that is left, fails here.
- */
+ * incorrectly, or a temporary file that is left, fails here. */
 #include <float.h>
 
 #include <sys/stat.h>

@@ -259,8 +259,7 @@ TEST(outlines)
 enum { MAX_LOOP = 24 };
 
 /* Random loops on a small grid touch themselves. The result must be the same loop,
- * starting at another point. If any point occurs only once, the first point must occur
- * only once. */
+ * starting at another point. If any point occurs only once, so must the first. */
 static void check_touching_loop(size_t corners, size_t apart, uint64_t *random)
 {
     size_t count = corners * apart, begin = 0;

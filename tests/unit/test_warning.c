@@ -1,8 +1,7 @@
 /* test_warning.c - warnings of the assembler for each text of a table are compared with
  * the expected warning, its line and its column, or with no warning. The warnings that
  * remain with each choice of options are compared, too. A warning that is missing,
- * superfluous or misplaced fails here.
- */
+ * superfluous or misplaced fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "base/file.h"

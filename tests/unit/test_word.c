@@ -2,8 +2,7 @@
  * are compared with words computed by hand: known words, texts that end early, numbers
  * at both ends of the range, and distant digits. check-arithmetic compares random
  * conversions, also from and to doubles and integers, with MPFR. A text that is read
- * beyond its end, or a number that is rounded up at the largest word, fails here.
- */
+ * beyond its end, or a number that is rounded up at the largest word, fails here. */
 #include "tests/unit/unit.h"
 #include "vm/number/word.h"
 
