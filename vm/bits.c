@@ -225,8 +225,10 @@ static size_t keep_bits(const struct bit_sieve *sieve, size_t first, size_t n,
     return count;
 }
 
-/* The result has as many bits as the sieve keeps. It must have room for all n bits if
- * it may overwrite unread operands. */
+/* Checks the memory of the operands and of the result. ahead: no store overwrites an
+ * operand bit before it is read. The kept bits are then counted first, and the result
+ * needs room only for these. Otherwise they cannot be counted in advance, and the
+ * result needs room for all n bits. */
 static c205_trap claim_sieve(struct bit_sieve *sieve, bool ahead)
 {
     struct c205 *machine = sieve->machine;

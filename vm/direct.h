@@ -65,7 +65,7 @@ static inline c205_word *direct_write(struct c205 *machine, c205_word descriptor
     return direct_place(&machine->memory, LOW(descriptor), n, true);
 }
 
-/* Returns n bits of a descriptor, whose length is not used. */
+/* Returns the n bits at the address of a descriptor; its length is not used. */
 static inline struct direct_bits direct_bits(struct c205 *machine, c205_word descriptor,
                                              size_t n, bool write)
 {

@@ -31,8 +31,8 @@ void chords_end(struct chords *chords);
 /* Returns the area that a crossing of a line represents: 2 pi R^2. */
 double chords_weight(const struct chords *chords);
 
-/* Generates chords->count lines. Also writes the planes of the points where they end
- * (enum emitted). Threads may call this function concurrently. Returns false after a
+/* Generates chords->count lines. Also writes the end points of the lines to `planes`:
+ * one array for each quantity of enum emitted. Threads may call this function concurrently. Returns false after a
  * trap, or if out of memory. */
 bool chords_run(const struct chords *chords, const struct emission_choice *choice,
                 c205_word *planes, struct scene_ray *lines, struct accounts *accounts,

@@ -80,7 +80,8 @@ void reference_end(struct reference *reference);
  * false. Its stores are in memory.changes until the next step. */
 bool reference_step(struct reference *reference);
 
-/* Undoes the last instruction. It must have had only possible faults. */
+/* Undoes the last instruction. Call it only if reference_step has returned true, that
+ * is, if the instruction had no certain fault. */
 void reference_undo(struct reference *reference);
 
 /* Returns true if this is a fault of the last instruction. */

@@ -264,8 +264,9 @@ TEST(scripts)
     assert_true(faults > 0 && faults * 3 < all);
 }
 
-/* Runs the program so that its output is printed, and sets breakpoints. Then two runs
- * of the same moves and views from the beginning must have the same output. */
+/* Runs the program once, because its own output is printed only the first time, and
+ * sets breakpoints. Then a random list of debugger commands is executed twice, each
+ * time from step 0. Both executions must print the same. */
 static void check_anew(const struct object *object, const char *name)
 {
     enum { STOPS = 3 };

@@ -116,8 +116,9 @@ TEST(undefined)
     expect_stop(&fixture, C205_TRAP_UNDEFINED_INSTRUCTION, 0);
 }
 
-/* ADDNV with G = 05 adds magnitudes, as programs of that time used it. The operands are
- * -2 and 2, each with -3. */
+/* The low three bits of G control the signs of the operands. For instance, G = 05 adds
+ * magnitudes, as programs of the 1980s show. For each value of these bits, the test
+ * computes ADDNV of the pairs (-2, -3) and (2, -3). */
 TEST(sign_bits)
 {
     static const double sums[][2] = { { -5, -1 }, { 1, 5 }, { -1, -5 }, { 5, 1 },

@@ -150,8 +150,9 @@ static struct random_program rename_program(const struct renaming *renaming,
 
 /* ---- Runs of both machines --------------------------------------------- */
 
-/* Words of the program contain names of registers. A program that reads or changes them
- * behaves differently after renaming. */
+/* Returns true if the register points into the code. Instructions contain register
+ * numbers, so a program that reads or overwrites its own code behaves differently after
+ * renaming. */
 static bool holds_code_address(const c205 *machine, unsigned number,
                                const struct random_program *program)
 {

@@ -197,8 +197,8 @@ struct engine;
 struct engine *engine_new(void);
 void engine_free(struct engine *engine);
 
-/* Sets an upper limit of all executions and runs in clocks. Requests cannot exceed
- * it. */
+/* Sets the highest limit, in clocks, of an execution or of a run of a sweep. A larger
+ * limit in a request is reduced to this value. */
 void engine_bound(struct engine *engine, uint64_t clocks);
 
 /* Returns the reply to a request of `length` arbitrary bytes. The caller frees it.

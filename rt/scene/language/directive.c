@@ -13,8 +13,9 @@
 
 enum { MESSAGE_SAYS, MESSAGE_WARNS, MESSAGE_IS_ERROR };
 
-/* Reads the name of a file. The text after the name is read after the file, so
- * reader_pass leaves the name. */
+/* Reads a file name, the last token of its directive. The text of the file comes before
+ * the text after the name. reader_hold therefore makes reader_pass step to the next
+ * token, without executing a directive or calling a macro there. */
 static char *read_file_name(struct reader *reader, size_t depth)
 {
     size_t hold = reader_hold(reader);

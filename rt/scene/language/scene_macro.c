@@ -1,8 +1,8 @@
 /* scene_macro.c - defines macros (#macro), and executes calls of macros.
  *
- * A call of a macro is replaced by the macro's body. The parameters are names at a
- * level of their own. An argument that is only a name or an element is passed by
- * reference, any other argument by value.
+ * A call of a macro is replaced by the macro's body. Each call has its own scope, which
+ * contains the parameters. An argument that is only a name or an array element is
+ * passed by reference, any other argument by value.
  */
 #include "rt/scene/language/directive.h"
 

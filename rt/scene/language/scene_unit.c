@@ -211,8 +211,8 @@ static void shrink_about(const double center[3], double share, double point[3])
         point[i] = center[i] + (point[i] - center[i]) * share;
 }
 
-/* Moves a light towards the centre. Scaling about the centre preserves all angles and
- * ratios. */
+/* Moves a light towards the centre if it is farther than LIGHT_FARTHEST away. Scaling
+ * about the centre preserves all angles and ratios. */
 static void bring_point(struct light *light, const double center[3])
 {
     double way[3], share;
@@ -227,8 +227,9 @@ static void bring_point(struct light *light, const double center[3])
     light->fade_distance *= share;
 }
 
-/* Moves a parallel light along its rays. A cylinder keeps its axis. If the axis itself
- * is too far away, it is scaled, too. */
+/* Moves a parallel light along its rays if its distance along them is greater than
+ * LIGHT_FARTHEST. A cylinder keeps its axis. If the axis itself is farther than
+ * LIGHT_FARTHEST from the centre, it is scaled, too. */
 static void bring_parallel(struct light *light, const double center[3])
 {
     double beside[3], axis[3], along, near, share;

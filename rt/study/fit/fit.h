@@ -1,11 +1,13 @@
 /* fit.h - fits the constants of the timing model to observations.
  *
  * There are two kinds of residuals. The residual of an observation is the relative
- * error of its prediction by the machine's clocks, divided by the uncertainty, with a
- * Cauchy loss of FIT_LOSS. An error that a group of rows shares counts once. The
- * residual of a free constant is its distance from its prior, in widths of the prior.
- * Derivatives are approximated by differences; the programs are timed again with
- * changed constants.
+ * error of the predicted time, divided by the uncertainty of the observation. A Cauchy
+ * loss with the scale FIT_LOSS limits the effect of outliers. An error that all rows of
+ * a group have in common is counted once, not once per row. The residual of a free
+ * constant is its distance from its prior, in widths of the prior.
+ *
+ * Derivatives are approximated by differences of times. The clock computes these times
+ * with changed constants.
  *
  * The result is the same in every run, because threads only compute the timings.
  */

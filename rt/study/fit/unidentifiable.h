@@ -19,9 +19,10 @@ struct unidentifiable_list {
     struct unidentifiable items[MAX_UNTOUCHED];
 };
 
-/* Lists constants of the machines that have free constants. A constant is listed if no
- * fitted time changes by 1 % when the constant is doubled, halved or divided by eight,
- * as far as the model permits. On failure sets the error and returns false. */
+/* For each machine with a free constant, lists the constants that the fitted times do
+ * not determine. No fitted time changes by 1 % or more when such a constant is doubled,
+ * halved or divided by eight. A value that the model rejects counts as no change. On
+ * failure sets the error and returns false. */
 bool unidentifiable_find(const struct fit *fit, const struct fit_change *change,
                          struct unidentifiable_list *unidentifiable, c205_error *error);
 
