@@ -16,6 +16,7 @@
 /* Receives the next bytes. Returns false on failure, which ends the saving. */
 typedef bool c205_writer(void *context, const void *bytes, size_t count);
 
+/* Saves a machine: passes its bytes to `write`. Returns false if `write` fails. */
 bool c205_save(const c205 *machine, c205_writer *write, void *context,
                c205_error *error);
 /* Returns a new machine from saved bytes. Returns NULL if the bytes are damaged, are
@@ -52,9 +53,9 @@ bool c205_history_forward(c205_history *history, c205_stop *stop);
  * runs again. Returns false if the host is out of memory. The machine is then unchanged
  * or at a step before the requested step. */
 bool c205_history_back(c205_history *history, uint64_t step, c205_error *error);
-/* Must be called after the host writes registers or memory; it discards later steps.
- * Returns false if the host is out of memory; going back then leads to the state before
- * the change. */
+/* Stores the state after the host has written registers or memory, and discards later
+ * steps. Must be called after each such change. Returns false if the host is out of
+ * memory; going back then leads to the state before the change. */
 bool c205_history_changed(c205_history *history, c205_error *error);
 
 #endif

@@ -62,7 +62,7 @@ c205_belief c205_model_compared(const c205_model *model);
 bool c205_model_is_projection(const c205_model *model);
 size_t c205_model_size(const c205_model *model);
 const c205_constant *c205_model_constant(const c205_model *model, size_t i);
-/* Returns NULL if there is no such constant. */
+/* Returns the constant with a name, or NULL. */
 const c205_constant *c205_model_lookup(const c205_model *model, const char *name);
 /* Returns the model from which this model inherits its constants, or NULL. */
 const c205_model *c205_model_like(const c205_model *model);

@@ -81,16 +81,17 @@ typedef struct c205_piece {
 
 /* The times of one instruction, as recorded by the clock. The pieces are in the order
  * of time. They sum to the increase of the clock. The phases of a vector instruction
- * cover the time from its issue to its end, which may be later; phases of zero length
- * are omitted. */
+ * cover the time from its issue to its end, which may be after the last piece. Phases
+ * of zero length are omitted. */
 enum { C205_PIECES = 40, C205_PHASES = 5 };
 struct c205_times {
     uint64_t pc;
     uint64_t arrived;   /* the clock before the instruction */
     uint64_t issued;    /* the clock at which it issued */
     uint64_t ready;     /* the clock at which its results are ready */
-    uint64_t unit_free; /* the clock at which its unit accepts the next instruction; a
-                           vector unit accepts one whose start-up does not overlap */
+    uint64_t unit_free; /* the clock at which its unit accepts the next instruction; the
+                           vector unit accepts one earlier if its start-up overlaps the
+                           stream */
     uint64_t misses;    /* pages that the associative registers lack */
     uint64_t faults;    /* pages that real memory lacks; these are misses too */
     size_t piece_count, phase_count;
@@ -134,7 +135,7 @@ c205_listener c205_record;
 /* Sets the clocks of each region, numbered as in the accounts; regions that did not run
  * have 0. The settings replace constants of the model. A clock has the given number of
  * ticks, the steps of time (1: as in the machine). A projection gives NaN for regions
- * with vector instructions. */
+ * with vector instructions. On failure sets the error and returns false. */
 bool c205_retime(const c205_recording *recording, const c205_model *model,
                  const c205_setting *settings, size_t count, unsigned ticks,
                  double *clocks, size_t regions, c205_error *error);

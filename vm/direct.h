@@ -35,8 +35,9 @@ static inline bool direct_turn(const struct c205 *machine, size_t n)
     return n > 0 && n <= machine->allowed && machine->resume.first == 0;
 }
 
-/* Returns NULL if the range is not aligned, not mapped, not within one page, or not
- * writable although it must be. */
+/* Returns the address in the host of n words at a bit address. Returns NULL if the
+ * words are not aligned, not mapped, not within one page, or read-only although `write`
+ * is set. */
 static inline c205_word *direct_place(struct memory *memory, uint64_t address, size_t n,
                                       bool write)
 {
@@ -162,7 +163,8 @@ static inline void direct_write_bits(struct direct_bits string, size_t first,
 
 struct operation;
 
-/* Executes the instruction. Returns false, without effect, if it is not simple. */
+/* Executes the instruction. Returns false, without effect, if the instruction is not
+ * simple. */
 bool direct_elementwise(struct c205 *machine, const struct decoded *decoded,
                         const struct operation *operation);
 /* Executes a linked pair. The result of the first instruction is A (hand_a), B (hand_b)

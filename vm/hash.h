@@ -1,6 +1,6 @@
 /* hash.h - hash functions of texts and lists of words.
  *
- * For a given word each step is a bijection of the hash, and for a given hash it is a
+ * For a given word, hash_word is a bijection of the hash. For a given hash, it is a
  * bijection of the word. Two lists that differ in one word therefore never have the
  * same hash.
  */

@@ -72,7 +72,8 @@ bool memory_map(struct memory *memory, uint64_t address, size_t words,
  * page is copied before it is written, and the copy may be read and written. */
 bool memory_map_shared(struct memory *memory, uint64_t address, struct page *pages,
                        size_t count, c205_error *error);
-/* Copies a shared page. NULL: out of memory. */
+/* Replaces the shared page at an address by a copy that this machine owns and may
+ * write. Returns the copy. NULL: out of memory. */
 struct page *memory_own(const struct memory *memory, uint64_t address);
 
 /* Checks that every bit of the range is mapped, and writable if write is set. Returns
@@ -109,7 +110,8 @@ void memory_write_bits(struct memory *memory, uint64_t address, const uint64_t *
 
 /* Records that the word at an address holds decoded code. */
 void memory_mark_code(struct memory *memory, uint64_t address);
-/* Must be called before a change of words of a page that holds decoded code. */
+/* Counts a change of code if one of these words holds decoded code, and clears the
+ * marks of the words. Must be called before words of a page with marks are changed. */
 void memory_change_code(struct memory *memory, struct page *page, size_t first,
                         size_t count);
 
@@ -117,7 +119,7 @@ void memory_change_code(struct memory *memory, struct page *page, size_t first,
  * address space. */
 uint64_t memory_next_page(const struct memory *memory, uint64_t address);
 
-/* Looks up a page and caches it. NULL: not mapped. */
+/* Returns the page of an address and caches it. NULL: not mapped. */
 const struct near_page *memory_find_near(struct memory *memory, uint64_t address);
 
 static inline const struct near_page *memory_near(struct memory *memory,
@@ -175,8 +177,9 @@ static inline size_t memory_word_index(uint64_t address)
     return address / WORD_BITS % C205_PAGE_WORDS;
 }
 
-/* Load or store one word, after checks of its alignment and page, and for a store of
- * the access. */
+/* Load or store one word. Both functions check the alignment of the address and that
+ * its page is mapped. A store also checks that the page is writable. They return NONE
+ * or the trap. */
 static inline c205_trap memory_load(const struct memory *memory, uint64_t address,
                                     c205_word *word)
 {
@@ -206,7 +209,8 @@ static inline c205_trap memory_store(struct memory *memory, uint64_t address,
     return C205_TRAP_NONE;
 }
 
-/* Load or store one half word, in the left half of a word, with checks. */
+/* Load or store one half word, which is in the left half of *half, with the same
+ * checks. */
 c205_trap memory_load_half(const struct memory *memory, uint64_t address,
                            c205_word *half);
 c205_trap memory_store_half(struct memory *memory, uint64_t address, c205_word half);

@@ -1,13 +1,13 @@
 /* operand.h - the operands of a vector instruction as streams.
  *
- * An operand is first described, which evaluates its descriptor register, offset and G
- * bits, and traps bad descriptors. It is then claimed for a number of elements, which
- * checks its memory and reports it to the clock. Finally it is read or stored chunk by
- * chunk. Nothing is stored before everything is claimed.
+ * An operand is used in three steps. To describe it means to evaluate its descriptor
+ * register, offset and G bits; a bad descriptor traps. To claim it for a number of
+ * elements means to check its memory and to report this memory to the clock. Finally it
+ * is read or stored chunk by chunk. Nothing is stored before all operands are claimed.
  *
  * The machine reads element i, computes it and stores it before it reads element i + 1.
- * Streams process many elements at once. operand_lead returns how many may be read
- * before the first store without changing the result.
+ * Streams process many elements at once. operand_lead returns the number of elements
+ * that may be read before the first store without changing the result.
  */
 #ifndef C205_OPERAND_H
 #define C205_OPERAND_H
@@ -58,7 +58,8 @@ c205_trap describe_result(struct vector *result, struct control *control,
                           const struct c205 *machine, const struct decoded *decoded);
 /* Returns the bit vector of a descriptor, without offset. */
 struct vector describe_bits(c205_word descriptor);
-/* Describes a bit vector. It has an offset if the slot of the offset is not 0. */
+/* Describes a bit vector. slot: the register of its descriptor. offset: the register of
+ * its offset; 0: no offset. */
 c205_trap describe_string(struct vector *string, const struct c205 *machine,
                           uint16_t slot, uint16_t offset);
 /* Describes Z of an instruction whose C is not a vector. */
@@ -68,7 +69,7 @@ void describe_control(struct control *control, const struct c205 *machine,
 /* ---- Claim -------------------------------------------------------------- */
 
 /* Claims the first count elements for reading or writing, or the whole vector if it is
- * shorter. Traps if they are not accessible. */
+ * shorter. Returns a trap if an element is not accessible. */
 c205_trap claim_vector(struct c205 *machine, struct vector *vector, size_t count,
                        bool write);
 c205_trap claim_source(struct c205 *machine, struct source *source, size_t count);
@@ -83,8 +84,8 @@ bool operands_overlap(const struct vector *one, const struct vector *other);
  * written. */
 bool operand_recurs(const struct vector *read, size_t i, const struct vector *written,
                     size_t stored);
-/* Returns true if a whole chunk may be read before it is stored. No element may move to
- * a higher index. */
+/* Returns true if a whole chunk may be read before its results are stored. The result
+ * of element i must not be stored at an index above i. */
 bool operand_is_ahead(const struct vector *read, const struct vector *written);
 
 /* ---- Read and store ----------------------------------------------------- */

@@ -1,6 +1,6 @@
-/* resume_state.h - the progress of an interrupted vector instruction. The machine has
- * it in an "invisible package"; a secondary source mentions it, and its content is
- * reconstructed.
+/* resume_state.h - the progress of an interrupted vector instruction. The real machine
+ * had an "invisible package" for it. A secondary source mentions this package. Its
+ * content is reconstructed.
  *
  * If the clock limit interrupts an instruction, its loop saves here the values that it
  * carries from one element to the next. Stored elements are already in memory. The

@@ -28,14 +28,14 @@ struct operation {
 #define SIZED(decoded, name) \
     ((decoded)->fields.g & C205_G_HALF ? halves_##name : lanes_##name)
 
-/* Describes the operands. n is the length of the result. */
+/* Describes the operands. Sets n to the length of the result. */
 c205_trap stream_describe(struct stream *stream, struct c205 *machine,
                           const struct decoded *decoded);
-/* Describes the operands of an instruction whose results are registers. n is the length
- * of a source. */
+/* Describes the operands of an instruction whose results are registers. Sets n to the
+ * length of a source. */
 c205_trap stream_describe_sources(struct stream *stream, struct c205 *machine,
                                   const struct decoded *decoded);
-/* Sets n to the length of A. If A is broadcast, n is the length of B. */
+/* Sets n to the length of A, or to the length of B if A is broadcast. */
 c205_trap stream_take_length(struct stream *stream, const struct decoded *decoded);
 /* Claims all operands, and sets the number of elements that are processed at a time,
  * the chunk. */
@@ -63,7 +63,7 @@ static inline size_t stream_next(const struct stream *stream, size_t first)
     return min_size(stream->turn.end - first, stream->chunk);
 }
 
-/* Returns NONE if all elements are done, and CLOCK_LIMIT otherwise. */
+/* Ends the turn. Returns NONE if all elements are done, and CLOCK_LIMIT otherwise. */
 static inline c205_trap stream_end(struct stream *stream)
 {
     return machine_end_turn(stream->machine, &stream->turn);

@@ -25,8 +25,8 @@ bool expect_other_model(const struct object *object, const c205 *machine);
 warning_set expect_warnings(const struct object *object);
 
 /* Compares a stopped machine with the expectations of its program. printed is the whole
- * output, warned are the warnings of the program. Each failure is a line of the
- * report. */
+ * output, warned are the warnings of the program. Each failure is a line of the report.
+ * Returns true if there is no failure. */
 bool expect_check(const struct object *object, const c205 *machine,
                   const c205_stop *stop, const char *printed, warning_set warned,
                   const struct sink *report);

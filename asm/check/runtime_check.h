@@ -12,9 +12,9 @@
 
 struct runtime_checker;
 
-/* The object and the choice must outlive the checker. name is the name of the program,
- * which is printed if there are no source lines. Returns NULL if memory is
- * exhausted. */
+/* Returns a checker, or NULL if memory is exhausted. The object and the choice must
+ * outlive it. name is the name of the program, which is printed if there are no source
+ * lines. */
 struct runtime_checker *runtime_new(const struct object *object, const char *name,
                                     const struct warning_choice *choice,
                                     const struct sink *report);

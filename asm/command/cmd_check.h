@@ -32,8 +32,9 @@ bool check_grade(const struct lesson *lesson, const char *path,
 /* Appends all sentences of a report to a buffer, as one line. */
 void check_join(struct text_buffer *buffer, const struct lesson_report *report);
 
-/* Print all lessons, print one lesson with its tests, and write the program of a lesson
- * to complete (cmd_check_lesson.c). They return the exit code. */
+/* check_list prints all lessons. check_show prints one lesson with its tests.
+ * check_start writes the program that the answer to a lesson completes
+ * (cmd_check_lesson.c). All return the exit code. */
 int check_list(const struct check_command *check);
 int check_show(const struct check_command *check);
 int check_start(const struct check_command *check);

@@ -8,8 +8,8 @@
 #include "asm/command/session.h"
 #include "vm/text.h"
 
-/* Writes the operation code, as in "82". If bits of G belong to it, it is as in
- * "9D.1". */
+/* Writes the operation code, as in "82", or as in "9D.1" if bits of G belong to the
+ * code. */
 enum { ISA_CODE = 8 };
 void isa_code(const c205_insn *insn, char text[ISA_CODE]);
 

@@ -13,7 +13,8 @@ struct run_arguments {
     bool check, trace, profile, in_order, no_limit, exit_status, warm;
 };
 
-/* Runs test programs and compares them with their expectations (run --check). */
+/* Runs test programs and compares them with their expectations (run --check). Returns
+ * the exit code. */
 int cmd_run_check(const struct run_arguments *args);
 
 #endif

@@ -118,8 +118,8 @@ bool session_program(struct session *session, const struct source_arguments *sou
 bool session_model(struct session *session, const char *name);
 bool session_output(struct session *session, const struct command_output *results,
                     const char *output);
-/* Creates a machine of the model and loads the program. warm: its pages are in use
- * already. Returns false with the reason in the error. */
+/* Creates a machine of the model and loads the program. warm: all pages of the program
+ * are in memory at the start. Returns false with the reason in the error. */
 bool session_load(struct session *session, bool warm, c205_error *error);
 /* Closes all open members. JSON is written if the code is CMD_DONE and discarded
  * otherwise. Returns the exit code. */

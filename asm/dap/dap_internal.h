@@ -230,8 +230,8 @@ bool element_number(const struct vector_view *vector, const char *name, size_t *
 /* Sets *vector to the vector of a reference. Returns false if the reference has no
  * vector. */
 bool vector_of(struct dap *dap, int64_t reference, struct vector_view *vector);
-/* Writes the members of a value. It is the word of a register, with its vector if there
- * is one. */
+/* Writes the members for the value of a register: its word, and the vector that the
+ * word describes, if any. */
 void put_word_members(struct dap *dap, struct json *json, struct register_of named);
 
 #endif

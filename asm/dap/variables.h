@@ -29,11 +29,12 @@ static inline int64_t reference_of(enum reference_kind kind, size_t number)
     return (int64_t)kind + (int64_t)number * KINDS;
 }
 
-/* Opens an object. The caller adds members and closes it. */
+/* Opens the JSON object of a variable with its name, value and reference. The caller
+ * adds other members and closes the object. */
 void put_variable(struct json *json, const char *name, const char *value,
                   int64_t reference);
-/* Returns the program's name of a register. Returns its number if the name denotes
- * another register. */
+/* Returns the program's name of a register. Returns its number, such as r10, if there
+ * is no name or if the debugger would read the name as another register. */
 enum { REGISTER_NAME = 8 };
 const char *name_of(const struct dap *dap, unsigned number, char text[REGISTER_NAME]);
 

@@ -22,8 +22,8 @@ debug_verb verb_info;
 /* time.c */
 debug_verb verb_why, verb_account;
 
-/* Prints the current location: step, clock, region and next instruction. If the program
- * has ended, prints that. */
+/* Prints the current location: step, clock, region, and the next instruction unless the
+ * program has ended. If the program cannot continue, also prints the reason. */
 void show_place(struct debugger *debugger);
 /* Prints the text `before`, an instruction, and its source line if it is known. */
 void show_instruction(struct debugger *debugger, uint64_t address, const char *before);

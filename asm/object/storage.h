@@ -17,7 +17,8 @@ struct storage {
 
 struct storage *storage_new(void);
 
-/* These functions return NULL if memory is exhausted. */
+/* These functions append an item to the object and return it. They return NULL if
+ * memory is exhausted. */
 c205_segment *storage_add_segment(struct storage *storage);
 c205_region *storage_add_region(struct storage *storage);
 struct asm_symbol *storage_add_symbol(struct storage *storage);

@@ -1,8 +1,8 @@
 /* syntax.h - the syntax of names and of instructions. The syntax of an instruction is
  * derived from its row in vm/insn.def.
  *
- * The parser and the disassembler iterate over these operands. They have no code for
- * individual instructions.
+ * The parser and the disassembler iterate over the operands of this syntax. They have
+ * no code for individual instructions.
  */
 #ifndef ASM_SYNTAX_H
 #define ASM_SYNTAX_H
@@ -31,11 +31,11 @@ enum operand_kind {
 struct operand {
     enum operand_kind kind;
     bool half;            /* a register without brackets is a half register */
-    bool in_two;          /* the result has two registers, this and the next */
+    bool in_two;          /* the result is in this register and the next one */
     char field;           /* letter of a member of c205_fields */
     char second;          /* field after a comma in the brackets; 0: none */
-    bool may_be_left_out; /* optional, like all operands after it; its field is then
-                             0 */
+    bool may_be_left_out; /* optional, like all operands after it; the field of an
+                             omitted operand is 0 */
     uint8_t broadcast;    /* bits of G for a register without brackets */
     uint8_t negate;       /* bits of G for -[A] */
     uint8_t magnitude;    /* bits of G for |[A]| */

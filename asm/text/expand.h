@@ -14,10 +14,12 @@ enum frame_kind { FRAME_FILE, FRAME_MACRO, FRAME_REPEAT };
 
 struct expansion {
     enum frame_kind kind;
-    const char *name; /* name for FRAME_FILE, as in the next two lines */
+    /* For FRAME_FILE: the name of the file, its unread text, and the line number. */
+    const char *name;
     const char *at, *end;
     size_t number;
-    const struct line *caller; /* for the other kinds, like the rest */
+    /* For the other kinds, up to repeats: */
+    const struct line *caller;
     const struct macro *body;
     size_t next;
     const struct span *arguments;

@@ -21,7 +21,8 @@ bool evaluate(struct assembler *assembler, const struct line *line,
 /* Evaluates to an integer. A floating-point number is an error. */
 bool evaluate_integer(struct assembler *assembler, const struct line *line,
                       const struct expression *expression, int64_t *integer);
-/* Evaluates to an integer from low to high. what is its name in an error. */
+/* Evaluates to an integer from low to high. `what` describes the integer in an
+ * error. */
 bool evaluate_range(struct assembler *assembler, const struct line *line,
                     const struct expression *expression, int64_t low, int64_t high,
                     const char *what, int64_t *integer);

@@ -64,8 +64,8 @@ void timeline_title(const struct timeline *timeline, const char *program,
 /* Returns the number of instructions. The wait for results in flight at the end is not
  * counted. */
 size_t timeline_instructions(const struct timeline *timeline);
-/* Moves `to` back to the clock at which the last instruction completed, if it is
- * later. */
+/* Moves `to` back to the clock at which the last instruction completed, if `to` is
+ * after this clock. */
 void timeline_finish(struct timeline *timeline);
 /* Returns the format for the ending of a file name: .svg, .kanata or .json. Returns
  * NULL or false for any other name. */

@@ -1,8 +1,8 @@
 /* operand_view.h - describes the operands of an instruction before its execution, from
  * the registers of the machine. Not public.
  *
- * The debugger, the runtime checks and the reports of traps use it. It does
- * not change the machine.
+ * The debugger, the run-time checks and the reports of traps use these functions, which
+ * do not change the machine.
  */
 #ifndef ASM_OPERAND_VIEW_H
 #define ASM_OPERAND_VIEW_H

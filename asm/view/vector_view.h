@@ -24,8 +24,8 @@ void vector_extent(const struct vector_view *vector, const struct sink *sink);
 
 /* Interprets the word of a register as a descriptor. */
 struct vector_view vector_described(c205_word word, unsigned width);
-/* Interprets a word as the descriptor of words if they are all mapped, and otherwise of
- * bits. Returns false if neither is possible. */
+/* Interprets a word as the descriptor of a vector of words if all of its elements are
+ * mapped, and otherwise of a bit vector. Returns false if neither is possible. */
 bool vector_recognise(const c205 *machine, c205_word word, struct vector_view *vector);
 /* vector_has_elements returns true if an operand has a known number of elements.
  * vector_of_operand returns them with their control bits. */

@@ -22,8 +22,8 @@ struct chords {
     struct emission *sphere;
 };
 
-/* Returns false for options that emission_new rejects. Call chords_end in either
- * case. */
+/* Prepares the generation of lines. Returns false for options that emission_new
+ * rejects. Call chords_end in either case. */
 bool chords_begin(struct chords *chords, const struct emission_options *emits,
                   c205_error *error);
 void chords_end(struct chords *chords);

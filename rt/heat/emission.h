@@ -57,8 +57,8 @@ struct emission;
  * has an emission. */
 const char *emission_refusal(const struct primitive *primitive);
 
-/* Returns NULL and sets the error if the primitive has no emission, or if the options
- * are invalid. The emission does not refer to the primitive after this call. */
+/* Returns an emission, or NULL with the error if the primitive has no emission or the
+ * options are invalid. The emission does not refer to the primitive after this call. */
 struct emission *emission_new(const struct primitive *primitive,
                               const struct emission_options *options,
                               c205_error *error);

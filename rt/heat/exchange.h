@@ -33,8 +33,8 @@ struct exchange {
     struct accounts accounts;
 };
 
-/* Returns false if a number is out of range, if the exchange has no solution (the error
- * then names the surface), after a trap, or if out of memory. */
+/* Computes the exchange. Returns false if a number is out of range, if the exchange has
+ * no solution (the error then names the surface), after a trap, or if out of memory. */
 bool exchange_find(const struct exchange_given *given, struct exchange *exchange,
                    c205_error *error);
 void exchange_free(struct exchange *exchange);

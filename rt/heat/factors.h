@@ -37,8 +37,8 @@ void factor_row_free(struct factor_row *row);
 
 struct factors;
 
-/* Returns NULL for invalid options, or if out of memory, and sets the error. The scene
- * must outlive the factors. */
+/* Prepares the computation of factors. Returns NULL with the error for invalid options,
+ * or if out of memory. The scene must outlive the factors. */
 struct factors *factors_new(const struct scene *scene,
                             const struct sampling_options *options, c205_error *error);
 void factors_free(struct factors *factors);

@@ -63,8 +63,8 @@ void heat_free(struct heat *heat);
 bool heat_is_precise(const struct heat *heat);
 /* Returns the name of a receiver. The last receiver is the environment. */
 const char *heat_receiver(const struct heat *heat, size_t to);
-/* Returns true if both have the same counts, and areas, factors and flows that are
- * equal bit for bit. */
+/* Returns true if both computations have the same counts, and if their areas, factors
+ * and flows are equal bit for bit. */
 bool heat_is_same(const struct heat *one, const struct heat *other);
 
 #endif

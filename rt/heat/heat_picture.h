@@ -37,8 +37,9 @@ struct heat_drawn {
     uint64_t clocks;    /* clocks of the frame */
 };
 
-/* Returns false if there is no surface with that name, if there is no value, after a
- * trap, if out of memory, or if the picture cannot be written. */
+/* Traces the scene and writes the picture. Returns false if there is no surface with
+ * the name look->from, if no surface has a value, after a trap, if out of memory, or if
+ * the picture cannot be written. */
 bool heat_draw(const struct heat *heat, const struct heat_look *look,
                struct heat_drawn *drawn, c205_error *error);
 

@@ -22,8 +22,8 @@ struct packet_programs {
     struct object *faces, *received;
 };
 
-/* Returns false for invalid options, or if out of memory. Call packet_programs_end in
- * either case. */
+/* Assembles the programs and lays the scene out. Returns false for invalid options, or
+ * if out of memory. Call packet_programs_end in either case. */
 bool packet_programs_begin(struct packet_programs *programs, c205_error *error);
 void packet_programs_end(struct packet_programs *programs);
 
@@ -42,7 +42,8 @@ struct packet {
     uint64_t clocks[HEAT_STEPS]; /* clocks of these machines for each step */
 };
 
-/* Returns false if out of memory. Call packet_free in either case. */
+/* Allocates the sums and counts of a packet. Returns false if out of memory. Call
+ * packet_free in either case. */
 bool packet_begin(struct packet *packet, const struct packet_programs *programs);
 void packet_free(struct packet *packet);
 

@@ -16,8 +16,8 @@ enum heat_step {
 };
 const char *heat_step_name(enum heat_step step);
 
-/* Charges the clocks of the accounts since the last call to a step. The clocks must
- * initially be zeros. */
+/* Adds the clocks that the accounts have gained since the last call to the clocks of a
+ * step. All clocks must be zero before the first call. */
 void heat_charge(uint64_t clocks[HEAT_STEPS], const struct accounts *accounts,
                  enum heat_step step);
 

@@ -22,9 +22,10 @@ struct thermal {
     struct exchange exchange;
 };
 
-/* Returns false if a surface has no temperature, or has parts with different
- * temperatures, or only receives; if the exchange has no solution; after a trap; or if
- * out of memory. The error names the surface. */
+/* Finds the values of the surfaces and computes their exchange. Returns false if a
+ * surface has no temperature, has parts with different temperatures, or only receives;
+ * if the exchange has no solution; after a trap; or if out of memory. The error names
+ * the surface. */
 bool thermal_find(const struct surfaces *surfaces, const struct named_parts *parts,
                   const struct named_values *emissivities,
                   const struct named_values *temperatures, enum trace_mode mode,

@@ -18,14 +18,14 @@ struct checkpoint_file;
 struct checkpoint_file *checkpoint_open(const char *path, uint64_t key,
                                         c205_error *error);
 /* Adds the units of another file with the same key that are not in this file. The other
- * file must exist. It is not changed. */
+ * file must exist, and is not changed. On failure sets the error and returns false. */
 bool checkpoint_merge(struct checkpoint_file *file, const char *path,
                       c205_error *error);
 
 size_t checkpoint_count(const struct checkpoint_file *file);
 bool checkpoint_has(const struct checkpoint_file *file, uint64_t number);
-/* Returns false if the unit is not in the file, if the file cannot be read, or if out
- * of memory. */
+/* Reads the words of a unit. Returns false if the unit is not in the file, if the file
+ * cannot be read, or if out of memory. */
 bool checkpoint_read(struct checkpoint_file *file, uint64_t number,
                      struct serialized_result *words);
 /* Adds a unit, unless the file contains it. */

@@ -23,7 +23,8 @@ struct job_set {
     size_t kept;                  /* number of units that were in the files */
 };
 
-/* Opens the files of the run with this key. */
+/* Opens the files of the run with this key, and counts the units in them. On failure
+ * sets the error and returns false. */
 bool job_set_open(struct job_set *job_set, uint64_t key, c205_error *error);
 /* Closes the files. remove_it: also removes the checkpoint file, because the results
  * have been saved elsewhere. */

@@ -1,9 +1,9 @@
 /* ranks.h - processes that share a run. Their ranks are 0, 1, ..
  *
  * Rank 0 distributes units, collects results and reports. The other ranks work for it.
- * An adapter transfers the messages. It is a library that is opened only if a run has
- * several ranks, because it takes long to load and need not be installed. Only one
- * thread of a process calls it.
+ * An adapter transfers the messages. The adapter is a library that is opened only if a
+ * run has several ranks, because it takes long to load and need not be installed. Only
+ * one thread of a process calls the adapter.
  */
 #ifndef RT_FARM_RANKS_H
 #define RT_FARM_RANKS_H

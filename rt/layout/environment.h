@@ -5,7 +5,8 @@
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"
 
-/* Call this after images_layout. `images` contains the address of each image. */
+/* Writes the sky. Call this after images_layout. `images` contains the address of each
+ * image. */
 void layout_sky(struct record_layout *layout, const struct scene *scene,
                 const uint64_t *images);
 void layout_fogs(struct record_layout *layout, const struct scene *scene);

@@ -25,7 +25,7 @@ struct packet_layout {
  * every_crossing must be set. */
 struct query_layout;
 
-/* Returns NULL if out of memory, or if a number is out of range. */
+/* Lays a scene out. Returns NULL if out of memory, or if a number is out of range. */
 struct query_layout *query_layout_new(const struct object *program,
                                       const struct scene *scene, enum bounding bounding,
                                       c205_error *error);

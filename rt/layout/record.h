@@ -49,8 +49,8 @@ void layout_reserve_rows(struct record_layout *layout, const struct row_wanted *
                          size_t rows);
 uint64_t row_at(const struct row *row, size_t i);
 
-/* Writes a row of records of the same size. It contains the words of the next record,
- * whose fields are set by name. */
+/* The state while a row of records of the same size is written. It contains the words
+ * of the next record, whose fields are set by name. */
 struct record {
     struct record_layout *layout;
     c205_word *words;

@@ -16,7 +16,7 @@ bool scene_is_glossy(const struct scene *scene);
  * the pigment. */
 void surface_passing(const struct pigment *pigment, int which, double passing[3]);
 /* Returns the weight of a transmitted ray: its largest channel, or a negative number if
- * the ray is not traced. */
+ * its brightness is at most `least`, so that it is not traced. */
 double surface_passing_weight(const double passing[3], double least);
 /* Returns the fraction of the light that is not transmitted. */
 double surface_opacity(const struct pigment *pigment, int which);

@@ -36,8 +36,8 @@ enum moment {
     MOMENT_AREA,
     MOMENTS
 };
-/* The sums of a packet are one vector: sums of each part, of all parts together, and of
- * pairs. */
+/* The sums of a packet are one vector: the sums of each part, of all parts together,
+ * and of each pair of parts. */
 enum {
     MAX_COLUMNS_PAIRS = 16384,
     MAX_COLUMNS_PARTS = (65535 - MAX_COLUMNS_PAIRS) / MOMENTS - 1

@@ -4,10 +4,10 @@
  * Files .exr and .tif have linear colours and the channels Z (distance along the ray),
  * N.X, N.Y, N.Z (unit normal in world space) and id (primitive number from 1; 0 is
  * background). OpenImageIO writes the files. Its adapter is the shared object
- * rt205_oiio.so. It is loaded when the first picture is accessed or announced, so a
- * command without a picture does not load it. It is searched for in the folder in the
- * environment variable RT205_LIBDIR, in the folder of the program, and in the
- * installation folder ../lib/rt205 relative to the program.
+ * rt205_oiio.so, which is loaded when the first picture is accessed or announced. A
+ * command without a picture therefore does not load it. The adapter is searched for in
+ * the folder in the environment variable RT205_LIBDIR, in the folder of the program,
+ * and in the installation folder ../lib/rt205 relative to the program.
  */
 #ifndef RT_PICTURE_H
 #define RT_PICTURE_H
@@ -57,9 +57,9 @@ bool picture_write(const char *path, const struct frame *frame,
 /* These functions write a frame in parts, starting with its first row. picture_begin
  * returns NULL on failure and sets the error. picture_rows adds the rows of a part.
  * picture_end commits the picture if all rows have been written and `good` is true.
- * Otherwise the old file stays. It frees the picture in all cases. Either all parts
- * have the layer or none of them (NULL). If all parts except the last have PICTURE_PART
- * rows, picture_write would write the same file. */
+ * Otherwise the old file stays. picture_end frees the picture in all cases. Either all
+ * parts have the layer or none of them (NULL). If all parts except the last have
+ * PICTURE_PART rows, picture_write would write the same file. */
 enum { PICTURE_PART = 32 };
 struct picture;
 struct picture *picture_begin(const char *path, size_t width, size_t height,
@@ -69,9 +69,9 @@ bool picture_rows(struct picture *picture, const struct frame *part, c205_error 
 bool picture_end(struct picture *picture, bool good, c205_error *error);
 
 /* picture_load loads the adapter in a thread, for a picture that is written later.
- * Other functions wait for it. It returns NULL if there is no adapter. The writing
- * functions report any other error. picture_loaded waits for the thread, and frees the
- * loader. It must be called before the program ends. */
+ * Other functions wait for the adapter. picture_load returns NULL if there is no
+ * adapter. The writing functions report any other error. picture_loaded waits for the
+ * thread, and frees the loader. Call picture_loaded before the program ends. */
 struct picture_loader *picture_load(c205_error *error);
 void picture_loaded(struct picture_loader *loader);
 

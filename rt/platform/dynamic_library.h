@@ -23,7 +23,7 @@ bool dynamic_find(const char *file, char path[ADAPTER_PATH], c205_error *error);
 const void *dynamic_open(const char *path, const char *table, bool shared,
                          c205_error *error);
 
-/* Returns NULL if there is no library with that name. */
+/* Opens the library with a system name. Returns NULL if there is no such library. */
 void *dynamic_library(const char *name);
 /* Stores a function of the library in *call. Returns false if the library has no
  * function with that name. */

@@ -8,7 +8,7 @@
 /* A lock, which one thread at a time can hold. */
 struct lock;
 
-/* Returns NULL if out of memory. */
+/* Returns a new lock, or NULL if out of memory. */
 struct lock *lock_new(void);
 /* Frees a lock that no thread holds. NULL is ignored. */
 void lock_free(struct lock *lock);

@@ -67,7 +67,7 @@ void roots_free(struct root_search *search);
 /* Makes the run count the steps of the refinement. Call this before the run. */
 bool roots_watch(struct root_search *search, struct iterations *iterations);
 
-/* Returns false after a trap, or if progress returned false. */
+/* Runs the search. Returns false after a trap, or if progress returned false. */
 bool roots_run(struct root_search *search, c205_error *error);
 
 /* Reads the roots of all polynomials, in the order of the polynomials. */

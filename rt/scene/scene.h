@@ -164,8 +164,8 @@ bool pigment_has_map(const struct pigment *pigment);
 /* Returns the number of cells that may transmit light differently. It is 2 for a
  * checker and for a bounded image, else 1. */
 int pigment_cells(const struct pigment *pigment);
-/* Returns true if the pigment has a map or an image. A sky of such a pigment depends on
- * the direction. */
+/* Returns true if the pigment has a map or an image. If the sky has such a pigment, its
+ * colour depends on the direction. */
 bool pigment_makes_sky(const struct pigment *pigment);
 /* Returns true if at least one colour of the pigment transmits light. */
 bool pigment_is_clear(const struct pigment *pigment);

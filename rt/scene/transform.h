@@ -16,10 +16,10 @@ struct placement {
 extern const struct placement placement_none;
 
 struct placement placement_translation(const double by[3]);
-/* No component of `by` may be 0. */
+/* Returns a scaling by these factors, none of which may be 0. */
 struct placement placement_scaling(const double by[3]);
-/* Rotates about x, then y, then z, in degrees. The axes are left-handed: a positive
- * angle about z turns x towards y. */
+/* Returns a rotation about x, then y, then z, in degrees. The axes are left-handed: a
+ * positive angle about z turns x towards y. */
 struct placement placement_rotation(const double degrees[3]);
 /* Computes the map of `matrix`. Its twelve numbers are rows of three that are applied
  * to row vectors; the last row is the translation. Returns false if the map has no
@@ -36,7 +36,7 @@ bool placement_is_finite(const struct placement *placement);
 /* Returns the map that applies `first`, then `second`. */
 struct transform transform_then(const struct transform *first,
                                 const struct transform *second);
-/* Returns false if the map has no inverse. */
+/* Computes the inverse of a map. Returns false if the map has none. */
 bool transform_invert(const struct transform *map, struct transform *inverse);
 void transform_point(const struct transform *transform, double point[3]);
 /* Transforms a normal from the target space of to_local back to its source space, by

@@ -47,7 +47,7 @@ static inline void scale3(double by, double a[3])
         a[i] *= by;
 }
 
-/* The product must not alias a factor. */
+/* Computes the cross product a x b, which must not alias a or b. */
 static inline void cross3(const double a[3], const double b[3], double product[3])
 {
     for (int i = 0; i < 3; i++) {

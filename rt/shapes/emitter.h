@@ -46,10 +46,12 @@ void emitter_add_triangle(struct emitter *emitter, const double a[3], const doub
  * if out of memory. */
 bool emitter_about_axis(struct emitter *emitter, const double base[3],
                         const double cap[3], double *half_length);
-/* Adds a cylinder or a cone; unless it is open, also its discs. */
+/* Sets a cylinder or a cone, with its discs unless it is open. Returns NULL, or the
+ * reason of a failure. */
 const char *emitter_cone(const double base[3], double base_radius, const double cap[3],
                          double cap_radius, bool open, struct emitter *emitter);
-/* Sets a torus about the y axis with an elliptical tube. */
+/* Sets a torus about the y axis with an elliptical tube. Returns NULL, or the reason
+ * why the torus cannot emit. */
 const char *emitter_torus(double major, double radial, double axial,
                           struct emitter *emitter);
 

@@ -26,8 +26,9 @@ struct path_walk {
 };
 bool path_next(struct path_walk *walk);
 
-/* Returns the largest number of edges that a line can cross. For curves it counts the
- * polygon through the handles, which a line crosses at least as often. */
+/* Returns the largest number of edges that a line can cross. For curves the edges of
+ * the polygon through the handles are counted, because a line crosses this polygon at
+ * least as often as the curves. */
 size_t path_crossings(const struct outline *path, size_t apart);
 /* Bounds the path swept between two heights. */
 void path_bound(const struct primitive *primitive, const struct outline *path,

@@ -27,8 +27,9 @@ struct shape_words {
 };
 
 void shape_words(const struct primitive *primitive, struct shape_words *words);
-/* Describes a primitive that is not in a tree, for the program of 1984. If it has no
- * kernel for the primitive, it returns false, with the words of shape_words. */
+/* Describes a primitive that is not in a tree, for the program of 1984. If this program
+ * has no kernel for the primitive, writes the words of shape_words and returns
+ * false. */
 bool shape_words_historical(const struct primitive *primitive,
                             struct shape_words *words);
 /* shape_table_count returns the size of the table in words. shape_table computes a

@@ -5,7 +5,8 @@
 
 #include "rt/shapes/shape_bound.h"
 
-/* radial and axial are the half axes of the tube, perpendicular to y and along y. */
+/* Computes the bound of a torus. radial and axial are the half axes of the tube,
+ * perpendicular to y and along y. */
 void torus_bound(const struct primitive *primitive, double major, double radial,
                  double axial, struct bound *bound);
 size_t torus_words(double major, double radial, double axial, double *words);

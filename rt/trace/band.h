@@ -48,7 +48,7 @@ c205 *band_machine(const struct band_work *work, size_t first_row, size_t rows,
 /* The largest number of observers of a machine. */
 enum { MAX_BAND_OBSERVERS = C205_LISTENERS };
 
-/* Traces bands, one after another, on one machine. */
+/* The state with which bands are traced one after another on one machine. */
 struct band_tracer {
     const struct band_work *work;
     c205 *machine; /* NULL before the first band; freed by the owner of the tracer */

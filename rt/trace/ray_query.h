@@ -65,8 +65,8 @@ void ray_hits_free(struct ray_hits *found);
 
 struct ray_query;
 
-/* Returns NULL for invalid options or an invalid scene, and sets the error. The scene
- * must outlive the query. */
+/* Returns a query, or NULL with the error if the options or the scene are invalid. The
+ * scene must outlive the query. */
 struct ray_query *ray_query_new(const struct scene *scene,
                                 const struct ray_query_options *options,
                                 c205_error *error);

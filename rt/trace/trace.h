@@ -21,7 +21,7 @@ enum trace_mode {
     TRACE_MODES
 };
 const char *trace_mode_name(enum trace_mode mode);
-/* Returns false if there is no mode with this name. */
+/* Sets the mode with this name. Returns false if there is no such mode. */
 bool trace_mode_named(const char *name, enum trace_mode *mode);
 /* Returns the form, scalar or vector, of programs that intersect no primitives. It is
  * scalar for the paper's form. */
@@ -81,8 +81,8 @@ struct trace_options {
     size_t band;            /* largest number of pixels in a band, which has at least
                              * one row; 0: TRACE_BAND */
     size_t jobs;            /* number of bands traced concurrently; 0: one */
-    bool historical;        /* use the paper's methods: Steiner patches by their
-                             * implicit quartic, with its falsi; cylinders by the
+    bool historical;        /* use the paper's methods: for Steiner patches the implicit
+                             * quartic and the paper's regula falsi; for cylinders the
                              * distance from the axis */
     const char *variant;    /* A constant of the kernels that selects a formulation
                              * under study; NULL: none. */
@@ -127,7 +127,8 @@ void trace_forget(struct trace *trace);
  * options if the camera's lens needs more rays. */
 size_t trace_samples(const struct trace *trace);
 
-/* Returns false after a trap, or if progress returned false, and sets the error. */
+/* Traces the frame. Returns false with the error after a trap, or if progress returned
+ * false. */
 bool trace_run(struct trace *trace, c205_error *error);
 
 /* Return the number of bands of the frame, and the number of finished bands, including

@@ -116,8 +116,8 @@ static inline c205_word fast_divide_significant(c205_word a, c205_word b,
     return fast_fitted(e, (ca ^ cb) < 0 ? -q : q);
 }
 
-/* The root in double arithmetic is below 2^47 and at most 1 too large. The sign of the
- * remainder modulo 2^64 gives the correction. */
+/* Returns the square root. The root in double arithmetic is below 2^47 and at most 1
+ * too large. The sign of the remainder modulo 2^64 gives the correction. */
 static inline c205_word fast_square_root(c205_word a, uint64_t *flags)
 {
     int64_t c = word_coefficient(a), e = (int64_t)a >> 48;

@@ -100,7 +100,9 @@ static inline int64_t quotient_exponent(c205_word a, c205_word b)
     return exponent(a) - exponent(b) - DIGITS;
 }
 
-/* A divisor with value 0 is a divide fault. */
+/* Returns the quotient: machine zero if a is machine zero, else `result`. Marks the
+ * quotient as odd if an operand is indefinite, or if the divisor has the value 0, which
+ * is a divide fault. */
 static inline lane special_quotient(c205_word a, c205_word b, lane result)
 {
     uint64_t without_digits = magnitude(coefficient(b)) - 1;

@@ -24,14 +24,15 @@ static inline lane lane_multiply_upper(c205_word a, c205_word b)
     return special_product(a, b, fitted(e, product(a, b, 1)));
 }
 
-/* The first bit is 1 if at least one of the two coefficients is not normalised. */
+/* Returns a word whose first bit is 1 if at least one of the two coefficients is not
+ * normalised. */
 static inline uint64_t either_unnormalised(c205_word a, c205_word b)
 {
     return ~((a ^ a << 1) & (b ^ b << 1)) << (63 - WORD_DIGITS);
 }
 
-/* The first bit is 1 if the exponent is 2000 hex or more (is_large), or less than -2000
- * hex (is_small). The sum of two other exponents is in the range. */
+/* Return a word whose first bit is 1 if the exponent is 2000 hex or more (is_large), or
+ * less than -2000 hex (is_small). The sum of two other exponents is in the range. */
 static inline uint64_t is_large(c205_word w)
 {
     return ~w & (w + UINT64_C(0x6000000000000000));

@@ -62,8 +62,8 @@ static inline uint64_t magnitude(int64_t c)
     return (uint64_t)(c < 0 ? -c : c);
 }
 
-/* The first bit is 1 if the coefficient is not normalised. The exponent does not
- * matter. */
+/* Returns a word whose first bit is 1 if the coefficient is not normalised. The
+ * exponent does not matter. */
 static inline uint64_t unnormalised(c205_word w)
 {
     uint64_t digits = w << LANE_FORMAT.exponent_bits;
@@ -80,8 +80,8 @@ static inline uint64_t out_of_range(int64_t e)
 
 static const uint64_t two_to_52 = UINT64_C(0x4330000000000000);
 
-/* These convert between natural numbers below 2^51 and doubles, rounding to the nearest
- * number. The double 2^52 + n has the number n in its last bits. */
+/* These functions convert between natural numbers below 2^51 and doubles. They round to
+ * the nearest number. The double 2^52 + n has the number n in its last bits. */
 static inline double to_double(uint64_t n)
 {
     return double_of_bits(two_to_52 | n) - double_of_bits(two_to_52);
@@ -122,7 +122,8 @@ static inline lane number(int64_t e, int64_t c)
     return result;
 }
 
-/* Returns machine zero, which is valid, or the other result. */
+/* Returns a valid machine zero if it_is is true, and the other result if it is
+ * false. */
 static inline lane zero_if(bool it_is, lane otherwise)
 {
     const lane result = { it_is ? C205_MACHINE_ZERO : otherwise.word,
@@ -233,8 +234,8 @@ static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
     return zero_if(is_zero(l), fitted(exponent(l), t >> LANE_GUARD));
 }
 
-/* The first bit is 1 if the exponent is in the outer half of its field, as for machine
- * zeros. The sum of two other exponents is in the range. */
+/* Returns a word whose first bit is 1 if the exponent is in the outer half of its
+ * field, as for machine zeros. The sum of two other exponents is in the range. */
 static inline uint64_t is_extreme(c205_word w)
 {
     return w + UINT64_C(0x4000000000000000);
@@ -348,7 +349,8 @@ static inline lane lane_negate(c205_word a)
                                                                         : -c)));
 }
 
-/* A machine zero is unchanged unless its digits form a negative number. */
+/* Returns the magnitude. A machine zero is unchanged unless its digits form a negative
+ * number. */
 static inline lane lane_absolute(c205_word a)
 {
     int64_t c = coefficient(a);

@@ -18,10 +18,11 @@ typedef struct pair_operand {
 
 enum { PAIR_LENGTH = 512 }; /* maximum */
 
-/* Computes c from a and b by the first operation, then with d by the second, for n <=
- * PAIR_LENGTH words. The result c must not begin above an operand that it overlaps. If
- * *done is set to false, the caller must run two operations. In this case c is
- * unchanged if it overlaps an operand, and undefined otherwise. */
+/* Applies the first operation to a and b, and the second operation to its result and d,
+ * for n <= PAIR_LENGTH words. Stores the final result in c. The result c must not begin
+ * above an operand that it overlaps. If *done is set to false, the caller must run two
+ * operations. In this case c is unchanged if it overlaps an operand, and undefined
+ * otherwise. */
 typedef void lanes_pair(bool *done, c205_word *c, pair_operand a, pair_operand b,
                         const c205_word *d, size_t n, uint64_t *flags);
 

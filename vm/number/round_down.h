@@ -124,7 +124,7 @@ static inline round_down round_down_multiply(double x, double y)
  * mode. */
 enum { MIN_ROUND_DOWN = 32 };
 
-/* Properties of a block that are known only after all of it is computed. */
+/* Properties of a block that are known only after all of its words are computed. */
 typedef struct round_down_block {
     uint64_t all, any; /* AND and OR of the edges */
     /* Sums, because clang 14 vectorises + but not | here. */

@@ -272,9 +272,9 @@ c205_word RULE(average_difference)(c205_word a, c205_word b, uint64_t *flags)
 
 /* ---- Multiply ---------------------------------------------------------- */
 
-/* The product is computed from halves of h = (d + 1) / 2 bits, the high ones signed.
- * For ca = a1 x 2^h + a0 and cb = b1 x 2^h + b0, it is a1 b1 x 2^(d + 1) + (a1 b0 + a0
- * b1) x 2^h + a0 b0. */
+/* Returns the product. It is computed from halves of h = (d + 1) / 2 bits, of which the
+ * high halves are signed. For ca = a1 x 2^h + a0 and cb = b1 x 2^h + b0, it is a1 b1 x
+ * 2^(d + 1) + (a1 b0 + a0 b1) x 2^h + a0 b0. */
 static wide product(c205_word a, c205_word b)
 {
     int32_t half = (DIGITS + 1) / 2;

@@ -226,8 +226,9 @@ LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
     return true;
 }
 
-/* first is the result if the zeros are the first operand; second, if they are the
- * second. */
+/* Defines a function for blocks in which all words of one operand are machine zeros.
+ * first: the result if the zeros are the first operand. second: the result if they are
+ * the second operand. */
 #define ZEROS_BLOCK(name, first, second) \
     LANEWISE bool name BLOCK_PARAMETERS \
     { \
@@ -244,7 +245,8 @@ LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
         return true; \
     }
 
-/* Tries one function; the other is tried if it fails. */
+/* Defines a function that calls the block function `one`. If `one` returns false, it
+ * calls `other`. */
 #define EITHER_BLOCK(name, one, other) \
     LANEWISE bool name BLOCK_PARAMETERS \
     { \

@@ -74,7 +74,7 @@ uint64_t clock_issued(const struct clock *clock);
  * only after execution. */
 size_t clock_elements(const struct clock *clock, const struct decoded *decoded,
                       uint64_t until);
-/* clock_show shows the clock at a given time within that instruction.
+/* clock_show shows the clock at a given time within the next vector instruction.
  * clock_show_drained shows it when everything in flight is done. */
 void clock_show(struct clock *clock, const struct decoded *decoded, uint64_t until);
 void clock_show_drained(struct clock *clock);

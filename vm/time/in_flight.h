@@ -23,8 +23,8 @@ struct in_flight {
     uint64_t results_done, loads_done;
     uint64_t latest;                     /* maximum of all pending times */
     size_t registers, units, loads;      /* number of pending entries of each kind */
-    struct pending pending[MAX_PENDING]; /* in this order, each by index, loads from the
-                                            oldest */
+    struct pending pending[MAX_PENDING]; /* registers by index, then units by index,
+                                            then loads from the oldest */
     struct in_flight *chained;           /* next state with the same hash */
 };
 

@@ -34,8 +34,9 @@ struct c205_model {
 };
 
 bool model_find_rule(const c205_model *model, const char *name, size_t *index);
-/* Check a value: that it is an integer if its kind is WHOLE, and that it is in range.
- * The message contains its text. They return false with the message in *error. */
+/* model_check_whole checks that the value of a constant is an integer if the rule has
+ * the kind WHOLE. model_check_range checks that the value is in the range of the rule.
+ * Otherwise they set an error that contains the text of the value, and return false. */
 bool model_check_whole(const struct rule *rule, const char *text, uint64_t millionths,
                        c205_error *error);
 bool model_check_range(const struct rule *rule, const char *text, uint64_t millionths,

@@ -18,7 +18,8 @@ struct named_pages {
     uint64_t page[MAX_NAMED];
 };
 
-/* Sets *named for pages of 2^shift bits. Returns false if the pages are too far
+/* Finds the pages of the elements of a table whose indices are in the list. An element
+ * has 2^places bits, a page 2^shift bits. Returns false if the pages are too far
  * apart. */
 bool named_pages_find(struct named_pages *named, const struct index_list *list,
                       uint64_t table, unsigned places, unsigned shift);

@@ -28,8 +28,9 @@ void projection_charge(c205_projection *projection, const struct decoded *decode
                        const struct effect *effect);
 
 /* Returns the number of vector instructions in a region. The clocks of the region are
- * meaningless unless it is 0. */
+ * meaningless unless this number is 0. */
 uint64_t projection_strangers(const c205_projection *projection, size_t region);
+/* Returns false, with the error, if the host ran out of memory. */
 bool projection_complete(const c205_projection *projection, c205_error *error);
 
 #endif

@@ -66,7 +66,8 @@
  *   name, model, warm, diagnostics
  *   symbols       name, label (false for a constant), value (or hex, the bits of a
  *                 word), contents ("", "code", "words", "half words", "bits", "bytes"),
- *   count lines         the lines of the text that have code
+ *                 count
+ *   lines         the lines of the text that have code
  *
  * ---- breaks: replaces the breakpoints at lines
  *

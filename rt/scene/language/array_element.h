@@ -7,7 +7,7 @@
 /* Reads the indices after the name of an array, which is the current token. Afterwards
  * the token refers to the element, and its value is looked up. */
 bool element_read(struct reader *reader);
-/* Like element_read, for an element that may not be set. */
+/* Like element_read, but the element need not have a value. */
 bool element_read_place(struct reader *reader);
 /* Reads the value of an array. The current token is the keyword `array`. */
 bool array_read(struct reader *reader, struct scene_value *value);

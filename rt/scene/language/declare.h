@@ -13,7 +13,7 @@ struct target {
     bool is_element, local;
     size_t level; /* level of the frame that contains the directive */
 };
-/* Reads a target, and leaves its last token with reader_step. */
+/* Reads a target, and passes its last token by reader_step. */
 bool target_read(struct reader *reader, struct target *target);
 /* Assigns a value. As in POV-Ray, #declare changes the innermost symbol with the name,
  * and #local changes the symbol at its own level. Takes ownership of the value even

@@ -4,8 +4,8 @@
 
 #include "rt/scene/language/scene_block.h"
 
-/* Executes the directive of the current token, which is a TOKEN_DIRECTIVE. Leaves its
- * last token with reader_step. */
+/* Executes the directive of the current token, which is a TOKEN_DIRECTIVE. Passes the
+ * last token of the directive by reader_step. */
 bool directive_read(struct reader *reader);
 
 /* #fopen, #read, #write, #fclose and #macro. */

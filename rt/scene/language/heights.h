@@ -12,9 +12,9 @@ struct heights {
     uint16_t *list; /* allocated by malloc; starts with the lowest row */
 };
 
-/* Reads the heights of an image or a function. The name of an image may follow a
- * keyword for its kind; a function follows the keyword `function`. The caller frees the
- * list, even after an error. */
+/* Reads the heights of an image or a function. A keyword for the kind of an image may
+ * precede the name of the image. The keyword `function` precedes a function. The caller
+ * frees the list, even after an error. */
 bool heights_read(struct reader *reader, struct heights *heights);
 double height_at(const struct heights *heights, size_t x, size_t z);
 

@@ -121,13 +121,14 @@ struct reader {
 void reader_next(struct reader *reader);
 
 /* These functions advance within a directive. The effect of a directive decides which
- * text follows it, so its last token is left with reader_step. reader_step reads the
- * next token without interpreting it: the token may be a directive, the name of a macro
- * or the end of a frame. reader_resolve then executes directives and calls macros, up
- * to the token that reader_next would return. */
+ * text follows it. Its last token must therefore be passed by reader_step, which reads
+ * the next token without interpreting it. The next token may be a directive, the name
+ * of a macro or the end of a frame. reader_resolve then executes directives and calls
+ * macros, up to the token that reader_next would return. */
 void reader_step(struct reader *reader);
 void reader_resolve(struct reader *reader);
-/* Leaves the last token of a value. If a directive ends there, this is reader_step. */
+/* Advances past the last token of a value. Calls reader_step and, unless a directive
+ * ends with this token (reader_hold), reader_resolve. */
 void reader_pass(struct reader *reader);
 /* Returns the token after the current token in the frame, without consuming it. */
 struct scene_token reader_peek(struct reader *reader);
@@ -141,16 +142,17 @@ void reader_jump(struct reader *reader, const struct text_place *place);
  * directives. */
 void reader_close_frames(struct reader *reader, size_t depth);
 enum { HOLD_NONE = -1 };
-/* Marks that the following values end the current directive. Returns the state for
- * reader_release. */
+/* Marks that a value ends the current directive unless it is within further braces.
+ * Returns the previous state for reader_release. */
 size_t reader_hold(struct reader *reader);
-/* Marks that the following values are within the directive. */
+/* Marks that no value ends the current directive. Returns the previous state for
+ * reader_release. */
 size_t reader_nest(struct reader *reader);
 void reader_release(struct reader *reader, size_t hold);
 /* Stops reading. Returns false. */
 bool reader_stop(struct reader *reader);
-/* Adds bytes to the cost of reading. If the limit is exceeded, reading stops and the
- * result is false. */
+/* Adds bytes to the cost of reading. If the cost exceeds its limit, stops reading and
+ * returns false. */
 bool reader_spend(struct reader *reader, size_t bytes);
 
 #if defined __GNUC__

@@ -35,7 +35,7 @@ bool mesh_keep_triangle(struct reader *reader, struct triangles *triangles,
                         size_t *capacity, const struct triangle *triangle,
                         const struct scene_token *at);
 /* Adds a mesh of these triangles to the object. If no triangle has an area, the mesh is
- * ignored for this reason. */
+ * ignored, and `reason` is reported. */
 bool mesh_object_add(struct reader *reader, struct scene_object *object,
                      const struct triangles *triangles, const struct scene_token *at,
                      const char *reason);

@@ -75,7 +75,8 @@ bool object_add_light(struct scene_object *object, const struct light *light);
 bool object_add(struct scene_object *object, const struct scene_object *child);
 /* Adds one solid of a child, or its complement, as the object's `joining` requires. */
 bool object_add_child(struct scene_object *object, struct scene_object *child);
-/* Returns the union of the rays to which a part is invisible. */
+/* Returns the rays to which the object or at least one of its visible parts is
+ * invisible. */
 unsigned object_hidden_from(const struct scene_object *object);
 /* Makes all parts except clipping parts visible to all rays. */
 void object_show(struct scene_object *object);

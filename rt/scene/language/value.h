@@ -137,8 +137,8 @@ const char *value_copy(struct scene_value *copy, const struct scene_value *value
 /* Functions that return text return the reason of a failure, or NULL. */
 extern const char no_memory[];
 
-/* Returns NULL if all arrays together have more than MAX_CELLS cells, or if out of
- * memory. */
+/* Returns an array without values. Returns NULL if all arrays together would have more
+ * than MAX_CELLS cells, or if out of memory. */
 struct array *array_new(size_t dimensions, const size_t *sizes, size_t *cells);
 const char *array_copy(struct array **copy, const struct array *array);
 void array_free(struct array *array);

@@ -52,11 +52,13 @@ struct fit_outcome {
 /* Prepares the fit. On failure sets the error and returns false. */
 bool fit_begin(struct fit *fit, c205_error *error);
 
-/* Computes the fit, starting at the given places. */
+/* Computes the fit, starting at the given places. On failure sets the error and returns
+ * false. */
 bool fit_solve(const struct fit *fit, const struct fit_change *change,
                const double *places, struct fit_outcome *outcome, c205_error *error);
 
-/* Predicts the observations for constants at these places. */
+/* Predicts the observations for constants at these places. On failure sets the error
+ * and returns false. */
 bool fit_predict(const struct fit *fit, const double *places,
                  double predicted[MAX_FIT_OBSERVATIONS], c205_error *error);
 

@@ -56,9 +56,9 @@ double study_known_of(const struct study *study, size_t constant);
 size_t study_row(const struct study *study, const struct speedup_subject *subject,
                  enum trace_mode mode, const char *machine);
 
-/* Returns the predicted speedup of the vector form over the scalar form. The scalar
- * form may be on the other machine. Also sets the value of Table 1. NaN: there is
- * none. */
+/* Returns the predicted speedup of the vector form over the scalar form. other: the
+ * scalar form is on the CYBER 720. Returns NaN if the observations lack one of the two
+ * forms. Sets *reported to the speedup in Table 1. */
 double study_speedup(const struct study *study, const double *predicted,
                      const struct speedup_subject *subject, bool other,
                      double *reported);
