@@ -33,13 +33,13 @@ divide.constants:
         \form\()_absolute f_1, f_9
         \form\()_truncate f_8, f_5
         \form\()_truncate f_9, f_6
-        \form\()_pack_all divide_zero, f_5, f_5         ; integers, also where it is machine zero
-        \form\()_pack_all divide_zero, f_6, f_6
+        \form\()_pack_exponent divide_zero, f_5, f_5    ; integers, also where it is machine zero
+        \form\()_pack_exponent divide_zero, f_6, f_6
         \form\()_normal f_5, f_2
         \form\()_normal f_6, f_3
         \form\()_quotient f_2, f_3, f_4
         \form\()_truncate f_4, f_4
-        \form\()_pack_all divide_zero, f_4, f_4         ; q
+        \form\()_pack_exponent divide_zero, f_4, f_4    ; q
         \form\()_low_product f_4, f_6, f_6
         \form\()_minus_index f_5, f_6, \s
         \form\()_if_below_number f_0, r0, divide_rest\@

@@ -42,7 +42,7 @@ log.polynomial:
         \form\()_normal \x, f_0
         \form\()_exponent f_0, f_1
         \form\()_raise_index f_1, log_47, f_1           ; k
-        \form\()_pack_all log_minus_47, f_0, f_2        ; f, from 1/2 to 1
+        \form\()_pack_exponent log_minus_47, f_0, f_2   ; f, from 1/2 to 1
         \form\()_if_below_number f_2, log_root_half, log_low\@
         \form\()_then_plus f_2, f_2, f_2
         \form\()_then_raise_index f_1, log_minus_1, f_1

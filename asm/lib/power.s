@@ -86,18 +86,18 @@ power.low:
         \form\()_absolute f_8, f_2
         \form\()_exponent f_2, f_1
         \form\()_raise_index f_1, power_46, f_1         ; k
-        \form\()_pack_all power_minus_46, f_2, f_2
+        \form\()_pack_exponent power_minus_46, f_2, f_2
         \form\()_if_below_number f_2, power_one, power_zero\@
         \form\()_then_set power_one, f_2
         \form\()_end_if power_zero\@                   ; f, and 1 where x is 0
         \form\()_line f_2, power_32, power_start, f_3
         \form\()_floor f_3, f_3                         ; j
         EX      power_table, power.factors
-        \form\()_pick f_3, power_table, f_4
+        \form\()_gather f_3, power_table, f_4
         EX      power_table, power.high
-        \form\()_pick f_3, power_table, f_5
+        \form\()_gather f_3, power_table, f_5
         EX      power_table, power.low
-        \form\()_pick f_3, power_table, f_6
+        \form\()_gather f_3, power_table, f_6
         \form\()_upper_product f_2, f_4, f_7
         \form\()_low_product f_2, f_4, f_4
         \form\()_raise f_7, power_minus_one, f_7

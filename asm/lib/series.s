@@ -59,7 +59,7 @@
         \form\()plus  \sum, \r, \sum
         \form\()raise \sum, exp_one, \sum            ; e^r
         \form\()exponent \sum, \work
-        \form\()add_index \work, \k, \work
+        \form\()plus_index \work, \k, \work
         \form\()pack_each \work, \sum, \work
         \form\()normal \work, \result
         .endm
@@ -86,9 +86,9 @@
         .macro  sine_polynomials form=, square, sum, fourth, odd, other, other_sum, other_fourth, other_odd
         \form\()times \square, \square, \fourth
         \form\()times \other, \other, \other_fourth
-        \form\()line_four \fourth, sine_6, sine_4, \sum, sine_5, sine_3, \odd, \other_fourth, \other_sum, \other_odd
-        \form\()step_four \fourth, \sum, sine_2, \odd, sine_1, \other_fourth, \other_sum, \other_odd
-        \form\()step_both \fourth, \sum, \other_fourth, \other_sum, sine_0
+        \form\()line_four \fourth, \other_fourth, sine_6, sine_4, sine_5, sine_3, \sum, \odd, \other_sum, \other_odd
+        \form\()step_four \fourth, \other_fourth, sine_2, sine_1, \sum, \odd, \other_sum, \other_odd
+        \form\()step_two \fourth, sine_0, \sum, \other_fourth, sine_0, \other_sum
         \form\()times \odd, \square, \odd
         \form\()times \other_odd, \other, \other_odd
         \form\()plus  \sum, \odd, \sum

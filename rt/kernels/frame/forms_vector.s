@@ -53,7 +53,7 @@ generate:
         load_word scene_first_pixel, s0
         ADDX    s0, position, s0
         number_rays s0, g_column
-        floor_over g_column, width, g_row
+        over_floor_normal g_column, width, g_row
         scale   g_row, width, g_u
         minus   g_column, g_u, g_column
 generate_directions:

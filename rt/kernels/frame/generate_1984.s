@@ -48,8 +48,8 @@ generate:
         load_at queue_order, 1, tile_places
         IBXNE   tile_places, r0, r0, generate_tiles
         ADDN    first_pixel, r0, column
-        floor_over column, width, row
-        minus_scaled row, width, column, column
+        over_floor_normal column, width, row
+        minus_scaled column, row, width, column
 generate_next:
         EX      loop_at, pixel
         .if     ADAPTIVE

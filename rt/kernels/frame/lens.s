@@ -26,19 +26,19 @@ scene_focus:    .word 1.0               ; F
 
 ; Computes the position of samples within their pixel, across or down.
         .macro  within_pixel position, into
-        floor_over \position, g_across, \into
+        over_floor_normal \position, g_across, \into
         scale   \into, g_across, \into
         minus   \position, \into, \into
         .endm
 
         .macro  through_lens location, o, d
-        pick    g_place, g_table, g_t
+        gather  g_place, g_table, g_t
         .if     ORTHOGRAPHIC
         plus    \o, g_t, \o
         .else
         raise   g_t, \location, \o
         .endif
-        minus_scaled g_t, g_focus, \d, \d
+        minus_scaled \d, g_t, g_focus, \d
         .endm
 
         .macro  lens_rays

@@ -36,8 +36,8 @@ tiles_strip:
         ADDN    strip_at, r0, column
         ADDN    strip_height, r0, loop_work
         ADDN    column, r0, row
-        floor_over column, loop_work, column
-        minus_scaled column, loop_work, row, row
+        over_floor_normal column, loop_work, column
+        minus_scaled row, column, loop_work, row
         FLR     row, tile_place
         FLR     column, loop_work
         ADDN    row, tile_row, row

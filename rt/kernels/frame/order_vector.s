@@ -101,7 +101,7 @@ tile_some:
         ADDN    strip_height, r0, s8
         INTVLV  strip_at, one_index, [s7]
         ADDNV   [s7], r0, [s7]
-        floor_over s7, s8, s5
+        over_floor_normal s7, s8, s5
         scale   s5, s8, s6
         minus   s7, s6, s6
         ADDN    strip_row, r0, s8

@@ -18,8 +18,8 @@
 
 ; whole = floor(number / by), rest = the remainder. Writes whole first.
         .macro  divide_place number, by, whole, rest
-        floor_over \number, \by, \whole
-        minus_scaled \whole, \by, \number, \rest
+        over_floor_normal \number, \by, \whole
+        minus_scaled \number, \whole, \by, \rest
         .endm
 
 ; Computes the position of the sample ray with the number k, normalised; width =
@@ -29,7 +29,7 @@
         divide_place \k, place_squared, place_whole, place_sample
         floor   place_whole, place_whole
         load_word fine_list, place_list
-        pick    place_whole, place_list, \column
+        gather  place_whole, place_list, \column
         normal  \column, \column
         divide_place \column, \width, \row, \column
         load_word scene_band, place_row

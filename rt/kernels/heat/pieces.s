@@ -12,7 +12,7 @@
 ; variables with general distributions" (1977).
 
         .macro  piece_word into
-        pick    temp1, piece_at, \into
+        gather  temp1, piece_at, \into
         ADDX    piece_at, piece_stride, piece_at
         .endm
 

@@ -57,8 +57,8 @@ spots_weight:   .word 0.0               ; an area
         fetch   spot_distance, distance
         plane   result_ray, ray
         plane   result_spot, spot
-        pick    line, spot_direction, ray
-        pick    line, spot_origin, origin
+        gather  line, spot_direction, ray
+        gather  line, spot_origin, origin
         times   distance, ray, spot
         plus    origin, spot, spot
         store   ray, result_ray

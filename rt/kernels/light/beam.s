@@ -66,9 +66,9 @@
 beam_rays\@:
         dot_numbers lx, ly, lz, beam_x, beam_y, beam_z, light_distance, t1
         IBXEQ   beam_kind, r0, r0, beam_axis\@
-        minus_scaled light_distance, beam_x, lx, lx
-        minus_scaled light_distance, beam_y, ly, ly
-        minus_scaled light_distance, beam_z, lz, lz
+        minus_scaled lx, light_distance, beam_x, lx
+        minus_scaled ly, light_distance, beam_y, ly
+        minus_scaled lz, light_distance, beam_z, lz
         dot_product lx, ly, lz, lx, ly, lz, beam_off, t1
         root    beam_off, beam_off
 beam_axis\@:
@@ -86,16 +86,16 @@ beam_direction\@:
         dot_numbers lx, ly, lz, beam_x, beam_y, beam_z, beam_q, t1
         BIM     attenuation_edge\@
 attenuation_cylinder\@:
-        from_scaled beam_off, beam_narrow, m_one, beam_q
+        from_scaled m_one, beam_off, beam_narrow, beam_q
         darken_far_side \none
 attenuation_edge\@:
         darken_unless_above_0 beam_q, \none
-        scaled_lower beam_q, beam_low, beam_steep, t1
+        lowered_scale beam_q, beam_low, beam_steep, t1
         not_below_number m_zero, t1
         not_above_number m_one, t1
         times   t1, t1, attenuation
         ADDN    m_one, m_two, beam_three
-        from_scaled t1, m_two, beam_three, t1
+        from_scaled beam_three, t1, m_two, t1
         times   t1, attenuation, attenuation
         CFPEQ   beam_tightness, r0, attenuation_fading\@
         copy_lit beam_q, p_x

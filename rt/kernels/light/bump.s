@@ -237,7 +237,7 @@ find_height:
         bump_word BUMP_HEIGHTS, height_at
         IBXEQ   height_at, r0, r0, height_found
         each_height height_next, height_last
-        scaled_lower y_0, height_from, height_slope, t1
+        lowered_scale y_0, height_from, height_slope, t1
         line    t1, height_3, height_2, t2
         times   t2, t1, t2
         raised_times t2, height_1, t1, t2

@@ -252,7 +252,7 @@ bumped_seek\@:
         BIM     bumped_seek\@
 bumped_between\@:
         bump_words BUMP_FROM, 4, bump_from
-        scaled_lower bump_value, bump_low, bump_rise, bump_share
+        lowered_scale bump_value, bump_low, bump_rise, bump_share
         not_below_number m_zero, bump_share
         not_above_number m_one, bump_share
         call_bump

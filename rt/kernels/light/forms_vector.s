@@ -307,7 +307,7 @@ bumped_entry:
         CFPGE   bump_to, big, bumped_next       ; the last entry
 bumped_lower:
         CMPGEV  [bump_value], bump_to, [hits2]
-        scaled_lower bump_value, bump_low, bump_rise, v0
+        lowered_scale bump_value, bump_low, bump_rise, v0
         not_below_number m_zero, v0
         not_above_number m_one, v0
         VTOV    [v0], [ndotl]

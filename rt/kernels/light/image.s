@@ -84,7 +84,7 @@
 ; Adds the pixel of column and row, times its weight.
         .macro  add_corner weigh, column, row
         \weigh
-        add_index \row, \column, texel
+        plus_index \row, \column, texel
         add_pixel
         .endm
 
@@ -110,8 +110,8 @@ neighbours_repeated\@:
         if_equal_number image_work, r0, neighbours_found\@
         then_set edge_before, \before
         end_if  neighbours_found\@
-        low_scale \at, \words, \at
-        low_scale \before, \words, \before
+        low_product_number \at, \words, \at
+        low_product_number \before, \words, \before
         .endm
 
 ; Sums the four pixels; q_x, q_y become p, q.
@@ -175,9 +175,9 @@ image_place:
 image_nearest:
         floor   q_x, y_0
         floor   q_y, y_1
-        low_scale y_0, pixel_words, y_0
-        low_scale y_1, row_words, y_1
-        add_index y_1, y_0, texel
+        low_product_number y_0, pixel_words, y_0
+        low_product_number y_1, row_words, y_1
+        plus_index y_1, y_0, texel
         load_pixel
         BIM     0, colour_link
 

@@ -92,7 +92,7 @@ towards_direction\@:
         add_highlight f_phong, \light_r, \light_g, \light_b
 shine_no_phong\@:
         CFPGE   r0, f_specular, shine_end\@
-        from_scaled ddotl, m_two, m_two, t1
+        from_scaled m_two, ddotl, m_two, t1
         minus   ndotl, facing, t0
         root_lit t1
         quotient t0, t1, p_x

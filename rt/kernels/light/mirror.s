@@ -41,7 +41,7 @@ mirror_fresnel:
         times   g_less, g_less, g_less
         raised_times g_less, m_one, g_p, p_x
         scale   p_x, m_half, p_x
-        unless_less_number p_x, m_one, mirror_partial   ; also if indefinite
+        unless_below_number p_x, m_one, mirror_partial  ; also if indefinite
         otherwise_set m_one, p_x
         end_if  mirror_partial
         copy    p_x, g_share

@@ -88,7 +88,7 @@ find_value:
         scale   y_0, unwrap, y_1
         truncate y_1, y_1
         normal  y_1, y_1
-        minus_scaled y_1, wrap, y_0, y_0
+        minus_scaled y_0, y_1, wrap, y_0
 pattern_wave:
         floor   y_0, y_1
         normal  y_1, y_1
@@ -109,7 +109,7 @@ wave_triangle:
         return_wave
 wave_sine:
         sine_of_turn
-        scaled_raise y_0, m_one, m_half, y_0
+        raised_scale y_0, m_one, m_half, y_0
         return_wave
 wave_scallop:
         scale   y_0, m_half, y_0
@@ -118,7 +118,7 @@ wave_scallop:
         return_wave
 wave_cubic:
         times   y_0, y_0, y_1
-        from_scaled y_0, m_two, three, y_0
+        from_scaled three, y_0, m_two, y_0
         times   y_0, y_1, y_0
         return_wave
 wave_poly:
@@ -130,7 +130,7 @@ find_sine:
         line    y_0, m_two, m_half, y_1
         floor   y_1, y_1                        ; half turns
         normal  y_1, y_2
-        minus_scaled y_2, m_half, y_0, y_2
+        minus_scaled y_0, y_2, m_half, y_2
         scale   y_2, turn, y_2                  ; r
         times   y_2, y_2, y_3
         sine_polynomial , y_3, y_0
@@ -185,7 +185,7 @@ pattern_leopard:
         plus    y_0, q_x, q_x
         scale   q_z, per_turn, y_0
         sine_of_turn
-        scaled_sum y_0, q_x, third_part, y_0
+        sum_scale y_0, q_x, third_part, y_0
         times   y_0, y_0, y_0
         BIM     0, inner_link
 
@@ -284,7 +284,7 @@ brick_found:
 pattern_hexagon:
         scale   q_x, two_thirds, q_x            ; k
         scale   q_z, per_root3, q_z
-        minus_scaled q_x, m_half, q_z, q_z      ; a
+        minus_scaled q_z, q_x, m_half, q_z      ; a
         plus    q_x, q_z, q_y
         nearest_whole q_x, y_0, y_2
         nearest_whole q_z, y_1, y_3
@@ -303,7 +303,7 @@ pattern_hexagon:
         raise   y_1, m_checker_shift, y_1
         floor   y_1, y_1
         normal  y_1, y_1
-        minus_scaled y_1, three, y_0, y_0
+        minus_scaled y_0, y_1, three, y_0
         scale   y_0, m_half, y_0
         BIM     0, inner_link
 
@@ -317,8 +317,8 @@ pattern_checker:
         cell_floor q_x, y_1
         cell_floor q_y, y_2
         cell_floor q_z, y_3
-        add_index y_1, y_2, y_1
-        add_index y_1, y_3, y_1
+        plus_index y_1, y_2, y_1
+        plus_index y_1, y_3, y_1
         default m_zero, y_0
         if_bit  y_1, m_index_one, checker_even
         then_set_or m_one, m_zero, y_0

@@ -20,7 +20,7 @@ power:
         exponent p_x, p_k
         raise_index p_k, p_47, p_k
         normal  p_k, p_k                        ; k
-        pack_all p_minus_47, p_x, p_x           ; f
+        pack_exponent p_minus_47, p_x, p_x      ; f
         lower   p_x, p_root_half, p_s
         raise   p_x, p_root_half, p_x
         quotient p_s, p_x, p_s                  ; s
@@ -29,13 +29,13 @@ power:
         step    p_square, m_two, p_x
         times   p_x, p_s, p_x
         scaled_plus p_x, p_per_ln2, p_k, p_x
-        scaled_lower p_x, m_half, exponent, p_x ; z
+        lowered_scale p_x, m_half, exponent, p_x ; z
 two_to:
         not_below_number p_floor, p_x
         raise   p_x, m_half, p_k
         floor   p_k, p_k                        ; n
         normal  p_k, p_s
-        scaled_difference p_x, p_s, p_ln2, p_s
+        difference_scale p_x, p_s, p_ln2, p_s
         exp_of_rest , p_s, p_k, p_x, p_square, p_x
         BIM     0, power_link
         .endkernel

@@ -164,8 +164,8 @@ columns:
 columns_next:
         crossed_next columns_fold
         moments_begin
-        pick    col_ray, col_places, col_p
-        pick    col_ray, col_q_at, col_q
+        gather  col_ray, col_places, col_p
+        gather  col_ray, col_q_at, col_q
         find_weight col_object_depth, columns_within
         find_moments
         add_to_part

@@ -155,7 +155,7 @@ rays:
         ray_units
         plane   ray_x0_at, ray_x0
         plane   ray_x1_at, ray_x1
-        scaled_lower_two ray_y0, ray_half, ray_width_p, ray_y0, ray_y1, ray_half, ray_width_q, ray_y1
+        lowered_scale_two ray_y0, ray_half, ray_width_p, ray_y0, ray_y1, ray_half, ray_width_q, ray_y1
         raise   ray_y0, ray_middle_p, ray_x0
         raise   ray_y1, ray_middle_q, ray_x1
         store   ray_y0, ray_results

@@ -116,7 +116,7 @@ clear_less\@:
 
         .macro  find_refused
         CFPLT   most_above, largest, roots_refused
-        plus_absolute k, largest, t0
+        absolute_plus k, largest, t0
         CFPLT   most_exponent, t0, roots_refused
         .endm
 
@@ -309,7 +309,7 @@ scale_moved:
 
         .macro  find_refused
         CMPLTV  most_above, [largest], [refused]
-        plus_absolute k, largest, t0
+        absolute_plus k, largest, t0
         CMPLTV  most_exponent, [t0], [bits0]
         ORB     [refused], [bits0], [refused]
         ANDB    [refused], [present0], [refused]

@@ -65,7 +65,7 @@ scale_coefficient\@:
         find_top d3, present3, e3, three
         find_top d4, present4, e4, four
         minus   e0, top, t0
-        floor_quotient t0, degree, t0
+        quotient_floor t0, degree, t0
         normal  t0, k
         times   k, degree, t0
         plus    top, t0, top
@@ -85,13 +85,13 @@ scale_coefficient\@:
         scale_coefficient 3
         scale_coefficient 4
         word_exponent k
-        pack_number t0, unit, size
+        pack_coefficient t0, unit, size
         raise   largest, two, t1
         word_exponent t1
-        pack_number t0, unit, far
+        pack_coefficient t0, unit, far
         negate  t1, t1
         word_exponent t1
-        pack_number t0, unit, near
+        pack_coefficient t0, unit, near
 
         begin_bound scale_bounded       ; the bound's exponent minus k, clamped
         exponent bound, t1

@@ -21,15 +21,15 @@
         ray_plus e4, e4, e4                     ; b
         ray_raise e5, sh1, e5                   ; c
         ray_times e3, e3, k4
-        ray_twice_times e3, e4, k3
-        ray_twice_times e3, e5, k2
+        ray_product_double e3, e4, k3
+        ray_product_double e3, e5, k2
         ray_times e4, e4, e6
-        ray_twice_times e4, e5, k1
+        ray_product_double e4, e5, k1
         ray_plus e6, k2, k2
-        ray_minus_scaled e1, sh7, k1, k1
+        ray_minus_scaled k1, e1, sh7, k1
         ray_times e5, e5, k0
-        ray_minus_scaled e0, sh2, k2, k2
-        ray_minus_scaled e2, sh2, k0, k0
+        ray_minus_scaled k2, e0, sh2, k2
+        ray_minus_scaled k0, e2, sh2, k0
         .endm
 
         .kernel torus

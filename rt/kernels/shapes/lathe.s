@@ -105,7 +105,7 @@
         .macro  heights_within miss
         SUBN    r0, sh2, number
         unless_zero level_square, bits1, heights_all\@
-        ray_scaled_less level_square, sh1, gap, t0
+        ray_scaled_minus level_square, sh1, gap, t0
         keep_real t0, bits0, \miss
         ray_root t0, t0
         quotient_outside bits1, dy, level_square, t1
@@ -173,7 +173,7 @@ heights_known\@:
 ; Computes the coefficients of the segment's cone, and t0 = E.
         .macro  intersect_cone
         ray_scale dy, line_ny, line_f
-        ray_from_scaled lane_oy, line_ny, line_k, line_e
+        ray_from_scaled line_k, lane_oy, line_ny, line_e
         ray_times line_f, lane_ox, t2
         ray_times line_f, lane_oz, t3
         ray_times line_f, line_f, t4
@@ -184,12 +184,12 @@ heights_known\@:
         ray_plus t3, t1, t1
         ray_times line_e, line_e, t3
         ray_times t0, t0, t0
-        ray_scaled_less level_square, line_nr2, t4, cone_a
+        ray_scaled_minus level_square, line_nr2, t4, cone_a
         ray_times t1, t1, t1
         ray_scaled_plus level_way, line_nr2, t2, cone_b
         ray_plus t1, t0, t0
-        ray_scaled_less from_axis, line_nr2, t3, cone_c
-        ray_minus_scaled gap, line_nr2, t0, t0
+        ray_scaled_minus from_axis, line_nr2, t3, cone_c
+        ray_minus_scaled t0, gap, line_nr2, t0
         .endm
 
 ; Keeps the rays of twice that cross the segment itself.  Branches to missed if
@@ -200,7 +200,7 @@ heights_known\@:
         keep_number_less r0, cone_a, twice, \missed
         skip_empty twice, twice_kept\@
         ray_times cone_b, dy, t1
-        ray_from_times_two row_low, row_high, lane_oy, cone_a, t2, t3
+        ray_from_times_two row_low, lane_oy, cone_a, t2, row_high, lane_oy, cone_a, t3
         opposite t1
         keep_opposite_not_less t1, t2, twice, \missed
         keep_opposite_less t1, t3, twice, \missed
@@ -218,7 +218,7 @@ twice_kept\@:
         ray_then_set one, t1
         ray_end_if once_divided\@
         ray_quotient crossed_at, t1, crossed_at
-        ray_from_times_two row_low, row_high, lane_oy, per_rise, t1, t2
+        ray_from_times_two row_low, lane_oy, per_rise, t1, row_high, lane_oy, per_rise, t2
         either_two_if_negative dy, falling, t2, t1, t3, t1, t2, t4
         ray_not_below t3, crossed_at
         ray_not_above t4, crossed_at
@@ -249,7 +249,7 @@ segment\@:
         intersect_cone
         keep_twice segment_passed\@
         ray_not_below_number r0, t0
-        ray_scaled_root t0, line_nr, t0
+        ray_root_scale t0, line_nr, t0
         sum_away cone_b, t0, cone_q, chosen
         if_any  once, segment_twice\@
         cross_once

@@ -12,7 +12,7 @@ normal_box:
         set     m_zero, nx
         set     m_zero, ny
         set     m_zero, nz
-        lower_absolute_three t0, sh9, t3, t1, sh10, t4, t2, sh11, t5
+        absolute_lower_three t0, sh9, t3, t1, sh10, t4, t2, sh11, t5
         if_not_nearer t4, t3, normal_box_yz
         and_if_not_nearer t5, t3, normal_box_yz
         then_sign t0, m_one, m_minus_one, nx, t6

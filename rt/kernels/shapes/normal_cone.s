@@ -42,8 +42,8 @@
 normal_cone:
         cone_point
         line    t2, sh13, sh12, t3
-        scaled_difference t6, t3, sh15, t3
-        lower_absolute t2, sh14, t4
+        difference_scale t6, t3, sh15, t3
+        absolute_lower t2, sh14, t4
         if_not_nearer t4, t3, cone_disk
         cone_side_normal then_lower
         disk_otherwise cone_disk

@@ -48,8 +48,8 @@ normal_cylinder:
         times   t0, t0, t3
         times   t1, t1, t4
         plus    t4, t3, t3
-        scaled_lower t3, sh12, sh14, t3
-        lower_absolute t2, sh13, t4
+        lowered_scale t3, sh12, sh14, t3
+        absolute_lower t2, sh13, t4
         if_not_nearer t4, t3, cylinder_disk
         cylinder_side_normal then_scale
         disk_otherwise cylinder_disk

@@ -17,9 +17,9 @@
         lower   qy, sh1, t1
         lower   qz, sh2, t2
         dot_numbers t0, t1, t2, sh3, sh4, sh5, t3, t4
-        minus_scaled t3, sh3, t0, nx
-        minus_scaled t3, sh4, t1, ny
-        minus_scaled t3, sh5, t2, nz
+        minus_scaled t0, t3, sh3, nx
+        minus_scaled t1, t3, sh4, ny
+        minus_scaled t2, t3, sh5, nz
         .endm
 
         .macro  side_unit
@@ -83,7 +83,7 @@ normal_clipped_cylinder:
         dot_product nx, ny, nz, nx, ny, nz, t2, t3
         MPYS    sh6, sh6, sh6
         MPYS    sh15, m_half, spare
-        scaled_lower t2, sh6, spare, t2
+        lowered_scale t2, sh6, spare, t2
         side_unit
         from_plane sh7, sh8, sh9, sh10, t0
         from_plane sh11, sh12, sh13, sh14, t1

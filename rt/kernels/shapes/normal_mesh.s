@@ -4,7 +4,7 @@
         .macro  of_triangle word, into
         RTOR    table, spare
         IX      spare, 64 * (\word)
-        pick    point_s, spare, \into
+        gather  point_s, spare, \into
         .endm
 
         .macro  three_of_triangle word, x, y, z

@@ -14,7 +14,7 @@
         .macro  nearest_edge x, z, foot_x, foot_z, back_x, back_z, length, out_x, out_z, farther
         lower   \x, \foot_x, t1
         lower   \z, \foot_z, t2
-        scaled_sum_two t1, t2, \back_x, \back_z, t3, \out_x, \out_z, t4
+        scaled_plus_scaled_two t1, \back_x, t2, \back_z, t3, t1, \out_x, t2, \out_z, t4
         times   t4, t4, t4                      ; the square of across
         lower   t3, \length, t5
         if_number_less r0, t5, edge_begins\@

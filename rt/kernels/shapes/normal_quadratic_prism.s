@@ -26,7 +26,7 @@
         scaled_plus t2, share_z, t3, t3
         not_below_number m_zero, t3             ; w
         not_above_number m_one, t3
-        line_two t3, bow_x, path_x, t4, bow_z, path_z, t5
+        line_two t3, bow_x, path_x, t4, t3, bow_z, path_z, t5
         times   t4, t3, t6
         times   t5, t3, t7
         minus   t1, t6, t6

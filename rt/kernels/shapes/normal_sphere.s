@@ -4,6 +4,6 @@
 ; N = (X - C) / r.
 normal_sphere:
         load_shape 5
-        scaled_lower_three qx, sh0, nx, qy, sh1, ny, qz, sh2, nz, sh4
+        lowered_scale_three qx, sh0, sh4, nx, qy, sh1, sh4, ny, qz, sh2, sh4, nz
         leave_normal
         .endkernel

@@ -16,7 +16,7 @@
         ADDN    \xx, \xx, \xx
         ADDN    \yy, \yy, \yy
         ADDN    \zz, \zz, \zz
-        line_three \this, \xx, \x, \e0, \yy, \y, \e1, \zz, \z, \e2
+        line_three \this, \xx, \x, \e0, \this, \yy, \y, \e1, \this, \zz, \z, \e2
         scaled_plus_three \other, kx4, \e0, \e0, \other, ky4, \e1, \e1, \other, kz4, \e2, \e2
         .endm
 
@@ -35,7 +35,7 @@
         ADDN    \square, \square, \square
         line    \this, \square, \k, t6
         scaled_plus \other, sh7, t6, t6
-        lower_times_three qx, sh0, nx, qy, sh1, ny, qz, sh2, nz, t6
+        lowered_times_three qx, sh0, t6, nx, qy, sh1, t6, ny, qz, sh2, t6, nz
         minus   \e0, nx, \e0
         minus   \e1, ny, \e1
         minus   \e2, nz, \e2

@@ -72,13 +72,13 @@ curve\@:
         see_corner end_x, end_z, mark_side
         CFPNE   loop_begins, r0, curve_passed\@
         exclusive left, left_before, crossed
-        ray_scaled_difference_two path_dx, path_dz, bend_z, bend_x, side_bend, lead_z, lead_x, side_lead
+        ray_scaled_minus_scaled_two path_dx, bend_z, path_dz, bend_x, side_bend, path_dx, lead_z, path_dz, lead_x, side_lead
         find_turning side_bend, side_lead, left, crossed, bits1, curve_passed\@
         ray_times side_lead, side_lead, t0
         ray_times side_bend, side_before, t1
         ray_minus t0, t1, t0
         keep_positive t0, bits1, crossed, curve_passed\@
-        ray_scaled_sum_two path_dx, path_dz, bend_x, bend_z, along_bend, lead_x, lead_z, along_lead
+        ray_scaled_plus_scaled_two path_dx, bend_x, path_dz, bend_z, along_bend, path_dx, lead_x, path_dz, lead_z, along_lead
         ray_plus along_lead, along_lead, along_lead
         ray_not_below_number r0, t0
         ray_root t0, t0

@@ -57,7 +57,7 @@ term_none\@:
 ; z^2, z^3, z^4, each the previous power times o + d t.
         .macro  power_of_z
         ray_times t2, t2, z20
-        ray_twice_times t2, dz, z21
+        ray_product_double t2, dz, z21
         ray_times dz, dz, z22
         ray_times z20, t2, z30
         ray_times z20, dz, a0
