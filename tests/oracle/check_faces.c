@@ -141,8 +141,7 @@ static bool same_as_plain(const struct scene *scene, const struct trace *expecte
     }
     frame_free(&plain);
     snprintf(reason, MANY_REASON,
-             "the plain tracer sees something else at %zu pixels, %zu among "
-             "them",
+             "the plain tracer sees something else at %zu pixels, %zu among them",
              others, worst);
     return others <= PIXELS / 100;
 }

@@ -113,8 +113,7 @@ static bool same_factors(const struct heat *rays, const struct heat *lines, size
         if (differs(one->factor[to].value, error_of(one, to), other->factor[to].value,
                     error_of(other, to), 0)) {
             snprintf(reason, MANY_REASON,
-                     "from %s to %s: %.6g +- %.2g by rays, %.6g +- %.2g by "
-                     "lines",
+                     "from %s to %s: %.6g +- %.2g by rays, %.6g +- %.2g by lines",
                      one->name, heat_receiver(rays, to), one->factor[to].value,
                      error_of(one, to), other->factor[to].value, error_of(other, to));
             return false;

@@ -130,8 +130,7 @@ int main(int count, char **words)
     c205_error error;
     c205_model *model;
     if (count != 4 && count != 6) {
-        fputs("usage: check_sample SCENE.pov WIDTH HEIGHT "
-              "[SAMPLES THRESHOLD]\n",
+        fputs("usage: check_sample SCENE.pov WIDTH HEIGHT [SAMPLES THRESHOLD]\n",
               stderr);
         return 2;
     }

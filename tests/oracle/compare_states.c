@@ -161,9 +161,7 @@ static void compare_account(struct trial *trial, size_t region,
     const struct counts *counts = trial->clock.counts + region;
     for (int i = 0; i < C205_CAUSES; i++)
         if (account->clocks[i] != trial->clock.charged[region][i])
-            differ(trial,
-                   "clocks of %s in region %zu: machine %llu, "
-                   "reference %llu",
+            differ(trial, "clocks of %s in region %zu: machine %llu, reference %llu",
                    c205_cause_name((c205_cause)i), region,
                    (unsigned long long)account->clocks[i],
                    (unsigned long long)trial->clock.charged[region][i]);

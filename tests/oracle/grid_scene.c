@@ -311,8 +311,7 @@ static void put_on_ground(uint64_t state, struct grid *scene)
         return;
     for (size_t i = 0; i < scene->solid_count; i++)
         solid_words(scene->solids[i]->look,
-                    "pigment { rgbf <.9, %.2f, .8, .9> } "
-                    "interior { ior %.2f } ",
+                    "pigment { rgbf <.9, %.2f, .8, .9> } interior { ior %.2f } ",
                     between(&state, .5, 1), between(&state, 1, 1.6));
     struct solid *ground = solid_new(SHAPE, 0);
     if (below(&state, 2))

@@ -228,8 +228,7 @@ static void look_from_afar(const struct drawing *drawing)
     bool parallel = *state % 6 == 0; /* no other choice depends on this choice */
     solid_words(drawing->scene->view,
                 "%slocation <%.12g, %.12g, %.12g> "
-                "look_at <%.12g, %.12g, %.12g> "
-                "right x*%zu/%zu angle %.2f",
+                "look_at <%.12g, %.12g, %.12g> right x*%zu/%zu angle %.2f",
                 parallel ? "orthographic " : "",
                 place.at[0] + far * between(state, -1, 1),
                 place.at[1] + far * between(state, -.6, 1),
@@ -299,9 +298,7 @@ static void random_fog(uint64_t state, char *fog)
     double red = between(&state, 0, 1), green = between(&state, 0, 1);
     double filter = one_in(&state, 2) ? between(&state, 0, 1) : 0;
     double transmit = one_in(&state, 2) ? between(&state, 0, .5) : 0;
-    solid_words(fog,
-                "fog { distance %.3f color rgbft <%.2f, %.2f, .7, %.2f, "
-                "%.2f> }",
+    solid_words(fog, "fog { distance %.3f color rgbft <%.2f, %.2f, .7, %.2f, %.2f> }",
                 pow(10, between(&state, -1, 3)), red, green, filter, transmit);
 }
 
@@ -314,8 +311,7 @@ static void random_settings(const struct drawing *drawing)
     random_fog(*drawing->state, fog);
     scene->levels = 1 + (int)below(drawing->state, 5);
     solid_words(scene->settings,
-                "global_settings { assumed_gamma 1 max_trace_level %d %s} "
-                "%.200s",
+                "global_settings { assumed_gamma 1 max_trace_level %d %s} %.200s",
                 scene->levels, bailouts[below(drawing->state, 4)], fog);
 }
 

@@ -124,8 +124,7 @@ SHAPE_AT(random_prism)
 {
     uint64_t other = stream_beside(*state, 5, 1);
     solid_words(solid->shape,
-                "prism { %s, <-1, -1>, <1, -1>, <1, 1>, <%.12g, 0>, "
-                "<-1, -1> ",
+                "prism { %s, <-1, -1>, <1, -1>, <1, 1>, <%.12g, 0>, <-1, -1> ",
                 one_in(&other, 2) ? "quadratic_spline -.5, .5, 6, <0, .4>"
                                   : "-.5, .5, 5",
                 .1 * (double)below(state, 9) - .4);
@@ -253,16 +252,13 @@ void random_look(uint64_t *state, enum mood mood, char *look)
     const char *shadow = one_in(state, 5) ? hidden[below(state, 5)] : "";
     const char *finish = finishes[below(state, mood == DULL ? 4 : 6)];
     if (mood == CLEAR || (mood == MIXED && one_in(state, 4)))
-        solid_words(look,
-                    "pigment { rgbft <%.2f, %.2f, %.2f, %.2f, %.2f> } "
-                    "%s%s%s",
+        solid_words(look, "pigment { rgbft <%.2f, %.2f, %.2f, %.2f, %.2f> } %s%s%s",
                     red, green, blue, .3 * (double)below(state, 3),
                     .2 * (double)below(state, 3), inside[below(state, 4)], finish,
                     shadow);
     else if (one_in(state, 8))
         solid_words(look,
-                    "pigment { checker rgb <%.2f, %.2f, %.2f>, rgb .9 "
-                    "scale .37 } %s",
+                    "pigment { checker rgb <%.2f, %.2f, %.2f>, rgb .9 scale .37 } %s",
                     red, green, blue, shadow);
     else
         solid_words(look, "pigment { rgb <%.2f, %.2f, %.2f> } %s%s", red, green, blue,

@@ -308,8 +308,7 @@ bool same_as_plain_lines(const struct scene *scene, const struct scene_ray *list
             continue;
         others++;
         snprintf(reason, LINE_REASON,
-                 "the plain tracer sees something else along %zu lines, "
-                 "%zu among them",
+                 "the plain tracer sees something else along %zu lines, %zu among them",
                  others, i);
     }
     return others <= 1 + found->line_count / ROUNDED_EACH;

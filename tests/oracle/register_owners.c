@@ -351,9 +351,7 @@ void register_owners_print(const struct register_owners *owners,
         const struct asm_register *name = &program->registers[found->name];
         const struct asm_line *read = line_at(program, found->address);
         const struct asm_line *written = line_at(program, found->written);
-        sink_print(sink,
-                   "%s:%zu: r%u is read as '%s', but it is '%s' since"
-                   " %s:%zu\n",
+        sink_print(sink, "%s:%zu: r%u is read as '%s', but it is '%s' since %s:%zu\n",
                    read->file, read->number, whole_number(name), name->name,
                    found->owner == ANYONE ? "?" : program->registers[found->owner].name,
                    written->file, written->number);

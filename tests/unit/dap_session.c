@@ -124,8 +124,7 @@ uint64_t client_step(struct dap_client *client)
 const char *client_print(struct dap_client *client, const char *expression)
 {
     return the_text(client_ask(client, "evaluate",
-                               "{\"expression\": \"%s\", \"context\": "
-                               "\"watch\"}",
+                               "{\"expression\": \"%s\", \"context\": \"watch\"}",
                                expression),
                     "result");
 }

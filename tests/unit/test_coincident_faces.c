@@ -94,9 +94,8 @@ static const struct {
     { "difference { box { -1, 1 } plane { y, 0 } }", 0, 0 },
     { "difference { box { -1, 1 } plane { -y, 0 } }", 0, 0 },
     { "difference { box { -1, 1 } plane { y, -1e-9 } }", 1, 4 },
-    { "intersection { box { -1, 1 } "
-      "box { <-.5, 0, -2>, <.5, 2, .5> inverse } }",
-      2, 5.5 },
+    { "intersection { box { -1, 1 } box { <-.5, 0, -2>, <.5, 2, .5> inverse } }", 2,
+      5.5 },
     { "difference { box { <-9, 0, -1>, 9 } merge { sphere { 5*x, .2 } "
       "box { <-.5, -1, -2>, <.5, 0, .5> } } }",
       3, 5.5 },

@@ -200,7 +200,6 @@ TEST(refused)
             "A", "not a separate solid cylinder");
     refuses("#declare A = sphere { 0, 1 } object { A }", "A",
             "the scene has no cylinder to test");
-    refuses("#declare A = plane { y, 0 } object { A }"
-            " cylinder { 3*x, 4*x, 1 }",
-            "A", "a plane is infinite");
+    refuses("#declare A = plane { y, 0 } object { A } cylinder { 3*x, 4*x, 1 }", "A",
+            "a plane is infinite");
 }

@@ -42,8 +42,7 @@ static const struct request requests[] = {
     { "evaluate", "expression:text context:text frameId:whole" },
     { "setExpression", "expression:text value:text" },
     { "readMemory", "memoryReference:text offset:whole count:whole" },
-    { "writeMemory", "memoryReference:text offset:whole data:text "
-                     "allowPartial:truth" },
+    { "writeMemory", "memoryReference:text offset:whole data:text allowPartial:truth" },
     { "disassemble", "memoryReference:text offset:whole instructionOffset:whole "
                      "instructionCount:whole resolveSymbols:truth" },
 };
@@ -59,8 +58,7 @@ static const struct request sources[] = {
 
 /* Requests, with the members of their breakpoints. */
 static const struct request breakpoints[] = {
-    { "setBreakpoints", "line:whole condition:text hitCondition:text "
-                        "logMessage:text" },
+    { "setBreakpoints", "line:whole condition:text hitCondition:text logMessage:text" },
     { "setFunctionBreakpoints", "name:text condition:text" },
     { "setInstructionBreakpoints", "instructionReference:text offset:whole "
                                    "hitCondition:text" },

@@ -49,8 +49,7 @@ static void assert_exact(const struct global_lines *found)
 TEST(shell_and_discs)
 {
     SCOPED_VALUE(global_lines) found =
-        find("sphere { 0, .5 }"
-             " difference { sphere { 0, 1.1 } sphere { 0, 1 } }",
+        find("sphere { 0, .5 } difference { sphere { 0, 1.1 } sphere { 0, 1 } }",
              usual);
     assert_exact(&found);
     assert_estimate("ball", global_lines_area(&found, 0), acos(-1));

@@ -75,8 +75,7 @@ static const struct known_file known_files[] = {
       { 65280, 255, 0, 2580, 51300, 65535 } },
     { PNG_OF("\x08\x06\x00\x00\x00\x9dtf\x1a\x00\x00\x00%IDATx\x01\x01\x1a\x00"
              "\xe5\xff\x00\xff\x00\x00\x80\x00\xff\x00\x80\x00\x00\xff\x80\x00"
-             "\x0a\x14\x1e\xff\xc8\x64\x32\xff\xff\xff\xff\xff{n\x0c\x12\x97M"
-             "\xe1\xd7"),
+             "\x0a\x14\x1e\xff\xc8\x64\x32\xff\xff\xff\xff\xff{n\x0c\x12\x97M\xe1\xd7"),
       { 65280, 255, 0, 2580, 51300, 65535 } },
     { PNG_OF("\x08\x03\x00\x00\x00\xaa\xaa\x96(\x00\x00\x00\x12PLTE\xff\x00\x00"
              "\x00\xff\x00\x00\x00\xff\x0a\x14\x1e\xc8\x64\x32\xff\xff\xff>3\xf9"
@@ -91,8 +90,7 @@ static const struct known_file known_files[] = {
     /* The palette contains each colour twice; the second belongs to the image. */
     { FILE_OF("gif", "GIF89a\x03\0\x02\0\x72\0\0!\xfe\x02yo\0,\0\0\0\0\x03\0"
                      "\x02\0\x82"
-                     "aaaaaabbbbbbccccccdddddd"
-                     "\x03\x05\x08\x21\x38\x54\x09\0;"),
+                     "aaaaaabbbbbbccccccdddddd\x03\x05\x08\x21\x38\x54\x09\0;"),
       { 0, 256, 512, 768, 1024, 1280 } },
     { FILE_OF("bmp", "BM\x4e\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x03\0\0\0\x02\0\0"
                      "\0\x01\0\x18\0\0\0\0\0\x18\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"

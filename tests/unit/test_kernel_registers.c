@@ -285,8 +285,7 @@ TEST(nothing_is_saved_in_vain)
             const struct area *area = &saves.areas[i];
             for (unsigned k = 0; k < area->count; k++)
                 FAIL_IF(!area->changed[area->first + k],
-                        "the kernel that saves r%u to r%u at %llX does "
-                        "not use r%u",
+                        "the kernel that saves r%u to r%u at %llX does not use r%u",
                         area->first, area->first + area->count - 1,
                         (unsigned long long)area->address, area->first + k);
         }

@@ -130,8 +130,7 @@ static void check_words(const operation *op, const c205_word *a, const c205_word
     for (size_t i = 0; i < n; i++) {
         c205_word exact = apply_rule(op, a[i], b[i], &exact_flags);
         FAIL_IF(c[i] != exact,
-                "%s(%016llX, %016llX) = %016llX, not %016llX; "
-                "lane %zu of %zu",
+                "%s(%016llX, %016llX) = %016llX, not %016llX; lane %zu of %zu",
                 op->name, (unsigned long long)a[i], (unsigned long long)b[i],
                 (unsigned long long)c[i], (unsigned long long)exact, i, n);
     }

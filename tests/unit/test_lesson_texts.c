@@ -66,8 +66,7 @@ TEST(runs)
               "It printed more than 65536 characters, and was stopped.");
     check_run(trap, "        LOD     [r0], r1\n        EXIT\n", NULL);
     check_run(trap, five,
-              "Expected trap unmapped-address, found: ended at 400020 with status "
-              "0.");
+              "Expected trap unmapped-address, found: ended at 400020 with status 0.");
 }
 
 /* ---- Invalid lessons ------------------------------------------------------- */

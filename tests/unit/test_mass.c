@@ -183,8 +183,7 @@ TEST(points)
         double bias = tried.sum / sqrt(tried.square);
         square[points] = tried.square;
         FAIL_IF(fabs(bias) > 4 || tried.covered < .75 * SEEDS,
-                "points %d: a bias of %.1f standard errors, %.0f of %d "
-                "intervals hold",
+                "points %d: a bias of %.1f standard errors, %.0f of %d intervals hold",
                 points, bias, tried.covered, SEEDS);
     }
     assert_true(square[POINTS_LATTICE] < square[POINTS_RANDOM] / 4);

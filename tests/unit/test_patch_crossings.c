@@ -44,8 +44,7 @@ TEST(holes_in_solids)
     check_stages(CUT "intersection { " BENT WEIGHTS ABOUT "} " AWAY " }");
     check_stages(CUT "intersection { " AWAY " merge { box { -9, -8 } " BENT "} " ABOUT
                      "} }");
-    check_stages(CUT "difference { " BENT ABOUT "} " AWAY " sphere { 0, .6 }"
-                     " }");
+    check_stages(CUT "difference { " BENT ABOUT "} " AWAY " sphere { 0, .6 } }");
 }
 
 TEST(shadows_and_glass)

@@ -183,8 +183,7 @@ TEST(hidden)
         { "union { " A B " no_shadow }", "s s" },
         { "merge { sphere { 0, 1 no_shadow } " B " }", "- -" },
         { "merge { sphere { 0, 1 no_shadow } " B " no_shadow }", "s s" },
-        { "intersection { sphere { 0, 1 no_shadow }"
-          " sphere { x, 1 no_shadow } }",
+        { "intersection { sphere { 0, 1 no_shadow } sphere { x, 1 no_shadow } }",
           "- -" },
         { "difference { union { sphere { 0, 1 no_shadow } " B " } " C " }", "- - -" },
         { "union { difference { " A C " no_shadow } " B " }", "s s -" },
@@ -307,8 +306,7 @@ TEST(bodies)
         { "#declare S = " FILLED "union { object { S } object { S } " A
           " interior { } }",
           "abc" },
-        { "#declare U = union { " A B " interior { } } "
-          "object { U } object { U }",
+        { "#declare U = union { " A B " interior { } } object { U } object { U }",
           "aabb" },
         { "#declare U = union { " FILLED A B " interior { } } "
           "object { U } union { object { U } " C " object { U } }",

@@ -51,8 +51,7 @@ static const struct {
     { PRIMITIVE_BLOB, "blob { threshold .5 sphere { P, 0, 1 }" },
     { PRIMITIVE_BLOB, "blob { threshold .5 sphere { P, R, 0 }" },
     { PRIMITIVE_BLOB, "blob { threshold .5 cylinder { P, Q, R, -1 }" },
-    { PRIMITIVE_BLOB, "blob { threshold .5 component .2, R, P "
-                      "sphere { Q, R, .2 }" },
+    { PRIMITIVE_BLOB, "blob { threshold .5 component .2, R, P sphere { Q, R, .2 }" },
     { PRIMITIVE_BLOB, "blob { threshold -.5 sphere { P, R, 1 }" },
     { PRIMITIVE_BLOB, "blob { threshold 0 sphere { P, R, 1 }" },
     { PRIMITIVE_MESH, "mesh { triangle { P, P, Q } inside_vector y" },

@@ -13,8 +13,7 @@ TEST(reported_when_used)
     static const struct line_error rows[] = {
         { "#declare F = finish { crand 1 }", 0, "" },
         { "#declare F = finish { crand 1 } #declare G = finish { F }", 0, "" },
-        { "#declare F = finish { crand 1 }"
-          " #declare S = sphere { 0, 1 finish { F } }",
+        { "#declare F = finish { crand 1 } #declare S = sphere { 0, 1 finish { F } }",
           0, "" },
         { "#declare F = finish { crand 1 } sphere { 0, 1 finish { F } }", 23,
           "is ignored" },
@@ -62,8 +61,7 @@ TEST(reported_when_used)
         { "#declare T = texture { pigment { rgb 1 } }"
           " texture { pigment { rgbt 1 } } sphere { 0, 1 texture { T } }",
           44, "the lowest one is used instead" },
-        { "sphere { 0, 1 texture { pigment { rgb 1 } }"
-          " texture { pigment { rgb 2 } } }",
+        { "sphere { 0, 1 texture { pigment { rgb 1 } } texture { pigment { rgb 2 } } }",
           0, "" },
         { "#declare F = function { transform { scale <1, 0, 1> } }"
           " sphere { F(1, 2, 3), 1 }",
@@ -71,8 +69,7 @@ TEST(reported_when_used)
         { "#declare S = sphere { 0, 1 #default { finish { crand 1 } } }", 48,
           "is ignored" },
         { "light_group { sphere { 0, 1 } }", 1, "shine on all objects" },
-        { "#fopen F \"a\" write #write (F, 1, x concat(\"a\", \"b\") \",\")"
-          " #fclose F",
+        { "#fopen F \"a\" write #write (F, 1, x concat(\"a\", \"b\") \",\") #fclose F",
           10, "is ignored" },
     };
     for (size_t i = 0; i < COUNT(rows); i++) {

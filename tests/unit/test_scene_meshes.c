@@ -80,8 +80,7 @@ TEST(mesh2)
 {
     SCOPED(scene) *scene = read_scene(
         FOUR "face_indices { 2, <0, 1, 2>, <1, 2.9, 3> } }\n" FOUR
-             "normal_vectors { 4, x, 2*y, z, -x }"
-             "  uv_vectors { 1, <0, 1> }\n"
+             "normal_vectors { 4, x, 2*y, z, -x }  uv_vectors { 1, <0, 1> }\n"
              "  face_indices { 2 <3, 2, 1> <-.5, 1, 3> } scale 2 }\n"
              "mesh2 { normal_vectors { 2 x y } vertex_vectors { 4 0 x y z }"
              "  uv_vectors { 0 } face_indices { 3, <0, 1, 2>, <0, 2, 3>, <1, 2, 3> }"
@@ -326,9 +325,8 @@ static const struct line_error errors[] = {
     { THREE "face_indices { 1, 0 } }", 57, "the three vertices" },
     { THREE "face_indices { 1, <0, 1, 2>, 0 } }", 68,
       "a face has the texture 0, but there are only 0" },
-    { THREE "texture_list { 1 texture { } } face_indices { 1, <0, 1, 2>, "
-            "0, 0 } }",
-      104, "one texture or three, not two" },
+    { THREE "texture_list { 1 texture { } } face_indices { 1, <0, 1, 2>, 0, 0 } }", 104,
+      "one texture or three, not two" },
     { THREE "texture_list { 1 texture { } } face_indices { 2, <0, 1, 2> 0 "
             "0 0 0 <0, 1, 2> } }",
       104, "the three vertices of a face" },

@@ -25,8 +25,7 @@ static void check_bump(const char *words, enum pattern_function function, double
         "#default { normal { %s } } sphere { 0, 1 }",
         "#declare M = material { texture { normal { %s } } }"
         " sphere { 0, 1 material { M } }",
-        "#declare A = array[1] { normal { %s } }"
-        " sphere { 0, 1 normal { A[0] } }",
+        "#declare A = array[1] { normal { %s } } sphere { 0, 1 normal { A[0] } }",
     };
     for (size_t i = 0; i < COUNT(forms); i++) {
         SCOPED(scene) *scene = read_format(forms[i], words);

@@ -18,8 +18,7 @@ TEST(errors)
         { "sphere { 0, 1 clipped_by { triangle { 0, x, y } } }", 1, 28,
           "a mesh has no inside and cannot clip" },
         { "sphere { 0, 1 clipped_by { bounded_by } }", 1, 28, "bounded_by" },
-        { "sphere { 0, 1 clipped_by { union { box { 0, 1 }"
-          " light_source { 0, 1 } } } }",
+        { "sphere { 0, 1 clipped_by { union { box { 0, 1 } light_source { 0, 1 } } } }",
           1, 28, "a light has no inside" },
         { "sphere { 0, 1 #for (I, 1, 10000) clipped_by { plane { y, 2 } } #end }", 1,
           34, "more than 10000 primitives in one solid" },
@@ -139,9 +138,8 @@ TEST(reports)
         { "union { sphere { 0, 1 } }", 1, "fewer than two objects" },
         { "intersection { }", 1, "fewer than two objects" },
         { "sphere { 0 1 } merge { light_source { 0, 1 } }", 16, "in this 'merge'" },
-        { "difference { sphere { 0, 1 }"
-          " steiner_patch { x, y, z, 0, 0, 0 } }",
-          30, "no inside" },
+        { "difference { sphere { 0, 1 } steiner_patch { x, y, z, 0, 0, 0 } }", 30,
+          "no inside" },
         { "sphere { 0, 1 pigment { rgb 1 } texture { pigment { rgbt 1 } } }", 33,
           "layered" },
         { "sphere { 0, 1 finish { subsurface { 1 } phong 1 } }", 24, "'subsurface'" },
@@ -348,8 +346,7 @@ TEST(many_files)
             read_versioned("x.pov", text, &reading_options, &reports));
     }
     snprintf(text, sizeof text,
-             "#for (I, 1, %d) #fopen F concat(\"%s/\", str(I, 0, 0)) read"
-             " #end",
+             "#for (I, 1, %d) #fopen F concat(\"%s/\", str(I, 0, 0)) read #end",
              FILES + 1, folder);
     assert_refused(text, 1, "more than 1000 files are read");
     for (int i = 1; i <= FILES + 1; i++) {

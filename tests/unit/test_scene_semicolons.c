@@ -14,15 +14,13 @@ static const struct line_error places_errors[] = {
       "';' is missing" },
     { "#if (1) #declare A = 3 #else #declare A = 4; #end sphere { 0, A }", 23,
       "';' is missing" },
-    { "#declare N = 0; #while (N < 3) sphere { N, 1 } #declare N = N + 1 "
-      "#end",
-      66, "';' is missing" },
+    { "#declare N = 0; #while (N < 3) sphere { N, 1 } #declare N = N + 1 #end", 66,
+      "';' is missing" },
     { "#for (I, 1, 3) #declare A = I #end sphere { 0, A }", 30, "';' is missing" },
     { "#declare A = <1, 2, 3> #declare B = A; sphere { B, 1 }", 23, "';' is missing" },
     { "#declare C = rgb <1, 2, 3> plane { y, 0 pigment { C } }", 27, "';' is missing" },
-    { "#declare C = rgb 1; #declare D = C.red #declare E = D; "
-      "sphere { 0, E }",
-      39, "';' is missing" },
+    { "#declare C = rgb 1; #declare D = C.red #declare E = D; sphere { 0, E }", 39,
+      "';' is missing" },
     { "#declare A = array[2] { 1, 2 } #declare A[1] = A[0] "
       "#if (A[1] = 1) sphere { 0, A[1] } #end",
       52, "';' is missing" },
@@ -52,8 +50,7 @@ TEST(values_that_continue)
         "#macro P() + 3 #end #declare A = 2 P(); sphere { A, 1 }",
         "#macro P() 3 #end #declare A = P() + P(); sphere { A, 1 }",
         "#macro P(Q) #declare Q = 3 #end #declare A = 1; P(A); sphere { A, 1 }",
-        "#declare A = color red 1 #if (1) green .5 #end; "
-        "sphere { 0, 1 pigment { A } }",
+        "#declare A = color red 1 #if (1) green .5 #end; sphere { 0, 1 pigment { A } }",
         "#declare S = \"a\" #declare T = S #if (1) sphere { 0, 1 } #end",
         "#declare S = sphere { 0, 1 } #if (1) object { S } #end",
     };

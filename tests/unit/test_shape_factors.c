@@ -52,8 +52,7 @@ static const struct {
     { "merge { sphere { -.5*x, 1 } sphere { .5*x, 1 } }", 18.8495559215388 },
     { "difference { sphere { 0, 1 } cylinder { -2*y, 2*y, .6 } }", 16.0849543863797 },
     { "difference { box { -.5, .5 } box { <-1,-1/6,-1/6>, <1,1/6,1/6> }"
-      " box { <-1/6,-1,-1/6>, <1/6,1,1/6> }"
-      " box { <-1/6,-1/6,-1>, <1/6,1/6,1> } }",
+      " box { <-1/6,-1,-1/6>, <1/6,1,1/6> } box { <-1/6,-1/6,-1>, <1/6,1/6,1> } }",
       8 },
     { "torus { 1, .25 rotate 30*x }", 9.86960440108936 },
     /* These shapes cannot emit, so they use lines. */

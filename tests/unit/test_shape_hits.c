@@ -311,9 +311,8 @@ TEST(straight)
         { "lathe { 3, <1, 0>, <.5, 0>, <.5, 1> rotate 90*x"
           " translate .75*y clipped_by { box { -2, 2 } } }",
           1, 5 },
-        { "intersection { lathe { 3, <0, -1>, <1, -1>, <1, 1> }"
-          " plane { -z, .5 } }",
-          2, 4.5 },
+        { "intersection { lathe { 3, <0, -1>, <1, -1>, <1, 1> } plane { -z, .5 } }", 2,
+          4.5 },
         { "difference { sphere { 0, 3 } lathe { " DRUM " scale 4 } }", 0, 0 },
         { "difference { lathe { " RING " } plane { z, 0 } }", 1, 6 },
         /* through corners; level at the lowest point */

@@ -16,8 +16,7 @@ TEST_CALL(random_scenes, check_random_scenes(add_shape, share_of(10)))
 TEST(distant_patches)
 {
     for (int i = 0; i < 4; i++) {
-        char text[4096] = HEAD "camera { location -1000*z look_at 0"
-                               " angle .2 }\n";
+        char text[4096] = HEAD "camera { location -1000*z look_at 0 angle .2 }\n";
         add_steiner_patch(text, sizeof text, 2);
         add_text(text, sizeof text, "}");
         free(plain_frame(text));
@@ -114,9 +113,7 @@ TEST(starts)
     check_middle(STRAIGHT FLAT "translate -5*z }", 0, 0);
     check_middle(STRAIGHT FLAT "translate -4*z }", 1, 1);
     check_middle(STRAIGHT FLAT "translate -6*z }", 0, 0);
-    check_middle(STRAIGHT FLAT "translate -.01*z scale 1000"
-                               " translate 6*z }",
-                 1, 1);
+    check_middle(STRAIGHT FLAT "translate -.01*z scale 1000 translate 6*z }", 1, 1);
 }
 
 /* A piece of the Roman surface with the weights of s^2 + t^2 + u^2. */

@@ -167,8 +167,7 @@ TEST(name_in_diagnostic)
     diagnostics_append(&reports, "said \x1B[31m\n\tnext\n");
     diagnostics_put(&reports, &sink);
     assert_string_equal(shown.text, "a\\x1b[2J.s:1:3: error: no \\x1b[31m\\x0a "
-                                    "(at the caret: U+00A0, a no-break "
-                                    "space)\n"
+                                    "(at the caret: U+00A0, a no-break space)\n"
                                     "    x??y\n"
                                     "      ^\n"
                                     "said \\x1b[31m\n\tnext\n");
