@@ -138,8 +138,7 @@ static void scale_down(mpz_t c, long k)
         mpz_mul_2exp(c, c, (mp_bitcnt_t)-k);
 }
 
-/* Shortens a coefficient that is one bit too long. Returns its exponent. All rules use
- * this function. */
+/* Shortens a coefficient that is one bit too long. Returns its exponent. */
 static long shorten(const struct oracle_format *format, mpz_t c, long exponent)
 {
     if (significant_bits(c) <= format->digits)
@@ -273,8 +272,7 @@ ORACLE_RULE(average_difference)
 
 /* ---- Multiply ----------------------------------------------------------- */
 
-/* Computes the product in `wide`. If the result is special, sets `special` instead and
- * returns false. */
+/* Computes the product in `wide`. Returns false after setting a special result. */
 static bool multiply(const struct oracle_format *format, c205_word a, c205_word b,
                      uint64_t *flags)
 {
@@ -315,8 +313,7 @@ ORACLE_RULE(multiply_significant)
 
 /* ---- Divide ------------------------------------------------------------- */
 
-/* Computes the quotient in `wide`. If the result is special, sets `special` instead and
- * returns false. */
+/* Computes the quotient in `wide`. Returns false after setting a special result. */
 static bool divide(const struct oracle_format *format, c205_word a, c205_word b,
                    uint64_t *flags)
 {
@@ -451,8 +448,7 @@ static long shift_left(const struct oracle_format *format, long wanted, long lim
     return places;
 }
 
-/* Shifts the coefficient right. After 100 places only the sign is left, because all
- * formats have fewer digits. */
+/* Shifts the coefficient right. After 100 places only the sign is left. */
 static void shift_right(long places)
 {
     scale_down(left.coefficient, places > 100 ? 100 : places);

@@ -24,8 +24,7 @@ static inline double between(uint64_t *state, double low, double high)
     return xorshift_real(state, low, high);
 }
 
-/* Returns a number whose logarithm is uniform: a number from 1 to 2 is as likely as a
- * number from 100 to 200. */
+/* Returns a number whose logarithm is uniform: 1 to 2 is as likely as 100 to 200. */
 static inline double of_any_size(uint64_t *state, double low, double high)
 {
     return exp(between(state, log(low), log(high)));

@@ -101,8 +101,7 @@ struct comparing {
     bool good;
 };
 
-/* Compares two figures within their errors, as in struct mass_figures. Rounding errors
- * are relative to `scale`. */
+/* Compares figures within their errors. Rounding errors are relative to `scale`. */
 static void compare(struct comparing *comparing, double a, double a_error, double b,
                     double b_error, double scale, const char *what)
 {

@@ -43,8 +43,7 @@ static bool without_insns(struct random_program *program)
     return smaller;
 }
 
-/* Lists words that are simpler than a given word. The simplest is the first, and the
- * last is the word itself. */
+/* Lists words that are simpler than a word, the simplest first, the word last. */
 enum { SIMPLER = 6 };
 static void simpler_words(c205_word word, c205_word simpler[SIMPLER])
 {

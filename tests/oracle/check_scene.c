@@ -120,8 +120,7 @@ struct file {
 };
 enum { TURNS = 3, ALL_TURNS = TURNS };
 
-/* Returns the side length of a frame with a third of the pixels, or with all pixels if
- * the test is THOROUGH. */
+/* Returns the side of a frame with a third of the pixels, or all if THOROUGH. */
 static size_t length_of(size_t length)
 {
     return getenv("THOROUGH") ? length : length * 60 / 100;

@@ -34,8 +34,7 @@ struct picture_difference {
     size_t worst_x, worst_y;          /* pixel with the greatest difference */
 };
 
-/* Returns height * width flags, which are true for the pixels that are compared. The
- * caller frees them. */
+/* Returns height * width flags of the compared pixels. The caller frees them. */
 bool *inner_pixels(const struct frame *frame);
 
 /* Compares two frames of the same size. */

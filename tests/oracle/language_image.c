@@ -13,8 +13,7 @@ const char language_image[] =
     "183 48 179  183 41 32  56 67 65  95 207 46  154 229 68  176 134 217  185 190 135  78 176 89\n"
     "89 157 208  180 250 128  253 79 136  89 252 198  156 115 126  138 99 223  196 238 191  51 232 133\n";
 
-/* Writes an image. An image that is not repeated, planar or cylindrical, is surrounded
- * by a transparent colour. */
+/* Writes an image, with a transparent surround if it is not repeated. */
 static void write_image(struct language *draw, bool clear)
 {
     static const char *const types[] = { "", "map_type 0", "map_type 2", "map_type 1",

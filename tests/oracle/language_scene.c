@@ -8,8 +8,7 @@
 
 /* ---- Declarations -------------------------------------------------------- */
 
-/* Declares an array. Its elements contain no macro calls, because POV-Ray does not call
- * macros there. */
+/* Declares an array without macro calls, which POV-Ray does not execute there. */
 void declare_array(struct language *draw)
 {
     draw->calling = false;

@@ -1,5 +1,4 @@
-/* language_shapes.c - random shapes. Each function leaves the block of its shape open
- * for modifiers. */
+/* language_shapes.c - random shapes, whose blocks stay open for modifiers. */
 #include "tests/oracle/language_parts.h"
 #include "tests/oracle/solid_text.h"
 

@@ -42,8 +42,7 @@ int check_many(int count, char **words, bool (*check)(size_t number, bool first)
  * rounding decides whether the face is visible. */
 enum certainty { NOTHING_CERTAIN, DEPTH_CERTAIN, ALL_CERTAIN };
 
-/* A random scene. other: a text with the same objects in another order or at another
- * position, or NULL. */
+/* A random scene. other: the same objects in another order or place, or NULL. */
 struct random_scene {
     size_t number;
     char *text, *other;
@@ -59,8 +58,7 @@ struct random_check {
     const char *kind;
     uint64_t seed;
     struct random_scene (*draw)(uint64_t *state, size_t number);
-    /* Checks a scene. On failure writes a reason of at most MANY_REASON characters, and
-     * returns false. */
+    /* Checks a scene. A failure is false and a reason of MANY_REASON characters. */
     bool (*passes)(struct random_scene *scene, char *reason);
     bool shrinks; /* the reduced text is checked without `other` */
     void (*begin)(size_t number);

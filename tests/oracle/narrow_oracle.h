@@ -27,8 +27,7 @@ typedef c205_word small_rule(c205_word a, c205_word b, uint64_t *flags);
 #define RELATION(name) small_rule small_##name;
 #include "vm/arith.def"
 
-/* The machine's exact rules in this format. narrow_add_upper corresponds to
- * arith_add_upper of arith.h, and so on. */
+/* The machine's exact rules in this format, named as in arith.h. */
 #define BINARY(name, ...) arith_binary narrow_##name;
 #define UNARY(name, ...) arith_unary narrow_##name;
 #define RELATION(name) arith_relation narrow_##name;

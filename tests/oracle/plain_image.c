@@ -1,5 +1,4 @@
-/* plain_image.c - image maps: projection, repetition and interpolation, by POV-Ray's
- * rules (plain_light.h). */
+/* plain_image.c - image maps by POV-Ray's rules (plain_light.h). */
 #include "tests/oracle/plain_light.h"
 
 #include <math.h>
@@ -53,8 +52,7 @@ static size_t within(double place, size_t count, bool once)
     return (size_t)fmin(place - floor(place / (double)count) * (double)count, last);
 }
 
-/* Returns the colour of the pixel at a column from the left and a row from the top.
- * Both may be out of range. */
+/* Returns the colour of a pixel by column and row, which may be out of range. */
 static void pixel_at(const struct image_map *map, double column, double row,
                      double color[3])
 {

@@ -2,8 +2,7 @@
  * ring. A point is inside if the closed path winds around it an odd number of times. */
 #include "tests/oracle/plain_shapes.h"
 
-/* Returns true if the segment includes the height y. The segment includes its lower
- * end, but not its upper end. */
+/* Returns true if y is from the segment's lower end to below its upper end. */
 static bool has_height(const double from[2], const double to[2], double y)
 {
     return y >= fmin(from[1], to[1]) && y < fmax(from[1], to[1]);
@@ -17,8 +16,7 @@ static double least_radius(const struct outline *path)
     return least;
 }
 
-/* Returns the signed angle of the segment as seen from a point. Sets `from` to the end
- * of the segment. */
+/* Returns the signed angle of the segment at a point. Sets `from` to its end. */
 static double turn_to(const double point[2], double from[2], const double to[2])
 {
     double r0 = from[0] - point[0], y0 = from[1] - point[1];

@@ -11,8 +11,7 @@
 
 /* ---- Surfaces ------------------------------------------------------------ */
 
-/* Returns the cell of a checker that contains the point. For an image, returns 1 if the
- * point is outside. */
+/* Returns the cell of a checker at a point, or 1 outside of an image. */
 static int pigment_cell(const struct pigment *pigment, const double point[3])
 {
     double local[3], sum = 0;

@@ -1,5 +1,4 @@
-/* plain_light.h - surfaces, lights and camera rays of the plain tracer, by POV-Ray's
- * rules. */
+/* plain_light.h - surfaces, lights and camera rays of the plain tracer. */
 #ifndef PLAIN_LIGHT_H
 #define PLAIN_LIGHT_H
 
@@ -37,8 +36,7 @@ bool plain_image_misses(const struct image_map *map, const double point[3]);
 /* Computes the image's colour at a point that is not outside. */
 void plain_image(const struct image_map *map, const double point[3], double color[3]);
 
-/* Computes the colour of a pigment with a map or an image, at a point. For a sky, the
- * point is a direction. */
+/* Computes the colour of a map or an image at a point, or a sky's at a direction. */
 void plain_map_color(const struct pigment *pigment, const double point[3],
                      double color[3]);
 

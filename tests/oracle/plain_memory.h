@@ -26,8 +26,7 @@ struct plain_memory {
     size_t change_count, change_room;
 };
 
-/* Addresses are bit addresses of words. Returns the low 48 bits of an address, because
- * the other bits are ignored. */
+/* Returns the low 48 bits of a bit address, because the other bits are ignored. */
 uint64_t plain_address(uint64_t address);
 
 void plain_begin(struct plain_memory *memory);
@@ -46,13 +45,11 @@ c205_word *plain_words(const struct plain_memory *memory, uint64_t address);
 c205_word plain_read(const struct plain_memory *memory, uint64_t address);
 void plain_store(struct plain_memory *memory, uint64_t address, c205_word word);
 
-/* plain_commit keeps the stores since the last call of either function. plain_undo
- * undoes them. */
+/* plain_commit keeps the stores since the last call, plain_undo undoes them. */
 void plain_commit(struct plain_memory *memory);
 void plain_undo(struct plain_memory *memory);
 
-/* Resizes an array to count items, and keeps the first items. If the host is out of
- * memory, ends the program. */
+/* Resizes an array to count items, and keeps the first. No memory ends the program. */
 void *plain_room(void *items, size_t count, size_t size);
 
 #endif

@@ -61,8 +61,7 @@ struct seen_list {
     size_t count, room;
 };
 
-/* Inserts a crossing after the crossings that are not farther. The crossings of a
- * region arrive in order. */
+/* Inserts a crossing after those that are not farther. A region's arrive in order. */
 static void insert(struct seen_list *seen, const struct plain_crossing *crossing)
 {
     size_t at = seen->count++;

@@ -43,8 +43,7 @@ void crossing_list_free(struct crossing_list *list)
     free(list);
 }
 
-/* Inserts a crossing by its distance. At equal distances the primitive that is earlier
- * in the scene comes first. */
+/* Inserts a crossing by distance, and at equal distances by the primitive's order. */
 static void insert(struct crossing_list *list, const struct place *place)
 {
     size_t at = list->count++;

@@ -29,8 +29,7 @@ void crossing_list_free(struct crossing_list *list);
 void plain_cross_region(struct crossing_list *list, const struct scene *scene,
                         const struct region *region, const struct ray *ray);
 
-/* Sets hit to the nearest visible crossing after `last` and before `limit`. Returns
- * false if there is none. */
+/* Sets hit to the nearest visible crossing between `last` and `limit`, if any. */
 bool plain_next_hit(const struct crossing_list *list, double last, double limit,
                     struct plain_hit *hit);
 
@@ -55,8 +54,7 @@ struct plain_crossing {
 /* Returns true if all primitives of a region are visible and closed. */
 bool plain_is_closed(const struct scene *scene, const struct region *region);
 
-/* Returns true if the point of a line at this distance is inside the region. The
- * direction must have length 1. */
+/* Returns true if a line's point is inside the region. The direction has length 1. */
 bool plain_is_inside(const struct scene *scene, const struct region *region,
                      const struct ray *line, double distance);
 

@@ -109,8 +109,7 @@ static size_t find_nearest(const struct plain_tracer *tracer, const struct path 
 
 /* ---- Bodies that contain a ray ------------------------------------------- */
 
-/* Initialises the interiors of a ray from the camera. There is none, or the interior
- * that the ray leaves first. */
+/* Initialises a camera ray's interiors: none, or the one that it leaves first. */
 static void find_interiors(struct interiors *in, const struct plain_hit *hit)
 {
     if (!in->known && !hit->entering)
@@ -362,8 +361,7 @@ static struct plain_hit trace_sample(const struct plain_tracer *tracer,
     return hit;
 }
 
-/* Depth, normal and number of a pixel come from the sample at half of its rows and
- * columns. */
+/* Depth, normal and number are those of the sample at half the rows and columns. */
 static void trace_pixel(const struct plain_tracer *tracer, const struct frame *frame,
                         size_t x, size_t y)
 {

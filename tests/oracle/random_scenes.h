@@ -35,8 +35,7 @@ struct random_scene grid_scene(uint64_t *state);
 
 enum { MAX_MANY_REGIONS = 400 };
 
-/* Generates a scene from the state, which is never 0. The more work a pixel takes, the
- * smaller the frame is. */
+/* Generates a scene from the state. A pixel of more work means a smaller frame. */
 struct random_scene many_regions(uint64_t *state);
 
 /* Scenes with bodies whose faces coincide.

@@ -26,8 +26,7 @@ struct ray_hits find_lines(const struct scene *scene,
 /* Compares all values of the hits bit for bit. */
 bool same_crossings(const struct ray_hits *expected, const struct ray_hits *found,
                     char *reason);
-/* Compares only the distances, because of several surfaces at the same place another
- * surface may be found. */
+/* Compares only distances, because coincident surfaces may be found in any order. */
 bool same_distances(const struct ray_hits *expected, const struct ray_hits *found,
                     char *reason);
 

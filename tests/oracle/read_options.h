@@ -13,8 +13,7 @@ struct check_option {
     bool *flag;
 };
 
-/* Stores the values of the arguments. After an error, prints the usage and ends the
- * program with status 2. */
+/* Stores the arguments' values. An error prints the usage and exits with 2. */
 void read_options(int argc, char **argv, const char *usage,
                   const struct check_option *options, int count);
 #define READ_OPTIONS(argc, argv, usage, options) \

@@ -106,8 +106,7 @@ char reference_table_letter(const c205_insn *insn, char field);
  * on G. G also decides whether an order vector is a source or a result. Returns 0 if
  * there is no such field. */
 char reference_letter(const c205_insn *insn, unsigned g, char field);
-/* Returns true if the letter means a half register. `broadcast` means that a vector
- * operand is broadcast. */
+/* Returns true if the letter, perhaps a broadcast operand, means a half register. */
 bool reference_is_half_register(char letter, bool broadcast);
 
 #endif

@@ -67,8 +67,7 @@ static void wait_for(struct reference_clock *clock, const struct awaited *awaite
 
 /* ---- Registers --------------------------------------------------------- */
 
-/* The registers that an instruction names, in the order of its syntax. The offset of a
- * vector follows the vector. */
+/* The registers of an instruction in its syntax's order. Offsets follow vectors. */
 struct named {
     const c205_insn *insn;
     const c205_fields *fields;

@@ -1,13 +1,11 @@
-/* reference_operands.c - sources, results and control vectors of vector instructions
- * (reference_vector.h). */
+/* reference_operands.c - operands of vector instructions (reference_vector.h). */
 #include "reference_vector.h"
 
 #include <string.h>
 
 /* ---- Elements ---------------------------------------------------------- */
 
-/* Reads one element. In a linked pair the first instruction has no control vector, so
- * all its elements set flags. */
+/* Reads one element. All elements of a linked pair's first instruction set flags. */
 static c205_word read_element(struct reference *reference, const struct source *source,
                               uint64_t i)
 {

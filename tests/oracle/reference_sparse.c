@@ -1,5 +1,4 @@
-/* reference_sparse.c - instructions on sparse vectors, which consist of packed elements
- * and order vectors. */
+/* reference_sparse.c - instructions on packed elements and order vectors. */
 #include "reference_vector.h"
 
 #include <stdlib.h>

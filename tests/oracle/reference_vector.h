@@ -52,8 +52,7 @@ c205_word element(struct reference *reference, const struct source *source, uint
 c205_word join(struct reference *reference, const struct pair *pair, uint64_t i,
                uint64_t *flags);
 
-/* use_source and use_target record the memory that n elements use. They are called in
- * the order A, B, Z, C. */
+/* Record the memory of n elements. They are called in the order A, B, Z, C. */
 void use_source(struct reference *reference, const struct source *source, uint64_t n);
 /* Records n elements that are used, but may not be needed. */
 void may_need(struct reference *reference, const struct source *source, uint64_t n);

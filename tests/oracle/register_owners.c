@@ -137,8 +137,7 @@ static long name_of(const struct object *program, struct names names, unsigned n
     return found;
 }
 
-/* Returns the name of the register `count` after a named register, if the names were
- * declared in sequence. */
+/* Returns the name `count` registers after a name, if declared in sequence. */
 static long name_behind(const struct object *program, long name, size_t count)
 {
     const struct asm_register *first, *behind;

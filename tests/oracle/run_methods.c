@@ -1,5 +1,4 @@
-/* run_methods.c - runs a random program as a whole, in slices, saved and restored, and
- * in the other modes. */
+/* run_methods.c - runs a program whole, in slices, restored, and in other modes. */
 #include "tests/oracle/operands.h"
 #include "tests/oracle/random_machine.h"
 

@@ -62,8 +62,7 @@ char *text_indented(char *text);
 void beam_words(uint64_t state, const double position[3], double size,
                 char words[SOLID_WORDS]);
 
-/* Adds a normal to one in `in` looks. The rest of the scene does not depend on it,
- * because the state is a copy. */
+/* Adds a normal to one in `in` looks. The rest of the scene does not change. */
 void bump_words(uint64_t state, size_t in, char look[SOLID_WORDS]);
 
 /* Prints a box of triangles. A diagonal divides each face into two triangles. */

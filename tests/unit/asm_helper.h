@@ -28,8 +28,7 @@ void assert_one_error(const struct diagnostics *errors, const char *text, size_t
                       size_t column, const char *message);
 /* Fails unless each text has exactly one error, the given one. */
 void assert_asm_errors(const struct asm_error *error, size_t count);
-/* Fails unless each text assembles with exactly one warning, the given one, or with
- * none if the line is 0. */
+/* Fails unless each text has exactly the given warning, or none for line 0. */
 void assert_asm_warnings(const struct asm_error *warning, size_t count);
 
 /* Returns the word at an address, or 0 if the program has no word there. */

@@ -1,5 +1,4 @@
-/* clock_driver.h - drives a clock with decoded instructions and with effects that the
- * test makes. No machine runs. */
+/* clock_driver.h - drives a clock with instructions and effects, without a machine. */
 #ifndef CLOCK_DRIVER_H
 #define CLOCK_DRIVER_H
 

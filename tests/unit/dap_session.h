@@ -1,5 +1,4 @@
-/* dap_session.h - debug sessions of a client of c205 debug --dap, and queries of the
- * program's state. */
+/* dap_session.h - debug sessions of a client, and queries of the program's state. */
 #ifndef TESTS_DAP_SESSION_H
 #define TESTS_DAP_SESSION_H
 
@@ -35,8 +34,7 @@ void client_enter(struct dap_client *client, const char *text);
 /* Runs the program to the end of the session. */
 void client_leave(struct dap_client *client);
 
-/* Sends an execution request. Fails unless the program stops for `reason`.
- * client_go_finely steps by instructions. */
+/* Executes a request until a stop for `reason`. client_go_finely steps instructions. */
 void client_go(struct dap_client *client, const char *request, const char *reason);
 void client_go_finely(struct dap_client *client, const char *request);
 /* Sets the only breakpoint of the file; "" removes it. */

@@ -167,8 +167,7 @@ const struct exact_polynomial *exact_polynomial_at(size_t i)
     return i < sizeof polynomials / sizeof *polynomials ? &polynomials[i] : NULL;
 }
 
-/* Computes Chebyshev point i of count: the midpoint plus half the width times cos(pi (2
- * i + 1) / (2 count)). */
+/* Computes Chebyshev point i: midpoint + half width * cos(pi (2 i + 1) / (2 count)). */
 static void chebyshev_point(mpfr_t point, size_t i, size_t count, const mpfr_t low,
                             const mpfr_t high)
 {

@@ -28,8 +28,7 @@ void field_expect_fault(const char *words, const char *modifiers, size_t column,
  * Returns false if the point is outside. */
 bool field_shares(const struct triangle *triangle, double x, double z,
                   double shares[3]);
-/* Returns the number of triangles that a line along y hits. Sets *height to the height
- * of the last hit. */
+/* Counts the triangles that a line along y hits. Sets *height to the last hit's. */
 int field_meet(const struct triangles *triangles, double x, double z, double *height);
 
 #endif

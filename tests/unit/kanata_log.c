@@ -24,8 +24,7 @@ struct kanata_log {
 
 /* ---- Words ----------------------------------------------------------------- */
 
-/* Splits a line into words. Returns false if there are too many words, or if a word is
- * too long or empty. */
+/* Splits a line into words. Returns false for too many, long or empty words. */
 static bool cut_line(struct kanata_log *log, const char *line, size_t length)
 {
     size_t used = 0;

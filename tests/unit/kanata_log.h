@@ -13,8 +13,7 @@
 
 #include <stddef.h>
 
-/* Returns the first error of a log, and sets *line to its line, counted from 1. Returns
- * NULL if there is no error. */
+/* Returns the first error of a log and sets *line from 1, or returns NULL. */
 const char *kanata_fault(const char *text, size_t *line);
 
 #endif

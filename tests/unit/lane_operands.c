@@ -120,8 +120,7 @@ static c205_word mostly_moderate(word_format f, uint64_t *seed)
 
 SUPPLY(beyond_moderate, within(f, seed, 6))
 
-/* Integers with few or many digits, like indices, and machine zeros. The variant
- * contains a few other words. */
+/* Integers with few or many digits, and machine zeros. A variant has other words. */
 static c205_word whole(word_format f, uint64_t *seed)
 {
     int64_t end = INT64_C(1) << xorshift_between(seed, 0, f.digits);

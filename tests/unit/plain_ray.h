@@ -11,8 +11,7 @@ struct look {
     double from[3], along[3];
 };
 
-/* Reads `head` and `text` as one scene, and traces the ray. Sets `values` to the
- * channels of a frame of one pixel. */
+/* Traces the ray in the scene `head` `text`. Sets `values` to the pixel's channels. */
 static inline void trace_ray(const struct look *look, const char *head,
                              const char *text, double values[FRAME_CHANNELS])
 {

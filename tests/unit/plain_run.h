@@ -23,8 +23,7 @@ struct plain {
 };
 
 struct moment moment_of(const c205 *machine, uint64_t watched);
-/* Runs a program and records its states. Watches a random word of the last segment.
- * Takes ownership of the object. */
+/* Records a program's states and a random word of its last segment. Owns the object. */
 struct plain run_plainly(struct object *object, uint64_t *random_state);
 /* Returns the region that contains an address, or "". */
 const char *plain_region(const struct plain *plain, uint64_t pc);

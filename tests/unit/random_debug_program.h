@@ -6,8 +6,7 @@
 
 enum { DRAWN_TEXT = 4096 };
 
-/* Makes a text. Vectors have n elements, and the loop has n iterations. The caller
- * defines n. */
+/* Makes a text with vectors of n elements and n iterations. The caller defines n. */
 void draw_program(uint64_t *state, char text[DRAWN_TEXT]);
 
 #endif

@@ -25,8 +25,7 @@ struct net {
 size_t net_point(struct net *net, const double point[3]);
 void net_face(struct net *net, size_t a, size_t b, size_t c);
 
-/* Replaces the mesh by a body. The icosahedron alone has points whose coordinates are
- * not integers. */
+/* Replaces the mesh by a body. Only the icosahedron has non-integer coordinates. */
 enum net_body { OCTAHEDRON, BOX, ICOSAHEDRON, NET_BODIES };
 void net_take(struct net *net, enum net_body body);
 /* Makes a cube from -half to half with squares x squares squares on each face. A random
@@ -41,8 +40,7 @@ void net_soup(struct net *net, size_t count, bool slender, uint64_t *random);
 
 /* Divides each face into four triangles. */
 void net_divide(struct net *net);
-/* Scales each point by a random factor from low to high. If `grain` is not 0, the
- * factor is a multiple of it. */
+/* Scales each point by a random factor, a multiple of `grain` unless this is 0. */
 void net_stretch(struct net *net, double low, double high, double grain,
                  uint64_t *random);
 /* Rounds coordinates to multiples of `grain`. */
@@ -53,8 +51,7 @@ void net_move(struct net *net, double scale, const double by[3]);
 void net_random_body(struct net *net, size_t times, uint64_t *random);
 /* Shuffles the faces, and the corners of each face. */
 void net_shuffle(struct net *net, uint64_t *random);
-/* Adds normals at the points. A normal is the mean of the normals of the adjacent
- * faces, tilted at random. */
+/* Adds normals at the points: the mean of adjacent faces, tilted at random. */
 void net_smooth(struct net *net, double lean, uint64_t *random);
 
 /* Write the mesh as text up to the modifiers. net_triangles_text writes the triangles

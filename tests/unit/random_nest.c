@@ -70,8 +70,7 @@ static size_t new_variable(struct making *making, double value)
     return making->variables++;
 }
 
-/* Generates the body of a directive or of a macro call from a seed. The variables of
- * the body end with it. */
+/* Generates the body of a directive or macro call, with its own variables. */
 static void carry_out(struct making *making, enum place place, uint64_t seed,
                       size_t depth)
 {

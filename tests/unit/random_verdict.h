@@ -1,5 +1,4 @@
-/* random_verdict.h - the verdict that a random answer must get, derived from its known
- * mistake. */
+/* random_verdict.h - the verdict of a random answer, from its known mistake. */
 #ifndef TESTS_DRAWN_WORDS_H
 #define TESTS_DRAWN_WORDS_H
 

@@ -26,8 +26,7 @@ void assert_same_stop(const c205_stop *a, const c205_stop *b);
 c205 *machine_with(const c205_program *program, const c205_model *model);
 c205 *machine_from(const char *path, const c205_model *model);
 
-/* model_of returns the model of a random program. machine_of returns a machine that has
- * loaded the program. */
+/* Return the model of a random program, and a machine that has loaded it. */
 c205_model *model_of(const struct random_program *program);
 c205 *machine_of(const struct random_program *program, const c205_model *model);
 

@@ -1,5 +1,4 @@
-/* scene_fixture.c - lays out a scene in the memory of a machine, together with a
- * program that defines the records. */
+/* scene_fixture.c - lays out a scene and a program that defines its records. */
 #include "scene_fixture.h"
 
 #include "rt/layout/layout.h"

@@ -1,5 +1,4 @@
-/* scene_fixture.h - scenes in the memory of a machine. Tests read them by the names of
- * the records' fields. */
+/* scene_fixture.h - scenes in a machine's memory, read by the records' fields. */
 #ifndef TESTS_SCENE_FIXTURE_H
 #define TESTS_SCENE_FIXTURE_H
 

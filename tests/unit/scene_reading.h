@@ -46,8 +46,7 @@ struct scene *read_scene(const char *text);
 const struct triangles *triangles_of_part(const struct scene *scene, size_t i);
 const struct triangles *triangles_of(const struct scene *scene);
 
-/* Fails unless the text is rejected with exactly one error, at this position and with
- * `message` in its text. */
+/* Fails unless the text has exactly one error, here and with `message`. */
 void assert_error(const char *text, const struct scene_options *how, size_t line,
                   size_t column, const char *message);
 

@@ -66,8 +66,7 @@ void add_prism(char *text, size_t size, bool tangles)
 
 enum { MAX_CORNERS = 9 };
 
-/* Writes the corners. The last corner is also written before the first, which a smooth
- * closed spline needs. */
+/* Writes the corners, the last one also first, as a smooth closed spline needs. */
 static size_t add_spline_corners(char *text, size_t size,
                                  double corners[MAX_CORNERS][2], size_t count)
 {
@@ -132,8 +131,7 @@ void add_quadratic_prism(char *text, size_t size, bool tangles)
 
 /* ---- Lathes -------------------------------------------------------------- */
 
-/* Adds a profile that rises, with some level and some vertical segments. Each end is on
- * the axis or open. */
+/* Adds a profile that rises or is level. Each end is on the axis or open. */
 static size_t add_lathe_profile(char *text, size_t size)
 {
     size_t corners = 2 + below(9), count = corners;

@@ -18,8 +18,7 @@ static unsigned any(unsigned below)
     return (seed >> 16) % below;
 }
 
-/* Returns accounts of regions "r0".. in which some causes have clocks. All clocks are
- * below a random power of two. */
+/* Returns accounts of regions "r0".. with some clocks below a random power of two. */
 static struct accounts random_accounts(void)
 {
     struct accounts accounts = { .model = prior_model };

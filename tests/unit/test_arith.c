@@ -450,8 +450,7 @@ TEST(extended_come_back)
     }
 }
 
-/* All results are floored. The half result of normalised operands is therefore the
- * truncated full result. */
+/* All results are floored, so a half result is the truncated full result. */
 TEST(half_results_are_cut)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;

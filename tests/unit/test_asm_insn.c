@@ -182,8 +182,7 @@ TEST(errors)
     }
 }
 
-/* Disassembles a word and assembles the text, which is an instruction or .half. The
- * result must be the same word. */
+/* Disassembles a word and assembles the text again, which must give the word. */
 static void check_round_trip(c205_word word)
 {
     char one[DISASSEMBLE_TEXT_SIZE], text[DISASSEMBLE_TEXT_SIZE + 40];

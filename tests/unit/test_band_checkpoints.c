@@ -58,8 +58,7 @@ static bool same_row(const struct trace *a, const struct trace *b, size_t row)
     return true;
 }
 
-/* Fails unless every row is empty or equals the row of the complete frame. Returns the
- * number of complete rows. */
+/* Fails unless each row is empty or complete. Returns the number of complete rows. */
 static size_t check_stopped(const struct scene *scene, const struct trace *whole,
                             enum trace_mode mode, size_t jobs, size_t patience)
 {

@@ -227,8 +227,7 @@ TEST(fault)
 
 /* ---- Regions ------------------------------------------------------------- */
 
-/* Control enters the middle of a block of another region while vectors stream. The
- * program also reads the clock. */
+/* Control enters another region's block in the middle while vectors stream. */
 TEST(regions)
 {
     static const char text[] = "        .regs   r10, turns, to, a, b, time, v, x\n"

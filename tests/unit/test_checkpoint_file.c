@@ -155,8 +155,7 @@ static void expect_and_mend(const struct written *written, long at)
     assert_int_equal(size_of(paths[0]), written->end[written->count - 1]);
 }
 
-/* A file is truncated, or one of its bits is flipped. The damaged unit and all later
- * units are discarded. */
+/* A truncated file or flipped bit discards the damaged unit and all later ones. */
 TEST_WITH(damaged, set_up, tear_down)
 {
     struct written written;

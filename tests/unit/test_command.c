@@ -195,8 +195,7 @@ static const char *make_value(struct line *line, const struct command_option *op
     return NULL;
 }
 
-/* Adds "--name value", "--name=value", "-l value" or "-lvalue". A name may be
- * abbreviated if it stays unique. */
+/* Adds "--name value", "--name=value", "-l value" or "-lvalue", perhaps abbreviated. */
 static void add_option(struct line *line, const struct command_option *option)
 {
     char value[WORD_SIZE];

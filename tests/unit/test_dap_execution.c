@@ -56,8 +56,7 @@ static void choose_stops(struct walk *walk)
                walk->plain.watched);
 }
 
-/* Returns the expected reason of a stop. If two breakpoints match, the breakpoint that
- * was set first is reported. */
+/* Returns the expected reason of a stop: of two breakpoints the first that was set. */
 static const char *reason_for(const struct walk *walk, const char *request, size_t from)
 {
     bool steps_back = strcmp(request, "stepBack") == 0;

@@ -163,8 +163,7 @@ static const struct {
         { "step 4", "!5\n" },
         { "", "ended with status 0" } },
       0 },
-    /* Before the debugger prints a report, it ends an incomplete line of the program's
-     * output, but only once. */
+    /* A report first ends an incomplete line of the program's output, once. */
     { ONE_NUMBER, { { "step 2", "5\nstep " }, { "account", "!\n\n" } }, 0 },
     { ONE_NUMBER, { { "continue", "5\nstep " }, { "account", "!\n\n" } }, 0 },
     { ONE_NUMBER, { { "goto 2", "5\nstep " }, { "account", "!\n\n" } }, 0 },

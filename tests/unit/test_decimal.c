@@ -105,8 +105,7 @@ TEST(ends)
         }
 }
 
-/* The smallest normalised word of each exponent detects an estimate of the decimal
- * exponent that is one too large. */
+/* Each exponent's least normalised word detects an estimate that is one too large. */
 TEST(each_exponent)
 {
     for (int64_t exponent = -28672; exponent < 28672; exponent++)

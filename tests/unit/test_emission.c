@@ -164,8 +164,7 @@ static void assert_mean(const struct mean *mean, double expected, double sigmas,
     assert_near(found, expected, sigmas * sqrt(fmax(variance, 0) / mean->count) + more);
 }
 
-/* The mean weight must be the area. The weighted mean of the points must be the
- * centroid of the surface. */
+/* The mean weight is the area, the weighted mean of the points the centroid. */
 static void check_area(const struct primitive *primitive)
 {
     struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false, NULL };

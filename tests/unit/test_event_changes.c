@@ -59,8 +59,7 @@ static void compare(const struct contents *before, const struct contents *after,
                     event->pc, (random_areas[i].address + 64 * k));
 }
 
-/* Returns true for instructions that store consecutive elements. Their range contains
- * exactly the changed words. */
+/* Returns true for stores of consecutive elements, whose range is exact. */
 static bool is_dense(const c205_event *event)
 {
     const c205_insn *insn = event->insn;

@@ -14,15 +14,13 @@ struct known_file {
 };
 #define FILE_OF(word, bytes) word, bytes, sizeof bytes - 1
 
-/* A PNG file of 3 x 2 pixels. The argument is the rest of its header, and all chunks
- * except the last. */
+/* A PNG file of 3 x 2 pixels: the rest of its header, and all but its last chunk. */
 #define PNG_OF(bytes) \
     FILE_OF("png", "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR" \
                    "\x00\x00\x00\x03\x00\x00\x00\x02" bytes \
                    "\x00\x00\x00\x00IEND\xae\x42`\x82")
 
-/* The grey images have the values 0, 50, 100, 150, 200, 250. The coloured images have
- * the six colours of COLORS. */
+/* The grey images have the values 0, 50 .. 250, the coloured ones COLORS. */
 #define GREYS "\x00\x32\x64\x96\xc8\xfa"
 #define COLORS \
     "\xff\x00\x00\x00\xff\x00\x00\x00\xff\x0a\x14\x1e\xc8\x64\x32\xff\xff\xff"

@@ -102,8 +102,7 @@ static size_t check(const struct bound *bounds, size_t count)
     SCOPED_VALUE(hierarchy) hierarchy;
     assert_true(hierarchy_build(bounds, count, &hierarchy));
     check_order(&hierarchy, count);
-    /* Loose regions are regions without a bound, or all regions. They come first, in
-     * the order of the scene. */
+    /* Loose regions have no bound, or are all regions. They come first, in order. */
     bool all = hierarchy.loose == hierarchy.count;
     assert_true(all == (hierarchy.node_count == 0));
     for (size_t i = 0; i < hierarchy.count; i++)

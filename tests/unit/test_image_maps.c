@@ -42,8 +42,7 @@ static void expect_fault(const char *words, size_t column, const char *message)
 
 /* ---- Samples ------------------------------------------------------------- */
 
-/* Images of one row. The samples are 0, 10, 11, 64, 128, 200, 250, 255 of 255, or the
- * same fractions of 65535. */
+/* Images of one row: 0, 10, 11, 64, 128, 200, 250, 255 of 255, or as parts of 65535. */
 enum { SHADES = 8 };
 #define GREYS "\x00\x0a\x0b@\x80\xc8\xfa\xff"
 #define GREYS16 "\0\0\x0a\x0a\x0b\x0b@@\x80\x80\xc8\xc8\xfa\xfa\xff\xff"
@@ -65,8 +64,7 @@ static const double grey_png_1[SHADES] = { 0,     .0353, .0431, .2510,
                                            .5020, .7804, .9804, 1 };
 static const double grey_png_2_2[SHADES] = { 0, 0, 0, .0471, .2157, .5843, .9569, 1 };
 
-/* A PNG file of 8 x 1 pixels. The argument is the rest of its header, and all chunks
- * except the last. */
+/* A PNG file of 8 x 1 pixels: the rest of its header, and all but its last chunk. */
 #define PNG_OF(bytes) \
     "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00\x08\x00\x00\x00\x01" bytes \
     "\x00\x00\x00\x00IEND\xae\x42`\x82"

@@ -127,8 +127,7 @@ TEST(no_overlap)
     assert_null(c205_insn_coded(0xFF, 0));
 }
 
-/* Returns the letters that an operand can have at this position of the syntax, and
- * advances the position. */
+/* Returns the letters of the operand at this position, and advances it. */
 static const char *allowed_letters(const char **syntax, bool *bracket)
 {
     for (;; ++*syntax) {

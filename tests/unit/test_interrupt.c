@@ -285,8 +285,7 @@ TEST(result_at_the_end)
     assert_int_equal(get(&fixture, 4), c205_from_double(200));
 }
 
-/* A linked pair computes the quotients by two, plus one. At clock 113 + k, k / 1.625
- * elements have been computed. */
+/* A linked pair computes A / 2 + 1: k / 1.625 elements at clock 113 + k. */
 TEST(in_the_middle_of_a_pair)
 {
     SCOPED_VALUE(small_machine) fixture = make_small_machine();

@@ -104,8 +104,7 @@ TEST(threads)
     }
 }
 
-/* For any number of threads the lowest failing unit sets the error, and all units
- * before it are taken. */
+/* The lowest failing unit sets the error for any threads; earlier ones are taken. */
 TEST(bad)
 {
     for (int i = 0; i < TRIES; i++) {

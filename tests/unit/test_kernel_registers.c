@@ -258,8 +258,7 @@ static void listen_to_saves(void *context UNUSED, const c205 *machine,
         saves.before[k] = c205_register(machine, k);
 }
 
-/* Most of a short kernel's cost is its call. Saving a register unnecessarily would slow
- * down the scalar form. */
+/* A short kernel's main cost is its call, which unneeded saves would increase. */
 TEST(nothing_is_saved_in_vain)
 {
     static const char text[] = HEAD

@@ -222,8 +222,7 @@ TEST(any)
 
 enum { ELEMENTS = 16 };
 
-/* Reads elements. "1.0" is a number, "2" is an integer, and "i" is indefinite. Bits are
- * written as "0 1". */
+/* Reads elements: "1.0" is a number, "2" an integer, "i" indefinite, "0 1" bits. */
 static size_t take_elements(const char *text, enum asm_contents contents,
                             c205_word elements[ELEMENTS])
 {

@@ -135,8 +135,7 @@ static const char text[] = "        .equ    F_STRIP, %d\n"
                            "        call    v%s, f_link, f_target\n"
                            "        EXIT\n";
 
-/* Arguments and results of the scalar form and of the vector form. The vector form
- * writes its results to a label. */
+/* Arguments and results of both forms. The vector form writes to a label. */
 struct both {
     size_t count;
     c205_word x[MAX], y[MAX];
@@ -404,8 +403,7 @@ TEST(quotients)
 
 /* ---- Constants ----------------------------------------------------------- */
 
-/* Returns the largest word that is not above a value, which is how the assembler
- * converts a decimal number. */
+/* Returns the largest word not above a value, as the assembler converts decimals. */
 static c205_word word_below(const mpfr_t value)
 {
     mpfr_t cut;

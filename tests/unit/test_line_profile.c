@@ -46,8 +46,7 @@ static void check_run(const char *path, uint64_t limit, uint64_t slice)
     check_sums(profile, machine, path);
 }
 
-/* Runs a program to its end or to a trap. Then runs it with stops, some of which are
- * inside instructions. */
+/* Runs a program to its end or a trap, then with stops, some within instructions. */
 static void check_program(const char *path)
 {
     static uint64_t more;

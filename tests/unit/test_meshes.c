@@ -118,8 +118,7 @@ TEST(worlds)
 
 /* ---- Every triangle ------------------------------------------------------ */
 
-/* Adds a triangle around a point on a ray. `factor` times the length of the ray is the
- * distance of the point. */
+/* Adds a triangle around a point at `factor` times the length of a ray. */
 static void add_small(const double ray[3], double factor)
 {
     static const double around[3][3] = { { -.3, -.25, 0 },

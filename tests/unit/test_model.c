@@ -138,8 +138,7 @@ TEST(change)
                      4 * MILLION);
 }
 
-/* A changed model can be changed again. Without changes the result is a copy, also for
- * a projection. */
+/* A changed model can be changed again. No change gives a copy of any model. */
 TEST(change_again)
 {
     static const c205_setting first = { "machine.pipes", 4 };
@@ -190,8 +189,7 @@ TEST(errors_in_changes)
 
 /* ---- Errors in models ---------------------------------------------------- */
 
-/* Fails unless the text has this error. The column is the column of the wrong word.
- * Column 0 matches any column. */
+/* Fails unless the text has this error at the wrong word (column 0: anywhere). */
 static void assert_fails(const char *text, unsigned line, unsigned column,
                          const char *message)
 {

@@ -50,8 +50,7 @@ static void draw_box(struct box *box, uint64_t *random)
     }
 }
 
-/* Makes few parts with many boxes, or many parts with few boxes. Many parts need more
- * bits than a word has. */
+/* Makes few parts of many boxes, or more parts than a word has bits. */
 static void draw(struct crowd *crowd, uint64_t *random)
 {
     bool many = xorshift_between(random, 0, 3) == 0;

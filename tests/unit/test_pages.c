@@ -102,8 +102,7 @@ static uint64_t draw_page(uint64_t last, size_t capacity)
     }
 }
 
-/* Accesses a list of words. They are usually records in a few pages, with the words of
- * one field after another. */
+/* Accesses words, usually records in a few pages, one field after another. */
 static void touch_list(struct pages *pages, struct plain_list *list,
                        struct index_list *met_list, uint64_t page,
                        struct translation *expected, struct translation *met)

@@ -115,8 +115,7 @@ TEST(levels)
 
 /* ---- Glass -------------------------------------------------------------- */
 
-/* Returns the lateral displacement of a ray at 45 degrees in a layer of index n. The
- * sine inside is sin a / n. */
+/* Returns the lateral shift of a ray at 45 degrees in a layer of index n. */
 static double aside(double n, double depth)
 {
     double s = sqrt(.5) / n;
@@ -220,8 +219,7 @@ TEST(shared_interior)
                  1.5);
 }
 
-/* The camera is inside a ball, away from its centre. A mirror in the ball does not
- * change the medium of the ray. */
+/* The camera is inside a ball. A mirror in it does not change the ray's medium. */
 static void check_from_within(double along, const char *things)
 {
     double b = .5, radius = 2;

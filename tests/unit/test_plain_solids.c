@@ -32,8 +32,7 @@ static void solid_free(struct solid *solid)
     scene_free(solid->scene);
 }
 
-/* The number of crossings of a line with a solid, and its length inside the solid.
- * Coincident surfaces count once. */
+/* A line's crossings with a solid, coincident ones once, and its length inside. */
 struct passage {
     int events;
     double length;

@@ -222,8 +222,7 @@ static void check_words(const char *name, const char *what, const c205_word *a,
                 (unsigned long long)(bits[i] ^ flip));
 }
 
-/* Compares two images of memory and registers: the bits that an instruction has
- * written, or the other bits. */
+/* Compares two images of memory and registers: the written bits, or the others. */
 static void check_contents(const char *name, const struct image *a,
                            const struct image *b, const struct bits_of *written,
                            bool outside)
@@ -321,8 +320,7 @@ static const c205_insn *draw_first(uint64_t *random, c205_unit second)
     return row;
 }
 
-/* Returns the fields of the first instruction. Its operands are [x] and, if it has a
- * second operand, a number. */
+/* Returns the fields of the first instruction, on [x] and perhaps a number. */
 static c205_fields first_fields(const c205_insn *row, unsigned half)
 {
     c205_fields fields = { .g = (uint8_t)(row->subop | half),

@@ -183,8 +183,7 @@ static const struct {
     double behind;
     const char *expected;
 } cases[] = {
-    /* Two solids touch. Each part of a separate union is a body. Surfaces inside a
-     * merge are not reported. */
+    /* Two solids touch. Parts of a union are bodies. A merge has no inner surfaces. */
     { "box { -1, 1 } box { <-1, -1, 1>, <1, 1, 2> }", 0,
       "3 0 0 1 1 1; 5 0 0 -1 0 0; 5 1 1 1 1 1; 6 1 1 -1 0 0" },
     { "union { box { -1, 1 } box { <-1, -1, 0>, <1, 1, 2> } }", 0,

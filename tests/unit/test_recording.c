@@ -88,8 +88,7 @@ static void assert_retimes(const char *name, const struct run *recorded,
 
 /* ---- Programs ---------------------------------------------------------- */
 
-/* Records a run of a program. Compares replays on its model, on a model with other
- * pipes, and on projections. */
+/* Records a run. Compares replays on its model, on other pipes and on projections. */
 static void check(const char *name, struct object *object)
 {
     static const char *const names[PROJECTIONS] = { "cyber720-prior", "cdc6600" };

@@ -65,8 +65,7 @@ static int64_t way_of(const struct stage *stage, size_t i)
     return c205_to_integer(region(stage, i, "R_FLAGS"));
 }
 
-/* Returns the distance of a position from the first primitive's first crossing or
- * value, in crossings or values. */
+/* Returns a position's distance from the first crossing or value, in such units. */
 static int64_t behind_first(const struct stage *stage, size_t i, const char *name,
                             const char *size)
 {

@@ -310,8 +310,7 @@ static bool is_positive(const c205_word *c, c205_word t)
     return arith_not_less(f, C205_MACHINE_ZERO);
 }
 
-/* Uses all kinds in turn. Every second polynomial is positive at both ends. One
- * interval in sixteen is empty. */
+/* Uses all kinds in turn. One in two is positive at both ends, one in 16 is empty. */
 static void fill_touching(struct lanes *lanes, struct factors *factors,
                           double resolution, uint64_t *state)
 {

@@ -27,8 +27,7 @@ static char *watched(const struct object *object, const struct warning_choice *c
     return report.text;
 }
 
-/* Fails unless the program causes exactly one warning, which contains `said`, or no
- * warning if `said` is "". */
+/* Fails unless the program causes one warning with `said`, or none for "". */
 static void check(const char *text, const char *said)
 {
     static const struct warning_choice all;

@@ -208,8 +208,7 @@ TEST(flipped)
     assert_rejected(bytes.byte, bytes.count, prior_model, "damaged");
 }
 
-/* Any word may have any value if the hash is correct. The result must be an error, or a
- * machine that runs. */
+/* Words of any value with a correct hash give an error or a machine that runs. */
 static void try_word(struct bytes *bytes, size_t i, uint64_t word)
 {
     uint64_t before = get_word(bytes, i);

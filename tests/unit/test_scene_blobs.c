@@ -60,8 +60,7 @@ TEST(motions)
     assert_close(scene->primitives->to_world.rows[1][3], 3, 0);
 }
 
-/* All materials of components cause one report. The material of the blob is used, or
- * else the first of them. */
+/* Components' materials cause one report. The blob's is used, or else the first. */
 TEST(looks)
 {
     static const char text[] =
@@ -79,8 +78,7 @@ TEST(looks)
     }
 }
 
-/* A blob of one component has the component's material, which moves with the component
- * and with the blob. */
+/* A single component's material moves with the component and with the blob. */
 TEST(one_look)
 {
     SCOPED(scene) *scene = read_scene(

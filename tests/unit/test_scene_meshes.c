@@ -379,8 +379,7 @@ TEST(recovery)
 
 enum { MAX_POINTS = 12, MAX_FACES = 20, MESHES = 300 };
 
-/* Makes a random mesh with points on a small grid, so that some triangles have no area.
- * All normals differ. */
+/* Makes a mesh on a small grid, with empty triangles. All normals differ. */
 static void draw_mesh(struct net *net, size_t directions[MAX_FACES][3],
                       uint64_t *random)
 {

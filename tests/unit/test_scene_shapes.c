@@ -80,8 +80,7 @@ TEST(planes)
     assert_close(scene->primitives->shape.plane.distance, 2, 0);
 }
 
-/* Heights are sorted. Loops are closed, without repeated points. Loops that enclose no
- * area are omitted. */
+/* Heights are sorted. Loops are closed, without repeats. Empty loops are omitted. */
 TEST(prisms)
 {
     SCOPED(scene) *scene = read_scene(

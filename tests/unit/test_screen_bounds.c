@@ -398,8 +398,7 @@ static void add_edge_on(const double eye[3])
     add_text(text, sizeof text, "}\n");
 }
 
-/* Writes two lights at the same position, one of which is an area light, with near and
- * very distant objects. */
+/* Writes a lamp and an area light in one place, and near and very distant objects. */
 static void write_edge_on(void)
 {
     double eye[3], light[3];
@@ -424,8 +423,7 @@ static void write_edge_on(void)
              "plane { y, -9000 pigment { rgb 1 } }\n");
 }
 
-/* Rounding decides whether a ray in the plane of a triangle hits it. All stages must
- * get the same result. */
+/* Rounding decides hits in a triangle's plane. All stages must decide the same. */
 TEST(edge_on)
 {
     for (size_t i = 0; i < scene_count; i++) {

@@ -46,8 +46,7 @@ static void check_sights(const char *view, const struct sight *sights, size_t co
     "10, <-2, -2>, <2, -2>, <2, 2>, <-2, 2>, <-2, -2>," \
     " <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>"
 
-/* A spline with four corners. Its points from <-1, -1> to <1, -1> are <w^2 + w - 1, w^2
- * - w - 1>. */
+/* Its points from <-1, -1> to <1, -1> are <w^2 + w - 1, w^2 - w - 1>. */
 #define PRISM "prism { quadratic_spline "
 #define ROUNDED "6, <-1, 1>, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>"
 #define W ((1 + sqrt(.6)) / 2) /* W^2 - W = -.1 */
@@ -275,8 +274,7 @@ TEST(straight)
         { "disc { 0, y, 1 } disc { 3*z, z, 1 }", 2, 8 },
         { "disc { -5*z, z, 1 }", 0, 0 },
         { "disc { -6*z, z, 1 }", 0, 0 },
-        /* The inside of a disc is the half-space below its plane. Its visible face is
-         * only the disc. */
+        /* The inside of a disc is the half-space below, its visible face the disc. */
         { "difference { sphere { 0, 2 } disc { 0, z, 1 } }", 2, 5 },
         { "difference { sphere { 0, 2 } disc { 0, z, 1, .5 } }", 1, 7 },
         { "difference { sphere { 0, 2 } disc { 9*x, z, 1 } }", 1, 7 },

@@ -304,8 +304,7 @@ static int run_script(const char *const *words, const char *lines, int number,
     return status;
 }
 
-/* SIGTERM and SIGHUP end the command. Ctrl-C ends the current movement. The exit status
- * is never 0. */
+/* SIGTERM and SIGHUP end the command, Ctrl-C a movement. The status is never 0. */
 TEST(scripts)
 {
     static const char lines[] = "continue\nprint 6 * 7\n";

@@ -174,8 +174,7 @@ static void read_detail(const char *heading, struct csv_table *table)
     csv_table(strchr(at, '\n') + 1, table);
 }
 
-/* The clocks of each form, divided by the rays of the previous table. The names of the
- * shapes contain commas. */
+/* The clocks of each form per ray of the previous table. Names contain commas. */
 TEST(times)
 {
     static struct csv_table rays, times;

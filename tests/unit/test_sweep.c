@@ -139,8 +139,7 @@ TEST(small_memory)
     assert_true(group(longest, SWEEP_STARTUP) < group(best, SWEEP_STARTUP));
 }
 
-/* A model that is computed from two frames predicts the memory of a third frame.
- * Crossings of a tree count. */
+/* A model from two frames predicts the memory of a third. Tree crossings count. */
 TEST(memory)
 {
     SCOPED(scene) *scene = read_scene(balls);

@@ -78,8 +78,7 @@ static void random_words(unsigned *seed, size_t count, char *text)
     }
 }
 
-/* The lines from the start of the column must contain the whole text. Each line must be
- * as full as possible. */
+/* The column's lines contain the whole text and are as full as possible. */
 static void assert_folded(const char *printed, size_t begins, const char *text)
 {
     enum { WIDE = 100 };
@@ -99,8 +98,7 @@ static void assert_folded(const char *printed, size_t begins, const char *text)
     assert_string_equal(line, "");
 }
 
-/* Texts that could break a format: its separators, line ends, and numbers that have a
- * shorter printed form. */
+/* Texts that could break a format: separators, line ends, and long numbers. */
 static const char *const odd_names[] = { "a, b", "\"c\"",      "# d",
                                          "e|f",  "two\nlines", "\\ <g> *h* `i`" };
 

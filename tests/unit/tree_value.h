@@ -4,8 +4,7 @@
 
 #include "rt/scene/scene.h"
 
-/* Returns the value of a node. `inside` contains for each primitive of the scene
- * whether the point is inside. */
+/* Returns a node's value. `inside`: whether the point is in each primitive. */
 static inline bool tree_value(const struct scene *scene, size_t node,
                               const bool *inside)
 {

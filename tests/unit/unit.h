@@ -40,8 +40,7 @@
 /* The error of the last failed call. */
 static c205_error failure __attribute__((unused));
 
-/* Fails the test unless the value is true. The message is the message of `failure`, or
- * of another error. */
+/* Fails the test with the message of `failure` or of an error if a value is false. */
 #define REQUIRE(value) REQUIRE_OF(value, failure)
 #define REQUIRE_OF(value, error) FAIL_IF(!(value), "%s", error.message)
 

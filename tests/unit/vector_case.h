@@ -56,8 +56,7 @@ struct vector_case {
 
 bool is_row_of(const c205_insn *row, const char *names);
 
-/* Returns true for rows whose operand Z selects where the elements of A and B go, but
- * suppresses no result. */
+/* Returns true for rows whose Z selects where elements go, without suppressing any. */
 bool z_selects(const c205_insn *row);
 bool has_control(const struct vector_case *one);
 /* Returns true if the order vector of a sparse result is an operand. */
@@ -69,8 +68,7 @@ void mark(struct bits_of *bits, uint64_t address, uint64_t count);
 void mark_element(struct bits_of *bits, const struct extent_of *vector, size_t i);
 bool bit_of(const struct vector_case *one, enum role role, size_t i);
 
-/* is_chosen returns true if the control vector selects element i, by a one or, if zeros
- * select, by a zero. */
+/* is_chosen returns true if the control vector selects element i. */
 bool is_chosen(const struct vector_case *one, size_t i);
 bool is_permitted(const struct vector_case *one, size_t i);
 size_t count_chosen(const struct vector_case *one, bool chosen);
