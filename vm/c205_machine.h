@@ -90,8 +90,8 @@ bool c205_next_page(const c205 *machine, uint64_t from, c205_page *page);
  * room for all pages. Takes no clocks. */
 void c205_warm(c205 *machine);
 
-/* Copy words between the host and the machine's memory. They take no clocks. They fail
- * without effect if a page is not mapped. */
+/* Copy words between the host and the machine's memory. They take no clocks. They
+ * return false, without effect, if a page is not mapped. */
 bool c205_read(const c205 *machine, uint64_t address, c205_word *words, size_t count);
 bool c205_write(c205 *machine, uint64_t address, const c205_word *words, size_t count);
 
@@ -127,17 +127,17 @@ typedef struct c205_stop {
     int64_t status;        /* operand R of EXIT */
 } c205_stop;
 
-/* Runs until the program ends, a trap occurs, or the clock has reached limit. The limit
- * may stop the run within a vector instruction. Its first elements are then stored, and
- * the program counter remains at this instruction. The next run continues there. A stop
- * does not change the results, clocks and accounts. Nothing happens if the clock has
- * already reached the limit. */
+/* Runs until the program ends, a trap occurs, or the clock has reached limit. Returns
+ * the reason of the stop. The limit may stop the run within a vector instruction. The
+ * first elements of the instruction are then stored, and the program counter remains at
+ * the instruction. The next run continues there. A stop does not change the results,
+ * clocks and accounts. Nothing happens if the clock has already reached the limit. */
 c205_stop c205_run(c205 *machine, uint64_t limit);
 /* Executes one instruction, or the rest of an interrupted instruction. A linked pair
  * and its prefix count as one instruction. Returns true if the program continues;
  * otherwise *stop states the reason. */
 bool c205_step(c205 *machine, c205_stop *stop);
-/* Runs at most count instructions, then stops with PAUSED; otherwise like c205_run. */
+/* Like c205_run, but also stops, with PAUSED, after count instructions. */
 c205_stop c205_run_steps(c205 *machine, uint64_t count, uint64_t limit);
 /* Writes a text such as "trap unmapped-address at 1000: ADDNV: address 2040: no memory
  * is mapped there". */
@@ -177,7 +177,7 @@ typedef struct c205_event {
     const c205_insn *insn;
     c205_fields fields;
     size_t region;            /* index of the region in the accounts */
-    uint64_t issued;          /* the clock at which it issued */
+    uint64_t issued;          /* the clock at which the instruction issued */
     uint64_t clocks;          /* increase of the clock */
     const c205_times *record; /* its times; only the wait for everything in flight after
                                  an end or a trap; NULL: none */

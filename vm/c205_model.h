@@ -55,7 +55,8 @@ void c205_model_free(c205_model *model);
 
 const char *c205_model_name(const c205_model *model);
 const char *c205_model_title(const c205_model *model);
-/* The agreement with the figures used in the fit, and with other figures. */
+/* Return the agreement of the model with the figures used in the fit, and with other
+ * figures. */
 c205_belief c205_model_fitted(const c205_model *model);
 c205_belief c205_model_compared(const c205_model *model);
 /* Returns true if the model only supplies times of another machine. */

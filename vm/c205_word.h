@@ -25,9 +25,9 @@ typedef uint64_t c205_word;
 #define C205_INDEFINITE UINT64_C(0x7000000000000000)
 #define C205_ONE UINT64_C(0xFFD2400000000000)
 
-/* Rounds a double down to a normalised word. The result is exact if 47 bits hold the
- * value. It is indefinite for infinity, NaN and values that are too large, and machine
- * zero for zero and values that are too small. */
+/* Returns a double, rounded down to a normalised word. The result is exact if 47 bits
+ * hold the value. It is indefinite for infinity, NaN and values that are too large, and
+ * machine zero for zero and values that are too small. */
 c205_word c205_from_double(double value);
 
 /* Returns the exact value within the range of a double. Indefinite gives NaN. Values
@@ -43,9 +43,9 @@ int64_t c205_to_integer(c205_word word);
 uint64_t c205_descriptor_address(c205_word descriptor);
 size_t c205_descriptor_length(c205_word descriptor);
 
-/* Reads decimal text ("-12.5e-3") of any length and rounds its exact value down to a
- * normalised word. Sets *end to the first unused character; *end equals text if there
- * is no number. */
+/* Reads decimal text ("-12.5e-3") of any length. Returns its exact value, rounded down
+ * to a normalised word. Sets *end to the first unused character; *end equals text if
+ * there is no number. */
 c205_word c205_from_text(const char *text, const char **end);
 
 enum { C205_TEXT_SIZE = 40 };

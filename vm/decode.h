@@ -106,10 +106,11 @@ static inline const struct decoded *decode_cached(const struct decode_cache *cac
     return cache->pc[i] == pc && entry->version == version ? entry : NULL;
 }
 
-/* Decodes the instruction at pc and marks its words as code. */
+/* Decodes the instruction at pc and marks its words as code. Returns NONE, or the trap
+ * if the words are not an instruction. */
 c205_trap decode(struct c205 *machine, uint64_t pc, struct decoded *decoded);
-/* Returns the instruction at pc from the cache, or decodes it and marks its words as
- * code. */
+/* Sets *decoded to the cache entry of the instruction at pc. If it is not in the cache,
+ * decodes it first. Returns NONE or the trap of decode. */
 c205_trap decode_at(struct c205 *machine, uint64_t pc, const struct decoded **decoded);
 /* Decodes the pair after a LINKV into the cache entry of the prefix. Returns BAD_LINK
  * if these instructions cannot be linked. */

@@ -168,7 +168,8 @@ struct operation;
 bool direct_elementwise(struct c205 *machine, const struct decoded *decoded,
                         const struct operation *operation);
 /* Executes a linked pair. The result of the first instruction is A (hand_a), B (hand_b)
- * or both of the second. */
+ * or both of the second. Returns false, without effect, if one of the two instructions
+ * is not simple. */
 bool direct_pair(struct c205 *machine, const struct decoded *const *linked, bool hand_a,
                  bool hand_b);
 

@@ -4,6 +4,7 @@
  * register, offset and G bits; a bad descriptor traps. To claim it for a number of
  * elements means to check its memory and to report this memory to the clock. Finally it
  * is read or stored chunk by chunk. Nothing is stored before all operands are claimed.
+ * Functions that describe or claim return NONE or the trap.
  *
  * The machine reads element i, computes it and stores it before it reads element i + 1.
  * Streams process many elements at once. operand_lead returns the number of elements

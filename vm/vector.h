@@ -1,5 +1,6 @@
 /* vector.h - the common part of the vector instructions. They process two sources, a
- * control vector and a result in chunks.
+ * control vector and a result in chunks. Functions that return a trap return NONE on
+ * success.
  */
 #ifndef C205_VECTOR_H
 #define C205_VECTOR_H

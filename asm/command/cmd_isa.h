@@ -44,7 +44,8 @@ struct isa_rules {
 };
 void isa_list_rules(const c205_insn *insn, struct isa_rules *rules);
 
-/* Describes the elements that the clock counts if they are not the results. */
+/* Returns a description of the elements that the clock counts, or "" if these are the
+ * results. */
 const char *isa_clocked(const c205_insn *insn);
 const char *isa_provenance(char letter);
 

@@ -48,7 +48,7 @@ struct source_arguments {
     struct cmd_warnings warnings;
 };
 
-/* Prints the list of warnings for -W list. */
+/* Prints the list of warnings for -W list. Returns the exit code. */
 int cmd_list_warnings(void);
 /* Reads a program from its text or from an object file. Returns NULL on failure, after
  * writing all errors to the report. cmd_read_program reports names that are defined

@@ -188,7 +188,7 @@ enum dap_group {
 
 /* ---- Sources (frames.c) -------------------------------------------------- */
 
-/* Lists the source files of the object. Fails if memory is exhausted. */
+/* Lists the source files of the object. Returns false if memory is exhausted. */
 bool sources_find(struct dap *dap);
 /* Returns the index of a file by its name, or file_count if the name is NULL or not
  * listed. */

@@ -26,7 +26,7 @@ struct debugger_setup {
     const char *name;            /* name of the program's file */
     const c205_model *model;
     struct sink out;
-    struct sink printed;  /* output of the program; equal to out if it has no put */
+    struct sink printed;  /* output of the program; NULL put: equal to out */
     bool printed_apart;   /* this output and the replies have different destinations */
     bool warm;            /* start with all pages in memory */
     uint64_t clocks_most; /* limit of one command, because a script has no Ctrl-C */

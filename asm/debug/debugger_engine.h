@@ -50,9 +50,9 @@ struct breakpoint {
     char condition[MAX_TEXT]; /* the condition; "": none */
     char wanted[MAX_TEXT];    /* condition on the number of hits, such as "> 4" or "%
                                  3"; "": none */
-    bool met;                 /* it stopped the program at the current location */
+    bool met; /* the breakpoint stopped the program at the current location */
     uint64_t address;
-    const char *file; /* for BREAK_LINE, and for BREAK_ADDRESS if it is known */
+    const char *file; /* for BREAK_LINE, and for BREAK_ADDRESS if the line is known */
     size_t line;
     const c205_insn *insn;
     const char *region;
@@ -126,8 +126,8 @@ bool debug_address(struct debugger *debugger, struct text_cursor *cursor,
                    uint64_t *address);
 bool debug_count(struct debugger *debugger, struct text_cursor *cursor,
                  uint64_t *count);
-/* Converts a value to a word, or to a half word in the left half of a word. Fails if
- * the value is not representable. */
+/* Converts a value to a word, or to a half word in the left half of a word. Reports an
+ * error and returns false if the value is not representable. */
 bool debug_word(struct debugger *debugger, const struct value_of *value, bool half,
                 c205_word *word);
 bool debug_is_true(const struct value_of *value);
@@ -158,7 +158,8 @@ bool debug_set_register(struct debugger *debugger, struct register_of named,
 /* Writes at most 64 bits within one word. The bits are left-aligned in the value. */
 bool debug_set_bits(struct debugger *debugger, uint64_t address, unsigned width,
                     c205_word bits);
-/* Writes bytes from an address on. Fails if a byte is not mapped. */
+/* Writes bytes from an address on. Reports an error and returns false if a byte is not
+ * mapped. */
 bool debug_set_bytes(struct debugger *debugger, uint64_t address,
                      const unsigned char *bytes, size_t count);
 /* Continues at another address, which must be an instruction of the program's text. */
@@ -167,8 +168,9 @@ bool debug_jump(struct debugger *debugger, uint64_t address);
 /* ---- Places (place.c) ------------------------------------------------------ */
 
 /* Reads a place and sets the kind, the address and the text of a breakpoint. If the
- * text does not determine the position, the position is added to it. The grammar is:
- * LABEL, LABEL + EXPRESSION, LINE, FILE:LINE, *EXPRESSION, insn NAME, region NAME. */
+ * text does not determine the position, the position is added to the text. The grammar
+ * is: LABEL, LABEL + EXPRESSION, LINE, FILE:LINE, *EXPRESSION, insn NAME, region
+ * NAME. */
 bool place_read(struct debugger *debugger, struct text_cursor *cursor,
                 struct breakpoint *stop);
 /* Reads a source line, or the next line that has code, like place_read. */

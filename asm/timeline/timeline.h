@@ -50,7 +50,8 @@ c205_listener timeline_listen; /* its context is the timeline */
 bool timeline_is_good(const struct timeline *timeline);
 void timeline_free(struct timeline *timeline);
 
-/* title is the title of the picture. */
+/* Write the timeline as a picture (SVG), for Konata, and as trace events. title is the
+ * title of the picture. They return false if memory is exhausted. */
 bool timeline_svg(const struct timeline *timeline, const char *title,
                   const struct sink *sink);
 bool timeline_kanata(const struct timeline *timeline, const struct sink *sink);

@@ -59,8 +59,8 @@ bool view_is_present(const struct operand_view *operand);
 bool view_is_read(const struct operand_view *operand);
 
 /* Reads n elements of a width in bits. They begin at element `first` after an address.
- * Elements of 32 bits are left-aligned in words, bits are right-aligned. Fails if
- * memory is not mapped. */
+ * Elements of 32 bits are left-aligned in words, bits are right-aligned. Returns false
+ * if memory is not mapped. */
 bool view_read(const c205 *machine, uint64_t address, unsigned width, size_t first,
                size_t n, c205_word *words);
 

@@ -30,7 +30,7 @@ struct global_lines {
     double radius;  /* radius of the sphere */
     uint64_t *ends; /* n_ij: [repeats][surfaces + 1][surfaces + 1] */
     struct accounts accounts;
-    uint64_t clocks[HEAT_STEPS]; /* clocks of these machines for each step */
+    uint64_t clocks[HEAT_STEPS]; /* clocks of all machines for each step */
 };
 
 /* Counts the gaps. If this process does not collect results (job_set_collects), the

@@ -39,7 +39,7 @@ struct packet {
                         * points */
     c205_word *counts; /* numbers of rays: for each receiver, of covered points */
     struct accounts accounts;
-    uint64_t clocks[HEAT_STEPS]; /* clocks of these machines for each step */
+    uint64_t clocks[HEAT_STEPS]; /* clocks of all machines for each step */
 };
 
 /* Allocates the sums and counts of a packet. Returns false if out of memory. Call

@@ -54,7 +54,8 @@ enum rank_message {
 };
 void ranks_send(const struct ranks *ranks, size_t to, enum rank_message message,
                 uint64_t word, const struct serialized_result *more);
-/* Receives a message if one has arrived. message->at is the index of its first word. */
+/* Receives a message if one has arrived, and otherwise returns false. message->at is
+ * the index of its first word. */
 bool ranks_receive(const struct ranks *ranks, size_t *from,
                    struct serialized_result *message);
 /* Returns the next message from rank 0 to this rank. */

@@ -87,13 +87,14 @@ bool picture_holds_half(const char *path);
  * Channels that are not in the file become 0. */
 bool picture_read(const char *path, struct frame *frame, c205_error *error);
 
-/* Like picture_read, with a layer. Its samples become frame->value, which the caller
- * frees, too. They are 0 if the file has no layer with this name. The channels of a
- * .tif have no names; its layer is a single plane after the channels. */
+/* Like picture_read, but also reads a layer into frame->value, which the caller frees,
+ * too. The values are 0 if the file has no layer with this name. The channels of a .tif
+ * have no names; its layer is a single plane after the channels. */
 bool picture_read_layer(const char *path, const char *layer, struct frame *frame,
                         c205_error *error);
 
-/* Reads the text of a picture's note. It is "" if the picture has no such note. */
+/* Reads the text of a picture's note. The text is "" if the picture has no such
+ * note. */
 bool picture_read_note(const char *path, const char *name, char *text, size_t size,
                        c205_error *error);
 

@@ -64,7 +64,9 @@ struct root_search *roots_new(const struct polynomial *polynomials, size_t count
                               const struct roots_options *options, c205_error *error);
 void roots_free(struct root_search *search);
 
-/* Makes the run count the steps of the refinement. Call this before the run. */
+/* Makes the run count the steps of the refinement. Call this before the run. Returns
+ * false if the program lacks a label of iterations.h, or if the machine has too many
+ * listeners. */
 bool roots_watch(struct root_search *search, struct iterations *iterations);
 
 /* Runs the search. Returns false after a trap, or if progress returned false. */

@@ -42,8 +42,8 @@ enum raster_kind {
 /* Returns the kind of a file, from its first bytes. TGA has no signature, so any
  * unknown file counts as TGA. */
 enum raster_kind raster_kind_of(const char *bytes, size_t length);
-/* Reads an image. `reads` is called for kinds other than PGM and PPM. If it is NULL,
- * these kinds are errors. */
+/* Reads an image. `reads` is called for kinds other than PGM and PPM. If `reads` is
+ * NULL, these kinds are errors. On failure sets the error and returns false. */
 bool raster_read(enum raster_kind kind, const char *bytes, size_t length,
                  raster_reader *reads, struct raster *raster, c205_error *error);
 

@@ -17,7 +17,7 @@ enum { SPLINE_TERMS = 5 };
 struct spline_point {
     double t, value[SPLINE_TERMS];
     double bend[SPLINE_TERMS]; /* second derivatives of a natural spline */
-    double pivot;              /* pivot of the equations for them */
+    double pivot;              /* pivot of the equations for these derivatives */
 };
 
 /* The points are sorted by their parameters, which are distinct. */

@@ -42,7 +42,7 @@ struct ray_hit {
     c205_word distance;  /* from the line's origin, a length in the world */
     c205_word normal[3]; /* on request: unit length, opposed to the line's direction */
     size_t primitive;    /* index among the scene's primitives, from 0 */
-    size_t object;       /* the object that it belongs to */
+    size_t object;       /* index of the scene's object that contains the primitive */
     size_t triangle;     /* index among the triangles of a mesh; else 0 */
     /* 1: the line enters the region's body. -1: it leaves the body. 0: the region has
      * no body, because one of its surfaces is open, or cuts without being visible. */
@@ -73,9 +73,8 @@ struct ray_query *ray_query_new(const struct scene *scene,
 void ray_query_free(struct ray_query *query);
 
 /* Computes the crossings of each line. The caller frees them. Threads may call this
- * function concurrently. It fails if a direction has length 0, if a number is not
- * finite, after a trap, or if out of memory. It then sets the error, and the result is
- * empty. */
+ * function concurrently. Returns false with the error if a direction has length 0, if a
+ * number is not finite, after a trap, or if out of memory. The result is then empty. */
 bool ray_query_find(const struct ray_query *query, const struct scene_ray *list,
                     size_t count, struct ray_hits *found, c205_error *error);
 

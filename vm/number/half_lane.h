@@ -135,8 +135,8 @@ static inline int64_t root(uint64_t n)
     return below(sqrt(to_double(n) + 0.5));
 }
 
-/* Normalises the operand, takes its root, and shifts the root back by the same
- * places. */
+/* Returns the square root. The operand is normalised, and the root is shifted back by
+ * the same number of places. */
 static inline lane lane_square_root(c205_word a)
 {
     int64_t c = value(a);

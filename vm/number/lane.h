@@ -58,9 +58,9 @@ static inline lane lane_multiply_significant(c205_word a, c205_word b)
 
 /* ---- Divide, square root ------------------------------------------------ */
 
-/* Divides. The quotient in double arithmetic is below 2^49, and its error is below 1/8.
- * The nearest integer is therefore the floor or the floor plus 1, and the sign of the
- * remainder modulo 2^64 decides which. */
+/* Returns trunc(ca x 2^47 / cb). The quotient in double arithmetic is below 2^49, and
+ * its error is below 1/8. The nearest integer is therefore the floor or the floor plus
+ * 1, and the sign of the remainder modulo 2^64 decides which. */
 static inline int64_t quotient(int64_t ca, int64_t cb)
 {
     uint64_t dividend = magnitude(ca), divisor = magnitude(cb);
@@ -106,7 +106,7 @@ static inline lane lane_square_root(c205_word a)
  * result is in the range. These functions test nothing.
  */
 
-/* Adds the exponents in place, without extracting them. */
+/* Returns the product. The exponents are added in place, without extracting them. */
 static inline c205_word common_multiply_significant(c205_word a, c205_word b)
 {
     int64_t p = product(a, b, 2);

@@ -301,8 +301,8 @@ static inline lane lane_average_difference(c205_word a, c205_word b)
 
 /* ---- Parts of a number, sign -------------------------------------------- */
 
-/* Clears the fraction bits of c. apart(0, a) is the magnitude of a negative
- * exponent. */
+/* Returns c shifted right, so that its fraction bits are lost. apart(0, a) is the
+ * magnitude of a negative exponent. */
 static inline int64_t without_fraction(int64_t c, c205_word a)
 {
     return shifted(c, apart(0, a, 63));

@@ -57,8 +57,9 @@ static inline c205_word format_coefficient_mask(word_format f)
     return UINT64_MAX >> f.exponent_bits & format_mask(f);
 }
 
-/* The first and the last sixteenth of the exponents mark special words. All others are
- * valid: 9000 .. 6FFF for words, 90 .. 6F for half words. */
+/* Return the largest and the smallest valid exponent. The first and the last sixteenth
+ * of the exponents mark special words. All others are valid: 9000 .. 6FFF for words, 90
+ * .. 6F for half words. */
 static inline int32_t format_exponent_max(word_format f)
 {
     return (7 << (f.exponent_bits - 4)) - 1;

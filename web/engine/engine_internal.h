@@ -1,9 +1,9 @@
 /* engine_internal.h - the internals of an engine. Not public.
  *
  * A request is a function that reads the members of the request and writes the members
- * of its reply. On failure it sets the error, and the incomplete reply is discarded. A
- * long request sets `goes_on` to the function of its next slice, which the request
- * `more` calls.
+ * of its reply. On failure it sets the error and returns false, as all functions with a
+ * c205_error do, and the incomplete reply is discarded. A long request sets `goes_on`
+ * to the function of its next slice, which the request `more` calls.
  */
 #ifndef WEB_ENGINE_ENGINE_INTERNAL_H
 #define WEB_ENGINE_ENGINE_INTERNAL_H

@@ -58,8 +58,8 @@ bool operand_read(struct reader *reader, struct numbers *value);
 bool spline_call(struct reader *reader, struct numbers *value);
 
 /* operand_float reports an error if the value is not a float. Both functions report an
- * error if it is not finite, after an overflow or for an argument outside of a
- * function's domain. */
+ * error if the value is not finite, which is the result of an overflow, or of an
+ * argument outside of a function's domain. */
 bool operand_float(struct reader *reader, const struct scene_token *at,
                    const struct numbers *value);
 bool operand_finite(struct reader *reader, const struct scene_token *at,

@@ -134,8 +134,8 @@ void shape_choose_texture(struct reader *reader, struct scene_object *object,
                           const struct scene_token *at, const char *pieces,
                           const char *own);
 bool light_read(struct reader *reader, struct scene_object *object);
-/* Reads the block of looks_like. The origin of its object is the position of the
- * light. */
+/* Reads the block of looks_like. The position of the light becomes the origin of the
+ * object in the block. */
 bool looks_like_read(struct reader *reader, struct scene_object *object,
                      const double position[3]);
 /* Gives an object its own interior with this refractive index. */

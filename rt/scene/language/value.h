@@ -96,7 +96,7 @@ struct scene_macro {
 
 /* A file that #fopen has opened. */
 struct data_file {
-    bool reads;                        /* it is open for reading, else for writing */
+    bool reads; /* true: open for reading; false: open for writing */
     const struct scene_source *source; /* NULL: all values have been read */
     struct text_place place;           /* position of the next value */
 };

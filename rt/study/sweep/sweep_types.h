@@ -37,7 +37,7 @@ struct sweep_memory {
     size_t crossings;    /* number of words of a_ray for crossings, which scenes of
                           * solids store until the visible surface is known */
     double real;         /* real memory, in words */
-    double fills;        /* number of rays in the queue that fills it */
+    double fills;        /* number of rays in the queue that fills real memory */
 };
 bool sweep_memory(struct sweep *sweep, struct sweep_memory *memory, c205_error *error);
 
