@@ -40,6 +40,8 @@ enum { C205_REGISTERS = 256 };
 #define C205_PAGE_WORDS 65536u /* size of a large page (primary source) */
 #define C205_MAX_LENGTH 65535u /* elements of a vector (primary source) */
 
+/* Returns a new machine, or NULL with the error if the model is a projection or the
+ * host is out of memory. The model must outlive the machine. */
 c205 *c205_new(const c205_model *model, c205_error *error);
 void c205_free(c205 *machine);
 const c205_model *c205_machine_model(const c205 *machine);
@@ -145,6 +147,8 @@ void c205_describe_stop(const c205 *machine, const c205_stop *stop, c205_error *
 
 /* ---- Registers (vm/inspect.c) -------------------------------------------- */
 
+/* Return and set a register. Register 0 and numbers above 255 read as zero. Setting
+ * them has no effect. */
 c205_word c205_register(const c205 *machine, unsigned number);
 void c205_set_register(c205 *machine, unsigned number, c205_word word);
 uint64_t c205_pc(const c205 *machine);

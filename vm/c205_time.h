@@ -47,6 +47,8 @@ typedef struct c205_account {
  */
 uint64_t c205_clock(const c205 *machine);
 
+/* Return the number of accounts, and account i. Account 0 is all code outside named
+ * regions. */
 size_t c205_account_count(const c205 *machine);
 const c205_account *c205_account_at(const c205 *machine, size_t i);
 /* Sets clock and accounts to zero and empties the pipes. Memory, registers, resident

@@ -163,6 +163,8 @@ const c205_insn *c205_insn_named(const char *mnemonic, size_t length);
  * NULL: undefined. */
 const c205_insn *c205_insn_coded(uint8_t opcode, uint8_t g);
 
+/* Return the name of a format, the syntax of its operands, and the length of its
+ * instructions in half words. */
 const char *c205_format_name(c205_format format);
 const char *c205_format_syntax(c205_format format);
 unsigned c205_format_halves(c205_format format);

@@ -148,6 +148,8 @@ static inline struct page *memory_peek(const struct memory *memory, uint64_t add
     return pages ? pages[address >> PAGE_SHIFT & (DIRECTORY_PAGES - 1)] : NULL;
 }
 
+/* Allocates the page of zeros at an address, which is mapped but untouched, and returns
+ * it. NULL: out of memory. */
 struct page *memory_touch(const struct memory *memory, uint64_t address);
 
 static inline bool memory_may_write(const struct page *page)

@@ -27,6 +27,7 @@ struct serializer {
 
 enum { SERIALIZER_WORD_BYTES = 8 };
 
+/* Return a serializer that writes to a function, and one that reads from bytes. */
 struct serializer serializer_to(c205_writer *write, void *context, c205_error *error);
 struct serializer serializer_from(const void *bytes, size_t count, c205_error *error);
 

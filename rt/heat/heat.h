@@ -60,6 +60,7 @@ bool heat_begin(const struct scene *scene, const struct heat_request *request,
 bool heat_find(struct heat *heat, c205_error *error);
 void heat_free(struct heat *heat);
 
+/* Returns true if no error exceeds the tolerance, or if there is no tolerance. */
 bool heat_is_precise(const struct heat *heat);
 /* Returns the name of a receiver. The last receiver is the environment. */
 const char *heat_receiver(const struct heat *heat, size_t to);

@@ -72,6 +72,7 @@ bool mass_begin(const struct scene *scene, const struct mass_request *request,
 bool mass_find(struct mass *mass, c205_error *error);
 void mass_free(struct mass *mass);
 
+/* Returns true if no error exceeds the tolerance, or if there is no tolerance. */
 bool mass_is_precise(const struct mass *mass);
 /* Returns the number of rays of all views and shifts. */
 size_t mass_rays(const struct mass *mass);

@@ -26,6 +26,7 @@ struct shape_words {
     size_t events;               /* largest number of visible crossings of a ray */
 };
 
+/* Describes a primitive for the default kernels. */
 void shape_words(const struct primitive *primitive, struct shape_words *words);
 /* Describes a primitive that is not in a tree, for the program of 1984. If this program
  * has no kernel for the primitive, writes the words of shape_words and returns

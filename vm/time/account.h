@@ -26,6 +26,7 @@ void accounts_clear(struct clock_accounts *accounts);
 void accounts_keep(struct clock_accounts *accounts);
 void accounts_put_back(struct clock_accounts *accounts);
 
+/* Return the sum of all clocks, and the sum of all clocks of the copy. */
 uint64_t accounts_sum(const struct clock_accounts *accounts);
 uint64_t accounts_sum_kept(const struct clock_accounts *accounts);
 

@@ -178,6 +178,9 @@ bool reader_no_memory(struct reader *reader);
 bool reader_check(struct reader *reader, const struct scene_token *at,
                   const char *fault);
 
+/* reader_at_sign returns true if the current token is the sign. reader_accept_sign then
+ * also passes the sign. reader_expect_sign reports an error if the current token is not
+ * the sign. */
 bool reader_at_sign(const struct reader *reader, int sign);
 bool reader_accept_sign(struct reader *reader, int sign);
 bool reader_expect_sign(struct reader *reader, int sign);
