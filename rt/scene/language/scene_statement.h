@@ -89,7 +89,7 @@ bool primitive_read(struct reader *reader, enum primitive_kind kind,
  * shape is reported and removed. In a solid it counts as the empty set. */
 bool primitive_finish(struct reader *reader, struct primitive *primitive,
                       const struct scene_token *at);
-/* Removes a primitive for this reason, as if it were invisible. */
+/* Removes a primitive as if it were invisible, and reports the reason. */
 void primitive_leave_out(struct reader *reader, struct primitive *primitive,
                          const struct scene_token *at, const char *reason);
 /* Reads a cubic, which has order 3, or a poly, whose order is an argument. */
