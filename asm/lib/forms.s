@@ -40,7 +40,7 @@
 ;       into k, a, c                    c = k / a
 ;       root a, c                       c = sqrt a
 ;       absolute a, c                   c = |a|
-;       negate a, c                     c = -a
+;       negate a, c                     c = -a; a is normalised
 ;       normal a, c                     c = a, normalised
 ;       floor a, c                      c = the largest integer not above a, exponent 0
 ;       truncate a, c                   c = the integer part of a, exponent 0
@@ -166,7 +166,7 @@
 ; unless_.. or after otherwise:
 ;
 ;       then_set k, c                   c = k
-;       then_set_minus k, c             c = -k
+;       then_set_minus k, c             c = -k; k is normalised
 ;       then_clear c                    c = 0
 ;       then_copy a, c                  c = a
 ;       then_negate a, c                c = -a
