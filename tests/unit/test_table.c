@@ -2,7 +2,9 @@
  * numbers are compared with expected texts in every format. Files that cannot be
  * replaced are compared with their old contents. A value that is truncated or quoted
  * incorrectly, or a temporary file that is left, fails here. */
+#include <errno.h>
 #include <float.h>
+#include <math.h>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,7 +12,7 @@
 #include "base/table.h"
 #include "base/atomic_file.h"
 #include "tests/unit/csv_reading.h"
-#include "tests/unit/scene_reading.h"
+#include "tests/unit/temporary_folder.h"
 
 static const struct table_column columns[] = {
     { "name", "name", TABLE_TEXT, 0 },
@@ -24,32 +26,14 @@ static const struct table_column named[] = {
     { "text", "text", TABLE_TEXT, 0 },
 };
 
-static struct {
-    char name[32], path[64];
-} folder; /* folder of the current test */
-
-FIXTURE(set_up)
+FIXTURE(remove_file)
 {
-    strcpy(folder.name, "/tmp/test_table.XXXXXX");
-    if (!mkdtemp(folder.name))
-        return -1;
-    snprintf(folder.path, sizeof folder.path, "%s/file", folder.name);
-    return 0;
+    return remove(in_folder("file")) && errno != ENOENT;
 }
 
-/* Removes the file and its folder. If a temporary file is left, rmdir fails. */
-FIXTURE(tear_down)
+static void expect_text(const char *name, const char *expected)
 {
-    unlink(folder.path);
-    return rmdir(folder.name);
-}
-
-static void expect_text(const char *path, const char *expected)
-{
-    char text[2048] = "";
-    FILE *file = NON_NULL(fopen(path, "r"));
-    text[fread(text, 1, sizeof text - 1, file)] = '\0';
-    fclose(file);
+    FREED char *text = text_of_file(name);
     assert_string_equal(text, expected);
 }
 
@@ -132,21 +116,21 @@ static void expect_written(const struct table *table, enum table_format format,
     assert_string_equal(text, expected);
 }
 
-TEST_WITH(formats, set_up, tear_down)
+TEST_WITH(formats, NULL, remove_file)
 {
     SCOPED(table) *table = some_table();
-    struct json *json = json_open(folder.path, &failure);
+    struct json *json = json_open(in_folder("file"), &failure);
     table_json(table, json, "rows");
     assert_true(json_close(json, &failure));
-    expect_text(folder.path, "{\n  \"rows\": [\n"
-                             "    {\n      \"name\": \"a\",\n"
-                             "      \"clocks\": 12345678,\n"
-                             "      \"percent\": 99.96,\n"
-                             "      \"remark\": \"say \\\"so\\\"\"\n    },\n"
-                             "    {\n      \"name\": \"longer\",\n"
-                             "      \"clocks\": 7,\n"
-                             "      \"percent\": null,\n"
-                             "      \"remark\": \"\"\n    }\n  ]\n}\n");
+    expect_text("file", "{\n  \"rows\": [\n"
+                        "    {\n      \"name\": \"a\",\n"
+                        "      \"clocks\": 12345678,\n"
+                        "      \"percent\": 99.96,\n"
+                        "      \"remark\": \"say \\\"so\\\"\"\n    },\n"
+                        "    {\n      \"name\": \"longer\",\n"
+                        "      \"clocks\": 7,\n"
+                        "      \"percent\": null,\n"
+                        "      \"remark\": \"\"\n    }\n  ]\n}\n");
     expect_written(table, TABLE_PLAIN,
                    "name      clocks      %  remark\n"
                    "a       12345678  100.0  say \"so\"\n"
@@ -278,44 +262,44 @@ TEST(huge_numbers)
     assert_string_equal(number, "\n");
 }
 
-TEST_WITH(headings, set_up, tear_down)
+TEST_WITH(headings, NULL, remove_file)
 {
-    FILE *file = fopen(folder.path, "w");
+    FILE *file = fopen(in_folder("file"), "w");
     table_heading("Rows", TABLE_PLAIN, file);
     table_heading("Rows", TABLE_CSV, file);
     table_heading("Rows", TABLE_MARKDOWN, file);
     fclose(file);
-    expect_text(folder.path, "\nRows:\n\n\n# Rows\n\n## Rows\n\n");
+    expect_text("file", "\nRows:\n\n\n# Rows\n\n## Rows\n\n");
     assert_string_equal(table_remark(TABLE_PLAIN), "");
     assert_string_equal(table_remark(TABLE_CSV), "# ");
     assert_string_equal(table_remark(TABLE_MARKDOWN), "");
 }
 
 /* JSON on a stream and in a file must be equal. */
-TEST_WITH(json_on_stream, set_up, tear_down)
+TEST_WITH(json_on_stream, NULL, remove_file)
 {
     FREED char *text = NULL;
     size_t length = 0;
     FILE *stream = open_memstream(&text, &length);
-    struct json *json = json_open_stream(stream, folder.path, &failure);
+    struct json *json = json_open_stream(stream, in_folder("file"), &failure);
     json_count(json, "one", 1);
     assert_true(json_close(json, &failure));
-    expect_text(folder.path, "{\n  \"one\": 1\n}\n");
+    expect_text("file", "{\n  \"one\": 1\n}\n");
     json = json_open_stream(stream, NULL, &failure);
     json_count(json, "two", 2);
     assert_true(json_close(json, &failure));
-    json = json_open_stream(stream, folder.path, &failure);
+    json = json_open_stream(stream, in_folder("file"), &failure);
     json_count(json, "three", 3);
     json_discard(json);
-    expect_text(folder.path, "{\n  \"one\": 1\n}\n");
+    expect_text("file", "{\n  \"one\": 1\n}\n");
     assert_null(json_open_stream(stream, "/nonexistent/file", &failure));
     fclose(stream);
     assert_string_equal(text, "{\n  \"one\": 1\n}\n{\n  \"two\": 2\n}\n");
 }
 
-TEST_WITH(json_values, set_up, tear_down)
+TEST_WITH(json_values, NULL, remove_file)
 {
-    struct json *json = json_open(folder.path, &failure);
+    struct json *json = json_open(in_folder("file"), &failure);
     json_text(json, "text", "line\n\ttab \\ \x01");
     json_number(json, "tenth", 0.1);
     json_number(json, "third", 1.0 / 3.0);
@@ -324,51 +308,50 @@ TEST_WITH(json_values, set_up, tear_down)
     json_array(json, "empty");
     json_end(json);
     assert_true(json_close(json, &failure));
-    expect_text(folder.path, "{\n  \"text\": \"line\\u000a\\u0009tab \\\\ \\u0001\",\n"
-                             "  \"tenth\": 0.1,\n"
-                             "  \"third\": 0.33333333333333331,\n"
-                             "  \"none\": null,\n"
-                             "  \"true\": true,\n"
-                             "  \"empty\": []\n}\n");
+    expect_text("file", "{\n  \"text\": \"line\\u000a\\u0009tab \\\\ \\u0001\",\n"
+                        "  \"tenth\": 0.1,\n"
+                        "  \"third\": 0.33333333333333331,\n"
+                        "  \"none\": null,\n"
+                        "  \"true\": true,\n"
+                        "  \"empty\": []\n}\n");
 }
 
-TEST_WITH(old_file_stays, set_up, tear_down)
+TEST_WITH(old_file_stays, NULL, remove_file)
 {
-    struct atomic_file *whole = atomic_file_open(folder.path, &failure);
+    struct atomic_file *whole = atomic_file_open(in_folder("file"), &failure);
     fputs("old", whole->file);
     assert_true(atomic_file_commit(whole, &failure));
-    whole = atomic_file_open(folder.path, &failure);
+    whole = atomic_file_open(in_folder("file"), &failure);
     fputs("new", whole->file);
-    expect_text(folder.path, "old");
+    expect_text("file", "old");
     atomic_file_discard(whole);
-    expect_text(folder.path, "old");
-    assert_true(atomic_file_check(folder.path, &failure));
-    expect_text(folder.path, "old");
+    expect_text("file", "old");
+    assert_true(atomic_file_check(in_folder("file"), &failure));
+    expect_text("file", "old");
 }
 
 /* The new file cannot replace a folder with the same name. */
-TEST_WITH(nothing_is_left, set_up, tear_down)
+TEST_WITH(nothing_is_left, NULL, remove_file)
 {
     c205_error error;
-    struct atomic_file *whole = atomic_file_open(folder.path, &error);
+    struct atomic_file *whole = atomic_file_open(in_folder("file"), &error);
     fputs("lost", whole->file);
-    assert_int_equal(mkdir(folder.path, 0700), 0);
+    assert_int_equal(mkdir(in_folder("file"), 0700), 0);
     assert_false(atomic_file_commit(whole, &error));
-    assert_non_null(strstr(error.message, folder.path));
-    assert_int_equal(rmdir(folder.path), 0);
+    assert_non_null(strstr(error.message, in_folder("file")));
+    assert_int_equal(rmdir(in_folder("file")), 0);
 }
 
 /* A third-party file may already have the temporary name. */
-TEST_WITH(other_file_stays, set_up, tear_down)
+TEST_WITH(other_file_stays, NULL, remove_file)
 {
-    const char *beside = formatted("%s.new0", folder.path);
-    write_bytes(beside, "theirs", strlen("theirs"));
-    struct atomic_file *whole = atomic_file_open(folder.path, &failure);
+    write_file("file.new0", "theirs");
+    struct atomic_file *whole = atomic_file_open(in_folder("file"), &failure);
     fputs("ours", whole->file);
     assert_true(atomic_file_commit(whole, &failure));
-    expect_text(folder.path, "ours");
-    expect_text(beside, "theirs");
-    assert_int_equal(unlink(beside), 0);
+    expect_text("file", "ours");
+    expect_text("file.new0", "theirs");
+    assert_int_equal(unlink(in_folder("file.new0")), 0);
 }
 
 TEST(no_folder)
