@@ -169,9 +169,8 @@ $(BUILD)/tests/unit/test_objective: $(BUILD)/tests/unit/test_objective.o \
 		$(BUILD)/libc205.a
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lm
 $(BUILD)/tests/unit/test_fit: $(BUILD)/tests/unit/test_fit.o \
-		$(call objects,$(observing_c)) $(BUILD)/tests/oracle/points.o \
-		$(libraries)
-	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lm -ldl -lpthread
+		$(call objects,$(observing_c)) $(helpers) $(libraries)
+	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
 $(BUILD)/tests/oracle/check_sample: $(BUILD)/tests/timed_program.o
 # Random programs and the plain interpreter, without the tracer. check_hosts.sh also
 # links them with the machine as built by other compilers.

@@ -1,9 +1,9 @@
-/* prior_model.c - finds the machine model by its name, only once. */
+/* prior_model.c - finds the machine models by their names, only once. */
 #include "prior_model.h"
 
 #include "tests/oracle/arithmetic_oracle.h"
 
-c205_model *prior_model;
+c205_model *prior_model, *fitted_model;
 
 int set_up_model(STATE)
 {
@@ -37,4 +37,16 @@ int set_up_both(void **state)
 int tear_down_both(void **state)
 {
     return tear_down_oracle(state) || tear_down_model(state);
+}
+
+int set_up_fitted(STATE)
+{
+    fitted_model = c205_model_find("cyber205-2pipe", &failure);
+    return !fitted_model;
+}
+
+int tear_down_fitted(STATE)
+{
+    c205_model_free(fitted_model);
+    return 0;
 }

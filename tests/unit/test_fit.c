@@ -5,11 +5,9 @@
 #include "rt/study/fit/observations.h"
 #include "rt/study/fit/unidentifiable.h"
 #include "tests/oracle/points.h"
-#include "tests/unit/unit.h"
+#include "tests/unit/prior_model.h"
 
 #include <math.h>
-
-static c205_model *model;
 
 static void assert_near(double value, double expected, const char *what)
 {
@@ -24,7 +22,7 @@ static struct run_options small(void)
 {
     struct run_options how = { .folder = "rt/study/fit/programs",
                                .view = view,
-                               .model = model };
+                               .model = fitted_model };
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
         how.width[mode] = 32;
         how.height[mode] = 20;
@@ -79,7 +77,8 @@ static double clocks_of(const struct fit_run *run, const char *region,
     bool chosen[MAX_RUN_REGIONS];
     double clocks[MAX_RUN_REGIONS], sum = 0;
     assert_true(run_select(run, region, chosen, &failure));
-    REQUIRE(run_time(run, model, setting, setting != NULL, RUN_FINE, clocks, &failure));
+    REQUIRE(run_time(run, fitted_model, setting, setting != NULL, RUN_FINE, clocks,
+                     &failure));
     for (size_t i = 0; i < run->region_count; i++)
         if (chosen[i])
             sum += clocks[i];
@@ -96,7 +95,7 @@ TEST(fewer_rays)
                                          .width = 200,
                                          .height = 125,
                                          .queue = TRACE_QUEUE,
-                                         .model = model };
+                                         .model = fitted_model };
         struct speedup_measure all;
         if (subject->paper.speedup == 0)
             continue;
@@ -288,8 +287,8 @@ TEST(constants)
     read_constants(&constants, "a,cyber205,latency.load swap.word,R,5,40,?\n"
                                "b,cyber720,time.add,S,5,40,?\n");
     assert_int_equal(constants.count, 2);
-    assert_true(constant_is_of(first, model));
-    assert_false(constant_is_of(&constants.items[1], model));
+    assert_true(constant_is_of(first, fitted_model));
+    assert_false(constant_is_of(&constants.items[1], fitted_model));
     assert_true(constant_is_of(first, like));
     assert_false(constant_is_of(&constants.items[1], like));
     assert_string_equal(c205_model_name(constants_prior(&constants, "cyber720")),
@@ -297,7 +296,7 @@ TEST(constants)
     assert_null(constants_prior(&constants, "eta10g"));
     assert_near(constant_value(first, .5), 15 * 1.2, "value");
     assert_near(constant_place(first, 15 * 1.2), .5, "place");
-    assert_int_equal(constants_settings(&constants, places, model, settings), 2);
+    assert_int_equal(constants_settings(&constants, places, fitted_model, settings), 2);
     assert_string_equal(settings[1].name, "swap.word");
     assert_near(settings[1].value, 1.2, "swap.word");
     constants_free(&constants);
@@ -346,16 +345,4 @@ TEST(unidentifiable)
     constants_free(&constants);
 }
 
-FIXTURE(find_model)
-{
-    model = c205_model_find("cyber205-2pipe", &failure);
-    return !model;
-}
-
-FIXTURE(free_model)
-{
-    c205_model_free(model);
-    return 0;
-}
-
-GROUP(find_model, free_model);
+GROUP(set_up_fitted, tear_down_fitted);

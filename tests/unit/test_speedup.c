@@ -7,8 +7,8 @@
 #include <math.h>
 
 #include "tests/unit/csv_reading.h"
+#include "tests/unit/prior_model.h"
 
-static c205_model *model;
 static struct speedup_report *report; /* report of all subjects */
 static const struct speedup_view view = { .distance = 5, .angle = 37 };
 
@@ -21,7 +21,7 @@ static void measure(const struct speedup_subject *subject,
                                          .width = 80,
                                          .height = 50,
                                          .queue = TRACE_QUEUE,
-                                         .model = model };
+                                         .model = prior_model };
         REQUIRE(speedup_measure(subject, from, &options, &measures[mode], &failure));
     }
 }
@@ -116,7 +116,7 @@ TEST(view)
 TEST(errors)
 {
     const struct trace_options options = {
-        .width = 4, .height = 4, .queue = 4, .model = model
+        .width = 4, .height = 4, .queue = 4, .model = prior_model
     };
     struct speedup_subject subject = speedup_subjects[0];
     struct speedup_measure measured;
@@ -132,7 +132,7 @@ TEST(errors)
 /* Measures all rows of Table 1, and returns their report. */
 static struct speedup_report *report_all(void)
 {
-    struct speedup_report *all = speedup_report_new(model);
+    struct speedup_report *all = speedup_report_new(prior_model);
     for (size_t i = 0; all && i < speedup_subject_count; i++) {
         struct speedup_measure measures[TRACE_FORMS];
         measure(&speedup_subjects[i], &view, measures);
@@ -328,8 +328,9 @@ TEST(formulations)
             for (int mode = 0; mode < TRACE_FORMS; mode++)
                 assert_true(measures[i][mode].total != measures[k][mode].total);
     }
-    SCOPED(table) *table = formulations_table(model, (const struct speedup_measure(
-                                                             *)[TRACE_FORMS])measures);
+    SCOPED(table) *table =
+        formulations_table(prior_model,
+                           (const struct speedup_measure(*)[TRACE_FORMS])measures);
     FILE *stream = fmemopen(text, sizeof text, "w");
     assert_true(table && stream);
     assert_true(table_write(table, TABLE_CSV, stream));
@@ -381,13 +382,13 @@ TEST(projection_models)
  * from the models of the 720. */
 TEST(projected)
 {
-    c205_model *priors = model;
+    c205_model *priors = prior_model;
     struct speedup_measure prior[TRACE_FORMS], fitted[TRACE_FORMS];
     measure(&speedup_subjects[0], &view, prior);
-    model = c205_model_find("cyber205-2pipe", &failure);
+    prior_model = c205_model_find("cyber205-2pipe", &failure);
     measure(&speedup_subjects[0], &view, fitted);
-    c205_model_free(model);
-    model = priors;
+    c205_model_free(prior_model);
+    prior_model = priors;
     assert_true(prior[TRACE_SCALAR].projected[SPEEDUP_720]
                 != fitted[TRACE_SCALAR].projected[SPEEDUP_720]);
     assert_true(prior[TRACE_SCALAR].projected[SPEEDUP_6600]
@@ -396,8 +397,7 @@ TEST(projected)
 
 FIXTURE(set_up)
 {
-    model = c205_model_find("cyber205-2pipe-prior", &failure);
-    if (model)
+    if (set_up_model(test_state) == 0)
         report = report_all();
     return !report;
 }
@@ -405,8 +405,7 @@ FIXTURE(set_up)
 FIXTURE(tear_down)
 {
     speedup_report_free(report);
-    c205_model_free(model);
-    return 0;
+    return tear_down_model(test_state);
 }
 
 GROUP(set_up, tear_down);

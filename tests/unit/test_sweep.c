@@ -2,9 +2,9 @@
  * of their parts and with expected crossovers, in small frames. A clock that is lost,
  * or a wrong length, fails here. */
 #include "rt/study/sweep/sweep_types.h"
+#include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
-static c205_model *model;
 static const size_t few[] = { 1, 16, 64, 200, 256 };
 
 static struct sweep sweep_of(const char *subject, size_t width, size_t height)
@@ -14,7 +14,7 @@ static struct sweep sweep_of(const char *subject, size_t width, size_t height)
                              .width = width,
                              .height = height,
                              .queue = TRACE_QUEUE,
-                             .model = model },
+                             .model = fitted_model },
                   .view = { .distance = 5, .angle = 37 } },
     };
     for (size_t i = 0; i < speedup_subject_count; i++)
@@ -122,7 +122,7 @@ TEST(small_memory)
     SCOPED(scene) *scene = read_scene(balls);
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
     SCOPED(c205_model) *small = NON_NULL(
-        c205_model_change(model, settings, 3, &failure));
+        c205_model_change(fitted_model, settings, 3, &failure));
     sweep.subject = NULL;
     sweep.scene = scene;
     sweep.base.trace.model = small;
@@ -376,16 +376,4 @@ TEST(progress)
     }
 }
 
-FIXTURE(find_model)
-{
-    model = c205_model_find("cyber205-2pipe", &failure);
-    return !model;
-}
-
-FIXTURE(free_model)
-{
-    c205_model_free(model);
-    return 0;
-}
-
-GROUP(find_model, free_model);
+GROUP(set_up_fitted, tear_down_fitted);
