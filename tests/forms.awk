@@ -2,10 +2,12 @@
 # on random operands, and expects no difference. It reads the operations from the list at
 # the top of forms.s:
 #
-#     awk -f tests/forms.awk asm/lib/forms.s >forms.s && c205 run --check forms.s
+#     awk -f tests/forms.awk asm/lib/forms.s >operations.s
+#     c205 run --check operations.s
 #
 # The operands k to p of the list are numbers, the others are vectors. No operand of an
-# operation is indefinite if its meaning begins with *.
+# operation is indefinite if its meaning begins with *. A definition that is not in the
+# list is an error.
 
 BEGIN {
     elements = 40
@@ -120,6 +122,7 @@ function lines_around(name,    start, longest) {
 function put_operation(    name, list, count, i, line) {
     name = operation
     sub(/ .*/, "", name)
+    listed_names[name]
     if (name == "" || index(covered, " " name " "))
         return
     print "        .macro  test_" name " form"
@@ -139,7 +142,17 @@ function put_operation(    name, list, count, i, line) {
 }
 
 /^; Arithmetic, one operation:/ { listed = 1 }
-/\.ifndef/ { exit }
+/\.ifndef/ {
+    put_operation()
+    listed = 0
+}
+/^        \.macro  .prefix/ {
+    name = substr($2, length("\\prefix\\()") + 1)
+    if (!(name in listed_names)) {
+        printf "%s: %s is not in the list\n", FILENAME, name >"/dev/stderr"
+        code = 1
+    }
+}
 listed && /^;       [a-z]/ {
     put_operation()
     operation = substr($0, 9)
@@ -148,6 +161,6 @@ listed && /^;       [a-z]/ {
 }
 listed && /  \* / { definite = 1 }
 END {
-    put_operation()
     print "        EXIT"
+    exit code + 0
 }

@@ -73,7 +73,7 @@ diff "$work/said" "$work/reported" || code=1
 
 "$c205" run --check -Werror tests/programs/*.s tests/programs/traps/*.s \
     asm/examples/*.s || code=1
-awk -f tests/forms.awk asm/lib/forms.s >"$work/operations.s"
+awk -f tests/forms.awk asm/lib/forms.s >"$work/operations.s" || code=1
 "$c205" run --check -Werror "$work/operations.s" || code=1
 "$c205" run --check -Werror -I rt/kernels rt/study/fit/programs/*.s || code=1
 exit $code

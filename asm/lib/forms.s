@@ -24,7 +24,7 @@
 ; by l; minus_scaled and from_scaled subtract a product from their first operand.
 ; A name that ends in _number has a number in place of a vector, and one that ends
 ; in _index computes with integers. If a meaning begins with *, no operand may be
-; indefinite.
+; indefinite. tests/forms.awk reads this list.
 ;
 ; Arithmetic, one operation:
 ;
