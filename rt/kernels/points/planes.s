@@ -28,7 +28,12 @@
 ;
 ;       column address, a, n    a names the column at the address
 ;       advance a, step         a names the column that begins step bits later
-;       skip a, k               a names the column without its first k words
+;       skip a, words           a names the column without its first words
+;
+; A program that is written in two files, NAME_scalar.s and NAME_vector.s, is
+; included by
+;
+;       by_hand NAME
 
         .ifndef planes.s
         .equ    planes.s, 1
@@ -44,13 +49,13 @@
         .macro  next label, n=\count
         IBXNE   \index, \one, \n, \label, \index
         .endm
+        .macro  plane address, a, n=
+        .endm
         .macro  load address, a, n=
         LOD     [\address, \index], \a
         .endm
         .macro  fetch address, a
         LOD     [\address, \index], \a
-        .endm
-        .macro  plane address, a, n=
         .endm
         .macro  store a, address
         STO     [\address, \index], \a
@@ -85,13 +90,13 @@ other\@:
         .endm
         .macro  next label, n=
         .endm
+        .macro  plane address, a, n=\count
+        ADDLEN  \address, \n, \a
+        .endm
         .macro  load address, a, n=\count
         ADDLEN  \address, \n, \a
         .endm
         .macro  fetch address, a
-        .endm
-        .macro  plane address, a, n=\count
-        ADDLEN  \address, \n, \a
         .endm
         .macro  store a, address
         .endm
@@ -120,7 +125,6 @@ other\@:
         .endm
         .endif
 
-; A program that is written by hand in each form.
         .macro  by_hand program
         .ifdef  SCALAR
         .include "\program\()_scalar.s"

@@ -94,13 +94,6 @@
         CFPLT   \a, \k, \out
         .endm
 
-        .macro  keep_less_or_turn a, b, set, other, out
-        CFPLT   \a, \b, kept\@
-        XOR     \other, index_one, \other
-        BIM     \out
-kept\@:
-        .endm
-
         .macro  keep_number_not_less k, a, set, out, work=
         CFPLT   \k, \a, \out
         .endm
@@ -117,14 +110,21 @@ kept\@:
         .macro  remove bits, set
         .endm
 
+        .macro  turn set, other
+        XOR     \other, index_one, \other
+        .endm
+
         .macro  turn_if_less a, b, set, other
         CFPGE   \a, \b, not_turned\@
         XOR     \other, index_one, \other
 not_turned\@:
         .endm
 
-        .macro  turn set, other
+        .macro  keep_less_or_turn a, b, set, other, out
+        CFPLT   \a, \b, kept\@
         XOR     \other, index_one, \other
+        BIM     \out
+kept\@:
         .endm
 
         .macro  exclusive set, other, c
@@ -139,6 +139,9 @@ not_turned\@:
         IBXEQ   \set, r0, r0, \out
         .endm
 
+        .macro  skip_empty set, out
+        .endm
+
         .macro  if_any set, out
         IBXEQ   \set, r0, r0, \out
         .endm
@@ -148,9 +151,6 @@ not_turned\@:
         .endm
 
         .macro  copy_set set, other
-        .endm
-
-        .macro  skip_empty set, out
         .endm
 
         .macro  copy_in set, a, c
