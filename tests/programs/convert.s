@@ -12,6 +12,17 @@
 ; expect-halves: [\op\().\name] = \want
         .endm
 
+; Register 0 is machine zero.  The other half of the result is kept.
+        .macro  register_0 op
+        EXH     h200, 7
+        \op     r0, h201
+        register_is \op, r100, X'0000 0007 8000 0000'
+        \op     left, h0
+        \op     left, h1
+; expect: r0 = 0
+        flags_are \op, X'0000 0000 0032 0000'
+        .endm
+
 ; CON: T := R contracted to 32 bits: the high 24 bits of its coefficient
         contracts CON, plain, 1.5, 1.5
         contracts CON, negative, -200.25, -200.25
@@ -31,14 +42,7 @@
 ; specials become the plain half words
         contracts CON, zero, X'8123 0000 0000 0005', 0.0
         contracts CON, indefinite, X'7123 0000 0000 0005', X'7000 0000'
-; register 0 is machine zero; the other half of the result is kept
-        EXH     h200, 7
-        CON     r0, h201
-        register_is CON, r100, X'0000 0007 8000 0000'
-        CON     left, h0
-        CON     left, h1
-; expect: r0 = 0
-        flags_are CON, X'0000 0000 0032 0000'
+        register_0 CON
 ; RCON: T := R contracted to 32 bits, its coefficient rounded, a half upwards
         contracts RCON, plain, 1.5, 1.5
 ; rounded down and up
@@ -60,14 +64,7 @@
 ; specials become the plain half words
         contracts RCON, zero, X'8123 0000 00FF FFFF', 0.0
         contracts RCON, indefinite, X'7123 0000 00FF FFFF', X'7000 0000'
-; register 0 is machine zero; the other half of the result is kept
-        EXH     h200, 7
-        RCON    r0, h201
-        register_is RCON, r100, X'0000 0007 8000 0000'
-        RCON    left, h0
-        RCON    left, h1
-; expect: r0 = 0
-        flags_are RCON, X'0000 0000 0032 0000'
+        register_0 RCON
 
 ; EXTH: T := R extended to 64 bits
         .macro  extends name, r, want

@@ -87,23 +87,28 @@ odd_a:  .word   42, 0.0, 1.0, 1.0, X'6FFF 7FFF FFFF FFFF'
         .word   X'9000 4000 0000 0000'
 odd_b:  .word   6, 7, X'7000 0000 0000 0000', 0.0, 0.125, 4.0
         .code
+; The quotients of normalised numbers.
+        .macro  same_quotients op
+; expect: [\op\().offset_sources] = X'FFD1 5555 5555 5555', X'FFD1 5555 5555 5555', 2.25
+; expect: [\op\().offset_sources + 3*64] = 2.0, 100.0, 1.0
+; expect: [\op\().short_sources + 2*64] = 3.0, 4.5, 1.0, 1.0
+; expect: [\op\().chain] = 1.0, X'FFCE 6666 6666 6666', X'FFCF 6666 6666 6666'
+; expect: [\op\().chain + 3*64] = X'FFCE BBBB BBBB BBBC', X'FFCB 86A3 14DB F86B'
+; expect: [\op\().chain + 5*64] = X'FFCA 86A3 14DB F86B', X'FFCC 795C EB24 0795'
+; expect: [\op\().negated] = X'FFCE 9999 9999 999A', 4.0, 1.0, -1.0, 0.25, 400.0
+; expect: [\op\().magnitudes] = X'FFCE 6666 6666 6666', 4.0, 1.0, 1.0, 0.25, 400.0
+; expect: [\op\().negative] = X'FFCE 9999 9999 999A', -4.0, 1.0, -1.0, -0.25, 400.0
+; expect: [\op\().negated_scalar] = X'FFD199999999999A', -16.0, X'FFD3555555555555'
+; expect: [\op\().negated_scalar + 3*64] = X'FFD2 8E38 E38E 38E4', -4.0, 32.0
+        .endm
+
 ; DIVSV: C := significant(A / B)
         elements DIVSV, X'FFCE 6666 6666 6666', -4.0, -1.0, 1.0, -0.25, -400.0
         arithmetic DIVSV, -16.0
 ; expect: [DIVSV.broadcast_a] = X'FFD1 6666 6666 6666', 16.0, X'FFD3 AAAA AAAA AAAB'
 ; expect: [DIVSV.broadcast_a + 3*64] = X'FFD2 71C7 1C71 C71C', 4.0, -32.0
 ; expect: [DIVSV.broadcast_b] = -2.0, 4.0, -6.0, -9.0, 1.0, -200.0
-; expect: [DIVSV.offset_sources] = X'FFD1 5555 5555 5555', X'FFD1 5555 5555 5555', 2.25
-; expect: [DIVSV.offset_sources + 3*64] = 2.0, 100.0, 1.0
-; expect: [DIVSV.short_sources + 2*64] = 3.0, 4.5, 1.0, 1.0
-; expect: [DIVSV.chain] = 1.0, X'FFCE 6666 6666 6666', X'FFCF 6666 6666 6666'
-; expect: [DIVSV.chain + 3*64] = X'FFCE BBBB BBBB BBBC', X'FFCB 86A3 14DB F86B'
-; expect: [DIVSV.chain + 5*64] = X'FFCA 86A3 14DB F86B', X'FFCC 795C EB24 0795'
-; expect: [DIVSV.negated] = X'FFCE 9999 9999 999A', 4.0, 1.0, -1.0, 0.25, 400.0
-; expect: [DIVSV.magnitudes] = X'FFCE 6666 6666 6666', 4.0, 1.0, 1.0, 0.25, 400.0
-; expect: [DIVSV.negative] = X'FFCE 9999 9999 999A', -4.0, 1.0, -1.0, -0.25, 400.0
-; expect: [DIVSV.negated_scalar] = X'FFD1 9999 9999 999A', -16.0, X'FFD3 5555 5555 5555'
-; expect: [DIVSV.negated_scalar + 3*64] = X'FFD2 8E38 E38E 38E4', -4.0, 32.0
+        same_quotients DIVSV
 ; expect: [DIVSV.odd] = 7, 0.0, indefinite, indefinite, indefinite, 0.0
         flags_are DIVSV, X'0000 0000 0072 0000'
 ; DIVUV: C := upper(A / B)
@@ -112,17 +117,7 @@ odd_b:  .word   6, 7, X'7000 0000 0000 0000', 0.0, 0.125, 4.0
 ; expect: [DIVUV.broadcast_a] = X'FFD1666666666666', 16.0, X'FFD3AAAAAAAAAAAB'
 ; expect: [DIVUV.broadcast_a + 3*64] = X'FFD271C71C71C71C', 4.0, X'FFD7C00000000000'
 ; expect: [DIVUV.broadcast_b] = X'FFD3 C000 0000 0000', 4.0, -6.0, -9.0, 1.0, -200.0
-; expect: [DIVUV.offset_sources] = X'FFD1 5555 5555 5555', X'FFD1 5555 5555 5555', 2.25
-; expect: [DIVUV.offset_sources + 3*64] = 2.0, 100.0, 1.0
-; expect: [DIVUV.short_sources + 2*64] = 3.0, 4.5, 1.0, 1.0
-; expect: [DIVUV.chain] = 1.0, X'FFCE 6666 6666 6666', X'FFCF 6666 6666 6666'
-; expect: [DIVUV.chain + 3*64] = X'FFCE BBBB BBBB BBBC', X'FFCB 86A3 14DB F86B'
-; expect: [DIVUV.chain + 5*64] = X'FFCA 86A3 14DB F86B', X'FFCC 795C EB24 0795'
-; expect: [DIVUV.negated] = X'FFCE 9999 9999 999A', 4.0, 1.0, -1.0, 0.25, 400.0
-; expect: [DIVUV.magnitudes] = X'FFCE 6666 6666 6666', 4.0, 1.0, 1.0, 0.25, 400.0
-; expect: [DIVUV.negative] = X'FFCE 9999 9999 999A', -4.0, 1.0, -1.0, -0.25, 400.0
-; expect: [DIVUV.negated_scalar] = X'FFD1 9999 9999 999A', -16.0, X'FFD3 5555 5555 5555'
-; expect: [DIVUV.negated_scalar + 3*64] = X'FFD2 8E38 E38E 38E4', -4.0, 32.0
+        same_quotients DIVUV
 ; expect: [DIVUV.odd] = 7.0, 0.0, indefinite, indefinite, indefinite, 0.0
         flags_are DIVUV, X'0000 0000 0072 0000'
         EXIT

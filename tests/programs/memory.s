@@ -7,6 +7,13 @@
         .reg    index, r160
         .regs   r130, base, first, third, before, mixed, word
 
+; Index 1.  Only the low 48 bits of a descriptor and of an index are used.
+        .macro  index_1
+        ELEN    base, 3
+        ES      index, 1
+        ELEN    index, 5
+        .endm
+
 ; LOD: T := word at address R + 64 S
         .data
         .word   10.0
@@ -21,10 +28,7 @@ LOD.list: .word   11.0, 12.0, X'7ABC 0123 4567 89AB'
         ES      index, -1
         LOD     [base, index], before
         register_is LOD, before, 10.0
-; only the low 48 bits of a descriptor and of an index are used
-        ELEN    base, 3
-        ES      index, 1
-        ELEN    index, 5
+        index_1
         LOD     [base, index], mixed
         register_is LOD, mixed, 12.0
         LOD     [base], r0
@@ -49,10 +53,7 @@ LODH.list: .halfword 11.0, 12.0, X'7ABC 0123'
         ES      index, -1
         LODH    [base, index], h205
         half_register_is LODH, h205, 10.0
-; only the low 48 bits of a descriptor and of an index are used
-        ELEN    base, 3
-        ES      index, 1
-        ELEN    index, 5
+        index_1
         LODH    [base, index], h206
         half_register_is LODH, h206, 12.0
         LODH    [base], h0
@@ -72,10 +73,7 @@ STO.list: .word   9.0, 9.0, 9.0
         ES      index, -1
         STO     [base, index], index
 ; expect: [STO.before] = X'0000 FFFF FFFF FFFF'
-; only the low 48 bits of a descriptor and of an index are used
-        ELEN    base, 3
-        ES      index, 1
-        ELEN    index, 5
+        index_1
         STO     [base, index], word
 ; expect: [STO.list + 1*64] = X'0007 0000 0000 04D2'
         ES      index, 2
@@ -94,10 +92,7 @@ STOH.list: .halfword 9.0, 9.0, 9.0, 9.0
         ES      index, -1
         STOH    [base, index], h201     ; changes no other half word
 ; expect-halves: [STOH.before] = X'00FF FFFF'
-; only the low 48 bits of a descriptor and of an index are used
-        ELEN    base, 3
-        ES      index, 1
-        ELEN    index, 5
+        index_1
         STOH    [base, index], h201
 ; expect-halves: [STOH.list + 1*32] = X'00FF FFFF'
         ES      index, 2

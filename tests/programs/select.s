@@ -15,50 +15,21 @@
 ; expect: [SELLTV.\use] = \lt
         .endm
 
-; SELEQV: C := index of the first A = B, or the length
+; An instruction on vectors that differ in their first pair.  No match gives the length.
+        .macro  selects op, set, a, b
         .data
-seleqv_a:
-        .word   -1.0, -2.0, 4.5, -3.0, -0.5, 100.0
-seleqv_b:
-        .word   10.0, 0.5, 4.5, -5.0, -0.5, -0.25
-seleqv_scalars:
-        .word   -5.0, -3.0
+\set\()_a: .word   \a, -2.0, 4.5, -3.0, -0.5, 100.0
+\set\()_b: .word   \b, 0.5, 4.5, -5.0, -0.5, -0.25
+\set\()_scalars: .word -5.0, -3.0
         .code
-        uses_of_two SELEQV, seleqv_
-        flags_are SELEQV, X'0000 0000 0000 0000'
-; SELNEV: C := index of the first A that is not B, or the length
-        .data
-selnev_a:
-        .word   1.0, -2.0, 4.5, -3.0, -0.5, 100.0
-selnev_b:
-        .word   1.0, 0.5, 4.5, -5.0, -0.5, -0.25
-selnev_scalars:
-        .word   -5.0, -3.0
-        .code
-        uses_of_two SELNEV, selnev_
-        flags_are SELNEV, X'0000 0000 0000 0000'
-; SELGEV: C := index of the first A >= B, or the length
-        .data
-selgev_a:
-        .word   -1.0, -2.0, 4.5, -3.0, -0.5, 100.0
-selgev_b:
-        .word   10.0, 0.5, 4.5, -5.0, -0.5, -0.25
-selgev_scalars:
-        .word   -5.0, -3.0
-        .code
-        uses_of_two SELGEV, selgev_
-        flags_are SELGEV, X'0000 0000 0000 0000'
-; SELLTV: C := index of the first A < B, or the length
-        .data
-selltv_a:
-        .word   3.0, -2.0, 4.5, -3.0, -0.5, 100.0
-selltv_b:
-        .word   1.0, 0.5, 4.5, -5.0, -0.5, -0.25
-selltv_scalars:
-        .word   -5.0, -3.0
-        .code
-        uses_of_two SELLTV, selltv_
-        flags_are SELLTV, X'0000 0000 0000 0000'
+        uses_of_two \op, \set\()_
+        flags_are \op, X'0000 0000 0000 0000'
+        .endm
+
+        selects SELEQV, seleqv, -1.0, 10.0 ; C := index of the first A = B
+        selects SELNEV, selnev, 1.0, 1.0   ; C := index of the first A that is not B
+        selects SELGEV, selgev, -1.0, 10.0 ; C := index of the first A >= B
+        selects SELLTV, selltv, 3.0, 1.0   ; C := index of the first A < B
 ; The expected indices.  With an offset they count from the first element after it.
         selected plain,           2, 1, 2, 1
         selected broadcast_a,     3, 0, 3, 0

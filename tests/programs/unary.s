@@ -24,46 +24,39 @@
 ; specials are unchanged
         pair    zero, 0.0
         sized_pair indefinite, X'7000 0000 0000 0000', 0, X'7000 0000', 0
+; FLR, TRU and CLG of the numbers that are small integers in both sizes
+        .macro  rounded name, f, t, c
+        makes_both FLR, \name, \f, \f
+        makes_both TRU, \name, \t, \t
+        makes_both CLG, \name, \c, \c
+        .endm
+
+        rounded plain, 2, 2, 3
+        rounded negative, -3, -2, -2
+        rounded whole, -3, -3, -3
+        rounded small, 0, 0, 1
+        rounded small_negative, -1, 0, 0
+        rounded integer, -7, -7, -7
+        rounded unnormalised, 2, 2, 3
 ; FLR: T := greatest integer not above R, exponent 0
-        makes_both FLR, plain, 2, 2
-        makes_both FLR, negative, -3, -3
-        makes_both FLR, whole, -3, -3
-        makes_both FLR, small, 0, 0
-        makes_both FLR, small_negative, -1, -1
         makes_both FLR, tiny_negative, -1, -1
-        makes_both FLR, integer, -7, -7
         makes_both FLR, large, X'0005 4000 0000 0000', X'0540 0000'
-        makes_both FLR, unnormalised, 2, 2
         makes_both FLR, zero, 0.0, 0.0
         makes_both FLR, indefinite, indefinite, X'7000 0000'
         of_zero FLR
         both_flags FLR, X'0000 0000 0012 0000'
 ; TRU: T := R cut to an integer towards zero, exponent 0
-        makes_both TRU, plain, 2, 2
-        makes_both TRU, negative, -2, -2
-        makes_both TRU, whole, -3, -3
-        makes_both TRU, small, 0, 0
-        makes_both TRU, small_negative, 0, 0
         makes_both TRU, tiny_negative, 0, 0
-        makes_both TRU, integer, -7, -7
         makes_both TRU, large, X'0005 4000 0000 0000', X'0540 0000'
-        makes_both TRU, unnormalised, 2, 2
         makes_both TRU, zero, 0.0, 0.0
         makes_both TRU, indefinite, indefinite, X'7000 0000'
         of_zero TRU
         both_flags TRU, X'0000 0000 0012 0000'
 ; CLG: T := least integer not below R, exponent 0
-        makes_both CLG, plain, 3, 3
-        makes_both CLG, negative, -2, -2
-        makes_both CLG, whole, -3, -3
-        makes_both CLG, small, 1, 1
-        makes_both CLG, small_negative, 0, 0
         sized_one CLG, tiny, X'F000 4000 0000 0000', 1, X'9040 0000', 1
         one     CLG, least, X'FFFF 8000 0000 0000', X'0000 C000 0000 0000'
         one_half CLGH, least, X'FF80 0000', X'00C0 0000'
-        makes_both CLG, integer, -7, -7
         makes_both CLG, large, X'0005 4000 0000 0000', X'0540 0000'
-        makes_both CLG, unnormalised, 3, 3
 ; specials are unchanged
         one     CLG, zero, X'8123 0000 0000 0005', X'8123 0000 0000 0005'
         one_half CLGH, zero, X'8000 0005', X'8000 0005'
