@@ -3,8 +3,7 @@
  * surface or a wrong value that is accepted fails here. */
 #include "rt/heat/heat_source.h"
 #include "rt/heat/thermal.h"
-#include "tests/unit/prior_model.h"
-#include "tests/unit/scene_reading.h"
+#include "tests/unit/heat_study.h"
 
 #define SIGMA 5.670374419e-8
 
@@ -16,49 +15,12 @@ static const char ball[] =
     "#declare Ball_Temperature = 500;\n#declare Copper_Emissivity = .8;\n"
     "object { Ball } object { Shell }\n";
 
-struct study {
-    struct scene *scene;
-    struct named_parts parts;
-    struct surfaces surfaces;
-    struct factor_row *rows;
-};
-
-static void find_rows(struct study *study)
-{
-    struct sampling_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
-                                               .points = 1024, .repeats = 16,
-                                               .lattice = true, .seed = 1,
-                                               .surface_of = study->surfaces.surface_of,
-                                               .surfaces = study->surfaces.count);
-    size_t count = study->scene->primitive_count;
-    SCOPED(factors) *factors = NON_NULL(factors_new(study->scene, &options, &failure));
-    const char **refusals = source_refusals(study->scene);
-    assert_non_null(refusals);
-    study->rows = calloc(count + 1, sizeof *study->rows);
-    for (size_t i = 0; i < count; i++)
-        if (!refusals[i] && !factors_find(factors, &i, 1, &study->rows[i], &failure))
-            fail_msg("%s", failure.message);
-    free(refusals);
-    surfaces_combine(&study->surfaces, study->rows);
-}
-
 static struct study begin(const char *text, enum surfaces_by by)
 {
-    struct study study = { .scene = read_scene(text) };
-    assert_true(named_parts_find(study.scene, &study.parts));
-    assert_true(surfaces_find(study.scene, &study.parts, by, &study.surfaces));
-    find_rows(&study);
+    struct study study = study_of(text, by);
+    FREED const char **refusals = NON_NULL(source_refusals(study.scene));
+    study_find(&study, refusals, TRACE_VECTOR, 1024);
     return study;
-}
-
-static void study_free(struct study *study)
-{
-    for (size_t i = 0; i < study->scene->primitive_count; i++)
-        factor_row_free(&study->rows[i]);
-    free(study->rows);
-    surfaces_free(&study->surfaces);
-    named_parts_free(&study->parts);
-    scene_free(study->scene);
 }
 
 /* Reads texts NAME=VALUE, separated by blanks. The scene's values come last. */

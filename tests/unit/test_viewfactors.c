@@ -7,10 +7,8 @@
  * short piece in the middle.
  */
 #include "base/file.h"
-#include "rt/heat/surfaces.h"
 #include "tests/unit/csv_reading.h"
-#include "tests/unit/prior_model.h"
-#include "tests/unit/scene_reading.h"
+#include "tests/unit/heat_study.h"
 
 /* The error is estimated from 16 repeats. 4.6 such errors are as rare as 4 standard
  * deviations of a normal distribution. */
@@ -179,13 +177,6 @@ static double known(const struct factor_case *which, double *off)
 
 /* ---- Results --------------------------------------------------------------------- */
 
-struct study {
-    struct scene *scene;
-    struct named_parts parts;
-    struct surfaces surfaces;
-    struct factor_row *rows;
-};
-
 static size_t named(const struct surfaces *surfaces, const char *name)
 {
     size_t i = 0;
@@ -197,51 +188,22 @@ static size_t named(const struct surfaces *surfaces, const char *name)
     return i;
 }
 
-static bool emits(const struct factor_scene *what, const struct surfaces *surfaces,
-                  size_t surface)
-{
-    for (const struct factor_case *which = what->cases; which->id; which++)
-        if (named(surfaces, which->from) == surface)
-            return true;
-    return false;
-}
-
-static void find_rows(const struct factor_scene *what, struct study *study,
-                      enum trace_mode mode, size_t points)
-{
-    struct sampling_options options = ON_PRIOR(.mode = mode, .queue = 2000,
-                                               .points = points, .repeats = 16,
-                                               .lattice = true, .seed = 1,
-                                               .surface_of = study->surfaces.surface_of,
-                                               .surfaces = study->surfaces.count);
-    size_t count = study->scene->primitive_count;
-    SCOPED(factors) *factors = NON_NULL(factors_new(study->scene, &options, &failure));
-    study->rows = calloc(count + 1, sizeof *study->rows);
-    for (size_t i = 0; i < count; i++)
-        FAIL_IF(emits(what, &study->surfaces, study->surfaces.surface_of[i])
-                    && !factors_find(factors, &i, 1, &study->rows[i], &failure),
-                "%s: %s", what->text, failure.message);
-    surfaces_combine(&study->surfaces, study->rows);
-}
-
+/* Rays start at the surfaces from which a factor is known. */
 static struct study begin(const struct factor_scene *what, enum surfaces_by by,
                           enum trace_mode mode, size_t points)
 {
-    struct study study = { .scene = read_scene(what->text) };
-    assert_true(named_parts_find(study.scene, &study.parts));
-    assert_true(surfaces_find(study.scene, &study.parts, by, &study.surfaces));
-    find_rows(what, &study, mode, points);
+    struct study study = study_of(what->text, by);
+    FREED const char **refusals = calloc(study.scene->primitive_count + 1,
+                                         sizeof *refusals);
+    for (size_t i = 0; i < study.scene->primitive_count; i++) {
+        const struct factor_case *which = what->cases;
+        while (which->id
+               && named(&study.surfaces, which->from) != study.surfaces.surface_of[i])
+            which++;
+        refusals[i] = which->id ? NULL : "no factor";
+    }
+    study_find(&study, refusals, mode, points);
     return study;
-}
-
-static void study_free(struct study *study)
-{
-    for (size_t i = 0; i < study->scene->primitive_count; i++)
-        factor_row_free(&study->rows[i]);
-    free(study->rows);
-    surfaces_free(&study->surfaces);
-    named_parts_free(&study->parts);
-    scene_free(study->scene);
 }
 
 static void check_case(const struct factor_case *which, const struct surfaces *surfaces)
