@@ -79,8 +79,8 @@
 ;       absolute_lower a, k, c          c = |a| - k
 ;
 ; Groups. The scalar form interleaves the operations, because a result takes five
-; clocks. A result may be an operand of a later operation of its group only if the
-; list states it:
+; clocks. A result is an operand of a later operation of its group only where the
+; list states this:
 ;
 ;       line_two a, k, l, c, b, m, n, d
 ;               c = a k + l, d = b m + n
@@ -116,10 +116,9 @@
 ;       plus_index a, b, c              c = a + b of integers
 ;       minus_index a, b, c             c = a - b of integers
 ;       raise_index a, k, c             c = a + k of integers
-;       upper_product a, b, c
-;               c = the upper 47 bits of the product of coefficients
+;       upper_product a, b, c           c = the upper 47 bits of the product a b
 ;       low_product a, b, c
-;               c = the low 47 bits; the product of two integers if it is below 2^47
+;               c = the lower 47 bits; the product of two integers if it is below 2^47
 ;       low_product_number a, k, c      the same with a number k
 ;       exponent a, c                   c = the exponent of a, an integer
 ;       pack_each e, a, c
