@@ -1,7 +1,6 @@
 #!/bin/sh
 # bench_growth.sh BUILD - measures the cost of a frame by the number of its objects:
-# spheres of a flake, small solids in a field, holes and knobs of a plate, triangles of
-# a mesh.
+# spheres of a flake, small solids in a field, holes and knobs of a plate, or mesh.
 #
 # The figures are the processor seconds of this tracer and of POV-Ray, the clocks of the
 # machine, and the maximum memory of the process. The exponent belongs to a power law in

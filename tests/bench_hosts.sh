@@ -8,8 +8,7 @@ build=$1
 . "$(dirname "$0")/measure.sh"
 
 : >"$work/names"
-# The smallest size compares this build with a variant of check-hosts, which saves
-# compiling.
+# The smallest size compares this build with one of check-hosts, to save compiling.
 folder_of() { # NAME
     case $1 in
     gcc-best) sized "$build/bench/$1" "$build" ;;

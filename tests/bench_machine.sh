@@ -1,7 +1,6 @@
 #!/bin/sh
 # bench_machine.sh BUILD - measures the speed of the emulation. It prints the tables of
-# the benchmarks tests/bench_*.c that no other script runs, and adds their cells to the
-# CSV file.
+# tests/bench_*.c that no other script runs, and adds them to the CSV file.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"

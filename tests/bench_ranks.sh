@@ -62,8 +62,7 @@ units_of() {
 }
 
 # Reads lines with the seconds of one process, of two ranks and of two separate
-# processes. Prints the median ratio, the line with this ratio, and the lowest and
-# highest ratio.
+# processes. Prints the median ratio, its line, and the lowest and highest ratio.
 middle() {
     awk '{ printf "%.2f %s\n", $1 / $2, $0 }' | sort -n |
         awk '{ line[NR] = $0; ratio[NR] = $1 }

@@ -29,8 +29,7 @@ plain_text() { # PDF
 }
 
 # Prints the rows that the text lacks. A row of the text has a name, a code, marks, the
-# class, an optional letter for the part of the vector unit, the operands and the
-# effect.
+# class, an optional letter for the vector unit's part, operands and effect.
 missing_rows() { # TEXT ROWS
     awk '
         NR == FNR { text = $0; next }

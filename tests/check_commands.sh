@@ -1,7 +1,6 @@
 #!/bin/sh
 # check_commands.sh BUILD - checks commands as a user calls them: exit codes, output
-# streams, complete files and Ctrl-C. Most checks are rows of commands.txt. Others are
-# in this script.
+# streams, complete files and Ctrl-C. Most checks are rows of commands.txt.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd)

@@ -73,8 +73,7 @@ for folder in class one-lesson; do
     verdict $? "not all are in the JSON: $folder"
 done
 
-# Every file has a row in every format. It contains the reason if the file was not
-# graded.
+# Every file has a row in every format. It has the reason if the file has no grade.
 hand_in() { # KIND PATH
     mkdir -p "$(dirname "$2")"
     case $1 in

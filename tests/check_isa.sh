@@ -1,7 +1,6 @@
 #!/bin/sh
 # check_isa.sh C205 - checks that docs/isa.md and the grammar for editors equal the
-# output of the command. Every instruction must have an example that uses it, has
-# expectations, and runs.
+# output of the command. Every instruction must have a correct example.
 set -u
 . "$(dirname "$0")/count.sh"
 c205=$1

@@ -4,8 +4,7 @@
 #
 # KILLS is the number of runs of each kind that are killed at a random time, by killing
 # rank 0, another rank or mpirun (3). They continue from their file with another number
-# of ranks. SEED is the seed of the times (1). USES=all adds heat and mass of every
-# scene.
+# of ranks. SEED is the seed of the times (1). USES=all adds heat and mass.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd)

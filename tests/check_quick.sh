@@ -4,8 +4,7 @@
 # Changed files differ from the last commit, or are part of it if no file differs. make
 # reports which objects it would compile for them, and each linked test has a list of
 # its objects (X.objects). Tests with a changed object run, two at a time, with the
-# shortest of the last run first. No test begins after SECONDS; the number of omitted
-# tests is printed.
+# shortest of the last run first. No test begins after SECONDS.
 set -u
 build=$1 make=$2 limit=$3
 . "$(dirname "$0")/count.sh"

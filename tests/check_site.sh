@@ -1,8 +1,7 @@
 #!/bin/sh
 # check_site.sh BUILD - checks the manual as a site. Every link, anchor and picture must
 # have a target. Nothing may be loaded from another host. Navigation and search index
-# must contain every page of docs/ and every instruction. Faults are planted in a copy
-# and must be found.
+# must contain every page of docs/ and every instruction. Planted faults must be found.
 set -u
 . "$(dirname "$0")/count.sh"
 BUILD=$(cd "$1" && pwd)

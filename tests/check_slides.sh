@@ -1,8 +1,7 @@
 #!/bin/sh
 # check_slides.sh PAGE FOLDER - checks the deck of a lecture's page in FOLDER. Every
 # slide must have notes for the speaker, fit, and be one page in print, with and without
-# notes. Nothing may be loaded from another host. Faults are planted in the page and
-# must be found.
+# notes. Nothing may be loaded from another host. Planted faults must be found.
 set -u
 . "$(dirname "$0")/count.sh"
 page=$1 folder=$(cd "$2" && pwd)
@@ -13,8 +12,7 @@ trap 'rm -rf "$work"' EXIT
 said=$work/said
 slides=$(grep -c '^##* ' "$page")
 
-# Prints the tags of the sections of a deck, one per line, after a browser has run its
-# scripts.
+# Prints the tags of a deck's sections, one per line, after its scripts have run.
 sections() { # HTML
     sh docs/slides/browser.sh "$1" --dump-dom | grep -o '<section[^>]*>'
 }

@@ -1,6 +1,5 @@
 #!/bin/sh
-# check_texts.sh BUILD [EVERY] - compares the results of all readers of texts for
-# different encodings.
+# check_texts.sh BUILD [EVERY] - compares the readers of texts in all encodings.
 #
 # The programs, scenes, models, scripts and tables of the tests are rewritten in two
 # forms: with CR as line ends, and with a byte order mark, CR LF, and the end mark of

@@ -5,8 +5,7 @@
 # Comments are comments of C files, JavaScript, CSS, programs, scenes, scripts, models
 # and observations. Names are identifiers of C files and of the web page: names in
 # JavaScript and CSS, and the ids and classes of HTML. Pages are the text of README.md
-# and docs outside of code blocks. A fault of each kind is planted in a copy and must be
-# found.
+# and docs outside of code blocks. Planted faults of each kind must be found.
 set -u
 . "$(dirname "$0")/count.sh"
 cd "$(dirname "$0")/.." || exit 1

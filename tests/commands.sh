@@ -1,6 +1,5 @@
 # commands.sh - functions that run commands as a user calls them. They compare exit
-# codes, output and files with expectations, which are in a script or in a row of a
-# table.
+# codes, output and files with expectations of a script or a table's row.
 #
 #   . "$here/tests/commands.sh"
 #

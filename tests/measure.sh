@@ -100,8 +100,7 @@ quotient() { # A B: prints the quotient with two decimals
 }
 
 # Prints the figures of a table, cell by cell: PROGRAM, "row", column, value. A cell
-# ends at the column at which its heading ends. The value of a row without a figure is
-# empty.
+# ends at the column at which its heading ends. A row without a figure has none.
 cells() { # PROGRAM: reads its output
     awk -v program="$1" '
         function ends_of(line,    at) {

@@ -30,8 +30,7 @@ function literal_end(text, at,    quote, c) {
     return at + 1
 }
 
-# Prints the literals from `at` on, until a parenthesis (1) or a semicolon (0) ends
-# them.
+# Prints the literals from `at` to a parenthesis (1) or a semicolon (0).
 function list(at, parentheses,    c, depth, end, words, start, between) {
     depth = parentheses
     while ((c = substr(source, at, 1)) != "") {

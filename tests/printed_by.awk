@@ -1,5 +1,4 @@
-# printed_by.awk - writes or checks the line below each printed block of a page that
-# names the command.
+# printed_by.awk - writes or checks the line that names a printed block's command.
 #
 #     awk -v write=1 -f printed_by.awk PAGE    prints the page with these lines
 #     awk -f printed_by.awk PAGE               prints missing or wrong lines

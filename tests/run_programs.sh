@@ -14,8 +14,7 @@ done
 mkdir "$work/alone"
 cp "$work"/*.inc "$work/alone"
 
-# The instructions that the programs name, and the instructions among them that they
-# execute.
+# The instructions that the programs name, and those of them that they execute.
 for path in tests/programs/*.s; do
     "$c205" run --trace -Wno-all "$path" 2>&1 | awk '
         FNR == NR && /^; tests: / { for (i = 3; i <= NF; i++) named[$i] }

@@ -1,6 +1,5 @@
-/* replay.c - replay_TARGET FILE ...: runs a fuzz target without its fuzzer, once on
- * each file. A fault ends the program. Exit status 3: no file passes the first check of
- * the target. */
+/* replay.c - replay_TARGET FILE ...: runs a fuzz target on each file without its
+ * fuzzer. A fault ends it. Exit status 3: no file passes its first check. */
 #include <stdio.h>
 
 #include "tests/fuzz/fuzz.h"

@@ -2,8 +2,7 @@
 # run.sh BUILD [SECONDS] - runs each fuzz target of BUILD for SECONDS seconds (60).
 #
 # The corpus remains in BUILD for later runs. An input that crashes or hangs a target is
-# reported and saved in BUILD/found. A target also fails if none of its seeds passes its
-# first check.
+# reported and saved in BUILD/found. A target fails if no seed passes its first check.
 set -u
 . "$(dirname "$0")/../count.sh"
 build=$1 seconds=${2:-60}

@@ -17,8 +17,7 @@ seed() { # TARGET FILE ..: copies files to a corpus, by unique names
 }
 
 pieces() { # TARGET HEAD LINES: divides its session into short ones
-    # Each piece begins with the first HEAD lines and has up to LINES others, so that a
-    # target reaches its end.
+    # Each piece has the first HEAD lines and up to LINES others, to reach its end.
     mkdir -p "$corpus/$1"
     awk -v head="$2" -v lines="$3" -v name="$corpus/$1/session." '
         NR <= head { first = first $0 "\n"; next }

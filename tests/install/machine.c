@@ -1,5 +1,4 @@
-/* machine.c - a client of the installed libraries: encodes a program by the
- * instruction table and runs it. */
+/* machine.c - a client of the installed libraries: encodes and runs a program. */
 #include <c205.h>
 #include <stdio.h>
 #include <string.h>

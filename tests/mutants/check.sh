@@ -1,7 +1,6 @@
 #!/bin/sh
 # check.sh - checks mutate.awk. Random faults in some files of every room must change
-# these files. The same seed must draw the same faults. Short texts must have every kind
-# of fault.
+# these files. The same seed must draw the same faults. Short texts must have all kinds.
 set -u
 . "$(dirname "$0")/../count.sh"
 mutate="awk -f $(dirname "$0")/masked.awk -f $(dirname "$0")/mutate.awk"

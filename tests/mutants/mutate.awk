@@ -58,8 +58,7 @@ function exchange(kind, a, a_length, b, b_length,    one, two) {
         add(kind, a, b + b_length - a, two substr(text, a + a_length, b - a - a_length) one)
 }
 
-# Splits the code from .. to at commas outside of brackets. The parts are start[] and
-# size[].
+# Splits the code from .. to at commas outside of brackets. Sets start[] and size[].
 function split_at_commas(from, to, start, size,    n, depth, p, c) {
     n = 0
     for (p = from; from <= to + 1; p++) {
@@ -78,8 +77,7 @@ function split_at_commas(from, to, start, size,    n, depth, p, c) {
     return n > 1 || size[1] > 0 ? n : 0
 }
 
-# Returns the position of the next number in the code from p on, or 0. RLENGTH is its
-# length.
+# Returns the position of the next number from p on, or 0, with its RLENGTH.
 function next_number(p,    at) {
     while (match(substr(code, p), /[0-9]([eEpP][-+][0-9]|[A-Za-z0-9.])*/)) {
         at = p + RSTART - 1
@@ -135,8 +133,7 @@ function find_condition(at,    open, close_at) {
             "(!" substr(text, open, close_at - open + 1) ")")
 }
 
-# Removes an assignment, a call or a jump after another statement, a block or a
-# condition.
+# Removes an assignment, a call or a jump after a statement, block or condition.
 function find_statement(at,    start) {
     join_line(at)
     if (before !~ /([;{})]|else) *$/ || is_declaration() ||

@@ -187,8 +187,7 @@ static void weaken(struct number *number, long exponent)
     mpz_set_si(number->coefficient, 0);
 }
 
-/* Computes the sum or difference in a register with a sign and twice the digits.
- * Returns its exponent. */
+/* Computes the exact sum or difference in a signed register. Returns its exponent. */
 static long add_aligned(const struct oracle_format *format, bool subtract)
 {
     if (left.kind == MACHINE_ZERO)

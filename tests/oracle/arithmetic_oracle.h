@@ -70,8 +70,7 @@ typedef c205_word oracle_rule(const struct oracle_format *format, c205_word a,
 void oracle_value(const struct oracle_format *format, mpfr_t value, c205_word word);
 
 /* Returns the normalised word of a value that has been truncated to the digits of the
- * format. docs/arithmetic.md defines the results for NaN, infinity and the ends of the
- * range. */
+ * format. docs/arithmetic.md defines NaN, infinity and the ends of the range. */
 c205_word oracle_word(const struct oracle_format *format, const mpfr_t value);
 
 #endif

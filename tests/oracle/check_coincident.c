@@ -1,15 +1,13 @@
 /* check_coincident.c - compares frames of bodies with coincident faces in all forms,
  * and with two other tracers.
  *
- *     check_coincident [SCENES [OF SHARE]] [--first]
+ *     check_coincident [SCENES [OF SHARE]] [--first]        (many_scenes.h)
  *
- * Traces random scenes (random_scenes.h), or every OF-th of them from number SHARE on.
- * The test fails unless all forms give the same frame bit for bit, and the plain tracer
- * gives the same frame at all pixels that are not on outlines. POV-Ray loses one of two
+ * All forms must give the same frame of a random scene (random_scenes.h) bit for bit,
+ * and the plain tracer at all pixels that are not on outlines. POV-Ray loses one of two
  * coincident faces, so it draws the scene with a ground that is higher by LIFT. Scenes
  * of other bodies are not compared with POV-Ray. A failing scene is printed and written
- * to coincident_N.pov. With --first the test stops at the first failure. Exit status 1:
- * a scene failed.
+ * to coincident_N.pov.
  */
 #include "rt/trace/trace.h"
 #include "tests/oracle/chance.h"

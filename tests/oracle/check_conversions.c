@@ -234,8 +234,7 @@ static size_t significant_digits(const char *text)
 }
 
 /* Reading truncates, so the texts that read back as `value` are those from `value` up
- * to the next word. It therefore suffices to test the least number with n digits that
- * is not below `value`. */
+ * to the next word. The least number of n digits from `value` on suffices. */
 static bool fewer_digits_do(const mpfr_t value, size_t digits)
 {
     bool negative = mpfr_sgn(value) < 0;

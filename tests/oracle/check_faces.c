@@ -1,20 +1,17 @@
 /* check_faces.c - compares all forms of the tracer on solids whose faces coincide.
  *
- *     check_faces [SCENES [OF SHARE]] [--first]
+ *     check_faces [SCENES [OF SHARE]] [--first]        (many_scenes.h)
  *
- * Traces random scenes (random_scenes.h), or every OF-th of them from number SHARE on.
- * Each scene is traced in scalar form, in vector form and in the form of 1984, with
- * several queue lengths, both CSG methods, and with and without bounding spheres. The
- * test fails unless all frames are equal bit for bit.
+ * Each random scene (random_scenes.h) is traced in scalar form, in vector form and in
+ * the form of 1984, with several queue lengths, both CSG methods, and with and without
+ * bounding spheres. All frames must be equal bit for bit.
  *
  * It also fails if another order of the parts changes a depth. Depths must be equal bit
  * for bit. If faces of two regions may coincide, the order decides which face is
  * visible, and the depths need only be nearly equal. If the camera looks at faces
  * obliquely, the plain tracer must see the same objects at the same depths.
  *
- * A failing scene is reduced while it fails, printed, and written to faces_N.pov. With
- * --first the test stops at the first failure without reducing it. Exit status 1: a
- * scene failed.
+ * A failing scene is reduced while it fails, printed, and written to faces_N.pov.
  */
 #include "rt/layout/interiors.h"
 #include "rt/trace/trace.h"

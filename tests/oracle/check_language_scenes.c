@@ -1,13 +1,12 @@
 /* check_language_scenes.c - compares the pictures of random scene texts with POV-Ray's.
  *
- *     check_language_scenes [SCENES [OF SHARE]] [--first]
+ *     check_language_scenes [SCENES [OF SHARE]] [--first]        (many_scenes.h)
  *
- * Generates scene texts (language_scene.h), or every OF-th of them from number SHARE
- * on.  The test fails if rt205 or POV-Ray reports an error or a warning for a text. The
- * three modes, by rows and by tiles, with random queue lengths, in one job and in two,
- * must give the same frame bit for bit.  This frame must equal POV-Ray's picture. As in
- * check_sample, a pixel differs if a channel differs by more than .02 of white. One
- * pixel in a thousand may differ.
+ * Neither rt205 nor POV-Ray may report an error or a warning for a text of
+ * language_scene.h. The three modes, by rows and by tiles, with random queue lengths, in
+ * one job and in two, must give the same frame bit for bit, which must equal POV-Ray's
+ * picture. As in check_sample, a pixel differs if a channel differs by more than .02 of
+ * white. One pixel in a thousand may differ.
  *
  * Rounding can decide which side of an edge a pixel shows. A different pixel is
  * therefore excused if POV-Ray's picture changes there when the camera moves by a
@@ -17,9 +16,8 @@
  *
  * A failing scene is reduced, line by line and block by block, while it fails in the
  * same way. It is printed with its seed and written to language_N.pov. Only the first
- * three failing scenes are reduced, because this takes minutes.  With --first the test
- * stops at the first failure without reducing it.  Exit status 1: a scene failed; 2:
- * POV-Ray is missing.
+ * three failing scenes are reduced, because this takes minutes. Exit status 2: POV-Ray
+ * is missing.
  */
 #include "rt/picture/picture.h"
 #include "rt/scene/language/scene_read.h"

@@ -1,10 +1,9 @@
 /* check_ray_query.c - compares all forms of the all-hits ray query on random scenes.
  *
- *     check_ray_query [SCENES [OF SHARE]] [--first]
+ *     check_ray_query [SCENES [OF SHARE]] [--first]        (many_scenes.h)
  *
- * Follows lines through random scenes (random_scenes.h), or through every OF-th of them
- * from number SHARE on. The scenes alternately have coincident faces and many regions.
- * The test checks these rules:
+ * Follows lines through random scenes (random_scenes.h), which alternately have
+ * coincident faces and many regions. The test checks these rules:
  *
  * - The scalar form and some random configurations of the vector form (queues, packets,
  *   bounds) find the same hits bit for bit.
@@ -13,8 +12,7 @@
  * - Where rounding does not decide, the plain tracer finds the same hits.
  *
  * A failing scene is reduced line by line while it fails, printed, and written to
- * lines_N.pov.  With --first the test stops at the first failure without reducing it.
- * Exit status 1: a scene failed.
+ * lines_N.pov.
  */
 #include "tests/oracle/chance.h"
 #include "tests/oracle/random_scenes.h"

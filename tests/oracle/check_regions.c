@@ -1,18 +1,16 @@
 /* check_regions.c - compares frames of scenes with many regions in random
  * configurations.
  *
- *     check_regions [SCENES [OF SHARE]] [--first]
+ *     check_regions [SCENES [OF SHARE]] [--first]        (many_scenes.h)
  *
- * Traces random scenes (random_scenes.h), or every OF-th of them from number SHARE on.
- * Each scene is traced in vector form with every ray tested against every region, in
- * scalar form, and in some random configurations of modes, queues, bounds, CSG methods,
- * bands and jobs. The test fails unless all of them give the same frame bit for bit and
- * trace the same rays. The plain tracer must agree within the tolerances of
+ * Each random scene (random_scenes.h) is traced in vector form with every ray tested
+ * against every region, in scalar form, and in some random configurations of modes,
+ * queues, bounds, CSG methods, bands and jobs. All must give the same frame bit for bit
+ * and trace the same rays. The plain tracer must agree within the tolerances of
  * check_scene, except for pixels where rounding decides.
  *
  * A failing scene is reduced while it fails in the same way, printed, and written to
- * regions_N.pov.  With --first the test stops at the first failure without reducing it.
- * Exit status 1: a scene failed.
+ * regions_N.pov.
  */
 #include "rt/trace/trace.h"
 #include "tests/oracle/chance.h"

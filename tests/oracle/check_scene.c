@@ -85,8 +85,7 @@ static const struct exception {
     { "scenes/vase.pov", FEWER_PIXELS },
     { "tests/scenes/areas.pov", ALL_PIXELS },
     { "tests/scenes/in_glass.pov", ALL_PIXELS },
-    /* In these scenes a face of a cylinder is in a face of a box, or cylinders occur
-     * only as components of blobs. */
+    /* In these scenes a cylinder's face is in a box's, or cylinders are in blobs. */
     { "scenes/bearing.pov", NO_HISTORICAL },
     { "tests/scenes/blobs.pov", NO_HISTORICAL },
 };

@@ -216,8 +216,7 @@ static void differ_in_faults(struct trial *trial, const c205_stop *stop)
     }
 }
 
-/* Skips an instruction that has trapped, so that the program continues. Returns false
- * if it cannot be skipped. */
+/* Skips an instruction that has trapped. Returns false if it cannot be skipped. */
 static bool skip(struct trial *trial)
 {
     uint64_t pc = trial->reference.deed.pc;

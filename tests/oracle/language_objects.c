@@ -9,8 +9,7 @@ static void write_solid(struct language *draw, int depth, enum standing standing
 
 /* Clips by a bounded shape that is not inverted. POV-Ray searches quadrics and quartics
  * only in the box of the clipping shape, even if it is inverted. Meshes do not clip,
- * because POV-Ray loses crossings of a mesh while it tests whether they are inside
- * another mesh. */
+ * because POV-Ray loses crossings of a mesh inside another mesh. */
 void write_clip(struct language *draw)
 {
     write_text(draw, "clipped_by {\n");
@@ -40,9 +39,8 @@ static void write_cutter(struct language *draw, int depth)
 }
 
 /* A disc is not used as a part, because POV-Ray drops the parts of an intersection
- * outside the box of its disc. A union is only used in a list. As a part of a solid it
- * keeps its inner faces in POV-Ray, which are visible where something is clipped or
- * open. */
+ * outside the box of its disc. A union is only used in a list. In a solid POV-Ray keeps
+ * its inner faces, which openings show. */
 static void write_joined(struct language *draw, int depth, enum standing standing)
 {
     static const char *const words[] = { "union", "merge", "intersection", "difference",

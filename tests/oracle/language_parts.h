@@ -30,8 +30,7 @@
 
 #include <stdio.h>
 
-/* Kinds of declared names. The names of a kind are numbered: for example, N0, N1 and so
- * on are the floats. */
+/* Kinds of declared names, which are numbered: N0, N1 and so on are the floats. */
 enum language_name {
     NAME_FLOAT,
     NAME_VECTOR,
@@ -79,9 +78,8 @@ extern const size_t language_rule_count;
 void write_text(struct language *draw, const char *format, ...);
 void write_pattern(struct language *draw, const char *pattern);
 
-/* Writes an image as the pigment, with the probability 1/one_of. If it does, the
- * pattern up to end_image is evaluated, but not printed. `clear` surrounds the image
- * with a transparent colour. */
+/* Writes an image as the pigment, with the probability 1/one_of. Then the pattern up to
+ * end_image is not printed. `clear` surrounds the image with a clear colour. */
 void begin_image(struct language *draw, size_t one_of, bool clear);
 void end_image(struct language *draw);
 

@@ -47,8 +47,7 @@ static void write_operation(struct language *draw, const char *operation, int de
             putc(*operation, draw->text);
 }
 
-/* Arguments are in the domains of the functions. No value becomes so large that its
- * sine is inaccurate. */
+/* Arguments are in the functions' domains, and no value is too large for a sine. */
 static const char *const float_patterns[] = {
     /* operators */
     "(# + #)", "(# - #)", "(# * #)", "#*#", "(# + # * #)", "(# - # - #)",

@@ -33,7 +33,7 @@ extern c205_model *check_model;
  * (default 300), or every OF-th of them from SHARE on. With --first it stops at the
  * first failure, which is not reduced. begin may be NULL. It is called for each scene,
  * up to `ahead` scenes before that scene is checked. Prints the counts, and returns the
- * exit status. */
+ * exit status, which is 1 if a scene failed. */
 int check_many(int count, char **words, bool (*check)(size_t number, bool first),
                void (*begin)(size_t number), size_t ahead);
 

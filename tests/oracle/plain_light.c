@@ -1,5 +1,4 @@
-/* plain_light.c - shading, highlights, shadows and light attenuation, by POV-Ray's
- * rules (plain_light.h). */
+/* plain_light.c - shading, highlights and shadows by POV-Ray's rules. */
 #include "tests/oracle/plain_light.h"
 
 /* The limits of POV-Ray 3.7. SMALL_ANGLE: a light that is more oblique adds nothing,
@@ -196,8 +195,7 @@ static double way_to_light(const struct light *light, const double point[3],
     return distance;
 }
 
-/* Returns 3 t^2 - 2 t^3, where t is 0 at low and 1 at high. Above high the result is 1,
- * even if high is below low. */
+/* Returns 3 t^2 - 2 t^3, where t is 0 at low and 1 at high, and 1 above high. */
 static double spline(double low, double high, double at)
 {
     if (at >= high)
@@ -309,8 +307,7 @@ static void pass_from_area(const struct plain_tracer *tracer, const struct light
     copy(color, sum);
 }
 
-/* Adds one light. A light on the far side of the surface adds nothing. A shadowless
- * light makes no highlights. */
+/* Adds one light, unless it is behind the surface. Shadowless: without highlights. */
 static void add_light(const struct plain_tracer *tracer, const struct light *light,
                       const struct plain_surface *surface, double color[3])
 {

@@ -107,8 +107,7 @@ static bool cross_triangle(const struct triangle *triangle, const struct ray *ra
 
 /* ---- Nearest and sorted crossings ---------------------------------------- */
 
-/* Compares two distances. Crossings ahead of the origin precede the others. Both groups
- * are in order of distance. */
+/* Orders crossings by distance, those ahead of the origin before the others. */
 static bool goes_before(double a, double b)
 {
     if ((a >= 0) != (b >= 0))

@@ -173,8 +173,7 @@ static void look_within(struct search *search, const struct place of[3], int hal
 
 /* ---- Normals and distances ----------------------------------------------- */
 
-/* H is the sum of the rows times s, t and u. A row is half of the derivative with
- * respect to its parameter. */
+/* H is the sum of the rows times s, t and u. A row is half of a derivative. */
 struct homogeneous {
     double xyz[3], w;
 };

@@ -1,5 +1,4 @@
-/* plain_tracer.c - recursive ray tracing with reflection, refraction and fog, by
- * POV-Ray's rules (plain_tracer.h). */
+/* plain_tracer.c - recursive ray tracing by POV-Ray's rules (plain_tracer.h). */
 #include "tests/oracle/plain_tracer.h"
 
 #include "tests/oracle/plain_light.h"
@@ -24,8 +23,7 @@ struct interiors {
 };
 
 /* A ray. level: number of rays from the camera to this ray, both included, without
- * straight transmitted rays. importance: largest fraction of the pixel's colour that
- * the ray can add. */
+ * straight transmitted rays. importance: largest part of the colour. */
 struct path {
     struct ray ray;
     int level;
@@ -75,8 +73,7 @@ static bool is_seen(const struct scene *scene, const struct region *region,
     return false;
 }
 
-/* Finds the nearest hit. Returns the rank of its region among the regions with
- * transparent parts, or 0. */
+/* Finds the nearest hit. Returns its region's rank among transparent ones, or 0. */
 static size_t find_nearest(const struct plain_tracer *tracer, const struct path *path,
                            struct plain_hit *hit)
 {
@@ -210,8 +207,7 @@ static bool goes_straight(double ratio)
 }
 
 /* Applies Snell's law: scales the component of the direction that is perpendicular to
- * the normal by `ratio`. If its length then exceeds 1, the reflection is total, and the
- * result is false. */
+ * the normal by `ratio`. Returns false if its length exceeds 1, by total reflection. */
 static bool refract(const struct plain_surface *surface, double ratio,
                     double direction[3])
 {

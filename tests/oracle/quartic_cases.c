@@ -1,5 +1,4 @@
-/* quartic_cases.c - random polynomials, most of which are computed from their exact
- * roots (quartic_rule.h). */
+/* quartic_cases.c - random polynomials, most of them from their exact roots. */
 #include "quartic_rule.h"
 
 #include <math.h>

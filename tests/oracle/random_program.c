@@ -89,8 +89,7 @@ static c205_word number(uint64_t *random, const struct oracle_format *format)
 }
 
 /* Returns a word that is equal to a half word, or between two half words, where
- * rounding may carry. The digits below a half word are about half of its unit, or
- * nearly a whole unit. */
+ * rounding may carry. The lower digits are nearly half a unit or a whole one. */
 static c205_word near_half(uint64_t *random)
 {
     static const c205_word beyond[] = { 0, 0x7FFFFF, 0x800000, 0xFFFFFF };

@@ -72,8 +72,7 @@ void leave_element(struct reference *reference, const struct target *target,
                    uint64_t i);
 
 /* Sets the number of elements of an instruction without a result vector. It is the
- * length of A, or of B if A is broadcast. If both are broadcast, which is a fault,
- * returns false. */
+ * length of A, or of B if A is broadcast. Returns false if both are. */
 bool scan_length(struct reference *reference, const struct vector *vector,
                  uint64_t *length);
 /* Sets the length in the descriptor of a register. */

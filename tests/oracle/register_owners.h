@@ -26,8 +26,7 @@ c205_listener register_owners_listen;
 
 /* Returns the number of register reads under a name. */
 uint64_t register_owners_read(const struct register_owners *owners);
-/* Returns the number of different instructions that read a register under a name other
- * than the name of its value. */
+/* Returns the number of instructions that read a value under another name. */
 size_t register_owners_found(const struct register_owners *owners);
 /* Prints a line for each of these instructions, with the place and the names. */
 void register_owners_print(const struct register_owners *owners,

@@ -45,9 +45,8 @@ char *solids_text(const char *settings, const char *view, char (*lamps)[SOLID_WO
 
 /* --- shrinking a text that fails a test ------------------------------------- */
 
-/* Removes lines and blocks, or only the first and last line of a block, while the rest
- * still fails. Makes at most `most` trials. Frees the text. The caller frees the
- * smaller text. */
+/* Removes lines, blocks, and first and last lines of blocks while the rest still fails.
+ * Makes at most `most` trials. Frees the text. The caller frees the smaller text. */
 char *text_shrunk(char *text, size_t most,
                   bool (*fails)(const char *text, void *context), void *context);
 
@@ -57,8 +56,7 @@ char *text_indented(char *text);
 /* --- lights with a direction, normals, closed meshes and height fields ------- */
 
 /* For every second light, prints keywords for its beam, parallel rays and attenuation.
- * The text starts with a space. The rest of the scene does not depend on it, because
- * the state is a copy. */
+ * The text starts with a space. The rest of the scene does not depend on it. */
 void beam_words(uint64_t state, const double position[3], double size,
                 char words[SOLID_WORDS]);
 

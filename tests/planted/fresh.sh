@@ -1,7 +1,6 @@
 #!/bin/sh
 # fresh.sh - checks that each fault of bugs.list still has its place in the sources,
-# whatever names have changed. make check-planted checks that a part of make check finds
-# it.
+# whatever names have changed. make check-planted checks that it is found.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 work=$(mktemp -d)

@@ -47,8 +47,7 @@
         ADJEH   half_left, h0, half_result
         half_is ADJEH, register_zero, 12
         both_flags ADJE, X'0000 0000 0032 0000'
-; ADJS: T := R, its coefficient shifted left by S, no further than normalised,
-; or right (negative)
+; ADJS: T := R, its coefficient shifted left by S, at most normalised, or right (< 0)
         both_two ADJS, left_3, 5, 3, X'FFFD 0000 0000 0028', X'FD00 0028'
         both_two ADJS, normalised, 5, 100, X'FFD4 5000 0000 0000', X'EC50 0000'
         both_two ADJS, as_it_is, 1.0, 5, 1.0, 1.0

@@ -31,8 +31,7 @@ BAB.altering:
         register_is BAB, r50, 6
         flags_are BAB, X'0000 0000 0000 0000'
 
-; BADF: if bit A of the data flag register is as I4 specifies go to C; alter it as
-; I4 specifies
+; BADF: if bit A of the data flag register is as I4 specifies go to C; alter it likewise
         .macro  BADF.one_bit name, bit, how
         fetch   left, pattern
         fetch   right, \bit

@@ -115,8 +115,7 @@ MASKB.chain: .word   X'8000 0000 0000 0000'
         MASKB   [va], [vb], [to] ? [vz]
 ; expect: [MASKB.chain] = X'FF80 0000 0000 0000'
         flags_are MASKB, X'0000 0000 0000 0000'
-; MRGB: C := the next bit of A where Z has ones, the next of B where it has
-; zeros
+; MRGB: C := the next bit of A where Z has ones, of B where it has zeros
         .data
 MRGB.halves: .word   X'0000 0000 0000 0000', X'FFFF FFFF FFFF FFFF'
 MRGB.chain: .word   X'8000 0000 0000 0000'

@@ -1,7 +1,6 @@
 ; For each pair in the table a word records which branches were taken.  It is compared
 ; with the relation of the two operands.  A confused relation, an operand that is not
-; cut to its number of bits, or a wrong target makes a
-; word differ.
+; cut to its number of bits, or a wrong target fails.
 ; tests: BEQ BNE BGE BLT BHEQ BHNE BHGE BHLT CFPEQ CFPNE CFPGE CFPLT CFPGT CFPLE IBXEQ
 ; tests: IBXNE IBXGE IBXLT IBXGT IBXLE
 

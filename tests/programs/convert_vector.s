@@ -31,8 +31,7 @@ CONV.over: .word   1.0, 2.0, 3.0
 ; expect-halves: [CONV.negative] = kept, X'E699 9999', kept, kept, X'6F80 0000'
         of_one  CONV, short_source, [short], [to] ; padded with machine zeros
 ; expect-halves: [CONV.short_source] = 1.5, X'E699 9999', 0.0, 0.0, 0.0
-; The result overlaps the source: each word is read before the half word at its
-; place is stored.
+; The result overlaps the source: each word is read before its half word is stored.
         descriptor va, CONV.over, 3
         descriptor to, CONV.over, 3
         CONV    [va], [to]

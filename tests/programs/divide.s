@@ -1,7 +1,6 @@
 ; The quotients of the pairs in the table, and of vectors, are compared with words
 ; worked out from the rules of docs/arithmetic.md.  A wrong coefficient, number of
-; significant bits, divide fault, sign, length or data flag of one form makes a word
-; differ.
+; significant bits, divide fault, sign, length or data flag fails.
 ; tests: DIVS DIVU DIVSH DIVUH DIVSV DIVUV
 ; warns: integer-operand DIVS DIVSH
 ; warns: recurrence DIVSV DIVUV

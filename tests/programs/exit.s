@@ -1,6 +1,5 @@
 ; The output of the monitor for each request is compared with the expected lines, for
-; words, vectors, bits and text in memory.  A wrong format or request makes a line
-; differ.
+; words, vectors, bits and text in memory.  A wrong format or request fails.
 ; tests: EXIT
 ; EXIT: request I8 to the monitor, with R and S: 0 ends the program
 

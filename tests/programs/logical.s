@@ -29,8 +29,7 @@
         word_is XOR, with_none, X'7000 0000 0000 0001'
         XOR     left, right, r0
         flags   XOR, X'0000 0000 0000 0000'
-; SHIFT: T := R shifted by S: left circular, or right (negative) with the sign
-; extended
+; SHIFT: T := R shifted by S: left circular, or right (< 0) with the sign
         two     SHIFT, left_4, X'8123 4567 89AB CDEF', 4, X'1234 5678 9ABC DEF8'
         two     SHIFT, none, X'8123 4567 89AB CDEF', 0, X'8123 4567 89AB CDEF'
         two     SHIFT, left_63, 2, 63, 1
@@ -44,8 +43,7 @@
         word_is SHIFT, by_none, X'7123 4567 89AB CDEF'
         SHIFT   left, right, r0
         flags   SHIFT, X'0000 0000 0000 0000'
-; SHIFTI: T := R shifted by I8: left circular, or right (negative) with the
-; sign extended
+; SHIFTI: T := R shifted by I8: left circular, or right (< 0) with the sign
         fetch   left, X'8123 4567 89AB CDEF'
         SHIFTI  left, 4, r40
         SHIFTI  left, 0, r41
@@ -146,8 +144,7 @@ shift_b:
 shift_scalars:
         .word   X'8123 4567 89AB CDEF', -100
         .code
-; SHIFTV: C := A shifted by B: left circular, or right (negative) with the
-; sign extended
+; SHIFTV: C := A shifted by B: left circular, or right (< 0) with the sign
         front   SHIFTV, X'1234 5678 9ABC DEF0', X'FFFF FFFF FFFF FFFF', 0
         back    SHIFTV, X'C000 0000 0000 0000', 0, X'FFFF 0000 FFFF 0000'
         uses    SHIFTV, X'FFFF FFFF FFFF FFFF', shift_

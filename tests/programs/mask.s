@@ -1,6 +1,5 @@
 ; Vectors that a control vector selects from two sources are compared with words worked
-; out by hand, for every use.  An element of the wrong source, or the wrong element,
-; makes a word differ.
+; out by hand, for every use.  A wrong source or element makes a word differ.
 ; tests: MASKV MRGV
 ; warns: zero-length MASKV MRGV
 

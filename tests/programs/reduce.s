@@ -1,7 +1,6 @@
 ; Sums, products and extremes of vectors are compared with numbers worked out by hand,
 ; to the last bit of both parts of a sum: every use, empty vectors, specials,
-; cancellation.  A wrong order of elements, part of a sum, index or data flag makes a
-; word differ.
+; cancellation.  A wrong order, part of a sum, index or data flag makes a word differ.
 ; tests: SUMV DOTV PRODV MAXV MINV
 ; warns: zero-length SUMV DOTV PRODV
 

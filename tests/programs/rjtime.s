@@ -1,7 +1,6 @@
 ; The job interval timer is compared with the clocks left after each instruction.
 ; tests: RJTIME
-; RJTIME: T := clocks left on the job interval timer, 0 when it is off or has
-; run out
+; RJTIME: T := clocks left on the job interval timer, 0 when off or expired
 
         .regs   r10, clocks, first, second, third
 

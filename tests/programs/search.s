@@ -20,16 +20,14 @@
 ; expect: [SCHNEV.negated] = 0, 0, 0, 0, 0, 0
 ; expect: [SCHNEV.magnitudes] = 0, 1, 0, 0, 0, 0
 ; expect: [SCHNEV.chain] = 0, 1, 0, 1.0
-; SCHGEV: C(i) := index of the first B for which A(i) >= B, or the length of
-; B
+; SCHGEV: C(i) := index of the first B for which A(i) >= B, or the length
         uses    SCHGEV, 0, 0, 0, 0, 5, 0, 0
 ; expect: [SCHGEV.offset_sources] = 3, 0, 0, 3, 0, 0
 ; expect: [SCHGEV.short_source] = 0, 0, 0, 0, 0, 0
 ; expect: [SCHGEV.negated] = 0, 0, 5, 0, 5, 5
 ; expect: [SCHGEV.magnitudes] = 2, 0, 0, 2, 5, 0
 ; expect: [SCHGEV.chain] = 0, 0, 0, 1.0
-; SCHLTV: C(i) := index of the first B for which A(i) < B, or the length of
-; B
+; SCHLTV: C(i) := index of the first B for which A(i) < B, or the length
         uses    SCHLTV, 1, 1, 5, 1, 5, 5, 1
 ; expect: [SCHLTV.offset_sources] = 0, 3, 1, 3, 3, 1
 ; expect: [SCHLTV.short_source] = 1, 1, 5, 1, 1, 1

@@ -1,7 +1,6 @@
 ; The index of the first pair with a given relation is compared with the index counted
-; by hand, for every use of two vectors.  A wrong relation, an index that is counted
-; from another element, or a pair that the control vector masks makes a word
-; differ.
+; by hand, for every use of two vectors.  A wrong relation, an index from another
+; element, or a masked pair makes a word differ.
 ; tests: SELEQV SELNEV SELGEV SELLTV
 ; warns: zero-length SELEQV SELNEV SELGEV SELLTV
 

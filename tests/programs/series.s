@@ -45,8 +45,7 @@ INTVLV.large: .word   X'6FFF 7FFF FFFF FFFF'
         INTVLV  x, x, [to]
 ; expect: [INTVLV.overflow] = X'6FFF 7FFF FFFF FFFF', indefinite, 9.0
         flags_are INTVLV, X'0000 0000 0022 0000'
-; POLYV: C(i) := value at A(i) of the polynomial with the coefficients B,
-; highest first
+; POLYV: C(i) := value at A(i) of the polynomial with coefficients B, highest first
         .data
 POLYV.a: .word   1.0, -2.0, 3.0, 0.5, -0.5, 10.0
 POLYV.b: .word   2.0, -3.0, 1.0          ; 2xx - 3x + 1

@@ -11,8 +11,7 @@
 ; ADDNS: C := normalised(A + B), if A or B is present
         where_one ADDNS, 11.0, -2.0, -3.0, 9.0, -0.25
         fewer ADDNS, 11.0, -2.0, -3.0, 4.5, 4.5, -0.25, 9.0, 3.0
-; The result starts one word after A, so stored elements are read.  Its order vector
-; overwrites that of X.
+; The result starts one word after A, so stored elements are read.  Z overwrites X.
         .data
 ADDNS.chain:  .word   1.0, -2.0, 4.5, 9.0, 9.0, 9.0
         .bitvector chain_order, 6, "110100"
@@ -28,8 +27,7 @@ packed: .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0
         ADDNS   [va, vx], [vb, vy], [to], [vx]
 ; expect: [ADDNS.chain] = 1.0, 11.0, 11.0, -3.0, 15.5, -0.25
 ; expect-bits: [chain_order] = 11110100
-; Every third sum of neighbours is kept.  The sums overwrite their order vector,
-; which was read before.
+; Every third sum of neighbours is kept.  The sums overwrite their order vector.
         sparse_operands
         descriptor va, packed, 6
         descriptor vx, all, 6

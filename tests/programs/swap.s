@@ -1,6 +1,5 @@
 ; Registers and memory are compared after exchanges of several lengths, also with the
-; descriptors' own registers.  A wrong length, order or address makes a word
-; differ.
+; descriptors' own registers.  A wrong length, order or address fails.
 ; tests: SWAP
 ; SWAP: registers from S on: first length(T) of them to vector T, then vector
 ; R into length(R) of them

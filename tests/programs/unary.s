@@ -1,7 +1,6 @@
 ; Results of instructions with one source are compared with words worked out by hand:
 ; numbers of both signs, integers, the ends of the exponent range, specials, every use
-; of a vector.  A wrong rounding, root, exponent, neighbour or data flag of one form
-; makes a word differ.
+; of a vector.  A wrong rounding, root, exponent, neighbour or flag makes a word differ.
 ; tests: FLR TRU CLG ABS SQRT EXP FLRH TRUH CLGH ABSH SQRTH EXPH TRUV FLRV CLGV ABSV
 ; tests: EXPV SQRTV VTOV ADJMV DELTAV VREVV
 ; warns: recurrence TRUV FLRV CLGV ABSV EXPV SQRTV VTOV ADJMV DELTAV

@@ -15,8 +15,7 @@ sphere {
     pigment { rgbt <1, 1, 1, .9> }
     finish { reflection { .1, .75 } }
 }
-// Balls of glass with a flat side: rays that enter there continue along the wall, by
-// total reflection.
+// Balls of glass with a flat side: rays continue along the wall by total reflection.
 #declare cut = difference { sphere { 0, 1 } plane { z, -.15 } };
 object {
     cut

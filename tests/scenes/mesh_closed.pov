@@ -1,6 +1,5 @@
 // Closed meshes from inside: a hollow of 192 triangles, seen from its centre along an
-// axis, and a smooth mesh and a mirror inside it. Neither the background nor its
-// light may be visible.
+// axis, and a smooth mesh and a mirror inside it. No background may be visible.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 5 }
 camera { location 0 direction z right 2*x up 1.5*y }

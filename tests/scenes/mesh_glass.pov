@@ -1,5 +1,4 @@
-// Light through meshes: bodies with and without an inside vector, sheets, a height
-// field, parts of solids.
+// Light through meshes: with and without an inside vector, sheets, a field, parts.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 9 }
 camera { location <.4, 2.6, -8> look_at <0, .2, 0> right x*4/3 angle 46 }

@@ -1,5 +1,4 @@
-// The camera is inside a transparent body of triangles, and inside another one that
-// has no inside vector.
+// The camera is inside a transparent body of triangles, with and without inside vector.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 9 }
 camera { location <.12, .2, -.31> look_at <0, .1, 3> right x*4/3 angle 70 }

@@ -1,5 +1,4 @@
-// Glass in glass: the media that a ray enters and leaves, and the rays that count as
-// a level.
+// Glass in glass: the media that a ray enters and leaves, and the rays that are levels.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 6 adc_bailout 1/500 }
 background { rgb <.4, .5, .7> }
@@ -61,8 +60,7 @@ union {
     no_shadow
 }
 
-// Panes without refraction, more of them than the maximum level, in front of a ball
-// of glass.
+// More panes without refraction than the maximum level, before a ball of glass.
 #declare pane = box { <-.6, -.8, 0>, <.6, .8, .05>
                       pigment { rgbt <.9, .95, 1, .92> } }
 #for (i, 0, 7)

@@ -1,5 +1,4 @@
-// Solids of every kind of primitive, nested and cut by each other, under two lights
-// that cast shadows.
+// Solids of every kind of primitive, nested and cut, under two lights with shadows.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 background { rgb <.05, .07, .1> }

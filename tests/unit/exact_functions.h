@@ -21,8 +21,7 @@ struct exact_polynomial {
 /* Returns the i-th polynomial, or NULL after the last. */
 const struct exact_polynomial *exact_polynomial_at(size_t i);
 
-/* Computes the coefficients of a polynomial. The function initialises them, and the
- * caller clears them. */
+/* Computes a polynomial's coefficients, initialised here, cleared by the caller. */
 enum { EXACT_COEFFICIENTS = 16 };
 void exact_coefficients(const struct exact_polynomial *polynomial,
                         mpfr_t coefficients[]);

@@ -1,5 +1,4 @@
-/* plain_run.h - records all states of a program in one forward run. They are the
- * reference for a debugger. */
+/* plain_run.h - records all states of a run, the reference for a debugger. */
 #ifndef TESTS_PLAIN_RUN_H
 #define TESTS_PLAIN_RUN_H
 

@@ -119,8 +119,7 @@ void add_gradient(char *text, size_t size)
 }
 
 /* Writes a finish that depends on the angle. Clear materials are not metallic, because
- * POV-Ray's metallic checkers differ. No random number is used, so that the solids do
- * not change. */
+ * POV-Ray's metallic checkers differ. It uses no random number. */
 static void add_gloss(char *text, size_t size)
 {
     static const char *const glosses[] = {

@@ -1,7 +1,6 @@
 /* test_adaptive.c - adaptive sampling: the pixels that get more rays are compared with
  * those that a plain rule chooses, over random scenes, thresholds, forms, orders and
- * bands. A missing comparison of a neighbour, a wrong weight in a sum or a seam between
- * bands fails here. */
+ * bands. A missing comparison, a wrong weight or a seam between bands fails here. */
 #define SMALL_FRAMES
 #include "tests/oracle/plain_adaptive.h"
 #include "tests/oracle/plain_shapes.h"

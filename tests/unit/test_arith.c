@@ -1,7 +1,6 @@
 /* test_arith.c - the edge cases of each rule of docs/arithmetic.md. Operations on words
  * and half words, and conversions between the two sizes, are compared with results
- * computed by hand. A result with a different rounding, normalisation or flag in one
- * size fails here. */
+ * computed by hand. A different rounding, normalisation or flag fails here. */
 #include "tests/random.h"
 #include "tests/unit/rule_cases.h"
 

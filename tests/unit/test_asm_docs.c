@@ -1,6 +1,5 @@
 /* test_asm_docs.c - the examples of the pages: every block marked c205 must assemble,
- * and the results of blocks with expectations are compared with them. An example that
- * no longer works fails here. */
+ * and must meet its expectations. An example that no longer works fails here. */
 #include "tests/unit/saved_machine.h"
 
 #include "asm/check/expect.h"

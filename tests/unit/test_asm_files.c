@@ -1,7 +1,6 @@
 /* test_asm_files.c - programs that are disassembled, or saved and loaded, are compared
  * with the originals, over all sources of the tree, random words and damaged object
- * files. A word or label that changes, or a damaged file that is accepted, fails
- * here. */
+ * files. A changed word or label, or a damaged file that is accepted, fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "asm/check/expect.h"

@@ -1,7 +1,6 @@
 /* test_asm_registers.c - names of registers. Warnings about declarations, written by
  * hand and random, are compared with a rule that decides which of them share a register
- * without .share. A warning that is missing, superfluous or at another name fails
- * here. */
+ * without .share. A missing or misplaced warning fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "tests/random.h"

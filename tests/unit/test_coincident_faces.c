@@ -1,7 +1,6 @@
 /* test_coincident_faces.c - faces that coincide or nearly coincide, and rays in a face.
  * The frames of all stages are compared with each other and with the rules of
- * docs/solids.md. A face that differs between stages, or an event that the vector form
- * misses, fails here. */
+ * docs/solids.md. A face that differs between stages, or a missed event, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 

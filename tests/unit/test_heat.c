@@ -1,6 +1,5 @@
 /* test_heat.c - the rounds of a heat computation are compared with the requested error,
- * and runs with each other. A run that stops too early, or different runs that compare
- * equal, fail here. */
+ * and runs with each other. A run that stops too early fails here. */
 #include "rt/heat/heat.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"

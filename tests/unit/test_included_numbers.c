@@ -1,7 +1,6 @@
 /* test_included_numbers.c - words of number files that are included as data are
  * compared with random tables in all permitted notations, and reports about invalid
- * files with expected reports. A number that is skipped, or an error that is accepted,
- * fails here. */
+ * files with expected reports. A skipped number or an accepted error fails here. */
 #include <inttypes.h>
 
 #include "tests/oracle/chance.h"

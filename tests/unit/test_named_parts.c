@@ -110,8 +110,7 @@ TEST(choice)
     named_parts_free(&parts);
 }
 
-/* The order of priority is options, then the scene. In each of them it is names,
- * materials, the default. */
+/* Options precede the scene. In each, names precede materials and the default. */
 TEST(densities)
 {
     SCOPED(scene) *scene = read_scene(assembly);

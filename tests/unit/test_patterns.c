@@ -1,6 +1,5 @@
 /* test_patterns.c - every row of rt/scene/patterns.def is compared with the kernels,
- * the scene language and the plain tracer. A row fails here if one of them does not
- * have its formula. */
+ * the scene language and the plain tracer. A row with another formula fails here. */
 #include "rt/layout/program.h"
 #include "tests/oracle/plain_light.h"
 #include "tests/unit/asm_helper.h"

@@ -295,8 +295,7 @@ static double slanted_share(double index)
 }
 
 /* In water the reflectance of glass is lower. In an opaque body each surface reflects
- * as seen from the side of the ray. The second surface here reflects totally, as from
- * inside glass. */
+ * as seen from the side of the ray. The second one reflects totally. */
 TEST(fresnel)
 {
 #define FRESNEL "finish { reflection { 0, 1 fresnel } } interior { ior 1.5 } "

@@ -151,8 +151,7 @@ static struct random_program rename_program(const struct renaming *renaming,
 /* ---- Runs of both machines --------------------------------------------- */
 
 /* Returns true if the register points into the code. Instructions contain register
- * numbers, so a program that reads or overwrites its own code behaves differently after
- * renaming. */
+ * numbers, so a program that uses its own code changes with renaming. */
 static bool holds_code_address(const c205 *machine, unsigned number,
                                const struct random_program *program)
 {

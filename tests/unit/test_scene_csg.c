@@ -140,8 +140,7 @@ TEST(trees)
         check_regions(reported[i][0], 1, reported[i][1]);
 }
 
-/* A clipping shape is invisible, casts no shadow and gets no material. Transforms after
- * it move it. */
+/* A clipping shape has no visibility, shadow or material. Later transforms move it. */
 TEST(clips)
 {
     SCOPED(scene) *scene = read_scene(

@@ -1,6 +1,5 @@
-/* test_scene_normals.c - the scene language. Normals by patterns, and their maps, are
- * compared with expected fields, in all syntactic forms. A wrong amount, transform or
- * entry fails here. */
+/* test_scene_normals.c - the scene language. Normals by patterns and maps are compared
+ * with expected fields in all forms. A wrong amount, transform or entry fails here. */
 #include "rt/scene/transform.h"
 #include "tests/unit/scene_reading.h"
 

@@ -1,6 +1,5 @@
 /* test_scene_semicolons.c - texts in which a ';' is missing must have one error
- * directly after the value, whatever text follows. A second error, or another position,
- * fails here. */
+ * directly after the value, whatever text follows. A second error or place fails. */
 #include "tests/unit/scene_reading.h"
 
 #include "tests/oracle/language_scene.h"

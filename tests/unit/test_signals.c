@@ -216,8 +216,7 @@ static void write_old_files(const char *const *words)
             write_file(words[i] + 1, old);
 }
 
-/* Most commands begin their work after some milliseconds. If a command continues, a
- * second signal ends it. */
+/* Commands begin work after some milliseconds. A second signal ends a running one. */
 static void check_command(const char *const *words, int number)
 {
     int null = open("/dev/null", O_RDWR), status;

@@ -1,6 +1,5 @@
 /* test_trap_report.c - reports of traps are compared with expected parts: the line, the
- * violated rule, and the values of the operands. A report about another operand or line
- * fails here. */
+ * violated rule, and the values of the operands. A wrong operand or line fails here. */
 #include "tests/unit/saved_machine.h"
 
 #include "asm/view/trap_report.h"

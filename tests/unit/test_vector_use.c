@@ -1,6 +1,5 @@
 /* test_vector_use.c - the counts of elements that control vectors permit are compared
- * with a program whose bits are known. An instruction that is not counted, or is
- * counted twice, fails here. */
+ * with a program whose bits are known. A count of 0 or 2 for an instruction fails. */
 #include "tests/unit/saved_machine.h"
 
 #include "rt/trace/vector_use.h"
