@@ -8,27 +8,19 @@
         .include "scalar.inc"
         .include "binary.inc"
 
-; AND: T := R AND S
-        two     AND, plain, X'0F0F0F0F0F0F0F0F', X'00FF00FF00FF00FF', X'000F000F000F000F'
-        two     AND, special, X'7000 0000 0000 0001', X'8000 0000 0000 0001', 1
-        AND     left, r0, result        ; register 0 is 0
-        word_is AND, with_none, 0
-        AND     left, right, r0
-        flags   AND, X'0000 0000 0000 0000'
-; OR: T := R OR S
-        two     OR, plain, X'0F0F0F0F0F0F0F0F', X'00FF00FF00FF00FF', X'0FFF0FFF0FFF0FFF'
-        two     OR, special, X'7000000000000001', X'8000000000000001', X'F000000000000001'
-        OR      left, r0, result        ; register 0 is 0
-        word_is OR, with_none, X'7000 0000 0000 0001'
-        OR      left, right, r0
-        flags   OR, X'0000 0000 0000 0000'
-; XOR: T := R XOR S
-        two     XOR, plain, X'0F0F0F0F0F0F0F0F', X'00FF00FF00FF00FF', X'0FF00FF00FF00FF0'
-        two     XOR, special, X'7000000000000001', X'8000000000000001', X'F000000000000000'
-        XOR     left, r0, result        ; register 0 is 0
-        word_is XOR, with_none, X'7000 0000 0000 0001'
-        XOR     left, right, r0
-        flags   XOR, X'0000 0000 0000 0000'
+        .macro  combines op, plain, special, none
+        two     \op, plain, X'0F0F0F0F0F0F0F0F', X'00FF00FF00FF00FF', \plain
+        two     \op, special, X'7000000000000001', X'8000000000000001', \special
+        \op     left, r0, result        ; register 0 is 0
+        word_is \op, with_none, \none
+        \op     left, right, r0
+        flags   \op, X'0000 0000 0000 0000'
+        .endm
+
+; AND: T := R AND S.  OR: T := R OR S.  XOR: T := R XOR S.
+        combines AND, X'000F000F000F000F', 1, 0
+        combines OR, X'0FFF0FFF0FFF0FFF', X'F000000000000001', X'7000000000000001'
+        combines XOR, X'0FF00FF00FF00FF0', X'F000000000000000', X'7000000000000001'
 ; SHIFT: T := R shifted by S: left circular, or right (< 0) with the sign
         two     SHIFT, left_4, X'8123 4567 89AB CDEF', 4, X'1234 5678 9ABC DEF8'
         two     SHIFT, none, X'8123 4567 89AB CDEF', 0, X'8123 4567 89AB CDEF'
