@@ -16,8 +16,7 @@
 # each part once in its smallest size, which checks that it works. BUILD/bench.csv, or
 # the file BENCH_CSV, also contains the figures, one per line.
 #
-# The exit status is 1 if a part fails. A part fails if one of its commands fails or a
-# row has no figure.
+# Exit status 1: a command of a part fails, or a row has no figure.
 set -eu
 build=$1
 shift

@@ -1,7 +1,6 @@
 #!/bin/sh
 # bench_frames.sh BUILD - measures the time of tracing a frame of each scene in vector
-# form, and compares it with the trace time of POV-Ray for the same file. Both use one
-# thread and run in turn.
+# form, and compares it with POV-Ray's for the same file. Both use one thread, in turn.
 #
 # The figures are processor seconds, the minimum of several runs. They exclude reading
 # the scene and writing a picture. The first scene was made for this comparison. Its

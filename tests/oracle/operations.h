@@ -1,6 +1,5 @@
-/* operations.h - tables of the arithmetic operations in both sizes, with the functions
- * of the oracle and of the machine. Also tables of the conversions between words and
- * doubles, integers and text. */
+/* operations.h - the operations in both sizes with the functions of the oracle and the
+ * machine, and the conversions between words and doubles, integers and text. */
 #ifndef OPERATIONS_H
 #define OPERATIONS_H
 

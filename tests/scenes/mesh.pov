@@ -1,6 +1,5 @@
-// Meshes: a ridge of flat triangles, a smooth saddle, a reflecting stone, a mirror,
-// triangles in a union. POV-Ray stores the points of meshes in 32 bits, so they are
-// multiples of 1/16 here.
+// Meshes: a ridge of triangles, a smooth saddle, a reflecting stone, a mirror, a union.
+// POV-Ray stores the points of meshes in 32 bits, so they are multiples of 1/16 here.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 6 }
 camera { location <1, 4.5, -9> look_at <0, .2, 0> angle 42 }

@@ -72,8 +72,7 @@ sphere {
     interior { ior 1.5 }
 }
 
-// A pipe with open ends that face away from the camera: rays that enter its glass may
-// leave it without a hit.
+// A pipe whose open ends face away: rays that enter its glass may leave without a hit.
 cylinder {
     <3.25, -.4, -.4>, <3.85, 1.6, -.1>, .6 open
     pigment { rgbft <.9, 1, .9, .5, .4> }
