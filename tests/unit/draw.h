@@ -16,4 +16,10 @@ static inline double between(double low, double high)
     return xorshift_real(&random_state, low, high);
 }
 
+/* Returns a number from low to high, both included. */
+static inline size_t count_between(size_t low, size_t high)
+{
+    return (size_t)xorshift_between(&random_state, (int64_t)low, (int64_t)high);
+}
+
 #endif

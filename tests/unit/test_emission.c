@@ -11,18 +11,13 @@
 #include "rt/shapes/shape.h"
 #include "tests/oracle/plain_area.h"
 #include "tests/oracle/points.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/emitting_shapes.h"
 #include "tests/unit/plain_surface.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
 static size_t tries = 4; /* number of tries for each kind */
-static uint64_t state = RANDOM_SEED;
-
-static size_t between(size_t low, size_t high)
-{
-    return (size_t)xorshift_between(&state, (int64_t)low, (int64_t)high);
-}
 
 /* ---- Emission ------------------------------------------------------------- */
 
@@ -64,10 +59,10 @@ static struct emitted_point emitted[2][MAX_EMISSION];
 
 static struct emission_choice some_choice(void)
 {
-    return (struct emission_choice){ .seed = between(0, 1000000),
-                                     .first = between(0, 1000000),
+    return (struct emission_choice){ .seed = count_between(0, 1000000),
+                                     .first = count_between(0, 1000000),
                                      .m = 20,
-                                     .shift = between(0, 1000) };
+                                     .shift = count_between(0, 1000) };
 }
 
 /* Calls a check for `times` random shapes of each kind. */
@@ -75,7 +70,7 @@ static void each_shape(size_t times, void (*check)(const struct primitive *primi
 {
     for (size_t i = 0; i < times * EMITTING_KINDS; i++) {
         struct primitive primitive = draw_emitting(emitting_kinds[i % EMITTING_KINDS],
-                                                   &state);
+                                                   &random_state);
         check(&primitive);
     }
 }
@@ -121,7 +116,7 @@ static bool encloses(const struct primitive *primitive, const double place[3],
  * the points may fail, because near an edge another surface may be within 1e-7. */
 static void check_surface(const struct primitive *primitive)
 {
-    struct emission_options options = { TRACE_VECTOR, 500, POINTS, between(0, 1),
+    struct emission_options options = { TRACE_VECTOR, 500, POINTS, count_between(0, 1),
                                         NULL };
     bool sided = !shape_is_surface(primitive);
     size_t astray = 0;
@@ -264,17 +259,18 @@ TEST_CALL(cosine_law, each_shape(tries, check_cosine_law))
 /* Compares the scalar form with the vector form in two calls and other queues. */
 static void compare_forms(const struct primitive *primitive)
 {
-    size_t count = between(2, 3000), cut = between(1, count - 1);
-    struct emission_options options = { TRACE_SCALAR, 0, count, between(0, 1), NULL };
+    size_t count = count_between(2, 3000), cut = count_between(1, count - 1);
+    struct emission_options options = { TRACE_SCALAR, 0, count, count_between(0, 1),
+                                        NULL };
     struct emission_choice choice = some_choice();
     choice.first %= 1048576 - count;
     emit(primitive, options, choice, emitted[0]);
     options.mode = TRACE_VECTOR;
     options.points = cut;
-    options.queue = between(1, 3000);
+    options.queue = count_between(1, 3000);
     emit(primitive, options, choice, emitted[1]);
     options.points = count - cut;
-    options.queue = between(1, 3000);
+    options.queue = count_between(1, 3000);
     choice.first += cut;
     emit(primitive, options, choice, emitted[1] + cut);
     assert_memory_equal(emitted[0], emitted[1], count * sizeof **emitted);
@@ -361,7 +357,7 @@ TEST(options)
         { { TRACE_SCALAR, 0, 65536, false, NULL }, "65536 points" },
         { { TRACE_VECTOR, 0, 10, false, NULL }, "a queue of 0 points" },
     };
-    struct primitive primitive = draw_emitting(PRIMITIVE_SPHERE, &state);
+    struct primitive primitive = draw_emitting(PRIMITIVE_SPHERE, &random_state);
     for (size_t i = 0; i < COUNT(rows); i++)
         assert_no_emission(&primitive, rows[i].options, rows[i].message);
 }
@@ -371,13 +367,15 @@ TEST(options)
 TEST(alias)
 {
     for (size_t i = 0; i < 100 * tries; i++) {
-        size_t count = between(1, 50);
+        size_t count = count_between(1, 50);
         enum { MAX = 50 };
         double weights[MAX], share[MAX], found[MAX] = { 0 }, sum = 0;
         size_t alias[MAX];
         for (size_t k = 0; k < count; k++)
-            sum += weights[k] = between(0, 4) == 0 ? 0 : number_between(&state, 0, 1);
-        weights[between(0, count - 1)] += 1;
+            sum += weights[k] = count_between(0, 4) == 0
+                                    ? 0
+                                    : number_between(&random_state, 0, 1);
+        weights[count_between(0, count - 1)] += 1;
         sum += 1;
         assert_true(alias_build(weights, count, share, alias));
         for (size_t k = 0; k < count; k++) {
@@ -427,11 +425,11 @@ TEST(clocks)
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &failure);
     print_message("surface        form    queue   emit  carry  direction    all\n");
     for (size_t i = 0; i < COUNT(kinds); i++) {
-        struct primitive primitive = draw_emitting(kinds[i], &state);
+        struct primitive primitive = draw_emitting(kinds[i], &random_state);
         double scalar = print_clocks(&primitive, TRACE_SCALAR, 0, model);
         assert_true(4 * print_clocks(&primitive, TRACE_VECTOR, 2000, model) < scalar);
         print_clocks(&primitive, TRACE_VECTOR, MAX_EMISSION, model);
     }
 }
 
-COUNT_AND_SEED(tries, state);
+COUNT_AND_SEED(tries, random_state);

@@ -4,19 +4,13 @@
  * another lane, or a queue with other clocks, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/debugger_session.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/traced_frame.h"
 
 #include "asm/timeline/timeline.h"
 #include "rt/view/pixel_clocks.h"
 #include "rt/view/pixel_rays.h"
 #include "rt/view/pixel_verbs.h"
-
-static uint64_t random_state = RANDOM_SEED;
-
-static size_t some(size_t least, size_t most)
-{
-    return (size_t)xorshift_between(&random_state, (int64_t)least, (int64_t)most);
-}
 
 /* Returns each of the scenes in turn. */
 static struct scene *some_scene(void)
@@ -134,7 +128,7 @@ static void check_region(const struct frame_pixel *pixel,
 {
     static const char *const regions[] = { "shade", "bound", "visible" };
     const struct object *program = trace_program(pixel->trace);
-    const char *region = regions[some(0, 2)];
+    const char *region = regions[count_between(0, 2)];
     struct clock_stretch stretch = *queue;
     c205_stop stop;
     if (!pixel_region_clocks(pixel, region, &stretch, &failure))
@@ -153,11 +147,11 @@ static void check_region(const struct frame_pixel *pixel,
 /* Traces the next scene with random options. */
 static struct trace *some_trace(struct scene **scene, enum trace_mode mode)
 {
-    size_t width = some(3, 15);
-    struct trace_options options = ON_PRIOR(.mode = mode, .width = width,
-                                            .height = some(3, 12), .queue = some(1, 80),
-                                            .band = width * some(2, 6),
-                                            .order = (enum trace_order)some(0, 2));
+    size_t width = count_between(3, 15);
+    struct trace_options options = ON_PRIOR(
+            .mode = mode, .width = width, .height = count_between(3, 12),
+            .queue = count_between(1, 80), .band = width * count_between(2, 6),
+            .order = (enum trace_order)count_between(0, 2));
     *scene = some_scene();
     return run_trace(*scene, &options);
 }
@@ -166,8 +160,8 @@ static struct frame_pixel some_pixel(const struct trace *trace)
 {
     const struct trace_options *how = trace_how(trace);
     struct frame_pixel pixel;
-    assert_true(frame_pixel_find(&pixel, trace, some(0, how->width - 1),
-                                 some(0, how->height - 1), &failure));
+    assert_true(frame_pixel_find(&pixel, trace, count_between(0, how->width - 1),
+                                 count_between(0, how->height - 1), &failure));
     return pixel;
 }
 
@@ -291,7 +285,7 @@ static void check_rays(struct following *following)
         following->shaded = pc == shaded && pc != 0;
         if (now == region && pc != shade && !following->shaded
             && strcmp(now, "sphere") != 0 && strcmp(now, "plane") != 0
-            && some(0, 40) > 0)
+            && count_between(0, 40) > 0)
             continue;
         region = now;
         following->ray_count = 0;

@@ -9,12 +9,11 @@
 #include <unistd.h>
 
 #include "vm/error.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/unit.h"
 
 enum { MAX = 50, TRIES = 80, KILLS = 20, SHARES = 5, KEY = 205 };
 
-static uint64_t state = RANDOM_SEED;
 static char path[SHARES][40];
 static const char *const paths[SHARES] = { path[0], path[1], path[2], path[3],
                                            path[4] };
@@ -26,11 +25,6 @@ struct bench {
     int run[MAX], taken[MAX];
     uint64_t sum; /* sum of the units' results, weighted by their numbers */
 };
-
-static size_t between(size_t low, size_t high)
-{
-    return (size_t)xorshift_between(&state, (int64_t)low, (int64_t)high);
-}
 
 static uint64_t worth(size_t unit)
 {
@@ -44,7 +38,7 @@ static bool run(void *context, size_t job UNUSED, size_t unit,
     struct bench *bench = context;
     bench->run[unit]++;
     if (unit == bench->last) {
-        struct timespec moment = { 0, (long)between(0, 300000) };
+        struct timespec moment = { 0, (long)count_between(0, 300000) };
         nanosleep(&moment, NULL);
         raise(SIGKILL);
     }
@@ -97,9 +91,9 @@ static struct bench new_bench(size_t count)
 TEST(threads)
 {
     for (int i = 0; i < TRIES; i++) {
-        struct bench bench = new_bench(between(0, MAX));
+        struct bench bench = new_bench(count_between(0, MAX));
         struct job_set job_set = { .parts = 0 };
-        assert_true(do_job_set(&job_set, &bench, between(0, 5), &failure));
+        assert_true(do_job_set(&job_set, &bench, count_between(0, 5), &failure));
         assert_all_taken(&bench, false);
     }
 }
@@ -108,12 +102,12 @@ TEST(threads)
 TEST(bad)
 {
     for (int i = 0; i < TRIES; i++) {
-        struct bench bench = new_bench(between(1, MAX));
+        struct bench bench = new_bench(count_between(1, MAX));
         struct job_set job_set = { .parts = 0 };
         c205_error error = { "" };
-        bench.bad = between(0, bench.count - 1);
+        bench.bad = count_between(0, bench.count - 1);
         const char *text = formatted("bad %zu", bench.bad);
-        assert_false(do_job_set(&job_set, &bench, between(1, 5), &error));
+        assert_false(do_job_set(&job_set, &bench, count_between(1, 5), &error));
         assert_string_equal(error.message, text);
         for (size_t unit = 0; unit < bench.bad; unit++)
             assert_int_equal(bench.taken[unit], 1);
@@ -125,8 +119,8 @@ TEST(bad)
 TEST(shares)
 {
     for (int i = 0; i < TRIES; i++) {
-        struct bench bench = new_bench(between(0, MAX));
-        size_t parts = between(1, SHARES), first = between(0, parts - 1);
+        struct bench bench = new_bench(count_between(0, MAX));
+        size_t parts = count_between(1, SHARES), first = count_between(0, parts - 1);
         struct job_set all = { .paths = paths, .path_count = parts };
         for (size_t k = 0; k < parts; k++) {
             size_t part = (first + k) % parts;
@@ -134,7 +128,7 @@ TEST(shares)
                 .part = part + 1, .parts = parts, .paths = &paths[part], .path_count = 1
             };
             assert_false(job_set_collects(&job_set));
-            assert_true(do_job_set(&job_set, &bench, between(1, 3), &failure));
+            assert_true(do_job_set(&job_set, &bench, count_between(1, 3), &failure));
             job_set_close(&job_set, false);
         }
         assert_true(do_job_set(&all, &bench, 2, &failure));
@@ -155,7 +149,7 @@ TEST(killed)
     for (int i = 0; i < KILLS; i++) {
         struct bench bench = new_bench(MAX), killed = new_bench(MAX);
         struct job_set job_set = { .paths = paths, .path_count = 1 };
-        killed.last = between(0, MAX - 1);
+        killed.last = count_between(0, MAX - 1);
         pid_t child = fork();
         int status;
 

@@ -7,24 +7,18 @@
 #include <math.h>
 
 #include "tests/oracle/points.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/unit.h"
 
 enum { MAX_POINTS = 65535, MAX_WORDS = MAX_POINTS * LATTICE_COORDINATES };
 
 static size_t tries = 40;
-static uint64_t state = RANDOM_SEED;
 static c205_word words[POINT_FORMS][MAX_WORDS];
-
-static size_t between(size_t low, size_t high)
-{
-    return (size_t)xorshift_between(&state, (int64_t)low, (int64_t)high);
-}
 
 /* Returns a random integer. Its number of bits is uniform, and at least 1. */
 static uint64_t some_integer(unsigned bits)
 {
-    return xorshift(&state) >> between(64 - bits, 63);
+    return xorshift(&random_state) >> count_between(64 - bits, 63);
 }
 
 static size_t some_length(void)
@@ -81,13 +75,13 @@ static struct point_kind some_kind(bool lattice)
         .lattice = lattice,
         .queue = some_length(),
         .points = some_length(),
-        .coordinates = lattice ? between(1, LATTICE_COORDINATES) : STREAM_DRAWS,
+        .coordinates = lattice ? count_between(1, LATTICE_COORDINATES) : STREAM_DRAWS,
     };
 }
 
 static struct point_choice some_choice(bool lattice, size_t points)
 {
-    uint64_t m = between(0, 20);
+    uint64_t m = count_between(0, 20);
     if (!lattice)
         return (struct point_choice){ .seed = some_integer(45),
                                       .first = some_integer(43) };
@@ -175,14 +169,14 @@ static void compare_cut(bool lattice)
     const c205_word *whole = words[POINTS_SCALAR];
     c205_word *piece = words[POINTS_VECTOR];
     kind.form = POINTS_VECTOR;
-    kind.points = points = between(2, 5000);
+    kind.points = points = count_between(2, 5000);
     struct point_choice choice = some_choice(lattice, points);
     make(&kind, &choice, words[POINTS_SCALAR]);
-    pieces[0] = between(1, points - 1);
+    pieces[0] = count_between(1, points - 1);
     pieces[1] = points - pieces[0];
     for (size_t k = 0, begin = 0; k < 2; begin += pieces[k++]) {
         kind.points = pieces[k];
-        kind.queue = between(1, points);
+        kind.queue = count_between(1, points);
         make(&kind, &choice, piece);
         for (size_t j = 0; j < kind.coordinates; j++)
             assert_memory_equal(piece + j * pieces[k], whole + j * points + begin,
@@ -309,4 +303,4 @@ TEST(quality)
     assert_true(fabs(lattice.bias) < 3 && fabs(random.bias) < 3);
 }
 
-COUNT_AND_SEED(tries, state);
+COUNT_AND_SEED(tries, random_state);
