@@ -21,6 +21,12 @@ static inline int64_t xorshift_between(uint64_t *state, int64_t low, int64_t hig
     return low + (int64_t)(xorshift(state) % (uint64_t)(high - low + 1));
 }
 
+/* Returns a number from 0 to end - 1. */
+static inline uint64_t xorshift_below(uint64_t *state, uint64_t end)
+{
+    return xorshift(state) % end;
+}
+
 static inline double xorshift_real(uint64_t *state, double low, double high)
 {
     return low + (high - low) * (double)(xorshift(state) >> 11) * 0x1p-53;

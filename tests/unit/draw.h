@@ -8,7 +8,7 @@ static uint64_t random_state = RANDOM_SEED;
 
 static inline uint64_t below(uint64_t end)
 {
-    return xorshift(&random_state) % end;
+    return xorshift_below(&random_state, end);
 }
 
 static inline double between(double low, double high)

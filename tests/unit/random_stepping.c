@@ -3,11 +3,6 @@
 
 #include "tests/random.h"
 
-static uint64_t below(uint64_t *state, uint64_t end)
-{
-    return xorshift(state) % end;
-}
-
 void draw_walk(uint64_t *state, struct text_buffer *text)
 {
     static const char *const lines[] = {
@@ -23,7 +18,7 @@ void draw_walk(uint64_t *state, struct text_buffer *text)
         "        EXIT    count, r0, 2\n",
     };
     struct sink sink = text_buffer_sink(text);
-    size_t loops = 1 + below(state, 3);
+    size_t loops = 1 + xorshift_below(state, 3);
     *text = (struct text_buffer){ .text = NULL };
     sink_put(&sink, "        .include \"vectors.s\"\n"
                     "        .regs r16, a, b, c, one, count, data, other\n"
@@ -35,10 +30,10 @@ void draw_walk(uint64_t *state, struct text_buffer *text)
                     "        EX data, c.words\n");
     for (size_t i = 0; i < loops; i++) {
         sink_print(&sink, "        ES turns, %u\n        EX to, loop%zu\n",
-                   (unsigned)(1 + below(state, 40)), i);
+                   (unsigned)(1 + xorshift_below(state, 40)), i);
         sink_print(&sink, "        .kernel k%zu\nloop%zu:\n", i, i);
-        for (size_t k = 1 + below(state, 8); k > 0; k--)
-            sink_put(&sink, lines[below(state, sizeof lines / sizeof *lines)]);
+        for (size_t k = 1 + xorshift_below(state, 8); k > 0; k--)
+            sink_put(&sink, lines[xorshift_below(state, sizeof lines / sizeof *lines)]);
         sink_put(&sink, "        DBNZ turns, [to]\n        .endkernel\n");
     }
     sink_put(&sink, "        EXIT\n"

@@ -27,11 +27,6 @@ static const char *const pieces[] = {
     "; expct: ", "\x80",  "*/",     "<<",    "99999999999"
 };
 
-static size_t below(uint64_t *seed, size_t bound)
-{
-    return (size_t)(xorshift(seed) % bound);
-}
-
 static void cut(char *text, size_t at, size_t count)
 {
     size_t length = strlen(text);
@@ -49,10 +44,10 @@ static void put(char *text, size_t at, const char *piece)
 /* Makes a random mistake. The buffer has room for one more piece. */
 static void make_mistake(char *text, uint64_t *seed)
 {
-    size_t at = below(seed, strlen(text) + 1);
-    switch (below(seed, 4)) {
-    case 0: cut(text, at, 1 + below(seed, 8)); break;
-    case 1: put(text, at, pieces[below(seed, COUNT(pieces))]); break;
+    size_t at = xorshift_below(seed, strlen(text) + 1);
+    switch (xorshift_below(seed, 4)) {
+    case 0: cut(text, at, 1 + xorshift_below(seed, 8)); break;
+    case 1: put(text, at, pieces[xorshift_below(seed, COUNT(pieces))]); break;
     case 2:
         if (text[at] && text[at + 1]) {
             char swapped = text[at];
@@ -62,7 +57,7 @@ static void make_mistake(char *text, uint64_t *seed)
         break;
     default:
         if (text[at])
-            text[at] = (char)(' ' + below(seed, 95));
+            text[at] = (char)(' ' + xorshift_below(seed, 95));
     }
 }
 
@@ -94,7 +89,7 @@ TEST(mutations)
         FREED char *copy = NON_NULL(text ? malloc(length + 100 * MISTAKES) : NULL);
         for (int try = 0; try < TRIES; try++) {
             memcpy(copy, text, length + 1);
-            for (k = 0; k < 1 + below(&seed, MISTAKES); k++)
+            for (k = 0; k < 1 + xorshift_below(&seed, MISTAKES); k++)
                 make_mistake(copy, &seed);
             wrong += check_text(programs[i], copy) > 0;
         }

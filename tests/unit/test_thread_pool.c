@@ -67,20 +67,15 @@ static bool go(struct bench *bench, size_t jobs, bool watched, c205_error *error
     return thread_pool_run(&tasks, error);
 }
 
-static size_t below(uint64_t *random, size_t most)
-{
-    return (size_t)xorshift_between(random, 0, (int64_t)most - 1);
-}
-
 TEST(each_once)
 {
     uint64_t random = RANDOM_SEED + 1;
     for (int i = 0; i < 200; i++) {
-        struct bench bench = { .count = below(&random, MAX + 1),
+        struct bench bench = { .count = xorshift_below(&random, MAX + 1),
                                .bad = MAX,
                                .stop_at = SIZE_MAX };
-        bool watched = below(&random, 2) > 0;
-        assert_true(go(&bench, below(&random, 9), watched, &failure));
+        bool watched = xorshift_below(&random, 2) > 0;
+        assert_true(go(&bench, xorshift_below(&random, 9), watched, &failure));
         for (size_t k = 0; k < MAX; k++)
             assert_int_equal(bench.times[k], k < bench.count);
         assert_false(bench.falls);
@@ -93,11 +88,12 @@ TEST(a_bad_one)
     uint64_t random = RANDOM_SEED + 2;
     c205_error error;
     for (int i = 0; i < 100; i++) {
-        struct bench bench = { .count = 1 + below(&random, MAX), .stop_at = SIZE_MAX };
-        size_t jobs = below(&random, 5);
-        bench.bad = below(&random, bench.count);
+        struct bench bench = { .count = 1 + xorshift_below(&random, MAX),
+                               .stop_at = SIZE_MAX };
+        size_t jobs = xorshift_below(&random, 5);
+        bench.bad = xorshift_below(&random, bench.count);
         const char *expected = formatted("bad %zu", bench.bad);
-        assert_false(go(&bench, jobs, below(&random, 2) > 0, &error));
+        assert_false(go(&bench, jobs, xorshift_below(&random, 2) > 0, &error));
         assert_string_equal(error.message, expected);
         assert_int_equal(bench.ends, 0);
         for (size_t k = 0; jobs < 2 && k < bench.count; k++)
@@ -111,12 +107,12 @@ TEST(the_lowest_of_many)
     uint64_t random = RANDOM_SEED + 3;
     c205_error error;
     for (int i = 0; i < 100; i++) {
-        struct bench bench = { .count = 1 + below(&random, MAX),
+        struct bench bench = { .count = 1 + xorshift_below(&random, MAX),
                                .slow = true,
                                .stop_at = SIZE_MAX };
-        bench.bad = below(&random, bench.count);
+        bench.bad = xorshift_below(&random, bench.count);
         const char *expected = formatted("bad %zu", bench.bad);
-        assert_false(go(&bench, 2 + below(&random, 7), i % 2, &error));
+        assert_false(go(&bench, 2 + xorshift_below(&random, 7), i % 2, &error));
         assert_string_equal(error.message, expected);
     }
 }
