@@ -58,7 +58,7 @@ struct random_check {
     const char *kind;
     uint64_t seed;
     struct random_scene (*draw)(uint64_t *state, size_t number);
-    /* Checks a scene. A failure is false and a reason of MANY_REASON characters. */
+    /* Returns false on failure, with a reason of at most MANY_REASON characters. */
     bool (*passes)(struct random_scene *scene, char *reason);
     bool shrinks; /* the reduced text is checked without `other` */
     void (*begin)(size_t number);

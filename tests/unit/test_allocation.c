@@ -550,7 +550,7 @@ TEST(untouched_page)
     assert_true(lacked > 0);
 }
 
-/* Runs a loop whose history cannot grow after step 16. Returns its allocations. */
+/* Runs a loop whose history cannot grow after step 16. Returns its allocation attempts. */
 static size_t calls_without_memory(const char *loop, size_t steps)
 {
     SCOPED(object) *program = NON_NULL(assembled(loop, &failure));

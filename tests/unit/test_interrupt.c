@@ -415,7 +415,7 @@ static void map_next_page(c205 *machine)
     assert_true(c205_write(machine, NEXT_PAGE, words, 60));
 }
 
-/* A vector across a page's end, or a short one before it, during other results. */
+/* A vector across a page's end, or short before it, with other results in flight. */
 static void load_crossing(struct small_machine *fixture, bool short_one)
 {
     begin(fixture);

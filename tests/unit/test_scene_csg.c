@@ -140,7 +140,7 @@ TEST(trees)
         check_regions(reported[i][0], 1, reported[i][1]);
 }
 
-/* A clipping shape has no visibility, shadow or material. Later transforms move it. */
+/* A clipping shape is invisible, without shadow or material. Transforms move it. */
 TEST(clips)
 {
     SCOPED(scene) *scene = read_scene(
