@@ -590,8 +590,8 @@ ends 0 "$build/rt205" sweep queue "$scene" --points 1,50 -W 16 -H 12 --order til
 # file may remain.
 mkdir alone.bin
 cp "$build/rt205" alone.bin
-ends 1 env -u RT205_LIBDIR alone.bin/rt205 render "$scene" -o alone.png \
-    -W 4000 -H 4000
+ends 1 env -u RT205_LIBDIR timeout 60 alone.bin/rt205 render "$scene" -o alone.png \
+    -W 8000 -H 8000
 tells err "pictures: no rt205_oiio.so in"
 rows samples
 
