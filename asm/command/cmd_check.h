@@ -33,7 +33,7 @@ bool check_grade(const struct lesson *lesson, const char *path,
 void check_join(struct text_buffer *buffer, const struct lesson_report *report);
 
 /* check_list prints all lessons. check_show prints one lesson with its tests.
- * check_start writes the program that the answer to a lesson completes
+ * check_start writes the incomplete program of a lesson, which a student completes
  * (cmd_check_lesson.c). All return the exit code. */
 int check_list(const struct check_command *check);
 int check_show(const struct check_command *check);

@@ -1,5 +1,5 @@
-/* compared.h - compares two runs by the accounts of their machines, and finds the main
- * causes of the difference.
+/* compared.h - compares the accounts of two runs, and finds the main causes of the
+ * difference between their clocks.
  */
 #ifndef ASM_COMPARED_H
 #define ASM_COMPARED_H

@@ -5,9 +5,8 @@
 
 #include "rt/shapes/shape_words.h"
 
-/* The room for crossings in scenes with meshes in trees: more than three segments. A
- * mesh may have any number of crossings; its kernel writes as many as there is room
- * for. */
+/* The number of crossings for which a ray has room in a scene with meshes in trees. A
+ * mesh may have any number of crossings; its kernel writes as many as fit. */
 enum { CROSSINGS_WITH_MESHES = 8 };
 
 bool primitive_is_mesh(const struct primitive *primitive)

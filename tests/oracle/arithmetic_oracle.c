@@ -180,7 +180,7 @@ static void align(mpz_t place, const struct oracle_format *format,
     scale_down(place, exponent - number->exponent);
 }
 
-/* Gives a machine zero the smaller exponent and the coefficient 0. */
+/* Replaces a machine zero by the coefficient 0 with the exponent of the other operand. */
 static void weaken(struct number *number, long exponent)
 {
     number->exponent = exponent;

@@ -1,4 +1,4 @@
-/* heat_study.h - the surfaces of a scene, with their factors from rays. */
+/* heat_study.h - computes the view factors between the surfaces of a scene by rays. */
 #ifndef TESTS_HEAT_STUDY_H
 #define TESTS_HEAT_STUDY_H
 

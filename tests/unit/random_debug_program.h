@@ -1,4 +1,5 @@
-/* random_debug_program.h - random programs with a start, vectors and a finite loop. */
+/* random_debug_program.h - makes random programs of scalar and vector instructions, some
+ * with a loop that ends. */
 #ifndef TESTS_DRAWN_PROGRAM_H
 #define TESTS_DRAWN_PROGRAM_H
 

@@ -159,8 +159,8 @@ static wide aligned(int64_t c, int32_t places)
     return w;
 }
 
-/* Returns the sum in the register. A machine zero has coefficient 0 and the smallest
- * exponent, so the other operand is never aligned to it. */
+/* Returns the sum, or the difference, in double length. A machine zero has coefficient 0
+ * and the smallest exponent, so the other operand is never aligned to it. */
 static wide sum(c205_word a, c205_word b, bool subtract)
 {
     int32_t distance = exponent_of(a) - exponent_of(b);

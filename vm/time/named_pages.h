@@ -18,9 +18,9 @@ struct named_pages {
     uint64_t page[MAX_NAMED];
 };
 
-/* Finds the pages of the elements of a table whose indices are in the list. An element
- * has 2^places bits, a page 2^shift bits. Returns false if the pages are too far
- * apart. */
+/* Finds the pages of a table that an indexed instruction accesses: the pages of the
+ * elements whose indices are in the list. An element has 2^places bits, a page 2^shift
+ * bits. Returns false if the pages are too far apart. */
 bool named_pages_find(struct named_pages *named, const struct index_list *list,
                       uint64_t table, unsigned places, unsigned shift);
 

@@ -1,4 +1,5 @@
-/* run.c - runs programs once, and times them again with other constants. */
+/* run.c - runs each program once and records it, and computes its time for other timing
+ * constants from the record. */
 #include "rt/study/fit/run.h"
 #include "vm/error.h"
 
