@@ -1,9 +1,9 @@
 ; smooth.s - adjusts radiation flows so that those of a surface sum to its area.
 ;
-; The adjusted flows are the nearest ones to the measured flows. The flow x_ij = A_i F_ij = x_ji was measured in
-; both directions, with the variance v_ij. Flows to the environment (j = e) and
-; from i to itself were measured in one direction. For each i, the adjusted
-; flows y fulfil
+; The adjusted flows are the nearest ones to the measured flows. The flow x_ij =
+; A_i F_ij = x_ji was measured in both directions, with the variance v_ij. Flows
+; to the environment (j = e) and from i to itself were measured in one
+; direction. For each i, the adjusted flows y fulfil
 ;
 ;   y_i1 + .. + y_in + y_ie = A_i
 ;

@@ -1,10 +1,11 @@
 ; spots.s - makes radiating points of a surface from its crossings with lines.
 ;
-; The lines are isotropic and uniform, so the points are uniform over the surface
-; and the directions follow the cosine law on both sides of it. A crossing at the distance t along its line
-; makes the point o + t d with the direction d and the normal -n. The crossing's
-; normal n is against the line. If the line enters a body there, the direction
-; and the normal point inward, and faces.s reverses them.
+; The lines are isotropic and uniform, so the points are uniform over the
+; surface and the directions follow the cosine law on both sides of it. A
+; crossing at the distance t along its line makes the point o + t d with the
+; direction d and the normal -n. The crossing's normal n is against the line. If
+; the line enters a body there, the direction and the normal point inward, and
+; faces.s reverses them.
 ;
 ; In:  the words below.
 ; Out: spots_results: EMITTED_SIZE planes, a word for each crossing.

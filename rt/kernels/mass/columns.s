@@ -1,8 +1,9 @@
 ; columns.s - the volume, moments and area of solids from crossings with rays.
 ;
-; The rays are parallel. A ray at p, q enters a part at s0 and leaves it at s1, and so on. The integrals over its
-; column are differences of terms at the ends of the pieces. So each crossing
-; adds, with w = -1 where the ray enters and 1 where it leaves,
+; The rays are parallel. A ray at p, q enters a part at s0 and leaves it at s1,
+; and so on. The integrals over its column are differences of terms at the ends
+; of the pieces. So each crossing adds, with w = -1 where the ray enters and 1
+; where it leaves,
 ;
 ;   a = w s                 b = a s / 2             c = a s s / 3
 ;   MOMENT_1:  a            MOMENT_P:  a p          MOMENT_Q:  a q

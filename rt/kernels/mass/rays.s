@@ -1,7 +1,8 @@
 ; rays.s - the parallel rays of one view, for a part of one shift.
 ;
-; Columns through a solid are made of these rays. A view looks along one axis, k. The other axes, p and q, follow it
-; in the order x, y, z, x, y. Ray i begins at
+; Columns through a solid are made of these rays. A view looks along one axis,
+; k. The other axes, p and q, follow it in the order x, y, z, x, y. Ray i begins
+; at
 ;
 ;   p = w_p (u_0 - 1/2)     x_p = c_p + p       u: the point number first + i
 ;   q = w_q (u_1 - 1/2)     x_q = c_q + q

@@ -1,5 +1,5 @@
-; quadratic_prism.s - intersects rays with a prism of quadratic splines: closed loops of parabolas in x and z, swept along y from
-; one cap to the other.
+; quadratic_prism.s - intersects rays with a prism of quadratic splines: closed
+; loops of parabolas in x and z, swept along y from one cap to the other.
 ;
 ; The method is that of prism.s, but the edges are curved.  From a corner
 ; P to the next one the points are  P + (bend w + 2 lead) w,  w from 0 to 1.
