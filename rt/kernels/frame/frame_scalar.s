@@ -24,7 +24,7 @@
         .regs   r156, column, width, row, last_row, hit_id, plane_size
         .reg    plane_at, r162
 
-        .include "shapes/form_scalar.s"
+        .include "shapes/forms_scalar.s"
         .include "shapes/every.s"
         .include "frame/transform_scalar.s"
         .include "frame/camera.s"

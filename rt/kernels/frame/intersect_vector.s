@@ -9,6 +9,6 @@
         .include "frame/hierarchy_vector.s"
         .include "solids/nodes_vector.s"
         .include "solids/sparse_vector.s"
-        .include "shapes/form_vector.s"
+        .include "shapes/forms_vector.s"
         .include "shapes/every.s"
         .include "frame/transform_vector.s"

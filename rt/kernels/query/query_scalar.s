@@ -17,7 +17,7 @@
         .regs   r166, query_step, query_at, query_counts_at, query_hits_at, query_left
         .regs   r171, query_length, query_work, ray_hit_at, ray_hits_left, ray_hit_plane, ray_hit_slot
 
-        .include "shapes/form_scalar.s"
+        .include "shapes/forms_scalar.s"
         .include "shapes/every.s"
         .include "frame/transform_scalar.s"
         .include "frame/bound_scalar.s"

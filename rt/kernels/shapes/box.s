@@ -1,6 +1,6 @@
 ; box.s - intersects rays with a box with edges along the axes.
 ;
-; The segment inside is the intersection of three slabs (form_vector.s).
+; The segment inside is the intersection of three slabs (forms_vector.s).
 ;
 ;       CALL BOX (RAY, PRIMITIVE, SEGMENT)
 ;

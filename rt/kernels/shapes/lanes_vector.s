@@ -2,7 +2,7 @@
 ; root solver computes, and turns their roots into tin and tout.
 ;
 ; A shape has a bounding sphere about its centre.  o is the ray's closest
-; approach to the centre (form_vector.s), and s the distance along the ray
+; approach to the centre (forms_vector.s), and s the distance along the ray
 ; from there.  The ray is in the sphere for
 ;
 ;   |s| <= high = sqrt(bound^2 - o . o)

@@ -33,7 +33,7 @@
 ; The cone is a t^2 + 2 b t + c = 0, with b^2 - a c = nr^2 E.  In E nothing
 ; large cancels if the line is nearly level.  For either sign of a the ray
 ; crosses to the axis' side at t = (-b - root)/a and back at (-b + root)/a.
-; These are q/a and c/q with q = -(b + sign(b) root) (form_vector.s).
+; These are q/a and c/q with q = -(b + sign(b) root) (forms_vector.s).
 ;
 ; Once:  the root whose side the corners show, clamped to the heights of the
 ;        segment.

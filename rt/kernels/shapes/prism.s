@@ -13,7 +13,7 @@
 ;
 ;   t = (way0 + (way1 - way0) side0 / (side0 - side1)) / (dx^2 + dz^2)
 ;
-; The planes of the caps cut the ray to low .. high (form_vector.s).  It is
+; The planes of the caps cut the ray to low .. high (forms_vector.s).  It is
 ; inside at low if it crosses an odd number of edges before low.
 ;
 ; A ray along y, dx^2 + dz^2 < tiny^2, is replaced by one along x: it is inside

@@ -15,7 +15,7 @@
 ; if side first approaches 0, and if it has roots.  So a line crosses each loop
 ; an even number of times, independently of rounding.
 ;
-; The roots are q/cross(bend) and side0/q (form_vector.s).  If cross(lead)
+; The roots are q/cross(bend) and side0/q (forms_vector.s).  If cross(lead)
 ; >= 0, side falls at the first and rises at the second, else the opposite.  An
 ; edge that is crossed once has the root at which side changes as its corners
 ; do, clamped to 0 .. 1.

@@ -1,5 +1,5 @@
-; form_scalar.s - the scalar form of the shapes: the operations on one ray.
-; form_vector.s describes them.
+; forms_scalar.s - the scalar form of the shapes: the operations on one ray.
+; forms_vector.s describes them.
 
         .include "forms.s"
         scalar_form ray_, third, fourth

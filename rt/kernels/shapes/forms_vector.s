@@ -1,8 +1,8 @@
-; form_vector.s - the vector form of the shapes: the operations on a queue of
+; forms_vector.s - the vector form of the shapes: the operations on a queue of
 ; rays.
 ;
 ; A shape NAME.s is written once, with the operations below and those of forms.s
-; with the prefix ray_.  The scalar form (form_scalar.s) intersects one ray, the
+; with the prefix ray_.  The scalar form (forms_scalar.s) intersects one ray, the
 ; vector form the near rays of the queue.  Both call words of the ray and of its
 ; segment by the same names: ox oy oz dx dy dz tin tout, and t0 .. t9.
 ;
