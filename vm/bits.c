@@ -6,7 +6,8 @@
 
 enum { STRING_BITS = C205_MAX_LENGTH + 1, STRING_WORDS = STRING_BITS / 64 };
 
-/* Reads n bits from first on. Missing bits at the end of a short string are zero. */
+/* Reads n bits of a string from position `first` on. Missing bits at the end of a short
+ * string are zero. */
 static void read_string(const struct c205 *machine, const struct vector *string,
                         size_t first, size_t n, uint64_t *bits)
 {
@@ -36,8 +37,9 @@ static c205_trap run_strings(struct c205 *machine, const struct vector *a,
     return machine_end_turn(machine, &turn);
 }
 
-/* Executes the instruction. Returns false if the case is not simple (direct.h). The
- * result may overlap a source only if it is the same string. */
+/* Executes a logical instruction on strings in the host's memory. Returns false,
+ * without effect, if the operands are not simple (direct.h). The result may overlap a
+ * source only if it is the same string. */
 static bool strings_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word a = machine->slot[decoded->a], b = machine->slot[decoded->b];
@@ -104,8 +106,9 @@ static void set_bit(uint64_t *bits, size_t i, bool value)
     bits[i / 64] = value ? bits[i / 64] | one : bits[i / 64] & ~one;
 }
 
-/* Mask takes the bit at the same index of the selected source. Merge takes the next bit
- * of that source (see move.c for words). */
+/* The operands of a mask or merge of strings. A mask takes the bit at the same index of
+ * the selected source. A merge takes the next bit of that source (see move.c for
+ * words). */
 struct bit_choice {
     struct c205 *machine;
     struct vector a, b, c;

@@ -112,8 +112,8 @@ static struct code_block *block_make(struct c205 *machine, uint64_t pc)
 
 /* ---- Execution ---------------------------------------------------------- */
 
-/* Returns the number of executed instructions. It is below the block's count after a
- * trap or a change of code. */
+/* Executes a block. Returns the number of executed instructions, which is below the
+ * block's count after a trap or a change of code. */
 static inline unsigned execute_block(struct c205 *machine,
                                      const struct code_block *block, c205_trap *trap)
 {

@@ -132,7 +132,8 @@ c205_trap execute_alter_flag(struct c205 *machine, const struct decoded *decoded
     return trap;
 }
 
-/* An unaltered bit may be in read-only memory. */
+/* Branches on a bit of memory and alters the bit. A bit that remains unaltered may be
+ * in read-only memory. */
 c205_trap execute_alter_memory_bit(struct c205 *machine, const struct decoded *decoded)
 {
     struct memory *memory = &machine->memory;

@@ -135,8 +135,8 @@ void machine_sample_watchpoints(struct c205 *machine)
                   breakpoints->watches[i].held, breakpoints->watches[i].words);
 }
 
-/* Compares memory with the copy. A copy is valid for one run: a change ends the run,
- * and the next run takes a new copy. */
+/* Compares watched words with their copy. A copy is valid for one run: a change ends
+ * the run, and the next run takes a new copy. */
 static bool is_changed(const struct c205 *machine, const struct watched *watched)
 {
     for (size_t i = 0; i < watched->words; i++) {

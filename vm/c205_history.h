@@ -13,7 +13,8 @@
  * not saved.
  */
 
-/* Receives the next bytes. Returns false on failure, which ends the saving. */
+/* Receives the next `count` bytes of a saved machine. Returns false on failure, which
+ * ends the saving. */
 typedef bool c205_writer(void *context, const void *bytes, size_t count);
 
 /* Saves a machine: passes its bytes to `write`. Returns false if `write` fails. */

@@ -65,12 +65,13 @@ typedef enum c205_access {
 bool c205_map(c205 *machine, uint64_t address, size_t words, c205_access access,
               c205_error *error);
 
-/* Words that several machines share, in any threads. A machine that writes to a shared
- * page gets its own copy of the page first. The words must exist while any of these
- * machines runs or is inspected. A machine may be freed or load another program after
- * the words are freed. */
+/* Pages of words that several machines share, also in different threads. A machine that
+ * writes to a shared page gets its own copy of the page first. The pages must exist
+ * while any of these machines runs or is inspected. A machine may be freed or load
+ * another program after the pages are freed. */
 typedef struct c205_shared c205_shared;
-/* Adds zeros after the words up to the end of the last page. NULL: out of memory. */
+/* Copies the words to new shared pages, and fills the last page with zeros. NULL: out
+ * of memory. */
 c205_shared *c205_shared_new(const c205_word *words, size_t count);
 void c205_shared_free(c205_shared *shared);
 /* Maps the words at consecutive addresses from the start of a page on. No page may be
@@ -78,9 +79,9 @@ void c205_shared_free(c205_shared *shared);
 bool c205_map_shared(c205 *machine, uint64_t address, const c205_shared *shared,
                      c205_error *error);
 
-/* Finds the first mapped page from an address on, and returns false if there is none.
- * Sets whether the page may be written, and whether it has been used if it is a
- * C205_WHEN_TOUCHED page. */
+/* Finds the first mapped page at or after an address. Returns false if there is none.
+ * writable: the program may write to the page. touched: a C205_WHEN_TOUCHED page has
+ * been used. */
 typedef struct c205_page {
     uint64_t address;
     bool writable, touched;
@@ -92,8 +93,8 @@ bool c205_next_page(const c205 *machine, uint64_t from, c205_page *page);
  * room for all pages. Takes no clocks. */
 void c205_warm(c205 *machine);
 
-/* Copy words between the host and the machine's memory. They take no clocks. They
- * return false, without effect, if a page is not mapped. */
+/* Copy words between the host and the machine's memory, without clocks. Return false,
+ * without effect, if a page of the range is not mapped. */
 bool c205_read(const c205 *machine, uint64_t address, c205_word *words, size_t count);
 bool c205_write(c205 *machine, uint64_t address, const c205_word *words, size_t count);
 
@@ -148,7 +149,7 @@ void c205_describe_stop(const c205 *machine, const c205_stop *stop, c205_error *
 /* ---- Registers (vm/inspect.c) -------------------------------------------- */
 
 /* Return and set a register. Register 0 and numbers above 255 read as zero. Setting
- * them has no effect. */
+ * these has no effect. */
 c205_word c205_register(const c205 *machine, unsigned number);
 void c205_set_register(c205 *machine, unsigned number, c205_word word);
 uint64_t c205_pc(const c205 *machine);
@@ -183,8 +184,9 @@ typedef struct c205_event {
     size_t region;            /* index of the region in the accounts */
     uint64_t issued;          /* the clock at which the instruction issued */
     uint64_t clocks;          /* increase of the clock */
-    const c205_times *record; /* its times; only the wait for everything in flight after
-                                 an end or a trap; NULL: none */
+    const c205_times *record; /* times of the instruction; after an end or a trap, only
+                                 the wait for everything in flight; NULL: not
+                                 recorded */
     size_t elements;          /* vector length, 0 for scalar instructions */
     size_t recurrent;         /* elements that waited for the result of an earlier
                                  element */
@@ -210,9 +212,10 @@ bool c205_listen(c205 *machine, c205_listener *listener, void *context);
 
 /* ---- Breakpoints and watchpoints (vm/breakpoints.c) ------------------------------
  *
- * They end a run with their own trap between two instructions. Listeners are notified
- * of it. The next run continues as if the run had not been stopped. Breakpoints and
- * watchpoints remain when a program is loaded, and are not saved with a machine.
+ * Breakpoints and watchpoints end a run between two instructions, each with its own
+ * trap. Listeners are notified of this end. The next run continues as if the run had
+ * not been stopped. They remain when a program is loaded, and are not saved with a
+ * machine.
  */
 
 /* Stops the run with PAUSED after the current instruction. A listener calls this. */

@@ -76,7 +76,7 @@ typedef struct c205_piece {
     c205_cause cause;
     size_t region; /* the region that is charged */
     uint64_t pc;   /* the instruction that does the work; it may be a vector instruction
-                      during which others wait */
+                      for which others wait */
     c205_wait wait;
     unsigned number; /* number of the register or unit, or 0 */
 } c205_piece;
@@ -92,7 +92,7 @@ struct c205_times {
     uint64_t issued;    /* the clock at which it issued */
     uint64_t ready;     /* the clock at which its results are ready */
     uint64_t unit_free; /* the clock at which its unit accepts the next instruction; the
-                           vector unit accepts one earlier if its start-up overlaps the
+                           vector unit accepts it earlier if its start-up overlaps the
                            stream */
     uint64_t misses;    /* pages that the associative registers lack */
     uint64_t faults;    /* pages that real memory lacks; these are misses too */
@@ -116,7 +116,7 @@ c205_projection *c205_projection_new(const c205_model *model, c205_error *error)
 void c205_projection_free(c205_projection *projection);
 /* The listener. Its context is the projection. */
 c205_listener c205_project;
-/* Returns the clocks of that machine for a region, numbered as in the accounts. */
+/* Returns the clocks of the other machine for a region, numbered as in the accounts. */
 uint64_t c205_projected_clocks(const c205_projection *projection, size_t region);
 /* Returns false if the run had vector instructions or the host ran out of memory. */
 bool c205_projection_holds(const c205_projection *projection, c205_error *error);
@@ -134,10 +134,10 @@ void c205_recording_free(c205_recording *recording);
  * starts. */
 c205_listener c205_record;
 
-/* Sets the clocks of each region, numbered as in the accounts; regions that did not run
- * have 0. The settings replace constants of the model. A clock has the given number of
- * ticks, the steps of time (1: as in the machine). A projection gives NaN for regions
- * with vector instructions. On failure sets the error and returns false. */
+/* Computes the clocks of each region, numbered as in the accounts, with the constants
+ * of the model and these settings; regions that did not run have 0. `ticks` is the
+ * number of steps of time per clock (1: as in the machine). A projection gives NaN for
+ * regions with vector instructions. On failure sets the error and returns false. */
 bool c205_retime(const c205_recording *recording, const c205_model *model,
                  const c205_setting *settings, size_t count, unsigned ticks,
                  double *clocks, size_t regions, c205_error *error);

@@ -121,7 +121,7 @@ typedef enum c205_operation {
     C205_OPERATIONS
 } c205_operation;
 
-/* Bits of c205_insn.flags. */
+/* Bits of c205_insn.flags, which insn.def describes. */
 #define C205_INSN_SIGN 1u
 #define C205_INSN_PADZ 2u
 #define C205_INSN_PADO 4u

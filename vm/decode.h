@@ -47,7 +47,7 @@ struct decoded {
 /* A range of memory that an instruction used. */
 struct touch {
     uint64_t address, bits;
-    bool stored; /* the range, or parts of it, were stored */
+    bool stored; /* the range was stored, in whole or in part */
 };
 /* A vector instruction has at most six touches. Each instruction of a block has one
  * touch, but a SWAP at its end has two. */

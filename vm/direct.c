@@ -179,7 +179,7 @@ static inline void operate_all(struct c205 *machine, const struct operation *ope
         operation->binary(c, a, b, n, &machine->data_flags);
 }
 
-/* Stores a chunk. A copy needs no temporary array. */
+/* Stores the results of a chunk. Copied elements need no temporary array. */
 static inline void store_chunk(const struct direct_result *result,
                                const struct operation *operation, const c205_word *a,
                                const c205_word *b, size_t first, size_t n)

@@ -302,7 +302,8 @@ static bool has_pages(const struct table_place *table, const c205_word *indices,
     return true;
 }
 
-/* Returns false if a page is missing or the elements are too far apart. */
+/* Finds the table elements that a list refers to. Returns false if a page is missing or
+ * the elements are too far apart. */
 static bool find_table(struct table_place *table, const struct c205 *machine,
                        c205_word descriptor, const c205_word *indices, size_t n)
 {
@@ -358,9 +359,10 @@ static void gather_words(c205_word *c, const struct table_place *table,
     }
 }
 
-/* Returns false if the case is not simple (direct.h). The clock reads the list after
- * the execution, so the result must not overlap the list. It may overlap the table,
- * because the elements are moved in order. */
+/* Executes a gather in the host's memory. Returns false, without effect, if the
+ * operands are not simple (direct.h). The clock reads the list after the execution, so
+ * the result must not overlap the list. The result may overlap the table, because the
+ * elements are moved in order. */
 static bool gather_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word list = machine->slot[decoded->a];

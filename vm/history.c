@@ -14,7 +14,7 @@
  * is for long vector instructions. Running from a snapshot to the next takes some
  * milliseconds. */
 enum { STEPS_APART = 512, CLOCKS_APART = 1 << 20 };
-/* The distances are doubled up to this limit. */
+/* The instructions and clocks between snapshots are doubled up to this limit. */
 #define MAX_STEPS_APART (UINT64_C(1) << 50)
 
 struct snapshot {

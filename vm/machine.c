@@ -174,7 +174,8 @@ static bool stop_within(struct c205 *machine, c205_trap trap,
     return false;
 }
 
-/* Returns false after a breakpoint, a watchpoint or the request of a listener. */
+/* Returns false if a breakpoint, a watchpoint or the request of a listener ends the run
+ * after this instruction. */
 static bool go_past_stops(struct c205 *machine, c205_stop *stop)
 {
     uint64_t address = 0;

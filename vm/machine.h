@@ -158,8 +158,8 @@ static inline void machine_deliver_parts(struct c205 *machine,
     }
 }
 
-/* Returns the part of n elements to process now. It begins at the point of the
- * interruption, if any, and ends at element `allowed`. */
+/* Returns the part of n elements that an instruction processes now. The part begins at
+ * the point of the interruption, if any, and ends at element `allowed`. */
 static inline struct turn machine_turn(const struct c205 *machine, size_t n,
                                        size_t allowed)
 {

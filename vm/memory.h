@@ -54,7 +54,8 @@ struct memory {
     struct page *spare;                     /* free pages for reuse */
     uint64_t code_changes; /* 1 + number of changes of words that held decoded code; the
                               decode cache compares it */
-    bool rewritten;        /* such a word changed since the memory was cleared */
+    bool rewritten;        /* a word that held decoded code changed since
+                              memory_clear */
 };
 
 /* Initialises the memory of a machine. The struct must be zeroed. */

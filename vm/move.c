@@ -86,7 +86,8 @@ static c205_trap store_chosen(struct choice *choice, chooser *chosen)
     return trap;
 }
 
-/* Executes the instruction. Returns false if the case is not simple (direct.h). */
+/* Executes a mask in the host's memory. Returns false, without effect, if the operands
+ * are not simple (direct.h). */
 static bool mask_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word a = machine->slot[decoded->a], b = machine->slot[decoded->b];
@@ -257,7 +258,8 @@ static c205_trap finish_sieve(struct sieve *sieve, const struct decoded *decoded
     return C205_TRAP_NONE;
 }
 
-/* Executes the instruction. Returns false if the case is not simple (direct.h). */
+/* Executes a compress in the host's memory. Returns false, without effect, if the
+ * operands are not simple (direct.h). */
 static bool compress_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word a = machine->slot[decoded->a], c = machine->slot[decoded->c];

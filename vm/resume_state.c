@@ -62,8 +62,8 @@ static void walk_flag(bool *flag, struct serializer *serializer)
     *flag = size == 1;
 }
 
-/* Accepts any numbers within these bounds. The loops remain within the claimed
- * ranges. */
+/* Serializes the state. Reading accepts any numbers within these bounds, for which the
+ * loops of the instruction remain within the claimed ranges. */
 void resume_walk(struct resume_state *resume, struct serializer *serializer)
 {
     walk_flag(&resume->interrupted, serializer);

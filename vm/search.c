@@ -33,8 +33,8 @@ static size_t compared(const struct stream *stream, size_t place)
     return place < stream->b.vector.length ? place + 1 : place;
 }
 
-/* Finds the indices for n words, or for fewer words if the time ends. Returns their
- * number. */
+/* Finds the indices for n words, or for fewer words if the turn ends at the clock
+ * limit. Returns the number of indices. */
 static size_t search_some(struct stream *stream, const c205_word *a, size_t n,
                           lanes_compare *comparison, c205_word *places)
 {

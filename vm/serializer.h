@@ -43,7 +43,8 @@ void serializer_array(struct serializer *serializer, uint64_t *words, size_t cou
 /* Serializes a number. Reading fails if the number is above `most`. Writing does not
  * check it. */
 void serializer_size(struct serializer *serializer, size_t *size, size_t most);
-/* Serializes the number of items that follow. Each item has at least one word. */
+/* Serializes the number of items that follow. Each item has at least one word, so
+ * reading rejects a count above the number of words left. */
 void serializer_count(struct serializer *serializer, size_t *count);
 /* Returns the number of words left to read. */
 size_t serializer_room(const struct serializer *serializer);

@@ -45,8 +45,8 @@ const char *machine_broken_rule(const struct c205 *machine, c205_trap trap)
 
 /* ---- The text of a stop ------------------------------------------------- */
 
-/* Returns true if the text contains the address. These traps show address 0, too,
- * because an uninitialised descriptor contains it. */
+/* Returns true if the text of a stop contains its address. Traps of memory accesses
+ * have address 0, too, because an uninitialised descriptor contains it. */
 static bool has_address(const c205_stop *stop)
 {
     return stop->address || stop->trap == C205_TRAP_UNMAPPED_ADDRESS

@@ -8,7 +8,7 @@
 
 /* ---- Conversion between the sizes --------------------------------------- */
 
-/* Difference between the digits of a word and of a half word. */
+/* The number of digits that a word has in addition to those of a half word. */
 enum { MORE_DIGITS = 24 };
 
 /* Adds a rounding term to the coefficient of a, then contracts a. */

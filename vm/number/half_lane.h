@@ -24,7 +24,8 @@ static inline lane lower(int64_t e, int64_t t)
 
 /* ---- Add, subtract ------------------------------------------------------ */
 
-/* Returns the lower sum. A sum of more than 47 bits loses its last bit. */
+/* Returns the lower sum of a and b, whose double-length sum is t. A t of more than 47
+ * bits loses its last bit. */
 static inline lane sum_lower(c205_word a, c205_word b, int64_t t)
 {
     c205_word l = max_word(a, b);

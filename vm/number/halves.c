@@ -13,7 +13,7 @@
 #define UNARY_FAST(name) \
     UNARY_SPAN(halves_##name, lane_##name, half_##name) \
     UNARY_VERSIONS(halves_##name, halves_##name##_span)
-/* spans.c defines these functions. */
+/* spans.c defines the functions of these rows. */
 #define BINARY_WRITTEN(name)
 #define UNARY_WRITTEN(name)
 

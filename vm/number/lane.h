@@ -88,7 +88,8 @@ static inline int64_t root(uint64_t radicand)
     return (int64_t)(nearest - (remainder >> 63));
 }
 
-/* Returns the root. It uses k = 46 for even exponents and k = 47 for odd exponents. */
+/* Returns floor(sqrt(c x 2^k)) for the coefficient c of a, with k = 46 for even
+ * exponents and k = 47 for odd exponents. */
 static inline lane lane_square_root(c205_word a)
 {
     uint64_t digits = a & WORD_COEFFICIENT_MASK;

@@ -122,8 +122,7 @@ static inline lane number(int64_t e, int64_t c)
     return result;
 }
 
-/* Returns a valid machine zero if it_is is true, and the other result if it is
- * false. */
+/* Returns a valid machine zero if it_is is true, and `otherwise` if it is false. */
 static inline lane zero_if(bool it_is, lane otherwise)
 {
     const lane result = { it_is ? C205_MACHINE_ZERO : otherwise.word,

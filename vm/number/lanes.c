@@ -42,7 +42,7 @@ COMMON_BLOCK(common_block_divide_significant, common_divide_significant)
 #define UNARY_FAST(name, registers) \
     UNARY_SPAN(lanes_##name, lane_##name, arith_##name) \
     VERSIONS_##registers(UNARY, name)
-/* spans.c defines these functions. */
+/* spans.c defines the functions of these rows. */
 #define BINARY_WRITTEN(name, registers)
 #define UNARY_WRITTEN(name, registers)
 

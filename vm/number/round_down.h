@@ -80,7 +80,7 @@ static inline c205_word round_down_word(double value)
     return format_with_coefficient(whole_words, exponent, bits_of_double(c));
 }
 
-/* Returns the double, rounded down to 47 digits. */
+/* Returns a double, rounded down to the 47 digits of a word. */
 static inline double round_down_value(double value)
 {
     enum { BEYOND = (1 << (DOUBLE_DIGITS - ROUND_DOWN_DIGITS)) - 1 };
@@ -153,7 +153,8 @@ static inline c205_word result_word(double value)
     return value == 0 ? C205_MACHINE_ZERO : word;
 }
 
-/* Returns false if the block must be computed by another method. */
+/* Ends a block that is computed, and sets its flags. Returns false if a word is not
+ * moderate or odd, so another method must compute the block. */
 static inline bool round_down_end(const round_down_block *block, uint64_t *flags)
 {
     if (!moderate_by_edges(block->all, block->any) || block->odd)

@@ -66,7 +66,8 @@ static c205_word indefinite(uint64_t cause, uint64_t *flags)
     return C205_INDEFINITE;
 }
 
-/* Applies the range rule, which depends on the exponent only. */
+/* Returns a word with this exponent and coefficient. By the range rule, an exponent
+ * that is too large gives an indefinite, and one that is too small a machine zero. */
 static c205_word ranged(int64_t exponent, int64_t coefficient, uint64_t *flags)
 {
     if (exponent > format_exponent_max(RULE_FORMAT))
@@ -181,7 +182,8 @@ static wide sum(c205_word a, c205_word b, bool subtract)
     return w;
 }
 
-/* Returns w in the register. A sum of more than 2d + 1 bits loses its last bit. */
+/* Returns the sum w, cut to the register of 2d + 1 bits: a longer sum loses its last
+ * bit. */
 static wide fitted(wide w)
 {
     if (word_significant_bits(w.hi) > DIGITS) {

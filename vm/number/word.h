@@ -41,7 +41,7 @@ static inline int32_t format_width(word_format f)
     return f.exponent_bits + f.digits + 1;
 }
 
-/* Returns the number of zero bits after a word. */
+/* Returns the number of zero bits after a number of this format in a c205_word. */
 static inline int32_t format_padding(word_format f)
 {
     return 64 - format_width(f);

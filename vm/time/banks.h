@@ -9,9 +9,9 @@
 
 #include "vm/time/index_list.h"
 
-/* The result for the latest list. The conflicts are the same for any other table if
- * both tables are whole. A whole table starts at a word, has a step of one word, and
- * does not reach the end of the address space. */
+/* The bank conflicts of the latest list of indices with a table. They are the same for
+ * every whole table. A whole table starts at a word, has a step of one word, and does
+ * not reach the end of the address space. */
 struct bank_list {
     uint64_t number; /* number of the list; 0: none */
     bool whole;

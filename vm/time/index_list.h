@@ -1,7 +1,8 @@
 /* index_list.h - compares the indices of a gather or scatter with the previous list.
  *
- * Programs gather records word by word. Each word is in a separate table, but the list
- * is the same. The first gather computes most of the cost of the list.
+ * Programs gather records word by word. Each word is in a separate table, but all
+ * gathers have the same list of indices. The first gather computes most of the cost,
+ * and the others use its results.
  */
 #ifndef C205_INDEX_LIST_H
 #define C205_INDEX_LIST_H

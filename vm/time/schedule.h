@@ -53,7 +53,7 @@ static inline uint64_t stack_follow(struct stack *stack, uint64_t words,
     return leaves | TAKEN_OUT_OF_STACK;
 }
 
-/* Returns true if all touched addresses are on the page of the latest touch. */
+/* Returns true if all touched addresses are on the page that was looked up last. */
 static inline bool touches_latest(const struct pages *pages,
                                   const struct effect *effect)
 {
