@@ -166,7 +166,7 @@ const char *accounts_region(const c205_account *account)
     return account->name[0] ? account->name : "(outside)";
 }
 
-/* Adds the clocks, the seconds, and the percentage of the run. */
+/* Adds cells for clocks: their number, the seconds, and the percentage of the run. */
 static void add_clocks(struct table *table, const struct accounts *accounts,
                        uint64_t clocks)
 {

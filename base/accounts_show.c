@@ -106,7 +106,8 @@ static bool matrix_of(struct matrix *matrix, const struct accounts *accounts)
 
 /* ---- Causes are rows ----------------------------------------------------- */
 
-/* Adds a cause. The percentage is next to the sum. Both are only in the first part. */
+/* Adds the row of a line of the matrix. The columns of the sum and of its percentage
+ * are only in the first part. */
 static void add_cause(struct table *table, const struct matrix *matrix, int line,
                       size_t first, size_t count)
 {

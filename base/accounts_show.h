@@ -10,7 +10,8 @@
 #include "base/accounts.h"
 #include "base/command_output.h"
 
-/* Prints the accounts. Returns the exit code, after an error message if it fails. */
+/* Prints the accounts in the format of the results. Returns the exit code, after an
+ * error message if memory is exhausted. */
 int accounts_show(const struct accounts *accounts,
                   const struct command_output *results);
 

@@ -69,7 +69,8 @@ char *arena_text(struct arena *arena, const char *text, size_t length)
     return copy;
 }
 
-/* Returns the array with room for one more item, or NULL. */
+/* Returns the array with room for one more item, or NULL if the host is out of memory.
+ * The array may move. */
 static void *grow(struct arena *arena, void *items, size_t count, size_t *capacity,
                   size_t size)
 {

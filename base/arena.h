@@ -15,7 +15,7 @@ struct arena {
 };
 
 void *arena_take(struct arena *arena, size_t size);
-/* Returns a copy that ends with a NUL. */
+/* Returns a copy of `length` bytes of a text, which ends with a NUL. */
 char *arena_text(struct arena *arena, const char *text, size_t length);
 /* Adds a copy of an item, or zeros if item is NULL, to an array of *count items, and
  * returns its place. items: the address of the pointer to the array, which moves if

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns the array with room for one more item, or NULL. */
+/* Returns the array with room for one more item, or NULL if the host is out of memory.
+ * The array may move. */
 static void *grow(void *items, size_t count, size_t size)
 {
     if ((count & (count - 1)) != 0)

@@ -11,7 +11,7 @@
  * be added by this function. The owner frees the array. */
 void *array_add(void *items, size_t *count, const void *item, size_t size);
 
-/* Replaces *items by an array that has room for one more item, and adds the item like
+/* Stores an array with room for one more item in *items, and adds the item like
  * array_add. Returns NULL if array is NULL. */
 void *array_store(void *items, void *array, size_t *count, const void *item,
                   size_t size);

@@ -19,12 +19,14 @@ struct atomic_file {
     char *temporary; /* NULL: the file is written directly */
 };
 
-/* Returns NULL if the file cannot be written. */
+/* Opens a temporary file for the path. Returns NULL with the error if it cannot be
+ * written. */
 struct atomic_file *atomic_file_open(const char *path, c205_error *error);
 /* Returns true if the file can be written. A command calls this before long work.
  * Leaves no file. */
 bool atomic_file_check(const char *path, c205_error *error);
-/* Both functions free the struct. A failed commit leaves the old file unchanged. */
+/* atomic_file_commit gives the file its real name; a failure leaves the old file
+ * unchanged. atomic_file_discard removes the temporary file. Both free the struct. */
 bool atomic_file_commit(struct atomic_file *whole, c205_error *error);
 void atomic_file_discard(struct atomic_file *whole);
 

@@ -14,7 +14,7 @@ enum cmd_exit { CMD_DONE = 0, CMD_FAILED = 1, CMD_USAGE = 2 };
  * code. */
 int cmd_usage(const char *command, const char *format, ...);
 int cmd_failed(const char *command, const char *format, ...);
-/* Prints a line. The format does not end with a newline. */
+/* Prints a formatted line. The format does not end with a newline. */
 void cmd_print_line(FILE *file, const char *format, ...);
 
 #endif

@@ -13,9 +13,9 @@ void interrupt_catch(void);
  * the program. Reads and writes continue after a signal, so no output is lost; only
  * select and pselect return EINTR. */
 void interrupt_catch_lines(bool terminal);
-/* Returns true if one of these signals has arrived. */
+/* Returns true if Ctrl-C, SIGTERM or SIGHUP has arrived. */
 bool interrupt_pending(void);
-/* Returns true if the signal was SIGTERM or SIGHUP. The program must then end, even if
+/* Returns true if SIGTERM or SIGHUP has arrived. The program must then end, even if
  * Ctrl-C has another meaning. */
 bool interrupt_ends(void);
 /* Clears the flag of Ctrl-C. */

@@ -6,10 +6,10 @@
 
 #include "base/folder.h"
 
-/* Finds the paths of all such files, sorted. Names of folders may differ, too. The
- * first `fixed` bytes of the path must be equal; they are 0 or end with a '/'. The
- * caller frees the names with folder_free. Returns false if the host is out of
- * memory. */
+/* Finds the files whose paths equal `path` except for the case of letters, sorted.
+ * Names of folders may differ, too. The first `fixed` bytes of the path must be equal;
+ * they are empty or end with a '/'. The caller frees the paths with folder_free.
+ * Returns false if the host is out of memory. */
 bool other_case_find(struct folder *found, const char *path, size_t fixed);
 bool other_case_is(const char *a, const char *b, size_t length);
 

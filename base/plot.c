@@ -1,8 +1,9 @@
 /* plot.c - draws columns of a table as curves in an SVG picture.
  *
  * The title and the small print are above the frame. The small print has an additional
- * line if y is cut off. The labels of marks are below it, each next to its line, in
- * several rows if necessary. The key is on the right. No text covers a curve.
+ * line if y is cut off. The labels of marks are below the small print, each next to the
+ * line of its mark, in several rows if necessary. The key is on the right. No text
+ * covers a curve.
  */
 #include "base/plot.h"
 

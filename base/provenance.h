@@ -9,12 +9,14 @@
 /* Returns true if a fit changed a constant of the model (source F). */
 bool provenance_is_fitted(const c205_model *model);
 
-/* Writes one line: the largest error relative to the figures of the fit, or else
- * relative to other figures, or a note that there was no comparison. */
+/* Writes one line on the error of a model: the largest error relative to the figures of
+ * the fit, or else relative to other figures, or a note that there was no
+ * comparison. */
 enum { PROVENANCE_LINE = 256 };
 void provenance_line(const c205_model *model, char line[PROVENANCE_LINE]);
 
-/* Returns the effects that a model omits, as in "this, that and that". */
+/* Returns the effects of the real machine that a model omits, as in "this, that and
+ * that". */
 const char *provenance_left_out(const c205_model *model);
 
 /* Prints one line below a table: the kind of the figures, the model, and the option

@@ -69,7 +69,8 @@ static char *copy(const char *text)
     return own ? strcpy(own, text) : NULL;
 }
 
-/* Returns false if the host is out of memory. */
+/* Stores the original and the printed text of a cell. Returns false if the host is out
+ * of memory. */
 static bool set_text(struct cell *cell, const char *text)
 {
     struct text_buffer shown = { 0 };

@@ -53,7 +53,8 @@ size_t table_rows(const struct table *table);
 const char *table_key(const struct table *table, size_t column);
 /* Returns the number in a cell, or NaN if the cell is empty or contains text. */
 double table_value(const struct table *table, size_t row, size_t column);
-/* Returns the length of a printed line before wrapping; SIZE_MAX: out of memory. */
+/* Returns the length of the longest printed line before wrapping; SIZE_MAX: out of
+ * memory. */
 size_t table_width(const struct table *table);
 /* Returns false if the host was out of memory while the table was filled. */
 bool table_is_whole(const struct table *table);

@@ -9,9 +9,9 @@
 /* The maximum width of printed lines that can be wrapped, in characters. */
 enum { WORD_WRAP_WIDTH = 100 };
 
-/* Prints a text that begins in a column, and ends the line. Text beyond WORD_WRAP_WIDTH
- * continues on the next line in the same column. A text whose column is too far to the
- * right is not wrapped. */
+/* Prints a text whose first character is in the given column, and ends the line. Text
+ * beyond WORD_WRAP_WIDTH continues on the next line in the same column. A text whose
+ * column is too far to the right is not wrapped. */
 void word_wrap_print(const char *text, size_t column, FILE *file);
 /* Writes a text to a sink, with the line breaks of word_wrap_print. */
 void word_wrap_put(const char *text, size_t column, const struct sink *sink);
