@@ -156,7 +156,8 @@ static void check_period(struct runtime_checker *watch, const struct site *site,
 
 /* ---- Integers ----------------------------------------------------------- */
 
-/* element is an index in a vector, or -1 for a scalar. */
+/* Warns of an integer operand that loses bits. element is the index of the operand in a
+ * vector, or -1 for a scalar. */
 static void print_integer(struct runtime_checker *watch, const struct site *site,
                           const struct operand_view *operand, int64_t element,
                           c205_word word, const struct precision *precision)
@@ -177,7 +178,8 @@ static void print_integer(struct runtime_checker *watch, const struct site *site
         where.text, number, number, precision->exact, precision->kept);
 }
 
-/* b is NULL if there is only one source. */
+/* Checks the two operands of an operation, and warns of an integer that loses bits. b
+ * is NULL if the operation has one operand. Returns true after a warning. */
 static bool check_pair(struct runtime_checker *watch, const struct site *site,
                        const struct operand_view *a, const struct operand_view *b,
                        int64_t element, c205_word word_a, c205_word word_b)
@@ -320,7 +322,7 @@ static void before_vector(struct runtime_checker *watch, const c205 *machine,
         check_numbers(watch, machine, site);
 }
 
-/* Checks results whose length was set by the instruction. */
+/* Checks the storage of results whose length the instruction has set. */
 static void after_vector(struct runtime_checker *watch, const c205 *machine,
                          struct site *site)
 {

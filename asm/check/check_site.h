@@ -21,8 +21,8 @@ struct site {
     enum precision_rule rule;
     uint64_t executions;
     /* The register through which the first instruction of a linked pair passes its
-     * result to the second; 0: not linked. hands_over is set in the first instruction,
-     * is_handed in the second. The result is not stored. */
+     * result, which is not stored, to the second; 0: not linked. hands_over is set in
+     * the first instruction, is_handed in the second. */
     uint8_t hands_over, is_handed;
 };
 
@@ -43,15 +43,15 @@ struct runtime_checker {
     warning_set meant, warned;
     size_t errors, reported_count;
     struct reported reported[MAX_REPORTED];
-    /* entered: the word that ES or EX entered in a register. emptied: the word when
-     * ELEN set its length to 0. If the register still contains this word, no other
-     * length was set. */
+    /* entered: the word that ES or EX entered in a register. emptied: the word of the
+     * register after ELEN had set its length to 0. If the register still contains this
+     * word, no other length was set. */
     bool is_entered[C205_REGISTERS], is_emptied[C205_REGISTERS];
     c205_word entered[C205_REGISTERS], emptied[C205_REGISTERS];
     bool is_written[C205_REGISTERS]; /* some instruction writes the register */
     struct site sites[CHECK_SITES];  /* indexed by address */
-    /* A copy of the checks before execution. Most instructions have none, and the test
-     * for this must be fast. */
+    /* A copy of site.before, which every instruction reads. Most instructions have no
+     * check, so the test for NULL must be fast. */
     struct {
         uint64_t pc;
         site_check *before;

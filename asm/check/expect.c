@@ -41,8 +41,8 @@ static double value_number(bool half, c205_word word)
     return (half ? c205_half_to_double : c205_to_double)(word);
 }
 
-/* Compares with the tolerance. No value is near an indefinite value, not even
- * itself. */
+/* Compares two values with the tolerance of an expectation. No value is near an
+ * indefinite value, not even itself. */
 static bool is_near(const struct asm_expectation *expectation, bool half,
                     c205_word wanted, c205_word found)
 {
@@ -222,7 +222,8 @@ static bool check_warning(struct outcome *outcome,
     return false;
 }
 
-/* Always passes. The model only determines the runs in which clocks are compared. */
+/* Accepts any model, because the expectation only determines the runs in which clocks
+ * are compared. */
 static bool check_model(struct outcome *outcome,
                         const struct asm_expectation *expectation)
 {
@@ -281,7 +282,8 @@ static bool check_end(const struct outcome *outcome, const struct object *object
     return false;
 }
 
-/* Fails if output is left. A program that expects any line must expect all lines. */
+/* Fails if output is left that no expectation has compared. A program that expects any
+ * line must expect all lines. */
 static bool check_rest(const struct outcome *outcome, const struct object *object)
 {
     size_t length = strcspn(outcome->printed, "\n");

@@ -22,7 +22,7 @@ enum precision_rule {
     PRECISION_UPPER_QUOTIENT
 };
 
-/* Returns the rule of an instruction. */
+/* Returns the rule by which an instruction loses bits of integers. */
 enum precision_rule precision_rule(const c205_insn *insn);
 
 /* Returns true if a word has exponent 0 and is not normalised. A half
@@ -34,8 +34,8 @@ struct precision {
     double exact, kept;
 };
 
-/* Returns true if the result loses more than a few bits that normalised operands would
- * preserve. */
+/* Returns true if the result of an operation on a and b loses more than a few bits that
+ * normalised operands would preserve, and sets *precision. */
 bool precision_is_lost(enum precision_rule rule, bool half, c205_word a, c205_word b,
                        struct precision *precision);
 

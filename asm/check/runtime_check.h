@@ -20,13 +20,13 @@ struct runtime_checker *runtime_new(const struct object *object, const char *nam
                                     const struct sink *report);
 void runtime_free(struct runtime_checker *watch);
 
-/* Must be called before a machine with the program starts, and after a machine was
- * restored. */
+/* Prepares the checks. Must be called before a machine with the program starts, and
+ * after a machine was restored. */
 void runtime_begin(struct runtime_checker *watch, const c205 *machine);
 /* The listener. Its context is the checker. */
 c205_listener runtime_listen;
 
-/* Returns the warnings that occurred, including warnings that the program declares as
+/* Returns the warnings that occurred, including those that the program declares as
  * intended. */
 warning_set runtime_warned(const struct runtime_checker *watch);
 /* Returns the number of warnings that count as errors. */

@@ -34,7 +34,7 @@ void check_join(struct text_buffer *buffer, const struct lesson_report *report);
 
 /* check_list prints all lessons. check_show prints one lesson with its tests.
  * check_start writes the incomplete program of a lesson, which a student completes
- * (cmd_check_lesson.c). All return the exit code. */
+ * (cmd_check_lesson.c). All three return the exit code. */
 int check_list(const struct check_command *check);
 int check_show(const struct check_command *check);
 int check_start(const struct check_command *check);

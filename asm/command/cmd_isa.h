@@ -13,7 +13,8 @@
 enum { ISA_CODE = 8 };
 void isa_code(const c205_insn *insn, char text[ISA_CODE]);
 
-/* Writes the fields of a format with their bits, as in "| F 8 | R 8 | I 16 |". */
+/* Writes the fields of an instruction format with their numbers of bits, as in "| F 8 |
+ * R 8 | I 16 |". */
 enum { ISA_DRAWING = 64 };
 void isa_drawing(const c205_insn *insn, char text[ISA_DRAWING]);
 
@@ -28,7 +29,8 @@ struct isa_operand {
 bool isa_next_operand(const c205_insn *insn, const char **letter,
                       struct isa_operand *operand);
 
-/* A rule of an instruction. Its name differs between terminal and reference. */
+/* A rule of an instruction. Its name in the terminal differs from its name in the
+ * reference. */
 struct isa_rule {
     const char *name, *page_name;
     const char *text; /* NULL: it has no explanation */
@@ -44,20 +46,21 @@ struct isa_rules {
 };
 void isa_list_rules(const c205_insn *insn, struct isa_rules *rules);
 
-/* Returns a description of the elements that the clock counts, or "" if these are the
- * results. */
+/* Returns a description of the elements that the clock counts for an instruction, or ""
+ * if they are its results. */
 const char *isa_clocked(const c205_insn *insn);
 const char *isa_provenance(char letter);
 
-/* Returns the heading directly above the row in the reference, or NULL. */
+/* Returns the heading that precedes the row of an instruction in the reference, or
+ * NULL. */
 const char *isa_family(const c205_insn *insn);
 
 /* Returns a constant of the model by its kind and class, such as "startup" and "vadd",
  * or NULL. */
 const c205_constant *isa_constant(const c205_model *model, const char *kind,
                                   const char *timing);
-/* Returns the clocks per element of a stream. If the pipes share the stream, half words
- * are faster. */
+/* Returns the clocks per element of a stream, a constant of the model. If its unit is
+ * divided among the pipes, half words are faster than words. */
 double isa_per_element(const c205_model *model, const c205_constant *stream, bool half);
 
 /* Returns the lines of a short example program, or NULL. */

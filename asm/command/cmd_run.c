@@ -66,7 +66,7 @@ static int show_accounts(const struct session *session,
 
 /* ---- The end of a run ---------------------------------------------------- */
 
-/* Reports a trap if necessary. Returns the exit code. */
+/* Reports the trap that stopped the program. Returns the exit code. */
 static int judge_trap(const struct session *session, const struct run_arguments *args,
                       const c205_stop *stop)
 {

@@ -18,7 +18,7 @@ struct repl_setup {
  * made, or if a line of a script or a pipe failed. Errors at a terminal do not
  * count. */
 int repl_run(const struct repl_setup *setup, const struct debugger_setup *of_debugger);
-/* For debugger_setup.interrupted: returns true if Ctrl-C was pressed. */
+/* The function for debugger_setup.interrupted. Returns true if Ctrl-C was pressed. */
 bool repl_interrupted(void *asked);
 
 #endif

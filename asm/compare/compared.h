@@ -25,8 +25,8 @@ struct table *compared_causes(const struct compared_run runs[COMPARED_RUNS]);
 struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS]);
 struct table *compared_figures(const struct compared_run runs[COMPARED_RUNS]);
 
-/* Writes a sentence with one or two causes of the largest part of the
- * difference. */
+/* Writes a sentence that names the one or two causes with the largest part of the
+ * difference between the clocks. */
 enum { COMPARED_SENTENCE = 256 };
 void compared_sentence(const struct compared_run runs[COMPARED_RUNS],
                        char text[COMPARED_SENTENCE]);

@@ -200,8 +200,8 @@ bool request_configuration_done(struct dap *dap)
 
 /* ---- Restart and end ----------------------------------------------------- */
 
-/* Ends the current execution by a pending request. If there is none, the function is
- * called after the response. */
+/* Ends the current execution by a pending request. If the program does not run, calls
+ * `then` after the response. */
 static bool end_execution(struct dap *dap, enum pending_request pending,
                           void (*then)(struct dap *dap))
 {

@@ -25,7 +25,8 @@ debug_verb verb_why, verb_account;
 /* Prints the current location: step, clock, region, and the next instruction unless the
  * program has ended. If the program cannot continue, also prints the reason. */
 void show_place(struct debugger *debugger);
-/* Prints the text `before`, an instruction, and its source line if it is known. */
+/* Prints the text `before`, the instruction at an address, and its source line if it is
+ * known. */
 void show_instruction(struct debugger *debugger, uint64_t address, const char *before);
 
 #endif

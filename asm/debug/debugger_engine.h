@@ -23,7 +23,7 @@ struct value_of {
     c205_word word;
 };
 
-/* The position of the parser in a text. */
+/* The unread part of a text, such as a debugger command. */
 struct text_cursor {
     const char *at;
 };
@@ -151,7 +151,8 @@ typedef bool debug_verb(struct debugger *debugger, struct text_cursor *cursor);
 /* Verbs that the debug adapter uses as well. */
 debug_verb verb_print, verb_set;
 
-/* ---- Changes of the state (set.c), after which the run differs ----------------- */
+/* ---- Changes of the state (set.c), after which the program runs differently
+ * -------- */
 
 bool debug_set_register(struct debugger *debugger, struct register_of named,
                         const struct value_of *value);

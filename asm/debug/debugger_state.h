@@ -17,11 +17,11 @@ const c205_event *debugger_last(const struct debugger *debugger);
  * the program has not ended with the last instruction or if there is no record. */
 const c205_times *debugger_end(const struct debugger *debugger);
 
-/* Returns the constant of the model that determines a phase of the last vector
- * instruction. NULL: no single constant does. */
+/* Returns the constant of the model that determines the length of a phase of the last
+ * vector instruction. NULL: no single constant does. */
 const c205_constant *debugger_constant(const struct debugger *debugger,
                                        c205_cause phase);
-/* Prints the reason of a wait. Prints nothing if the piece is not a wait. */
+/* Prints the reason for a piece of waiting time. Prints nothing for other pieces. */
 void show_wait(const struct debugger *debugger, const c205_piece *piece,
                const struct sink *sink);
 /* Prints the reason for which the program cannot continue. */
@@ -32,7 +32,7 @@ const char *debugger_report(struct text_buffer *said);
 
 /* Sets a breakpoint at a source line or at the next line that has code, and sets *line
  * to that line. Reports an error and returns false if there is none.
- * debugger_forget_lines deletes all these breakpoints. */
+ * debugger_forget_lines deletes all breakpoints that this function has set. */
 bool debugger_break_line(struct debugger *debugger, const char *file, size_t number,
                          size_t *line);
 void debugger_forget_lines(struct debugger *debugger);

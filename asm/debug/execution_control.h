@@ -1,5 +1,5 @@
 /* execution_control.h - executes the program of a debugger forward and back, for
- * callers without command lines.
+ * callers that do not use debugger commands.
  *
  * Each function reports an error once, to the debugger's sink, and returns
  * EXECUTION_FAILED. It returns EXECUTION_INTERRUPTED if the member `interrupted` of the

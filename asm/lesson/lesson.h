@@ -92,7 +92,8 @@ bool lesson_is_constant(const struct asm_symbol *symbol);
 
 /* ---- Answers --------------------------------------------------------------- */
 
-/* The sentences of a report. Lines of the program may follow a sentence. */
+/* The sentences of a report on an answer. Source lines of the answer may follow a
+ * sentence. */
 struct lesson_report {
     size_t count, capacity;
     const char **sentences;

@@ -42,14 +42,15 @@ const struct profile_row *line_profile_row(const struct line_profile *profile,
 /* Returns the clocks of all causes of a row. */
 uint64_t line_profile_clocks(const struct profile_row *row);
 
-/* Only rows with clocks are shown. The order is by clocks, or by address. */
+/* The order of the rows that are shown: by clocks, or by address. Rows without clocks
+ * are omitted. */
 enum profile_order { PROFILE_HOTTEST, PROFILE_AS_WRITTEN };
 struct profile_view {
     enum profile_order order;
     bool regions; /* show a column of regions, with the largest region first */
 };
-/* Returns a table with the causes in words or with a column for each cause. Returns
- * NULL if memory is exhausted. */
+/* Returns a table of the profile. in_words: one column names the causes; otherwise each
+ * cause has a column. Returns NULL if memory is exhausted. */
 struct table *line_profile_table(const struct line_profile *profile,
                                  struct profile_view view, bool in_words);
 /* Shows the table for the format of the results. Its name in JSON is "lines". Returns

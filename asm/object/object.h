@@ -25,7 +25,7 @@ struct asm_symbol {
     const char *name;
     int64_t value; /* a bit address for labels */
     bool is_label;
-    bool is_word;               /* value holds the bits of a word, not an integer */
+    bool is_word;               /* value has the bits of a word, not an integer */
     bool is_used;               /* an expression or a condition of the text uses it */
     enum asm_contents contents; /* type of the data from a label to the next label */
     bool counted;               /* the declaration contains the length */

@@ -17,7 +17,7 @@ struct storage {
 
 struct storage *storage_new(void);
 
-/* These functions append an item to the object and return it. They return NULL if
+/* Each function appends a zeroed item to a list of the object and returns it. NULL:
  * memory is exhausted. */
 c205_segment *storage_add_segment(struct storage *storage);
 c205_region *storage_add_region(struct storage *storage);

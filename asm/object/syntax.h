@@ -25,7 +25,7 @@ enum operand_kind {
     OPERAND_CONTROL /* ? [Z] or ?! [Z] */
 };
 
-/* The second register is the register after the first. */
+/* Value of operand.second: the second register follows the first. */
 #define SECOND_IS_NEXT '+'
 
 struct operand {

@@ -119,7 +119,8 @@ struct swept_line {
     bool grows; /* the last point takes more clocks than the first point */
     bool good;  /* grows, and no point deviates by more than SWEPT_FAR */
 };
-/* There is no line if a point deviates by more than this part of its clocks. */
+/* No line is reported if a point deviates from it by more than this part of its
+ * clocks. */
 #define SWEPT_FAR 0.05
 
 struct swept_line swept_line_of(const struct program_sweep *sweep, int which);

@@ -52,9 +52,9 @@ bool asm_is_redefined(const struct diagnostic *diagnostic, const char *name);
 /* Returns the name of directive i, or NULL after the last. */
 const char *asm_directive(size_t i);
 
-/* Returns the first of these names that no program uses, or NULL if all are used. The
- * list ends with a NULL name. An object that was read from a file uses no names,
- * because its constants are fixed. */
+/* Returns the first of these names that none of the programs uses, or NULL if all are
+ * used. The list ends with a NULL name. An object that was read from a file uses no
+ * names, because its constants are fixed. */
 const char *asm_unused_define(const struct asm_define *defines,
                               struct object *const *objects, size_t count);
 

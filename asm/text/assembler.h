@@ -167,7 +167,7 @@ struct section {
     const char *name;
     uint64_t at;
     bool moved; /* an .org has changed the address */
-    bool full;  /* an overflow was reported; items before the next .org are dropped */
+    bool full;  /* an overflow was reported; items before the next .org are discarded */
 };
 
 /* A warning at a known position. It is not known yet whether the program declares it as

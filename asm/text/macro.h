@@ -35,8 +35,8 @@ bool macro_add_line(struct assembler *assembler, struct macro *macro,
 /* Parses the arguments after the name of a macro. Returns a span for each parameter, or
  * NULL after a report. */
 const struct span *macro_arguments(struct cursor *cursor, const struct macro *macro);
-/* Expands a line. Returns the length of the new text. It exceeds MAX_LINE if the line
- * is too long. */
+/* Expands the backslash sequences of a line. Returns the length of the new text. It
+ * exceeds MAX_LINE if the line is too long. */
 size_t substitute(const struct substitution *substitution, const struct line *line,
                   char text[MAX_LINE]);
 

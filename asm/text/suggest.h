@@ -11,7 +11,7 @@ enum suggestion {
     SUGGEST_VALUE     /* a label or a constant */
 };
 
-/* Returns a similar name, or NULL. */
+/* Returns a known name of a kind that is similar to a misspelt name, or NULL. */
 const char *suggest(struct assembler *assembler, enum suggestion kind, const char *name,
                     size_t length);
 

@@ -25,7 +25,7 @@ struct timed_piece {
 struct timed_insn {
     uint64_t pc, arrived, issued, ready;
     uint64_t done; /* the clock when its results are available and the next instruction
-                      arrives */
+                    * arrives */
     const c205_insn *insn; /* NULL: the wait for results in flight at the end */
     const char *text;
     size_t elements;
@@ -68,8 +68,8 @@ size_t timeline_instructions(const struct timeline *timeline);
 /* Moves `to` back to the clock at which the last instruction completed, if `to` is
  * after this clock. */
 void timeline_finish(struct timeline *timeline);
-/* Returns the format for the ending of a file name: .svg, .kanata or .json. Returns
- * NULL or false for any other name. */
+/* A format is selected by the ending of a file name: .svg, .kanata or .json.
+ * timeline_form_of returns NULL and timeline_is_named false for any other ending. */
 struct timeline_form;
 const struct timeline_form *timeline_form_of(const char *path);
 bool timeline_is_named(const char *path);

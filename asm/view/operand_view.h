@@ -34,10 +34,10 @@ struct instruction_view {
     struct operand_view operands[VIEW_OPERANDS];
 };
 
-/* Decodes the part that does not depend on registers. */
+/* Decodes the part of a view that does not depend on the contents of registers. */
 void view_decode(struct instruction_view *view, const c205 *machine, uint64_t pc);
-/* Reads the part that depends on registers. It must be read again before each
- * execution. */
+/* Reads the part of a view that depends on the contents of registers. Must be called
+ * again before each execution. */
 void view_fill(struct instruction_view *view, const c205 *machine);
 
 /* Decodes and fills the instruction at an address, or both instructions of the pair if
@@ -64,7 +64,7 @@ bool view_is_read(const struct operand_view *operand);
 bool view_read(const c205 *machine, uint64_t address, unsigned width, size_t first,
                size_t n, c205_word *words);
 
-/* Returns the word of a register, or a half register left-aligned in a word. */
+/* Returns the contents of a register, or of a half register left-aligned in a word. */
 c205_word view_register(const c205 *machine, unsigned number, bool half);
 /* Returns the word at the address of a half word. Unmapped memory reads as zero. */
 c205_word view_word_at(const c205 *machine, uint64_t address);

@@ -22,7 +22,7 @@ const char *vector_elements(unsigned width);
 /* Prints the extent, as in "100 words from 801900 on". */
 void vector_extent(const struct vector_view *vector, const struct sink *sink);
 
-/* Interprets the word of a register as a descriptor. */
+/* Returns the vector of which a word is the descriptor. */
 struct vector_view vector_described(c205_word word, unsigned width);
 /* Interprets a word as the descriptor of a vector of words if all of its elements are
  * mapped, and otherwise of a bit vector. Returns false if neither is possible. */
