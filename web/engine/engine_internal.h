@@ -27,7 +27,8 @@ struct slice {
     double begun, ms;  /* ms < 0: no limit */
     uint64_t clocks;   /* maximum clocks; 0: no limit */
     uint64_t from;     /* the clock at the start of the slice */
-    uint64_t spent;    /* clocks or points of other work than the program */
+    uint64_t spent;    /* clocks of the machine, or runs of a sweep, in work that does
+                          not execute the program */
     uint64_t ends_at;  /* the clock at which the execution ends */
     bool to_the_limit; /* ends_at was reached */
 };
@@ -166,8 +167,8 @@ bool take_warm(const struct json_value *request, struct object *object,
 /* Checks that each defined name is used by at least one of the programs. */
 bool uses_defines(const struct asm_options *options, struct object *const *objects,
                   size_t count, c205_error *error);
-/* Returns the assembled text, or NULL after an error; the diagnostics of the engine
- * contain it. */
+/* Returns the assembled text. NULL: the text has errors, which are in the diagnostics
+ * of the engine. */
 struct object *engine_assemble(struct engine *engine, const char *name,
                                const char *text, const struct asm_options *options,
                                c205_error *error);
