@@ -5,7 +5,8 @@
 
 #include "rt/scene/vector3.h"
 
-/* At larger distances sums of squares are not accurate enough. */
+/* The largest radius, and the largest distance of a centre, of a bound. Beyond it, sums
+ * of squares are not accurate enough, and the bound becomes bound_none. */
 #define MAX_BOUND 1e12
 
 const struct bound bound_none = {

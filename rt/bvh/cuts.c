@@ -79,7 +79,8 @@ static void try_axis(const struct cutting *cutting, const size_t *row, size_t co
 
 /* ---- Cuts ---------------------------------------------------------------- */
 
-/* Divides the range of the points along an axis into bins of equal width. */
+/* Returns a cut without a position, which divides the range of the points along an axis
+ * into bins of equal width. */
 static struct cut cut_along(const struct cutting *cutting, const size_t *row,
                             size_t count, int axis)
 {

@@ -48,8 +48,8 @@ struct cut {
 /* Returns the best split whose cost is below `cost`. */
 struct cut cut_find(const struct cutting *cutting, const size_t *row, size_t count,
                     const struct box *whole, double cost);
-/* Partitions the list: the lower part comes first, and each part keeps its order.
- * Returns the size of the lower part. */
+/* Partitions a list by a split: the lower part comes first, and each part keeps its
+ * order. Returns the size of the lower part. */
 size_t cut_row(const struct cutting *cutting, size_t *row, size_t count,
                const struct cut *cut);
 

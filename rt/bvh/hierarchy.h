@@ -1,10 +1,10 @@
 /* hierarchy.h - a bounding volume hierarchy over regions. The machine traverses it
  * instead of testing every region.
  *
- * The host builds the hierarchy and traces no rays. nesting.h also uses one, to group
- * the parts of a large tree. Each node has a sphere around all regions below it. Nodes
- * are in preorder: the first child of a node directly follows the node, and the second
- * child is the first child's `next`.
+ * The host builds the hierarchy and traces no rays. nesting.h uses a hierarchy, too, to
+ * group the parts of a large tree. Each node has a sphere around all regions below it.
+ * Nodes are in preorder: the first child of a node directly follows the node, and the
+ * second child is the first child's `next`.
  */
 #ifndef RT_HIERARCHY_H
 #define RT_HIERARCHY_H

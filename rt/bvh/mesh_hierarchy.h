@@ -30,7 +30,7 @@ struct mesh_hierarchy {
     size_t *order; /* indices of the triangles, in the order of the leaves */
 };
 
-/* Returns the number of nodes. There must be at least one triangle. */
+/* Returns the number of nodes of a hierarchy over this many triangles, at least one. */
 size_t mesh_hierarchy_nodes(size_t triangles);
 /* Builds a hierarchy. The triangles' points may have any scale. Returns false if out of
  * memory. */

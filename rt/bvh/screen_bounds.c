@@ -58,7 +58,8 @@ static double greatest_side(const struct box *box, const double place[3])
     return most;
 }
 
-/* Fails if the point is inside the box, or too close to it. */
+/* Finds the view axis of a viewpoint. Returns false if the viewpoint is inside the box,
+ * or too close to it. */
 static bool viewpoint_find(const double place[3], const struct box *whole,
                            struct viewpoint *viewpoint)
 {
@@ -123,7 +124,8 @@ static struct node_bounds bounds_of_point(const struct viewpoint *viewpoint,
     return window;
 }
 
-/* The loop runs backwards, because the children of a node come after it. */
+/* Computes the windows of all nodes. The loop runs backwards, because the children of a
+ * node come after the node. */
 static void find_node_bounds(const struct screen_bounds *of,
                              const struct viewpoint *viewpoint,
                              struct node_bounds *bounds)
@@ -231,7 +233,8 @@ static void plan_orders(const struct mesh_node *nodes, size_t node,
 
 /* ---- Words --------------------------------------------------------------- */
 
-/* The margin in window coordinates is the margin divided by the least depth. */
+/* Writes the row of a node. The margin of its window is the margin of the mesh, divided
+ * by the least depth. */
 static void put_node_bounds(const struct screen_bounds *of,
                             const struct viewpoint *viewpoint,
                             const struct node_bounds *window, size_t node, double *row)

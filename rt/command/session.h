@@ -57,9 +57,11 @@ struct pixel_arguments {
 int cmd_check_picture(const struct trace_arguments *shared);
 int cmd_check_pixel(const struct trace_arguments *shared,
                     const struct pixel_arguments *pixel);
-/* Parses a share such as "1/4". Returns false if the text is not a share. */
+/* Parses a share of the units of a run, such as "1/4", into job_set->part and
+ * job_set->parts. Returns false if the text is not a share. */
 bool cmd_is_part(const char *text, struct job_set *job_set);
-/* Reports how many of this number of units the share has finished. Returns CMD_DONE. */
+/* Reports how many of the `units` of a run this process's share has finished. Returns
+ * CMD_DONE. */
 int cmd_print_share(const char *command, const struct job_set *job_set, size_t units);
 
 /* ---- Rows of options ----------------------------------------------------- */

@@ -14,13 +14,13 @@
 struct color_scale {
     const char *title; /* may only have the letters in color_scale.c */
     double least, most;
-    /* Computes the colour of a share. Share 1 is `most`. Share -1 is `least` if it is
-     * negative. */
+    /* Computes the colour of a value, which is `share` times `most`. Share -1 is
+     * `least` if it is negative. */
     void (*color)(const void *context, double share, double color[3]);
     const void *context;
 };
 
-/* Returns the number of rows of the scale in a picture of this width. */
+/* Returns the number of rows of the scale below a picture of this width. */
 size_t color_scale_rows(const struct color_scale *scale, size_t width);
 /* Draws the scale into the black rows of the frame from `first` on. */
 void color_scale_draw(const struct color_scale *scale, struct frame *frame,

@@ -31,7 +31,8 @@ static double determinant(const struct transform *map)
     return dot3(rows[0], product);
 }
 
-/* Writes the rows of the transposed inverse. They are negated for an inverted solid. */
+/* Writes the matrix that maps normals to world space: the transposed inverse. It is
+ * negated for an inverted solid. */
 static void put_to_face(struct record *record, const struct transform *inverse,
                         bool inverted)
 {

@@ -46,8 +46,9 @@ enum emitted {
     EMITTED_PLANES = EMITTED_RAY + 3
 };
 
-/* Returns the choice for a run. Each place has its own points for the same seed:
- * another shift of the lattice, or other numbers of the random stream. */
+/* Returns the choice for a run. Runs with different places have different points for
+ * the same seed: another shift of the lattice, or other numbers of the random
+ * stream. */
 struct emission_choice emission_choose(bool lattice, uint64_t seed, size_t points,
                                        size_t place);
 

@@ -43,8 +43,8 @@ struct heat {
     struct thermal thermal;      /* present if the exchange was requested */
     struct accounts accounts;    /* accounts of all machines */
     uint64_t clocks[HEAT_STEPS]; /* clocks of all machines for each step */
-    size_t drawn, units;         /* drawn in the last round; packets of this and other
-                          * processes */
+    size_t drawn, units;         /* drawn: value in the last round; units: packets of
+                                    this and other processes */
     double worst; /* largest error of a factor, at least the contribution of one ray */
     size_t worst_from, worst_to; /* factor with the largest error */
 };

@@ -57,7 +57,7 @@ struct job_set_work {
     bool (*go_on)(void *context, size_t done, c205_error *error);
     void *context;
     /* Called in the same way as go_on. If it returns false, the error states the number
-     * of packets. May be NULL. */
+     * of finished packets. May be NULL. */
     bool (*progress)(void *context, size_t done, size_t all);
     void *progress_context;
 };

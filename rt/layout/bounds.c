@@ -50,7 +50,8 @@ static void bound_node(const struct scene *scene, size_t node, struct bound *bou
     }
 }
 
-/* The loop runs backwards, so that children come before their parents. */
+/* The loop runs backwards, because the bound of a node depends on the bounds of its
+ * children, which come after it. */
 bool bound_nodes(const struct scene *scene, struct bound *bounds)
 {
     struct bound *children = malloc((scene->node_count + 1) * sizeof *children);

@@ -45,7 +45,8 @@ static bool is_quilted(const struct bump *bump)
 
 /* ---- Heights ------------------------------------------------------------- */
 
-/* A list has one row for each entry. A map has one row more, before its first entry. */
+/* Returns the number of rows of heights. A list has one row for each entry. A map has
+ * an additional row before its first entry. */
 static size_t height_rows(const struct bump *bump)
 {
     size_t listed = pigment_list_count(&bump->pattern);
@@ -80,7 +81,8 @@ static void put_slope(const struct slope_stop *stop, const struct slope_stop *ne
     row[5] = stop->slope + next->slope - 2 * rise;
 }
 
-/* The kernels assign equally spaced values, from 0 to 1, to the entries of a list. */
+/* Writes the heights of a list, to whose entries the kernels assign equally spaced
+ * values from 0 to 1. */
 static void put_listed(const struct bump *bump, size_t count,
                        double rows[][HEIGHT_SIZE])
 {

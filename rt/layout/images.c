@@ -52,7 +52,8 @@ void image_numbers(const struct image_map *map, double numbers[])
     numbers[3] = map->once;
 }
 
-/* Converts one row at a time, so that the host needs extra memory for only one row. */
+/* Writes the pixels of an image. Converts one row at a time, so the host needs extra
+ * memory for only one row. */
 static void put_rows(struct record_layout *layout, const struct image_table *table,
                      const c205_word *light, uint64_t address)
 {

@@ -148,8 +148,8 @@ void put_numbers(c205_word *words, const double *values, size_t count)
         words[i] = c205_from_double(values[i]);
 }
 
-/* The range of a double's exponents is much smaller than the machine's. Squares and
- * reciprocals of a scene's numbers may exceed it. */
+/* Checks that numbers are finite. Squares and reciprocals of a scene's numbers may
+ * exceed the range of doubles, which is much smaller than the range of the machine. */
 void record_check(struct record *record, const double *values, size_t count)
 {
     for (size_t i = 0; i < count; i++)

@@ -27,7 +27,7 @@ void layout_fail(struct record_layout *layout, const char *format, ...);
 uint64_t layout_symbol(struct record_layout *layout, const char *name);
 void layout_words(struct record_layout *layout, uint64_t address,
                   const c205_word *words, size_t count);
-/* Writes one word to the place with this name. */
+/* Writes one word to the address of a symbol of the program. */
 void layout_word(struct record_layout *layout, const char *name, c205_word word);
 /* Reserves words that are zero, starting at a new page. Returns their address. */
 uint64_t layout_reserve(struct record_layout *layout, size_t words);

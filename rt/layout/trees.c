@@ -234,7 +234,8 @@ static void evaluate(struct evaluation *evaluation, const struct scene *scene,
     made->step_count = plan->step_count - made->first_step;
 }
 
-/* The loop runs backwards, so that children come before their parents. */
+/* The loop runs backwards, because the value of a node depends on the values of its
+ * children, which come after it. */
 bool plan_tree(const struct scene *scene, const struct region *region,
                struct tree_plan *plan)
 {

@@ -517,7 +517,8 @@ void columns_sums_free(struct columns_sums *sums)
 
 /* ---- Integrals ----------------------------------------------------------- */
 
-/* Returns the integral for the sum at this place, of a view and a shift. */
+/* Returns the integral that belongs to the sum at index `place` of a view and a
+ * shift. */
 static double integral_of(const struct columns_sums *sums, size_t view, size_t repeat,
                           size_t place)
 {

@@ -20,7 +20,8 @@ static int open_nameless(size_t bytes)
     if (file < 0)
         return -1;
     unlink(path);
-    /* Otherwise a full disk would end the process while it writes. */
+    /* Without reserved space, a full disk would end the process when it writes to the
+     * mapping. */
     if (posix_fallocate(file, 0, (off_t)bytes) == 0)
         return file;
     close(file);

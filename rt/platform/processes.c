@@ -11,7 +11,8 @@
 
 /* ---- Running a program --------------------------------------------------- */
 
-/* Runs in the child process, which inherits the parent's descriptors. */
+/* Executes the program in the child process, which inherits the parent's
+ * descriptors. */
 static void become_program(const char *folder, char *const words[], int output,
                            int messages)
 {

@@ -52,7 +52,7 @@ static bool at_comma_or_end(const struct polynomial_line *line)
     return line->at == line->end || *line->at == ',';
 }
 
-/* Returns true if there is a digit other than 0 before the exponent. */
+/* Returns true if a number has a digit other than 0 before its exponent. */
 static bool has_value(const char *text, const char *end)
 {
     bool hexadecimal = memchr(text, 'x', (size_t)(end - text)) != NULL

@@ -220,7 +220,8 @@ static int conic_to(const FT_Vector *by, const FT_Vector *to, void *context)
            || !add_point(drawing, end[0], end[1]);
 }
 
-/* A cubic curve in Bernstein form with the control points p, and its derivative. */
+/* Return the value at t of a cubic curve in Bernstein form with the control points p,
+ * and its derivative. */
 static double cubic_at(const double p[4], double t)
 {
     double s = 1 - t;

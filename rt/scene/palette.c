@@ -132,7 +132,7 @@ static bool bmp_has_table(const char *bytes, size_t length)
            && byte_at(bytes, is_core(bytes) ? BMP_CORE_BITS : BMP_BITS) <= 8;
 }
 
-/* The table ends at the offset of the pixels. */
+/* Replaces the colours of the table, which ends at the offset of the pixels. */
 static bool paint_bmp(char *bytes, size_t length)
 {
     size_t at, end, size;

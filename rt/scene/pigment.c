@@ -19,7 +19,8 @@ bool pigment_has_map(const struct pigment *pigment)
     return pigment->kind == PIGMENT_GRADIENT || pigment->kind == PIGMENT_PATTERN;
 }
 
-/* A spherical or toroidal map covers the whole image. */
+/* Only planar and cylindrical maps leave points outside, because spherical and toroidal
+ * maps cover the whole image. */
 bool image_is_bounded(const struct image_map *map)
 {
     return map->once

@@ -125,8 +125,8 @@ static double linear(const struct spline *spline, size_t end, int term, double t
     return point->value[term] + (t - point->t) * slope(point, term);
 }
 
-/* The parabola through these two points and the point before them. In the first
- * interval it goes through the first three points. */
+/* Computes a term by the parabola through the points end - 2, end - 1 and end. In the
+ * first interval, the parabola goes through the first three points. */
 static double quadratic(const struct spline *spline, size_t end, int term, double t)
 {
     const struct spline_point *point = &spline->points[end > 1 ? end - 2 : 0];

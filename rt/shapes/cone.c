@@ -16,7 +16,7 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-/* As in POV-Ray, a cone with equal radii is a cylinder. */
+/* Converts a cone with equal radii to a cylinder, as POV-Ray does. */
 static void become_cylinder(struct primitive *primitive)
 {
     struct primitive cone = *primitive;

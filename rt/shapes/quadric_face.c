@@ -72,7 +72,8 @@ static void quadric_matrix(const struct primitive *primitive, row *matrix)
     }
 }
 
-/* Returns false if the primitive has no quadric face. */
+/* Computes the matrix of a primitive's quadric face in world space. Returns false if it
+ * has no such face. */
 static bool matrix_of(const struct primitive *primitive, row *matrix)
 {
     static const double up[3] = { 0, 1, 0 };

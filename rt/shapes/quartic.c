@@ -46,7 +46,8 @@ void quartic_enlarge(struct primitive *quartic, int log)
         }
 }
 
-/* POV-Ray has the same limit of the distance. */
+/* Writes the largest distance of a root, which is POV-Ray's limit, and the accuracy of
+ * a root. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     (void)primitive;

@@ -47,7 +47,9 @@ static void read_weights(const struct primitive *primitive, double *weights)
         weights[i] /= greatest;
 }
 
-/* The weights are above 0, so the patch is inside the hull of its control points. */
+/* Reads the points and weights of a patch, relative to its centre, and computes its
+ * bound. The weights are above 0, so the patch is inside the hull of its control
+ * points. */
 static void read_patch(const struct primitive *primitive, struct patch *patch)
 {
     const double(*points)[3] = primitive->shape.steiner_patch.points;

@@ -14,7 +14,7 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-/* The default of a weight is 1. */
+/* Sets all weights to 1 if none is specified. */
 static const char *finish(struct primitive *primitive)
 {
     double *weights = primitive->shape.steiner_patch.weights;
@@ -24,7 +24,8 @@ static const char *finish(struct primitive *primitive)
                                      : shape_empty(primitive, "the patch has no area");
 }
 
-/* The weights are above 0, so the patch is inside the hull of its control points. */
+/* Bounds the hull of the control points. The patch is inside this hull, because its
+ * weights are above 0. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     struct hull hull = { .count = 0 };
@@ -50,14 +51,15 @@ static size_t put_table(const struct primitive *primitive,
     return count;
 }
 
-/* Only surfaces of degree four have the implicit form. */
+/* Returns true if the patch has an implicit form, as only surfaces of degree four
+ * have. */
 static bool is_historical(const struct primitive *primitive)
 {
     return put_table(primitive, NULL, NULL) > STEINER_TABLE;
 }
 
-/* Writes the polynomials K0 .. K5, axis by axis. K3 and K5, the coefficients of the
- * squares, are doubled. */
+/* Describes the surface by the polynomials K0 .. K5, axis by axis. K3 and K5, the
+ * coefficients of the squares, are doubled. */
 static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     static const double times[STEINER_POINTS] = { 1, 1, 1, 2, 1, 2 };

@@ -70,7 +70,8 @@ static void weigh(double t, double points[4], double differences[3])
     differences[2] = 3 * t * t;
 }
 
-/* Returns false if the vectors are parallel, or if one of them is 0. */
+/* Computes the unit vector of the cross product. Returns false if the vectors are
+ * parallel, or if one of them is 0. */
 static bool unit_product(const double a[3], const double b[3], double product[3])
 {
     double square;

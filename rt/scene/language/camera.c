@@ -61,8 +61,8 @@ static bool read_kind(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* As measured, POV-Ray's rays start up to a quarter of its aperture from the
- * location. */
+/* Sets the radius of the lens to a quarter of the aperture, the largest distance from
+ * the location at which POV-Ray's rays start, as measured. */
 static bool read_aperture(struct reader *reader, const struct item *item)
 {
     struct camera_reading *reading = item->subject;

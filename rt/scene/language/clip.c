@@ -255,8 +255,8 @@ static bool holds_object(const struct scene_object *bound,
     return true;
 }
 
-/* POV-Ray ignores the bound of a single primitive, unless the primitive is
- * unbounded. */
+/* Returns true if POV-Ray ignores bounds of the object, because it is a single bounded
+ * primitive. */
 static bool is_forgotten(const struct scene_object *object)
 {
     enum primitive_kind kind;

@@ -189,7 +189,7 @@ static bool read_statement(struct reader *reader, struct scene_value *value)
     return copy_named(reader, value);
 }
 
-/* Warnings about the text of the value are reported only if the value is used. */
+/* Reads a value and its warnings, which are reported only if the value is used. */
 static bool read_noted(struct reader *reader, struct scene_value *value)
 {
     struct warning_page page;

@@ -89,7 +89,8 @@ static void add_wall(struct field_body *body, const struct field_edge *edge)
         add(body, a, b_foot, a_foot);
 }
 
-/* An edge at the border belongs to only one triangle. */
+/* Adds a wall below each edge at the border. Such an edge belongs to only one
+ * triangle. */
 static void add_walls(struct field_body *body, const struct field_edge *edges,
                       size_t count)
 {

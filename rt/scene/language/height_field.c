@@ -194,7 +194,8 @@ static void carry_normal(const struct transform *to_local, double normal[3])
     scale3(1 / length3(normal), normal);
 }
 
-/* The part gets a new list, because copies may share the old one. */
+/* Moves triangles to world space. They are in a new list, because copies of the part
+ * may share the old list. */
 static bool place_triangles(struct reader *reader, const struct primitive *primitive,
                             struct triangles *triangles)
 {

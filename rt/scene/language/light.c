@@ -93,7 +93,8 @@ static bool read_fading(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* As in POV-Ray, the kind of beam must precede its parameters. */
+/* Reads a parameter of a beam. As in POV-Ray, the kind of the beam must precede its
+ * parameters. */
 static bool read_measure(struct reader *reader, const struct item *item)
 {
     const struct scene_object *object = item->subject;
@@ -176,7 +177,8 @@ static bool read_point(struct reader *reader, struct scene_object *object)
     return object_add_light(object, &light) || reader_no_memory(reader);
 }
 
-/* A light with an axis must not be at the point to which its axis points. */
+/* Checks the beams of lights. A light with an axis must not be at the point to which
+ * the axis points. */
 static bool check_beams(struct reader *reader, const struct scene_object *object,
                         const struct scene_token *at)
 {

@@ -93,7 +93,8 @@ void *item_member(const struct item *item);
 /* These functions read a member: a float, a float above 0, and a float that is 1 if no
  * number follows the keyword. */
 item_reader item_number, item_above_0, item_number_or_1;
-/* These read a vector of 3, and the red, green and blue of a colour. */
+/* These functions read a member: a vector of three components, and the red, green and
+ * blue of a colour. */
 item_reader item_vector, item_rgb;
 /* Sets a bool to true. */
 item_reader item_flag;
@@ -103,7 +104,8 @@ item_reader item_left_out;
 /* Ignores a keyword without a report. It has no effect on a picture, or only together
  * with a keyword that is reported. */
 item_reader item_ignored;
-/* Reports an error for a keyword that would change the geometry. */
+/* Reports an error for a keyword that is not supported and would change the
+ * geometry. */
 item_reader item_unsupported;
 /* Treats a keyword as a directive, because old scenes may omit the '#'. The keyword is
  * not consumed. */

@@ -294,7 +294,8 @@ static bool read_triangle(struct reader *reader, const struct item *item)
     return mesh_add(reader, mesh, &triangle, &item->at);
 }
 
-/* A mesh with an inside_vector is solid. As in POV-Ray, a zero vector has no effect. */
+/* Makes a mesh solid if it has an inside_vector. As in POV-Ray, a zero vector has no
+ * effect. */
 bool read_inside_vector(struct reader *reader, const struct item *item)
 {
     struct mesh_reading *mesh = item->subject;

@@ -13,7 +13,8 @@ void pigment_move(void *subject, const struct placement *step)
     pigment->to_local = transform_then(&step->to_local, &pigment->to_local);
 }
 
-/* A transform that precedes the normal does not move it, as in POV-Ray. */
+/* Transforms the bumps of a texture. As in POV-Ray, a transform that precedes the
+ * normal in the text has no effect on it. */
 static void bumps_move(struct bumps *bumps, const struct placement *step)
 {
     if (bumps->list)
@@ -385,7 +386,8 @@ void object_show(struct scene_object *object)
             object->parts[i].primitive.hidden_from = 0;
 }
 
-/* As in POV-Ray, no_shadow applies only to whole solids. */
+/* Makes parts of a solid cast shadows: as in POV-Ray, no_shadow applies only to whole
+ * solids. */
 static void forget_no_shadow(struct scene_object *object)
 {
     for (size_t i = 0; i < object->part_count; i++)

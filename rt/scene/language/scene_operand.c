@@ -166,7 +166,8 @@ static bool take(struct reader *reader, struct numbers taken, struct numbers *va
     return true;
 }
 
-/* Declared names are looked up first, because they are the most frequent. */
+/* Reads the value that a word names, or that its function returns. Declared names are
+ * looked up first, because they are the most frequent. */
 static bool read_name(struct reader *reader, struct numbers *value)
 {
     const struct scene_token *token = &reader->token;

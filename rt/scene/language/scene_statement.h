@@ -29,10 +29,10 @@ bool texture_layer_read(struct reader *reader, const struct scene_token *at,
 /* Reads all entries of a map. The first entry becomes the colour of the pigment, unless
  * it is a gradient. */
 bool color_map_read(struct reader *reader, struct pigment *pigment);
-/* These functions read all entries, but use only the first. */
+/* These functions read all entries of a map, but use only the first. */
 bool pigment_map_read(struct reader *reader, struct pigment *pigment);
 bool texture_map_read(struct reader *reader, struct texture *texture);
-/* These functions read and use all entries. */
+/* These functions read all entries of a map, and use them. */
 bool normal_map_read(struct reader *reader, struct bump_list *list);
 bool slope_map_read(struct reader *reader, struct bump *bump);
 /* Reads the statement of the value kind that `detail` of the item's row selects. */

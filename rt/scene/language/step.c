@@ -22,7 +22,8 @@ static bool read_scaling(struct reader *reader, const struct item *item,
     return true;
 }
 
-/* As in POV-Ray, a column of zeros, which would flatten everything, gets a 1. */
+/* Replaces a column of zeros, which would flatten everything, by a column with a 1, as
+ * POV-Ray does. */
 static void fill_columns(struct reader *reader, const struct item *item,
                          double values[12])
 {

@@ -36,8 +36,8 @@ const char *reference_assign(const struct reference *reference,
                              struct scene_value *value);
 const char *symbols_add(struct declared_names *symbols, size_t level, const char *name,
                         size_t length, struct scene_value *value);
-/* Assigns to a symbol, or to the target of an alias. If the symbol is NULL, a symbol
- * with the name of the token is added at the level. */
+/* Assigns a value to a symbol, or to the target of an alias. If the symbol is NULL, a
+ * symbol with the name of the token is added at the level. */
 const char *symbols_assign(struct declared_names *symbols, struct declared_name *symbol,
                            size_t level, const struct scene_token *name,
                            struct scene_value *value);

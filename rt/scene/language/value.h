@@ -25,10 +25,10 @@ bool numbers_are_finite(const struct numbers *numbers);
 struct camera_setting {
     struct camera camera;
     double sky[3];
-    bool spanned; /* an orthographic camera of final size */
+    bool spanned; /* an orthographic camera whose size has been computed */
 };
 
-/* The lowest pigment of a sky_sphere. */
+/* A sky_sphere: its lowest pigment, and the number of its pigments. */
 struct sky_setting {
     struct pigment pigment;
     size_t pigments;
@@ -36,7 +36,7 @@ struct sky_setting {
 
 struct fog_setting {
     struct fog fog;
-    bool grounded; /* of an unsupported type: not constant fog */
+    bool grounded; /* a fog of another type than constant fog, which is not supported */
 };
 
 enum scene_value_kind {

@@ -230,7 +230,7 @@ static void fill_nodes(struct scene *scene, const struct scene_object *world)
     scene->node_count = world->branch_count;
 }
 
-/* Each solid of the world is a region. */
+/* Makes a region of each solid of the world. */
 static void fill_regions(struct scene *scene)
 {
     size_t leaf = 0;
@@ -317,7 +317,8 @@ static struct scene *new_scene(void)
     return scene;
 }
 
-/* As in POV-Ray, the version at the end of the text is used. */
+/* Switches gamma correction off for versions below 3.7 without assumed_gamma. As in
+ * POV-Ray, the version at the end of the text counts. */
 static void decide_gamma(struct reader *reader, const struct scene_source *source)
 {
     struct scene_token at = reader->version_at;
@@ -387,7 +388,8 @@ static void cannot_read(struct diagnostics *reports, const char *path,
     diagnostics_add(reports, SEVERITY_ERROR, &position, reason);
 }
 
-/* The reader is on the heap, because it is too large for the stack. */
+/* Reads a scene from a text, or from a file if `text` is NULL. The reader is on the
+ * heap, because it is too large for the stack. */
 static struct scene *read_from(const char *name, const char *text,
                                const struct scene_options *options,
                                struct diagnostics *reports)
