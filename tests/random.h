@@ -6,7 +6,8 @@
 
 #define RANDOM_SEED UINT64_C(0x205205205205205)
 
-/* Marsaglia's xorshift with the shifts 13, 7, 17; state is never 0. */
+/* Returns the next number of Marsaglia's xorshift with the shifts 13, 7, 17. The state
+ * is never 0. */
 static inline uint64_t xorshift(uint64_t *state)
 {
     *state ^= *state << 13;
@@ -32,7 +33,7 @@ static inline double xorshift_real(uint64_t *state, double low, double high)
     return low + (high - low) * (double)(xorshift(state) >> 11) * 0x1p-53;
 }
 
-/* A normalised word of a format with an exponent of the given range. */
+/* Returns a normalised word of a format with an exponent from low to high. */
 static inline c205_word xorshift_normalised_of(word_format f, uint64_t *state,
                                                int32_t low, int32_t high)
 {
@@ -42,7 +43,8 @@ static inline c205_word xorshift_normalised_of(word_format f, uint64_t *state,
     return format_make(f, exponent, random & 1 ? c : ~c);
 }
 
-/* Returns an unnormalised number, with up to all but one significant bits. */
+/* Returns an unnormalised number with an exponent from low to high, and with all
+ * numbers of significant bits except the largest. */
 static inline c205_word xorshift_unnormalised_of(word_format f, uint64_t *state,
                                                  int32_t low, int32_t high)
 {

@@ -11,8 +11,8 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* A target sets this when an input passes its first check, so that the input tests more
- * than an error. It is a failure if no seed does. */
+/* Targets set this when an input passes their first check, so that the input tests more
+ * than an error. A target fails if none of its seeds sets it. */
 extern bool fuzz_accepted;
 
 static inline void must(bool holds)
@@ -31,7 +31,8 @@ static inline void check_accounts(const c205 *machine)
     must(sum == c205_clock(machine));
 }
 
-/* Returns the model on which seed.sh saves machines; it is read once. */
+/* Returns the model on which seed.sh saves machines. The model is read at the first
+ * call. */
 static inline c205_model *fuzz_model(void)
 {
     static c205_model *model;

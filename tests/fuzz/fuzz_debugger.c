@@ -30,7 +30,8 @@ static void ignore(void *context UNUSED, const char *said UNUSED, size_t length 
 {
 }
 
-/* Interrupts a program that runs forever because a line has changed it. */
+/* The number of checks for an interruption. It limits programs that run forever because
+ * a line has changed them. */
 static unsigned asked;
 
 static bool is_enough(void *unused UNUSED)

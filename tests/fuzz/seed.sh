@@ -43,7 +43,8 @@ pieces engine 1 3
 for source in "$root"/tests/programs/*.s "$root"/asm/examples/*.s; do
     "$c205" asm "$source" -o "$corpus/object/$(basename "$source" .s).o"
 done
-# Page faults take more than the first thousand clocks.
+# The limits stop each program before, in and after its page faults, which take more
+# than the first thousand clocks.
 for source in "$root"/asm/examples/*.s; do
     for limit in 100 1100 1250 2500; do
         "$c205" run "$source" --limit $limit --save \

@@ -87,7 +87,8 @@ static c205_word indefinite(uint64_t cause, uint64_t *flags)
     return C205_INDEFINITE;
 }
 
-/* Returns the result if an operand is special and is not copied. */
+/* Returns the result of an operation that replaces special operands by standard
+ * ones. */
 static c205_word plain(enum kind kind, uint64_t *flags)
 {
     return kind == INDEFINITE ? indefinite(0, flags) : machine_zero(flags);

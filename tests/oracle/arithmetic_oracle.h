@@ -41,8 +41,8 @@ typedef c205_word oracle_rule(const struct oracle_format *format, c205_word a,
                             uint64_t *flags ORACLE_UNUSED)
 
 /* A rule for each elementwise operation of vm/arith.def. Conversions between word sizes
- * have a fixed format and ignore the argument: contract and contract_rounded return
- * half words, extend returns full words. */
+ * have a fixed format and ignore the argument `format`: contract and contract_rounded
+ * return half words, extend returns full words. */
 #define ELEMENTWISE(name, specials) oracle_rule oracle_##name;
 #include "vm/arith.def"
 

@@ -92,7 +92,8 @@ static bool same_in_any_order(const struct random_scene *grid,
     return other == PIXELS;
 }
 
-/* Rounding decides which of two opaque regions is nearer where they touch. */
+/* Returns true if two primitives belong to one region. Where opaque primitives of
+ * different regions touch, rounding decides which is nearer. */
 static bool in_one_region(const struct scene *scene, size_t id, size_t other)
 {
     for (size_t i = 0; i < scene->region_count; i++) {
@@ -123,7 +124,8 @@ static bool same_sight(const struct scene *scene, const struct frame *plain,
                    && !in_one_region(scene, id, other)));
 }
 
-/* Up to 1 % of the pixels may differ, because rounding decides at edges. */
+/* Compares a frame with the plain tracer. Up to 1 % of the pixels may differ, because
+ * rounding decides at edges. */
 static bool same_as_plain(const struct scene *scene, const struct trace *expected,
                           char *reason)
 {

@@ -298,7 +298,8 @@ static struct judgement judge_again(const char *text, size_t number)
 
 /* ---- Failures ------------------------------------------------------------ */
 
-/* Messages of POV-Ray are not compared, because they end with a position. */
+/* Returns true if a reduced text fails in the same way as the original. Messages of
+ * POV-Ray are not compared, because they end with a position. */
 static bool fails_as(const char *text, void *context)
 {
     const struct judgement *first = context;

@@ -91,7 +91,8 @@ struct picture_difference compare_pictures(const struct comparison *comparison,
     return result;
 }
 
-/* The comparison fails if no pixel was compared. */
+/* Returns true if a difference is within the tolerances of a comparison. A comparison
+ * of no pixels fails. */
 bool within(const struct comparison *comparison,
             const struct picture_difference *difference)
 {

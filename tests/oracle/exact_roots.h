@@ -28,7 +28,8 @@ struct exact_roots {
 void exact_init(struct exact_roots *roots);
 void exact_clear(struct exact_roots *roots);
 
-/* c has degree + 1 elements; leading and trailing zeros are allowed. */
+/* Computes the positive roots of a polynomial. c has degree + 1 elements; leading and
+ * trailing zeros are allowed. */
 void exact_positive_roots(struct exact_roots *roots, mpfr_t *c, int degree);
 
 /* exact_value computes f(x), exact_size the sum of |c_i| x^i for positive x. */

@@ -19,9 +19,10 @@ struct scene *scene_of(const char *text);
 struct trace_options sized(struct trace_options form, size_t width, size_t height);
 /* Returns a finished trace on check_many's model. A failure ends the program. */
 struct trace *traced_in(const struct scene *scene, struct trace_options options);
-/* Traces the scene with other options, in the same size. The frames must be equal bit
- * for bit, and the numbers of rays must be equal. Otherwise writes a reason of at most
- * MANY_REASON characters, which ends with the options, and returns false. */
+/* Traces the scene of `expected` with other options, in the same size. The frames must
+ * be equal bit for bit, and their numbers of rays must be equal. Otherwise writes a
+ * reason of at most MANY_REASON characters, which ends with the options, and returns
+ * false. */
 bool same_in_form(const struct scene *scene, const struct trace *expected,
                   struct trace_options form, char *reason);
 /* Writes a file in the current folder. Errors are ignored: the text is also printed. */
@@ -53,7 +54,8 @@ struct random_scene {
     uint64_t state; /* random state after the scene was generated */
 };
 
-/* A check of random scenes. Scene N has the seed RANDOM_SEED ^ (N + 1) * seed. */
+/* A check of random scenes of one kind. Scene N has the seed RANDOM_SEED ^ (N + 1) *
+ * seed. */
 struct random_check {
     const char *kind;
     uint64_t seed;

@@ -47,7 +47,8 @@ struct converters {
 struct conversion {
     const char *name;
     const struct converters *converters;
-    /* Tests one random case, and prints the difference. */
+    /* Compares the machine's conversion of one random case with the oracle, and prints
+     * the difference. */
     bool (*agrees)(const struct converters *converters, uint64_t *random);
 };
 
@@ -56,7 +57,7 @@ extern const size_t conversion_count;
 
 bool check_conversion(const struct conversion *conversion, uint64_t seed, size_t cases);
 
-/* Writes n words. Each is a bit as 1 or 0. */
+/* Writes the first n bits of a string as n words, each 1 or 0. */
 void spread_bits(c205_word *words, const uint64_t *bits, size_t n);
 
 #endif

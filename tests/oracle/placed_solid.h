@@ -14,7 +14,7 @@ struct place {
     bool whole; /* children are moved by multiples of a quarter of the size */
 };
 
-/* Rounds the place to few digits, so that its text is short. The coordinates of tiny
+/* Rounds a place to few digits, so that its text is short. The coordinates of tiny
  * objects still differ in their last digits. */
 void place_make_short(struct place *place);
 

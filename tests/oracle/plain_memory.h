@@ -40,8 +40,8 @@ bool plain_is_writable(const struct plain_memory *memory, uint64_t address);
 /* Returns a pointer to the word at an address, which the following words of the same
  * page follow. Returns NULL if there is no such page. */
 c205_word *plain_words(const struct plain_memory *memory, uint64_t address);
-/* Words that were never stored are zero, mapped or not. A store outside of the pages,
- * which is a fault, has no effect. */
+/* Returns the word at an address. Words that were never stored are zero, mapped or not.
+ * A store outside of the pages, which is a fault, has no effect. */
 c205_word plain_read(const struct plain_memory *memory, uint64_t address);
 void plain_store(struct plain_memory *memory, uint64_t address, c205_word word);
 
@@ -49,7 +49,8 @@ void plain_store(struct plain_memory *memory, uint64_t address, c205_word word);
 void plain_commit(struct plain_memory *memory);
 void plain_undo(struct plain_memory *memory);
 
-/* Resizes an array to count items, and keeps the first. No memory ends the program. */
+/* Resizes an array to count items, and keeps the first items. If out of memory, ends
+ * the program. */
 void *plain_room(void *items, size_t count, size_t size);
 
 #endif

@@ -307,7 +307,8 @@ static void trace_clearly(const struct plain_tracer *tracer, const struct path *
     copy(hit->normal, surface.normal);
 }
 
-/* The background of POV-Ray is at a distance of 2e10. */
+/* Traces a ray, and applies the fogs to its colour. The background of POV-Ray is at a
+ * distance of 2e10. */
 static void trace_path(const struct plain_tracer *tracer, const struct path *path,
                        struct plain_hit *hit, double color[3])
 {
@@ -357,7 +358,8 @@ static struct plain_hit trace_sample(const struct plain_tracer *tracer,
     return hit;
 }
 
-/* Depth, normal and number are those of the sample at half the rows and columns. */
+/* Traces a pixel. Its depth, normal and number are those of the sample at half the rows
+ * and columns. */
 static void trace_pixel(const struct plain_tracer *tracer, const struct frame *frame,
                         size_t x, size_t y)
 {

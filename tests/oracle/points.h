@@ -34,7 +34,8 @@ struct point_kind {
     bool lattice;
     bool numbers;                      /* numbers in (0, 1), else the integers from
                                         * which they are computed */
-    size_t queue, points, coordinates; /* the stream has 5 coordinates */
+    size_t queue, points, coordinates; /* number of points in a queue, points and
+                                          coordinates; the stream has 5 coordinates */
 };
 
 /* Selects points of the kind. Only the lattice uses m and shift. */
@@ -44,7 +45,7 @@ struct point_choice {
 
 struct point_maker;
 
-/* Returns NULL after an error. */
+/* Assembles the program for a kind of points. Returns NULL after an error. */
 struct point_maker *point_maker_new(const struct point_kind *kind, c205_error *error);
 void point_maker_free(struct point_maker *maker);
 /* Computes the n points. Coordinate j of all points starts at words + j * n. */

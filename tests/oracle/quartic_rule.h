@@ -26,7 +26,7 @@
 #include "exact_roots.h"
 #include "rt/roots/roots.h"
 
-/* Statistics of many polynomials. */
+/* Counts of the roots of many polynomials. */
 struct tally {
     unsigned long polynomials, wrong;
     unsigned long roots;    /* number of roots above the bounds */
@@ -37,7 +37,7 @@ struct tally {
     double error;           /* largest relative error of a sharp root */
 };
 
-/* The roots on one side of zero: t = side x with x > 0. */
+/* The roots of a polynomial on one side of zero: t = side x with x > 0. */
 struct half {
     const struct polynomial *polynomial;
     const struct polynomial_roots *roots;
@@ -51,7 +51,8 @@ struct half {
 void half_init(struct half *half);
 void half_clear(struct half *half);
 
-/* Returns the reason of a failure, or NULL. oracle_begin must be called first. */
+/* Checks the computed roots of a polynomial by the rule. Returns the reason of a
+ * failure, or NULL. oracle_begin must be called first. */
 const char *quartic_rule(struct half *half, const struct polynomial *polynomial,
                          const struct polynomial_roots *roots, struct tally *tally);
 

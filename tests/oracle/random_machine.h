@@ -6,7 +6,8 @@
 #include "tests/oracle/plain_memory.h"
 #include "tests/oracle/random_program.h"
 
-/* Machines are created once for each model and loaded again for each program. */
+/* Creates a machine for each model of random_models. Programs are loaded into these
+ * machines. */
 void random_machines_begin(void);
 void random_machines_end(void);
 

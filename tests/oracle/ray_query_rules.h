@@ -21,7 +21,8 @@ struct ray_hits find_lines(const struct scene *scene,
                            const struct ray_query_options *options,
                            const struct scene_ray *list, size_t count);
 
-/* On failure these return false and a reason of at most LINE_REASON characters. */
+/* The following functions return false and a reason of at most LINE_REASON characters
+ * if a rule is broken. */
 
 /* Compares all values of the hits bit for bit. */
 bool same_crossings(const struct ray_hits *expected, const struct ray_hits *found,

@@ -265,7 +265,7 @@ bool reference_has_offset(const c205_insn *insn, const c205_fields *fields)
            && reference_bits_of_g(insn) & C205_G_OFFSET;
 }
 
-/* A sum in two parts has the letter p. */
+/* Returns true for a sum in two parts, whose result has the letter p. */
 static bool is_sum(const c205_insn *insn)
 {
     return strchr(insn->operands, 'p');

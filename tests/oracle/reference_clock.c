@@ -81,7 +81,8 @@ static void name_register(struct named *named, unsigned number)
         named->numbers[named->count++] = number;
 }
 
-/* A half register waits for the register that contains it. */
+/* Adds the register of an operand. For a half register, this is the register that
+ * contains it. */
 static void name_operand(struct named *named, char field, unsigned number)
 {
     unsigned bit = field == 'A'   ? C205_G_BROADCAST_A
@@ -229,7 +230,8 @@ struct translation {
     uint64_t misses, faults;
 };
 
-/* Real memory has room for at least one page. */
+/* Returns counts of zero for the model's pages. Real memory has room for at least one
+ * page. */
 static struct translation nothing_met(const struct reference_clock *clock)
 {
     uint64_t words = constant(clock, "page", "words");

@@ -86,7 +86,8 @@ static struct target gathered_table(struct reference *reference,
     };
 }
 
-/* The length of a gather is the lesser of the lengths of the indices and the result. */
+/* Executes a gather. Its length is the smaller of the lengths of the indices and the
+ * result. */
 static void gather(struct reference *reference, const struct vector *vector)
 {
     struct target table = gathered_table(reference, vector);
@@ -104,7 +105,7 @@ static void scatter(struct reference *reference, const struct vector *vector)
         scatter_one(reference, vector, i, indexed(reference, vector, i, &vector->c));
 }
 
-/* The length of this instruction is the length of the result. */
+/* Executes a periodic gather. Its length is the length of the result. */
 static void gather_periodic(struct reference *reference, const struct vector *vector)
 {
     struct target table = gathered_table(reference, vector);
@@ -116,7 +117,7 @@ static void gather_periodic(struct reference *reference, const struct vector *ve
         gather_one(reference, vector, i, periodic(reference, vector, i, &table));
 }
 
-/* The length of this instruction is the length of the source. */
+/* Executes a periodic scatter. Its length is the length of the source. */
 static void scatter_periodic(struct reference *reference, const struct vector *vector)
 {
     const struct source *b = &vector->sources.b;
@@ -176,7 +177,7 @@ static void compress(struct reference *reference, const struct vector *vector)
     set_length(reference, vector->fields->c, stored);
 }
 
-/* The length of this instruction is the scan length. */
+/* Executes a compress. Its length is the scan length. */
 static void sieve(struct reference *reference, const struct vector *vector)
 {
     uint64_t stored = 0, flags = 0, length;

@@ -84,7 +84,7 @@ void write_operand(struct reference *reference, char letter, unsigned number,
 void add_fault(struct reference *reference, c205_trap trap, uint64_t address,
                bool certain);
 
-/* Reads a word, a half word, or a bit as 1 or 0. */
+/* Returns a word, a half word, or a bit as 1 or 0 at an address. */
 c205_word read_memory(struct reference *reference, uint64_t address, unsigned width);
 void write_memory(struct reference *reference, uint64_t address, unsigned width,
                   c205_word word);

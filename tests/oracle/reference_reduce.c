@@ -1,7 +1,8 @@
 /* reference_reduce.c - reductions of vectors to one number or one index. */
 #include "reference_vector.h"
 
-/* All elements are evaluated, because all their addresses are used. */
+/* Executes a select. All elements are evaluated, because all their addresses are
+ * used. */
 static void select_first(struct reference *reference, const struct vector *vector,
                          uint64_t length)
 {
@@ -55,7 +56,7 @@ static struct parts term(struct reference *reference, const struct vector *vecto
     };
 }
 
-/* Neither part of the sum is written if C is register 0. */
+/* Executes a sum. If C is register 0, neither part of the sum is written. */
 static void sum_up(struct reference *reference, const struct vector *vector,
                    uint64_t length)
 {
@@ -111,7 +112,8 @@ static bool surpasses(const struct oracle_format *format, c205_word word,
                         : oracle_less(format, word, best, &flags));
 }
 
-/* The register receives the value if both results have the same register. */
+/* Executes a maximum or minimum. If value and index have the same register, the
+ * register receives the value. */
 static void extreme(struct reference *reference, const struct vector *vector,
                     uint64_t length, bool greatest)
 {

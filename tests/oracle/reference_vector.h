@@ -52,9 +52,10 @@ c205_word element(struct reference *reference, const struct source *source, uint
 c205_word join(struct reference *reference, const struct pair *pair, uint64_t i,
                uint64_t *flags);
 
-/* Record the memory of n elements. They are called in the order A, B, Z, C. */
+/* Records that n elements of a source are read. The recording functions are called in
+ * the order A, B, Z, C. */
 void use_source(struct reference *reference, const struct source *source, uint64_t n);
-/* Records n elements that are used, but may not be needed. */
+/* Records that n elements of a source are used, but may not be needed. */
 void may_need(struct reference *reference, const struct source *source, uint64_t n);
 void use_target(struct reference *reference, const struct target *target, uint64_t n);
 void use_control(struct reference *reference, const struct vector *vector, uint64_t n);
@@ -78,8 +79,8 @@ bool scan_length(struct reference *reference, const struct vector *vector,
 /* Sets the length in the descriptor of a register. */
 void set_length(struct reference *reference, unsigned number, uint64_t length);
 
-/* Returns true if element i of a source overlaps the first `stored` elements of the
- * result, including elements that the control vector excludes. */
+/* Returns true if element i of a source overlaps one of the first `stored` elements of
+ * the result, including elements that the control vector excludes. */
 bool lies_on_results(const struct source *source, uint64_t i, const struct target *c,
                      uint64_t stored);
 

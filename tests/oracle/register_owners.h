@@ -18,7 +18,8 @@
 
 struct register_owners;
 
-/* Returns NULL if out of memory. The object must outlive the result. */
+/* Returns a listener's state. NULL: out of memory. The object must outlive the
+ * state. */
 struct register_owners *register_owners_new(const struct object *program);
 void register_owners_free(struct register_owners *owners);
 /* The listener. Its context is a struct register_owners. */

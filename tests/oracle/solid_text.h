@@ -55,7 +55,7 @@ char *text_indented(char *text);
 
 /* --- lights with a direction, normals, closed meshes and height fields ------- */
 
-/* For every second light, prints keywords for its beam, parallel rays and attenuation.
+/* Prints keywords for the beam, parallel rays and attenuation of every second light.
  * The text starts with a space. The rest of the scene does not depend on it. */
 void beam_words(uint64_t state, const double position[3], double size,
                 char words[SOLID_WORDS]);

@@ -13,7 +13,7 @@ struct clock *two_pipes(void);
 extern uint64_t driven_pc;
 
 /* Decodes the next instruction of the driven code. It has one or two sources and a
- * result. Register 0 means that there is none. */
+ * result. Register 0 means that the source or result is absent. */
 struct decoded insn(const char *name, unsigned r, unsigned s, unsigned t);
 
 extern const struct effect no_effect;

@@ -37,7 +37,7 @@ void client_begin(struct dap_client *client, const char *const *arguments);
 /* Reads the remaining messages and returns the exit status. */
 int client_end(struct dap_client *client);
 
-/* Sends raw bytes. */
+/* Sends bytes that need not be a message. */
 void client_send(struct dap_client *client, const char *bytes, size_t length);
 /* Sends a request. printf formats its arguments; NULL: no arguments. */
 void client_command(struct dap_client *client, const char *command, const char *format,

@@ -19,7 +19,8 @@ void session_end(struct debug_session *session);
 void session_obey(struct debug_session *session, const char *line);
 bool session_says(const struct debug_session *session, const char *part);
 
-/* A command line and a part of its output, which must be absent after a "!". */
+/* A command line, and a text that its output must contain, or must not contain if the
+ * text begins with "!". */
 struct line_said {
     const char *line, *said;
 };

@@ -17,8 +17,8 @@ struct talk {
 struct talk talk_with(const char *text, const char *more);
 void talk_free(struct talk *talk);
 
-/* Sends raw bytes. Fails the test unless the reply is JSON whose "ok" is true or false.
- * If it is false, the reply must have an "error". */
+/* Sends bytes that need not be a request. Fails the test unless the reply is JSON whose
+ * "ok" is true or false. If it is false, the reply must have an "error". */
 const struct json_value *talk_bytes(struct talk *talk, const char *request,
                                     size_t length);
 /* Replaces each ' by ". Requests and replies are written with ' for JSON's quotes. */
@@ -45,7 +45,8 @@ double number_of(const struct json_value *object, const char *key);
 const char *text_of(const struct json_value *object, const char *key);
 size_t items_of(const struct json_value *list);
 
-/* Members of requests: a model by name, and a sweep of two programs over a constant. */
+/* Members of requests: a model by its name; two programs and the constant of a
+ * sweep. */
 #define AND_PRIOR ", 'model': 'cyber205-2pipe-prior'"
 #define SWEEP \
     "'constant': 'n', 'from': 1, 'to': 300, 'text': ' .include \\\"vectors.s\\\"\\n " \

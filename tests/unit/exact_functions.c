@@ -28,7 +28,7 @@ static void from_zero(mpfr_t low)
     mpfr_set_ui(low, 0, MPFR_RNDN);
 }
 
-/* The interval from -ln 2 / 2 to ln 2 / 2. */
+/* Sets the ends of the interval from -ln 2 / 2 to ln 2 / 2. */
 static void half_of_ln2(mpfr_t low, mpfr_t high)
 {
     mpfr_const_log2(high, MPFR_RNDN);
@@ -36,14 +36,14 @@ static void half_of_ln2(mpfr_t low, mpfr_t high)
     mpfr_neg(low, high, MPFR_RNDN);
 }
 
-/* The interval from -1/32 to 1/32. */
+/* Sets the ends of the interval from -1/32 to 1/32. */
 static void thirty_seconds(mpfr_t low, mpfr_t high)
 {
     mpfr_set_d(low, -0.03125, MPFR_RNDN);
     mpfr_set_d(high, 0.03125, MPFR_RNDN);
 }
 
-/* The interval from 0 to 3 - 2 sqrt 2, the square of tan(pi/8). */
+/* Sets the ends of the interval from 0 to 3 - 2 sqrt 2, the square of tan(pi/8). */
 static void squares_of_eighth(mpfr_t low, mpfr_t high)
 {
     from_zero(low);
@@ -51,14 +51,15 @@ static void squares_of_eighth(mpfr_t low, mpfr_t high)
     mpfr_ui_sub(high, 3, high, MPFR_RNDN);
 }
 
-/* The interval from 0 to the square of (sqrt 2 - 1) / (sqrt 2 + 1) = 3 - 2 sqrt 2. */
+/* Sets the ends of the interval from 0 to the square of 3 - 2 sqrt 2, which is (sqrt 2
+ * - 1) / (sqrt 2 + 1). */
 static void squares_of_artanh(mpfr_t low, mpfr_t high)
 {
     squares_of_eighth(low, high);
     mpfr_sqr(high, high, MPFR_RNDN);
 }
 
-/* The interval from 0 to the square of pi/2. */
+/* Sets the ends of the interval from 0 to the square of pi/2. */
 static void squares_of_half(mpfr_t low, mpfr_t high)
 {
     from_zero(low);
@@ -67,7 +68,7 @@ static void squares_of_half(mpfr_t low, mpfr_t high)
     mpfr_sqr(high, high, MPFR_RNDN);
 }
 
-/* The interval from 0 to the square of pi/4. */
+/* Sets the ends of the interval from 0 to the square of pi/4. */
 static void squares_of_quarter(mpfr_t low, mpfr_t high)
 {
     from_zero(low);

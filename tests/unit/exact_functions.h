@@ -21,7 +21,8 @@ struct exact_polynomial {
 /* Returns the i-th polynomial, or NULL after the last. */
 const struct exact_polynomial *exact_polynomial_at(size_t i);
 
-/* Computes a polynomial's coefficients, initialised here, cleared by the caller. */
+/* Computes the coefficients of a polynomial. They are initialised here, and the caller
+ * clears them. */
 enum { EXACT_COEFFICIENTS = 16 };
 void exact_coefficients(const struct exact_polynomial *polynomial,
                         mpfr_t coefficients[]);

@@ -6,7 +6,7 @@
 #include "rt/shapes/primitive.h"
 #include "tests/unit/scene_reading.h"
 
-/* Fixtures. The file has a unique name, and is removed afterwards. */
+/* Fixtures that create and remove the image file, which has a unique name. */
 extern char field_path[64];
 int field_begin(void **state);
 int field_end(void **state);
@@ -28,7 +28,8 @@ void field_expect_fault(const char *words, const char *modifiers, size_t column,
  * Returns false if the point is outside. */
 bool field_shares(const struct triangle *triangle, double x, double z,
                   double shares[3]);
-/* Counts the triangles that a line along y hits. Sets *height to the last hit's. */
+/* Returns the number of triangles that a line along y hits. Sets *height to the height
+ * of the last hit. */
 int field_meet(const struct triangles *triangles, double x, double z, double *height);
 
 #endif

@@ -19,8 +19,9 @@ static inline bool are_steps(const uint64_t clocks[HEAT_STEPS],
            && clocks[STEP_COUNTS] > 0 && sum == accounts->clocks;
 }
 
-/* The error is estimated from 16 repeats. 4.6 such errors are as rare as 4 standard
- * deviations of a normal distribution. */
+/* Fails unless an estimate is near its expected value. The error is estimated from 16
+ * repeats; 4.6 such errors are as rare as 4 standard deviations of a normal
+ * distribution. */
 static inline void assert_estimate(const char *what, struct estimate found,
                                    double expected)
 {

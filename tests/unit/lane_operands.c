@@ -55,7 +55,8 @@ c205_word lane_any_bits(word_format f, uint64_t *seed)
     return xorshift(seed) & format_mask(f);
 }
 
-/* Coefficients with few ones or few zeros, so that carries cross many digits. */
+/* Returns a word whose coefficient has few ones or few zeros, so that carries cross
+ * many digits. */
 c205_word lane_sparse(word_format f, uint64_t *seed)
 {
     c205_word word = around(f, seed);
@@ -69,7 +70,7 @@ c205_word lane_mostly_usual(word_format f, uint64_t *seed)
     return xorshift(seed) % 64 == 0 ? special(f, seed) : lane_near(f, seed);
 }
 
-/* A machine zero with random digits. */
+/* Returns a machine zero with random digits. */
 static c205_word zero(word_format f, uint64_t *seed)
 {
     c205_word digits = xorshift(seed) & UINT64_C(0x0FFFFFFFFFFFFFFF);
@@ -78,7 +79,8 @@ static c205_word zero(word_format f, uint64_t *seed)
 
 SUPPLY(mostly_zero, xorshift(seed) % 128 == 0 ? special(f, seed) : zero(f, seed))
 
-/* Exponents at the ends of a range that is `less` bits shorter than the format's. */
+/* Returns a word with an exponent at an end of a range that is `less` bits shorter than
+ * the range of the format. */
 static c205_word at_the_ends(word_format f, uint64_t *seed, int less)
 {
     int32_t end = 1 << (f.exponent_bits - 1 - less);
@@ -90,8 +92,9 @@ static c205_word at_the_ends(word_format f, uint64_t *seed, int less)
 SUPPLY(about_usual, at_the_ends(f, seed, xorshift(seed) % 128 == 0 ? 1 : 2))
 SUPPLY(beyond_usual, at_the_ends(f, seed, 1))
 
-/* Exponents of a range that is `less` bits shorter than the range of the format. Some
- * coefficients are the largest or the smallest. Some words are machine zeros. */
+/* Returns a word with an exponent in a range that is `less` bits shorter than the range
+ * of the format. Some coefficients are the largest or the smallest. Some words are
+ * machine zeros. */
 static c205_word within(word_format f, uint64_t *seed, int less)
 {
     int32_t end = 1 << (f.exponent_bits - 1) >> less;
@@ -120,7 +123,7 @@ static c205_word mostly_moderate(word_format f, uint64_t *seed)
 
 SUPPLY(beyond_moderate, within(f, seed, 6))
 
-/* Integers with few or many digits, and machine zeros. A variant has other words. */
+/* Returns an integer with few or many digits, or a machine zero. */
 static c205_word whole(word_format f, uint64_t *seed)
 {
     int64_t end = INT64_C(1) << xorshift_between(seed, 0, f.digits);
@@ -147,7 +150,8 @@ static c205_word absolute(word_format f, c205_word word)
 SUPPLY(positive, absolute(f, anywhere(f, seed)))
 SUPPLY(moderate_positive, absolute(f, moderate(f, seed)))
 
-/* Squares, and words that are less by one, between which a truncated root changes. */
+/* Returns a square, or a word that is less by one. Between the two a truncated root
+ * changes. */
 c205_word lane_about_a_square(word_format f, uint64_t *seed)
 {
     int64_t least = INT64_C(1) << (f.digits / 2);

@@ -20,7 +20,7 @@ c205_word lane_special_at(word_format f, size_t i);
 supply lane_near, lane_or_machine_zero, lane_any_bits, lane_sparse, lane_mostly_usual,
     lane_about_a_square;
 
-/* All functions that supply random words, except those about squares. */
+/* The number of functions that supply random words, without those about squares. */
 enum { LANE_SUPPLIES = 23 };
 extern supply *const lane_supplies[LANE_SUPPLIES];
 

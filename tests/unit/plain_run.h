@@ -22,7 +22,8 @@ struct plain {
 };
 
 struct moment moment_of(const c205 *machine, uint64_t watched);
-/* Records a program's states and a random word of its last segment. Owns the object. */
+/* Records the states of a program, and a random word of its last segment. Takes
+ * ownership of the object. */
 struct plain run_plainly(struct object *object, uint64_t *random_state);
 /* Returns the region that contains an address, or "". */
 const char *plain_region(const struct plain *plain, uint64_t pc);

@@ -7,7 +7,8 @@
 
 enum { DRAWN_TEXT = 4096 };
 
-/* Makes a text with vectors of n elements and n iterations. The caller defines n. */
+/* Writes a program with vectors of n elements and loops of n iterations. The caller
+ * defines n. */
 void draw_program(uint64_t *state, char text[DRAWN_TEXT]);
 
 #endif

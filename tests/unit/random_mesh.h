@@ -25,7 +25,7 @@ struct net {
 size_t net_point(struct net *net, const double point[3]);
 void net_face(struct net *net, size_t a, size_t b, size_t c);
 
-/* Replaces the mesh by a body. Only the icosahedron has non-integer coordinates. */
+/* Makes a closed body. Only the icosahedron has non-integer coordinates. */
 enum net_body { OCTAHEDRON, BOX, ICOSAHEDRON, NET_BODIES };
 void net_take(struct net *net, enum net_body body);
 /* Makes a cube from -half to half with squares x squares squares on each face. A random

@@ -1,4 +1,5 @@
-/* scene_fixture.h - scenes in a machine's memory, read by the records' fields. */
+/* scene_fixture.h - scenes in a machine's memory, of which tests read fields of records
+ * by name. */
 #ifndef TESTS_SCENE_FIXTURE_H
 #define TESTS_SCENE_FIXTURE_H
 

@@ -11,7 +11,7 @@
 #define PRINTED 1e-6 /* POV-Ray prints six decimals */
 
 extern const struct scene_options reading_options, strict_options;
-/* Options that also read images. */
+/* Options with which images other than PGM and PPM are read, too. */
 extern const struct scene_options with_images;
 
 /* Writes bytes to a file. */

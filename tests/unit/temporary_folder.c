@@ -14,7 +14,8 @@ int make_folder(STATE)
     return mkdtemp(temporary_folder) ? 0 : -1;
 }
 
-/* cmocka reports a failed fixture of a group, but counts no failed test. */
+/* Ends the program if files remain, because cmocka counts no failed test for a failed
+ * fixture of a group. */
 int remove_folder(STATE)
 {
     if (rmdir(temporary_folder) == 0)

@@ -244,7 +244,7 @@ TEST(runs_add_up)
     }
 }
 
-/* A clock is 20 ns. */
+/* Times are printed in the shortest unit. A clock is 20 ns. */
 TEST(times_are_short)
 {
     static const struct {

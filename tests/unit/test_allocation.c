@@ -337,7 +337,8 @@ static bool run_object(FILE *out, c205_error *error)
     return machine && run_and_show(machine, out, error);
 }
 
-/* Gathers and scatters. The machine allocates memory while it runs. */
+/* Runs a program of gathers and scatters, for which the machine allocates memory while
+ * it runs. */
 static bool run_example(FILE *out, c205_error *error)
 {
     SCOPED_VALUE(diagnostics) errors = { 0 };

@@ -274,7 +274,8 @@ static void adjust(void)
 
 /* ---- Compare, shift ----------------------------------------------------- */
 
-/* The values increase. Up to four words of a row are equal. */
+/* Compares words of a table, whose values increase. Up to four words of a row are
+ * equal. */
 static void compare(void)
 {
     const c205_word ladder[][4] = {

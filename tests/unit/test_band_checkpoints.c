@@ -128,7 +128,8 @@ static void plant(struct trace *trace, struct job_set *job_set, uint64_t unit,
     assert_true(checkpoint_add(job_set->file, unit, &words, &failure));
 }
 
-/* Adds such a unit to a file. It is accepted, or the frame does not change. */
+/* Adds a unit of plant() to a file. A valid unit changes the frame, an invalid one does
+ * not. */
 static void check_planted(const struct scene *scene, const struct trace *whole,
                           uint64_t unit, size_t rows, bool taken)
 {
@@ -159,7 +160,8 @@ TEST(planted)
     check_planted(scene, whole, UINT64_MAX, ROWS, false);
 }
 
-/* The second scene must accept the first one's bands if both are the same. */
+/* The second scene must accept the bands of the first if and only if both scenes are
+ * the same. */
 static void check_kept(const char *one, const char *other, bool same,
                        enum trace_mode mode)
 {

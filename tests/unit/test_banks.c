@@ -37,7 +37,8 @@ static void fill(c205_word *indices, size_t count, size_t banks, uint64_t *seed)
     }
 }
 
-/* Changes a list to that of a later gather, usually the same at another place. */
+/* Changes a list to the list of a later gather, usually the same list with another
+ * table. */
 static void change(c205_word *indices, size_t count, uint64_t *table, unsigned *step,
                    uint64_t *seed)
 {

@@ -82,7 +82,7 @@ static void move_to(struct walk *walk, const char *request, size_t step)
     check_moment(walk, request);
 }
 
-/* A program that has ended can only move backwards. */
+/* Makes a random move. A program that has ended can only move backwards. */
 static void move(struct walk *walk)
 {
     size_t step = walk->step, end = walk->plain.end;

@@ -60,7 +60,7 @@ TEST(few)
 
 TEST_CALL(many, check_words(PLANES_IN_MEMORY / sizeof(c205_word) + PART, true))
 
-/* There is no folder for the file. */
+/* If the folder for the file does not exist, the frame is in memory. */
 TEST(no_folder)
 {
     assert_int_equal(setenv("TMPDIR", "/nowhere/at/all", 1), 0);

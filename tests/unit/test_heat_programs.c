@@ -102,7 +102,8 @@ struct staying {
     c205_word planes[PLANES * MAX_POINTS], list[LIST_PLANES * MAX_LIST];
 };
 
-/* Returns true near a crossing. Also reads its primitive and direction. */
+/* Returns true if crossing i is near the point. Sets the primitive and the direction of
+ * the crossing. */
 static bool is_near(const struct staying *given, size_t i, size_t point,
                     int64_t *primitive, int64_t *sense)
 {

@@ -225,7 +225,7 @@ TEST(tables)
         assert_int_equal(scene->primitives[i].pigment.image.table->number, i / 2);
 }
 
-/* ---- Ignored and degenerate outlines ------------------------------------- */
+/* ---- Reports --------------------------------------------------------------- */
 
 static void expect_report(const char *words, const char *message)
 {

@@ -207,7 +207,7 @@ TEST(overwritten_instruction)
     assert_int_equal(c205_run(broken, C205_NO_LIMIT).pc, one.pc - 64);
 }
 
-/* ---- The middle pixel ---------------------------------------------------- */
+/* ---- In the middle of an instruction -------------------------------------- */
 
 /* Loads the code, an operand of 100 ones, and the descriptor of a result. The first
  * element of the result is `offset` words after the first element of the operand. */

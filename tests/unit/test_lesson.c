@@ -131,7 +131,7 @@ static void check_lines(const struct random_lesson *drawn,
                 row = other;
         }
         if (!row || i == 5 || (i > 2 && clocks_of(row) * 10 < trial->clocks)) {
-            /* The verdict then states that the loop is scalar, if this is why. */
+            /* If the program is a scalar loop, the verdict then reports this. */
             uint64_t instructions = 0;
             for (size_t k = 0; k < c205_account_count(plain->machine); k++) {
                 const c205_account *account = c205_account_at(plain->machine, k);

@@ -206,7 +206,8 @@ TEST(overlap)
                 < 1e-12);
 }
 
-/* A distant solid has its centroid there. The parallel axis theorem holds. */
+/* The centroid of a distant box is at its middle, and its inertia follows the parallel
+ * axis theorem. */
 TEST(about)
 {
     struct measured box = measured_of("box { <99,199,299>, <101,201,301> }", usual(11));

@@ -95,7 +95,8 @@ TEST(random_patches)
     }
 }
 
-/* Crossings of regions are a scene's first data. The words after them stay. */
+/* Fails unless the words after the crossings of all regions, the first data of a scene,
+ * are zeros. */
 static void check_behind_crossings(const struct scene *scene, const struct trace *trace,
                                    c205 *machine, const char *text)
 {

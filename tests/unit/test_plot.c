@@ -283,7 +283,8 @@ static bool write_png(const char *script, const char *name, c205_error *error)
     return good;
 }
 
-/* There is an old picture, which must not change. */
+/* Writes a .png whose conversion fails. The old .png must not change, and the .svg must
+ * be complete. */
 static void expect_failure(const char *script, const char *part)
 {
     c205_error error = { "" };

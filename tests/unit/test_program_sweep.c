@@ -233,7 +233,7 @@ TEST(crossings)
     assert_true(crossed > 9);
 }
 
-/* The values between two steps are not run. */
+/* Values between two steps of a range are not run. */
 TEST(steps)
 {
     FREED_BY(swept_free) struct program_sweep sweep = sweep_of("n", 8, 1000);
@@ -464,7 +464,8 @@ TEST(faults)
 
 /* ---- The picture ----------------------------------------------------------- */
 
-/* The picture has every point, half length and crossing within its borders. */
+/* Fails unless the picture has every point, half length and crossing within its
+ * borders. */
 static void check_picture(const struct program_sweep *sweep)
 {
     SCOPED_VALUE(text_buffer) svg = { 0 };

@@ -28,7 +28,8 @@ static void check(bool good, const char *reason, const char *text)
     FAIL_IF(!good, "%s in\n%s", reason, text);
 }
 
-/* The camera is on either side of the solids, or inside them. */
+/* Compares all forms and the plain tracer. Depending on z, the camera is on either side
+ * of the solids or inside them. */
 static void check_solids(double z, double behind)
 {
     static const size_t queues[] = { 1, 7, LINES - 1, 2000, 2000, 300 };

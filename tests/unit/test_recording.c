@@ -305,7 +305,8 @@ static uint64_t projected(const char *text, const char *model_text)
     return c205_projected_clocks(projection, 0);
 }
 
-/* 4 x 2, 2 x 100, 2 x 1000, 30, 2 x 20 and 20 + 7, monitor 1. */
+/* The operations of `chain` follow one another: four of the class single, two loads,
+ * two stores, a product, two sums, a branch that is not taken, and the monitor. */
 TEST_CALL(serial,
           assert_true(projected(chain, "title t\nlike cyber720\n"
                                        "time.single 2 clk R\ntime.load 100 clk R\n"
@@ -314,12 +315,12 @@ TEST_CALL(serial,
                                        "time.monitor 1 clk R\n")
                       == 8 + 200 + 2000 + 30 + 40 + 27 + 1))
 
-/* The 6600 with one increment unit and an adder. EX issues at 0. ELEN waits for the
- * unit and r10, 3 .. 6. EX r11 takes 6 .. 9, ELEN 9 .. 12; issue ends at 10. SWAP
- * begins at 12: four addresses of 3, then the last store 10, until 34. MPYS takes 34 ..
- * 44. ADDN waits in its unit for r22, 44 .. 52; the other ADDN waits for the adder, 52
- * .. 60, and its issue ends at 53. The branch waits for r24: 60 + 8 + 8 = 76. EXIT
- * issues one clock later. */
+/* The clocks of `chain` on the 6600 with one increment unit and one adder. EX issues at
+ * 0. ELEN waits for the unit and r10, 3 .. 6. EX r11 takes 6 .. 9, ELEN 9 .. 12; issue
+ * ends at 10. SWAP begins at 12: four addresses of 3, then the last store 10, until 34.
+ * MPYS takes 34 .. 44. ADDN waits in its unit for r22, 44 .. 52; the other ADDN waits
+ * for the adder, 52 .. 60, and its issue ends at 53. The branch waits for r24: 60 + 8 +
+ * 8 = 76. EXIT issues one clock later. */
 TEST_CALL(scoreboard,
           assert_true(projected(chain,
                                 "title t\nlike cdc6600\nunits.single 1 units R\n")

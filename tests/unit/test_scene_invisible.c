@@ -8,7 +8,8 @@
 
 #define ZEROS_10 "0, 0, 0, 0, 0, 0, 0, 0, 0, 0"
 
-/* P and Q are points, and R is positive. The last brace is missing. */
+/* Shapes that are invisible, without the last brace. P and Q are points, and R is a
+ * positive number. */
 static const struct {
     enum primitive_kind kind;
     const char *text;

@@ -296,7 +296,7 @@ TEST(scale)
                 25 * measures[TRACE_SCALAR].projected[SPEEDUP_720]);
 }
 
-/* Wide tables are hard to read. */
+/* No line of Table 1 has more than 110 characters. */
 TEST(width)
 {
     print(speedup_report_table1, TABLE_PLAIN);

@@ -126,7 +126,7 @@ TEST(ray_almost_along_a_cylinder)
                         1, 10, 1e-5);
 }
 
-/* A number whose reciprocal is not a double. */
+/* A number of the scene has a reciprocal that exceeds the doubles. */
 TEST(numbers_beyond_doubles)
 {
     SCOPED(scene) *scene = read_text(AHEAD "sphere { 0, 1\ninterior { ior 1e-310 } }");

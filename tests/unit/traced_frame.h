@@ -82,8 +82,8 @@ struct words *trace_words(const struct scene *scene, enum trace_mode mode,
 struct words *same_frame_of(const struct scene *scene, const char *text);
 struct words *same_frame(const char *text);
 
-/* Also compares the frame with the plain tracer. A few pixels in a thousand may differ,
- * at outlines and creases, where rounding decides. */
+/* Returns same_frame_of a scene, and compares it with the plain tracer. A few pixels in
+ * a thousand may differ, at outlines and creases, where rounding decides. */
 struct words *plain_frame(const char *text);
 
 void check_paper_stage(const char *text, const struct words *expected);
@@ -100,7 +100,7 @@ double between(double low, double high);
 size_t among(size_t least, size_t most);
 void add_text(char *text, size_t size, const char *format, ...);
 void add_point(char *text, size_t size, double reach);
-/* Writes a patch without its closing brace. Every second patch has weights. */
+/* Writes a random patch without its closing brace. Every second patch has weights. */
 void add_steiner_patch(char *text, size_t size, double reach);
 
 /* Checks scenes with six random shapes. At least a quarter of the rays hit. */

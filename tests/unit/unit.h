@@ -83,7 +83,7 @@ formatted(const char *format, ...)
     static const CMFixtureFunction before_##name = before, after_##name = after; \
     static void test_##name(STATE)
 
-/* Begins such a function. It returns 0 on success. */
+/* Begins a function that runs before or after tests. It returns 0 on success. */
 #define FIXTURE(name) static int name(STATE)
 
 /* Sets the functions that run before and after all tests of a file. It is at the end of

@@ -99,8 +99,8 @@ size_t source_length(uint64_t *random, size_t n);
 
 /* ---- Contents ----------------------------------------------------------- */
 
-/* Elements of a table that an index list or a period addresses. table_of returns the
- * role of the table. indexed returns the address of element i. */
+/* The elements of a table that an index list or a period addresses. table_of returns
+ * the role of the table, and indexed the address of element i. */
 bool has_indices(const c205_insn *row);
 enum role table_of(const c205_insn *row);
 uint64_t indexed(const struct vector_case *one, size_t i);
