@@ -17,7 +17,7 @@ struct accounts {
  * Returns false if the host is out of memory. */
 bool accounts_add(struct accounts *accounts, const c205 *machine);
 bool accounts_add_account(struct accounts *accounts, const c205_account *account);
-/* Adds all accounts of another struct. */
+/* Adds all accounts of other machines, which ran the same program. */
 bool accounts_add_all(struct accounts *accounts, const struct accounts *more);
 /* Returns the account of a region, or NULL. */
 const c205_account *accounts_find(const struct accounts *accounts, const char *region);

@@ -17,7 +17,8 @@ void command_option_name(const struct command_option *option, const struct sink 
         sink_put(sink, option->value);
 }
 
-/* Skips indices whose name is "". Sets *name to NULL at the end of the list. */
+/* Returns the first choice from `number` on whose name is not "", and sets *name to the
+ * name, or to NULL after the last choice. */
 size_t command_next_choice(command_choice *choice, size_t number, const char **name)
 {
     while ((*name = choice(number)) != NULL && !**name)

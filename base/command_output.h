@@ -64,7 +64,7 @@ bool output_open(struct command_output *results, const char *command,
  * code, or CMD_FAILED after an error message if the JSON cannot be written. */
 int output_close(struct command_output *results, int code);
 
-/* Returns the format of printed tables. */
+/* Returns the format in which tables are printed, by the option --format. */
 enum table_format output_table_format(const struct command_output *results);
 /* Prints lines, each with its newline. They have at most 1023 characters in total. */
 void output_printf(const struct command_output *results, const char *format, ...)

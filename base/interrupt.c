@@ -117,7 +117,7 @@ void interrupt_release(const char *path)
 
 /* ---- The flag ----------------------------------------------------------- */
 
-static volatile sig_atomic_t came; /* the signal's number */
+static volatile sig_atomic_t came; /* number of the signal that has arrived; 0: none */
 
 /* Records the first signal. The second signal ends the program. */
 static void note(int number)

@@ -15,7 +15,8 @@ static bool equal(char a, char b)
     return tolower((unsigned char)a) == tolower((unsigned char)b);
 }
 
-/* rows[i][k] is the distance between the first i letters of a and the first k of b. */
+/* Computes the distance of two words. rows[i][k] is the distance between the first i
+ * letters of a and the first k of b. */
 static size_t distance(const char *a, size_t a_length, const char *b, size_t b_length)
 {
     size_t rows[MAX_LETTERS + 1][MAX_LETTERS + 1];

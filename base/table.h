@@ -35,10 +35,10 @@ struct table;
 struct table *table_new(const struct table_column *columns, size_t count);
 void table_free(struct table *table);
 
-/* Adds a copy of a text. */
+/* Adds a cell with a copy of a text. */
 void table_text(struct table *table, const char *text);
 void table_count(struct table *table, uint64_t value);
-/* Adds a number. NaN prints as an empty cell. */
+/* Adds a cell with a number. NaN prints as an empty cell. */
 void table_number(struct table *table, double value);
 /* Adds a number to a column of numbers, with a sign and the given decimals, for example
  * an error in percent. */

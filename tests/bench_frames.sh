@@ -9,7 +9,7 @@ set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
 
-compare() { # SCENE WIDTH HEIGHT
+compare() { # SCENE WIDTH HEIGHT: prints a row of the table
     for _ in $(seq "$trials"); do
         echo "$(ours "$@" | cut -d ' ' -f 1) $(theirs "$@")"
     done | least >"$work/times"

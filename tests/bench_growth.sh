@@ -14,7 +14,7 @@ trials=${TRIALS:-$(sized 2 1)} # a row takes long
 width=$(sized 200 80) height=$(sized 150 60)
 limit=${LIMIT:-100}
 
-flake() { # DEPTH
+flake() { # DEPTH: prints the scene of a flake
     sed "s/^#declare Depth = .*/#declare Depth = $1;/" scenes/flake.pov
 }
 
@@ -123,12 +123,12 @@ measure() { # SCENE: prints the figures of this tracer and then of POV-Ray
     done | least
 }
 
-is_too_long() { # COUNT: extrapolates from the last row
+is_too_long() { # COUNT: succeeds if a frame would exceed the limit of time
     tail -n 1 "$work/rows" | awk -v n="$1" -v limit="$limit" -v t="$trials" \
         'END { exit !(NR && $2 * t * n / $1 > limit) }'
 }
 
-show_exponents() { # NAME
+show_exponents() { # NAME: prints and records the exponents of the rows
     seconds=$(exponent 2 <"$work/rows")
     clocks=$(exponent 3 <"$work/rows")
     memory=$(exponent 4 <"$work/rows")

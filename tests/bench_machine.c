@@ -12,7 +12,8 @@
 
 enum { LENGTH = 2000, DOUBLE_REPEATS = 20000 };
 
-/* Both vectors hold 1.0, 1.001, ..; the result is stored. */
+/* A program that executes an instruction on two vectors 1.0, 1.001, .. and stores the
+ * result. */
 #define VECTOR_PROGRAM(instruction) \
     "        .include \"core.s\"\n" \
     "        .equ    n, 2000\n" \

@@ -17,7 +17,7 @@ OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM
 
 scene=$(sized scenes/bracket.pov scenes/first.pov)
-command_of() { # KIND
+command_of() { # KIND: prints the command and its options
     case $1 in
     frame) echo "render $scene" \
         "$(sized "-W 1360 -H 1020 --samples 2" "-W 32 -H 24")" ;;

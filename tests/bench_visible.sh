@@ -20,7 +20,7 @@ spheres() { # COUNT LENGTH RADIUS AXIS: a row centred at the origin
     }'
 }
 
-solid() { # KIND COUNT
+solid() { # KIND COUNT: prints a solid of COUNT spheres
     case $1 in
     across)
         echo "difference { box { <-2, -.6, -.4>, <2, .6, .4> }"
@@ -38,7 +38,7 @@ solid() { # KIND COUNT
     echo "}"
 }
 
-write_solid() { # KIND COUNT
+write_solid() { # KIND COUNT: prints a scene with one solid
     echo "camera { location <1, 1.5, -5> look_at 0 angle 45 }"
     echo "light_source { <-4, 8, -9>, 1 }"
     if [ "$2" -eq 1 ]; then
@@ -57,7 +57,7 @@ clocks() { # SCENE METHOD: prints clocks of `visible` and the frame, and the che
         END { if (visible != "") print visible, frame, sum }'
 }
 
-compare() { # NAME SCENE
+compare() { # NAME SCENE: prints and records the clocks of all methods
     for way in $ways; do
         clocks "$2" "$way"
     done | awk -v name="$1" -v ways="$ways" -v file="$results" '

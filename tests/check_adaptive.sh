@@ -10,7 +10,7 @@ set -u
 build=$1
 command -v povray >/dev/null || { echo "(POV-Ray is not installed)"; exit 0; }
 
-# SCENE WIDTH HEIGHT SAMPLES THRESHOLD
+# Each line is SCENE WIDTH HEIGHT SAMPLES THRESHOLD.
 while read -r scene how; do
     # The line consists of words.
     # shellcheck disable=SC2086

@@ -37,7 +37,7 @@ END
     chmod +x "$work/broken/$command"
 done
 
-broken() { # PART COMMAND
+broken() { # PART COMMAND: the part must fail with a broken command
     rows=
     [ "$2" != rt205 ] || rows=lines
     for how in silent failing; do

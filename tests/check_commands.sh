@@ -102,7 +102,7 @@ names() { # checks that the help of the command has every option and operand
         tells help.txt "$name"
         case $what$kind in
         optionflag | operand*) ;;
-        *) tells help.txt "$name [^ ]" ;; # its value
+        *) tells help.txt "$name [^ ]" ;; # the placeholder of the value of the option
         esac
         [ "$letter" = - ] || tells help.txt "^  -$letter, $name"
         for choice in $choices; do
@@ -294,7 +294,7 @@ done
 sed '/^instruction/d; /^#/d; /^$/d; s/^"\([^,]*\),H"/\1/; s/,.*//' out | sort | cmp -s - classes
 verdict $? "the classes do not have each instruction once"
 
-# Wrong arguments of commands.
+# Wrong arguments of commands are rejected.
 rows arguments
 for define in NAME =1 NAME=x; do
     ends 2 "$build/c205" run --define $define good.s
@@ -565,7 +565,7 @@ several quartic good.csv --falsi all
 several mass parts.pov --density default=1 --rays 512
 several render "$scene" -o jobs.png -W 40 -H 30
 
-# The order of pixels in queues.
+# The order of pixels in queues must not change the frame.
 ordered() { # OPTION ..: prints the checksum of a frame
     "$build/rt205" render "$scene" -o order.png -W 60 -H 45 --json order.json \
         "$@" 2>err | grep checksum

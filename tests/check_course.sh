@@ -21,7 +21,7 @@ headings() {
         s|^<details><summary>\(.* hint\)</summary>$|\1|p' "$1"
 }
 
-check_parts() { # FOLDER
+check_parts() { # FOLDER: checks the files of a lesson
     for file in lesson.md start.s solution.s; do
         expect "$1 has no $file" [ -f "$1/$file" ]
     done

@@ -9,7 +9,7 @@ fitted="cyber205-2pipe cyber720"
 rm -rf "$here"
 mkdir -p "$here/a" "$here/b"
 
-fit() { # JOBS FOLDER
+fit() { # JOBS FOLDER: runs the fit, and writes its results to a folder
     "$build/fit205" --brief --jobs "$1" --json "$2/fit.json" \
         --write "$2/cyber205-2pipe.model" --write "$2/cyber720.model" \
         > "$2/report"

@@ -24,7 +24,7 @@ rows grading
 answer() { # NAME SCRIPT: writes the edited solution
     sed "$2" "$lesson/solution.s" >"$1"
 }
-over() { # TIMES: repeats the work
+over() { # TIMES: makes the answer repeat its work TIMES times
     printf 's/^ *MPYSV .*/ .rept %d\\n&\\n .endr/' "$1"
 }
 mkdir drawer

@@ -49,13 +49,13 @@ compare() { # NAME WRAPPER ..: compares with the first variant
     fi
 }
 
-build_goals() { # NAME MAKE-ARGUMENT ..
+build_goals() { # NAME MAKE-ARGUMENT ..: runs make for a variant
     name=$1
     shift
     "$make" --no-print-directory "$@" >>"$place/$name.make" 2>&1
 }
 
-variant() { # NAME CC OPT [FLAG]
+variant() { # NAME CC OPT [FLAG]: builds a variant and compares its results
     : >"$place/$1.make"
     goal=libc205.a
     [ "$size" = full ] && goal=tests/oracle/digest

@@ -15,7 +15,7 @@ trap 'rm -rf "$work"' EXIT
 root=$work/root/usr
 said=$work/out
 
-succeeds() { # COMMAND ..
+succeeds() { # COMMAND ..: the command must succeed
     "$@" >"$said" 2>&1
     verdict $? "$*"
 }
@@ -43,7 +43,7 @@ done) >links.txt
 succeeds diff /dev/null links.txt
 export PKG_CONFIG_PATH="$root/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$work/root"
 
-client() { # NAME PACKAGE
+client() { # NAME PACKAGE: compiles a client of a package
     # The compiler and its flags are words, so they are not quoted.
     # shellcheck disable=SC2046,SC2086
     succeeds ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror \
@@ -106,7 +106,7 @@ succeeds [ -z "$(names "$root/lib/libc205.a" | grep -v '^c205_')" ]
 for library in libc205 libbase libc205asm librt205; do
     names "$archives/$library.a"
 done | sort -u >inside.txt
-own_names() { # CLIENT PACKAGE
+own_names() { # CLIENT PACKAGE: a client may define the internal names of a package
     for library in $(pkg-config --libs-only-l "$2"); do
         names "$root/lib/lib${library#-l}.a"
     done | sort -u | comm -13 - inside.txt >own.txt

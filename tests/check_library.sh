@@ -136,7 +136,7 @@ shown() { # SCENE FOLDER SIZE
         sed '/bounded_by/d; s/ ([0-9]* places.*//' | sort -u
 }
 
-same() { # SCENE SIZE
+same() { # SCENE SIZE: succeeds if both libraries give the same result
     shown "$1" "$theirs" "$2" >"$work/theirs"
     shown "$1" "$ours" "$2" >"$work/ours"
     cmp -s "$work/theirs" "$work/ours" && ! grep -q ': error: ' "$work/ours"

@@ -18,7 +18,7 @@ cp "$here/scenes/bracket.pov" "$here/scenes/burner.pov" "$work"
 
 # File names are the same in all folders, because the output contains them.
 kinds="frame mass rays lines"
-command_of() { # KIND
+command_of() { # KIND: prints the command and its options
     case $1 in
     frame) echo "render bracket.pov -W 192 -H 128" ;;
     mass) echo "mass bracket.pov --density default=1 --rays 16384 --repeats 4" ;;
@@ -37,7 +37,7 @@ asked() { # KIND OPTION ..: runs the command in this folder
     timeout 120 "$build/rt205" $command "$@" >told 2>said
 }
 
-is_drawn() { # KIND
+is_drawn() { # KIND: succeeds if the command writes a picture
     [ "$1" = frame ] || [ "$1" = drawn ]
 }
 
@@ -105,7 +105,7 @@ pids() { # PROGRAM [RANK]
     done
 }
 
-end_them() { # PID ..
+end_them() { # PID ..: kills the processes
     [ $# -eq 0 ] || kill -9 "$@" 2>/dev/null
 }
 

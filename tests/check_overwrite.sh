@@ -74,7 +74,7 @@ another_name() { # FILE SUFFIX: sets name, each time by another method
 sums() {
     cksum input/*.* input/*/*.* 2>/dev/null
 }
-refuses() { # FILE ENDING OPTION COMMAND ..
+refuses() { # FILE ENDING OPTION COMMAND ..: must fail and change no input
     another_name "$1" "$2"
     output=$3 file=$1
     shift 3
@@ -84,7 +84,7 @@ refuses() { # FILE ENDING OPTION COMMAND ..
     verdict $? "$* $output $name does not refuse to write over $file"
     expect "$* $output $name changes its inputs" [ "$(sums)" = "$before" ]
 }
-over() { # OPTION ENDING INPUTS COMMAND ..
+over() { # OPTION ENDING INPUTS COMMAND ..: tries each input as the output
     output=$1 ending=$2 inputs=$3
     shift 3
     texts "$ending"

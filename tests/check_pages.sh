@@ -12,7 +12,7 @@ mkdir folder
 touch folder.s
 passed=0 failed=0
 
-verdict() { # STATUS TEXT
+verdict() { # STATUS TEXT: counts a check; the text is the message if it fails
     if [ "$1" -eq 0 ]; then
         passed=$((passed + 1))
     else
@@ -53,7 +53,7 @@ paragraphs() { # PATTERN: prints words after the second paragraph, without examp
     awk -v skipped="$1" 'BEGIN { RS = "" } NR > 2 && !(skipped && $0 ~ skipped)' |
         tr -s '[:space:]' '\n' | sed '/^$/d'
 }
-repeats_help() { # PROGRAM
+repeats_help() { # PROGRAM: compares its page with the help of its commands
     awk '$1 == "command" && $2 != "-" { print $2 }' "$1.list" >commands
     while read -r command; do
         "$build/$1" help "$command" | paragraphs "^ *$1 $command " >expected

@@ -22,7 +22,7 @@ debug() { # PROGRAM [OPTION ..]
     echo "ends with $?"
 }
 
-same() { # FILE FILE TEXT
+same() { # FILE FILE TEXT: the files must be equal
     diff "$1" "$2" >"$said"
     verdict $? "$3"
 }

@@ -52,7 +52,7 @@ planted() {
     cp "$work/kept" "$work/copy/$1"
 }
 
-appended() { # FILE LINE MESSAGE
+appended() { # FILE LINE MESSAGE: plants a line at the end of a file
     planted "$1" "\$a $2" "$3"
 }
 

@@ -22,7 +22,7 @@ judge() { # WORDS-OPTIONS TEST ..
         awk -F '|' 'NF == 6 && $6 ~ /PASSED|WEAK|FAILED/ { print $1, $2, $5, $6 }'
 }
 
-all_passed() { # RATINGS
+all_passed() { # RATINGS: succeeds if all ratings are PASSED
     [ -n "$1" ] && ! printf '%s\n' "$1" | grep -qv PASSED
 }
 

@@ -103,7 +103,7 @@ else
     pass
 fi
 
-planted() { # FILE LINE WORD
+planted() { # FILE LINE WORD: a copy with this line must have a fault about the word
     cp "$1" "$work/planted.${1##*.}"
     printf '%b\n' "$2" >>"$work/planted.${1##*.}"
     if faults "$work/planted.${1##*.}" | grep -q "\"$3\""; then

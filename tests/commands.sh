@@ -56,7 +56,7 @@ calls() { # CODE WORDS: runs a command, or one command for each choice in braces
     done
 }
 
-row() { # ROW
+row() { # ROW: runs the check of a row
     case $1 in
     '' | '#'*) ;;
     'file '*)

@@ -13,7 +13,7 @@ pass() {
     passed=$((passed + 1))
 }
 
-fail() { # TEXT ..
+fail() { # TEXT ..: counts a failed check, and prints the text
     failed=$((failed + 1))
     echo "FAIL $*"
     [ -z "$said" ] || sed 's/^/    /' "$said"

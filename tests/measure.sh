@@ -101,7 +101,7 @@ quotient() { # A B: prints the quotient with two decimals
 
 # Prints the figures of a table, cell by cell: PROGRAM, "row", column, value. A cell
 # ends at the column at which its heading ends. A row without a figure has none.
-cells() { # PROGRAM: reads its output
+cells() { # PROGRAM: reads the table that PROGRAM printed from standard input
     awk -v program="$1" '
         function ends_of(line,    at) {
             for (count = at = 0; match(line, /[^ ]+( [^ ]+)*/);

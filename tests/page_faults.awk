@@ -67,7 +67,7 @@ function check_figures(    i) {
 
 # ---- Links -------------------------------------------------------------------
 
-# Returns the name of a heading in links.
+# Returns the anchor by which links refer to a heading.
 function anchor_of(heading) {
     heading = tolower(heading)
     gsub(/`|\*|\]\([^)]*\)/, "", heading)
@@ -76,7 +76,7 @@ function anchor_of(heading) {
     return heading
 }
 
-# Each file is looked up once.
+# Returns true if a file exists. Each file is looked up once.
 function is_there(file) {
     if (!(file in exists)) {
         exists[file] = file !~ /'/ && !system("[ -e '" file "' ]")

@@ -22,7 +22,7 @@ echo "$4: exit $code, $(($(date +%s) - begin)) s" >>"$1/$4"
 flock "$1" cat "$1/$4"
 END
 
-run_parts() { # LANES JOBS PART ..
+run_parts() { # LANES JOBS PART ..: runs parts, LANES at a time
     lanes=$1 each=$2
     shift 2
     printf '%s\n' "$@" | xargs -n 1 -P "$lanes" \

@@ -12,7 +12,7 @@ function complain(file, text) {
     print file ": " text
 }
 
-# "docs", "../a.html" -> "a.html"
+# Resolves a path relative to a folder: "docs", "../a.html" -> "a.html"
 function joined(folder, path,    parts, count, i, kept, text) {
     if (path ~ /^\//)
         folder = ""

@@ -20,7 +20,8 @@ typedef struct c205_constant {
     const char *text; /* the value as in the file */
     double value;     /* for display; the clock uses the exact decimal */
     const char *unit; /* "clk", "clk/element", "clk*pipe/element", "ns", ... */
-    char source;      /* P, S, D, R or F */
+    char source;      /* source of the value: P primary, S secondary, D derived, R
+                         reconstructed, F fitted */
     const char *remark;
 } c205_constant;
 
@@ -28,7 +29,7 @@ typedef struct c205_constant {
  * it. */
 typedef struct c205_belief {
     unsigned figures;  /* number of figures; 0: not compared */
-    double largest;    /* percent */
+    double largest;    /* error in percent, with its sign */
     const char *worst; /* name of the figure with the largest error */
 } c205_belief;
 

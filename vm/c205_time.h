@@ -114,7 +114,7 @@ typedef struct c205_projection c205_projection;
 /* Returns a new projection. The model must be a projection. */
 c205_projection *c205_projection_new(const c205_model *model, c205_error *error);
 void c205_projection_free(c205_projection *projection);
-/* The listener. Its context is the projection. */
+/* The listener of a projection, which is its context. */
 c205_listener c205_project;
 /* Returns the clocks of the other machine for a region, numbered as in the accounts. */
 uint64_t c205_projected_clocks(const c205_projection *projection, size_t region);
@@ -130,7 +130,7 @@ bool c205_projection_holds(const c205_projection *projection, c205_error *error)
 typedef struct c205_recording c205_recording;
 c205_recording *c205_recording_new(c205_error *error);
 void c205_recording_free(c205_recording *recording);
-/* The listener. Its context is the recording. It must be added before the run
+/* The listener of a recording, which is its context. It must be added before the run
  * starts. */
 c205_listener c205_record;
 

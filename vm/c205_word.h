@@ -135,7 +135,7 @@ typedef enum c205_operation {
 #define C205_G_BROADCAST_A 0x10u
 #define C205_G_BROADCAST_B 0x08u
 #define C205_G_MAGNITUDE_A 0x04u
-#define C205_G_NEGATE_A 0x02u /* applies after the magnitude if both are set */
+#define C205_G_NEGATE_A 0x02u /* -A, or -|A| if C205_G_MAGNITUDE_A is set */
 #define C205_G_MAGNITUDE_B 0x01u
 #define C205_G_RELATIVE 0x40u /* branches B0-B5 */
 
@@ -143,7 +143,7 @@ typedef struct c205_insn {
     const char *mnemonic;
     uint8_t opcode;
     uint8_t subop;      /* fixed bits of G */
-    uint8_t subop_mask; /* mask of these bits */
+    uint8_t subop_mask; /* mask of the fixed bits of G */
     uint8_t flags;
     c205_format format;
     c205_unit unit;

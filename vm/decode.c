@@ -55,8 +55,8 @@ static c205_trap fetch(struct c205 *machine, uint64_t pc, const c205_insn **insn
 
 /* ---- Checks of the coding ----------------------------------------------- */
 
-/* These tests run for every instruction that is decoded. A loop over a few constant
- * letters costs less than a function call. */
+/* Returns true if a letter is one of a few constant letters. This test runs for every
+ * instruction that is decoded, and the loop costs less than a function call. */
 static inline bool is_one_of(char letter, const char *letters)
 {
     for (; *letters; letters++)
@@ -167,7 +167,8 @@ static uint16_t slot_of(struct decoded *decoded, unsigned number, char letter,
     return (uint16_t)number;
 }
 
-/* Returns the meaning of an operand letter in this instruction. */
+/* Returns the operand letter of this instruction: a capital for a 32-bit operand, and b
+ * or o in place of g. */
 static char sized(const struct decoded *decoded, char letter)
 {
     bool half = decoded->insn->flags & C205_INSN_HALF

@@ -19,8 +19,8 @@ struct direct_result {
 
 /* ---- Operands ------------------------------------------------------------ */
 
-/* A source: element i is words[i * step]. A broadcast word has step 0. So has the
- * result of the first instruction of a pair, which is replaced for each chunk. */
+/* A source: element i is words[i * step]. The step is 0 for a broadcast word, and for
+ * the result of the first instruction of a pair, which is replaced for each chunk. */
 struct place {
     const c205_word *words;
     size_t step;
@@ -93,8 +93,8 @@ static inline bool find_result(struct direct_result *result, struct c205 *machin
            && !(result->controlled && !result->control.word);
 }
 
-/* These functions return true if no store changes the control vector or a source before
- * it is read. */
+/* Return true if no store changes the control vector, or a source, before it is
+ * read. */
 static inline bool keeps_control(const struct direct_result *result)
 {
     size_t n = result->n;
@@ -215,8 +215,8 @@ static inline void take_chunk(const struct direct_result *result,
 /* The state of a linked pair. */
 struct direct_both {
     struct direct_sources one, two;
-    c205_word handed[CHUNK]; /* results of the first, which the second reads */
-    lanes_pair *in_one_pass; /* function for both in one pass, or NULL */
+    c205_word handed[CHUNK]; /* results of the first instruction */
+    lanes_pair *in_one_pass; /* function for both instructions in one pass, or NULL */
 };
 
 static inline pair_operand operand_at(struct place place, size_t first)

@@ -109,8 +109,8 @@ bool c205_listen(c205 *machine, c205_listener *listener, void *context)
 
 /* ---- The machine's own listeners ---------------------------------------- */
 
-/* These listeners pass on the input of the clock, to which other listeners have no
- * access. */
+/* c205_project and c205_record pass on the input of the clock, to which other listeners
+ * have no access. */
 static bool was_executed(const c205_event *event)
 {
     return event->kind == C205_EVENT_INSTRUCTION || event->kind == C205_EVENT_REQUEST;

@@ -142,7 +142,7 @@ static inline bool memory_is_untouched(const struct page *page)
     return (const void *)page == &memory_untouched;
 }
 
-/* Returns the page without allocating it. NULL: not mapped. */
+/* Returns the page of an address without allocating it. NULL: not mapped. */
 static inline struct page *memory_peek(const struct memory *memory, uint64_t address)
 {
     struct page **pages = memory->directory[address >> DIRECTORY_SHIFT];
@@ -158,16 +158,16 @@ static inline bool memory_may_write(const struct page *page)
     return page->writable || page->shared;
 }
 
-/* Returns the page and allocates it on first use. NULL: not mapped, or out of
- * memory. */
+/* Returns the page of an address, and allocates it on first use. NULL: not mapped, or
+ * out of memory. */
 static inline struct page *memory_page(const struct memory *memory, uint64_t address)
 {
     struct page *page = memory_peek(memory, address);
     return memory_is_untouched(page) ? memory_touch(memory, address) : page;
 }
 
-/* Returns the page and makes it writable for this machine. NULL: not mapped, or out of
- * memory. */
+/* Returns the page of an address, and replaces a shared page by a copy of this machine.
+ * NULL: not mapped, or out of memory. */
 static inline struct page *memory_own_page(const struct memory *memory,
                                            uint64_t address)
 {

@@ -201,7 +201,7 @@ void operate(struct c205 *machine, const struct operation *operation, c205_word 
 }
 
 /* Returns the memory of the result if it is contiguous, is stored completely and does
- * not overlap a source. Otherwise returns words. */
+ * not overlap a source. Otherwise returns `words`. */
 static c205_word *result_space(struct stream *stream, size_t first, size_t n,
                                c205_word *words)
 {
@@ -282,7 +282,8 @@ c205_trap execute_elementwise(struct c205 *machine, const struct decoded *decode
 
 /* ---- Neighbours -------------------------------------------------------- */
 
-/* Both streams read A. The first stream is one element ahead. */
+/* Executes an operation on neighbours. Both sources are A, and the first is one element
+ * ahead of the second. */
 c205_trap execute_neighbours(struct c205 *machine, const struct decoded *decoded)
 {
     struct stream stream;

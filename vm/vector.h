@@ -41,8 +41,8 @@ c205_trap stream_take_length(struct stream *stream, const struct decoded *decode
 /* Claims all operands, and sets the number of elements that are processed at a time,
  * the chunk. */
 c205_trap stream_claim(struct stream *stream);
-/* Claims the sources and sets the chunk, if the result is a register or is not
- * stored. */
+/* Claims the sources of an instruction whose result is a register or is not stored, and
+ * sets the chunk. */
 c205_trap stream_claim_sources(struct stream *stream);
 /* Describes and claims all operands of an instruction. */
 c205_trap stream_open(struct stream *stream, struct c205 *machine,

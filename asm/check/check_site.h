@@ -58,12 +58,13 @@ struct runtime_checker {
     } direct[CHECK_SITES];
 };
 
-/* Sets site->before and site->after (check_site.c). */
+/* Chooses the checks of an instruction: site->before and site->after (check_site.c). */
 void site_choose(struct site *site);
 void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
                         struct site *site, size_t elements);
 
-/* Defined in runtime_check.c. */
+/* runtime_site returns the check site of the instruction at pc. runtime_report reports
+ * a warning at a site, once for a source line (runtime_check.c). */
 struct site *runtime_site(struct runtime_checker *watch, const c205 *machine,
                           uint64_t pc);
 void runtime_report(struct runtime_checker *watch, const struct site *site,

@@ -43,7 +43,7 @@ static const char *sign_at(const char *text, size_t *length)
     return NULL;
 }
 
-/* Prints an argument of a macro. */
+/* Prints a text as an argument of a groff macro. */
 static void put_argument(const char *text)
 {
     size_t length;
@@ -58,7 +58,7 @@ static void put_argument(const char *text)
     putchar('"');
 }
 
-/* Prints an argument without line breaks. */
+/* Prints a text as an argument of a groff macro, without line breaks. */
 static void put_word(const char *text)
 {
     fputs(" \"", stdout);

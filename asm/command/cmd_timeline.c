@@ -33,7 +33,7 @@ static int write_file(const struct program_timeline_arguments *args,
 
 /* The end of the recorded run: the end of the program, a trap, or a limit of clocks. */
 struct ending {
-    bool ended; /* false: it was stopped at a limit of clocks */
+    bool ended; /* false: the run was stopped at a limit of clocks */
     c205_stop stop;
 };
 

@@ -221,8 +221,8 @@ static const struct asm_symbol *label_before(const struct dap *dap, uint64_t add
     return found;
 }
 
-/* Writes the position relative to the label before it, as in "again + 64", or the
- * address. */
+/* Writes the name of a frame: its address relative to the label before it, as in "again
+ * + 64", or the address alone. */
 static void put_name(const struct dap *dap, struct json *body, uint64_t address)
 {
     const struct asm_symbol *label = label_before(dap, address);

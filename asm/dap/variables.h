@@ -38,11 +38,13 @@ void put_variable(struct json *json, const char *name, const char *value,
 enum { REGISTER_NAME = 8 };
 const char *name_of(const struct dap *dap, unsigned number, char text[REGISTER_NAME]);
 
-/* Defined in operands.c. */
+/* put_operands writes the operands of the next instruction. operand_vector sets the
+ * vector of one of them (operands.c). */
 void put_operands(struct dap *dap, struct json *json);
 bool operand_vector(const struct dap *dap, size_t number, struct vector_view *vector);
 
-/* Defined in time.c. */
+/* Write the variables of the scope of times, of a region, and of the last instruction
+ * (time.c). */
 void put_time(struct dap *dap, struct json *json);
 void put_region(struct dap *dap, struct json *json, size_t number);
 void put_last(struct dap *dap, struct json *json);

@@ -41,7 +41,8 @@ struct lesson_test_data {
     size_t count;
     struct test_item *items;
     const struct lesson_test *notes;
-    struct lesson_report *report, *general; /* for this test; for all tests */
+    struct lesson_report *report, *general; /* reports about this test, and about all
+                                               tests */
     struct arena *kept;
 };
 

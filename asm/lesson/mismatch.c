@@ -211,8 +211,8 @@ static bool only_begun(const struct test_item *item)
 
 /* The mistakes in the order of priority. The first mistake that matches is reported. */
 static const struct likeness {
-    of_element *each; /* matches if it is true of each element */
-    of_result *whole; /* or if it is true of the result */
+    of_element *each; /* the mistake matches if this is true of each element */
+    of_result *whole; /* or if this is true of the whole result */
     const char *sentence;
 } likenesses[] = {
     { is_untouched, NULL,

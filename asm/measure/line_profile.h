@@ -19,7 +19,8 @@ struct line_profile;
  * and outlive the profile. */
 struct line_profile *line_profile_new(const struct object *object);
 void line_profile_free(struct line_profile *profile);
-/* The listener. Its context is the profile. It must be added before the run starts. */
+/* The listener of a profile, which is its context. It must be added before the run
+ * starts. */
 c205_listener line_profile_listen;
 
 /* Adds the counts of another profile of the same object. */

@@ -13,7 +13,7 @@
 struct object_reader {
     struct storage *storage;
     const char *at, *end;         /* the unread part */
-    const char *field, *line_end; /* in the current line */
+    const char *field, *line_end; /* the next field and the end of the current line */
     size_t line;
     uint64_t words;
     const char *problem;

@@ -134,7 +134,8 @@ double swept_power(const struct program_sweep *sweep, int which);
 /* The names of the programs in tables, "first" and "second". */
 extern const char *const swept_names[SWEPT_PROGRAMS];
 
-/* Return a table, or NULL if memory is exhausted. It refers to texts of the sweep. */
+/* These functions return a table, or NULL if memory is exhausted. The table refers to
+ * texts of the sweep. */
 struct table *swept_points(const struct program_sweep *sweep);
 /* Returns the column that has the clocks of a program. */
 size_t swept_clocks_column(int which);

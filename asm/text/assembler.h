@@ -230,8 +230,8 @@ struct assembler {
     const struct expression *entry;
 };
 
-/* error.c. `at` is a position in the line; the start of the line means the whole line.
- * These functions return false. */
+/* report reports an error. `at` is a position in the line; the start of the line means
+ * the whole line. The reporting functions of error.c return false. */
 bool report(struct assembler *assembler, const struct line *line, const char *at,
             const char *format, ...) PRINTF_FORMAT(4, 5);
 /* Records a warning. It is reported at the end unless it is disabled or declared as
@@ -245,7 +245,7 @@ bool report_file(struct diagnostics *diagnostics, const char *file,
                  const char *message);
 bool too_many_errors(const struct assembler *assembler);
 
-/* Defined in symbol.c. */
+/* Returns the symbol of a name, and adds it if it is new (symbol.c). */
 struct symbol *symbol_intern(struct assembler *assembler, const char *name,
                              size_t length);
 /* Returns the symbol of a name, or NULL if the name was never used. */
@@ -254,7 +254,7 @@ struct symbol *symbol_find(const struct assembler *assembler, const char *name,
 bool symbol_define(struct assembler *assembler, const struct line *line, const char *at,
                    struct symbol *symbol, enum symbol_kind kind, struct value value);
 
-/* Defined in parse.c. */
+/* Parses a line of the expander to items and symbols (parse.c). */
 bool parse_line(struct assembler *assembler, const struct line *line);
 
 /* Warns of code that continues where there is no code (fallthrough.c). */

@@ -36,8 +36,7 @@ bool evaluate_half(struct assembler *assembler, const struct line *line,
 bool evaluate_address(struct assembler *assembler, const struct line *line,
                       const struct expression *expression, uint64_t *address);
 
-/* Parse and evaluate an expression. It may use only symbols that are already
- * defined. */
+/* Parse and evaluate an expression of symbols that are already defined. */
 bool parse_value(struct cursor *cursor, struct value *value);
 bool parse_integer(struct cursor *cursor, int64_t low, int64_t high, const char *what,
                    int64_t *integer);

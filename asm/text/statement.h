@@ -16,7 +16,7 @@ bool layout_label(struct cursor *cursor, const char *name, size_t length,
                   const char *at);
 void layout_resolve(struct assembler *assembler);
 
-/* Defined in operand.c. */
+/* Parses a register or a half register, as a number or a name (operand.c). */
 bool parse_any_register(struct cursor *cursor, struct register_name *found);
 /* Parses a register that is not a half register. */
 bool parse_register(struct cursor *cursor, uint8_t *number);

@@ -22,7 +22,7 @@ struct printer {
     struct sink sink;
 };
 
-/* The listener. Its context is a struct printer. */
+/* The listener that serves print requests. Its context is a struct printer. */
 void printer_listen(void *printer, const c205 *machine, const c205_event *event);
 
 #endif

@@ -5,8 +5,9 @@
 
 #include "rt/scene/vector3.h"
 
-/* The largest radius, and the largest distance of a centre, of a bound. Beyond it, sums
- * of squares are not accurate enough, and the bound becomes bound_none. */
+/* The largest radius of a bound, and the largest distance of its centre from the
+ * origin. Beyond these, sums of squares are not accurate enough, and the bound becomes
+ * bound_none. */
 #define MAX_BOUND 1e12
 
 const struct bound bound_none = {

@@ -140,7 +140,8 @@ bool hierarchy_none(size_t count, struct hierarchy *hierarchy)
     return hierarchy->order;
 }
 
-/* A hierarchy that is a single leaf is removed, because it would save no test. */
+/* Builds the nodes of all bounded regions. A single leaf is removed, because it would
+ * save no test. */
 static void build_all(const struct build *build)
 {
     struct hierarchy *hierarchy = build->hierarchy;

@@ -148,9 +148,9 @@ static void find_node_bounds(const struct screen_bounds *of,
 
 /* ---- Costs --------------------------------------------------------------- */
 
-/* Estimates, from the instructions of the vector programs, of the clocks per ray for a
- * test of a box, a window and a triangle. They only select the method; no frame depends
- * on them. */
+/* The estimated clocks per ray of a test of a box, a window and a triangle, from the
+ * instructions of the vector programs. They only select the method; no frame depends on
+ * them. */
 enum { BOX_CLOCKS = 25, BOUNDS_CLOCKS = 14, TRIANGLE_CLOCKS = 60 };
 
 /* Returns the cost of the rays that hit a node. Their number is proportional to the

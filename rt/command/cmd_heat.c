@@ -160,8 +160,8 @@ static bool print_result(const struct heat_arguments *args, const struct heat *h
     return print_tables(heat, stages, args->details, results);
 }
 
-/* A difference between both directions that is larger than this is not random. Closure
- * is exact. */
+/* Reciprocity fails if the two directions of a pair of surfaces differ by more standard
+ * errors than this. Closure must be exact. */
 static const double strict_sigmas = 4.5;
 
 static bool check_strictly(const struct heat *heat, c205_error *error)

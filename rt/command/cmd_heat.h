@@ -8,7 +8,8 @@ struct heat_arguments {
     struct trace_arguments shared;
     struct scene_arguments scene;
     struct job_arguments jobs;
-    size_t rays, repeats, seed, lines; /* lines 0: use rays */
+    size_t rays, repeats, seed, lines; /* lines: number of lines of a repeat; 0: rays
+                                        * are used */
     int points;                        /* 0: lattice, 1: random */
     int by, shown;
     bool exchange, smooth, hits, stages;

@@ -1,5 +1,5 @@
-/* cmd_heat_hits.c - rt205 heat --hits: compares the forms that find which rays strike,
- * on a scalar machine and with queues of rays. */
+/* cmd_heat_hits.c - rt205 heat --hits: finds which rays strike an obstacle, and
+ * compares the costs of a scalar machine and of queues of rays. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,14 +11,15 @@
 #include "rt/heat/hits.h"
 #include "rt/study/speedup.h"
 
-/* The forms that are compared. The scalar form is projected. */
+/* The ways that are compared. WAY_PROJECTED is the scalar form, projected for another
+ * machine model. */
 enum way { WAY_PROJECTED, WAY_SCALAR, WAY_QUEUE, WAY_LONGEST, WAYS };
 
 struct hits_ways {
     const struct heat_arguments *args;
     const struct scene *scene;
     struct named_parts parts;
-    c205_model *other; /* the machine of the projection */
+    c205_model *other; /* the model of the projection */
     struct hits found[WAYS];
     c205_error error;
 };

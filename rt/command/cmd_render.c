@@ -256,7 +256,8 @@ static void print_kept(const struct render_arguments *args, const struct trace *
                        args->shared.command, path);
 }
 
-/* After Ctrl-C, writes a picture of the finished rows. Formats a message about it. */
+/* After Ctrl-C, writes a picture of the finished rows. Formats a message about this
+ * picture. */
 static void save_rows(const struct render_arguments *args, const struct trace *trace,
                       char *reported, size_t size)
 {

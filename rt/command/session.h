@@ -117,7 +117,8 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
       .offset = CMD_SHARED(trace.order), .choice = cmd_order_choice, \
       .preset = usual, .help = "order of the pixels; by default tiles in vector form" }
 
-/* The rows of the other groups have the offset of the group as a parameter. */
+/* The parameter of the rows below is the offset of a group of arguments in the
+ * command's arguments. */
 #define CMD_SCENE(scene) \
     { .value = "SCENE", .kind = COMMAND_INPUT, \
       .offset = (scene) + offsetof(struct scene_arguments, path), \

@@ -14,8 +14,8 @@
 struct color_scale {
     const char *title; /* may only have the letters in color_scale.c */
     double least, most;
-    /* Computes the colour of a value, which is `share` times `most`. Share -1 is
-     * `least` if it is negative. */
+    /* Computes the colour of a value, which is `share` times `most`. If `least` is
+     * negative, its share is -1. */
     void (*color)(const void *context, double share, double color[3]);
     const void *context;
 };

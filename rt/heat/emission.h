@@ -37,8 +37,8 @@ struct emission_choice {
  * which emission.s writes them. */
 enum emitted {
     EMITTED_POINT, /* x, y, z of the point */
-    /* The outward unit normal. For a complement in a tree it points into the
-     * complement. For a surface without an outside it points to either side. */
+    /* The outward unit normal. The normal of a complement in a tree points into the
+     * complement. The normal of a surface without an outside points to either side. */
     EMITTED_FACE = EMITTED_POINT + 3,
     EMITTED_WEIGHT = EMITTED_FACE + 3, /* an area; its mean over all points is the area
                                         * of the surface */
@@ -72,8 +72,8 @@ bool emission_run(const struct emission *emission, const struct emission_choice 
                   c205_word *planes, struct accounts *accounts, c205_error *error);
 
 const struct object *emission_program(const struct emission *emission);
-/* Returns a machine that has been loaded for such a run, but has not run. The caller
- * frees it. */
+/* Returns a machine that has been loaded for a run as of emission_run, but has not run.
+ * The caller frees it. */
 c205 *emission_load(const struct emission *emission,
                     const struct emission_choice *choice, c205_error *error);
 

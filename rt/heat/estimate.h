@@ -9,7 +9,7 @@ struct estimate {
     double value, error;
 };
 
-/* Both functions need at least 2 repeats. estimate_mean returns the mean.
+/* These functions need at least 2 repeats. estimate_mean returns the mean.
  * estimate_ratio returns the mean of the shares divided by the mean of the wholes. The
  * error of the ratio is the error of the mean of share - ratio * whole, divided by the
  * mean of the wholes. */

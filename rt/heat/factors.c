@@ -71,8 +71,8 @@ void factor_row_free(struct factor_row *row)
 
 /* ---- Pieces --------------------------------------------------------------- */
 
-/* The number of points of a piece. A source by lines has several crossings per line.
- * With up to four crossings on average there are fewer than MAX_EMISSION. */
+/* The number of points of a piece. If the points are crossings of lines, a line may
+ * have several; up to four on average are fewer than MAX_EMISSION. */
 enum { PIECE = 1 << 14 };
 
 static size_t piece_count(const struct sampling_options *options)

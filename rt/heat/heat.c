@@ -178,8 +178,8 @@ static void find_worst(struct heat *heat)
         }
 }
 
-/* Returns the limit of points or lines. For lines it is rounded down to a power of
- * two. */
+/* Returns the largest number of points or lines of a repeat. A number of lines is
+ * rounded down to a power of two. */
 static size_t limit_of(const struct heat_request *request)
 {
     size_t limit = request->limit;

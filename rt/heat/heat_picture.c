@@ -119,8 +119,8 @@ static void mix(const double (*way)[3], size_t count, double share, double color
         color[k] = way[i][k] + (at - (double)i) * (way[i + 1][k] - way[i][k]);
 }
 
-/* Computes the colour of a share. -1 is the largest gain. 1 is the largest loss, or the
- * largest factor. */
+/* Computes the colour of a value as a share: -1 is the largest gain, and 1 is the
+ * largest loss or the largest factor. */
 static void color_at(const void *given, double share, double color[3])
 {
     const struct heat_drawing *drawing = given;

@@ -35,9 +35,9 @@ struct packet {
     uint64_t made;     /* number of points of the source */
     uint64_t stay;     /* number of points on visible faces */
     size_t width;      /* number of words in `sums` and `counts` together */
-    c205_word *sums;   /* sums of weights: for each receiver, of covered points, of all
-                        * points */
-    c205_word *counts; /* numbers of rays: for each receiver, of covered points */
+    c205_word *sums;   /* sums of weights: of the rays to each receiver, of covered
+                        * points, of all points */
+    c205_word *counts; /* numbers of rays to each receiver, and of covered points */
     struct accounts accounts;
     uint64_t clocks[HEAT_STEPS]; /* clocks of all machines for each step */
 };

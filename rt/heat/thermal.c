@@ -41,7 +41,7 @@ struct thermal_work {
     c205_error *error;
 };
 
-/* Returns the i-th visible surface. */
+/* Returns the i-th surface that has a visible part. */
 static const struct surface *surface_of(const struct thermal_work *work, size_t i)
 {
     return &work->surfaces->list[work->thermal->surface[i]];
@@ -58,7 +58,7 @@ static void take_values(const struct thermal_work *work, size_t i)
     thermal->temperature[i] = temperature;
 }
 
-/* Lists the visible surfaces. */
+/* Lists the surfaces that have a visible part. */
 static bool list_surfaces(const struct thermal_work *work)
 {
     struct thermal *thermal = work->thermal;

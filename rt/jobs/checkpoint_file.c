@@ -91,7 +91,7 @@ static bool write_unit(FILE *stream, uint64_t number,
 
 /* ---- The list of units --------------------------------------------------- */
 
-/* Returns the first place whose number is not below this number. */
+/* Returns the index of the first unit whose number is at least `number`. */
 static size_t place_of(const struct checkpoint_file *file, uint64_t number)
 {
     size_t low = 0, high = file->count;

@@ -73,7 +73,7 @@ bool ranks_receive(const struct ranks *ranks, size_t *from,
 
 void ranks_wait(struct ranks_pause *pause)
 {
-    enum { MIN_MOMENT = 50000, MAX_MOMENT = 4000000 }; /* in nanoseconds */
+    enum { MIN_MOMENT = 50000, MAX_MOMENT = 4000000 }; /* pauses in nanoseconds */
     struct timespec moment = { 0, MIN_MOMENT };
     if (pause->nanoseconds > 0)
         moment.tv_nsec = pause->nanoseconds;

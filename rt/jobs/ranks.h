@@ -15,7 +15,7 @@
 #define RANKS_FILE "rt205_mpi.so"
 #define RANKS_SYMBOL "rt205_ranks_adapter"
 struct ranks_adapter {
-    /* Called once. Returns false if there are no ranks. */
+    /* Starts the communication. Called once. Returns false if there are no ranks. */
     bool (*begin)(size_t *rank, size_t *count);
     void (*send)(size_t to, const uint64_t *words, size_t count);
     /* Returns true if a message has arrived. Sets its sender and its number of

@@ -237,7 +237,7 @@ static const struct bump_entry *entry_of(const struct bump_list *list, size_t ro
 }
 
 /* Writes the values of the map for which an entry has weight. From BUMP_FROM to BUMP_TO
- * it is the upper of two entries, from BUMP_TO on the lower. The first entry is always
+ * the entry is the upper of two, from BUMP_TO on the lower. The first entry is always
  * the lower one, and the last is always the upper one; their ranges are unbounded. */
 static void put_share(struct record *record, const struct bump_list *list, size_t i)
 {

@@ -7,7 +7,7 @@
 #include "rt/layout/surface.h"
 #include "rt/shapes/primitive.h"
 
-enum { BITS = 46 }; /* one bit less than an integer has */
+enum { BITS = 46 }; /* for a set of bodies: one bit less than an integer has */
 
 bool scene_has_interiors(const struct scene *scene)
 {

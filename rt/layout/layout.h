@@ -15,8 +15,8 @@ struct frame_layout {
     uint64_t address;       /* FRAME_CHANNELS planes of width x rows words */
     size_t width, height;   /* size of the whole frame in pixels */
     size_t samples;         /* samples x samples rays for each pixel; 0: one ray */
-    double threshold;       /* Pixels that differ by more than this get further samples;
-                             * 0: all pixels get them. */
+    double threshold;       /* Pixels that differ from a neighbour by more than this get
+                             * further samples; 0: all pixels get them. */
     size_t first_row, rows; /* rows of the current band */
     bool tiles;             /* queues are tiles of pixels, not rows */
 };

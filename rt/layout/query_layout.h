@@ -21,8 +21,8 @@ struct packet_layout {
     uint64_t found;  /* address of RAY_HIT_SIZE planes for each crossing */
 };
 
-/* The part of memory that all machines share. The scene must have plain surfaces, and
- * every_crossing must be set. */
+/* The part of memory that all machines share. In the scene all surfaces must be plain,
+ * and every_crossing must be set. */
 struct query_layout;
 
 /* Lays a scene out. Returns NULL if out of memory, or if a number is out of range. */

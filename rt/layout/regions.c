@@ -282,8 +282,8 @@ static bool is_sphere(const struct scene *scene, const struct region *region)
            && hidden_from(scene, region) == 0;
 }
 
-/* Marks the nodes whose regions are all such spheres, if no leaf below has more than
- * `most` of them. */
+/* Marks each node if all regions of the leaves below it satisfy is_sphere, and no leaf
+ * has more than `most` regions. */
 static void find_spheres(struct places *places, size_t most)
 {
     const struct hierarchy *hierarchy = &places->hierarchy;

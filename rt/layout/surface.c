@@ -55,8 +55,9 @@ void surface_passing(const struct pigment *pigment, int which, double passing[3]
                      + pigment->transmit[which];
 }
 
-/* As in POV-Ray, a ray whose brightness is not above the limit is not traced, even if
- * its largest channel exceeds the limit. */
+/* Returns the largest channel of the transmitted light, or -1 if its brightness is not
+ * above `least`. As in POV-Ray, a ray with less brightness is not traced, even if its
+ * largest channel exceeds `least`. */
 double surface_passing_weight(const double passing[3], double least)
 {
     double brightness = .297 * passing[0] + .589 * passing[1] + .114 * passing[2];

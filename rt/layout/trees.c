@@ -52,8 +52,9 @@ static size_t place_mesh(const struct primitive *primitive,
 }
 
 /* Assigns positions to the crossings of a primitive. The visible crossings of a solid
- * are the ends of its segments. Other shapes have separate lists of both. The two
- * parameters of each crossing of a patch follow the crossings. */
+ * are the ends of its segments. Other shapes have one list of the ends and another of
+ * the visible crossings. The two parameters of each crossing of a patch follow the
+ * crossings. */
 static size_t place_leaf(const struct primitive *primitive, size_t next,
                          struct leaf_plan *plan)
 {

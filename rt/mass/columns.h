@@ -81,8 +81,8 @@ struct columns_sums {
     size_t repeats;
     size_t rays_log;            /* a view has 2^rays_log rays for each shift */
     double middle[3], width[3]; /* centre and widths of the box */
-    c205_word *words;           /* Sums over all rays of a shift, for [VIEWS][repeats].
-                                 * They are [parts][MOMENTS], then [pairs]. */
+    c205_word *words;           /* Sums over all rays of a shift, for [VIEWS][repeats]:
+                                 * [parts][MOMENTS] words, then [pairs] words. */
     uint64_t clocks[COLUMNS_STAGES];
     uint64_t crossings;
 };

@@ -15,7 +15,7 @@ struct boxes {
     struct bound *of_parts;
     size_t *first; /* for each part: index of its first object in `list`; then the end
                     * of the list */
-    size_t *list;  /* numbers of objects */
+    size_t *list;  /* indices of objects */
 };
 
 static const struct bound empty = { .low = { INFINITY, INFINITY, INFINITY },
@@ -180,7 +180,8 @@ static size_t bits_for(size_t most)
     return bits;
 }
 
-/* Returns true for a pair of a part with itself. It uses the part's second level. */
+/* Returns true for a pair of a part with itself. Such a pair uses the second level of
+ * the part. */
 static bool is_own(const struct overlap_pair *pair)
 {
     return pair->parts[0] == pair->parts[1];

@@ -30,8 +30,8 @@ bool overlaps_find(const struct scene *scene, const size_t *part_of, size_t part
                    struct overlaps *overlaps);
 void overlaps_free(struct overlaps *overlaps);
 
-/* Writes the input of the program of overlaps, except the crossings. After an error,
- * the run fails. */
+/* Writes the input of overlaps.s, except the crossings. After an error, the run
+ * fails. */
 void overlaps_give(const struct overlaps *overlaps, struct single_run *run);
 
 #endif

@@ -60,7 +60,7 @@ static const struct picture_kind *kind_of(const char *path)
 
 /* ---- Colours -------------------------------------------------------------- */
 
-/* The transfer function is defined in IEC 61966-2-1. */
+/* Encodes linear light by the transfer function of IEC 61966-2-1. */
 double picture_srgb(double linear)
 {
     if (!(linear > 0))
@@ -115,7 +115,7 @@ static bool is_color(size_t channel)
     return channel <= CHANNEL_BLUE;
 }
 
-/* Returns a plane. The layer is the plane after the channels. */
+/* Returns the plane of a channel. The number after the last channel is the layer. */
 static const double *plane_of(const struct frame *frame, size_t channel)
 {
     return channel < FRAME_CHANNELS ? frame->channel[channel] : frame->value;
@@ -184,7 +184,8 @@ static void load_adapter(void *context)
 {
     c205_error error;
     (void)context;
-    adapter(&error); /* the writing functions open it again, and report its errors */
+    adapter(&error); /* the writing functions open the adapter again, and report its
+                        errors */
 }
 
 struct picture_loader *picture_load(c205_error *error)
@@ -249,7 +250,8 @@ static void choose_formats(struct picture_image *image, bool half)
 
 struct picture {
     const struct picture_adapter *files;
-    struct picture_image image; /* its samples come later, with the parts */
+    struct picture_image image; /* describes the picture; the samples are passed with
+                                   the parts */
     const char *names[FRAME_CHANNELS + 1];
     char *layer;
     char *path;

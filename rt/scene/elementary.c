@@ -366,8 +366,8 @@ double elementary_asinh(double x)
     return rounded(add_twofold(y, divide(off, cosh_of(y))));
 }
 
-/* One Newton step on cosh y = x. cosh y - 1 is computed as 2 sinh^2 (y / 2), which has
- * no cancellation. */
+/* Corrects acosh of the C library by one Newton step on cosh y = x. cosh y - 1 is
+ * computed as 2 sinh^2 (y / 2), which has no cancellation. */
 double elementary_acosh(double x)
 {
     struct twofold y = { acosh(x), 0 }, half, off;

@@ -154,7 +154,8 @@ static bool paint_tga(char *bytes, size_t length)
 
 /* ---- All formats --------------------------------------------------------- */
 
-/* In TGA the types 1 and 9 (run-length encoded) have a colour table. */
+/* Returns true if the file has a colour table. In TGA the types 1 and 9 (run-length
+ * encoded) have one. */
 bool palette_is_used(enum raster_kind kind, const char *bytes, size_t length)
 {
     switch (kind) {

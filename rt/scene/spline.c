@@ -175,8 +175,8 @@ static const struct spline_point *at_end(const struct spline *spline, bool inner
     return end + inset > last ? &spline->points[last - inset] : NULL;
 }
 
-/* A cubic spline ends at its second and at its second to last point. A cubic spline of
- * two points is their mean, as in POV-Ray. */
+/* Computes the value of a spline. A cubic spline ends at its second and at its second
+ * to last point. As in POV-Ray, a cubic spline of two points is their mean. */
 void spline_value(const struct spline *spline, enum spline_kind kind, double t,
                   double value[SPLINE_TERMS])
 {

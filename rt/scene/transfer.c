@@ -69,8 +69,8 @@ double transfer_light(const struct transfer_function *transfer, double share,
                : light;
 }
 
-/* As in POV-Ray, the sum is in 32-bit floats, because its rounding decides the
- * truncated result. */
+/* Computes the sum of three parts in 32-bit floats, as POV-Ray does, because its
+ * rounding decides the truncated result. */
 uint32_t grey_png_steps(float share)
 {
     float red = share * .297f, green = share * .589f, blue = share * .114f;

@@ -115,8 +115,8 @@ struct placement placement_rotation(const double degrees[3])
     return all;
 }
 
-/* Each row of the inverse is the cross product of two columns of the map, divided by
- * the determinant. */
+/* Computes each row of the inverse as the cross product of two columns of the map,
+ * divided by the determinant. */
 bool transform_invert(const struct transform *map, struct transform *inverse)
 {
     double column[3][3], shift[3];

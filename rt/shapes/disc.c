@@ -30,7 +30,8 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
     bound_hull(&hull, bound);
 }
 
-/* The words of the disc's plane come first. */
+/* Writes the words of the disc's plane, then the centre and the squares of both
+ * radii. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     double radius = primitive->shape.disc.radius, hole = primitive->shape.disc.hole;

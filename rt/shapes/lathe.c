@@ -330,7 +330,8 @@ static double middle_of(const struct primitive *primitive)
  * lathe. */
 #define NEAR 1e-3
 
-/* The radius and half the height are enlarged by more than the rounding errors. */
+/* Writes the bounding cylinder. Its radius and half its height are enlarged by more
+ * than the rounding errors. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     struct cylinder_about about = cylinder_of(primitive);

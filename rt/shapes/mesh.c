@@ -121,8 +121,8 @@ static double reach_of(const struct triangle *triangle, const double center[3])
     return reach;
 }
 
-/* The bounding sphere has the centre of the box, and its radius reaches to the farthest
- * corner. */
+/* Computes the box of the triangles, and the sphere about its centre that contains all
+ * corners. */
 static void bound_many(const struct primitive *primitive,
                        const struct triangles *triangles, struct bound *bound)
 {
@@ -503,7 +503,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 4;
 }
 
-/* The words of a mesh are always in world space. */
+/* Returns true, because the words of a mesh are always in world space. */
 static bool carry(const struct primitive *primitive, double *words)
 {
     (void)primitive;

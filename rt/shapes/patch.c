@@ -46,7 +46,7 @@ static bool is_regular(const struct primitive *patch, const double p[3])
     return length3(normal) > least;
 }
 
-/* The determinant of the three rows is a cubic polynomial in s, t and u. It is 0
+/* Tests the determinant of the three rows, a cubic polynomial in s, t and u. It is 0
  * everywhere if it is 0 at the ten points of a grid with spacing 1/3. */
 bool patch_has_area(const struct primitive *patch)
 {

@@ -136,8 +136,8 @@ static size_t crossings_along(const struct outline *path, size_t apart,
     return count + close_changes(&changes);
 }
 
-/* The number of runs changes only at directions that are parallel to an edge, so no
- * other directions are tried. */
+/* Tries the directions that are parallel to an edge, because the number of runs changes
+ * only there. */
 size_t path_crossings(const struct outline *path, size_t apart)
 {
     struct path_walk walk = { .path = path, .apart = apart };

@@ -12,14 +12,14 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-/* The distance of a plane is measured along the unit normal. */
+/* Normalises the normal, along which the distance of a plane is measured. */
 static const char *finish(struct primitive *primitive)
 {
     return axis_make_normal(primitive->shape.plane.normal);
 }
 
-/* The words of a plane are in world space. The normal n becomes P^T n, where P is the
- * inverse map. */
+/* Writes the plane in world space. Its normal n becomes P^T n, where P is the inverse
+ * map. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     const struct transform *back = &primitive->to_local;

@@ -93,8 +93,8 @@ static size_t segments(const struct primitive *primitive)
 
 /* ---- Words and table ----------------------------------------------------- */
 
-/* Returns true if a ray from a point of an edge crosses an odd number of the other
- * edges. */
+/* Returns true if a point near an edge, in the given direction, is inside the path: a
+ * ray from the middle of the edge crosses an odd number of the other edges. */
 static bool is_inside(const struct outline *path, size_t edge, const double point[2],
                       const double direction[2])
 {

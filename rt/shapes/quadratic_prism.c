@@ -296,7 +296,8 @@ static void put_rows(const struct outline *path, double *table)
     }
 }
 
-/* A loop of n parabolas has 2n + 1 points and n + 1 rows. */
+/* Returns the number of rows of a table. A loop of n parabolas has 2n + 1 points and n
+ * + 1 rows. */
 static size_t count_rows(const struct outline *path)
 {
     struct path_walk walk = { .path = path, .apart = 2 };

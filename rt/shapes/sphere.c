@@ -17,8 +17,8 @@ static const char *finish(struct primitive *primitive)
                : shape_empty(primitive, "the radius is 0");
 }
 
-/* In world space the sphere is an ellipsoid. Its extent along an axis is the length of
- * the axis's row of the matrix, multiplied by the radius. */
+/* Bounds the ellipsoid that the sphere is in world space. Its extent along an axis is
+ * the length of the axis's row of the matrix, multiplied by the radius. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     double r = primitive->shape.sphere.radius;

@@ -16,7 +16,8 @@ const char *const speedup_projections[SPEEDUP_PROJECTIONS] = {
     [SPEEDUP_720] = "cyber720", [SPEEDUP_6600] = "cdc6600"
 };
 
-/* The model of the 6600 has no fitted constants. */
+/* Selects fitted models or priors as in `model`. The model of the 6600 has no fitted
+ * constants. */
 const char *speedup_projection_model(const c205_model *model,
                                      enum speedup_projection machine)
 {

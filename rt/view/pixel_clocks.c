@@ -66,7 +66,8 @@ static bool may_continue(void *context, const c205 *machine)
                || how->progress(how->context, 0, how->width * how->height));
 }
 
-/* Traces the band from its start until the listener is done. */
+/* Traces the band from its start until the listener has found the clocks. Returns false
+ * after an error. */
 static bool on_event(struct recording *recording, c205_listener *listen,
                      c205_error *error)
 {

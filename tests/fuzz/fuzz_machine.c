@@ -99,7 +99,7 @@ static void begin(c205 *machine, const c205_word *code)
     fill_registers(machine);
 }
 
-/* Gives the same result as c205_run(machine, CLOCKS). */
+/* Runs the machine in slices, with the same result as c205_run(machine, CLOCKS). */
 static c205_stop run_slices(c205 *machine)
 {
     c205_stop stop;

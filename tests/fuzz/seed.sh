@@ -16,8 +16,9 @@ seed() { # TARGET FILE ..: copies files to a corpus, by unique names
     done
 }
 
-pieces() { # TARGET HEAD LINES: divides its session into short ones
-    # Each piece has the first HEAD lines and up to LINES others, to reach its end.
+pieces() { # TARGET HEAD LINES: divides the session of a target into short sessions
+    # Each short session has the first HEAD lines and up to LINES others, to reach its
+    # end.
     mkdir -p "$corpus/$1"
     awk -v head="$2" -v lines="$3" -v name="$corpus/$1/session." '
         NR <= head { first = first $0 "\n"; next }

@@ -53,7 +53,7 @@ texts() {
     done
 }
 
-measure() { # PART
+measure() { # PART: writes the lines that a part executes
     here=$covered/$(echo "$1" | tr / +)
     [ ! -e "$here.lines" ] && mkdir "$here.claim" 2>/dev/null || return
     find "$GCOV_PREFIX" -name '*.gcda' -delete
@@ -72,7 +72,7 @@ measure() { # PART
 }
 
 # The counters of each job are in a separate folder, with the notes that gcov needs.
-work() { # JOB PART ..
+work() { # JOB PART ..: measures all parts that no other job measures
     job=$1 GCOV_PREFIX=$covered/counters.$1 TEXTS_READ=$covered/texts.$1
     GCOV_PREFIX_STRIP=$(pwd | tr -cd / | wc -c)
     export GCOV_PREFIX GCOV_PREFIX_STRIP TEXTS_READ

@@ -36,7 +36,7 @@ if command -v ccache >/dev/null; then
 fi
 unset MAKEFLAGS MFLAGS MAKELEVEL
 job=0 # number of this process; 0 makes no faults
-export LSAN_OPTIONS=hard_rss_limit_mb=8000 # limits the memory
+export LSAN_OPTIONS=hard_rss_limit_mb=8000 # ends a process above 8 GB
 touch "$results"
 
 # Runs a goal. It is stopped after SECONDS of processor time, or after 20 times as many
@@ -69,7 +69,7 @@ room_files() { # ROOM
 
 # ---- One fault ------------------------------------------------------------
 
-make_fault() { # FILE NUMBER
+make_fault() { # FILE NUMBER: prints the file with a fault
     if [ "$total" = planted ]; then
         $plant -v number="$2" "$list"
     else
@@ -89,13 +89,13 @@ objects_of() { # FILE
     esac
 }
 
-remove_fault() { # TREE FILE
+remove_fault() { # TREE FILE: restores the file and the objects built from it
     { (cd "$1" && find build -type f -newer stamp) && echo "$2"; } | while read -r file; do
         cp -p "$whole/$file" "$1/$file" 2>/dev/null || rm -f "$1/$file"
     done
 }
 
-is_changed() { # TREE
+is_changed() { # TREE: succeeds if the fault has changed an object
     (cd "$1" && find build -name '*.o' -newer stamp) | while read -r object; do
         cmp -s "$1/$object" "$whole/$object" || echo "$object"
     done | grep -q .
@@ -178,7 +178,7 @@ find_fault() { # TREE FILE LINE NUMBER
     done <"$place/order.$job"
 }
 
-try() { # ROOM KEY FILE NUMBER LINE KIND
+try() { # ROOM KEY FILE NUMBER LINE KIND: tries one fault
     tree=$place/tree.$job
     begin=$(date +%s)
     touch "$tree/stamp"
@@ -215,7 +215,7 @@ try_room() { # ROOM COUNT
         done
 }
 
-work() { # JOB
+work() { # JOB: tries the share of a job
     job=$1
     rm -rf "$place/tree.$job"
     mkdir "$place/tree.$job"

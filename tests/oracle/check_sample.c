@@ -31,7 +31,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The samples of the pictures differ. Users see no difference up to this tolerance. */
+/* POV-Ray and rt205 sample a pixel at different points. Users see no difference up to
+ * this tolerance. */
 static const struct comparison with_povray = { "colour", CHANNEL_RED, 3, 1,
                                                false,    .02,         1 };
 

@@ -15,7 +15,8 @@
 /* The size of the pictures for which the scenes are made. */
 enum { LANGUAGE_WIDTH = 40, LANGUAGE_HEIGHT = 30 };
 
-/* The image file of their image_map, which is in the folder of the scene. */
+/* The image file of the image_map of the scenes, which is in the folder of the
+ * scene. */
 #define LANGUAGE_IMAGE "language_image.ppm"
 extern const char language_image[];
 

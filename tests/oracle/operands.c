@@ -57,7 +57,7 @@ static const struct {
     /* machine zeros, indefinites */
     {FIRST, 0, 0}, {FIRST, 0, 1}, {SMALLEST, 0, -1}, {LARGEST, 0, 1},
     {LAST, 0, 0},
-    /* the largest numbers, the smallest */
+    /* the largest and the smallest numbers */
     {LARGEST, 0, 0}, {LARGEST, 0, -1}, {LARGEST, -1, 0}, {SMALLEST, 0, 0},
     {SMALLEST, 0, 1}, {SMALLEST, 1, -1}, {SMALLEST, 1, 0},
     /* integers, and numbers just outside them */

@@ -307,7 +307,8 @@ static void pass_from_area(const struct plain_tracer *tracer, const struct light
     copy(color, sum);
 }
 
-/* Adds one light, unless it is behind the surface. Shadowless: without highlights. */
+/* Adds one light, unless it is behind the surface. A shadowless light has no
+ * highlights. */
 static void add_light(const struct plain_tracer *tracer, const struct light *light,
                       const struct plain_surface *surface, double color[3])
 {

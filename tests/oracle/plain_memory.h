@@ -37,8 +37,8 @@ void plain_map(struct plain_memory *memory, uint64_t address, size_t words,
 bool plain_is_mapped(const struct plain_memory *memory, uint64_t address);
 bool plain_is_writable(const struct plain_memory *memory, uint64_t address);
 
-/* Returns a pointer to the word at an address, which the following words of the same
- * page follow. Returns NULL if there is no such page. */
+/* Returns a pointer to the word at an address; the other words of the page follow it.
+ * Returns NULL if there is no such page. */
 c205_word *plain_words(const struct plain_memory *memory, uint64_t address);
 /* Returns the word at an address. Words that were never stored are zero, mapped or not.
  * A store outside of the pages, which is a fault, has no effect. */

@@ -181,7 +181,8 @@ static bool shows_below(const struct sides *sides, size_t at,
     return false;
 }
 
-/* Returns true if a crossing is visible, as all are for a region of one primitive. */
+/* Returns true if a crossing is visible. All crossings with a region of one primitive
+ * are visible. */
 static bool shows(const struct sides *sides, const struct primitive *primitive)
 {
     const struct region *region = sides->before.list->region;

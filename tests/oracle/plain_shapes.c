@@ -178,7 +178,8 @@ CROSS(cross_disc)
     return away >= primitive->shape.disc.hole && away <= primitive->shape.disc.radius;
 }
 
-/* Computes the gradient of a quadric, or the Hessian times a direction (linear 0). */
+/* Computes the gradient of a quadric if `linear` is 1, or the product of the Hessian
+ * and a direction if it is 0. */
 static void quadric_gradient(const double c[QUADRIC_TERMS], const double at[3],
                              double linear, double gradient[3])
 {

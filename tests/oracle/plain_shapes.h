@@ -110,7 +110,7 @@ static inline void cross_product(const double a[3], const double b[3],
     }
 }
 
-/* Transforms a point. */
+/* Maps a point by a transform. */
 static inline void to_other_space(const struct transform *transform, const double in[3],
                                   double out[3])
 {

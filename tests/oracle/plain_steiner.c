@@ -41,7 +41,8 @@ static const struct place corners[3] = { { { 1, 0, 0 } },
                                          { { 0, 1, 0 } },
                                          { { 0, 0, 1 } } };
 
-/* The polar form is linear in both places; for equal ones it is the conic's value. */
+/* The polar form is linear in both places. For two equal places, its value is the value
+ * of the conic. */
 static long double polar(const struct conic *conic, const struct place *a,
                          const struct place *b)
 {

@@ -35,7 +35,7 @@ struct point_kind {
     bool numbers;                      /* numbers in (0, 1), else the integers from
                                         * which they are computed */
     size_t queue, points, coordinates; /* number of points in a queue, points and
-                                          coordinates; the stream has 5 coordinates */
+                                        * coordinates; the stream has 5 coordinates */
 };
 
 /* Selects points of the kind. Only the lattice uses m and shift. */

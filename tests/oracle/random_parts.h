@@ -31,7 +31,7 @@ enum { LOOP_COUNT = 250, LOOP_BEGIN = 251 };
 /* Registers of the scatter with which a loop changes its code. */
 enum { REWRITE_LIST = 252, REWRITE_FROM, REWRITE_TABLE };
 
-/* Fills the program with instructions. */
+/* Fills the program with random instructions. */
 void draw_insns(uint64_t *random, struct random_program *program);
 
 #endif

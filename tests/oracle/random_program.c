@@ -337,7 +337,8 @@ static c205_word preset(uint64_t *random, const struct random_program *program,
     }
 }
 
-/* Returns a vector near the previous one; half words may be near words. */
+/* Returns a vector near the previous one. A vector of half words may instead be near a
+ * vector of words. */
 static c205_word near_another(uint64_t *random, const struct random_program *program,
                               char role, unsigned number)
 {

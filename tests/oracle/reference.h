@@ -54,7 +54,7 @@ struct deed {
 struct reference_state {
     c205_word registers[C205_REGISTERS];
     uint64_t flags, pc;
-    uint64_t timer; /* clock at which it expires; 0: off */
+    uint64_t timer; /* clock at which the job interval timer expires; 0: off */
 };
 
 struct reference {
@@ -102,9 +102,9 @@ bool reference_has_offset(const c205_insn *insn, const c205_fields *fields);
 
 /* Returns the table's letter for a field of the syntax. The field 'a' means A. */
 char reference_table_letter(const c205_insn *insn, char field);
-/* Returns the same letter, but a capital if the operand has 32 bits, which may depend
- * on G. G also decides whether an order vector is a source or a result. Returns 0 if
- * there is no such field. */
+/* Returns the letter of reference_table_letter, as a capital if the operand has 32
+ * bits, which may depend on G. G also decides whether an order vector is a source or a
+ * result. Returns 0 if there is no such field. */
 char reference_letter(const c205_insn *insn, unsigned g, char field);
 /* Returns true if the letter, perhaps a broadcast operand, means a half register. */
 bool reference_is_half_register(char letter, bool broadcast);

@@ -34,7 +34,7 @@ struct phase {
     size_t region;
 };
 
-/* Counts of a region. Its clocks are separate. */
+/* Counts of a region, without its clocks. */
 struct counts {
     uint64_t instructions, vector_instructions, elements, operations, entries;
 };

@@ -5,7 +5,8 @@
 
 /* ---- Elements ---------------------------------------------------------- */
 
-/* Reads one element. All elements of a linked pair's first instruction set flags. */
+/* Reads element i of a source. If the source is the result of the first instruction of
+ * a linked pair, the operation that computes the element sets the data flags. */
 static c205_word read_element(struct reference *reference, const struct source *source,
                               uint64_t i)
 {

@@ -63,7 +63,7 @@ static void exchange_flags(struct reference *reference, const c205_fields *field
 
 /* A register field: a length and a first bit, where bit 0 is the leftmost bit. */
 struct field {
-    unsigned shift; /* distance of its last bit from the right end */
+    unsigned shift; /* distance of the last bit of the field from the right end */
     uint64_t mask;  /* right-justified */
 };
 

@@ -211,7 +211,7 @@ static uint64_t own_recurrences(const struct vector *vector)
     return recurrences(sources, sizeof sources / sizeof sources[0], &vector->c);
 }
 
-/* Counts the recurrences of both instructions' sources with the second's result. */
+/* Counts the sources of both instructions that are earlier results of the second. */
 static uint64_t linked_recurrences(const struct vector *first,
                                    const struct vector *second)
 {

@@ -201,7 +201,7 @@ static void divide_differences(mpfr_t values[], mpfr_t points[], size_t count)
     mpfr_clear(width);
 }
 
-/* Expands Newton's form into powers. */
+/* Computes the coefficients of the powers from Newton's form. */
 static void multiply_out(mpfr_t coefficients[], mpfr_t differences[], mpfr_t points[],
                          size_t count)
 {

@@ -14,9 +14,9 @@
 extern struct solids {
     bool clear; /* some parts are clear, and solids with clear parts may be mirrors */
     bool gridded;
-    bool patches; /* include patches; only those without reports, unless reports are
-                   * allowed */
-    bool meshes;  /* include meshes, by the same rule */
+    bool patches; /* include patches; a patch that causes a report is excluded unless
+                   * reports are allowed */
+    bool meshes;  /* include meshes, with the same exclusion */
 } solids;
 
 size_t below(size_t count);

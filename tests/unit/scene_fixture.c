@@ -21,7 +21,7 @@ static void put_kernels(const struct sink *sink, const struct shape_kernels *ker
     put_label(sink, kernels->state);
 }
 
-/* Returns a program that defines the records. It has only labels for the kernels. */
+/* Returns a program that defines the records. Its kernels are only labels. */
 static struct object *stage_program(void)
 {
     const struct text *const texts[] = { kernel_texts, NULL };

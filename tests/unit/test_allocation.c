@@ -187,7 +187,8 @@ static const char program_text[] =
     "; expect: [b] = 2.0, 4.0, 2.0\n"
     "; expect-print: 16\n";
 
-/* Copies the first error. An error that could not be allocated is not in the list. */
+/* Copies the message of the first error in a list. Without an entry, the error could
+ * not be allocated. */
 static void print_first(const struct diagnostics *errors, c205_error *error)
 {
     error_set(error, "%.200s",

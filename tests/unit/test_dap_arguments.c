@@ -169,7 +169,8 @@ TEST(arguments)
     assert_int_equal(client_step(&client), 0);
 }
 
-/* Names of constants, from the client and from the command line. */
+/* Names that cannot be constants are rejected, from the client and from the command
+ * line. */
 TEST(defines)
 {
     static const struct {

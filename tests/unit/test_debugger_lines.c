@@ -195,7 +195,7 @@ static const struct {
         { "print pc == linked", "1" },
         { "step", "EXIT" } },
       0 },
-    /* A loop is not a call: `next` follows it. */
+    /* The branch of a loop is not a call: `next` follows the branch. */
     { "        .regs r16, turns, to, count\n"
       "        ES   turns, 3\n"
       "        EX   to, again\n"

@@ -103,7 +103,8 @@ TEST(near_one)
     }
 }
 
-/* Whole degrees, as in scenes, and therefore values near multiples of pi / 2. */
+/* The arguments are whole degrees, as in scenes, and therefore include values near
+ * multiples of pi / 2. */
 TEST(angles)
 {
     for (int degrees = -720; degrees <= 720; degrees++)

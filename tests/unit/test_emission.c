@@ -21,7 +21,7 @@ static size_t tries = 4; /* number of tries for each kind */
 
 /* ---- Emission ------------------------------------------------------------- */
 
-/* A point as the machine writes it to its planes, and the words as numbers. */
+/* A point: its words, as the machine writes them to its planes, and their values. */
 struct emitted_point {
     c205_word words[EMITTED_PLANES];
     double place[3], face[3], weight, ray[3];
@@ -159,7 +159,8 @@ static void assert_mean(const struct mean *mean, double expected, double sigmas,
     assert_near(found, expected, sigmas * sqrt(fmax(variance, 0) / mean->count) + more);
 }
 
-/* The mean weight is the area, the weighted mean of the points the centroid. */
+/* The mean weight must be the area of the shape, and the weighted mean of the points
+ * its centroid. */
 static void check_area(const struct primitive *primitive)
 {
     struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false, NULL };
@@ -302,7 +303,7 @@ static void check_share(const struct primitive *primitive, double height, double
                 4 * sqrt(expected * (1 - expected) / 60000));
 }
 
-/* The factors of viewfactors.csv. */
+/* The factors must equal those of viewfactors.csv. */
 TEST(factors)
 {
     SCOPED(scene) *scene = read_scene(

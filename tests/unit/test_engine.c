@@ -55,7 +55,7 @@ TEST(load)
     assert_true(number_of(talk.reply, "step") == 1);
 }
 
-/* The last instruction, and the operands of the next instruction. */
+/* A view shows the last instruction, and the operands of the next instruction. */
 TEST(instructions)
 {
     SCOPED_VALUE(talk) talk =

@@ -65,7 +65,7 @@ TEST(shell_and_discs)
     assert_estimate("none", global_lines_factor(&discs, 0, 0), 0);
 }
 
-/* The areas of massprops.csv, for surfaces that intersect. */
+/* Surfaces that intersect have the areas of massprops.csv. */
 TEST(areas)
 {
     static const struct {

@@ -258,7 +258,8 @@ static void listen_to_saves(void *context UNUSED, const c205 *machine,
         saves.before[k] = c205_register(machine, k);
 }
 
-/* A short kernel's main cost is its call, which unneeded saves would increase. */
+/* A kernel must not save registers that it does not change. The main cost of a short
+ * kernel is its call, which such saves would increase. */
 TEST(nothing_is_saved_in_vain)
 {
     static const char text[] = HEAD

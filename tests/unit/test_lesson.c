@@ -300,7 +300,7 @@ static void check_drawn(struct random_lesson *drawn)
     for (size_t i = 0; i < drawn->count; i++) {
         run_plainly(drawn, &drawn->tests[i], &plain[i]);
         medals[i] = (enum medal)below(MEDALS);
-        /* These clocks must just get this medal: the goals often leave no margin. */
+        /* The clocks must get exactly this medal. The goals often leave no margin. */
         struct random_test *test = &drawn->tests[i];
         uint64_t above_it = c205_clock(plain[i].machine), below_it = above_it - 1;
 

@@ -199,7 +199,7 @@ static void check_forms(const char *name)
 /* ---- Errors -------------------------------------------------------------- */
 
 struct errors {
-    double least, most; /* in units of the last place */
+    double least, most; /* errors in units of the last place */
     size_t count;       /* number of numeric results */
 };
 
@@ -270,7 +270,7 @@ static void check_result(const struct function *function, size_t i,
         good = word == C205_INDEFINITE;
     } else {
         function->exact(exact, x, y);
-        /* For these, sums in atan2 and products in power may be out of range. */
+        /* In atan2 a sum, and in power a product, may be out of range. */
         if (function->exact == exact_atan2)
             overflows = (!mpfr_zero_p(x) && labs(exponent_of(x)) >= EXPONENTS - AT_END)
                         || (!mpfr_zero_p(y)

@@ -54,7 +54,8 @@ static c205_stop run_one(struct small_machine *fixture, const char *mnemonic,
                          c205_fields fields)
 {
     begin(fixture);
-    add(fixture, "RTOR", F(.r = 0, .t = 0)); /* not aligned to a word */
+    add(fixture, "RTOR", F(.r = 0, .t = 0)); /* a short instruction, so that the next
+                                              * one is not aligned to a word */
     add(fixture, mnemonic, fields);
     add(fixture, "EXIT", F(.r = 0));
     load(fixture, 100);

@@ -241,7 +241,7 @@ TEST(parallel_axes)
         < 1e-9);
 }
 
-/* The principal axes of a rotated box, in order of increasing moments. */
+/* The principal axes of a rotated box are in order of increasing moments. */
 TEST(axes)
 {
     struct measured box = measured_of("box { <-1,-.5,-.25>, <1,.5,.25> rotate 30*z }",

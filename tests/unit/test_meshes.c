@@ -84,7 +84,8 @@ static void write_world(void)
     add_text(text, sizeof text, "}\n");
 }
 
-/* Traces the text by another method, or another text. The frame is the same. */
+/* Traces a text by another method, or another text of the scene. The frame must be the
+ * same. */
 static void check_other_way(const struct words *words)
 {
     FREED struct words *others = same_frame(text);
@@ -163,7 +164,7 @@ TEST(every_triangle)
     check_paper_stage(text, words);
 }
 
-/* Meshes of hundreds of triangles. */
+/* Meshes with hundreds of triangles are traced. */
 TEST(big)
 {
     for (size_t i = 0; i < scene_count; i++) {
@@ -202,7 +203,7 @@ TEST(shadow_limit)
         "pigment { rgb <1, .2, .1> } }\n"));
 }
 
-/* Queues whose number of rays is nearly the length of the longest vector. */
+/* Queues have nearly as many rays as the longest vector has elements. */
 TEST(long_queues)
 {
     static const size_t queues[] = { 40000, MAX_TRACE_QUEUE - 4, MAX_TRACE_QUEUE };
@@ -254,7 +255,7 @@ TEST(other_words)
     "<-1, 2, 0>, -2*z }"
 #define FLAT "triangle { " CORNERS " }"
 
-/* Triangles that are not in a mesh. */
+/* Triangles are traced without a mesh. */
 TEST(triangles_alone)
 {
     static const char *const triangles[] = { FLAT, LEANING };

@@ -293,7 +293,7 @@ TEST(failure_keeps_the_old_file)
     }
 }
 
-/* An additional plane in pictures that have more channels than colours. */
+/* Pictures with more channels than colours can have an additional plane. */
 TEST(layer)
 {
     static const char *const paths[] = { "l.exr", "l.tif", "l.png" };
@@ -319,7 +319,7 @@ TEST(layer)
     }
 }
 
-/* A picture with missing rows, or a picture that is abandoned. */
+/* A picture with missing rows, or a picture that is abandoned, is not written. */
 TEST(rows_missing)
 {
     SCOPED_VALUE(frame) frame = sample_frame();

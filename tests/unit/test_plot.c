@@ -324,7 +324,7 @@ TEST_WITH(converter_is_used, set_up, tear_down)
 
 /* ---- Marks and axes --------------------------------------------------- */
 
-/* Returns the y coordinate of a mark's label in the picture. It increases downwards. */
+/* Returns the y coordinate of a mark's label in the picture. y increases downwards. */
 static double height_of(const char *picture, const char *label)
 {
     const char *at = strstr(picture, label);

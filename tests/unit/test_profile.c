@@ -57,7 +57,8 @@ static double number_of(const char *row, const char *key)
     return strtod(strchr(at, ':') + 1, NULL);
 }
 
-/* All parts sum to the frame, all kernels to the part to which they belong. */
+/* The clocks of all parts sum to the clocks of the frame, and those of all kernels to
+ * the clocks of their part. */
 TEST(sums)
 {
     enum { FRAME, PARTS, KERNELS, INTERSECT, SUMS };

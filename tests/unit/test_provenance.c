@@ -43,9 +43,9 @@ static void holds(const char *text, const char *expected)
 
 /* ---- Uncertainty -------------- */
 
-/* The beginning of the text, and parts of the text and the JSON. For a model that
- * extends another model, the number of figures, the largest error and the worst figure
- * of the other model are printed. */
+/* A report must begin with one text and contain another; its JSON must contain a third.
+ * For a model that extends another model, the number of figures, the largest error and
+ * the worst figure of the other model are printed. */
 TEST(models)
 {
     static const struct {
@@ -160,7 +160,7 @@ TEST(one_source)
     assert_null(strstr(strstr(text, " constants: "), ","));
 }
 
-/* The text for a single line. */
+/* A command prints one line about its model. */
 TEST(line)
 {
     static const char *const rows[][2] = {

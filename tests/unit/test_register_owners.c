@@ -55,7 +55,7 @@ TEST(lost)
         { " EX b, on\n BIM 0, a\non:\n", 1, 0, NULL },
         { " EX b, on\n IBXEQ r0, r0, r0, [a], r9\non:\n", 1, 0, NULL },
         { " EX r9, on\n ES b, 0\n IBXEQ r0, r0, r0, [r9, a], r9\non:\n", 2, 1, NULL },
-        /* In vector instructions. */
+        /* A vector instruction reads the register. */
         { " EX b, data\n ELEN b, 2\n VTOV [a], [a]\n", 2, 1, NULL },
         { " ES b, 2\n EX r9, data\n ELEN r9, 2\n ADDNV a, [r9], [r9]\n", 3, 0, NULL },
         { " ES b, 0\n EX r9, data\n ELEN r9, 2\n VTOV [r9, a], [r9]\n", 3, 0, NULL },

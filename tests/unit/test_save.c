@@ -234,7 +234,8 @@ TEST(forged)
     size_t words = bytes.count / WORD_BYTES;
     for (size_t i = 0; i + 1 < words; i++) {
         uint64_t random = xorshift(&random_state);
-        try_word(&bytes, i, words - i); /* one more than the words that follow */
+        try_word(&bytes, i, words - i); /* a count that exceeds the words that follow by
+                                           one */
         try_word(&bytes, i, 0);
         try_word(&bytes, i, UINT64_MAX);
         try_word(&bytes, i, get_word(&bytes, i) + 1);

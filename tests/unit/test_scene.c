@@ -58,9 +58,9 @@ TEST(expressions)
         { "mod(-7, 3)", -1 },
         { "div(-7, 2)", -3 },
         { "int(-2.7)", -2 },
-        { "strlen(str(int(-.5), 0, 1))", 3 }, /* 0.0 */
+        { "strlen(str(int(-.5), 0, 1))", 3 }, /* the text is 0.0 */
         { "strlen(str(div(-1, 2), 0, 1))", 3 },
-        { "strlen(str(ceil(-.5), 0, 1))", 4 }, /* -0.0, as in POV-Ray */
+        { "strlen(str(ceil(-.5), 0, 1))", 4 }, /* the text is -0.0, as in POV-Ray */
         { "ceil(-2.2)", -2 },
         { "floor(-2.2)", -3 },
         { "max(1, 5, 3)", 5 },
@@ -279,7 +279,7 @@ TEST(no_transform)
         read_with("sphere { 0, 1 translate x translate -x } sphere { 0, 1 scale 0 }",
                   3);
     assert_false(scene->primitives[0].transformed);
-    assert_false(scene->primitives[1].transformed); /* 0 became 1 */
+    assert_false(scene->primitives[1].transformed); /* the scale 0 became 1 */
 }
 
 /* Fails unless the pattern's x coordinate at a world point is as expected. */

@@ -329,7 +329,7 @@ TEST(objects)
         assert_int_equal(scene->primitives[i].object, expected[i]);
 }
 
-/* Materials by name. Further words follow the name. */
+/* Materials are used by name. Further words may follow the name. */
 TEST(materials)
 {
     SCOPED(scene) *scene = read_scene(
@@ -449,7 +449,7 @@ TEST(large_solids)
     assert_refused(text, 1, "more than 10000 primitives in one solid");
 }
 
-/* Many levels of named solids. Copies are counted. */
+/* Solids are named through many levels. Each copy of a primitive is counted. */
 TEST(deep_names)
 {
     FREED char *solids = repeated("#declare H = " A " ",

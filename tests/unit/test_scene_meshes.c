@@ -35,7 +35,7 @@ TEST(lone_triangles)
     assert_vector(smooth->normals[0], 0, 0, -1);
     assert_vector(smooth->normals[1], 0, 0, -1);
     assert_vector(smooth->normals[2], -HALF, 0, -HALF);
-    assert_true(triangles_of_part(scene, 2)->list->smooth); /* its normals are equal */
+    assert_true(triangles_of_part(scene, 2)->list->smooth); /* with equal normals */
     assert_vector(triangles_of_part(scene, 2)->list->normals[1], HALF, 0, HALF);
     assert_int_equal(scene->primitives[2].line, 3);
     assert_ptr_equal(triangles_of_part(scene, 3)->list,
@@ -64,7 +64,7 @@ TEST(meshes)
     assert_true(triangles->list[6].smooth);
     assert_vector(triangles->list[6].normals[0], 0, 0, 1);
     assert_vector(triangles->list[6].normals[2], HALF, 0, HALF);
-    assert_false(triangles->list[7].smooth); /* its normals are equal */
+    assert_false(triangles->list[7].smooth); /* with equal normals */
     assert_false(triangles->list[8].smooth);
     assert_vector(p[0].pigment.color[0], 1, 0, 0);
     assert_true(p[0].transformed && p[0].inverted && !p[1].inverted);
@@ -102,8 +102,8 @@ TEST(mesh2)
     assert_vector(list[1].corners[0], 0, 0, 0);
     list = triangles_of_part(scene, 2)->list;
     assert_true(list[0].smooth);
-    assert_false(list[1].smooth || list[2].smooth); /* one has equal normals, the other
-                                                     * has none */
+    assert_false(list[1].smooth || list[2].smooth); /* the second triangle has equal
+                                                     * normals, the third has none */
     assert_vector(list[0].normals[1], 0, 1, 0);
     list = triangles_of_part(scene, 3)->list;
     assert_true(list[0].smooth && !list[1].smooth);
@@ -120,7 +120,7 @@ TEST(nothing)
                   "mesh2 { vertex_vectors { 3 0 x y } normal_vectors { 3 0 y z }"
                   " face_indices { 1 <0, 1, 2> } }\n"
                   "smooth_triangle { 0, 1e-200*z, x, y, y, z }\n",
-                  1); /* all have the same cause */
+                  1); /* all reports have the same cause */
     const struct triangle *list = triangles_of_part(scene, 0)->list;
     assert_int_equal(scene->primitive_count, 3);
     assert_vector(list->normals[0], 1, 0, 0);
@@ -262,8 +262,8 @@ TEST(clipped)
 
 /* ---- Errors -------------------------------------------------------------- */
 
-#define THREE "mesh2 { vertex_vectors { 3, 0, x, y } " /* 38 columns */
-#define FACE "face_indices { 1, <0, 1, 2> } "          /* 30 columns */
+#define THREE "mesh2 { vertex_vectors { 3, 0, x, y } " /* the text has 38 columns */
+#define FACE "face_indices { 1, <0, 1, 2> } "          /* the text has 30 columns */
 #define MESH "mesh { triangle { 0, x, y } }"
 
 static const struct line_error errors[] = {

@@ -242,7 +242,8 @@ TEST(includes)
     scene_free(scene);
 
     write_file(folder, "main.pov", "#include \"part.inc\"\nsphere { 0, L }");
-    assert_null(scene_read(path, &reading_options, &reports)); /* L was a local name */
+    /* L was a local name of the included file */
+    assert_null(scene_read(path, &reading_options, &reports));
     assert_int_equal(reports.count, 1);
     assert_int_equal(reports.items[0].line, 2);
     diagnostics_free(&reports);

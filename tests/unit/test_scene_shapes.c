@@ -22,7 +22,7 @@ static void describe(const struct primitive *primitive, size_t count, char *to)
             primitive->inverted ? " inverted" : "");
 }
 
-/* A text on each line, and its primitive. All shapes begin with their numbers. */
+/* Each row has a text, and the name, numbers and flags of its primitive. */
 TEST(shapes)
 {
     static const struct {

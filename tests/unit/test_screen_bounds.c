@@ -335,7 +335,8 @@ static void write_before_camera(const char *camera)
                "{ reflection .6 } }\n");
 }
 
-/* These cameras' rays do not pass through their location, but rays to a light do. */
+/* The rays of these cameras do not pass through one point, but the rays to a light
+ * do. */
 TEST(other_cameras)
 {
     static const char *const cameras[] = {
@@ -469,7 +470,7 @@ static uint64_t clocks_of(const struct scene *scene, enum trace_mode mode,
     return trace_accounts(trace)->clocks;
 }
 
-/* Rays from the camera, and rays to a light. */
+/* Compares the clocks of windows and of boxes, without and with rays to a light. */
 TEST(clocks)
 {
     static const char *const lights[] = { " shadowless", "" };

@@ -38,7 +38,7 @@ static struct factor_row find(const struct factors *factors, size_t primitive)
 
 /* ---- Areas ------------------------------------------------------------------ */
 
-/* The areas of massprops.csv. */
+/* Solids with their areas in massprops.csv. */
 static const struct {
     const char *solid;
     double area;

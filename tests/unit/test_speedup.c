@@ -101,7 +101,7 @@ TEST(historical)
     }
 }
 
-/* A more distant camera, and a narrower view. */
+/* The camera is more distant, and its view is narrower. */
 TEST(view)
 {
     static const struct speedup_view far = { .distance = 20, .angle = 37 };
@@ -174,7 +174,8 @@ static void read_detail(const char *heading, struct csv_table *table)
     csv_table(strchr(at, '\n') + 1, table);
 }
 
-/* The clocks of each form per ray of the previous table. Names contain commas. */
+/* The table of times has two rows for each row of the table of rays. Names contain
+ * commas. */
 TEST(times)
 {
     static struct csv_table rays, times;

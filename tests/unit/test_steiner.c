@@ -64,7 +64,7 @@ TEST(quadrics)
     check_middle(AHEAD PIECE "}", 1, 4);
     check_middle(AHEAD PIECE "rotate 180*y }", 1, 6);
     free(plain_frame(AHEAD PIECE "rotate 20 } " PIECE "scale 2 }"));
-    /* A parabolic cylinder, and a saddle. */
+    /* Patches of a parabolic cylinder and of a saddle. */
     free(plain_frame(STRAIGHT "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
                               " <-2, 2, 1>, <0, -1, -1>, <0, .5, -1>, <-2, .5, 1> }"));
     free(plain_frame(STRAIGHT "steiner_patch { <1, 0, 0>, <0, 1, 0>, <0, 0, 0>,"
@@ -121,7 +121,8 @@ TEST(starts)
     "steiner_patch { <1, 2, 2> / 6, <2, 1, 2> / 6, <2, 2, 1> / 6," \
     " <.3, .3, .5>, <.5, .3, .3>, <.3, .5, .3>" \
     " weights 6, 6, 6, 5, 5, 5 "
-/* Another piece, about one of the double lines through the triple point. */
+/* Another piece of the Roman surface, about one of the double lines through its triple
+ * point. */
 #define ROMAN_MIDDLE \
     "steiner_patch { <-2, -5, 10> / 30, <-2, 10, -5> / 30," \
     " <1, -5, -5> / 27, <2.5, 2.5, 2.5> / 21, <-.5, 2.5, -5> / 24," \

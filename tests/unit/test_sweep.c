@@ -139,7 +139,8 @@ TEST(small_memory)
     assert_true(group(longest, SWEEP_STARTUP) < group(best, SWEEP_STARTUP));
 }
 
-/* A model from two frames predicts the memory of a third. Tree crossings count. */
+/* The memory of a third frame is predicted from two frames. It includes the crossings
+ * of a tree. */
 TEST(memory)
 {
     SCOPED(scene) *scene = read_scene(balls);
@@ -225,7 +226,7 @@ static void check_hits(const char *subject, size_t width, size_t height)
                     >= sweep.measures[k - 1].hits + (width == height));
 }
 
-/* All subjects, and a wide and a tall frame whose views may share hits. */
+/* Sweeps all subjects, and then a wide and a tall frame whose views may share hits. */
 TEST(hits)
 {
     for (size_t i = 0; i < speedup_subject_count; i++)

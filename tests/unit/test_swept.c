@@ -201,7 +201,7 @@ TEST(segments)
         { &prism, "3, <0, 0>, <1, 0>, <0, 1>", 1 },
         { &prism, SQUARE, 1 },
         { &prism, HOLED, 2 },
-        /* A dent, a Z, a staircase. */
+        /* Paths with a dent, of a Z, and of a staircase. */
         { &prism, "4, <0, 0>, <2, 1>, <0, 2>, <1, 1>", 2 },
         { &prism, "6, <0, 0>, <2, 0>, <1, 2>, <2, 2>, <2, 3>, <0, 3>", 2 },
         { &prism, "8, <0, 0>, <1, 0>, <1, 1>, <2, 1>, <2, 2>, <3, 2>, <3, 3>, <0, 3>",
@@ -211,13 +211,13 @@ TEST(segments)
           "12, <-2, 2>, <-2, -2>, <2, -2>, <2, 2>, <-2, 2>, <-2, -2>,"
           " <-1, 1>, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>",
           2 },
-        /* A dent. */
+        /* A path with a dent. */
         { &quadratic, "6, <1, .3>, <0, -1>, <3, 0>, <0, 1>, <1.5, 0>, <0, -1>", 2 },
         { &lathe, DRUM, 1 },
         { &lathe, CONE, 1 },
         { &lathe, RING, 2 },
         { &lathe, "4, <0, 1>, <1, 1>, <1, -1>, <0, -1>", 1 },
-        /* Two bulges, and a neck of two segments. */
+        /* A path with two bulges, and with a neck of two segments. */
         { &lathe, "5, <0, 0>, <1, 1>, <.5, 2>, <1, 3>, <0, 4>", 2 },
     };
     char circle[2000] = "48", ball[2000] = "25";

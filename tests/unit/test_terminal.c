@@ -157,7 +157,8 @@ static void check_drops(struct terminal *terminal)
     expect(terminal, "1 break insn EXIT, hit 0 times");
 }
 
-/* Ctrl-C drops the line if it precedes its reading. The line is typed again. */
+/* Ctrl-C drops the line if it comes before the line is read. The line is then typed
+ * again. */
 static void check_program(struct terminal *terminal)
 {
     for (size_t i = 0; i < 3; i++) {
@@ -192,7 +193,8 @@ TEST(ctrl_c)
         check_session(i < 2 ? debug_words : render_words, i % 2 == 0);
 }
 
-/* At the prompt, in the middle of a line, and while the program runs. */
+/* SIGTERM and SIGHUP end the command at the prompt, in the middle of a line, and while
+ * the program runs. */
 TEST(ends)
 {
     static const char *const typed[] = { "", "print", "continue\n" };

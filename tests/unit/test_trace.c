@@ -28,7 +28,7 @@ static void add_quadric_or_cone(char *text, size_t size)
     add_random(text, size, "@2@, ^9.2:.8^ $2[|open ]");
 }
 
-/* A torus or an elliptical torus. */
+/* Adds a torus or an elliptical torus. */
 static void add_torus(char *text, size_t size)
 {
     bool elliptical = below(2);

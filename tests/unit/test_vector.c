@@ -34,9 +34,9 @@ static const struct border {
     uint64_t address;
     size_t words;
 } borders[] = {
-    { DATA + 1 * PAGE, BEFORE + AFTER }, /* same access on both sides */
-    { DATA + 2 * PAGE, BEFORE + AFTER }, /* read-only after it */
-    { DATA + 5 * PAGE, BEFORE },         /* unmapped after it */
+    { DATA + 1 * PAGE, BEFORE + AFTER }, /* followed by a page with the same access */
+    { DATA + 2 * PAGE, BEFORE + AFTER }, /* followed by a read-only page */
+    { DATA + 5 * PAGE, BEFORE },         /* followed by an unmapped page */
 };
 enum { BORDERS = COUNT(borders) };
 

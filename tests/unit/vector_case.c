@@ -173,7 +173,7 @@ static void place_scalar(struct vector_case *one, enum role role, uint64_t *rand
     char letter = letter_of(one->row, role);
     if (letter == 'i') /* number of groups of a repeated mask */
         define(one, role_register[role], (c205_word)draw(random, 1, 20), ADDRESS_BITS);
-    else if (letter && strchr("wpk", letter)) /* results */
+    else if (letter && strchr("wpk", letter)) /* operands that are results */
         return;
     else if (is_half(one, role))
         define_half(one, role_half[role], draw_half(random));

@@ -26,7 +26,8 @@ void big_multiply(big *number, uint32_t factor, uint32_t addend);
 void big_multiply_power_of_5(big *number, int32_t power);
 void big_shift_left(big *number, int32_t places);
 
-/* Both functions divide, round down, and return true if the remainder is not 0. */
+/* These functions divide a number in place, round down, and return true if the
+ * remainder is not 0. */
 bool big_divide_power_of_5(big *number, int32_t power);
 bool big_shift_right(big *number, int32_t places);
 

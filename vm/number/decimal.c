@@ -191,9 +191,10 @@ static int32_t power_below(word_format f, int32_t exponent)
 }
 
 /* Returns the shortest decimal number in the interval of the word. For a positive word,
- * round its near end up to a multiple of the unit. The interval contains a multiple if
- * this multiple is below the far end. For a negative word the magnitudes decrease, so
- * the near end is rounded down, and the result must be above the far end. */
+ * the near end of the interval is rounded up to a multiple of the unit. The interval
+ * contains a multiple if this multiple is below the far end. For a negative word the
+ * magnitudes decrease, so the near end is rounded down, and the result must be above
+ * the far end. */
 static digits shortest(word_format f, int64_t c, int32_t exponent)
 {
     bool negative = c < 0;

@@ -66,7 +66,8 @@ static inline c205_word fast_add_normalised(c205_word a, c205_word b, uint64_t *
     return arith_add_normalised(a, b, flags);
 }
 
-/* Subtracts, with a fast path for machine zero minus a word, which negates the word. */
+/* Subtracts b from a, with a fast path for machine zero minus a word, which negates the
+ * word. */
 static inline c205_word fast_subtract_normalised(c205_word a, c205_word b,
                                                  uint64_t *flags)
 {
@@ -81,7 +82,8 @@ static inline c205_word fast_subtract_normalised(c205_word a, c205_word b,
 
 /* ---- Multiply, divide, square root --------------------------------------- */
 
-/* Multiplies. The product has 93 or 94 digits, or is 2^94. */
+/* Multiplies a by b. The product of the coefficients has 93 or 94 digits, or is
+ * 2^94. */
 static inline c205_word fast_multiply_significant(c205_word a, c205_word b,
                                                   uint64_t *flags)
 {
@@ -95,8 +97,8 @@ static inline c205_word fast_multiply_significant(c205_word a, c205_word b,
     return fast_fitted(e + WORD_DIGITS - 1, product);
 }
 
-/* Divides. The quotient in double arithmetic is below 2^49 and its error is below 1, so
- * its integer part is off by at most 1. The remainder modulo 2^64 gives the
+/* Divides a by b. The quotient in double arithmetic is below 2^49 and its error is
+ * below 1, so its integer part is off by at most 1. The remainder modulo 2^64 gives the
  * correction. */
 static inline c205_word fast_divide_significant(c205_word a, c205_word b,
                                                 uint64_t *flags)

@@ -111,7 +111,7 @@ static inline lane special_quotient(c205_word a, c205_word b, lane result)
                   zero_if(is_zero(a), result));
 }
 
-/* Divides. A quotient of more than DIGITS bits is shortened to DIGITS bits. */
+/* Divides a by b. A quotient of more than DIGITS bits is shortened to DIGITS bits. */
 static inline lane lane_divide_upper(c205_word a, c205_word b)
 {
     int64_t q = quotient(coefficient(a), coefficient(b));

@@ -43,7 +43,8 @@ static inline uint64_t is_small(c205_word w)
     return w + UINT64_C(0x2000000000000000);
 }
 
-/* Multiplies. The product of normalised operands is in 2^92 .. 2^94, or below -2^92. */
+/* Multiplies a by b. The product of normalised coefficients is in 2^92 .. 2^94, or
+ * below -2^92. */
 static inline lane lane_multiply_significant(c205_word a, c205_word b)
 {
     c205_word l = max_word(a, b), s = min_word(a, b);

@@ -16,7 +16,7 @@ typedef struct pair_operand {
     bool is_constant;
 } pair_operand;
 
-enum { PAIR_LENGTH = 512 }; /* maximum */
+enum { PAIR_LENGTH = 512 }; /* largest number of words in a span */
 
 /* Applies the first operation to a and b, and the second operation to its result and d,
  * for n <= PAIR_LENGTH words. Stores the final result in c. The result c must not begin

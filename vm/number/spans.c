@@ -71,7 +71,7 @@ static inline c205_word zero_as_number(c205_word w)
     return max_word(w, MIN_NUMBER);
 }
 
-/* The first bit is 1 if the number is not normalised. */
+/* Returns a word whose first bit is 1 if the number is not normalised. */
 static inline uint64_t unnormalised(word_format f, c205_word number)
 {
     uint64_t digits = number << f.exponent_bits;
@@ -87,7 +87,7 @@ static inline c205_word order(word_format f, c205_word w)
     return w ^ (exponent & (c205_word)sign);
 }
 
-/* The first bit is 1 if x < y as signed integers. */
+/* Returns a word whose first bit is 1 if x < y as signed integers. */
 static inline uint64_t less_integer(uint64_t x, uint64_t y)
 {
     uint64_t difference = x - y;

@@ -110,7 +110,8 @@ static void set_results(struct clock *clock, const struct decoded *decoded,
     }
 }
 
-/* Divides, by a 32-bit division if possible, which is faster on many hosts. */
+/* Returns the quotient, by a 32-bit division if possible, which is faster on many
+ * hosts. */
 static inline uint64_t divided(uint64_t dividend, uint64_t divisor)
 {
     if ((dividend | divisor) <= UINT32_MAX)

@@ -89,7 +89,7 @@ struct clock {
     struct phase phase[PHASES];
     size_t phase_count;
     uint64_t vector_end;  /* the end of the last phase */
-    uint64_t vector_tail; /* clocks of this phase that may overlap a start-up */
+    uint64_t vector_tail; /* clocks of the last phase that may overlap a start-up */
     uint64_t vector_pc;   /* the instruction that adds phases */
 
     struct stack stack;

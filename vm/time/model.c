@@ -118,7 +118,8 @@ bool model_check_whole(const struct rule *rule, const char *text, uint64_t milli
                         text);
 }
 
-/* The valid page sizes: small pages (reconstructed), large pages (primary source). */
+/* Checks that a value is a valid page size: small pages (reconstructed), or large pages
+ * (primary source). */
 static bool check_page(const struct rule *rule, const char *text, uint64_t millionths,
                        c205_error *error)
 {

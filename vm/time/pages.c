@@ -194,8 +194,9 @@ static bool all_known(const struct pages *pages, const struct named_pages *named
     return true;
 }
 
-/* If the registers hold all pages of the list, no page drops out. The final order then
- * depends only on the last reference to each page, so one look-up per page suffices. */
+/* Looks up the pages of a list. If the registers hold all of them, no page drops out.
+ * The final order then depends only on the last reference to each page, so one look-up
+ * per page suffices. */
 void pages_touch_indexed(struct pages *pages, uint64_t table, unsigned step,
                          const struct index_list *list, struct translation *met)
 {

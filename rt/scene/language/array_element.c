@@ -163,7 +163,8 @@ static bool read_sizes(struct reader *reader, size_t *dimensions, size_t *sizes)
     return true;
 }
 
-/* Reads the rows. They are optional; without rows the elements are not set. */
+/* Reads the sizes of an array and its elements in braces. Without braces, the elements
+ * are not set. */
 bool array_read(struct reader *reader, struct scene_value *value)
 {
     struct scene_token at = reader->token;

@@ -189,8 +189,8 @@ static bool apply_look_at(struct reader *reader, const struct scene_token *at,
     return true;
 }
 
-/* The distance of the focal point is the distance of the sharp plane, also if the point
- * is not ahead. As measured in POV-Ray, the distance is computed before the
+/* Sets the distance of the sharp plane to the distance of the focal point, also if the
+ * point is not ahead. As measured in POV-Ray, the distance is computed before the
  * transforms. */
 static void apply_focal_point(struct reader *reader, const struct scene_token *at,
                               struct camera_reading *reading)

@@ -174,8 +174,8 @@ bool condition_ifdef(struct reader *reader, const struct item *item)
     return begin(reader, &item->at, good, (defined != 0) == wanted);
 }
 
-/* #else and #elseif end the branch that has been read. The rest up to #end is
- * skipped. */
+/* Ends the branch that has been read, at #else or #elseif, and skips the rest up to
+ * #end. */
 bool condition_else(struct reader *reader, const struct item *item)
 {
     struct scene_condition *condition = condition_top(reader);
@@ -214,7 +214,7 @@ static struct scene_condition *breakable(struct reader *reader)
     return NULL;
 }
 
-/* As in POV-Ray, a #break that is not in a loop or #switch ends the macro. */
+/* Ends the macro of a #break that is not in a loop or #switch, as POV-Ray does. */
 static bool end_macro(struct reader *reader, const struct scene_token *at)
 {
     const struct open_text *top = lexer_top(&reader->lexer);

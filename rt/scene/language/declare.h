@@ -21,7 +21,7 @@ bool target_read(struct reader *reader, struct target *target);
 const char *target_assign(struct reader *reader, const struct target *target,
                           struct scene_value *value);
 
-/* Reads a value of any kind. */
+/* Reads a value of any kind that a name can have. */
 bool value_read(struct reader *reader, struct scene_value *value);
 
 /* Returns true if the token is a keyword of the language, which cannot be a name. */

@@ -119,8 +119,8 @@ static bool read_default(struct reader *reader, const struct item *item)
     return done;
 }
 
-/* #debug, #render and #statistics print their text. #warning reports it as a warning,
- * #error as an error. */
+/* Outputs the text of a directive: #debug, #render and #statistics print the text,
+ * #warning reports it as a warning, #error as an error. */
 static bool append_text(struct reader *reader, const struct item *item,
                         const char *text)
 {
@@ -179,8 +179,8 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-/* Some directives have no arguments, so the keyword may be the last token of the
- * directive. */
+/* Executes a directive. Some directives have no arguments, so the keyword may be the
+ * last token. */
 bool directive_read(struct reader *reader)
 {
     struct item item = { keyword_find(words, &reader->token), reader->token, NULL,

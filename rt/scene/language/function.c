@@ -39,7 +39,7 @@ static double div_whole(double a, double b)
     return whole(a / b);
 }
 
-/* As in POV-Ray, 0 to the power of 0 is an error. */
+/* Returns a power, or NaN for 0 to the power of 0, which is an error in POV-Ray. */
 static double power(double base, double exponent)
 {
     return base == 0 && exponent == 0 ? (double)NAN : elementary_pow(base, exponent);

@@ -146,7 +146,8 @@ static void put_triangle(struct height_field *field, const struct field_point *a
     field->triangles.count++;
 }
 
-/* Adds the triangles of a half of a cell. If there is no list, it only counts them. */
+/* Adds the triangles of a half of a cell. If there is no list of triangles, only counts
+ * them. */
 static void add_half(struct height_field *field, size_t x, size_t z, bool upper)
 {
     struct field_point corners[3], left[4];

@@ -172,8 +172,8 @@ static bool read_image(struct reader *reader, struct heights *heights)
 
 /* ---- Functions ----------------------------------------------------------- */
 
-/* Converts a value to a height. Outside of 0 to 1 it uses the lowest 16 bits of the
- * integer, as POV-Ray does. */
+/* Converts a value to a height. For a value outside of 0 to 1 the height is the lowest
+ * 16 bits of the integer, as POV-Ray does. */
 static bool take_value(struct reader *reader, const struct scene_token *at,
                        double value, uint16_t *height)
 {

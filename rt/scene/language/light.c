@@ -18,8 +18,8 @@ static void set_member(const struct item *item, const void *value, size_t size)
         memcpy((char *)&object->lights[i] + item->keyword->detail, value, size);
 }
 
-/* As in POV-Ray, a light has only one kind: the last that is named. The rays of a light
- * that was a cylinder stay parallel. */
+/* Sets the kind of lights without shadows. As in POV-Ray, a light has only one kind:
+ * the last that is named. The rays of a light that was a cylinder stay parallel. */
 static bool read_shadowless(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;

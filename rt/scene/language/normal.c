@@ -66,7 +66,7 @@ static bool read_average(struct reader *reader, const struct item *item)
     return good;
 }
 
-/* A quilted normal has no values, so maps do not apply to it. */
+/* Removes the maps of a quilted normal, which has no values to which maps apply. */
 static void finish_quilted(struct reader *reader, struct bump_list *list,
                            const struct scene_token *at)
 {
@@ -127,7 +127,7 @@ static const struct grammar grammar = { "a keyword of normal",
                                           pattern_words_left_out },
                                         .move = pigment_move };
 
-/* A normal may begin with the name of a normal. */
+/* Reads the block of a normal, which may begin with the name of a normal. */
 bool normal_body(struct reader *reader, const struct block *block, void *subject)
 {
     const struct scene_value *value = reader_use(reader, VALUE_NORMAL);

@@ -176,7 +176,7 @@ static bool read_seed(struct reader *reader, double *value)
            || reader_no_memory(reader);
 }
 
-/* POV-Ray's generator, which is linear congruential modulo 2^32. */
+/* Reads rand(stream). POV-Ray's generator is linear congruential modulo 2^32. */
 static bool read_rand(struct reader *reader, double *value)
 {
     struct scene_token at = reader->token;

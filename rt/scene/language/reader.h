@@ -149,7 +149,7 @@ size_t reader_hold(struct reader *reader);
  * reader_release. */
 size_t reader_nest(struct reader *reader);
 void reader_release(struct reader *reader, size_t hold);
-/* Stops reading. Returns false. */
+/* Stops reading without a further report. Returns false. */
 bool reader_stop(struct reader *reader);
 /* Adds bytes to the cost of reading. If the cost exceeds its limit, stops reading and
  * returns false. */

@@ -84,8 +84,9 @@ bool macro_define(struct reader *reader, const struct item *item)
 /* ---- Call ---------------------------------------------------------------- */
 
 struct argument {
-    struct reference reference; /* held while it is used; without a symbol, the argument
-                                 * is `value`: */
+    struct reference reference; /* an argument passed by reference: its target, held
+                                 * during the call; without a symbol, the argument is
+                                 * `value`: */
     struct scene_value value;
 };
 

@@ -41,8 +41,8 @@ void mesh_direct(struct reader *reader, const struct scene_token *at, double nor
     make_unit(normal);
 }
 
-/* As in POV-Ray, a triangle with three equal normals is flat, whatever their
- * direction. */
+/* Returns true if the normals of a triangle differ. As in POV-Ray, a triangle with
+ * three equal normals is flat, whatever their direction. */
 bool mesh_is_smooth(const struct triangle *triangle)
 {
     const double(*normals)[3] = triangle->normals;
@@ -319,7 +319,8 @@ static const struct grammar mesh_grammar = { "a triangle or an object modifier",
 
 /* ---- The statements ------------------------------------------------------ */
 
-/* A single triangle with equal normals stays smooth, as in POV-Ray. */
+/* Reads a triangle that is a statement of its own. As in POV-Ray, it stays smooth if
+ * its normals are equal. */
 static bool read_lone(struct reader *reader, struct mesh_reading *mesh, bool smooth)
 {
     struct triangle triangle;

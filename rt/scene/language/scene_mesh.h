@@ -44,7 +44,7 @@ bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
 /* Records the texture of a triangle. */
 void mesh_look(struct mesh_reading *mesh, const struct texture *texture,
                const struct scene_token *at);
-/* Normalises a normal of a mesh. */
+/* Normalises a normal of a mesh. A zero normal is replaced, with a warning. */
 void mesh_direct(struct reader *reader, const struct scene_token *at, double normal[3]);
 /* Returns true if the normals of the triangle make it smooth. */
 bool mesh_is_smooth(const struct triangle *triangle);
@@ -53,7 +53,7 @@ bool mesh_close(struct reader *reader, const struct block *block, bool good);
 
 item_reader read_inside_vector;
 
-/* Reads the block of mesh2. */
+/* Reads the block of mesh2 as one primitive. */
 bool mesh2_read(struct reader *reader, struct scene_object *object,
                 const struct item *item);
 #endif

@@ -214,7 +214,8 @@ static bool invert_branch(struct inverting *inverting, size_t at)
             return inverting->part++, add_branch(made, TREE_LEAF, 1);
         invert_parts(inverting, 1);
         return add_branch(made, TREE_NOT, 2) && add_branch(made, TREE_LEAF, 1);
-    case TREE_NOT: /* its subtree has no clipping and no mesh without an inside */
+    case TREE_NOT: /* the subtree of a complement has no clipping and no mesh without an
+                      inside */
         invert_parts(inverting, count_leaves(from + 1, from->size - 1));
         return add_branches(made, from + 1, from->size - 1);
     case TREE_AND:

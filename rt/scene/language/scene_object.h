@@ -50,7 +50,7 @@ struct scene_object {
     struct light *lights;
     bool is_light; /* a light, which may have an object of looks_like */
     enum joining joining;
-    size_t child_count; /* including lights */
+    size_t child_count; /* number of children, including lights */
     bool textured;
     const char *name; /* name from #declare or `part`; NULL: none */
     bool named;       /* the name was set by `part` (part.c) */

@@ -215,7 +215,7 @@ static double gray(const double rgb[3])
     return dot3(weights, rgb);
 }
 
-/* Reads a component after ".". */
+/* Replaces a value by the component that is named after ".". */
 static bool read_component(struct reader *reader, struct numbers *value)
 {
     static const struct component {

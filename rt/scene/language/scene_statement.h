@@ -124,7 +124,7 @@ bool shape_count(struct reader *reader, size_t more, const struct scene_token *a
 /* Adds a primitive. `at` is its keyword. Reports an error above MAX_PRIMITIVES. */
 bool shape_add(struct reader *reader, struct scene_object *object,
                struct primitive *primitive, const struct scene_token *at);
-/* Reports and skips an invisible shape. */
+/* Skips an invisible shape, and reports the reason why it is invisible. */
 bool shape_leave_out(struct reader *reader, struct scene_object *object,
                      const struct scene_token *at, const char *reason);
 /* Chooses the texture of a mesh or blob whose pieces have textures. It is the object's

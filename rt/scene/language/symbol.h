@@ -47,7 +47,8 @@ const char *symbols_refer(struct declared_names *symbols, size_t level,
                           const struct reference *reference);
 
 /* Adds a reference to a symbol, which then outlives its removal from the table. */
-void symbol_hold(struct declared_name *symbol); /* NULL has no effect, here and below */
+void symbol_hold(struct declared_name *symbol); /* a NULL symbol has no effect, here and
+                                                 * in the functions below */
 /* Drops a reference. Returns false if it was the last one. */
 bool symbol_release(struct declared_name *symbol);
 /* Returns the name, which has no NUL at its end. */

@@ -9,7 +9,7 @@
  * specified keeps its value from an earlier `reflection`. */
 struct mirror_reading {
     struct finish finish;
-    bool fresnel; /* set in this block */
+    bool fresnel; /* `fresnel` is set in this block */
 };
 
 static bool read_fresnel(struct reader *reader, const struct item *item)
@@ -66,7 +66,7 @@ static bool read_reflection(struct reader *reader, const struct item *item)
                         read_mirrors(reader, &mirror.finish, &two)))
         return false;
     *finish = mirror.finish;
-    if (mirror.fresnel && !two) /* 0 if perpendicular to the surface */
+    if (mirror.fresnel && !two) /* the perpendicular reflectivity is 0 */
         memset(finish->reflection, 0, sizeof finish->reflection);
     return true;
 }
@@ -211,7 +211,7 @@ bool texture_read(struct reader *reader, struct texture *texture)
     return block_open(reader, &block, '{') && texture_body(reader, &block, texture);
 }
 
-/* An opaque layer hides all layers below it. */
+/* Reads a texture as a further layer. An opaque layer hides all layers below it. */
 bool texture_layer_read(struct reader *reader, const struct scene_token *at,
                         struct texture *texture)
 {

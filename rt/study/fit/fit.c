@@ -30,7 +30,7 @@ struct point {
 /* Programs that are timed at points. Threads share the work. */
 struct work {
     const struct fit *fit;
-    const bool *needed; /* for each timing: it is needed */
+    const bool *needed; /* for each timing: true if the timing is needed */
     struct point *points;
     size_t count, next; /* number of points x timings */
     struct lock *lock;

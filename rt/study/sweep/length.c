@@ -148,8 +148,8 @@ static size_t checked_from(const struct sweep *sweep, size_t i)
     return length_of(&sweep->measures[i]);
 }
 
-/* Returns true if the previous length was measured, too, so that this length is certain
- * to be the first. */
+/* Returns true if the length before this one was measured, too. A finding at this
+ * length is then exact. */
 static bool is_exact(const struct sweep *sweep, size_t length)
 {
     return length == 1 || sweep_with_queue(sweep, length - 1);
