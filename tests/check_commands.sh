@@ -438,7 +438,7 @@ rows sweep_views
 ends 0 sweep length sphere --points 1,2,4,8,64 -o "the plot.svg"
 grep -q '^</svg>$' "the plot.svg"
 verdict $? "a sweep draws a plot"
-# Without rsvg-convert, the picture is missing only in this format.
+# Without rsvg-convert, only the picture in PNG is missing.
 ends 1 env PATH=missing "$build/rt205" sweep length sphere --points 1,2,4 \
     -o plain.png --json plain.json
 tells err "rsvg-convert is not found"

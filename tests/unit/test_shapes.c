@@ -17,7 +17,7 @@ TEST(descriptors)
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
         const struct shape *shape = shapes[i];
         const char *name = primitive_kind_name((enum primitive_kind)i);
-        /* separate files read these */
+        /* meshes and blobs have their own parsers */
         bool read = i != PRIMITIVE_MESH && i != PRIMITIVE_BLOB;
         if (!shape->fields || (shape->fields[0].takes == TAKES_END) == read
             || !shape->finish || !shape->bound || !shape->words || !shape->region)
