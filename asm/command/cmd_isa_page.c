@@ -111,19 +111,23 @@ static void put_formats(void)
 {
     char drawing[ISA_DRAWING];
     puts("## Formats\n\n"
-         "Each field with its width in bits, from bit 0 on the left: F the "
-         "operation code, I an\n"
-         "immediate or the distance of a branch, - nothing, the others as "
-         "the operands are named.\n"
-         "In the operands capital letters are register fields; `[X]` is a "
-         "descriptor or an address,\n"
-         "`+X` an optional offset; `a` and `b` are sources "
-         "written `[a]`, `[a, x]` with an\n"
-         "offset, or as a bare register; `?Z` is optional, `!Z` is required. The "
-         "operands of a\n"
-         "row show which registers are half registers, `h0` .. `h255`; after a "
-         "mnemonic `,H` (bit 80 of G)\n"
-         "makes them 32 bits long, where the row has it.\n");
+         "A drawing shows the fields of a format with their widths in bits, from bit "
+         "0 on the left.\n"
+         "F is the operation code, I an immediate or the distance of a branch, and - "
+         "an unused\n"
+         "field. The other fields have the letters of the operands, which follow the "
+         "drawing. A\n"
+         "capital letter is a register field. `[X]` is a register with a descriptor "
+         "or an address,\n"
+         "and `+X` an optional offset. `a` and `b` are sources: `[a]`, `[a, x]` with "
+         "an offset, or\n"
+         "a register without brackets. `?Z` is an optional control vector, and `!Z` "
+         "a required\n"
+         "control vector. The table of each instruction shows which operands are "
+         "half registers,\n"
+         "`h0` .. `h255`. If the instruction allows the suffix `,H` (bit 80 of G), "
+         "its operands are\n"
+         "32 bits long with this suffix.\n");
     for (int format = 0; format < C205_FORMATS; format++) {
         const c205_insn *insn = first_of((c205_format)format);
         if (insn) {
@@ -140,17 +144,19 @@ static void put_g_bits(void)
     puts("\n## The bits of G\n\n| G | meaning | allowed in |\n|---|---|---|");
     for (size_t i = 0; i < G_BITS; i++)
         printf("| %02X | %s | %s |\n", g_bits[i].bit, g_bits[i].text, g_bits[i].where);
-    printf("\nWhere the code is written `9D.02`, the bits after the point "
-           "are bits of G that belong to\n"
-           "the operation. In the branches B0-B5, %02X makes the target a "
-           "distance from the branch;\n"
-           "without it the target is (Y) + (B). Any other bit is the trap "
-           "`undefined-instruction`.\n\n"
-           "I4 of the formats ALTER .. lies in the low half of G. Its high "
-           "two bits: branch never,\n"
-           "always, on a one, on a zero; its low two: leave the bit, change "
-           "it, make it zero, make it\n"
-           "one.\n",
+    printf("\nIf the code of an instruction is written `9D.02`, the digits after the "
+           "point are bits of G\n"
+           "that belong to the operation. In the branches B0-B5, bit %02X makes the "
+           "target a distance\n"
+           "from the branch; without this bit the target is the address (Y) + (B). "
+           "Any other bit\n"
+           "causes the trap `undefined-instruction`.\n\n"
+           "I4 of the formats ALTER, ALTERB and ALTERF is the low half of G. The high "
+           "two bits of I4\n"
+           "give the condition of the branch: never, always, the bit is one, the bit "
+           "is zero. The low\n"
+           "two bits give the change of the bit: none, invert it, make it zero, make "
+           "it one.\n",
            C205_G_RELATIVE);
 }
 
@@ -351,10 +357,10 @@ int isa_page(const char *command, const c205_model *model)
            "arithmetic in\n"
            "[arithmetic.md](arithmetic.md), and the clock in [timing.md](timing.md). "
            "The clocks are for\n"
-           "the model `%s`; n is the number of elements (bits of a bit string), "
-           "rounded up.\n"
-           "Special values are described if an instruction has special rules. In "
-           "every instruction a\n"
+           "the model `%s`, rounded up; n is the number of elements, or of bits in a "
+           "bit string.\n"
+           "The rules for special values are listed if an instruction has such rules. "
+           "In every instruction a\n"
            "result above the range is indefinite (flags 42 and 46), and a result "
            "below the range is\n"
            "machine zero (flag 43). The tests assemble, run and check each example.\n",
