@@ -48,7 +48,7 @@ static const struct operand_meaning {
     { 'x', "address of a table; its length is not used", NULL },
     { 'n', "immediate", NULL },
     { 't', "branch target, a label", NULL },
-    { 'z', "control vector: ? selects where it has ones, ?! where it has zeros", NULL },
+    { 'z', "control vector: ? selects elements at its ones, ?! at its zeros", NULL },
 };
 enum { MEANINGS = sizeof operand_meanings / sizeof *operand_meanings };
 
@@ -78,17 +78,17 @@ static const char *flag_note(const c205_insn *insn, unsigned flag)
     if (flag != C205_INSN_SIGN)
         return NULL;
     if (insn->format == C205_FORMAT_EXTREME)
-        return "sign control: -A, |A|, -|A|; bit 01 of G is accepted and has no effect";
+        return "sign control: A may be -A, |A|, -|A|; bit 01 of G is accepted and has no effect";
     return strpbrk(c205_format_syntax(insn->format), "bB")
-               ? "sign control: -A, |A|, -|A|, |B|"
-               : "sign control: -A, |A|, -|A|";
+               ? "sign control: A may be -A, |A| or -|A|; B may be |B|"
+               : "sign control: A may be -A, |A| or -|A|";
 }
 
 /* Describes how the instruction can be linked. The text is empty if it cannot. */
 static const char *link_note(const c205_insn *insn)
 {
     return c205_unit_links(insn->unit)
-               ? "may follow the link prefix, with an instruction of another unit"
+               ? "may be linked (LINKV) with an instruction of another unit"
                : "";
 }
 
@@ -282,14 +282,14 @@ static const char *control_rule(const c205_insn *insn)
     if (!has_operand(insn, "z"))
         return "";
     if (must_have_control(insn)) {
-        return "required; `? [z]` selects where Z has ones, `?! [z]` where "
-               "it has zeros";
+        return "required; `? [z]` selects elements where Z has ones, `?! [z]` "
+               "where Z has zeros";
     }
     return has_operand(insn, "wkp")
-               ? "`? [z]`: only elements where Z has ones take part; "
-                 "`?! [z]`: where it has zeros"
-               : "`? [z]`: C keeps its values where Z has zeros; "
-                 "`?! [z]`: where it has ones";
+               ? "with `? [z]` only elements where Z has ones take part; "
+                 "with `?! [z]`, where Z has zeros"
+               : "with `? [z]` C keeps its values where Z has zeros; "
+                 "with `?! [z]`, where Z has ones";
 }
 
 /* ---- 32-bit operands ---------------------------------------------------- */
