@@ -79,19 +79,14 @@ fine_rays:      .word 0                 ; rays of the list; 0: none are left
 
 ; Traces all samples after the first rays. trace_levels traces the rays.
         .macro  refine_pixels begin, next, average, end, its_link
-        EX      target, \begin
-        BSAVE   \its_link, [target]
+        call_routine \begin, \its_link
 refine_next:
-        EX      target, \next
-        BSAVE   \its_link, [target]
+        call_routine \next, \its_link
         load_word fine_rays, s0
         IBXEQ   s0, r0, r0, refine_done
-        EX      target, trace_levels
-        BSAVE   link, [target]
-        EX      target, \average
-        BSAVE   \its_link, [target]
+        call_routine trace_levels, link
+        call_routine \average, \its_link
         BIM     refine_next
 refine_done:
-        EX      target, \end
-        BSAVE   \its_link, [target]
+        call_routine \end, \its_link
         .endm

@@ -153,10 +153,8 @@ visit_in_rows:
         ADDX    fine_at, fine_stride, fine_end_at
         of_plane fine_plane, FINE_TRACED, fine_there
         of_plane fine_plane, FINE_PLACES, visit_list
-        EX      fine_pixel, fine_list
-        STO     [fine_pixel], visit_list
-        EX      fine_pixel, fine_count
-        STO     [fine_pixel], r0
+        store_word visit_list, fine_list, fine_pixel
+        store_word r0, fine_count, fine_pixel
         ES      visit_place, 0
         ES      visit_count, 0
 visit_wanted:
@@ -187,14 +185,10 @@ fine_some:
         load_at scene_samples, 1, visit_traced
         MPYX    visit_traced, visit_traced, visit_traced
         MPYX    visit_traced, visit_place, visit_traced
-        EX      fine_at, fine_list
-        ELEN    fine_at, 4
-        SWAP    [r0], visit_list, [fine_at]
-        EX      fine_at, scene_pixels
-        STO     [fine_at], visit_traced
+        store_words visit_list, 4, fine_list, fine_at
+        store_word visit_traced, scene_pixels, fine_at
         load_at scene_sampled, 1, fine_word
-        EX      fine_at, scene_frame
-        STO     [fine_at], fine_word
+        store_word fine_word, scene_frame, fine_at
         BIM     0, link
 
 ; ---- Means -------------------------------------------------------------------

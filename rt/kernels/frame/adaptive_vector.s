@@ -47,8 +47,7 @@
 some_of\@:
         IBXEQ   s2, r0, h, some_as_before\@
         RTOR    s2, h
-        EX      target, set_hits
-        BSAVE   link_inner, [target]
+        call_routine set_hits, link_inner
 some_as_before\@:
         .endm
 
@@ -240,10 +239,8 @@ fine_in_rows:
 
 ; Lists the refined pixels that have no mean.
         of_plane fine_plane, FINE_PLACES, fine_there
-        EX      s2, fine_list
-        STO     [s2], fine_there
-        EX      s2, fine_count
-        STO     [s2], r0
+        store_word fine_there, fine_list, s2
+        store_word r0, fine_count, s2
         of_plane fine_plane, FINE_REFINED, visit_refined
         of_plane fine_plane, FINE_TRACED, visit_work
         load_word fine_pixels, fine_left_over
@@ -275,9 +272,7 @@ fine_listed:
 
 ; Takes up to scene_sampled_pixels pixels of the list.
 fine_chunk:
-        EX      s2, fine_list
-        ELEN    s2, 2
-        SWAP    [s2], s3, [r0]                  ; and the number traced last
+        load_words fine_list, 2, s3, s2         ; and the number traced last
         SHIFTI  s4, 6, s4
         ADDX    s3, s4, s3
         load_word scene_sampled_pixels, s4
@@ -288,16 +283,11 @@ fine_some:
         load_word scene_samples, s6
         MPYX    s6, s6, s6
         MPYX    s6, s4, s6
-        EX      s2, fine_list
-        ELEN    s2, 4
-        SWAP    [r0], s3, [s2]
-        EX      s2, scene_pixels
-        STO     [s2], s6
+        store_words s3, 4, fine_list, s2
+        store_word s6, scene_pixels, s2
         load_word scene_sampled, s3
-        EX      s2, scene_frame
-        STO     [s2], s3
-        EX      s2, scene_tiles
-        STO     [s2], r0
+        store_word s3, scene_frame, s2
+        store_word r0, scene_tiles, s2
         BIM     0, link
 
 ; ---- Means -------------------------------------------------------------------
@@ -323,9 +313,7 @@ fine_some:
 fine_average:
         load_planes
         load_word scene_power, exponent
-        EX      s2, fine_list
-        ELEN    s2, 2
-        SWAP    [s2], s3, [r0]
+        load_words fine_list, 2, s3, s2
         RTOR    s3, mean_list
         RTOR    s4, fine_left_over
         load_word scene_samples, mean_samples

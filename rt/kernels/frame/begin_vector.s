@@ -4,21 +4,12 @@
 ; that never change. Called by link_walk.
         .kernel frame
 begin_queues:
-        EX      s0, constants
-        ELEN    s0, CONSTANTS
-        SWAP    [s0], one, [r0]
-        EX      s0, power_constants
-        ELEN    s0, POWER_CONSTANTS
-        SWAP    [s0], p_47, [r0]
+        load_words constants, CONSTANTS, one, s0
+        load_words power_constants, POWER_CONSTANTS, p_47, s0
         begin_counting
-        EX      target, camera
-        BSAVE   link, [target]
-        EX      s0, view
-        ELEN    s0, 3
-        SWAP    [s0], s1, [r0]
-        EX      s0, queue_origin
-        ELEN    s0, 3
-        SWAP    [r0], s1, [s0]
+        call_routine camera, link
+        load_words view, 3, s1, s0
+        store_words s1, 3, queue_origin, s0
         EX      s4, QUEUE
         describe iota, count_store, s4
         INTVLV  r0, one_index, [iota]
@@ -45,7 +36,6 @@ begin_queues:
         ES      s6, IMAGE_RAYS
         VTOV    s6, [s5]
         .endif
-        EX      target, begin_order
-        BSAVE   link, [target]
+        call_routine begin_order, link
         BIM     0, link_walk
         .endkernel

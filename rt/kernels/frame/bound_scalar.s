@@ -81,10 +81,7 @@ near\@:
         .endm
 
         .macro  skip_if_box_missed box_missed
-        RTOR    w_region, w_at
-        IX      w_at, 64 * R_BOX
-        ELEN    w_at, 6
-        SWAP    [w_at], b_cx, [r0]
+        load_part w_region, R_BOX, 6, b_cx, w_at
         EX      w_at, bound_lost
         LOD     [w_at], b_lost
         SUBN    b_cx, w_ox, b_cx

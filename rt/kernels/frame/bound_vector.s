@@ -58,8 +58,7 @@ bound_store:    .space 4 * QUEUE
 
 ; Tests the sphere relative to the point at address s0, which all rays share.
         .macro  bound_common
-        ELEN    s0, 3
-        SWAP    [s0], s3, [r0]
+        load_from s0, 3, s3
         SUBN    bound_x, s3, s3
         SUBN    bound_y, s4, s4
         SUBN    bound_z, s5, s5
@@ -235,8 +234,7 @@ take_least:
 take_lower:
         EX      wlower, least_store
         .if     INTERIORS
-        EX      s0, passed_current
-        STO     [s0], r0
+        store_word r0, passed_current, s0
         IBXNE   shadows, r0, r0, take_shadow
         load_word queue_passed, s3
         IBXNE   s3, r0, r0, take_passed
@@ -254,9 +252,7 @@ take_lengthen:
 ; Rays that passed a clear surface of a later region also hit this region at
 ; their start.
 take_passed:
-        RTOR    region, s0
-        IX      s0, 64 * R_FIRST
-        LOD     [s0], s0
+        load_of region, R_FIRST, s0
         IX      s0, 64 * P_RANK
         LOD     [s0], s0
         describe s1, passed_store + 64 * QUEUE * 2, near
@@ -272,8 +268,7 @@ take_passed:
         MASKV   tmin, s0, [wlower] ? [s2]
         describe s3, passed_store + 64 * QUEUE, near
         MASKV   s1, s0, [s3] ? [s2]
-        EX      s0, passed_current
-        STO     [s0], one_index
+        store_word one_index, passed_current, s0
         BIM     0, link_inner
         .endif
         .endkernel

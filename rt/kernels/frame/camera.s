@@ -46,12 +46,8 @@
 
         .kernel camera
 camera:
-        EX      cam_at, scene_camera
-        ELEN    cam_at, 12
-        SWAP    [cam_at], cam_locx, [r0]
-        EX      size_at, scene_width
-        ELEN    size_at, 2
-        SWAP    [size_at], cam_width, [r0]
+        load_words scene_camera, 12, cam_locx, cam_at
+        load_words scene_width, 2, cam_width, size_at
         EX      size_at, k_half
         LOD     [size_at], cam_half
         .if     LENS
@@ -93,8 +89,6 @@ camera:
         view_axis cam_dirx, cam_rightx, cam_upx, view_basex, view_colx, view_rowx
         view_axis cam_diry, cam_righty, cam_upy, view_basey, view_coly, view_rowy
         view_axis cam_dirz, cam_rightz, cam_upz, view_basez, view_colz, view_rowz
-        EX      view_at, view
-        ELEN    view_at, VIEW_SIZE
-        SWAP    [r0], view_locx, [view_at]
+        store_words view_locx, VIEW_SIZE, view, view_at
         BIM     0, link
         .endkernel

@@ -21,11 +21,8 @@ generate_save:  .space GENERATE_REGISTERS
 
         .macro  begin_rays
 generate_ray:
-        EX      save_at, generate_save
-        ELEN    save_at, GENERATE_REGISTERS
-        SWAP    [r0], r32, [save_at]
-        ELEN    arguments, 3
-        SWAP    [arguments], g_pixel, [r0]
+        store_words r32, GENERATE_REGISTERS, generate_save, save_at
+        load_from arguments, 3, g_pixel
         SWAP    [g_pixel], g_column, [r0]
         SWAP    [g_view], g_lx, [r0]
         .endm

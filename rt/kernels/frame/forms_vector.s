@@ -28,9 +28,7 @@
         ADDNV   [\c], r0, [\c]
         .endm
         .macro  load_view from, first
-        EX      s0, view + 64 * \from
-        ELEN    s0, VIEW_SIZE - \from
-        SWAP    [s0], \first, [r0]
+        load_words view + 64 * \from, VIEW_SIZE - \from, \first, s0
         .endm
 
 ; Computes the positions of the queue's rays and loads the view. With many
@@ -79,8 +77,7 @@ generate_aimed:
         .macro  end_rays
         BIM     0, link_kernel
 generate_tile:
-        EX      target, tile_queue
-        BSAVE   link_inner, [target]
+        call_routine tile_queue, link_inner
         BIM     generate_directions
         .if     ADAPTIVE
 generate_samples:
@@ -129,8 +126,7 @@ generate_samples:
 average_lengths:
         IBXEQ   s2, r0, h, average_some
         RTOR    s2, h
-        EX      target, set_hits
-        BSAVE   link_inner, [target]
+        call_routine set_hits, link_inner
         INTVLV  r0, samples, [at]
 average_some:
         ADDLEN  pixel_at, h, pixels

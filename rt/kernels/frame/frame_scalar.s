@@ -77,10 +77,8 @@ frame_sample_number: .word 0            ; number of the sample that is traced
 frame:
         load_main_constants
         load_at power_constants, POWER_CONSTANTS, p_47
-        EX      target, camera
-        BSAVE   link, [target]
-        EX      target, levels_begin
-        BSAVE   trace_link, [target]
+        call_routine camera, link
+        call_routine levels_begin, trace_link
         EX      main_at, shadow_ray + 64 * 6
         EX      main_t, k_shadow
         LOD     [main_t], main_t
@@ -90,15 +88,13 @@ frame:
         STO     [main_at, m_index_one], main_t
         RTOR    first_level, main_t
         ELEN    main_t, 6
-        EX      main_at, generate_place
-        STO     [main_at], main_t
+        store_word main_t, generate_place, main_at
         load_at scene_band, 2, row
         EX      main_at, scene_width
         LOD     [main_at], width
         EX      main_at, scene_pixels
         LOD     [main_at], plane_size
-        EX      main_at, rays_primary
-        STO     [main_at], plane_size
+        store_word plane_size, rays_primary, main_at
         SHIFTI  plane_size, 6, plane_size
         EX      main_at, scene_frame
         LOD     [main_at], plane_at
@@ -122,8 +118,7 @@ frame_pixel:
         STO     [main_at, m_index_one], row
 frame_aimed:
         call    generate_ray, generate_list
-        EX      target, trace
-        BSAVE   trace_link, [target]
+        call_routine trace, trace_link
         RTOR    first_level, level
         load_level L_SAMPLE, 6, own_red
         IBXEQ   first_primitive, r0, r0, frame_background
@@ -155,11 +150,9 @@ frame_store:
         CFPLT   column, width, frame_pixel
         ADDN    row, place_step, row
         CFPLT   row, last_row, frame_row
-        EX      target, fine_begin
-        BSAVE   link, [target]
+        call_routine fine_begin, link
 frame_refine:
-        EX      target, fine_next
-        BSAVE   link, [target]
+        call_routine fine_next, link
         load_at fine_rays, 1, plane_size
         IBXEQ   plane_size, r0, r0, frame_refined
         EX      main_at, rays_primary
@@ -170,8 +163,7 @@ frame_refine:
         load_at scene_frame, 1, plane_at
         ES      main_t, 0
 frame_sample:
-        EX      main_at, frame_sample_number
-        STO     [main_at], main_t
+        store_word main_t, frame_sample_number, main_at
         load_word scene_wide, place_width
         load_place_steps
         ADDN    main_t, r0, place_rest
@@ -182,19 +174,16 @@ frame_sample_traced:
         IX      main_t, 1
         load_at fine_rays, 1, main_at
         IBXNE   main_t, r0, main_at, frame_sample
-        EX      target, fine_average
-        BSAVE   link, [target]
+        call_routine fine_average, link
         BIM     frame_refine
 frame_refined:
-        EX      target, fine_end
-        BSAVE   link, [target]
+        call_routine fine_end, link
         .else
         ADDN    column, m_one, column
         CFPLT   column, width, frame_pixel
         ADDN    row, m_one, row
         CFPLT   row, last_row, frame_row
-        EX      target, average
-        BSAVE   link, [target]
+        call_routine average, link
         .endif
         EXIT
         .endkernel

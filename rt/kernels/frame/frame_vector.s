@@ -29,17 +29,13 @@
         .entry  frame
         .kernel frame
 frame:
-        EX      target, begin_queues
-        BSAVE   link_walk, [target]
-        EX      target, blank_planes
-        BSAVE   link, [target]
-        EX      target, trace_levels
-        BSAVE   link, [target]
+        call_routine begin_queues, link_walk
+        call_routine blank_planes, link
+        call_routine trace_levels, link
         .if     ADAPTIVE
         refine_pixels fine_begin, fine_next, fine_average, fine_end, link
         .else
-        EX      target, average
-        BSAVE   link, [target]
+        call_routine average, link
         .endif
         EXIT
         .endkernel

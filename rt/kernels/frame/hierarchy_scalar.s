@@ -39,8 +39,7 @@ leaf_pop\@:
         IBXEQ   h_node, r0, r0, \done
 leaf_node\@:
         RTOR    h_node, w_at
-        ELEN    w_at, HIERARCHY_LOADED
-        SWAP    [w_at], h_cx, [r0]
+        load_from w_at, HIERARCHY_LOADED, h_cx
         IBXEQ   h_region_count, r0, m_index_one, leaf_found\@
         skip_far h_cx, h_cy, h_cz, h_radius, h_square, w_limit, leaf_pop\@
         IBXNE   h_region_count, r0, r0, leaf_found\@

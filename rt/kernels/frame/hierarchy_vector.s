@@ -63,25 +63,21 @@ set_arena:      .space 3 * SET_VECTORS * QUEUE + HIERARCHY_DEPTH * SET_SIZE
 
 ; Records that region has changed limits.
         .macro  region_took_hits
-        EX      s0, walk_last
-        STO     [s0], region
+        store_word region, walk_last, s0
         .endm
 
         .kernel bound
 ; The queue is the first set. Regions outside the hierarchy are visited first,
 ; and the first node waits.
 begin_walk:
-        EX      s2, queue_set
-        ELEN    s2, 6
-        SWAP    [r0], aox, [s2]
+        store_words aox, 6, queue_set, s2
         describe s3, count_store, n
         RTOR    nearest, s4
         RTOR    n, s5
         ES      s6, 0
         EX      s7, set_arena
         IX      s2, 64 * SET_INDEX
-        ELEN    s2, SET_SIZE - SET_INDEX
-        SWAP    [r0], s3, [s2]
+        store_to s3, SET_SIZE - SET_INDEX, s2
         EX      s3, walk_stack
         EX      s4, queue_set
         ES      s5, 0
@@ -103,9 +99,7 @@ begin_stack:
         STO     [s3], s4
         IX      s3, 64
 begin_state:
-        EX      s2, walk_top
-        ELEN    s2, 5
-        SWAP    [r0], s3, [s2]
+        store_words s3, 5, walk_top, s2
         BIM     0, link_inner
 
 ; With few regions their own bounds are tested instead.
@@ -123,11 +117,9 @@ load_set:
         BIM     0, link_inner
 set_of_some:
         load_word walk_last, s8
-        ELEN    s7, 6
-        SWAP    [s7], ox, [r0]
+        load_from s7, 6, ox
         IX      s7, 64 * SET_INDEX
-        ELEN    s7, 4
-        SWAP    [s7], s3, [r0]
+        load_from s7, 4, s3
         IBXEQ   s8, r0, s6, set_limits
         VXTOV   [s3], [nearest], [s4]
         IX      s7, 64 * (SET_LAST - SET_INDEX)
@@ -142,20 +134,14 @@ walk_pop:
         EX      s2, walk_stack
         IBXEQ   s1, r0, s2, walk_end
         IX      s1, -64 * 2
-        EX      s2, walk_top
-        STO     [s2], s1
-        ELEN    s1, 2
-        SWAP    [s1], region, [r0]              ; region, regions_left
-        EX      s2, walk_set
-        STO     [s2], regions_left
+        store_word s1, walk_top, s2
+        load_from s1, 2, region                 ; region, regions_left
+        store_word regions_left, walk_set, s2
 walk_node:
-        ELEN    region, NODE_OF_REGIONS
-        SWAP    [region], bound_x, [r0]
+        load_from region, NODE_OF_REGIONS, bound_x
         IBXEQ   hierarchy_count, r0, one_index, walk_leaf
-        EX      target, load_set
-        BSAVE   link_inner, [target]
-        EX      target, test_queue_bound
-        BSAVE   link_inner, [target]
+        call_routine load_set, link_inner
+        call_routine test_queue_bound, link_inner
         IBXEQ   s0, r0, r0, walk_pop
         RTOR    s0, s6
         if_sparse  s6, s8, walk_narrow
@@ -189,8 +175,7 @@ walk_nearer:
         IX      s0, 64
         STO     [s0], s5
         IX      s0, 64
-        EX      s5, walk_top
-        STO     [s5], s0
+        store_word s0, walk_top, s5
         BIM     walk_node
 walk_leaf:
         RTOR    hierarchy_count, regions_left
@@ -216,8 +201,7 @@ walk_narrow:
         LOD     [s7], s3
         IX      s7, 64 * (SET_END - SET_INDEX)
         LOD     [s7], s1
-        EX      s0, walk_set
-        STO     [s0], s1
+        store_word s1, walk_set, s0
         RTOR    s1, s5
         IX      s5, 64 * SET_SIZE
         ELEN    s5, 0
@@ -255,24 +239,19 @@ walk_narrowed:
         RTOR    s6, s5
         RTOR    s6, s8
         load_word walk_last, s6
-        ELEN    s1, 6
-        SWAP    [r0], ox, [s1]
+        store_to ox, 6, s1
         IX      s1, 64 * SET_INDEX
-        ELEN    s1, SET_SIZE - SET_INDEX
-        SWAP    [r0], s3, [s1]
+        store_to s3, SET_SIZE - SET_INDEX, s1
         BIM     walk_below
 
 walk_end:
         .ifdef  PAIRS
-        EX      target, finish_pairs
-        BSAVE   link_inner, [target]
+        call_routine finish_pairs, link_inner
         .endif
 
 ; Intersects the queue with the next marked region with clear parts.
 walk_next_clear:
-        EX      s1, walk_clear
-        ELEN    s1, 2
-        SWAP    [s1], s2, [r0]                  ; s2, s3
+        load_words walk_clear, 2, s2, s1        ; s2, s3
         IBXEQ   s3, r0, r0, walk_done
         EX      s4, 65535
         IBXLE   s3, r0, s4, walk_search
@@ -294,16 +273,13 @@ walk_searched:
         RTOR    s6, s4
         RTOR    s3, s6
         RTOR    s4, s3
-        EX      s1, walk_clear
-        ELEN    s1, 2
-        SWAP    [r0], s2, [s1]
+        store_words s2, 2, walk_clear, s1
         IBXEQ   s5, r0, s6, walk_next_clear
         EX      s1, walk_set
         EX      s2, queue_set
         STO     [s1], s2
         ES      regions_left, 1
-        ELEN    region, REGION_WORDS
-        SWAP    [region], bound_x, [r0]
+        load_from region, REGION_WORDS, bound_x
         ES      region_shadow, 1                ; prevents another mark
         BIM     walk_bound
         .endkernel

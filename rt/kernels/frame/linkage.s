@@ -15,6 +15,8 @@
 ; r200-r238 belong to power, r240-r252 to the main program, r253 and r254 are
 ; scratch.
 
+        .include "frame/memory.s"
+
 ; 1: there are shadow rays (light/shadow_scalar.s).
         .ifndef CASTS_SHADOWS
         .equ    CASTS_SHADOWS, 0
@@ -66,24 +68,13 @@ image_minus_big: .word -1e30
 
         .macro  call routine, list
         EX      arguments, \list
-        EX      target, \routine
-        BSAVE   link, [target]
+        call_routine \routine, link
         .endm
 
 ; Loads the words at `label` into `number` registers from `first` on.
         .macro  load_at label, number, first
-        EX      image_at, \label
-        ELEN    image_at, \number
-        SWAP    [image_at], \first, [r0]
+        load_words \label, \number, \first, image_at
         .endm
-
-; Loads the word at `label`, like queue.s.
-        .ifndef load_word
-        .macro  load_word label, register
-        EX      \register, \label
-        LOD     [\register], \register
-        .endm
-        .endif
 
         .macro  load_main_constants
         load_at constants, CONSTANTS, m_one
@@ -104,9 +95,7 @@ image_minus_big: .word -1e30
         .endm
 
         .macro  leave save, number
-        EX      save_at, \save
-        ELEN    save_at, \number
-        SWAP    [save_at], r32, [r0]
+        load_words \save, \number, r32, save_at
         BIM     0, link
         .endm
 
@@ -114,12 +103,10 @@ image_minus_big: .word -1e30
 ; arguments, the ray, and `shape_words` words of the shape.
         .macro  enter_kernel save, registers, shape_words, first=one
         enter   image_\first, KERNEL_CONSTANTS - (image_\first - kernel_image) / 64, \save, \registers, \first
-        ELEN    arguments, 3
-        SWAP    [arguments], a_ray, [r0]
+        load_from arguments, 3, a_ray
         SWAP    [a_ray], ox, [r0]
         IX      a_primitive, 64 * P_SHAPE
-        ELEN    a_primitive, \shape_words
-        SWAP    [a_primitive], sh0, [r0]
+        load_from a_primitive, \shape_words, sh0
         .endm
 
         .macro  give_segment

@@ -72,10 +72,7 @@
 
         .kernel bound
 take_box_hits:
-        RTOR    region, s0
-        IX      s0, 64 * R_BOX
-        ELEN    s0, 6
-        SWAP    [s0], box_x, [r0]
+        load_part region, R_BOX, 6, box_x, s0
         load_word bound_lost, box_lost
         describe near_bits, queue_bits, near
         ABSV    [wdx], [w0]
@@ -91,8 +88,7 @@ take_box_hits:
         separating_axes [w3], [w4], [w5], [w6], [w7], [w8], 1
         BIM     box_tested
 box_of_point:
-        ELEN    s0, 3
-        SWAP    [s0], s3, [r0]
+        load_from s0, 3, s3
         box_from_point box_x, s3, box_hx, s7
         box_from_point box_y, s4, box_hy, s8
         box_from_point box_z, s5, box_hz, s9

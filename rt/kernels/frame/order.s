@@ -45,9 +45,7 @@ order_store:    .space QUEUE
 begin_order:
         load_word scene_tiles, s0
         IBXEQ   s0, r0, r0, order_begun
-        EX      s0, scene_band
-        ELEN    s0, 2
-        SWAP    [s0], s1, [r0]
+        load_words scene_band, 2, s1, s0
         SUBN    s2, s1, s1
         EX      s3, QUEUE
         ADDN    s3, r0, s3
@@ -59,8 +57,7 @@ begin_order:
         CFPGE   s1, one, order_strips
         RTOR    one, s1
 order_strips:
-        EX      s0, strip_count
-        STO     [s0], s1
+        store_word s1, strip_count, s0
 order_begun:
         BIM     0, link
         .endkernel

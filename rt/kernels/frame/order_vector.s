@@ -25,16 +25,13 @@
 
         .kernel frame
         .macro  blank_words
-        EX      target, blank
-        BSAVE   link_inner, [target]
+        call_routine blank, link_inner
         .endm
 
 blank_planes:
         load_word scene_tiles, s0
         IBXEQ   s0, r0, r0, blank_none
-        EX      s0, scene_background
-        ELEN    s0, 3
-        SWAP    [s0], s1, [r0]
+        load_words scene_background, 3, s1, s0
         load_word scene_frame, s5
         load_word scene_pixels, s4
         RTOR    s1, s6
@@ -69,19 +66,14 @@ blank_some:
 
         .kernel generate
 tile_queue:
-        EX      s0, strip_state
-        ELEN    s0, 5
-        SWAP    [s0], strip_number, [r0]
-        EX      s0, scene_band
-        ELEN    s0, 2
-        SWAP    [s0], band_row, [r0]
+        load_words strip_state, 5, strip_number, s0
+        load_words scene_band, 2, band_row, s0
         SUBN    band_rows, band_row, band_rows
         FLR     width, columns
         IBXNE   strip_number, r0, r0, tile_begin
         next_strip band_rows, strips, s0
 tile_begin:
-        EX      s0, strips_done
-        STO     [s0], strip_row
+        store_word strip_row, strips_done, s0
         RTOR    n, tile_left
         RTOR    w0, s2
         RTOR    w1, s3
@@ -117,9 +109,7 @@ tile_some:
         next_strip band_rows, strips, s0
 tile_in_strip:
         IBXNE   tile_left, r0, r0, tile_next
-        EX      s0, strip_state
-        ELEN    s0, 4
-        SWAP    [r0], strip_number, [s0]
+        store_words strip_number, 4, strip_state, s0
         describe s0, order_store, n
         LINKV
         MPYSV   [w1], width, [w2]

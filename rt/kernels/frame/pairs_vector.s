@@ -108,8 +108,7 @@ add_pairs:
         ADDX    s0, s1, s1
         EX      s2, PAIRS
         IBXGT   s1, r0, s2, add_after
-        EX      s2, pool_count
-        STO     [s2], s1
+        store_word s1, pool_count, s2
         load_word walk_set, s3
         IX      s3, 64 * SET_INDEX
         LOD     [s3], s3
@@ -135,20 +134,15 @@ add_pairs:
 add_after:
         SUBX    s2, s8, s2
         SUBX    s2, s8, s2
-        EX      s3, pairs_capacity
-        STO     [s3], s2
-        EX      target, mix_pairs
-        BSAVE   link_kernel, [target]
+        store_word s2, pairs_capacity, s3
+        call_routine mix_pairs, link_kernel
         BIM     walk_node
 
 ; Processes all remaining pairs.
 finish_pairs:
-        EX      s3, pairs_capacity
-        STO     [s3], r0
-        EX      target, mix_pairs
-        BSAVE   link_kernel, [target]
-        EX      target, intersect_spheres
-        BSAVE   link_kernel, [target]
+        store_word r0, pairs_capacity, s3
+        call_routine mix_pairs, link_kernel
+        call_routine intersect_spheres, link_kernel
         BIM     0, link_inner
 
 ; Permutes the pool. Neighbouring pairs belong to one node, whose fields would
@@ -183,8 +177,7 @@ drain_pairs:
         EX      s1, PAIRS
         IBXLT   s0, r0, s1, pairs_take
         RTOR    link_kernel, link
-        EX      target, intersect_spheres
-        BSAVE   link_kernel, [target]
+        call_routine intersect_spheres, link_kernel
         RTOR    link, link_kernel
 pairs_take:
         load_word pool_count, s8
@@ -196,8 +189,7 @@ pairs_take:
         SUBX    s8, s1, s2
         RTOR    s1, s8
 pairs_some:
-        EX      s0, pool_count
-        STO     [s0], s2
+        store_word s2, pool_count, s0
         SHIFTI  s2, 6, s2
         EX      pair_ray, pool_rays
         ADDX    pair_ray, s2, pair_ray
@@ -266,8 +258,7 @@ pairs_leaf:
         load_word sphere_count, s1
         SHIFTI  s1, 6, s2
         ADDX    s1, s5, s1
-        EX      s3, sphere_count
-        STO     [s3], s1
+        store_word s1, sphere_count, s3
         EX      s3, sphere_rays
         ADDX    s3, s2, s3
         ADDLEN  s3, s5, s3
@@ -307,8 +298,7 @@ pairs_below:
         load_word pool_count, s1
         ADDX    s1, s8, s1
         ADDX    s1, s8, s1
-        EX      s2, pool_count
-        STO     [s2], s1
+        store_word s1, pool_count, s2
         BIM     drain_pairs
 pairs_drained:
         BIM     0, link_kernel
@@ -327,8 +317,7 @@ pairs_drained:
 intersect_spheres:
         load_word sphere_count, pair_count
         IBXEQ   pair_count, r0, r0, spheres_hit
-        EX      s0, sphere_count
-        STO     [s0], r0
+        store_word r0, sphere_count, s0
         set_pairs pair_count
         describe pair_ray, sphere_rays, pair_count
         describe pair_node, sphere_regions, pair_count
@@ -450,10 +439,8 @@ spheres_stamp:
         IBXEQ   pair_left, r0, r0, spheres_hit
         load_word pair_stamp, s0
         IX      s0, 1
-        EX      s1, pair_stamp
-        STO     [s1], s0
-        EX      s1, walk_last
-        STO     [s1], s0
+        store_word s0, pair_stamp, s1
+        store_word s0, walk_last, s1
 spheres_hit:
         BIM     0, link_kernel
         .endkernel

@@ -28,6 +28,8 @@
 ;              while shadow rays are traced
 ;   scratch    temporaries of routines that do not call each other
 
+        .include "frame/memory.s"
+
         .regs   r1, link, link_kernel, link_inner
         .reg    n, r4              ; rays in the queue, an integer
         .reg    near, r5           ; current rays
@@ -205,17 +207,12 @@ near_set\@:
 ; Restores the default destination of patch_s and patch_t, for regions that do
 ; not use them.
         .macro  leave_parameters
-        EX      s0, near_descriptors + 64 * PATCH_VECTORS
-        ELEN    s0, 2
-        SWAP    [s0], patch_s, [r0]                       ; patch_s and patch_t
+        load_words near_descriptors + 64 * PATCH_VECTORS, 2, patch_s, s0
         .endm
 
 ; Loads `number` words of the primitive's record, at `offset`, into registers.
         .macro  load_record offset, number, first
-        RTOR    primitive, shape_at
-        IX      shape_at, 64 * (\offset)
-        ELEN    shape_at, \number
-        SWAP    [shape_at], \first, [r0]
+        load_part primitive, \offset, \number, \first, shape_at
         .endm
 
         .macro  load_field offset, register
@@ -244,12 +241,6 @@ near_set\@:
         describe nearest_primitive, queue_store + 64 * QUEUE * 7, n
         describe hit_s, queue_store + 64 * QUEUE * 8, n
         describe hit_t, queue_store + 64 * QUEUE * 9, n
-        .endm
-
-; Loads a word of the program's data.
-        .macro  load_word label, register
-        EX      \register, \label
-        LOD     [\register], \register
         .endm
 
         .macro  add_to_counter label, count

@@ -49,24 +49,16 @@ kernel_primitive: .word 0
         .code
 
         .macro  enter_walk save, registers, number
-        EX      save_at, \save
-        ELEN    save_at, \registers
-        SWAP    [r0], w_ray, [save_at]
+        store_words w_ray, \registers, \save, save_at
         EX      w_at, bound_less
         LOD     [w_at], w_less
         RTOR    link, w_link
-        ELEN    arguments, \number
-        SWAP    [arguments], w_ray, [r0]
+        load_from arguments, \number, w_ray
         RTOR    w_ray, w_at
-        ELEN    w_at, 7
-        SWAP    [w_at], w_ox, [r0]
-        EX      w_at, kernel_list
-        STO     [w_at], w_ray
-        EX      w_at, local_space
-        STO     [w_at], r0
-        EX      w_at, scene_regions
-        ELEN    w_at, 2
-        SWAP    [w_at], w_region, [r0]
+        load_from w_at, 7, w_ox
+        store_word w_ray, kernel_list, w_at
+        store_word r0, local_space, w_at
+        load_words scene_regions, 2, w_region, w_at
         enter_hierarchy
         .endm
 
@@ -83,22 +75,17 @@ kernel_primitive: .word 0
 
         .macro  load_region
         RTOR    w_region, w_at
-        ELEN    w_at, REGION_LOADED
-        SWAP    [w_at], w_cx, [r0]
+        load_from w_at, REGION_LOADED, w_cx
         .endm
 
 ; Sets w_in to the hit in a simple region. Branches to `near` if it is before
 ; the limit, to `miss` if there is none.
         .macro  intersect_simple near, miss
-        EX      w_at, kernel_primitive
-        STO     [w_at], w_first
-        ELEN    w_first, 2
-        SWAP    [w_first], target, [r0]         ; target, inner
+        store_word w_first, kernel_primitive, w_at
+        load_from w_first, 2, target            ; target, inner
         EX      arguments, kernel_list
         BSAVE   link, [target]
-        EX      w_at, segment
-        ELEN    w_at, 2
-        SWAP    [w_at], w_in, [r0]
+        load_words segment, 2, w_in, w_at
         .endkernel
         .kernel visible
         CFPLT   w_lower, w_in, simple_ahead\@
@@ -134,12 +121,8 @@ point_crossing\@:
         IX      w_at, 64 * 2
         CFPLT   w_t2, w_t3, point_crossing\@
         CFPLT   w_t4, w_t2, point_crossing\@
-        ELEN    w_at, 2
-        SWAP    [w_at], w_t0, [r0]              ; w_t0, w_t1
-        RTOR    w_leaf, w_at
-        IX      w_at, 64 * P_PATCH_POINT
-        ELEN    w_at, 2
-        SWAP    [r0], w_t0, [w_at]
+        load_from w_at, 2, w_t0                 ; w_t0, w_t1
+        store_part w_t0, 2, w_leaf, P_PATCH_POINT, w_at
         BIM     \done
 
         .if     MESH_CROSSINGS
@@ -174,10 +157,7 @@ point_mesh_crossing\@:
         SHIFTI  w_t2, -6, w_t2
         AND     w_t2, m_index_one, w_t1
 point_enters\@:
-        RTOR    w_leaf, w_at
-        IX      w_at, 64 * P_PATCH_POINT
-        ELEN    w_at, 2
-        SWAP    [r0], w_t0, [w_at]
+        store_part w_t0, 2, w_leaf, P_PATCH_POINT, w_at
         BIM     \done
         .endif
         .endm
@@ -268,8 +248,7 @@ nearest_tree:
         LOD     [w_at], w_t0
         ADDN    w_end, w_t0, w_end
         .endif
-        EX      target, intersect_tree
-        BSAVE   w_back, [target]
+        call_routine intersect_tree, w_back
         IBXEQ   w_hit, r0, r0, nearest_skip
         next_visible w_least, nearest_skip
         .if     KEYS
@@ -310,8 +289,7 @@ nearest_lowered:
         IX      w_at, 64 * 6
         STO     [w_at], w_lower
         STO     [w_at, m_index_one], w_t1
-        EX      w_at, local_space
-        STO     [w_at], r0
+        store_word r0, local_space, w_at
         BIM     nearest_least
         .endif
         .endkernel

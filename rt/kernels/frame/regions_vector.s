@@ -50,8 +50,7 @@ hidden_class:   .word 0                 ; class of rays that do not see the
         .endm
 
         .macro  call_kernel
-        ELEN    shape_at, 2
-        SWAP    [shape_at], target, [r0]        ; target, inner_kernel
+        load_from shape_at, 2, target           ; target, inner_kernel
         BSAVE   link_kernel, [target]
         .endm
 
@@ -61,12 +60,10 @@ walk_regions:
         .endkernel
 
         .kernel bound
-        EX      target, begin_walk
-        BSAVE   link_inner, [target]
+        call_routine begin_walk, link_inner
         IBXEQ   regions_left, r0, r0, walk_pop
 walk_next:
-        ELEN    region, REGION_WORDS
-        SWAP    [region], bound_x, [r0]
+        load_from region, REGION_WORDS, bound_x
         .if     HIDDEN
         IBXEQ   shadows, r0, r0, walk_hidden
         .else
@@ -78,12 +75,10 @@ walk_next:
         EX      s1, queue_set
         IBXEQ   s0, r0, s1, walk_mark
 walk_bound:
-        EX      target, load_set
-        BSAVE   link_inner, [target]
+        call_routine load_set, link_inner
         RTOR    s8, s0
         CFPGE   bound_r, big, walk_near
-        EX      target, test_queue_bound
-        BSAVE   link_inner, [target]
+        call_routine test_queue_bound, link_inner
         IBXEQ   s0, r0, r0, walk_skip
 walk_near:
         RTOR    s0, s6
@@ -101,16 +96,13 @@ walk_taken:
         BSAVE   link_inner, [target]
         IBXEQ   region_flags, r0, one_index, walk_simple
         IBXEQ   region_flags, r0, r0, walk_nodes
-        EX      target, take_box_hits
-        BSAVE   link_inner, [target]
+        call_routine take_box_hits, link_inner
         IBXEQ   s6, r0, r0, walk_skip
         ES      s0, REGION_BOXED
         IBXNE   region_flags, r0, s0, walk_simple
         BIM     walk_nodes
 walk_mark:
-        RTOR    region, s1
-        IX      s1, 64 * R_CLEAR
-        LOD     [s1], s1
+        load_of region, R_CLEAR, s1
         STO     [s1], region
 walk_skip:
         IX      region, 64 * R_SIZE
@@ -122,13 +114,10 @@ walk_done:
         .if     HIDDEN
 ; Skips a region that no ray of the queue sees.
 walk_hidden:
-        RTOR    region, s0
-        IX      s0, 64 * R_HIDDEN_FROM
-        LOD     [s0], s0
+        load_of region, R_HIDDEN_FROM, s0
         load_word queue_class_sum, s1
         AND     s0, s1, s2
-        EX      s3, hidden_class
-        STO     [s3], s2
+        store_word s2, hidden_class, s3
         IBXEQ   s2, r0, s1, walk_skip
         BIM     walk_bound
 

@@ -29,8 +29,7 @@ local_arguments:
         .kernel transform
 transformed:
         enter   kernel_image, KERNEL_CONSTANTS, transform_save, TRANSFORM_REGISTERS
-        ELEN    arguments, 3
-        SWAP    [arguments], a_ray, [r0]
+        load_from arguments, 3, a_ray
         RTOR    a_primitive, t0
         IX      t0, 64 * P_SPACE
         LOD     [t0], t4
@@ -41,10 +40,7 @@ transformed:
         IBXEQ   t4, r0, t6, transform_shifted
         STO     [t5], t4
         SWAP    [a_ray], ox, [r0]
-        RTOR    a_primitive, t0
-        IX      t0, 64 * P_LOCAL
-        ELEN    t0, 12
-        SWAP    [t0], sh0, [r0]
+        load_part a_primitive, P_LOCAL, 12, sh0, t0
         dot_rows ox, oy, oz, sh0, sh1, sh2, sh4, sh5, sh6, sh8, sh9, sh10, local_ox, local_oy, local_oz, t0, t1, t2, t3
         ADDN    local_ox, sh3, local_ox
         ADDN    local_oy, sh7, local_oy

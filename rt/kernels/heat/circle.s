@@ -26,9 +26,7 @@ circle_constants:
         .regs   r72, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6
 
         .macro  circle_load scratch
-        EX      \scratch, circle_constants
-        ELEN    \scratch, CIRCLE_CONSTANTS
-        SWAP    [\scratch], half, [r0]
+        load_words circle_constants, CIRCLE_CONSTANTS, half, \scratch
         .endm
 
 ; work, temp0-temp4, temp7, temp8 are scratch.

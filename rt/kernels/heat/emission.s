@@ -102,10 +102,8 @@ emission_store: .space QUEUE * EMISSION_WORK
         .endif
 
         .kernel begin
-        EX      emission_plane, emission_arguments
-        LOD     [emission_plane], emission_plane
-        ELEN    emission_plane, EMISSION_SIZE
-        SWAP    [emission_plane], emission_area, [r0]
+        load_word emission_arguments, emission_plane
+        load_from emission_plane, EMISSION_SIZE, emission_area
         circle_load emission_plane
         ADDN    emission_count, r0, emission_pieces
         SHIFTI  emission_count, 6, piece_stride

@@ -55,9 +55,7 @@ exchange_outside: .word 0.0             ; T_e
         .entry  exchange
         .kernel exchange
 exchange:
-        EX      lin_work, exchange_arguments
-        ELEN    lin_work, EXCHANGE_ARGUMENTS
-        SWAP    [lin_work], lin_n, [r0]
+        load_words exchange_arguments, EXCHANGE_ARGUMENTS, lin_n, lin_work
         SHIFTI  lin_n, 6, lin_stride
         MPYX    lin_n, lin_stride, lin_b
         ADDX    lin_matrix, lin_b, lin_b

@@ -55,9 +55,7 @@ faces_kept:     .word 0                 ; address of a plane of zeros; later the
         .entry  faces
         .kernel faces
 faces:
-        EX      face_work, faces_arguments
-        ELEN    face_work, FACES_ARGUMENTS
-        SWAP    [face_work], face_points, [r0]
+        load_words faces_arguments, FACES_ARGUMENTS, face_points, face_work
         SHIFTI  face_points, 6, face_stride
         SHIFTI  face_crossings, 6, face_step
         by_hand heat/faces

@@ -41,9 +41,7 @@ gaps_least:     .word 0                 ; a length
         .entry  gaps
         .kernel gaps
 gaps:
-        EX      gap_work, gaps_arguments
-        ELEN    gap_work, GAPS_ARGUMENTS
-        SWAP    [gap_work], gap_count, [r0]
+        load_words gaps_arguments, GAPS_ARGUMENTS, gap_count, gap_work
         ADDX    gap_count, gap_one, gap_work
         SHIFTI  gap_work, 6, gap_work
         ADDX    gap_distances, gap_work, gap_kinds

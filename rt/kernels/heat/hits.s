@@ -226,9 +226,7 @@ hits_full:
         .entry  hits
         .kernel hits
 hits:
-        EX      hit_work, hits_arguments
-        ELEN    hit_work, HITS_ARGUMENTS
-        SWAP    [hit_work], hit_rays, [r0]
+        load_words hits_arguments, HITS_ARGUMENTS, hit_rays, hit_work
         SHIFTI  hit_rays, 6, hit_stride
         .ifndef SCALAR
         ES      hit_zero, 0
@@ -249,8 +247,7 @@ hits_next:
         RTOR    hit_cylinders, hit_left
 
 hits_cylinder:
-        ELEN    hit_at, CYLINDER_SIZE
-        SWAP    [hit_at], cyl_x, [r0]
+        load_from hit_at, CYLINDER_SIZE, cyl_x
         IX      hit_at, 64 * CYLINDER_SIZE
         lower   ox, cyl_x, s0
         lower   oy, cyl_y, s1

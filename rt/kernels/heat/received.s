@@ -42,8 +42,6 @@ received_places: .word 0                ; address of a word for each receiver
         .entry  received
         .kernel received
 received:
-        EX      rec_work, received_arguments
-        ELEN    rec_work, RECEIVED_ARGUMENTS
-        SWAP    [rec_work], rec_rays, [r0]
+        load_words received_arguments, RECEIVED_ARGUMENTS, rec_rays, rec_work
         by_hand heat/received
         .endkernel

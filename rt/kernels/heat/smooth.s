@@ -58,9 +58,7 @@ smooth_bits:    .space 1 + 4096 / 64
         .entry  smooth
         .kernel smooth
 smooth:
-        EX      lin_work, smooth_arguments
-        ELEN    lin_work, SMOOTH_ARGUMENTS
-        SWAP    [lin_work], lin_n, [r0]
+        load_words smooth_arguments, SMOOTH_ARGUMENTS, lin_n, lin_work
         SHIFTI  lin_n, 6, lin_stride
         MPYX    lin_n, lin_stride, lin_b
         ADDX    smo_results, lin_b, lin_x

@@ -84,9 +84,7 @@ spots_weight:   .word 0.0               ; an area
         .entry  spots
         .kernel spots
 spots:
-        EX      spot_work, spots_arguments
-        ELEN    spot_work, SPOTS_ARGUMENTS
-        SWAP    [spot_work], spot_lines, [r0]
+        load_words spots_arguments, SPOTS_ARGUMENTS, spot_lines, spot_work
         SHIFTI  spot_lines, 6, spot_line_stride
         SHIFTI  spot_count, 6, spot_stride
         plane_at spot_from, spot_line_stride, EMITTED_POINT, spot_origin

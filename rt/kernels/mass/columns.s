@@ -157,9 +157,7 @@ part_added\@:
         .kernel columns
 columns:
         crossed_begin
-        EX      col_work0, columns_arguments
-        ELEN    col_work0, COLUMNS_ARGUMENTS
-        SWAP    [col_work0], col_parts, [r0]
+        load_words columns_arguments, COLUMNS_ARGUMENTS, col_parts, col_work0
         SHIFTI  col_rays, 6, col_q_at
         ADDX    col_places, col_q_at, col_q_at
 columns_next:

@@ -56,9 +56,7 @@ crossed_sums:   .word 0                 ; address of the sums
         planes  col_lane, col_index_one, col_half_lanes, col_work1, b_part
 
         .macro  crossed_begin
-        EX      col_work0, crossed_arguments
-        ELEN    col_work0, CROSSED_ARGUMENTS
-        SWAP    [col_work0], col_left, [r0]
+        load_words crossed_arguments, CROSSED_ARGUMENTS, col_left, col_work0
         SHIFTI  col_left, 6, col_stride
         lanes_begin
         .endm

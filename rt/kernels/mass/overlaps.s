@@ -76,8 +76,6 @@ overlap_bits:   .word 0                 ; address of LEVEL_BITS bits per level
         .kernel overlaps
 overlaps:
         crossed_begin
-        EX      col_work0, overlaps_arguments
-        ELEN    col_work0, OVERLAPS_ARGUMENTS
-        SWAP    [col_work0], ovl_groups, [r0]
+        load_words overlaps_arguments, OVERLAPS_ARGUMENTS, ovl_groups, col_work0
         by_hand mass/overlaps
         .endkernel

@@ -8,10 +8,7 @@
 ; Loads `count` consecutive fields at the address, from `first` on, into
 ; registers.
         .macro  load_fields address, first, count, register
-        RTOR    \address, ovl_at
-        IX      ovl_at, 64 * (\first)
-        ELEN    ovl_at, \count
-        SWAP    [ovl_at], \register, [r0]
+        load_part \address, \first, \count, \register, ovl_at
         .endm
 
 ; Adds the term to the lanes of the level's pairs whose other level is on.

@@ -25,8 +25,7 @@ on_bits:        .space LEVEL_BITS / 64
 
 ; Loads the two words at the address into ovl_first and ovl_second.
         .macro  load_two address
-        ELEN    \address, 2
-        SWAP    [\address], ovl_first, [r0]
+        load_from \address, 2, ovl_first
         .endm
 
 ; [v_counts] := the changes of the group's fields at the crossings, after the

@@ -127,9 +127,7 @@ ray_store:      .space RAYS
         .entry  rays
         .kernel rays
 rays:
-        EX      ray_work0, rays_arguments
-        ELEN    ray_work0, RAYS_ARGUMENTS
-        SWAP    [ray_work0], ray_seed, [r0]
+        load_words rays_arguments, RAYS_ARGUMENTS, ray_seed, ray_work0
         SHIFTI  ray_count, 6, ray_stride
         stream_load ray_work0
         .if     POINTS == POINTS_RANDOM

@@ -29,9 +29,7 @@ totals_results: .word 0                 ; address of the totals
         .entry  totals
         .kernel totals
 totals:
-        EX      tot_work, totals_arguments
-        ELEN    tot_work, TOTALS_ARGUMENTS
-        SWAP    [tot_work], tot_groups, [r0]
+        load_words totals_arguments, TOTALS_ARGUMENTS, tot_groups, tot_work
         SHIFTI  tot_width, 6, tot_stride
 totals_next:
         plane   tot_results, total

@@ -44,9 +44,7 @@ lattice_vector:
         ES      \work\()0, 47
         SUBX    \work\()0, \m, \work\()0
         SHIFT   stream_one, \work\()0, \work\()1
-        EX      \work\()0, lattice_vector
-        ELEN    \work\()0, LATTICE_DIMENSIONS
-        SWAP    [\work\()0], lattice_z0, [r0]
+        load_words lattice_vector, LATTICE_DIMENSIONS, lattice_z0, \work\()0
         .rept   LATTICE_DIMENSIONS
         MPYL    lattice_z\+, \work\()1, lattice_z\+
         .endr

@@ -38,6 +38,7 @@
         .ifndef planes.s
         .equ    planes.s, 1
         .include "forms.s"
+        .include "frame/memory.s"
 
         .ifdef  SCALAR
         .macro  planes index, one, count, scratch=, bits=

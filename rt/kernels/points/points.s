@@ -89,9 +89,7 @@ points_scratch: .space 1
         .entry  points
 points:
         .kernel begin
-        EX      points_at, points_arguments
-        ELEN    points_at, 4
-        SWAP    [points_at], points_s, [r0]
+        load_words points_arguments, 4, points_s, points_at
         stream_load points_at
         .if     LATTICE
         lattice_load points_log, points_s, points_k, work

@@ -36,6 +36,8 @@
 
         .ifndef stream_registers
 
+        .include "frame/memory.s"
+
         .equ    STREAM_MULTIPLIER, 44485709377909
         .equ    STREAM_MIX, X'5851 F42D 4C95'
         .equ    STREAM_TO_UNIT, 7.105427357601002e-15
@@ -54,9 +56,7 @@ stream_constants:
         .endm
 
         .macro  stream_load scratch
-        EX      \scratch, stream_constants
-        ELEN    \scratch, STREAM_CONSTANTS
-        SWAP    [\scratch], stream_mix, [r0]
+        load_words stream_constants, STREAM_CONSTANTS, stream_mix, \scratch
         MPYL    stream_ahead0, stream_ahead0, stream_ahead1
         MPYL    stream_ahead1, stream_ahead0, stream_ahead2
         MPYL    stream_ahead1, stream_ahead1, stream_ahead3

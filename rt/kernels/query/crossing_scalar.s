@@ -30,12 +30,9 @@ crossing_found\@:
         EX      w_at, normal_list
         STO     [w_at], \ray
         STO     [w_at, m_index_one], w_leaf
-        EX      w_at, normal_distance
-        STO     [w_at], c_distance
+        store_word c_distance, normal_distance, w_at
         call    normal_at_hit, normal_list
-        EX      w_at, normal_found
-        ELEN    w_at, 3
-        SWAP    [w_at], c_nx, [r0]
+        load_words normal_found, 3, c_nx, w_at
         .endm
 
 ;       CALL NORMAL_THERE (RAY, PRIMITIVE, DISTANCE, NORMAL)
@@ -44,14 +41,10 @@ crossing_found\@:
 ; DISTANCE (1). NORMAL = of length one, against the ray (3).
         .kernel shade
 normal_at_hit:
-        EX      save_at, normal_save
-        ELEN    save_at, SHADE_REGISTERS
-        SWAP    [r0], r32, [save_at]
+        store_words r32, SHADE_REGISTERS, normal_save, save_at
         RTOR    link, link_saved
-        ELEN    arguments, 4
-        SWAP    [arguments], a_ray, [r0]
-        ELEN    a_ray, 6
-        SWAP    [a_ray], ox, [r0]
+        load_from arguments, 4, a_ray
+        load_from a_ray, 6, ox
         LOD     [a_distance], t0
         find_surface
         SWAP    [r0], nx, [a_sample]

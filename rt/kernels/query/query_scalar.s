@@ -83,8 +83,7 @@ lines:
         load_word query_counts, query_counts_at
         load_word query_hits, query_hits_at
         load_word query_list, query_work
-        EX      ray_hit_at, query_hits_buffer
-        STO     [ray_hit_at], query_work
+        store_word query_work, query_hits_buffer, ray_hit_at
         SHIFTI  query_left, 6, query_stride
         ES      query_step, RAY_HIT_SIZE
         MPYX    query_step, query_stride, query_step
@@ -102,9 +101,7 @@ query_next:
         move_behind query_oy, query_dy
         move_behind query_oz, query_dz
 query_begin:
-        EX      query_work, query_ray
-        ELEN    query_work, 8
-        SWAP    [r0], query_ox, [query_work]
+        store_words query_ox, 8, query_ray, query_work
         call    find_ray_hits, query_arguments
         load_ray_hits
         STO     [query_counts_at], ray_hits_left

@@ -24,13 +24,10 @@ lines:
         begin_queues
 query_next:
         begin_queue
-        EX      target, walk_regions
-        BSAVE   link, [target]
-        EX      target, sort_crossings
-        BSAVE   link_kernel, [target]
+        call_routine walk_regions, link
+        call_routine sort_crossings, link_kernel
         .if     DEPTHS
-        EX      target, count_depths
-        BSAVE   link_kernel, [target]
+        call_routine count_depths, link_kernel
         .endif
         next_queue
         .endkernel

@@ -28,9 +28,7 @@
         .endm
 
         .macro  begin_machine
-        EX      s0, constants
-        ELEN    s0, CONSTANTS
-        SWAP    [s0], one, [r0]
+        load_words constants, CONSTANTS, one, s0
         begin_counting
         EX      s4, QUEUE
         describe iota, count_store, s4
@@ -55,8 +53,7 @@
         IBXLE   n, r0, query_left, queue_full\@
         RTOR    query_left, n
 queue_full\@:
-        EX      target, begin_query
-        BSAVE   link_kernel, [target]
+        call_routine begin_query, link_kernel
         .endm
 
         .macro  next_queue

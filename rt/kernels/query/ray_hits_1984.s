@@ -51,7 +51,7 @@ query_ray:      .space 6
         ADDX    c_plane, to_stride, c_plane
         .endm
 
-        .macro  store_word register
+        .macro  store_plane register
         STO     [c_plane], \register
         ADDX    c_plane, to_stride, c_plane
         .endm
@@ -79,15 +79,15 @@ put_move\@:
         BIM     put_next\@
 put_here\@:
         RTOR    c_slot, c_plane
-        store_word c_distance
-        store_word c_primitive
-        store_word c_crossing
-        store_word c_s
-        store_word c_t
+        store_plane c_distance
+        store_plane c_primitive
+        store_plane c_crossing
+        store_plane c_s
+        store_plane c_t
         .if     NORMALS
-        store_word c_nx
-        store_word c_ny
-        store_word c_nz
+        store_plane c_nx
+        store_plane c_ny
+        store_plane c_nz
         .endif
         .endm
 

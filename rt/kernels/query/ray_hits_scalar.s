@@ -34,10 +34,7 @@ point_stored\@:
         IX      w_at, 64 * P_ON_PATCH
         LOD     [w_at], w_t0
         IBXEQ   w_t0, r0, r0, point_found\@
-        RTOR    w_leaf, w_at
-        IX      w_at, 64 * P_PATCH_POINT
-        ELEN    w_at, 2
-        SWAP    [w_at], c_s, [r0]
+        load_part w_leaf, P_PATCH_POINT, 2, c_s, w_at
 point_found\@:
         .endm
 
@@ -50,19 +47,16 @@ put_next\@:
         IBXEQ   c_at, r0, c_first, put_here\@
         RTOR    c_at, c_before
         IX      c_before, -64 * RAY_HIT_SIZE
-        ELEN    c_before, RAY_HIT_WORDS
-        SWAP    [c_before], c_other_distance, [r0]
+        load_from c_before, RAY_HIT_WORDS, c_other_distance
         CFPLT   c_other_distance, c_distance, put_here\@
         CFPNE   c_other_distance, c_distance, put_move\@
         IBXLT   c_other_primitive, r0, c_primitive, put_here\@
 put_move\@:
-        ELEN    c_at, RAY_HIT_WORDS
-        SWAP    [r0], c_other_distance, [c_at]
+        store_to c_other_distance, RAY_HIT_WORDS, c_at
         RTOR    c_before, c_at
         BIM     put_next\@
 put_here\@:
-        ELEN    c_at, RAY_HIT_WORDS
-        SWAP    [r0], c_distance, [c_at]
+        store_to c_distance, RAY_HIT_WORDS, c_at
         .endm
 
         .kernel visible
@@ -84,8 +78,7 @@ query_region:
         .kernel visible
 query_tree:
         RTOR    w_limit, w_end
-        EX      target, intersect_tree
-        BSAVE   w_back, [target]
+        call_routine intersect_tree, w_back
         IBXEQ   w_hit, r0, r0, query_skip
 query_next_region:
         next_visible w_least, query_skip

@@ -33,8 +33,7 @@ query_store:    .space 2 * QUEUE
 found_crossings:
         RTOR    link_kernel, query_link
         RTOR    visible_rays, s5
-        EX      target, found_points
-        BSAVE   link_kernel, [target]
+        call_routine found_points, link_kernel
         take_found ray_index, taken_at, 0, visible_rays
         take_found event, taken_distance, 1, visible_rays
         take_found event_primitive, taken_primitive, 2, visible_rays
@@ -48,8 +47,7 @@ found_crossings:
         MPYLV   [query_index], s2, [query_index]
         ADDXV   [query_index], [taken_at], [query_index]
         .if     NORMALS
-        EX      target, find_normals
-        BSAVE   link_kernel, [target]
+        call_routine find_normals, link_kernel
         .endif
         CFPEQ   query_start_distance, r0, found_from_origin
         SUBNV   [taken_distance], query_start_distance, [taken_distance]
@@ -59,9 +57,7 @@ found_from_origin:
         to_plane [taken_primitive]
 
 ; The directions of crossing follow from the values after the crossings.
-        RTOR    region, s6
-        IX      s6, 64 * R_BODY
-        LOD     [s6], s6
+        load_of region, R_BODY, s6
         SUBX    r0, s6, s7
         tree_value
         describe s3, query_store + 64 * QUEUE, near
@@ -81,9 +77,7 @@ found_from_origin:
 ; preserved.
 find_normals:
         RTOR    link_kernel, query_normals
-        EX      s3, query_saved
-        ELEN    s3, 21
-        SWAP    [r0], event, [s3]
+        store_words event, 21, query_saved, s3
         EX      part_at, query_part
         leaves_begin
 normals_leaf:
@@ -93,8 +87,7 @@ normals_leaf:
         CMPEQV  [taken_primitive], identity, [near_bits]
         CNTOB   [near_bits], h
         IBXEQ   h, r0, r0, normals_next
-        EX      target, set_hits
-        BSAVE   link_inner, [target]
+        call_routine set_hits, link_inner
         RTOR    h, m
         EX      query_to, query_store + 64 * QUEUE
         CPSV    [taken_at], [at] ? [near_bits]
@@ -103,8 +96,7 @@ normals_leaf:
         point   aox, adx, px, hdx
         point   aoy, ady, py, hdy
         point   aoz, adz, pz, hdz
-        EX      target, find_normal
-        BSAVE   link_kernel, [target]
+        call_routine find_normal, link_kernel
         ES      s4, RAY_HIT_NORMAL
         MPYX    query_stride, s4, s4
         ADDX    ray_hits_first, s4, s4
@@ -115,9 +107,7 @@ normals_leaf:
         VTOVX   [query_to], [nz], [s4]
 normals_next:
         leaves_next normals_leaf
-        EX      s3, query_saved
-        ELEN    s3, 21
-        SWAP    [s3], event, [r0]
+        load_words query_saved, 21, event, s3
         BIM     0, query_normals
         .endif
         .endkernel

@@ -62,15 +62,11 @@ hit:            .space 2                ; distance, primitive
         .endm
 
         .macro  load_level offset, number, first
-        of_level \offset
-        ELEN    main_at, \number
-        SWAP    [main_at], \first, [r0]
+        load_part level, \offset, \number, \first, main_at
         .endm
 
         .macro  store_level offset, number, first
-        of_level \offset
-        ELEN    main_at, \number
-        SWAP    [r0], \first, [main_at]
+        store_part \first, \number, level, \offset, main_at
         .endm
 
         .macro  count_ray kind
@@ -83,8 +79,7 @@ hit:            .space 2                ; distance, primitive
         .macro  call_level routine, list
         RTOR    level, arguments
         IX      arguments, 64 * \list
-        EX      target, \routine
-        BSAVE   link, [target]
+        call_routine \routine, link
         .endm
 
 ; Makes an argument: `number` words of the level's record from `offset` on.

@@ -89,8 +89,7 @@ trace_levels:
         EX      s3, 64 * LEVEL_SIZE
         MPYX    s2, s3, s2
         ADDX    level, s2, s2
-        EX      s3, levels_last
-        STO     [s3], s2
+        store_word s2, levels_last, s3
         load_word scene_pixels, s0
         STO     [level], s0
         STO     [level, one_index], r0
@@ -126,8 +125,7 @@ levels_trace:
         EX      target, list_queue
 levels_queue:
         BSAVE   link, [target]
-        EX      target, find_nearest
-        BSAVE   link, [target]
+        call_routine find_nearest, link
 levels_found:
         .if     KEYS
         describe s0, depth_store, n
@@ -136,12 +134,10 @@ levels_found:
         .if     FOG
         load_word scene_levels, s0
         IBXEQ   level, r0, s0, levels_shade
-        EX      target, fog_depths
-        BSAVE   link, [target]
+        call_routine fog_depths, link
 levels_shade:
         .endif
-        EX      target, shade
-        BSAVE   link, [target]
+        call_routine shade, link
         LOD     [level, one_index], position
         ADDX    position, n, position
         STO     [level, one_index], position
@@ -149,11 +145,9 @@ levels_shade:
 levels_up:
         IBXEQ   level, r0, s0, levels_done
         .if     FOG
-        EX      target, fog_list
-        BSAVE   link, [target]
+        call_routine fog_list, link
         .endif
-        EX      target, add_children
-        BSAVE   link, [target]
+        call_routine add_children, link
         STO     [level], r0
         STO     [level, one_index], r0
         EX      s3, 64 * LEVEL_SIZE
@@ -161,8 +155,7 @@ levels_up:
         BIM     levels_next
 levels_done:
         .if     FOG
-        EX      target, fog_frame
-        BSAVE   link, [target]
+        call_routine fog_frame, link
         .endif
         BIM     0, link_levels
 
@@ -180,8 +173,7 @@ first_queue:
         describe s5, order_store, n
         ES      s4, 0
 first_in_rows:
-        EX      s6, queue_order
-        STO     [s6], s5
+        store_word s5, queue_order, s6
         ADDX    s2, s4, s2
         three_planes s2, s3, out_red, out_green, out_blue
         ADDX    out_blue, s3, out_depth
@@ -196,34 +188,27 @@ first_in_rows:
         ADDX    adx, s3, ady
         ADDX    ady, s3, adz
         describe s2, importance_one, n
-        EX      s3, queue_importance
-        STO     [s3], s2
+        store_word s2, queue_importance, s3
         .if     INTERIORS
-        EX      s3, queue_level
-        STO     [s3], s2
-        EX      s3, queue_passed
-        STO     [s3], r0
+        store_word s2, queue_level, s3
+        store_word r0, queue_passed, s3
         describe s2, inside_unknown, n
-        EX      s3, queue_inside
-        STO     [s3], s2
+        store_word s2, queue_inside, s3
         .endif
         .if     HIDDEN
         describe s2, class_image, n
-        EX      s3, queue_classes
-        STO     [s3], s2
+        store_word s2, queue_classes, s3
         EX      s3, queue_class_sum
         ES      s2, IMAGE_RAYS
         STO     [s3], s2
         .endif
         ES      from_one_point, 1 - ORIGINS_DIFFER
-        EX      target, generate
-        BSAVE   link_kernel, [target]
+        call_routine generate, link_kernel
         BIM     0, link_walk
 
 list_queue:
         set_hits_of_queue
-        EX      s5, queue_order
-        STO     [s5], r0
+        store_word r0, queue_order, s5
         EX      s3, 64 * LIST
         SHIFTI  position, 6, s4
         list_vector level, LIST_RAY, s2
@@ -235,21 +220,17 @@ list_queue:
         list_vector level, LIST_IMPORTANCE, s2
         ADDX    s2, s4, s2
         ADDLEN  s2, n, s2
-        EX      s5, queue_importance
-        STO     [s5], s2
+        store_word s2, queue_importance, s5
         .if     INTERIORS
         ADDX    s2, s3, s2
-        EX      s5, queue_inside
-        STO     [s5], s2
+        store_word s2, queue_inside, s5
         ADDX    s2, s3, s2
-        EX      s5, queue_level
-        STO     [s5], s2
+        store_word s2, queue_level, s5
         ADDX    s2, s3, s2
         describe s5, queue_bits, n
         CMPNEV  [s2], r0, [s5]
         CNTOB   [s5], s6
-        EX      s5, queue_passed
-        STO     [s5], r0
+        store_word r0, queue_passed, s5
         IBXEQ   s6, r0, r0, list_passed_none
         STO     [s5], s2
 list_passed_none:
@@ -269,8 +250,7 @@ list_passed_none:
         IBXEQ   s5, r0, r0, list_class_sum
         ES      s6, IMAGE_RAYS + REFLECTED_RAYS
 list_class_sum:
-        EX      s5, queue_class_sum
-        STO     [s5], s6
+        store_word s6, queue_class_sum, s5
         .endif
         list_vector level, LIST_COLOR, s2
         ADDX    s2, s4, s2

@@ -22,8 +22,7 @@ leaf_list:      .space 3
 
         .macro  load_node
         RTOR    w_node, w_at
-        ELEN    w_at, NODE_LOADED
-        SWAP    [w_at], n_cx, [r0]
+        load_from w_at, NODE_LOADED, n_cx
         .endm
 
 ; Calls the leaf's kernel. l_crossing describes the third argument.
@@ -66,10 +65,7 @@ intersect_no_branch:
         IBXNE   w_node, r0, w_nodes_end, intersect_node
         BIM     intersect_end
 intersect_leaf:
-        RTOR    n_primitive, w_at
-        IX      w_at, 64 * P_STATE_KERNEL
-        ELEN    w_at, 7
-        SWAP    [w_at], l_state_kernel, [r0]
+        load_part n_primitive, P_STATE_KERNEL, 7, l_state_kernel, w_at
         IBXEQ   l_state_kernel, r0, r0, intersect_events
         ADDLEN  l_first_state, l_segments, l_crossing
         ADDLEN  l_crossing, l_segments, l_crossing
@@ -78,8 +74,7 @@ intersect_leaf:
         call_leaf
 intersect_events:
         ADDLEN  l_first_event, l_events, l_crossing
-        ELEN    n_primitive, 2
-        SWAP    [n_primitive], target, [r0]     ; target, inner
+        load_from n_primitive, 2, target        ; target, inner
         call_leaf
         .if     MESH_CROSSINGS
         RTOR    n_primitive, w_at               ; a mesh sets its number
@@ -103,8 +98,7 @@ intersect_next:
         IBXNE   n_next, r0, w_nodes_end, intersect_node, w_node
 intersect_end:
         STO     [w_chain], r0
-        EX      w_at, span + 64 * 2
-        STO     [w_at], w_branch
+        store_word w_branch, span + 64 * 2, w_at
         BIM     0, w_back
 
 intersect_far:

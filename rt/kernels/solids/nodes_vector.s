@@ -44,9 +44,7 @@
         .endshare
 
         .macro  load_leaves
-        EX      s0, scene_leaves
-        ELEN    s0, 2
-        SWAP    [s0], first_leaf, [r0]          ; first_leaf, leaves_last
+        load_words scene_leaves, 2, first_leaf, s0 ; first_leaf, leaves_last
         .endm
 
         .macro  leaves_begin
@@ -54,8 +52,7 @@
         .endm
 
         .macro  load_leaf_record
-        ELEN    leaf_at, LEAF_NEEDED
-        SWAP    [leaf_at], leaf_primitive, [r0]
+        load_from leaf_at, LEAF_NEEDED, leaf_primitive
         RTOR    leaf_primitive, primitive
         .endm
 
@@ -68,8 +65,7 @@
         .macro  list_branch
         EX      s0, branches_end
         LOD     [s0], s1
-        ELEN    s1, BRANCH_SIZE
-        SWAP    [r0], node_steps, [s1]          ; node_steps, node_step_count
+        store_to node_steps, BRANCH_SIZE, s1    ; node_steps, node_step_count
         IX      s1, 64 * BRANCH_SIZE
         STO     [s0], s1
         .endm
@@ -80,8 +76,7 @@
         RTOR    node_primitive, primitive
         load_record P_SEGMENTS, 5, leaf_segments
         RTOR    primitive, leaf_primitive
-        ELEN    s1, LEAF_NEEDED
-        SWAP    [r0], leaf_primitive, [s1]
+        store_to leaf_primitive, LEAF_NEEDED, s1
         IX      s1, 64 * LEAF_NEEDED
         STO     [s1], node_needed
         IX      s1, 64 * (LEAF_SIZE - LEAF_NEEDED)
@@ -204,22 +199,18 @@ walk_limited:
         EX      s3, branches_end
         STO     [s2], s0
         STO     [s3], s1
-        EX      target, begin_span
-        BSAVE   link_inner, [target]
-        ELEN    node_at, NODE_WORDS
-        SWAP    [node_at], bound_x, [r0]
+        call_routine begin_span, link_inner
+        load_from node_at, NODE_WORDS, bound_x
         MPYS    bound_r, half, least_culled
         BIM     node_near                       ; the region's own bound
 node_next:
         IBXEQ   node_at, r0, nodes_end, nodes_hit
-        ELEN    node_at, NODE_WORDS
-        SWAP    [node_at], bound_x, [r0]
+        load_from node_at, NODE_WORDS, bound_x
         CFPGE   bound_r, least_culled, node_near
         set_rays wox, woy, woz, wdx, wdy, wdz, wlower
         RTOR    near, s8
         RTOR    near_limit, s9
-        EX      target, test_bound
-        BSAVE   link_inner, [target]
+        call_routine test_bound, link_inner
         IBXEQ   s0, r0, r0, node_far
         ADDX    s0, s0, s1
         ADDX    s1, s1, s1
@@ -288,8 +279,7 @@ node_counted:
         load_record P_SEGMENTS, 2, s2           ; s2, s3
         load_word leaves_end, s0
         IX      s0, -64 * (LEAF_SIZE - LEAF_PART)
-        ELEN    s0, 2
-        SWAP    [r0], s2, [s0]
+        store_to s2, 2, s0
         RTOR    s2, segments_wanted
         .endif
         BIM     node_hit

@@ -18,9 +18,7 @@
 ; e0 := number of roots; they are stored from e1 on.
         .macro  solve_all resolution
         RTOR    \resolution, near_resolution
-        EX      t3, near_input
-        ELEN    t3, 8
-        SWAP    [r0], k4, [t3]
+        store_words k4, 8, near_input, t3
         call    solve_quartic_signs, near_list
         EX      e1, near_roots
         ES      t3, 4

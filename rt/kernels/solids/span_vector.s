@@ -90,8 +90,7 @@ node_limit:
         if_sparse  s9, near, node_compress
         BIM     node_next
 node_compress:
-        EX      target, compress_span
-        BSAVE   link_kernel, [target]
+        call_routine compress_span, link_kernel
         BIM     node_next
 
 ; Makes the s9 rays of active the only current rays.
@@ -122,9 +121,7 @@ compress_spaces:
         compress_own llower
 compress_crossings:
         load_leaves
-        EX      target, compress_rays
-        BSAVE   link_inner, [target]
-        EX      target, take_lower
-        BSAVE   link_inner, [target]
+        call_routine compress_rays, link_inner
+        call_routine take_lower, link_inner
         BIM     0, link_kernel
         .endkernel

@@ -50,19 +50,15 @@ sparse_store:   .space (8 + SPARSE_CROSSINGS) * QUEUE ; positions, rays, limits,
         .kernel bound
 node_sparse:
         RTOR    s0, s9
-        EX      s3, sparse_outer
-        STO     [s3], near
-        EX      s3, sparse_saved
-        ELEN    s3, 7
-        SWAP    [r0], wox, [s3]                 ; wox .. wlower
+        store_word near, sparse_outer, s3
+        store_words wox, 7, sparse_saved, s3    ; wox .. wlower
         IX      s3, 64 * 7
         STO     [s3], near_limit
         STO     [s3, one_index], nodes_end
         RTOR    node_after, nodes_end
         EX      s2, sparse_store
         CPSV    [iota], [s2] ? [near_bits]
-        EX      s3, sparse_rays
-        STO     [s3], s2
+        store_word s2, sparse_rays, s3
         gather_sparse wdx, 4
         gather_sparse wdy, 5
         gather_sparse wdz, 6
@@ -92,17 +88,13 @@ sparse_gathered:
 sparse_passed_none:
         .endif
         set_near s9
-        EX      target, take_least
-        BSAVE   link_inner, [target]
+        call_routine take_least, link_inner
         BIM     node_near
 
 ; Everything below the node is done. The rays before gathering are current.
 sparse_hit:
-        EX      s3, sparse_outer
-        STO     [s3], r0
-        EX      s3, sparse_saved
-        ELEN    s3, 7
-        SWAP    [s3], wox, [r0]
+        store_word r0, sparse_outer, s3
+        load_words sparse_saved, 7, wox, s3
         IX      s3, 64 * 7
         LOD     [s3], near_limit
         LOD     [s3, one_index], nodes_end
@@ -113,20 +105,16 @@ sparse_hit:
 
         .kernel call
 sparse_leaf:
-        EX      s3, sparse_first
-        STO     [s3], leaf_first_event
+        store_word leaf_first_event, sparse_first, s3
         RTOR    primitive, shape_at
-        EX      target, sparse_kernel
-        BSAVE   link_sparse, [target]
+        call_routine sparse_kernel, link_sparse
         load_field P_STATE_KERNEL, s0
         IBXEQ   s0, r0, r0, node_next
         load_field P_FIRST_STATE, s0
-        EX      s3, sparse_first
-        STO     [s3], s0
+        store_word s0, sparse_first, s3
         RTOR    primitive, shape_at
         IX      shape_at, 64 * P_STATE_KERNEL
-        EX      target, sparse_kernel
-        BSAVE   link_sparse, [target]
+        call_routine sparse_kernel, link_sparse
         BIM     node_next
 
 ; Calls the kernel at shape_at for the gathered rays and stores its crossings

@@ -30,9 +30,7 @@ best_primitive_store: .space QUEUE
         .kernel visible
 walk_every:
         IBXEQ   shadows, r0, r0, every_solids
-        RTOR    region, s0
-        IX      s0, 64 * R_SHADOW
-        LOD     [s0], s0
+        load_of region, R_SHADOW, s0
         IBXNE   s0, r0, one_index, tree_next
 every_solids:
         describe best_primitive, best_primitive_store, near
@@ -53,8 +51,7 @@ every_column:
         CNTOB   [active], s0
         IBXEQ   s0, r0, r0, every_later
         VTOV    column_identity, [event_primitive]
-        EX      target, find_visible
-        BSAVE   link_inner, [target]
+        call_routine find_visible, link_inner
         IBXEQ   s0, r0, r0, every_later
         VTOV    [column], [event] ? [visible_rays]
         VTOV    [event_primitive], [best_primitive] ? [visible_rays]

@@ -71,16 +71,12 @@ event_found:    .space 2
         .endm
 
         .macro  load_leaf
-        RTOR    v_primitive, v_at
-        IX      v_at, 64 * P_NEXT_HIT
-        ELEN    v_at, 6
-        SWAP    [v_at], v_next, [r0]
+        load_part v_primitive, P_NEXT_HIT, 6, v_next, v_at
         .endm
 
 ; Loads the address and number of a branch's steps, v_at and v_left.
         .macro  load_steps
-        ELEN    v_branch, BRANCH_SIZE
-        SWAP    [v_branch], v_at, [r0]          ; v_at, v_left
+        load_from v_branch, BRANCH_SIZE, v_at   ; v_at, v_left
         .endm
 
 ; Branches to `other` if the crossing is farther than delta from the event.
@@ -102,25 +98,19 @@ event_found:    .space 2
         EX      w_at, span
         STO     [w_at], \last
         STO     [w_at, m_index_one], w_end
-        EX      w_at, visible_list
-        STO     [w_at], w_region
+        store_word w_region, visible_list, w_at
         .if     CROSSING_SIZE != 1
         STO     [w_at, m_index_one], w_crossings
         .endif
         call    visible, visible_list
-        EX      w_at, event_found
-        ELEN    w_at, 2
-        SWAP    [w_at], w_in, [r0]
+        load_words event_found, 2, w_in, w_at
         IBXEQ   w_out, r0, r0, \none
         .endm
 
         .kernel visible
 visible:
-        EX      save_at, visible_save
-        ELEN    save_at, VISIBLE_REGISTERS
-        SWAP    [r0], r32, [save_at]
-        ELEN    arguments, 4
-        SWAP    [arguments], v_region, [r0]
+        store_words r32, VISIBLE_REGISTERS, visible_save, save_at
+        load_from arguments, 4, v_region
         SWAP    [v_span], v_last, [r0]
         IX      v_region, 64 * R_RESULT
         LOD     [v_region], v_result
@@ -192,8 +182,7 @@ visible_branch:
         IX      v_branch, -64 * BRANCH_SIZE
         load_steps
 visible_tree:
-        ELEN    v_at, T_SIZE
-        SWAP    [v_at], t_operation, [r0]
+        load_from v_at, T_SIZE, t_operation
         LOD     [t_left], v_in
         LOD     [t_right], v_out
         IBXEQ   t_operation, r0, m_index_one, visible_or
@@ -223,8 +212,7 @@ visible_branch_part:
         ADDX    v_at, v_in, v_at
 visible_part:
         IX      v_at, -64 * T_SIZE
-        ELEN    v_at, T_SIZE
-        SWAP    [v_at], t_operation, [r0]
+        load_from v_at, T_SIZE, t_operation
         LOD     [t_result], v_value
         value_differs v_value, visible_same
         BIM     visible_next_part

@@ -84,23 +84,18 @@
         .endm
 
         .macro  tree_value
-        RTOR    region, s0
-        IX      s0, 64 * R_RESULT
-        LOD     [s0], s0
+        load_of region, R_RESULT, s0
         value_of s0, value, value_after
         .endm
 
 ; Loads the range of active branches, from s2 to s3.
         .macro  load_branches
-        EX      s0, scene_branches
-        ELEN    s0, 2
-        SWAP    [s0], s2, [r0]                  ; s2, s3
+        load_words scene_branches, 2, s2, s0    ; s2, s3
         .endm
 
 ; Loads the steps of the current branch.
         .macro  load_steps
-        ELEN    branch_at, BRANCH_SIZE
-        SWAP    [branch_at], step_at, [r0]      ; step_at, steps_left
+        load_from branch_at, BRANCH_SIZE, step_at ; step_at, steps_left
         .endm
 
         .macro  both_values operation
@@ -166,13 +161,11 @@ event_none:
         IBXGE   s0, r0, near, tree_values
         CPSV    [event], [event] ? [active]
         CPSV    [event_primitive], [event_primitive] ? [active]
-        EX      target, compress_rays
-        BSAVE   link_inner, [target]
+        call_routine compress_rays, link_inner
 
 tree_values:
         RTOR    event, column
-        EX      target, find_visible
-        BSAVE   link_inner, [target]
+        call_routine find_visible, link_inner
         IBXEQ   s0, r0, r0, tree_continue
         BSAVE   link_kernel, [found]
         ANDNB   [active], [visible_rays], [active]
@@ -190,8 +183,7 @@ tree_left_over:
         BIM     tree_next
 tree_compress:
         CPSV    [event], [last] ? [active]
-        EX      target, compress_rays
-        BSAVE   link_inner, [target]
+        call_routine compress_rays, link_inner
         BIM     tree_next
 
 ; Finds the visible crossings at the events of a column, one for each ray.
@@ -242,8 +234,7 @@ tree_branch:
         IX      branch_at, -64 * BRANCH_SIZE
         load_steps
 tree_step:
-        ELEN    step_at, T_SIZE
-        SWAP    [step_at], tree_operation, [r0]
+        load_from step_at, T_SIZE, tree_operation
         value_of tree_left, left, left_after
         value_of tree_right, right, right_after
         value_of tree_result, value, value_after
@@ -300,8 +291,7 @@ show_branch:
         ADDX    step_at, s0, step_at
 show_parts:
         IX      step_at, -64 * T_SIZE
-        ELEN    step_at, T_SIZE
-        SWAP    [step_at], tree_operation, [r0]
+        load_from step_at, T_SIZE, tree_operation
         value_of tree_result, value, value_after
         value_of tree_left, left, left_after
         value_of tree_right, right, right_after
