@@ -44,8 +44,7 @@
         .kernel average
 fine_begin:
         load_at scene_frame, 1, fine_at
-        EX      fine_there, scene_pixels
-        LOD     [fine_there], fine_stride
+        load_word scene_pixels, fine_stride
         EX      fine_there, fine_frame
         STO     [fine_there], fine_at
         STO     [fine_there, m_index_one], fine_stride

@@ -82,8 +82,7 @@ near\@:
 
         .macro  skip_if_box_missed box_missed
         load_part w_region, R_BOX, 6, b_cx, w_at
-        EX      w_at, bound_lost
-        LOD     [w_at], b_lost
+        load_word bound_lost, b_lost
         SUBN    b_cx, w_ox, b_cx
         SUBN    b_cy, w_oy, b_cy
         SUBN    b_cz, w_oz, b_cz

@@ -48,11 +48,9 @@
 camera:
         load_words scene_camera, 12, cam_locx, cam_at
         load_words scene_width, 2, cam_width, size_at
-        EX      size_at, k_half
-        LOD     [size_at], cam_half
+        load_word k_half, cam_half
         .if     LENS
-        EX      size_at, scene_focus
-        LOD     [size_at], cam_focus
+        load_word scene_focus, cam_focus
         .endif
         .if     ORTHOGRAPHIC
         MPYS    cam_dirx, cam_dirx, view_locx
@@ -68,8 +66,7 @@ camera:
         RTOR    cam_locy, cam_diry
         RTOR    cam_locz, cam_dirz
         .if     LENS
-        EX      size_at, k_one
-        LOD     [size_at], cam_t
+        load_word k_one, cam_t
         DIVS    cam_t, cam_focus, view_focus
         .endif
         .else

@@ -80,24 +80,19 @@ frame:
         call_routine camera, link
         call_routine levels_begin, trace_link
         EX      main_at, shadow_ray + 64 * 6
-        EX      main_t, k_shadow
-        LOD     [main_t], main_t
+        load_word k_shadow, main_t
         STO     [main_at], main_t
-        EX      main_t, k_shadow_lower
-        LOD     [main_t], main_t
+        load_word k_shadow_lower, main_t
         STO     [main_at, m_index_one], main_t
         RTOR    first_level, main_t
         ELEN    main_t, 6
         store_word main_t, generate_place, main_at
         load_at scene_band, 2, row
-        EX      main_at, scene_width
-        LOD     [main_at], width
-        EX      main_at, scene_pixels
-        LOD     [main_at], plane_size
+        load_word scene_width, width
+        load_word scene_pixels, plane_size
         store_word plane_size, rays_primary, main_at
         SHIFTI  plane_size, 6, plane_size
-        EX      main_at, scene_frame
-        LOD     [main_at], plane_at
+        load_word scene_frame, plane_at
         .if     ADAPTIVE
         load_at scene_wide, 1, width
         load_place_steps

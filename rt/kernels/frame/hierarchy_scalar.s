@@ -23,8 +23,7 @@ hierarchy_stack: .space HIERARCHY_DEPTH + 2
         .code
 
         .macro  enter_hierarchy
-        EX      w_at, scene_hierarchy
-        LOD     [w_at], h_node
+        load_word scene_hierarchy, h_node
         EX      w_stack, hierarchy_stack + 64
         STO     [w_stack], h_node
         IX      w_stack, 64

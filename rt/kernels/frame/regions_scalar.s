@@ -50,8 +50,7 @@ kernel_primitive: .word 0
 
         .macro  enter_walk save, registers, number
         store_words w_ray, \registers, \save, save_at
-        EX      w_at, bound_less
-        LOD     [w_at], w_less
+        load_word bound_less, w_less
         RTOR    link, w_link
         load_from arguments, \number, w_ray
         RTOR    w_ray, w_at
@@ -99,9 +98,7 @@ simple_ahead\@:
 ; tree, in its P_PATCH_POINT, if it is a patch or a mesh. Then branches to
 ; `done`.
         .macro  store_point done
-        RTOR    w_out, w_at
-        IX      w_at, 64 * P_ON_PATCH
-        LOD     [w_at], w_t0
+        load_of w_out, P_ON_PATCH, w_t0
         IBXEQ   w_t0, r0, r0, \done
         IX      w_out, 64 * P_FIRST_EVENT
         LOD     [w_out], w_t1
@@ -111,8 +108,7 @@ simple_ahead\@:
         IBXEQ   w_t2, r0, m_index_one, point_triangle\@
         .endif
         IX      w_at, 64 * (P_PATCH_POINTS - 2)
-        EX      w_t2, k_delta
-        LOD     [w_t2], w_t2
+        load_word k_delta, w_t2
         SUBN    w_in, w_t2, w_t3
         ADDN    w_in, w_t2, w_t4
 point_crossing\@:
@@ -139,8 +135,7 @@ point_triangle\@:
         IBXEQ   w_t0, r0, w_t2, point_sided\@
         RTOR    r0, w_t6                        ; its normals show the side
 point_sided\@:
-        EX      w_t2, k_delta
-        LOD     [w_t2], w_t2
+        load_word k_delta, w_t2
         SUBN    w_in, w_t2, w_t3
         ADDN    w_in, w_t2, w_t4
         RTOR    w_t1, w_t0                      ; the first
@@ -164,11 +159,8 @@ point_enters\@:
 
 ; Sets w_t0 to the key of a hit at w_in on w_out.
         .macro  count_hit
-        RTOR    w_out, w_at
-        IX      w_at, 64 * P_TIE_OFFSET
-        LOD     [w_at], w_t0
-        EX      w_at, k_delta
-        LOD     [w_at], w_t1
+        load_of w_out, P_TIE_OFFSET, w_t0
+        load_word k_delta, w_t1
         MPYS    w_t0, w_t1, w_t0
         ADDN    w_in, w_t0, w_t0
         .endm
@@ -179,8 +171,7 @@ nearest:
         .if     HIDDEN
         LOD     [w_result_at], w_class
         .endif
-        EX      w_at, k_far
-        LOD     [w_at], w_limit
+        load_word k_far, w_limit
         .if     KEYS
         RTOR    w_limit, w_depth
         .endif
@@ -195,9 +186,7 @@ nearest:
 nearest_region:
         load_region
         .if     HIDDEN
-        RTOR    w_region, w_at
-        IX      w_at, 64 * R_HIDDEN_FROM
-        LOD     [w_at], w_t0
+        load_of w_region, R_HIDDEN_FROM, w_t0
         AND     w_t0, w_class, w_t0
         IBXNE   w_t0, r0, r0, nearest_skip
         .endif
@@ -240,12 +229,10 @@ nearest_other:
         .endkernel
         .kernel visible
 nearest_tree:
-        EX      w_at, bound_more
-        LOD     [w_at], w_end
+        load_word bound_more, w_end
         MPYS    w_limit, w_end, w_end
         .if     KEYS
-        EX      w_at, k_delta
-        LOD     [w_at], w_t0
+        load_word k_delta, w_t0
         ADDN    w_end, w_t0, w_end
         .endif
         call_routine intersect_tree, w_back
@@ -273,16 +260,12 @@ nearest_visible:
         .if     INTERIORS
 ; The ray passed a clear surface. It hits regions of a lower rank at its start.
 nearest_passed:
-        RTOR    w_first, w_at
-        IX      w_at, 64 * P_RANK
-        LOD     [w_at], w_t0
-        EX      w_at, k_lower
-        LOD     [w_at], w_t1
+        load_of w_first, P_RANK, w_t0
+        load_word k_lower, w_t1
         RTOR    m_tmin, w_lower
         IBXGE   w_t0, r0, w_passed, nearest_lowered
-        EX      w_at, k_delta
-        LOD     [w_at], w_t1
-        SUBN    r0, w_t1, w_t1
+        load_word k_delta, w_t2
+        SUBN    r0, w_t2, w_t1
         RTOR    w_t1, w_lower
 nearest_lowered:
         RTOR    w_ray, w_at

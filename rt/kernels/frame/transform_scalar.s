@@ -30,9 +30,7 @@ local_arguments:
 transformed:
         enter   kernel_image, KERNEL_CONSTANTS, transform_save, TRANSFORM_REGISTERS
         load_from arguments, 3, a_ray
-        RTOR    a_primitive, t0
-        IX      t0, 64 * P_SPACE
-        LOD     [t0], t4
+        load_of a_primitive, P_SPACE, t4
         EX      t5, local_space
         LOD     [t5], t6
         EX      t7, local_ray

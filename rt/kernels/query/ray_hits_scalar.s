@@ -30,9 +30,7 @@ query_save:     .space QUERY_REGISTERS
         RTOR    r0, c_t
         store_point point_stored\@
 point_stored\@:
-        RTOR    w_leaf, w_at
-        IX      w_at, 64 * P_ON_PATCH
-        LOD     [w_at], w_t0
+        load_of w_leaf, P_ON_PATCH, w_t0
         IBXEQ   w_t0, r0, r0, point_found\@
         load_part w_leaf, P_PATCH_POINT, 2, c_s, w_at
 point_found\@:
@@ -62,8 +60,7 @@ put_here\@:
         .kernel visible
 find_ray_hits:
         enter_walk query_save, QUERY_REGISTERS, 3
-        EX      w_at, k_far
-        LOD     [w_at], w_limit
+        load_word k_far, w_limit
         ES      c_count, 0
         RTOR    w_argument, c_first
         RTOR    c_first, c_end
@@ -84,22 +81,18 @@ query_next_region:
         next_visible w_least, query_skip
         RTOR    w_in, c_distance
         RTOR    w_out, w_leaf
-        RTOR    w_out, w_at
-        IX      w_at, 64 * P_ID
-        LOD     [w_at], c_primitive
+        load_of w_out, P_ID, c_primitive
         find_crossing
         find_point
         .if     NORMALS
         find_normal_at w_ray
         .endif
-        EX      w_at, query_start
-        LOD     [w_at], w_t0
+        load_word query_start, w_t0
         CFPEQ   w_t0, r0, query_from_origin
         SUBN    c_distance, w_t0, c_distance
 query_from_origin:
         put_in_order
-        EX      w_at, k_delta                   ; within delta: the same place
-        LOD     [w_at], w_t0
+        load_word k_delta, w_t0                 ; within delta: the same place
         ADDN    w_in, w_t0, w_least
         BIM     query_next_region
         .endkernel

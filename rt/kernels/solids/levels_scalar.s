@@ -101,12 +101,9 @@ hit:            .space 2                ; distance, primitive
 ; Makes the argument lists of all levels, and the ray of the first.
         .kernel frame
 levels_begin:
-        EX      main_at, scene_sky + 64 * 4
-        LOD     [main_at], sky_stops
-        EX      main_at, scene_levels
-        LOD     [main_at], level
-        EX      main_at, scene_level_count
-        LOD     [main_at], levels_left
+        load_word scene_sky + 64 * 4, sky_stops
+        load_word scene_levels, level
+        load_word scene_level_count, levels_left
         RTOR    level, first_level
 levels_next:
         level_argument L_NEAREST, L_RAY, 6
@@ -131,8 +128,7 @@ levels_next:
         IBXNE   levels_left, m_index_minus_one, r0, levels_next, levels_left
         RTOR    first_level, level
         of_level L_MIN
-        EX      main_t, k_lower
-        LOD     [main_t], main_t
+        load_word k_lower, main_t
         STO     [main_at], m_tmin
         STO     [main_at, m_index_one], main_t
         .if     INTERIORS
@@ -155,8 +151,7 @@ levels_next:
         .kernel frame
 trace:
         RTOR    first_level, level
-        EX      main_at, scene_level_count
-        LOD     [main_at], levels_left
+        load_word scene_level_count, levels_left
         call_level nearest, L_NEAREST
         load_at hit, 2, distance
         RTOR    distance, first_distance
@@ -227,8 +222,7 @@ trace_down:
         .kernel frame
 trace_background:
         .if     FOG
-        EX      main_t, fog_far
-        LOD     [main_t], main_t
+        load_word fog_far, main_t
         of_level L_DISTANCE
         STO     [main_at], main_t
         .endif

@@ -40,8 +40,7 @@ leaf_list:      .space 3
 intersect_tree:
         load_two_delta
         EX      w_chain, span + 64 * 3
-        EX      w_at, scene_branches
-        LOD     [w_at], w_branch
+        load_word scene_branches, w_branch
         ES      w_hit, 0
         RTOR    w_lower, w_least
         RTOR    w_nodes, w_node
@@ -77,9 +76,7 @@ intersect_events:
         load_from n_primitive, 2, target        ; target, inner
         call_leaf
         .if     MESH_CROSSINGS
-        RTOR    n_primitive, w_at               ; a mesh sets its number
-        IX      w_at, 64 * P_SEGMENTS
-        LOD     [w_at], l_segments
+        load_of n_primitive, P_SEGMENTS, l_segments ; a mesh sets its number
         .endif
         .endkernel
 

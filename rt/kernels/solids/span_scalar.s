@@ -12,8 +12,7 @@
 ; Source: derived here.
 
         .macro  load_two_delta
-        EX      w_at, k_delta
-        LOD     [w_at], w_two_delta
+        load_word k_delta, w_two_delta
         ADDN    w_two_delta, w_two_delta, w_two_delta
         .endm
 

@@ -114,10 +114,8 @@ visible:
         SWAP    [v_span], v_last, [r0]
         IX      v_region, 64 * R_RESULT
         LOD     [v_region], v_result
-        EX      v_at, k_delta
-        LOD     [v_at], v_delta
-        EX      v_at, scene_branches
-        LOD     [v_at], v_branches
+        load_word k_delta, v_delta
+        load_word scene_branches, v_branches
         ES      v_index_two, 2
         ES      v_index_three, 3
 
