@@ -254,8 +254,7 @@ fine_mean_sample:
         ES      mean_sample, 64
         mean_distance mean_sample, 0
         mean_distance fine_row_step, 1
-        SHIFTI  mean_samples, 6, fine_word
-        ADDX    mean_sampled, fine_word, mean_sampled
+        advance_by mean_sampled, mean_samples, fine_word
         IX      mean_list, 64
         IBXNE   mean_left, m_index_minus_one, r0, fine_mean, mean_left
         BIM     0, link

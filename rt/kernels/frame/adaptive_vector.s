@@ -41,10 +41,7 @@
 ; none are left.
         .macro  some_of left, done
         IBXEQ   \left, r0, r0, \done
-        EX      s2, QUEUE
-        IBXLE   s2, r0, \left, some_of\@
-        RTOR    \left, s2
-some_of\@:
+        at_most QUEUE, \left, s2
         IBXEQ   s2, r0, h, some_as_before\@
         RTOR    s2, h
         call_routine set_hits, link_inner
@@ -81,11 +78,6 @@ some_as_before\@:
         VTOV    [red], [s3]
         .endm
 
-        .macro  advance_by address
-        SHIFTI  h, 6, s2
-        ADDX    \address, s2, \address
-        .endm
-
         .kernel average
 fine_begin:
         load_word scene_frame, fine_at
@@ -106,8 +98,8 @@ fine_power:
         power_of_positive
         ADDLEN  fine_there, h, s3
         VTOV    [v0], [s3]
-        advance_by fine_at
-        advance_by fine_there
+        advance_by fine_at, h, s2
+        advance_by fine_there, h, s2
         SUBX    fine_left_over, h, fine_left_over
         BIM     fine_power
 fine_powers:
@@ -118,7 +110,7 @@ fine_distance:
         some_of fine_left_over, fine_begun
         first_distance fine_next_at, 0
         first_distance fine_row_step, 1
-        advance_by fine_at
+        advance_by fine_at, h, s2
         SUBX    fine_left_over, h, fine_left_over
         BIM     fine_distance
 fine_begun:
@@ -252,14 +244,12 @@ fine_wanted:
         ADDLEN  visit_refined, h, s3
         ADDLEN  visit_work, h, s4
         ANDNB   [s3], [s4], [hits0]
-        CNTOB   [hits0], s5
-        IBXEQ   s5, r0, r0, fine_unwanted
+        if_none hits0, s5, fine_unwanted
         INTVLV  fine_place, one_index, [v0]
         RTOR    fine_there, s6
         CPSV    [v0], [s6] ? [hits0]
         ORB     [s4], [hits0], [s4]
-        SHIFTI  s5, 6, s6
-        ADDX    fine_there, s6, fine_there
+        advance_by fine_there, s5, s6
         ADDX    visit_columns, s5, visit_columns
 fine_unwanted:
         ADDX    visit_refined, h, visit_refined
@@ -358,7 +348,7 @@ fine_mean_sample:
         IBXNE   mean_planes_left, minus_one_index, r0, fine_mean_plane, mean_planes_left
         put_distance px, 0
         put_distance py, 1
-        advance_by mean_list
+        advance_by mean_list, h, s2
         MPYX    s2, mean_samples, s2
         ADDX    mean_sampled, s2, mean_sampled
         SUBX    fine_left_over, h, fine_left_over
@@ -403,8 +393,7 @@ show_row:
 show_words:
         VTOV    [s3], [s4]
 show_next:
-        SHIFTI  show_columns, 6, s2
-        ADDX    show_picture, s2, show_picture
+        advance_by show_picture, show_columns, s2
         ADDX    fine_at, fine_row_step, fine_at
         IBXNE   fine_at, r0, fine_stride, show_row
         ADDX    show_first, fine_stride, show_first

@@ -106,8 +106,7 @@ test_bound:
         SUBNV   [bound_g2], bound_r2, [bound_g2]
         MPYSV   [bound_g1], [bound_g1], [bound_g0]
         CMPGEV  [bound_g0], [bound_g2], [near_bits]
-        CNTOB   [near_bits], s0
-        IBXEQ   s0, r0, r0, bound_tested
+        if_none near_bits, s0, bound_tested
         SUBN    r0, bound_r, s6
         CMPLTV  s6, [bound_g1], [bound_bits]
         ANDB    [near_bits], [bound_bits], [near_bits]
@@ -122,8 +121,7 @@ bound_tested:
 bound_from_point:
         EX      s0, queue_origin
         bound_common
-        CNTOB   [near_bits], s0
-        IBXEQ   s0, r0, r0, bound_tested
+        if_none near_bits, s0, bound_tested
         BIM     bound_range
 
 bound_line_to_light:
@@ -139,8 +137,7 @@ bound_to_light:
         set_bound
         RTOR    shadows, s0
         bound_common
-        CNTOB   [near_bits], s0
-        IBXEQ   s0, r0, r0, bound_tested
+        if_none near_bits, s0, bound_tested
         CMPLTV  [bound_g1], bound_r, [bound_bits]
         ANDB    [near_bits], [bound_bits], [near_bits]
         load_word k_shadow, s0

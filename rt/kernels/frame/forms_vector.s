@@ -120,10 +120,7 @@ generate_samples:
 
 ; The next h pixels of the row, at most QUEUE.
         .macro  begin_pixels
-        EX      s2, QUEUE
-        IBXLE   s2, r0, pixels_left, average_lengths
-        RTOR    pixels_left, s2
-average_lengths:
+        at_most QUEUE, pixels_left, s2
         IBXEQ   s2, r0, h, average_some
         RTOR    s2, h
         call_routine set_hits, link_inner

@@ -262,8 +262,7 @@ walk_search:
         SELNEV  [s4], r0, s5
         load_word walk_clear_left, s6
         SUBX    s6, s5, s6
-        SHIFTI  s5, 6, s7
-        ADDX    s2, s7, s2
+        advance_by s2, s5, s7
         IBXEQ   s5, r0, s3, walk_searched       ; none among these
         LOD     [s2], region
         STO     [s2], r0

@@ -15,12 +15,10 @@
 ; r200-r238 belong to power, r240-r252 to the main program, r253 and r254 are
 ; scratch.
 
-        .include "frame/memory.s"
+        .include "frame/common.s"
 
 ; 1: there are shadow rays (light/shadow_scalar.s).
-        .ifndef CASTS_SHADOWS
-        .equ    CASTS_SHADOWS, 0
-        .endif
+        option  CASTS_SHADOWS
 
         .regs   r7, link, arguments, save_at, image_at, target
         .share  main

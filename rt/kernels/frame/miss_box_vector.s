@@ -41,14 +41,12 @@
 
         .macro  separating_next
         ANDB    [near_bits], [bits0], [near_bits]
-        CNTOB   [near_bits], s6
-        IBXEQ   s6, r0, r0, box_taken
+        if_none near_bits, s6, box_taken
         .endm
 
         .macro  separating_axes x, y, z, hx, hy, hz, vectors
         separating_axis \y, \z, wdy, wdz, \hy, \hz, w1, w2, near_bits, \vectors
-        CNTOB   [near_bits], s6
-        IBXEQ   s6, r0, r0, box_taken
+        if_none near_bits, s6, box_taken
         separating_axis \z, \x, wdz, wdx, \hz, \hx, w2, w0, bits0, \vectors
         separating_next
         separating_axis \x, \y, wdx, wdy, \hx, \hy, w0, w1, bits0, \vectors

@@ -86,19 +86,16 @@ simple_hit:
         IBXNE   shadows, r0, r0, simple_stops
         CMPGEV  [near_limit], [w0], [bits1]
         ANDB    [bits0], [bits1], [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, walk_skip
+        if_none bits0, s0, walk_skip
         load_record P_ID, 2, identity
         CMPEQV  [w0], [near_limit], [bits1]
         ANDB    [bits0], [bits1], [bits1]
-        CNTOB   [bits1], s1
-        IBXEQ   s1, r0, r0, simple_nearer
+        if_none bits1, s1, simple_nearer
         VXTOV   [ray_index], [nearest_primitive], [w1]
         CMPGEV  identity, [w1], [bits2]
         ANDB    [bits1], [bits2], [bits1]
         XORB    [bits0], [bits1], [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, walk_skip
+        if_none bits0, s0, walk_skip
 simple_nearer:
         region_took_hits
         IBXEQ   near, r0, n, simple_all
@@ -133,8 +130,7 @@ simple_all:
 simple_stops:
         CMPLTV  [w0], [near_limit], [bits1]
         ANDB    [bits0], [bits1], [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, walk_skip
+        if_none bits0, s0, walk_skip
         region_took_hits
         IBXEQ   near, r0, n, simple_stops_all
         take_found ray_index, taken_at, 0, bits0

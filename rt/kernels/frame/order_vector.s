@@ -51,10 +51,7 @@ blank_none:
 blank:
         RTOR    s4, s7
 blank_next:
-        EX      s8, 65535               ; the longest vector
-        IBXLE   s8, r0, s7, blank_some
-        RTOR    s7, s8
-blank_some:
+        at_most 65535, s7, s8                   ; the longest vector
         ADDLEN  s5, s8, s9
         VTOV    s6, [s9]
         SUBX    s7, s8, s7

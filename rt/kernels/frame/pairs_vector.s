@@ -218,8 +218,7 @@ pairs_some:
         SUBNV   [pair_x], [pair_z], [pair_x]
         MPYSV   [pair_b], [pair_b], [pair_z]
         CMPGEV  [pair_z], [pair_x], [pair_bits]
-        CNTOB   [pair_bits], s0
-        IBXEQ   s0, r0, r0, pairs_take
+        if_none pair_bits, s0, pairs_take
         VXTOV   [pair_ray], [nearest], [pair_limit]
         ADDNV   [pair_b], [pair_y], [pair_x]
         CMPLTV  r0, [pair_x], [pair_more]
@@ -227,8 +226,7 @@ pairs_some:
         SUBNV   [pair_b], [pair_y], [pair_x]
         CMPLTV  [pair_x], [pair_limit], [pair_more]
         ANDB    [pair_bits], [pair_more], [pair_bits]
-        CNTOB   [pair_bits], s8
-        IBXEQ   s8, r0, r0, pairs_take
+        if_none pair_bits, s8, pairs_take
         CPSV    [pair_ray], [pair_ray] ? [pair_bits]
         CPSV    [pair_node], [pair_node] ? [pair_bits]
 
@@ -237,8 +235,7 @@ pairs_some:
         set_pairs s8
         pair_field pair_node, H_REGION_COUNT, pair_x
         CMPNEV  [pair_x], r0, [pair_bits]
-        CNTOB   [pair_bits], s5
-        IBXEQ   s5, r0, r0, pairs_below
+        if_none pair_bits, s5, pairs_below
         RTOR    pair_ray, s6
         RTOR    pair_node, s7
         IBXEQ   s5, r0, s8, pairs_leaves
@@ -269,8 +266,7 @@ pairs_leaf:
         VTOV    [s7], [s3]
         describe pair_more, pair_bit_store + PAIR_LIST, s5
         CMPLTV  s9, [pair_x], [pair_more]
-        CNTOB   [pair_more], s5
-        IBXEQ   s5, r0, r0, pairs_no_leaf
+        if_none pair_more, s5, pairs_no_leaf
         CPSV    [s6], [s6] ? [pair_more]
         CPSV    [s7], [s7] ? [pair_more]
         CPSV    [pair_x], [pair_x] ? [pair_more]
@@ -359,8 +355,7 @@ spheres_from_start:
 spheres_found:
         CMPGEV  [pair_limit], [pair_hit], [pair_more]
         ANDB    [pair_bits], [pair_more], [pair_bits]
-        CNTOB   [pair_bits], pair_count
-        IBXEQ   pair_count, r0, r0, spheres_hit
+        if_none pair_bits, pair_count, spheres_hit
         CPSV    [pair_ray], [pair_ray] ? [pair_bits]
         CPSV    [pair_hit], [pair_hit] ? [pair_bits]
         CPSV    [pair_node], [pair_node] ? [pair_bits]
@@ -399,15 +394,13 @@ spheres_better:
         VXTOV   [pair_ray], [nearest], [pair_limit]
         CMPLTV  [pair_hit], [pair_limit], [pair_bits]
         CMPEQV  [pair_hit], [pair_limit], [pair_more]
-        CNTOB   [pair_more], s0
-        IBXEQ   s0, r0, r0, spheres_no_tie
+        if_none pair_more, s0, spheres_no_tie
         VXTOV   [pair_ray], [nearest_primitive], [pair_limit]
         CMPLTV  [pair_y], [pair_limit], [pair_tie]
         ANDB    [pair_more], [pair_tie], [pair_more]
         ORB     [pair_bits], [pair_more], [pair_bits]
 spheres_no_tie:
-        CNTOB   [pair_bits], s8
-        IBXEQ   s8, r0, r0, spheres_stamp
+        if_none pair_bits, s8, spheres_stamp
         ES      pair_left, 1
         IBXEQ   s8, r0, pair_count, spheres_scatter
         CPSV    [pair_ray], [pair_ray] ? [pair_bits]
@@ -431,8 +424,7 @@ spheres_scatter:
 spheres_stop:
         CMPLTV  [pair_hit], [pair_limit], [pair_more]
         ANDB    [pair_bits], [pair_more], [pair_bits]
-        CNTOB   [pair_bits], pair_left
-        IBXEQ   pair_left, r0, r0, spheres_hit
+        if_none pair_bits, pair_left, spheres_hit
         CPSV    [pair_ray], [pair_ray] ? [pair_bits]
         VTOVX   [pair_ray], minus_big, [nearest]
 spheres_stamp:

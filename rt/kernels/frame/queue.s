@@ -28,7 +28,7 @@
 ;              while shadow rays are traced
 ;   scratch    temporaries of routines that do not call each other
 
-        .include "frame/memory.s"
+        .include "frame/common.s"
 
         .regs   r1, link, link_kernel, link_inner
         .reg    n, r4              ; rays in the queue, an integer
@@ -170,12 +170,6 @@ depth_store:    .space QUEUE            ; hit distances without P_TIE_OFFSET
         .endif
         .code
 
-; Makes a descriptor of `count` elements.
-        .macro  describe register, address, count
-        EX      \register, \address
-        ADDLEN  \register, \count, \register
-        .endm
-
 ; Sets the length of the `number` descriptors of a table to `count`, an integer,
 ; and loads them into registers from `first` on.
         .macro  set_lengths count, high, bases, descriptors, number, first
@@ -244,10 +238,7 @@ near_set\@:
         .endm
 
         .macro  add_to_counter label, count
-        EX      s0, \label
-        LOD     [s0], s1
-        ADDX    s1, \count, s1
-        STO     [s0], s1
+        add_to_word \label, \count, s0, s1
         .endm
 
 ; [sum] = x . u for vectors x and a constant vector u in registers. Order of

@@ -4,62 +4,47 @@
 ; their only definition. Numbers are normalised 64-bit words in world units.
 ; Colours are linear.
 
-; 1: counts the bodies that contain each ray (query/query.s).
-        .ifndef DEPTHS
-        .equ    DEPTHS, 0
-        .endif
+        .include "frame/common.s"
 
-; 1: some finishes depend on the angle (light/gloss.s).
-        .ifndef GLOSS
-        .equ    GLOSS, 0
-        .endif
+; Constants that the host sets when the program is assembled.
+        option  MAX_CROSSINGS, 6   ; the most crossings of a ray with a primitive
+        option  BLOB_PIECES        ; the most pieces of a blob, or 0: no blobs
+                                   ; (shapes/blob_vector.s)
 
-; 1: light passes through some objects (light/interior.s).
-        .ifndef INTERIORS
-        .equ    INTERIORS, 0
-        .endif
-
-; 1: some regions are invisible to a class of rays (R_HIDDEN_FROM).
-        .ifndef HIDDEN
-        .equ    HIDDEN, 0
-        .endif
-
-; 1: surfaces of different regions may coincide, so hits have keys
-; (docs/solids.md).
-        .ifndef KEYS
-        .equ    KEYS, 0
-        .endif
-
-; 1: a mesh is part of a tree, or light passes through it, so all its crossings
-; are needed and not only the nearest (shapes/mesh_crossings_vector.s).
-        .ifndef MESH_CROSSINGS
-        .equ    MESH_CROSSINGS, 0
-        .endif
-
-; 1: there are patterns other than checkers and gradients (light/pattern.s).
-        .ifndef PATTERNS
-        .equ    PATTERNS, 0
-        .endif
-
-; 1: some pigments are images (light/image.s).
-        .ifndef IMAGES
-        .equ    IMAGES, 0
-        .endif
-
-; 1: patterns perturb some normals (light/bump.s).
-        .ifndef BUMPS
-        .equ    BUMPS, 0
-        .endif
-
-; 1: there are lathes (shapes/lathe.s).
-        .ifndef LATHES
-        .equ    LATHES, 0
-        .endif
-
-; 1: there are prisms of quadratic splines (shapes/quadratic_prism.s).
-        .ifndef QUADRATIC_PRISMS
-        .equ    QUADRATIC_PRISMS, 0
-        .endif
+; Constants that are 1 if
+        option  ADAPTIVE           ; sampling is adaptive (adaptive.s)
+        option  AREAS              ; some lights have an area
+                                   ; (light/area_vector.s)
+        option  BEAMS              ; some lights do not shine in all directions,
+                                   ; or fade (light/beam.s)
+        option  BUMPS              ; patterns perturb some normals
+                                   ; (light/bump.s)
+        option  DEPTHS             ; the bodies that contain each ray are
+                                   ; counted (query/query.s)
+        option  FOG                ; there are fogs (light/fog.s)
+        option  GLOSS              ; some finishes depend on the angle
+                                   ; (light/gloss.s)
+        option  HIDDEN             ; some regions are invisible to a class of
+                                   ; rays (R_HIDDEN_FROM)
+        option  IMAGES             ; some pigments are images (light/image.s)
+        option  INTERIORS          ; light passes through some objects
+                                   ; (light/interior.s)
+        option  KEYS               ; surfaces of different regions may coincide,
+                                   ; so hits have keys (docs/solids.md)
+        option  LATHES             ; there are lathes (shapes/lathe.s)
+        option  LENS               ; the camera has a lens (lens.s)
+        option  MESH_BOXES         ; boxes of meshes are tested for all rays,
+                                   ; also for those through a viewpoint
+        option  MESH_CROSSINGS     ; a mesh is part of a tree, or light passes
+                                   ; through it, so all its crossings are needed
+                                   ; (shapes/mesh_crossings_vector.s)
+        option  ORTHOGRAPHIC       ; the camera's rays are parallel and have
+                                   ; many origins (camera.s)
+        option  PATTERNS           ; there are patterns other than checkers and
+                                   ; gradients (light/pattern.s)
+        option  QUADRATIC_PRISMS   ; there are prisms of quadratic splines
+                                   ; (shapes/quadratic_prism.s)
+        .equ    ORIGINS_DIFFER, ORTHOGRAPHIC || LENS ; rays have many origins
 
 ; A primitive.
         .equ    SHAPE_SIZE, 16
@@ -231,51 +216,6 @@
         .equ    P_STOPS, P_PATTERN + 4
         .equ    P_STOP_COUNT, P_PATTERN + 5
 
-; The most crossings of a ray with a primitive. A greater number is set by the
-; host when the program is assembled.
-        .ifndef MAX_CROSSINGS
-        .equ    MAX_CROSSINGS, 6
-        .endif
-
-; The most pieces of a blob (shapes/blob_vector.s). The host counts them when
-; the program is assembled. 0: there are no blobs.
-        .ifndef BLOB_PIECES
-        .equ    BLOB_PIECES, 0
-        .endif
-
-; 1: the camera's rays are parallel and have many origins (camera.s).
-        .ifndef ORTHOGRAPHIC
-        .equ    ORTHOGRAPHIC, 0
-        .endif
-
-; 1: the camera has a lens (lens.s).
-        .ifndef LENS
-        .equ    LENS, 0
-        .endif
-
-; 1: adaptive sampling (adaptive.s).
-        .ifndef ADAPTIVE
-        .equ    ADAPTIVE, 0
-        .endif
-
-; 1: the camera's rays have many origins.
-        .equ    ORIGINS_DIFFER, ORTHOGRAPHIC || LENS
-
-; 1: there are fogs (light/fog.s).
-        .ifndef FOG
-        .equ    FOG, 0
-        .endif
-
-; 1: some lights do not shine in all directions, or fade (light/beam.s).
-        .ifndef BEAMS
-        .equ    BEAMS, 0
-        .endif
-
-; 1: some of these lights have an area (light/area_vector.s).
-        .ifndef AREAS
-        .equ    AREAS, 0
-        .endif
-
 ; A row of a prism's table: a corner of its path and the edge from the previous
 ; corner, in the form that its normal needs.
         .record PRISM
@@ -375,11 +315,6 @@
         .field  SCREEN_FIRST       ; as MESH_FIRST
         .field  SCREEN_COUNT       ; as MESH_COUNT; the size is odd, for banks
         .endrecord
-
-; 1: tests boxes for all rays, also for those through a viewpoint.
-        .ifndef MESH_BOXES
-        .equ    MESH_BOXES, 0
-        .endif
 
         .record TRIANGLE
         .field  TRIANGLE_CORNERS, 9

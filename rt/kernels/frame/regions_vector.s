@@ -139,8 +139,7 @@ walk_compress:
         ANDB    [near_bits], [bound_bits], [bound_bits]
 walk_unbound:
         ORB     [bound_bits], [bound_bits], [near_bits]
-        CNTOB   [near_bits], s6
-        IBXEQ   s6, r0, r0, walk_skip
+        if_none near_bits, s6, walk_skip
         EX      target, take_some
         IBXNE   s6, r0, s8, walk_taken
         EX      target, take_all

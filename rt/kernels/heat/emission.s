@@ -139,13 +139,11 @@ emission_full:
         ELEN    piece_at, EMISSION_WORK
         ORV     [emission_plane], emission_high, [piece_at]
         SWAP    [piece_at], local_spot_x, [r0]
-        EX      emission_mask, emission_bits
-        ADDLEN  emission_mask, emission_now, emission_mask
+        describe emission_mask, emission_bits, emission_now
         emission_planes points_results, STREAM_DRAWS, draw\+
         emission_planes emission_results, EMITTED_SIZE, emitted\+
         BSAVE   emission_link, [emission_kernel]
-        SHIFTI  emission_now, 6, emission_high
-        ADDX    emission_at, emission_high, emission_at
+        advance_by emission_at, emission_now, emission_high
         SUBX    emission_left, emission_now, emission_left
         IBXNE   emission_left, r0, r0, emission_next
         .endif

@@ -13,24 +13,19 @@ inward_bits:    .space 65536 / 64
         .code
 
         .macro  face_bit bits, number
-        EX      \bits, face_bits + STRIP * (\number)
-        ADDLEN  \bits, face_n, \bits
+        describe \bits, face_bits + STRIP * (\number), face_n
         .endm
 
 ; Loads the next strip of crossings and marks the near ones in [b_near].
 ; Branches to `none` if no crossing is left.
         .macro  strip_next none
         IBXEQ   face_left, r0, r0, \none
-        EX      face_n, STRIP
-        IBXLE   face_n, r0, face_left, strip_full\@
-        RTOR    face_left, face_n
-strip_full\@:
+        at_most STRIP, face_left, face_n
         ADDLEN  face_row, face_n, v_primitive
         ADDX    v_primitive, face_step, v_primitive
         ADDX    v_primitive, face_step, v_point
         ADDX    v_point, face_step, v_sign
-        EX      v_distance, face_store
-        ADDLEN  v_distance, face_n, v_distance
+        describe v_distance, face_store, face_n
         face_bit b_near, 0
         face_bit b_own, 1
         ADDLEN  face_row, face_n, face_work
@@ -42,19 +37,15 @@ strip_full\@:
 ; [b_own]. Branches to `none` if there are no such crossings.
         .macro  strip_points none
         ANDB    [b_near], [b_own], [b_near]
-        CNTOB   [b_near], face_count
-        IBXEQ   face_count, r0, r0, \none
-        EX      v_list, face_store
-        ADDLEN  v_list, face_count, v_list
-        EX      v_signs, face_store + 64 * STRIP
-        ADDLEN  v_signs, face_count, v_signs
+        if_none b_near, face_count, \none
+        describe v_list, face_store, face_count
+        describe v_signs, face_store + 64 * STRIP, face_count
         CPSV    [v_point], [v_list] ? [b_near]
         CPSV    [v_sign], [v_signs] ? [b_near]
         .endm
 
         .macro  strip_done again
-        SHIFTI  face_n, 6, face_work
-        ADDX    face_row, face_work, face_row
+        advance_by face_row, face_n, face_work
         SUBX    face_left, face_n, face_left
         BIM     \again
         .endm
@@ -77,29 +68,23 @@ faces_other:
         strip_next faces_left
         CMPLTV  [v_primitive], face_primitive, [b_own]
         strip_points faces_cleared
-        EX      v_kept, face_store + 128 * STRIP
-        ADDLEN  v_kept, face_count, v_kept
+        describe v_kept, face_store + 128 * STRIP, face_count
         VXTOV   [v_list], [face_kept], [v_kept]
-        EX      b_own, face_bits + STRIP
-        ADDLEN  b_own, face_count, b_own
+        describe b_own, face_bits + STRIP, face_count
         CMPEQV  [v_kept], [v_signs], [b_own]
-        CNTOB   [b_own], face_count
-        IBXEQ   face_count, r0, r0, faces_cleared
-        EX      face_work, face_store + 64 * STRIP
-        ADDLEN  face_work, face_count, face_work
+        if_none b_own, face_count, faces_cleared
+        describe face_work, face_store + 64 * STRIP, face_count
         CPSV    [v_list], [face_work] ? [b_own]
         VTOVX   [face_work], face_zero, [face_kept]
 faces_cleared:
         strip_done faces_other
 
 faces_left:
-        EX      b_kept, kept_bits
-        ADDLEN  b_kept, face_points, b_kept
+        describe b_kept, kept_bits, face_points
         ADDLEN  face_kept, face_points, face_work
         CMPGEV  [face_work], face_one, [b_kept]
         CNTOB   [b_kept], face_count
-        EX      b_inward, inward_bits
-        ADDLEN  b_inward, face_points, b_inward
+        describe b_inward, inward_bits, face_points
         ES      face_inward, FACE_INWARD
         CMPEQV  [face_work], face_inward, [b_inward]
         CNTOB   [b_inward], face_left

@@ -11,8 +11,7 @@ gap_bits:       .space 65536 / 64 * 2
         .code
 
         .macro  gap_bit bits, number, length
-        EX      \bits, gap_bits + 65536 * (\number)
-        ADDLEN  \bits, \length, \bits
+        describe \bits, gap_bits + 65536 * (\number), \length
         .endm
 
 ; Makes a descriptor of a vector in the room, of the given length.
@@ -49,8 +48,7 @@ gap_bits:       .space 65536 / 64 * 2
         gap_plane gap_kinds, v_kind, v_next
         ADDLEN  gap_scene_depths, gap_count, v_scene_depth
         find_gaps
-        CNTOB   [b_gap], gap_left
-        IBXEQ   gap_left, r0, r0, gaps_counted
+        if_none b_gap, gap_left, gaps_counted
         gap_vector v_from, 0, gap_left
         gap_vector v_to, 1, gap_left
         CPSV    [v_kind], [v_from] ? [b_gap]
@@ -59,8 +57,7 @@ gap_bits:       .space 65536 / 64 * 2
         ES      gap_from, 0
 gaps_from:
         CMPEQV  [v_from], gap_from, [b_gap]
-        CNTOB   [b_gap], gap_own
-        IBXEQ   gap_own, r0, r0, gaps_done
+        if_none b_gap, gap_own, gaps_done
         gap_vector v_row, 2, gap_own
         CPSV    [v_to], [v_row] ? [b_gap]
         gap_bit b_own, 1, gap_own

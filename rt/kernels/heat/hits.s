@@ -133,8 +133,7 @@ hits_bits:      .space (QUEUE + 63) / 64 * 6
         .code
 
         .macro  hits_bit bits, number, count
-        EX      \bits, hits_bits + (QUEUE + 63) / 64 * 64 * (\number)
-        ADDLEN  \bits, \count, \bits
+        describe \bits, hits_bits + (QUEUE + 63) / 64 * 64 * (\number), \count
         .endm
 
         .macro  dot_axis x, y, z, result, w
@@ -144,10 +143,7 @@ hits_bits:      .space (QUEUE + 63) / 64 * 6
         .endm
 
         .macro  next_rays
-        EX      hit_n, QUEUE
-        IBXLE   hit_n, r0, hit_rays, hits_full
-        RTOR    hit_rays, hit_n
-hits_full:
+        at_most QUEUE, hit_rays, hit_n
         .endm
 
         .macro  load_plane address, vector
@@ -170,8 +166,7 @@ hits_full:
 ; Compresses g, s^2, b, a and p to the near rays.
         .macro  keep_near passed
         CMPGEV  [s2], r0, [b_near]
-        CNTOB   [b_near], hit_m
-        IBXEQ   hit_m, r0, r0, \passed
+        if_none b_near, hit_m, \passed
         SUBX    hit_n, hit_m, hit_o
         EX      hit_work, hits_store
         .rept   7

@@ -10,8 +10,7 @@ received_bits:  .space 65536 / 64
 
         ADDLEN  rec_weights, rec_rays, v_weights
         ADDLEN  rec_list, rec_rays, v_receivers
-        EX      b_own, received_bits
-        ADDLEN  b_own, rec_rays, b_own
+        describe b_own, received_bits, rec_rays
         ES      rec_receiver, 0
 received_next:
         CMPEQV  [v_receivers], rec_receiver, [b_own]

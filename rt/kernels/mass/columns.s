@@ -108,8 +108,7 @@ column_store:   .space LANES * (MOMENT_SIZE + 3)
         .code
 
         .macro  column_vector vector, number
-        EX      \vector, column_store + 64 * LANES * (\number)
-        ADDLEN  \vector, col_n, \vector
+        describe \vector, column_store + 64 * LANES * (\number), col_n
         .endm
 
         .macro  moments_begin

@@ -147,8 +147,7 @@ crossed_bits:   .space LANES / 64 * 4 + 4
         .endm
 
         .macro  crossed_bit bits, number
-        EX      \bits, crossed_bits + LANES * (\number)
-        ADDLEN  \bits, col_n, \bits
+        describe \bits, crossed_bits + LANES * (\number), col_n
         .endm
 
         .macro  crossed_lanes
@@ -156,8 +155,7 @@ crossed_bits:   .space LANES / 64 * 4 + 4
         IBXLE   col_n, r0, col_left, crossed_full\@
         RTOR    col_left, col_n
 crossed_full\@:
-        EX      col_w, crossed_store
-        ADDLEN  col_w, col_n, col_w
+        describe col_w, crossed_store, col_n
         crossed_bit b_enter, 0
         crossed_bit b_leave, 1
         crossed_bit b_visible, 2
@@ -170,8 +168,7 @@ crossed_full\@:
         .endm
 
         .macro  crossed_done again
-        SHIFTI  col_n, 6, col_work0
-        ADDX    col_planes, col_work0, col_planes
+        advance_by col_planes, col_n, col_work0
         SUBX    col_left, col_n, col_left
         BIM     \again
         .endm

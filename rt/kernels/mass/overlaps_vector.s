@@ -36,8 +36,7 @@ on_bits:        .space LEVEL_BITS / 64
         STO     [v_counts], col_work0
         IX      v_counts, 64
         ADDLEN  v_counts, col_n, v_counts
-        EX      v_field, field_store
-        ADDLEN  v_field, col_n, v_field
+        describe v_field, field_store, col_n
         VXTOV   [col_part], [ovl_first], [v_field]
         VTOV    ovl_zero, [v_counts]
         VTOV    [v_field], [v_counts] ? [b_enter]
@@ -46,10 +45,8 @@ on_bits:        .space LEVEL_BITS / 64
 
 ; [v_counts] := its prefix sums. The last one is kept.
         .macro  add_steps
-        EX      v_counts, counts_store
-        ADDLEN  v_counts, ovl_n, v_counts
-        EX      v_other, others_store
-        ADDLEN  v_other, ovl_n, v_other
+        describe v_counts, counts_store, ovl_n
+        describe v_other, others_store, ovl_n
         ES      ovl_distance, 64
         SHIFTI  ovl_n, 6, col_work1
 add_next\@:
@@ -79,8 +76,7 @@ add_next\@:
         load_two ovl_at                 ; PAIR_LEVELS
         find_bits ovl_first, b_level
         find_bits ovl_second, b_after
-        EX      b_before, on_bits
-        ADDLEN  b_before, ovl_n, b_before
+        describe b_before, on_bits, ovl_n
         ANDB    [b_level], [b_after], [b_before]
         EX      b_before, on_bits
         ADDX    b_before, col_index_one, b_after
@@ -106,8 +102,7 @@ overlaps_group:
         find_steps
         add_steps
         RTOR    ovl_second, ovl_level_left
-        EX      v_field, field_store
-        ADDLEN  v_field, ovl_n, v_field
+        describe v_field, field_store, ovl_n
 overlaps_level:
         load_two ovl_level_at           ; LEVEL_MASK, LEVEL_REACHED
         ANDV    [v_counts], ovl_first, [v_field]

@@ -27,12 +27,8 @@
         .include "points/planes.s"
         .include "points/lattice.s"
 
-        .ifndef POINTS
-        .equ    POINTS, 1
-        .endif
-        .ifndef RAYS
-        .equ    RAYS, 4096
-        .endif
+        option  POINTS, 1
+        option  RAYS, 4096
         .equ    POINTS_RANDOM, 0
         .equ    POINTS_GRID, 2
 

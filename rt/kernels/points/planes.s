@@ -38,7 +38,7 @@
         .ifndef planes.s
         .equ    planes.s, 1
         .include "forms.s"
-        .include "frame/memory.s"
+        .include "frame/common.s"
 
         .ifdef  SCALAR
         .macro  planes index, one, count, scratch=, bits=
@@ -111,8 +111,7 @@ other\@:
         STO     [\a, \i], \k
         .endm
         .macro  conditions address, n=\count
-        EX      \bits, \address
-        ADDLEN  \bits, \n, \bits
+        describe \bits, \address, \n
         .endm
         .macro  column address, a, n=\count
         ADDLEN  \address, \n, \a

@@ -17,21 +17,11 @@
 
         .include "points/lattice.s"
 
-        .ifndef QUEUE
-        .equ    QUEUE, 2000
-        .endif
-        .ifndef POINTS
-        .equ    POINTS, 2000
-        .endif
-        .ifndef LATTICE
-        .equ    LATTICE, 0
-        .endif
-        .ifndef COORDINATES
-        .equ    COORDINATES, 5
-        .endif
-        .ifndef NUMBERS
-        .equ    NUMBERS, 1
-        .endif
+        option  QUEUE, 2000
+        option  POINTS, 2000
+        option  LATTICE
+        option  COORDINATES, 5
+        option  NUMBERS, 1
 
         .data
 points_arguments:
@@ -148,8 +138,7 @@ points_next:
         RTOR    points_left, points_now
 points_full:
         ADDLEN  states_at, points_now, states
-        EX      points_work, points_scratch
-        ADDLEN  points_work, points_now, points_work
+        describe points_work, points_scratch, points_now
         .if     LATTICE
         INTVLV  points_i, stream_one, [states]
         ADDX    points_i, points_now, points_i
@@ -163,8 +152,7 @@ points_full:
         .endkernel
         .endr
         .kernel queue
-        SHIFTI  points_now, 6, work0
-        ADDX    plane, work0, plane
+        advance_by plane, points_now, work0
         .if     1 - LATTICE
         MPYLV   [states], leap, [states]
         .endif

@@ -36,7 +36,7 @@
 
         .ifndef stream_registers
 
-        .include "frame/memory.s"
+        .include "frame/common.s"
 
         .equ    STREAM_MULTIPLIER, 44485709377909
         .equ    STREAM_MIX, X'5851 F42D 4C95'

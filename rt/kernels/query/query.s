@@ -19,9 +19,7 @@
 ; Source: derived here, from the project's notes on ray tracing, 4.1.
 
 ; 1: the normals at crossings are requested.
-        .ifndef NORMALS
-        .equ    NORMALS, 0
-        .endif
+        option  NORMALS
 
         .record RAY_HIT
         .field  RAY_HIT_DISTANCE        ; from the ray's origin

@@ -49,10 +49,7 @@
         .endm
 
         .macro  begin_queue
-        EX      n, QUEUE
-        IBXLE   n, r0, query_left, queue_full\@
-        RTOR    query_left, n
-queue_full\@:
+        at_most QUEUE, query_left, n
         call_routine begin_query, link_kernel
         .endm
 

@@ -60,16 +60,14 @@ sort_pair:
         IBXNE   s0, r0, sort_r, sort_next
         CMPLTV  [sort_high], [sort_low], [bits0]
         CMPEQV  [sort_high], [sort_low], [bits1]
-        CNTOB   [bits1], s0
-        IBXEQ   s0, r0, r0, sort_compared
+        if_none bits1, s0, sort_compared
         ADDX    sort_low, query_stride, s2
         ADDX    sort_high, query_stride, s3
         CMPLTV  [s3], [s2], [bits2]
         ANDB    [bits1], [bits2], [bits1]
         ORB     [bits0], [bits1], [bits0]
 sort_compared:
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, sort_next
+        if_none bits0, s0, sort_next
         RTOR    sort_low, s2
         RTOR    sort_high, s3
         ES      s4, RAY_HIT_WORDS

@@ -15,8 +15,7 @@
         CMPLTV  r0, [w6], [bits0]
         SQRTV   [w6], [w6] ? [bits0]
         SUBNV   r0, [w6], [w5]
-        CNTOB   [bits0], m
-        IBXEQ   m, r0, r0, \miss
+        if_none bits0, m, \miss
         .endm
 
 ; Finds all roots of each lane's quartic.

@@ -85,8 +85,7 @@ node_limit:
         RTOR    s3, near_limit
         describe active, event_bits, near
         CMPLTV  [last], [near_limit], [active]
-        CNTOB   [active], s9
-        IBXEQ   s9, r0, r0, walk_skip
+        if_none active, s9, walk_skip
         if_sparse  s9, near, node_compress
         BIM     node_next
 node_compress:

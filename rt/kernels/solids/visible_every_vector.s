@@ -48,8 +48,7 @@ every_column:
         CMPLTV  [last], [column], [bits0]
         CMPLTV  [column], [event], [active]
         ANDB    [bits0], [active], [active]
-        CNTOB   [active], s0
-        IBXEQ   s0, r0, r0, every_later
+        if_none active, s0, every_later
         VTOV    column_identity, [event_primitive]
         call_routine find_visible, link_inner
         IBXEQ   s0, r0, r0, every_later
@@ -63,8 +62,7 @@ every_later:
         leaves_next every_leaf
         RTOR    best_primitive, event_primitive
         CMPNEV  [event_primitive], r0, [visible_rays]
-        CNTOB   [visible_rays], s0
-        IBXEQ   s0, r0, r0, walk_skip
+        if_none visible_rays, s0, walk_skip
         BSAVE   link_kernel, [found]
         BIM     walk_skip
         .endkernel

@@ -38,9 +38,7 @@
 
         .equ    STEPPING, 1
         .equ    EVERY, 2
-        .ifndef VISIBLE
-        .equ    VISIBLE, STEPPING
-        .endif
+        option  VISIBLE, STEPPING
 
         .share  crossings
         .regs   r107, step_at, steps_left, branch_at
@@ -128,8 +126,7 @@ event_next:
         CMPLTV  [last], [slot], [bits0]
         CMPLTV  [slot], [event], [bits1]
         ANDB    [bits0], [bits1], [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, event_later
+        if_none bits0, s0, event_later
         VTOV    [slot], [event] ? [bits0]
         VTOV    identity, [event_primitive] ? [bits0]
 event_later:
@@ -145,8 +142,7 @@ event_segment:
         CMPLTV  [last], [w0], [bits0]
         CMPLTV  [w0], [event], [bits1]
         ANDB    [bits0], [bits1], [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, event_later_segment
+        if_none bits0, s0, event_later_segment
         VTOV    [w0], [event] ? [bits0]
         VTOV    identity, [event_primitive] ? [bits0]
 event_later_segment:
@@ -155,8 +151,7 @@ event_later_segment:
 event_none:
         leaves_next event_leaf
         CMPNEV  [event_primitive], r0, [active]
-        CNTOB   [active], s9
-        IBXEQ   s9, r0, r0, walk_skip
+        if_none active, s9, walk_skip
         ADDX    s9, s9, s0
         IBXGE   s0, r0, near, tree_values
         CPSV    [event], [event] ? [active]
@@ -169,8 +164,7 @@ tree_values:
         IBXEQ   s0, r0, r0, tree_continue
         BSAVE   link_kernel, [found]
         ANDNB   [active], [visible_rays], [active]
-        CNTOB   [active], s9
-        IBXEQ   s9, r0, r0, walk_skip
+        if_none active, s9, walk_skip
         VTOV    big, [event] ? [visible_rays]
         BIM     tree_left_over
 tree_continue:
@@ -255,8 +249,7 @@ tree_done:
         tree_value
         XORB    [value], [value_after], [visible_rays]
         ANDB    [visible_rays], [active], [visible_rays]
-        CNTOB   [visible_rays], s0
-        IBXEQ   s0, r0, r0, visible_rays_found
+        if_none visible_rays, s0, visible_rays_found
 
 ; Finds rays for which another primitive changes than that of the event.
         XORB    [inside], [inside], [inside]
@@ -265,8 +258,7 @@ other_leaf:
         leaf_with_value
         XORB    [value], [value_after], [bits0]
         ANDB    [bits0], [visible_rays], [bits0]
-        CNTOB   [bits0], s1
-        IBXEQ   s1, r0, r0, other_next
+        if_none bits0, s1, other_next
         load_field P_ID, identity
         CMPNEV  [event_primitive], identity, [bits1]
         ANDB    [bits0], [bits1], [bits0]
@@ -275,8 +267,7 @@ other_leaf:
         mark_tested
 other_next:
         leaves_next other_leaf
-        CNTOB   [inside], s1
-        IBXEQ   s1, r0, r0, visible_rays_found
+        if_none inside, s1, visible_rays_found
 
 ; Computes which nodes show, into the bits of before. If a value stays the same,
 ; its parts do not show.
@@ -310,8 +301,7 @@ show_parts:
         leaves_begin
 shown_leaf:
         leaf_with_value
-        CNTOB   [value], s0
-        IBXEQ   s0, r0, r0, shown_next
+        if_none value, s0, shown_next
         XORB    [inside], [inside], [inside]
         find_slot leaf_first_event
 shown_crossing:
@@ -339,8 +329,7 @@ visible_rays_found:
         load_field P_ID, identity
         CMPEQV  [event_primitive], identity, [bits0]
         ANDB    [s5], [bits0], [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, found_next
+        if_none bits0, s0, found_next
         load_word k_delta, s0
         SUBNV   [event], s0, [before]
         ADDNV   [event], s0, [after]
@@ -351,8 +340,7 @@ visible_rays_found:
         .macro  found_at other
         crossing_near bits1, bits2
         ANDB    [bits0], [bits1], [bits1]
-        CNTOB   [bits1], s0
-        IBXEQ   s0, r0, r0, \other
+        if_none bits1, s0, \other
         ANDNB   [bits0], [bits1], [bits0]
         take_found ray_index, taken_at, 0, bits1
         ADDX    slot, s3, s4
@@ -445,8 +433,7 @@ found_counted_next:
         CMPLTV  [taken_primitive], [s3], [s7]
         ANDB    [s6], [s7], [s6]
         ORB     [s4], [s6], [s4]
-        CNTOB   [s4], s0
-        IBXEQ   s0, r0, r0, found_none
+        if_none s4, s0, found_none
         CPSV    [taken_at], [taken_at] ? [s4]
         CPSV    [taken_distance], [taken_distance] ? [s4]
         CPSV    [taken_primitive], [taken_primitive] ? [s4]

@@ -1,5 +1,6 @@
-; memory.s - loads and stores words, and calls routines.
+; common.s - sequences of instructions that many kernels share.
 ;
+;       option name, value                      a constant, unless it is defined
 ;       load_word label, register               the word at the label
 ;       load_words label, number, first, at     words, to registers from first on
 ;       load_from at, number, first             the same, from the address in at
@@ -9,13 +10,24 @@
 ;       store_words first, number, label, at
 ;       store_to first, number, at
 ;       store_part first, number, record, offset, at
+;       add_to_word label, count, at, work      count is a register
+;       describe register, address, count       the descriptor of a vector
+;       at_most most, left, count               count = the minimum of most and left
+;       advance_by address, count, work         to the address after count words
+;       if_none bits, count, label              to the label if no bit is one
 ;       call_routine routine, link              the routine returns by link
 ;
 ; record has the address of the record, and an offset is in words. at gets the
-; address and the number.
+; address and the number, count that of the bits that are one.
 
-        .ifndef memory.s
-        .equ    memory.s, 1
+        .ifndef common.s
+        .equ    common.s, 1
+
+        .macro  option name, value=0
+        .ifndef \name
+        .equ    \name, \value
+        .endif
+        .endm
 
         .macro  load_word label, register
         EX      \register, \label
@@ -63,6 +75,35 @@
         RTOR    \record, \at
         IX      \at, 64 * (\offset)
         store_to \first, \number, \at
+        .endm
+
+        .macro  add_to_word label, count, at, work
+        EX      \at, \label
+        LOD     [\at], \work
+        ADDX    \work, \count, \work
+        STO     [\at], \work
+        .endm
+
+        .macro  describe register, address, count
+        EX      \register, \address
+        ADDLEN  \register, \count, \register
+        .endm
+
+        .macro  at_most most, left, count
+        EX      \count, \most
+        IBXLE   \count, r0, \left, at_most\@
+        RTOR    \left, \count
+at_most\@:
+        .endm
+
+        .macro  advance_by address, count, work
+        SHIFTI  \count, 6, \work
+        ADDX    \address, \work, \address
+        .endm
+
+        .macro  if_none bits, count, label
+        CNTOB   [\bits], \count
+        IBXEQ   \count, r0, r0, \label
         .endm
 
         .macro  call_routine routine, link
