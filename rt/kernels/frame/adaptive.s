@@ -77,6 +77,70 @@ fine_rays:      .word 0                 ; rays of the list; 0: none are left
         ADDX    \address, \pixel, \address
         .endm
 
+        .macro  load_planes
+        load_word fine_pixels, fine_stride
+        SHIFTI  fine_stride, 6, fine_stride
+        load_word scene_wide, fine_row_step
+        FLR     fine_row_step, fine_row_step
+        SHIFTI  fine_row_step, 6, fine_row_step
+        load_word scene_fine, fine_plane
+        .endm
+
+; Records the planes of the first rays, whose address and length are then in
+; fine_at and fine_there.
+        .macro  begin_refinement work
+        load_word scene_frame, fine_at
+        load_word scene_pixels, fine_there
+        load_word scene_power, exponent
+        EX      \work, fine_frame
+        STO     [\work], fine_at
+        STO     [\work, m_index_one], fine_there
+        load_planes
+        .endm
+
+; Takes up to scene_sampled_pixels pixels of the list, of which visit_count are
+; left.
+        .macro  take_pixels work
+        load_words fine_list, 2, visit_list, \work ; and the number traced last
+        advance_by visit_list, visit_place, visit_place
+        load_word scene_sampled_pixels, visit_place
+        IBXLE   visit_place, r0, visit_count, fine_some
+        RTOR    visit_count, visit_place
+fine_some:
+        SUBX    visit_count, visit_place, visit_count
+        load_word scene_samples, visit_rays
+        MPYX    visit_rays, visit_rays, visit_rays
+        MPYX    visit_rays, visit_place, visit_rays
+        store_words visit_list, 4, fine_list, \work
+        store_word visit_rays, scene_pixels, \work
+        load_word scene_sampled, visit_list
+        store_word visit_list, scene_frame, \work
+        .endm
+
+; Loads the data of the means: mean_list and the pixels in it, the number of
+; samples and the factor of a sum, the planes of samples and their distance.
+        .macro  begin_means unit, work
+        load_planes
+        load_word scene_power, exponent
+        load_words fine_list, 2, mean_list, \work
+        load_word scene_samples, mean_samples
+        MPYX    mean_samples, mean_samples, mean_samples
+        ADDN    mean_samples, r0, mean_share
+        ADDN    mean_share, \unit, mean_share
+        DIVS    \unit, mean_share, mean_share
+        load_word scene_frame, mean_sampled
+        load_word scene_pixels, mean_step
+        SHIFTI  mean_step, 6, mean_step
+        .endm
+
+        .macro  begin_picture
+        load_planes
+        load_word fine_frame, show_first
+        load_word scene_picture, show_picture
+        of_plane fine_plane, FINE_MEAN, show_mean
+        ES      show_planes_left, FRAME_CHANNELS
+        .endm
+
 ; Traces all samples after the first rays. trace_levels traces the rays.
         .macro  refine_pixels begin, next, average, end, its_link
         call_routine \begin, \its_link

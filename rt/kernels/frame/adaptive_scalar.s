@@ -16,15 +16,6 @@
         .regs   r41, fine_distance_at, fine_limit
         .endshare
 
-        .macro  load_planes
-        load_at fine_pixels, 1, fine_stride
-        SHIFTI  fine_stride, 6, fine_stride
-        load_at scene_wide, 1, fine_row_step
-        FLR     fine_row_step, fine_row_step
-        SHIFTI  fine_row_step, 6, fine_row_step
-        load_at scene_fine, 1, fine_plane
-        .endm
-
 ; Stores at fine_distance_at the difference of the three powers at fine_at,
 ; whose planes have the distance `step`, from those of the pixel at fine_there.
         .macro  find_distance step
@@ -43,13 +34,7 @@
 
         .kernel average
 fine_begin:
-        load_at scene_frame, 1, fine_at
-        load_word scene_pixels, fine_stride
-        EX      fine_there, fine_frame
-        STO     [fine_there], fine_at
-        STO     [fine_there, m_index_one], fine_stride
-        load_at scene_power, 1, exponent
-        load_planes
+        begin_refinement fine_word
         ES      fine_word, 3
         MPYX    fine_stride, fine_word, fine_end_at
         ADDX    fine_end_at, fine_at, fine_end_at
@@ -85,7 +70,7 @@ fine_distance:
 
         .share  local
         .regs   r43, visit_refined, visit_across, visit_down, visit_row_end
-        .regs   r47, visit_list, visit_place, visit_count, visit_traced
+        .regs   r47, visit_list, visit_place, visit_count, visit_rays
         .regs   r51, visit_two, visit_block
         .endshare
 
@@ -158,8 +143,8 @@ visit_in_rows:
         ES      visit_count, 0
 visit_wanted:
         LOD     [fine_at], fine_word
-        LOD     [fine_there], visit_traced
-        IBXEQ   fine_word, r0, visit_traced, visit_unwanted
+        LOD     [fine_there], visit_rays
+        IBXEQ   fine_word, r0, visit_rays, visit_unwanted
         IBXEQ   fine_word, r0, r0, visit_unwanted
         STO     [fine_there], m_index_one
         STO     [visit_list], visit_place
@@ -171,23 +156,8 @@ visit_unwanted:
         IX      fine_at, 64
         IBXNE   fine_at, r0, fine_end_at, visit_wanted
 
-; Takes up to scene_sampled_pixels pixels of the list.
 fine_chunk:
-        load_at fine_list, 2, visit_list        ; and the number traced last
-        SHIFTI  visit_place, 6, visit_place
-        ADDX    visit_list, visit_place, visit_list
-        load_at scene_sampled_pixels, 1, visit_place
-        IBXLE   visit_place, r0, visit_count, fine_some
-        RTOR    visit_count, visit_place
-fine_some:
-        SUBX    visit_count, visit_place, visit_count
-        load_at scene_samples, 1, visit_traced
-        MPYX    visit_traced, visit_traced, visit_traced
-        MPYX    visit_traced, visit_place, visit_traced
-        store_words visit_list, 4, fine_list, fine_at
-        store_word visit_traced, scene_pixels, fine_at
-        load_at scene_sampled, 1, fine_word
-        store_word fine_word, scene_frame, fine_at
+        take_pixels fine_at
         BIM     0, link
 
 ; ---- Means -------------------------------------------------------------------
@@ -212,17 +182,7 @@ mean_powers:    .space 3
         .endm
 
 fine_average:
-        load_planes
-        load_at scene_power, 1, exponent
-        load_at fine_list, 2, mean_list
-        load_at scene_samples, 1, mean_samples
-        MPYX    mean_samples, mean_samples, mean_samples
-        ADDN    mean_samples, r0, mean_share
-        ADDN    mean_share, m_one, mean_share
-        DIVS    m_one, mean_share, mean_share
-        load_at scene_frame, 1, mean_sampled
-        load_at scene_pixels, 1, mean_step
-        SHIFTI  mean_step, 6, mean_step
+        begin_means m_one, fine_at
         load_at fine_frame, 1, mean_first
 fine_mean:
         LOD     [mean_list], fine_pixel
@@ -267,11 +227,7 @@ fine_mean_sample:
         .endshare
 
 fine_end:
-        load_planes
-        load_at fine_frame, 1, show_first
-        load_at scene_picture, 1, show_picture
-        of_plane fine_plane, FINE_MEAN, show_mean
-        ES      show_planes_left, FRAME_CHANNELS
+        begin_picture
 show_plane:
         of_plane fine_plane, FINE_REFINED, show_refined
         RTOR    fine_row_step, show_place

@@ -25,17 +25,8 @@
 
         .share  scratch
         .regs   r233, fine_plane, fine_stride, fine_row_step, fine_at, fine_there
-        .regs   r238, fine_next_at, fine_left_over, fine_place
+        .regs   r238, fine_next_at, fine_place, mean_list, fine_left_over
         .endshare
-
-        .macro  load_planes
-        load_word fine_pixels, fine_stride
-        SHIFTI  fine_stride, 6, fine_stride
-        load_word scene_wide, fine_row_step
-        FLR     fine_row_step, fine_row_step
-        SHIFTI  fine_row_step, 6, fine_row_step
-        load_word scene_fine, fine_plane
-        .endm
 
 ; Sets h to the number of elements left, at most QUEUE. Branches to `done` if
 ; none are left.
@@ -80,16 +71,10 @@ some_as_before\@:
 
         .kernel average
 fine_begin:
-        load_word scene_frame, fine_at
-        load_word scene_pixels, fine_left_over
-        EX      s2, fine_frame
-        STO     [s2], fine_at
-        STO     [s2, one_index], fine_left_over
-        load_planes
-        load_word scene_power, exponent
+        begin_refinement s2
         ES      h, 0
         ES      s2, 3
-        MPYX    fine_left_over, s2, fine_left_over
+        MPYX    fine_there, s2, fine_left_over
         RTOR    fine_plane, fine_there
 fine_power:
         some_of fine_left_over, fine_powers
@@ -119,8 +104,9 @@ fine_begun:
 ; ---- The visits --------------------------------------------------------------
 
         .share  scratch
-        .regs   r241, visit_row, visit_columns, visit_down, visit_limit
+        .regs   r242, visit_columns, visit_down, visit_limit
         .regs   r245, visit_refined, visit_block, visit_work
+        .regs   s3, visit_list, visit_place, visit_count, visit_rays
         .endshare
         .share  hits
         .regs   r136, visit_first, visit_d, visit_e, visit_t, visit_a0, visit_a1
@@ -161,8 +147,8 @@ fine_begun:
 
 fine_next:
         load_planes
-        load_word fine_left, fine_left_over
-        IBXNE   fine_left_over, r0, r0, fine_chunk
+        load_word fine_left, visit_count
+        IBXNE   visit_count, r0, r0, fine_chunk
         load_word scene_threshold, visit_limit
         SHIFTI  fine_row_step, -6, visit_columns
         IX      visit_columns, -1
@@ -258,32 +244,17 @@ fine_unwanted:
         SUBX    fine_left_over, h, fine_left_over
         BIM     fine_wanted
 fine_listed:
-        RTOR    visit_columns, fine_left_over
+        RTOR    visit_columns, visit_count
 
-; Takes up to scene_sampled_pixels pixels of the list.
 fine_chunk:
-        load_words fine_list, 2, s3, s2         ; and the number traced last
-        SHIFTI  s4, 6, s4
-        ADDX    s3, s4, s3
-        load_word scene_sampled_pixels, s4
-        IBXLE   s4, r0, fine_left_over, fine_some
-        RTOR    fine_left_over, s4
-fine_some:
-        SUBX    fine_left_over, s4, s5
-        load_word scene_samples, s6
-        MPYX    s6, s6, s6
-        MPYX    s6, s4, s6
-        store_words s3, 4, fine_list, s2
-        store_word s6, scene_pixels, s2
-        load_word scene_sampled, s3
-        store_word s3, scene_frame, s2
+        take_pixels s2
         store_word r0, scene_tiles, s2
         BIM     0, link
 
 ; ---- Means -------------------------------------------------------------------
 
         .share  scratch
-        .regs   r241, mean_list, mean_sampled, mean_step, mean_share, mean_samples
+        .regs   r242, mean_sampled, mean_step, mean_share, mean_samples
         .regs   r246, mean_samples_left, mean_first, mean_planes_left, mean_near, mean_places
         .endshare
 
@@ -301,19 +272,7 @@ fine_some:
         .endm
 
 fine_average:
-        load_planes
-        load_word scene_power, exponent
-        load_words fine_list, 2, s3, s2
-        RTOR    s3, mean_list
-        RTOR    s4, fine_left_over
-        load_word scene_samples, mean_samples
-        MPYX    mean_samples, mean_samples, mean_samples
-        ADDN    mean_samples, r0, mean_share
-        ADDN    mean_share, one, mean_share
-        DIVS    one, mean_share, mean_share
-        load_word scene_frame, mean_sampled
-        load_word scene_pixels, mean_step
-        SHIFTI  mean_step, 6, mean_step
+        begin_means one, s2
         ES      h, 0
         ES      fine_next_at, 64
 fine_mean:
@@ -359,18 +318,14 @@ fine_averaged:
 ; ---- The picture -------------------------------------------------------------
 
         .share  scratch
-        .regs   r241, show_columns, show_picture, show_mean, show_refined
-        .regs   r245, show_planes_left, show_first
+        .regs   r242, show_columns, show_picture, show_mean, show_refined
+        .regs   r246, show_planes_left, show_first
         .endshare
 
 fine_end:
-        load_planes
-        load_word fine_frame, show_first
-        load_word scene_picture, show_picture
-        of_plane fine_plane, FINE_MEAN, show_mean
+        begin_picture
         SHIFTI  fine_row_step, -6, show_columns
         IX      show_columns, -1
-        ES      show_planes_left, FRAME_CHANNELS
 show_plane:
         of_plane fine_plane, FINE_REFINED, show_refined
         IX      show_refined, 1
