@@ -111,6 +111,8 @@ fine_begun:
         .share  hits
         .regs   r136, visit_first, visit_d, visit_e, visit_t, visit_a0, visit_a1
         .regs   r142, visit_b0, visit_b1, visit_right, visit_shown
+        .regs   r137, string0, string1, string2, string3, string4, string5
+        .regs   r143, string6, string7, string8
         .endshare
 
 ; Allocates bit strings as long as a row of pixels, with zeros before and after
@@ -122,11 +124,10 @@ fine_begun:
         SHIFTI  visit_columns, -6, s4
         IX      s4, 3
         SHIFTI  s4, 6, s4
-        .endm
-
-        .macro  string name
-        RTOR    s3, \name
+        .rept   9
+        RTOR    s3, string\+
         ADDX    s3, s4, s3
+        .endr
         .endm
 
 ; Marks the pixels of a row whose difference, in the plane at `from`, reaches
@@ -153,15 +154,6 @@ fine_next:
         SHIFTI  fine_row_step, -6, visit_columns
         IX      visit_columns, -1
         strings_begin
-        string  visit_d
-        string  visit_e
-        string  visit_t
-        string  visit_a0
-        string  visit_a1
-        string  visit_b0
-        string  visit_b1
-        string  visit_right
-        string  visit_shown
         RTOR    s3, visit_first
         ADDLEN  s3, one_index, s3               ; also the start of the next row
         ES      s4, FINE_BLOCK

@@ -188,6 +188,15 @@ take_all:
         RTOR    s3, \vector
         .endm
 
+; Makes descriptors of `count` elements from those of `all` elements of three
+; vectors, whose names begin with `from` and `into`. These have equal elements.
+        .macro  change_length from, into, count, all, work
+        SUBX    \count, \all, \work
+        ADDLEN  \from\()x, \work, \into\()x
+        ADDLEN  \from\()y, \work, \into\()y
+        ADDLEN  \from\()z, \work, \into\()z
+        .endm
+
         .macro  gather_near vector, into, store, number
         describe \into, \store + 64 * QUEUE * \number, near
         VXTOV   [ray_index], [\vector], [\into]
@@ -222,10 +231,7 @@ take_sparse:
         gather_near aoz, woz, world_store, 2
         BIM     take_least
 take_origin:
-        SUBX    near, n, s9
-        ADDLEN  aox, s9, wox
-        ADDLEN  aoy, s9, woy
-        ADDLEN  aoz, s9, woz
+        change_length ao, wo, near, n, s9
 take_least:
         ES      space, 0
 take_lower:

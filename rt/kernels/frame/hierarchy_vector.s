@@ -230,10 +230,7 @@ walk_gather:
         set_gather aoz, oz
         BIM     walk_narrowed
 walk_origin:
-        SUBX    s6, n, s0
-        ADDLEN  aox, s0, ox
-        ADDLEN  aoy, s0, oy
-        ADDLEN  aoz, s0, oz
+        change_length ao, o, s6, n, s0
 walk_narrowed:
         RTOR    s5, s7
         RTOR    s6, s5

@@ -33,6 +33,8 @@
         .share  hits
         .regs   r136, pair_ray, pair_node, pair_x, pair_y, pair_z
         .regs   r141, pair_dx, pair_dy, pair_dz, pair_b, pair_work, pair_limit
+        .regs   pair_x, pair0, pair1, pair2, pair3, pair4, pair5, pair6, pair7
+        .reg    pair8, pair_limit
         .regs   r147, pair_bits, pair_more, pair_tie, pair_in, pair_out
         .regs   r152, pair_hit, pair_count, pair_left
         .endshare
@@ -59,16 +61,17 @@ pair_store:     .space 12 * PAIR_LIST
         describe \register, pair_store + 64 * PAIR_LIST * \number, \count
         .endm
 
+; Makes the descriptor of `count` words, `offset` bits after the address.
+        .macro  pool_part register, address, offset, count
+        EX      \register, \address
+        ADDX    \register, \offset, \register
+        ADDLEN  \register, \count, \register
+        .endm
+
         .macro  set_pairs count
-        pair_vector pair_x, 0, \count
-        pair_vector pair_y, 1, \count
-        pair_vector pair_z, 2, \count
-        pair_vector pair_dx, 3, \count
-        pair_vector pair_dy, 4, \count
-        pair_vector pair_dz, 5, \count
-        pair_vector pair_b, 6, \count
-        pair_vector pair_work, 7, \count
-        pair_vector pair_limit, 8, \count
+        .rept   9
+        pair_vector pair\+, \+, \count
+        .endr
         describe pair_bits, pair_bit_store, \count
         describe pair_more, pair_bit_store + PAIR_LIST, \count
         describe pair_tie, pair_bit_store + 2 * PAIR_LIST, \count
@@ -87,17 +90,18 @@ pair_store:     .space 12 * PAIR_LIST
         SHIFTV  [\into], s0, [\into]
         .endm
 
-; [c] = c - o, [d] = direction
-        .macro  pair_from_ray o, d, c, into, work
+; [pair_x] = field - o, [pair_dx] = direction, for the axis x, y or z.
+        .macro  pair_axis axis, field
+        pair_field pair_node, \field, pair_\axis
         IBXNE   from_one_point, r0, r0, pair_one_point\@
-        VXTOV   [pair_ray], [\o], [\work]
-        SUBNV   [\c], [\work], [\c]
+        VXTOV   [pair_ray], [ao\axis], [pair_work]
+        SUBNV   [pair_\axis], [pair_work], [pair_\axis]
         BIM     pair_from\@
 pair_one_point\@:
-        LOD     [\o], s1
-        SUBNV   [\c], s1, [\c]
+        LOD     [ao\axis], s1
+        SUBNV   [pair_\axis], s1, [pair_\axis]
 pair_from\@:
-        VXTOV   [pair_ray], [\d], [\into]
+        VXTOV   [pair_ray], [ad\axis], [pair_d\axis]
         .endm
 
         .kernel bound
@@ -114,15 +118,11 @@ add_pairs:
         LOD     [s3], s3
         SHIFTI  s0, 6, s0
         SHIFTI  s8, 6, s5
-        EX      s4, pool_rays
-        ADDX    s4, s0, s4
-        ADDLEN  s4, s8, s4
+        pool_part s4, pool_rays, s0, s8
         VTOV    [s3], [s4]
         ADDX    s4, s5, s4
         VTOV    [s3], [s4]
-        EX      s4, pool_nodes
-        ADDX    s4, s0, s4
-        ADDLEN  s4, s8, s4
+        pool_part s4, pool_nodes, s0, s8
         RTOR    region, s1
         IX      s1, 64 * H_SIZE
         SHIFTI  s1, -6, s1
@@ -191,20 +191,13 @@ pairs_take:
 pairs_some:
         store_word s2, pool_count, s0
         SHIFTI  s2, 6, s2
-        EX      pair_ray, pool_rays
-        ADDX    pair_ray, s2, pair_ray
-        ADDLEN  pair_ray, s8, pair_ray
-        EX      pair_node, pool_nodes
-        ADDX    pair_node, s2, pair_node
-        ADDLEN  pair_node, s8, pair_node
+        pool_part pair_ray, pool_rays, s2, s8
+        pool_part pair_node, pool_nodes, s2, s8
         set_pairs s8
         load_word bound_less, s7
-        pair_field pair_node, H_BOUND, pair_x
-        pair_from_ray aox, adx, pair_x, pair_dx, pair_work
-        pair_field pair_node, H_BOUND + 1, pair_y
-        pair_from_ray aoy, ady, pair_y, pair_dy, pair_work
-        pair_field pair_node, H_BOUND + 2, pair_z
-        pair_from_ray aoz, adz, pair_z, pair_dz, pair_work
+        pair_axis x, H_BOUND
+        pair_axis y, H_BOUND + 1
+        pair_axis z, H_BOUND + 2
         dot_vectors pair_x, pair_y, pair_z, pair_dx, pair_dy, pair_dz, pair_b, pair_work
         MPYSV   [pair_x], [pair_x], [pair_x]
         MPYSV   [pair_y], [pair_y], [pair_y]
@@ -256,13 +249,9 @@ pairs_leaf:
         SHIFTI  s1, 6, s2
         ADDX    s1, s5, s1
         store_word s1, sphere_count, s3
-        EX      s3, sphere_rays
-        ADDX    s3, s2, s3
-        ADDLEN  s3, s5, s3
+        pool_part s3, sphere_rays, s2, s5
         VTOV    [s6], [s3]
-        EX      s3, sphere_regions
-        ADDX    s3, s2, s3
-        ADDLEN  s3, s5, s3
+        pool_part s3, sphere_regions, s2, s5
         VTOV    [s7], [s3]
         describe pair_more, pair_bit_store + PAIR_LIST, s5
         CMPLTV  s9, [pair_x], [pair_more]
@@ -321,12 +310,9 @@ intersect_spheres:
         pair_vector pair_out, 10, pair_count
         pair_vector pair_hit, 11, pair_count
         pair_address pair_node, R_FIRST, pair_node
-        pair_field pair_node, P_SHAPE, pair_x
-        pair_from_ray aox, adx, pair_x, pair_dx, pair_work
-        pair_field pair_node, P_SHAPE + 1, pair_y
-        pair_from_ray aoy, ady, pair_y, pair_dy, pair_work
-        pair_field pair_node, P_SHAPE + 2, pair_z
-        pair_from_ray aoz, adz, pair_z, pair_dz, pair_work
+        pair_axis x, P_SHAPE
+        pair_axis y, P_SHAPE + 1
+        pair_axis z, P_SHAPE + 2
         pair_field pair_node, P_SHAPE + 3, pair_hit
         sphere_segment pair_x, pair_y, pair_z, pair_dx, pair_dy, pair_dz, [pair_hit], pair_b, pair_work, pair_in, pair_out, pair_bits
         .endkernel

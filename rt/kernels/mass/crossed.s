@@ -50,6 +50,7 @@ crossed_sums:   .word 0                 ; address of the sums
         .regs   r20, col_at, col_half_lanes, col_lower, col_upper, at_col_upper
         .regs   r25, col_work0, col_work1, col_work2
         .regs   r32, col_s, col_normal, col_ray, col_part, col_sign, col_object_depth, col_scene_depth
+        .regs   r32, field0, field1, field2, field3, field4, field5, field6
         .regs   r39, col_w, col_lane, col_lanes_most
         .regs   r42, col_n, col_count, b_enter, b_leave, b_visible, b_part
 
@@ -67,13 +68,9 @@ crossed_sums:   .word 0                 ; address of the sums
         IBXEQ   col_left, r0, r0, \none
         crossed_lanes
         RTOR    col_planes, col_work0
-        crossed_plane col_s
-        crossed_plane col_normal
-        crossed_plane col_ray
-        crossed_plane col_part
-        crossed_plane col_sign
-        crossed_plane col_object_depth
-        crossed_plane col_scene_depth
+        .rept   CROSSED_SIZE
+        crossed_plane field\+
+        .endr
         .endm
 
 ; Folds the lanes of each sum into one and stores it.

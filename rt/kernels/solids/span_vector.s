@@ -99,10 +99,7 @@ compress_span:
         leave_only wdy, world_store, 4, active
         leave_only wdz, world_store, 5, active
         IBXEQ   from_one_point, r0, r0, compress_origins
-        SUBX    s9, near, s3
-        ADDLEN  wox, s3, wox
-        ADDLEN  woy, s3, woy
-        ADDLEN  woz, s3, woz
+        change_length wo, wo, s9, near, s3
         BIM     compress_spaces
 compress_origins:
         leave_only wox, world_store, 0, active

@@ -63,10 +63,7 @@ node_sparse:
         gather_sparse wdy, 5
         gather_sparse wdz, 6
         gather_sparse near_limit, 7
-        SUBX    s9, near, s4
-        ADDLEN  wox, s4, wox
-        ADDLEN  woy, s4, woy
-        ADDLEN  woz, s4, woz
+        change_length wo, wo, s9, near, s4
         IBXNE   from_one_point, r0, r0, sparse_gathered
         gather_sparse wox, 1
         gather_sparse woy, 2

@@ -96,6 +96,19 @@
         load_from branch_at, BRANCH_SIZE, step_at ; step_at, steps_left
         .endm
 
+; Takes the crossings in [vector] that are after last and nearer than the event,
+; and advances to the next slot.
+        .macro  nearer_event vector
+        CMPLTV  [last], [\vector], [bits0]
+        CMPLTV  [\vector], [event], [bits1]
+        ANDB    [bits0], [bits1], [bits0]
+        if_none bits0, s0, event_later\@
+        VTOV    [\vector], [event] ? [bits0]
+        VTOV    identity, [event_primitive] ? [bits0]
+event_later\@:
+        ADDX    slot, slot_size, slot
+        .endm
+
         .macro  both_values operation
         \operation [left], [right], [value]
         \operation [left_after], [right_after], [value_after]
@@ -123,14 +136,7 @@ event_leaf:
         IBXEQ   leaf_segments, r0, r0, event_next
         IBXEQ   leaf_first_state, r0, leaf_first_event, event_segment
 event_next:
-        CMPLTV  [last], [slot], [bits0]
-        CMPLTV  [slot], [event], [bits1]
-        ANDB    [bits0], [bits1], [bits0]
-        if_none bits0, s0, event_later
-        VTOV    [slot], [event] ? [bits0]
-        VTOV    identity, [event_primitive] ? [bits0]
-event_later:
-        ADDX    slot, slot_size, slot
+        nearer_event slot
         IBXNE   leaf_events, minus_one_index, r0, event_next, leaf_events
         BIM     event_none
 
@@ -139,14 +145,7 @@ event_segment:
         next_slot s2
         CMPLTV  [last], [s2], [bits0]
         MASKV   [s2], [slot], [w0] ? [bits0]
-        CMPLTV  [last], [w0], [bits0]
-        CMPLTV  [w0], [event], [bits1]
-        ANDB    [bits0], [bits1], [bits0]
-        if_none bits0, s0, event_later_segment
-        VTOV    [w0], [event] ? [bits0]
-        VTOV    identity, [event_primitive] ? [bits0]
-event_later_segment:
-        ADDX    slot, slot_size, slot
+        nearer_event w0
         IBXNE   leaf_segments, minus_one_index, r0, event_segment, leaf_segments
 event_none:
         leaves_next event_leaf
