@@ -14,42 +14,26 @@
 ;
 ; Source: derived here; the order is that of POV-Ray's quartic.
 
-; term<p> c: Am += c z^p.
-        .macro  term0 c
+; z and its powers z10 + z11 t, z20 + z21 t + z22 t^2 ..
+        .reg    z10, t2
+        .reg    z11, dz
+
+; Am += c z^p.
+        .macro  term p, c
         CFPEQ   \c, r0, term_none\@
+        .if     \p == 0
         ray_raise a0, \c, a0
-        ES      used_terms, 1
-term_none\@:
-        .endm
-
-        .macro  term1 c
-        CFPEQ   \c, r0, term_none\@
-        ray_scaled_plus_two t2, \c, a0, a0, dz, \c, a1, a1
-        ES      used_terms, 1
-term_none\@:
-        .endm
-
-        .macro  term2 c
-        CFPEQ   \c, r0, term_none\@
-        ray_scaled_plus_two z20, \c, a0, a0, z21, \c, a1, a1
+        .else
+        ray_scaled_plus_two z\p\()0, \c, a0, a0, z\p\()1, \c, a1, a1
+        .endif
+        .if     \p == 2
         ray_scaled_plus z22, \c, a2, a2
-        ES      used_terms, 1
-term_none\@:
-        .endm
-
-        .macro  term3 c
-        CFPEQ   \c, r0, term_none\@
-        ray_scaled_plus_two z30, \c, a0, a0, z31, \c, a1, a1
-        ray_scaled_plus_two z32, \c, a2, a2, z33, \c, a3, a3
-        ES      used_terms, 1
-term_none\@:
-        .endm
-
-        .macro  term4 c
-        CFPEQ   \c, r0, term_none\@
-        ray_scaled_plus_two z40, \c, a0, a0, z41, \c, a1, a1
-        ray_scaled_plus_two z42, \c, a2, a2, z43, \c, a3, a3
+        .elseif \p > 2
+        ray_scaled_plus_two z\p\()2, \c, a2, a2, z\p\()3, \c, a3, a3
+        .endif
+        .if     \p == 4
         ray_scaled_plus z44, \c, a4, a4
+        .endif
         ES      used_terms, 1
 term_none\@:
         .endm
@@ -126,69 +110,49 @@ times_none\@:
 
 ; a0 .. := 0, and k0 .. += a0 .., up to the degree.
         .macro  clear_group degree
-        ray_clear a0
-        .if     \degree >= 1
-        ray_clear a1
-        .endif
-        .if     \degree >= 2
-        ray_clear a2
-        .endif
-        .if     \degree >= 3
-        ray_clear a3
-        .endif
-        .if     \degree >= 4
-        ray_clear a4
-        .endif
+        .rept   \degree + 1
+        ray_clear a\+
+        .endr
         .endm
 
         .macro  add_group degree
-        ray_plus k0, a0, k0
-        .if     \degree >= 1
-        ray_plus k1, a1, k1
-        .endif
-        .if     \degree >= 2
-        ray_plus k2, a2, k2
-        .endif
-        .if     \degree >= 3
-        ray_plus k3, a3, k3
-        .endif
-        .if     \degree >= 4
-        ray_plus k4, a4, k4
-        .endif
+        .rept   \degree + 1
+        ray_plus k\+, a\+, k\+
+        .endr
         .endm
 
         .macro  quartic_row0
-        term0   sh0
+        term    0, sh0
         .endm
 
         .macro  quartic_row1
         times_y 1
-        term1   sh1
-        term0   sh2
+        term    1, sh1
+        term    0, sh2
         .endm
 
         .macro  quartic_row2
         times_y 2
-        term2   sh3
-        term1   sh4
-        term0   sh5
+        term    2, sh3
+        term    1, sh4
+        term    0, sh5
         .endm
 
         .macro  quartic_row3
         times_y 3
-        term3   sh6
-        term2   sh7
-        term1   sh8
-        term0   sh9
+        term    3, sh6
+        term    2, sh7
+        term    1, sh8
+        term    0, sh9
         .endm
 
         .macro  quartic_row4
         times_y 4
-        term4   sh10
-        term3   sh11
-        term2   sh12
-        term1   sh13
-        term0   sh14
+        term    4, sh10
+        term    3, sh11
+        term    2, sh12
+        term    1, sh13
+        term    0, sh14
         .endm
 
 ; Adds the next group of the table and advances table_at.
@@ -198,19 +162,9 @@ times_none\@:
         IX      table_at, 64 * \words
         ES      used_terms, 0
         clear_group \degree
-        quartic_row0
-        .if     \degree > 0
-        quartic_row1
-        .endif
-        .if     \degree > 1
-        quartic_row2
-        .endif
-        .if     \degree > 2
-        quartic_row3
-        .endif
-        .if     \degree > 3
-        quartic_row4
-        .endif
+        .rept   \degree + 1
+        quartic_row\+
+        .endr
         IBXEQ   used_groups, r0, r0, group_first\@
         times_x \degree
 group_first\@:
