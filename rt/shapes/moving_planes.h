@@ -3,7 +3,7 @@
  * H(p) is the sum of the control points times the quadratic monomials of p = (s, t, u).
  * A moving plane is a 3 x 4 matrix L with p . (L H(p)) = 0 for all p. The number of
  * independent moving planes determines the type of the surface, unless it is a plane.
- * Formulas: rt/kernels/shapes/steiner_implicit_vector.s.
+ * Formulas: rt/kernels/shapes/steiner_implicit.s.
  */
 #ifndef RT_MOVING_PLANES_H
 #define RT_MOVING_PLANES_H

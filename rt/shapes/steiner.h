@@ -3,7 +3,7 @@
  * The points of the patch are relative to its centre. The weights are normalised so
  * that all corners have the same weight. The corners are ordered as the kernel needs
  * them: the edge from the second to the third corner has the greatest second
- * difference. Formulas: rt/kernels/shapes/steiner_patch_vector.s.
+ * difference. Formulas: rt/kernels/shapes/steiner_patch.s.
  */
 #ifndef RT_STEINER_H
 #define RT_STEINER_H
@@ -23,7 +23,7 @@ void steiner_shape(const struct primitive *primitive, double *shape);
 /* Writes up to MAX_STEINER_TABLE words and returns their number. The first
  * STEINER_TABLE words are x, y and z of K0 .. K5, then w of K0 .. K5, then a vector for
  * planes of another kind. For a surface of degree four the words of the implicit form
- * follow (rt/kernels/shapes/steiner_implicit_vector.s). */
+ * follow (rt/kernels/shapes/steiner_implicit.s). */
 size_t steiner_table(const struct primitive *primitive, double *table);
 
 #endif

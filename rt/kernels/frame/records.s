@@ -99,7 +99,7 @@
                                     ;             zero, resolution of distances;
                                     ;             table: K0 .. K5, their
                                     ;             weights, another plane
-                                    ;             (steiner_patch_vector.s)
+                                    ;             (steiner_patch.s)
                                     ;   prism     low, high, number of rows;
                                     ;             table: rows, as below
                                     ;   blob      centre 3, square of its bound,

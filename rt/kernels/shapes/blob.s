@@ -1,3 +1,3 @@
 ; blob.s - the blob, by hand in each form.
 
-        shape_by_hand blob
+        include_form blob

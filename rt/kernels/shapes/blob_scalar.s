@@ -9,9 +9,7 @@
 
         .if     BLOB_PIECES
 
-        .ifndef LANE_REGISTERS
-        .include "shapes/lanes_scalar.s"
-        .endif
+        include_form lanes
         .share  local
         .regs   r91, part_kind, part_x, part_y, part_z, part_square, part_inverse
         .regs   r97, part_strength, part_length

@@ -38,9 +38,7 @@
 
         .if     BLOB_PIECES
 
-        .ifndef LANE_VECTORS
-        .include "shapes/lanes_vector.s"
-        .endif
+        include_form lanes
 ; Vectors, one word per lane: start, end and length of the current interval, the
 ; sum of the maxima of the pieces; for solids the index of the next crossing in
 ; the columns, and the number of free columns.

@@ -1,6 +1,9 @@
 ; columns_scalar.s - sorts the crossings of one ray with a shape that has many,
 ; by insertion into an ascending list.  The vector form is columns_vector.s.
 
+        .ifndef LIST_REGISTERS
+        include_form lanes
+
         .share  local
         .regs   r95, crossed_at, least  ; a crossing; the smallest t that counts
         .regs   r99, list_end, list_last, list_at
@@ -263,3 +266,4 @@ turned\@:
         .macro  missed_by_all label, shape
         missed_columns \label, \shape
         .endm
+        .endif

@@ -4,6 +4,9 @@
 ;
 ; Source: derived here (insertion sort, one step for all rays at a time).
 
+        .ifndef SEGMENT_COLUMNS
+        include_form lanes
+
         .reg    crossed_at, k3          ; a crossing of each ray
         .reg    column_work, k0
         .reg    columns_used, s2
@@ -322,3 +325,4 @@ cleared\@:
 \label:
         miss_all
         .endm
+        .endif

@@ -37,8 +37,8 @@
         ray_lower oy, sh1, t1
         ray_lower oz, sh2, t2
         closest_approach t0, t1, t2, t0, t1, t2, shift, t3, t4
-        into_axes t0, t1, t2, t7, t8, o_along, t3, t4, t5, t6
-        into_axes dx, dy, dz, t0, t1, d_along, t3, t4, t5, t6
+        dot_constants t0, t1, t2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t7, t8, o_along, t3, t4, t5, t6
+        dot_constants dx, dy, dz, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t0, t1, d_along, t3, t4, t5, t6
         ray_line o_along, sh13, sh12, t2        ; r(ow)
         ray_scale d_along, sh13, k_along
         ray_times t0, t0, quad_a

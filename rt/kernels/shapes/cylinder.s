@@ -1,3 +1,3 @@
 ; cylinder.s - the cylinder, by hand in each form.
 
-        shape_by_hand cylinder
+        include_form cylinder

@@ -2,19 +2,19 @@
 ; also the part that all tori share after the polynomial.  Formulas, arguments and
 ; results are those of torus_vector.s.
 
-        .macro  elliptical_polynomial o0, o1, o2, d0, d1, d2
-        ray_times \d0, \d0, e0
-        ray_times \d2, \d2, e3
-        ray_times \o0, \d0, e1
-        ray_times \o2, \d2, e4
-        ray_times \o0, \o0, e2
-        ray_times \o2, \o2, e5
+        .macro  elliptical_polynomial
+        ray_times near_dx, near_dx, e0
+        ray_times near_dz, near_dz, e3
+        ray_times near_ox, near_dx, e1
+        ray_times near_oz, near_dz, e4
+        ray_times near_ox, near_ox, e2
+        ray_times near_oz, near_oz, e5
         ray_plus e3, e0, e0                     ; f
         ray_plus e4, e1, e1                     ; l
         ray_plus e5, e2, e2                     ; g
-        ray_times \d1, \d1, e3
-        ray_times \o1, \d1, e4
-        ray_times \o1, \o1, e5
+        ray_times near_dy, near_dy, e3
+        ray_times near_oy, near_dy, e4
+        ray_times near_oy, near_oy, e5
         ray_scaled_plus e3, sh0, e0, e3         ; a
         ray_scaled_plus e4, sh0, e1, e4
         ray_scaled_plus e5, sh0, e2, e5
@@ -38,7 +38,7 @@ elliptical_torus:
         find_lanes ox, oy, oz, sh4, torus_miss
         leave_above torus_miss
         take_lanes
-        for_lanes elliptical_polynomial
+        elliptical_polynomial
         leave_at_root sh8, torus_miss
 
 elliptical_torus_solid:
@@ -46,7 +46,7 @@ elliptical_torus_solid:
         find_all_lanes ox, oy, oz, sh4, torus_passed
         leave_above torus_passed
         take_lanes
-        for_lanes elliptical_polynomial
+        elliptical_polynomial
 torus_segments:
         leave_with_segments sh8, torus_passed
         .endkernel

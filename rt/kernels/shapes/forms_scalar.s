@@ -12,7 +12,7 @@
         LOD     [\register], \register
         .endm
 
-        .macro  shape_by_hand shape
+        .macro  include_form shape
         .include "shapes/\shape\()_scalar.s"
         .endm
 
@@ -20,25 +20,33 @@
         dot     \x0, \x1, \x2, \u0, \u1, \u2, \sum, \work
         .endm
 
-        .macro  dot_vectors x0, x1, x2, y0, y1, y2, sum, work
-        dot     \x0, \x1, \x2, \y0, \y1, \y2, \sum, \work
+        .macro  dot_constants x0, x1, x2, a0, a1, a2, b0, b1, b2, c0, c1, c2, a, b, c, w0, w1, w2, w3
+        dot_rows \x0, \x1, \x2, \a0, \a1, \a2, \b0, \b1, \b2, \c0, \c1, \c2, \a, \b, \c, \w0, \w1, \w2, \w3
         .endm
 
-        .macro  into_axes x0, x1, x2, a, b, c, w0, w1, w2, w3
-        dot_rows \x0, \x1, \x2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, \a, \b, \c, \w0, \w1, \w2, \w3
+        .macro  dot_vectors x0, x1, x2, y0, y1, y2, sum, work
+        dot     \x0, \x1, \x2, \y0, \y1, \y2, \sum, \work
         .endm
 
         .macro  times_matrix x0, x1, x2, y0, y1, y2, w0, w1, w2, w3
         matrix_rows \x0, \x1, \x2, \y0, \y1, \y2, \w0, \w1, \w2, \w3
         .endm
 
-        .macro  include_columns
-        .ifndef LANE_REGISTERS
-        .include "shapes/lanes_scalar.s"
-        .endif
-        .ifndef LIST_REGISTERS
-        .include "shapes/columns_scalar.s"
-        .endif
+        .macro  from_scaled_three k, a, b, c, d, e, f, g, h, i
+        MPYS    \b, \k, \c
+        MPYS    \e, \k, \f
+        MPYS    \h, \k, \i
+        SUBN    \a, \c, \c
+        SUBN    \d, \f, \f
+        SUBN    \g, \i, \i
+        .endm
+
+        .macro  cross_vectors x0, x1, x2, y0, y1, y2, c0, c1, c2, work
+        cross_product \x0, \x1, \x2, \y0, \y1, \y2, \c0, \c1, \c2
+        .endm
+
+        .macro  cross_constant x0, x1, x2, k0, k1, k2, c0, c1, c2, work
+        cross_product \x0, \x1, \x2, \k0, \k1, \k2, \c0, \c1, \c2
         .endm
 
 ; ---- Begin and end -----------------------------------------------------------
@@ -444,10 +452,6 @@ not_candidate\@:
         .reg    two, m_two
         .reg    surface_in, quad_c
         .reg    surface_out, o_along
-
-        .macro  cross_constant x0, x1, x2, k0, k1, k2, c0, c1, c2, work
-        cross_product \x0, \x1, \x2, \k0, \k1, \k2, \c0, \c1, \c2
-        .endm
 
         .macro  normalise x0, x1, x2, length, work
         normalise_by one, \x0, \x1, \x2, \length, \work

@@ -34,36 +34,32 @@
         .reg    k_along, w3
         .reg    chosen, bits0
 
-; A shape that is written by hand in each form.
-        .macro  shape_by_hand shape
+; Includes the file of the form.
+        .macro  include_form shape
         .include "shapes/\shape\()_vector.s"
         .endm
 
-; a, b, c = the coordinates of x along the axes sh3-sh5, sh6-sh8, sh9-sh11.
-        .macro  into_axes x0, x1, x2, a, b, c, work, w1=, w2=, w3=
-        dot_constant \x0, \x1, \x2, sh3, sh4, sh5, \a, \work
-        dot_constant \x0, \x1, \x2, sh6, sh7, sh8, \b, \work
-        dot_constant \x0, \x1, \x2, sh9, sh10, sh11, \c, \work
+; a, b, c = the products of x with three rows of numbers.
+        .macro  dot_constants x0, x1, x2, a0, a1, a2, b0, b1, b2, c0, c1, c2, a, b, c, work, w1=, w2=, w3=
+        dot_constant \x0, \x1, \x2, \a0, \a1, \a2, \a, \work
+        dot_constant \x0, \x1, \x2, \b0, \b1, \b2, \b, \work
+        dot_constant \x0, \x1, \x2, \c0, \c1, \c2, \c, \work
         .endm
 
 ; y = A x for the symmetric matrix of a quadric's record.
         .macro  times_matrix x0, x1, x2, y0, y1, y2, work, w1=, w2=, w3=
-        quadric_rows \x0, \x1, \x2, \y0, \y1, \y2, \work
+        dot_constants \x0, \x1, \x2, sh3, sh6, sh7, sh6, sh4, sh8, sh7, sh8, sh5, \y0, \y1, \y2, \work
         .endm
 
-        .macro  quadric_rows x0, x1, x2, y0, y1, y2, work
-        dot_constant \x0, \x1, \x2, sh3, sh6, sh7, \y0, \work
-        dot_constant \x0, \x1, \x2, sh6, sh4, sh8, \y1, \work
-        dot_constant \x0, \x1, \x2, sh7, sh8, sh5, \y2, \work
+; c = a - k b, f = d - k e, i = g - k h.
+        .macro  from_scaled_three k, a, b, c, d, e, f, g, h, i
+        ray_from_scaled \a, \b, \k, \c
+        ray_from_scaled \d, \e, \k, \f
+        ray_from_scaled \g, \h, \k, \i
         .endm
 
-        .macro  include_columns
-        .ifndef LANE_VECTORS
-        .include "shapes/lanes_vector.s"
-        .endif
-        .ifndef SEGMENT_COLUMNS
-        .include "shapes/columns_vector.s"
-        .endif
+        .macro  cross_vectors x0, x1, x2, y0, y1, y2, c0, c1, c2, work
+        cross   \x0, \x1, \x2, \y0, \y1, \y2, \c0, \c1, \c2, \work
         .endm
 
 ; ---- Begin and end -----------------------------------------------------------

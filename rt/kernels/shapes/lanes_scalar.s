@@ -2,6 +2,7 @@
 ; tout from its roots.  The method is that of lanes_vector.s; the first test
 ; that shows a miss ends the computation.
 
+        .ifndef LANE_REGISTERS
         .include "roots/quartic_scalar.s"
 
         .share  local
@@ -11,6 +12,8 @@
         .regs   r66, along, near_o2, link_kept
         .regs   r69, e0, e1, e2, e3, e4, e5, e6
         .endshare
+        .regs   t0, near_ox, near_oy, near_oz
+        .regs   dx, near_dx, near_dy, near_dz
         shape_from r76
         .equ    LANE_REGISTERS, 54              ; up to sh9, the last of a torus
 
@@ -90,10 +93,6 @@ find_lanes_ahead\@:
         .macro  take_lanes
         .endm
 
-        .macro  for_lanes polynomial
-        \polynomial t0, t1, t2, dx, dy, dz
-        .endm
-
         .macro  leave_at_root resolution, miss
         solve_near \resolution, \miss
         leave_solver
@@ -109,3 +108,4 @@ segments\@:
         give_segments 4
         leave_segments
         .endm
+        .endif

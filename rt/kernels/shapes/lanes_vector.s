@@ -14,6 +14,7 @@
 ;
 ; Source: the project's notes on ray tracing, 0 and 1.1.
 
+        .ifndef LANE_VECTORS
         .include "roots/quartic_vector.s"
 
         .reg    lane_link, r123
@@ -24,6 +25,10 @@
         .regs   r146, k4, k3, k2, k1, k0                ; coefficients
         .regs   r151, e0, e1, e2, e3, e4, e5, e6, e7, e8, e9, e10, e11, e12
         .endshare
+
+; The names of the scalar form.
+        .regs   lane_ox, near_ox, near_oy, near_oz, near_dx, near_dy, near_dz
+        .reg    along, lane_along
 
 ; More vectors of lanes, in registers that the shading loads again: r233-r253.
         .share  scratch
@@ -122,11 +127,6 @@ lane_shade_store: .space (SHADE_VECTORS - 4) * QUEUE
         load_record P_SHAPE, \words, sh0
         .endm
 
-; Computes the coefficients k4 .. k0 of all lanes from o and d.
-        .macro  for_lanes polynomial
-        \polynomial lane_ox, lane_oy, lane_oz, lane_dx, lane_dy, lane_dz
-        .endm
-
         .macro  leave_at_root resolution, miss
         solve_lanes \resolution
         BIM     0, link_kernel
@@ -137,3 +137,4 @@ lane_shade_store: .space (SHADE_VECTORS - 4) * QUEUE
         solve_segments \resolution
         BIM     0, link_kernel
         .endm
+        .endif

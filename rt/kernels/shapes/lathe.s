@@ -58,7 +58,7 @@
 ; Source: derived here; the project's notes on ray tracing, 0 and 4.2.
 
         .if     LATHES
-        include_columns
+        include_form columns
 
 ; o is lane_ox, lane_oy, lane_oz.
         .reg    rise_square, lane_dx            ; dy^2

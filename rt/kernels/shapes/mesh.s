@@ -1,3 +1,3 @@
 ; mesh.s - the mesh, by hand in each form.
 
-        shape_by_hand mesh
+        include_form mesh

@@ -8,9 +8,7 @@
 ; P_PATCH_POINT.  For a ray to a light (RAY = SHADOW_RAY) SEGMENT is any hit
 ; before the limit in SHADOW_LIMIT; the point where the ray ends follows it.
 
-        .ifndef LANE_REGISTERS
-        .include "shapes/lanes_scalar.s"
-        .endif
+        include_form lanes
 
         .share  local
         .regs   r79, mesh_table, mesh_row, node, node_at, signs, hit_link

@@ -40,9 +40,7 @@
 ; Source: the edges: Woop, Benthin and Wald 2013; links by directions: threaded
 ; hierarchies, Arvo 1988; pairs: derived here.
 
-        .ifndef LANE_VECTORS
-        .include "shapes/lanes_vector.s"
-        .endif
+        include_form lanes
 
 ; The m traversing rays: node, index among the near rays, origin, 1/d, 1/|d|,
 ; twice the number of its signs, limit.

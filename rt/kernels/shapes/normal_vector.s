@@ -54,7 +54,7 @@
         .endm
 
         .macro  matrix_times x0, x1, x2, y0, y1, y2
-        quadric_rows \x0, \x1, \x2, \y0, \y1, \y2, v3
+        times_matrix \x0, \x1, \x2, \y0, \y1, \y2, v3
         .endm
 
         .macro  cross_product a0, a1, a2, b0, b1, b2, c0, c1, c2

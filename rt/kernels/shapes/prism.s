@@ -38,7 +38,7 @@
 ;      same place, ascending; the last one is repeated if their number is odd.
 ; Source: textbook (the crossings of a polygon are counted); derived here.
 
-        include_columns
+        include_form columns
 
         .reg    along_path, lane_at
         .reg    along_path_before, lane_ox

@@ -1,3 +1,3 @@
 ; quartic.s - the quartic, by hand in each form.
 
-        shape_by_hand quartic
+        include_form quartic

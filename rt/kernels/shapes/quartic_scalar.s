@@ -7,9 +7,7 @@
 ; quartic_vector.s.  SEGMENTS receives three segments (6 words) of the ray
 ; inside, where the polynomial is below 0 (segments_scalar.s).
 
-        .ifndef LANE_REGISTERS
-        .include "shapes/lanes_scalar.s"
-        .endif
+        include_form lanes
         .include "shapes/quartic_terms.s"
 
         .share  local

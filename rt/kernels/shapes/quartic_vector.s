@@ -16,9 +16,7 @@
 ;      quartic_solid: three segments (segments_vector.s).
 ; Source: derived here; the bound is Fujiwara's, without cube roots.
 
-        .ifndef LANE_VECTORS
-        .include "shapes/lanes_vector.s"
-        .endif
+        include_form lanes
         .include "shapes/quartic_terms.s"
 
         .reg    table_at, s1

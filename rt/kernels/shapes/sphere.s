@@ -1,3 +1,3 @@
 ; sphere.s - the sphere, by hand in each form.
 
-        shape_by_hand sphere
+        include_form sphere

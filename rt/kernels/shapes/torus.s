@@ -1,3 +1,3 @@
 ; torus.s - the torus, by hand in each form.
 
-        shape_by_hand torus
+        include_form torus

@@ -7,9 +7,7 @@
 ; torus_vector.s. SEGMENTS receives two segments (4 words) of the ray inside
 ; (segments_scalar.s). elliptical_torus.s contains the part after the polynomial.
 
-        .ifndef LANE_REGISTERS
-        .include "shapes/lanes_scalar.s"
-        .endif
+        include_form lanes
 
 ; Branches to miss if the ray stays above or below the torus.
         .macro  leave_above miss

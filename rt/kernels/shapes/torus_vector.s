@@ -25,9 +25,7 @@
 ;      torus_solid: two segments (segments_vector.s).
 ; Source: the project's notes on ray tracing, 1.1.
 
-        .ifndef LANE_VECTORS
-        .include "shapes/lanes_vector.s"
-        .endif
+        include_form lanes
 
 ; Removes rays that stay above or below the torus: y > sh9 or y < -sh9 at both
 ; ends.
