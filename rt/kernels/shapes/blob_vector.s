@@ -1,44 +1,5 @@
-; blob_vector.s - intersects a queue of rays with a blob: the surface on which
-; the sum of the fields of its components is T.
-;
-; A component of strength S and radius r adds, at distance d from it,
-;
-;   S g^2,   g = 1 - d^2/r^2         if d < r, else 0.
-;
-; Along a ray d^2 is a quadratic, g = c + 2 b t + a t^2, and the field is a
-; quartic on the interval where d < r: a piece.  A ball has one piece, like an
-; ellipsoid, which is a ball in a space of its own.  A cylinder has three: d
-; is the distance from the axis between the planes of its two ends, and the
-; distance from the nearer end outside them.  A piece begins exactly where its
-; neighbour ends, so there is no gap.
-;
-; t is measured from the ray's closest approach to the blob's centre.  For each
-; piece a, b, c and the two ends of its interval are computed once.  Each ray is
-; then walked from one such end, t0, to the next.  On each of these intervals
-; the sum of the pieces that cover it is one quartic.  It is formed about t0, so
-; that no powers above the second cancel:
-;
-;   b' = b + a t0     c' = c + (b + b') t0
-;   S (c' + 2 b' s + a s^2)^2 = S (a^2 s^4 + 4 a b' s^3 + (4 b'^2 + 2 a c') s^2
-;                                  + 4 b' c' s + c'^2)
-;
-; If the Bernstein coefficients on the interval have one sign, it has no root.
-; Otherwise the root solver finds all changes of sign.  The field at t0 equals
-; the field at the end of the previous interval except for rounding.  If their
-; signs differ, there is a crossing at t0.  So a ray that has entered also
-; leaves.
-;
-; A ray misses if the sum of the maxima of its pieces is below T.  Finished rays
-; are removed by compression when they are more than half of the lanes.
-;
-; In:  ox oy oz dx dy dz lower, near long; the primitive's record and table.
-; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
-;      blob_solid: P_SEGMENTS segments in successive vectors from tin on.
-; Source: the field: POV-Ray's manual, 3.7; the walk: derived here.
+; blob_vector.s - the vector form of the blob.
 
-        .if     BLOB_PIECES
-
-        include_form lanes
 ; Vectors, one word per lane: start, end and length of the current interval, the
 ; sum of the maxima of the pieces; for solids the index of the next crossing in
 ; the columns, and the number of free columns.
@@ -58,7 +19,22 @@
         .regs   e0, q0, q1, q2, q3, q4, q5, q6, q7, q8, q9
         .reg    strength, s2
         .reg    strength4, s3
-        .include "shapes/blob_terms.s"
+
+; Before the walk: the part, the ray in its space, quadratics, intervals.
+        .regs   sh8, part_kind, part_x, part_y, part_z, part_square, part_inverse
+        .regs   sh14, part_strength, part_length
+        .regs   m00, b00, b01, b02, b03, b10, b11, b12, b13, b20, b21, b22, b23
+        .regs   lane_ox, ray_x, ray_y, ray_z
+        .regs   e0, part_ox, part_oy, part_oz, part_dx, part_dy, part_dz
+        .regs   e0, reach_from, reach_to
+        .regs   e3, side_disc, side_root
+        .regs   e6, side_a, side_b, side_c, side_inverse, work0, work1, work2
+        .reg    work3, e12
+        .regs   e0, end_b, end_c
+        .regs   e3, end_a, end_inverse
+        .regs   e9, end_from, end_to, end_disc, end_root
+        .reg    side_least, s2
+        .reg    blob_words, s2
 
 ; Vectors of a cylinder, used only before the walk.
         .reg    first_z, k0             ; heights over the ends, in ray order
@@ -90,6 +66,7 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
         set_lanes m
         set_lengths m, m_high, lane_bases, lane_descriptors, BLOB_VECTORS, interval_t
         .endm
+        vector_form lane_, hits1
 
 ; ---- The pieces
 
@@ -119,7 +96,7 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
 ; Computes the interval [from] .. [to] in which [a] t^2 + 2 [b] t - [c] is below
 ; 0, for a > 0.  hits0 = the lanes that have one.  Changes disc (the
 ; discriminant) and root.
-        .macro  reach_of a, b, c, inverse, from, to, disc, root
+        .macro  reach_of a, b, c, inverse, from, to, disc, root, nowhere
         MPYSV   [\b], [\b], [\disc]
         MPYSV   [\a], [\c], [\root]
         ADDNV   [\root], [\disc], [\disc]
@@ -129,6 +106,11 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
         MPYSV   -[\from], [\inverse], [\from]
         SUBNV   [\root], [\b], [\to]
         MPYSV   [\to], [\inverse], [\to]
+        .endm
+
+        .macro  keep_crossing disc, root, nowhere
+        CMPLTV  r0, [\disc], [hits0]
+        SQRTV   [\disc], [\root] ? [hits0]
         .endm
 
 ; Stores the interval [from] .. [to] of the lanes of hits0 as a piece and lowers
@@ -146,56 +128,24 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
         CMPLTV  [\from], [interval_t], [hits2]
         ANDB    [hits1], [hits2], [hits2]
         VTOV    [\from], [interval_t] ? [hits2]
-        STO     [strength_at], sh14
+        STO     [strength_at], part_strength
         IX      pieces_used, 1
         .endm
 
 ; Adds the maximum of a piece, strength [g]^2, in the lanes of bits.
         .macro  add_most g, bits
-        CFPGE   r0, sh14, add_most\@
+        CFPGE   r0, part_strength, add_most\@
         MPYSV   [\g], [\g], [\g]
-        MPYSV   [\g], sh14, [\g]
+        MPYSV   [\g], part_strength, [\g]
         ADDNV   [most_field], [\g], [most_field] ? [\bits]
 add_most\@:
         .endm
 
-; Adds the piece of a ball: centre sh9-sh11, sh12 = r^2, sh13 = 1/r^2.
-        .macro  take_ball
-        SUBNV   [lane_ox], sh9, [e0]
-        SUBNV   [lane_oy], sh10, [e1]
-        SUBNV   [lane_oz], sh11, [e2]
-        dot_vectors e0, e1, e2, lane_dx, lane_dy, lane_dz, e3, e4
-        dot_vectors e0, e1, e2, e0, e1, e2, e5, e4
-        SUBNV   sh12, [e5], [e5]
-        MPYSV   [e3], [e3], [e6]
-        ADDNV   [e6], [e5], [e6]
-        CMPLTV  r0, [e6], [hits0]
-        SQRTV   [e6], [e7] ? [hits0]
-        ADDNV   [e3], [e7], [e8]
-        SUBNV   r0, [e8], [e8]
-        SUBNV   [e7], [e3], [e9]
-        take_piece e8, e9, blob_next_row
-        SUBN    r0, sh13, s2
+        .macro  put_ball
+        SUBN    r0, part_inverse, s2
         VTOV    s2, [piece_a]
-        MPYSV   [e3], s2, [piece_b]
-        MPYSV   [e5], sh13, [piece_c]
-        MPYSV   [e6], sh13, [e10]
-        add_most e10, hits1
-        next_piece
-        .endm
-
-; [x], [d] = the ray's origin and direction along one axis of the part's space.
-        .macro  part_axis m0, m1, m2, m3, x, d
-        dot_constant lane_ox, lane_oy, lane_oz, \m0, \m1, \m2, \x, e12
-        ADDNV   [\x], \m3, [\x]
-        dot_constant lane_dx, lane_dy, lane_dz, \m0, \m1, \m2, \d, e12
-        .endm
-
-; The ray in the part's space: origin e0-e2, direction e3-e5.
-        .macro  part_axes
-        part_axis m00, m01, m02, m03, e0, e3
-        part_axis m10, m11, m12, m13, e1, e4
-        part_axis m20, m21, m22, m23, e2, e5
+        MPYSV   [side_b], s2, [piece_b]
+        MPYSV   [side_c], part_inverse, [piece_c]
         .endm
 
 ; Stores the coefficients of a piece: those of the quadratic with the sign of g.
@@ -205,41 +155,26 @@ add_most\@:
         VTOV    [\c], [piece_c]
         .endm
 
-        .macro  take_ellipsoid
-        part_axes
-        dot_vectors e3, e4, e5, e3, e4, e5, e6, e12
-        dot_vectors e0, e1, e2, e3, e4, e5, e7, e12
-        dot_vectors e0, e1, e2, e0, e1, e2, e8, e12
-        SUBNV   one, [e8], [e8]
-        DIVSV   one, [e6], [e9]
-        reach_of e6, e7, e8, e9, e0, e1, e2, e3
-        take_piece e0, e1, blob_next_row
-        put_piece e6, e7, e8
-        MPYSV   [e2], [e9], [e2]
-        add_most e2, hits1
-        next_piece
-        .endm
-
 ; first_at, last_at = where the ray crosses the planes of the first and of the
 ; second end on its way; first_z, last_z = the height of the origin above these
 ; ends.  A ray parallel to the planes stays on one side of each: its crossings
 ; are big or minus_big.
         .macro  find_ends
-        SUBNV   [e2], sh15, [cap_z]
-        CMPLTV  |[e5]|, tiny, [hits0]
-        CMPLTV  [e5], r0, [hits1]
+        SUBNV   [part_oz], part_length, [cap_z]
+        CMPLTV  |[part_dz]|, tiny, [hits0]
+        CMPLTV  [part_dz], r0, [hits1]
         ANDNB   [hits1], [hits0], [hits1]
-        MASKV   one, [e5], [e6] ? [hits0]
+        MASKV   one, [part_dz], [e6] ? [hits0]
         DIVSV   one, [e6], [e6]
-        MASKV   [cap_z], [e2], [first_z] ? [hits1]
-        MASKV   [e2], [cap_z], [last_z] ? [hits1]
+        MASKV   [cap_z], [part_oz], [first_z] ? [hits1]
+        MASKV   [part_oz], [cap_z], [last_z] ? [hits1]
         MPYSV   -[first_z], [e6], [first_at]
         MPYSV   -[last_z], [e6], [last_at]
         CNTOB   [hits0], s0
         IBXEQ   s0, r0, r0, find_ends\@
         VTOV    minus_big, [first_at] ? [hits0]
         VTOV    big, [last_at] ? [hits0]
-        CMPLTV  [e2], r0, [hits1]
+        CMPLTV  [part_oz], r0, [hits1]
         ANDB    [hits0], [hits1], [hits1]
         VTOV    big, [first_at] ? [hits1]
         CMPLTV  r0, [cap_z], [hits1]
@@ -248,90 +183,26 @@ add_most\@:
 find_ends\@:
         .endm
 
-        .macro  rise_to low, x
-        CMPLTV  [\x], [\low], [hits1]
-        VTOV    [\low], [\x] ? [hits1]
-        .endm
-
-        .macro  sink_to high, x
-        CMPLTV  [\high], [\x], [hits1]
-        VTOV    [\high], [\x] ? [hits1]
-        .endm
-
-; Adds the piece between the planes: e6 t^2 + 2 e7 t - e8 is the squared
-; distance from the axis, minus 1.  A ray along the axis is near it everywhere
-; or nowhere.  Branches to blob_next_row if no ray comes near the axis, for then
-; none comes near the ends.
-        .macro  take_side
-        MPYSV   [e3], [e3], [e6]
-        MPYSV   [e4], [e4], [e12]
-        ADDNV   [e12], [e6], [e6]
-        MPYSV   [e0], [e3], [e7]
-        MPYSV   [e1], [e4], [e12]
-        ADDNV   [e12], [e7], [e7]
-        MPYSV   [e0], [e0], [e8]
-        MPYSV   [e1], [e1], [e12]
-        ADDNV   [e12], [e8], [e8]
-        SUBNV   one, [e8], [e8]
-        MPYS    tiny, tiny, s2
-        CMPLTV  [e6], s2, [hits2]
-        MASKV   one, [e6], [e9] ? [hits2]
-        DIVSV   one, [e9], [e9]
-        reach_of e6, e7, e8, e9, e0, e1, e3, e4
+; Branches to blob_next_row if no ray comes near the axis, for then none comes
+; near the ends.
+        .macro  reach_of_side
+        CMPLTV  [side_a], side_least, [hits2]
+        MASKV   one, [side_a], [side_inverse] ? [hits2]
+        DIVSV   one, [side_inverse], [side_inverse]
+        reach_of side_a, side_b, side_c, side_inverse, reach_from, reach_to, side_disc, side_root, blob_next_row
         CNTOB   [hits2], s0
         IBXEQ   s0, r0, r0, side_crossed
-        VTOV    [e8], [e3] ? [hits2]
-        CMPLTV  r0, [e3], [hits0]
-        VTOV    minus_big, [e0] ? [hits2]
-        VTOV    big, [e1] ? [hits2]
+        VTOV    [side_c], [side_disc] ? [hits2]
+        CMPLTV  r0, [side_disc], [hits0]
+        VTOV    minus_big, [reach_from] ? [hits2]
+        VTOV    big, [reach_to] ? [hits2]
 side_crossed:
         CNTOB   [hits0], s0
         IBXEQ   s0, r0, r0, blob_next_row
-        MPYSV   [e3], [e9], [e3]
-        add_most e3, hits0
-        rise_to first_at, e0
-        sink_to last_at, e1
-        take_piece e0, e1, side_none
-        put_piece e6, e7, e8
-        next_piece
-side_none:
+        MPYSV   [side_disc], [side_inverse], [side_disc]
         .endm
 
-; Computes the interval in the half ball at one end: e3 t^2 + 2 e0 t - e1 is the
-; squared distance from that end, minus 1.
-        .macro  reach_of_end z
-        MPYSV   [\z], [e5], [e0]
-        ADDNV   [e0], [e7], [e0]
-        MPYSV   [\z], [\z], [e1]
-        SUBNV   [e8], [e1], [e1]
-        reach_of e3, e0, e1, e4, e9, e10, e11, e12
-        .endm
-
-        .macro  take_end
-        take_piece e9, e10, end_none\@
-        put_piece e3, e0, e1
-        next_piece
-end_none\@:
-        .endm
-
-        .macro  take_cylinder
-        part_axes
-        find_ends
-        take_side
-        MPYSV   [e5], [e5], [e3]
-        ADDNV   [e3], [e6], [e3]
-        DIVSV   one, [e3], [e4]
-        reach_of_end first_z
-        sink_to first_at, e10
-        take_end
-        reach_of_end last_z
-        rise_to last_at, e9
-        take_end
-        .endm
-
-; Stores the pieces of all components.  Sets interval_t, where the walk starts: at
-; the lower limit or at the first entry into a piece, whichever is later.
-        .macro  take_pieces
+        .macro  begin_pieces
         set_blob_lanes
         first_piece
         VTOV    big, [interval_t]
@@ -339,29 +210,12 @@ end_none\@:
         ES      pieces_used, 0
         load_field P_TABLE, blob_row
         RTOR    sh5, blob_rows_left
-blob_part:
-        ELEN    blob_row, 7
-        SWAP    [blob_row], sh8, [r0]
-        CFPNE   sh8, r0, blob_moved
-        take_ball
-        BIM     blob_next_row
-blob_moved:
-        RTOR    blob_row, s2
-        IX      s2, 64 * BLOB_LENGTH
-        ELEN    s2, 13
-        SWAP    [s2], sh15, [r0]                ; also m00 .. m23
-        CFPNE   sh8, one, blob_long
-        take_ellipsoid
-        BIM     blob_next_row
-blob_long:
-        take_cylinder
-blob_next_row:
-        IX      blob_row, 64 * BLOB_SIZE
-        SUBN    blob_rows_left, one, blob_rows_left
-        CFPLT   r0, blob_rows_left, blob_part
+        .endm
+
+        .macro  end_pieces none
         CMPLTV  [most_field], sh4, [hits0]
         VTOV    big, [interval_t] ? [hits0]
-        rise_to lane_low, interval_t
+        lane_not_below lane_low, interval_t
         VTOV    [lane_at], [crossing_at]
         load_field P_SEGMENTS, s2
         ADDN    s2, s2, s2
@@ -532,11 +386,17 @@ clear_segment:
         next_segment clear_segment
         .endm
 
-        .macro  begin_blob
+        .macro  enter_blob_solid
+        clear_segments
+        ES      nearest_interval, 0
         load_record P_SHAPE, 7, sh0
-        SUBNV   [ox], sh0, [w8]
-        SUBNV   [oy], sh1, [w9]
-        SUBNV   [oz], sh2, [w10]
+        .endm
+
+        .macro  enter_blob
+        VTOV    big, [tin]
+        VTOV    minus_big, [tout]
+        ES      nearest_interval, 1
+        load_record P_SHAPE, 7, sh0
         .endm
 
 ; Selects the next lanes from the rays of bits0, which come near the blob: all
@@ -592,25 +452,7 @@ begin_lanes\@:
         take_nearest
         .endm
 
-        .kernel blob
-blob_solid:
-        clear_segments
-        ES      nearest_interval, 0
-        begin_blob
-        find_all_lanes w8, w9, w10, sh3, blob_missed
-        BIM     blob_lanes
-blob:
-        VTOV    big, [tin]
-        VTOV    minus_big, [tout]
-        ES      nearest_interval, 1
-        begin_blob
-        find_lanes w8, w9, w10, sh3, blob_missed
-blob_lanes:
-        begin_lanes
-        take_pieces
-        EX      s2, blob_numbers
-        ELEN    s2, 3
-        SWAP    [s2], blob_quarter, [r0]        ; also blob_sixth, blob_four
+        .macro  walk_blob
         leave_lanes blob_done
 blob_walk:
         next_interval
@@ -646,8 +488,7 @@ blob_continue:
         BIM     blob_walk
 blob_done:
         end_lanes
-blob_missed:
+blob_none:
+blob_miss:
         BIM     0, link_kernel
-        .endkernel
-
-        .endif
+        .endm
