@@ -323,6 +323,6 @@ cleared\@:
 
         .macro  missed_by_all label, shape
 \label:
-        miss_all
+        miss_near
         .endm
         .endif

@@ -1,6 +1,5 @@
-; elliptical_torus.s - intersects rays with an elliptical torus about the y axis;
-; also the part that all tori share after the polynomial.  Formulas, arguments and
-; results are those of torus_vector.s.
+; elliptical_torus.s - intersects rays with an elliptical torus about the y
+; axis.  Formulas, arguments and results are those of torus.s.
 
         .macro  elliptical_polynomial
         ray_times near_dx, near_dx, e0

@@ -45,14 +45,19 @@ near_list:      .descriptor 5, near_input
         leave   \save, \registers
         .endm
 
-; Computes o (t0-t2), o . o (near_o2), near_low and near_high, or branches to
-; miss.
-        .macro  find_lanes x0, x1, x2, bound2, miss
+; The first steps of find_lanes and find_all_lanes.
+        .macro  find_bound x0, x1, x2, bound2, miss
         closest_approach \x0, \x1, \x2, t0, t1, t2, along, t3, t4
         dot     t0, t1, t2, t0, t1, t2, near_o2, t4
         SUBN    \bound2, near_o2, near_high
         CFPGE   r0, near_high, \miss
         SQRT    near_high, near_high
+        .endm
+
+; Computes o (t0-t2), o . o (near_o2), near_low and near_high, or branches to
+; miss.
+        .macro  find_lanes x0, x1, x2, bound2, miss
+        find_bound \x0, \x1, \x2, \bound2, \miss
         ADDN    lower, along, near_low
         SUBN    r0, near_high, t3
         CFPLT   t3, near_low, find_lanes_ahead\@
@@ -61,13 +66,18 @@ find_lanes_ahead\@:
         CFPGE   near_low, near_high, \miss
         .endm
 
-; Sets tin = tout = the first root, or branches to miss.
-        .macro  solve_near resolution, miss
-        RTOR    \resolution, near_resolution
+; Passes the quartic and its interval to a routine of the solver.
+        .macro  call_quartic routine
         EX      t3, near_input
         ELEN    t3, 8
         SWAP    [r0], k4, [t3]
-        call    solve_quartic, near_list
+        call    \routine, near_list
+        .endm
+
+; Sets tin = tout = the first root, or branches to miss.
+        .macro  solve_near resolution, miss
+        RTOR    \resolution, near_resolution
+        call_quartic solve_quartic
         EX      t3, near_roots
         LOD     [t3], tin
         CFPGE   tin, big, \miss

@@ -62,16 +62,21 @@ lane_shade_store: .space (SHADE_VECTORS - 4) * QUEUE
         set_lengths \count, m_high, lane_shade_bases, lane_shade_descriptors, SHADE_VECTORS, \first
         .endm
 
-; Selects the rays that come near.  x0, x1, x2 are the origins relative to the
-; centre; the scalar bound2 = bound^2.  bits0 = these rays, m = their number;
-; w0-w2 = o, w3 = along, w5, w6 = low, high, w7 = o . o.  Branches to miss if
-; there are none.
-        .macro  find_lanes x0, x1, x2, bound2, miss
+; The first steps of find_lanes and find_all_lanes.
+        .macro  find_bound x0, x1, x2, bound2
         closest_approach \x0, \x1, \x2, w0, w1, w2, w3, w4
         dot_vectors w0, w1, w2, w0, w1, w2, w7, w4
         SUBNV   \bound2, [w7], [w6]
         CMPLTV  r0, [w6], [bits0]
         SQRTV   [w6], [w6] ? [bits0]
+        .endm
+
+; Selects the rays that come near.  x0, x1, x2 are the origins relative to the
+; centre; the scalar bound2 = bound^2.  bits0 = these rays, m = their number;
+; w0-w2 = o, w3 = along, w5, w6 = low, high, w7 = o . o.  Branches to miss if
+; there are none.
+        .macro  find_lanes x0, x1, x2, bound2, miss
+        find_bound \x0, \x1, \x2, \bound2
         ADDNV   [lower], [w3], [w5]
         CMPGEV  -[w5], [w6], [bits1]
         VTOV    -[w6], [w5] ? [bits1]
@@ -113,7 +118,7 @@ lane_shade_store: .space (SHADE_VECTORS - 4) * QUEUE
         .endm
 
 ; Returns a miss for all rays.
-        .macro  miss_all
+        .macro  miss_near
         VTOV    big, [tin]
         VTOV    minus_big, [tout]
         BIM     0, link_kernel
@@ -132,9 +137,12 @@ lane_shade_store: .space (SHADE_VECTORS - 4) * QUEUE
         BIM     0, link_kernel
         .endm
 
-; In the scalar form a ray that passes the shape branches to passed.
+; If no ray comes near the shape, all branch to passed.
         .macro  leave_with_segments resolution, passed
         solve_segments \resolution
+        BIM     0, link_kernel
+\passed:
+        no_segments
         BIM     0, link_kernel
         .endm
         .endif

@@ -108,7 +108,7 @@ implicit_form:
         IBXNE   through_count, r0, r0, \through
         BIM     0, link_kernel
 \miss:
-        miss_all
+        miss_near
 \through:
         through_vectors
         CMPLTV  [lane_low], [lane_high], [hits0]

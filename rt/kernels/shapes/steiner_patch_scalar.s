@@ -174,10 +174,7 @@ crossing_none\@:
         SWAP    [t3], near_low, [r0]
         RTOR    near_low, patch_low
         RTOR    near_high, patch_high
-        EX      t3, near_input
-        ELEN    t3, 8
-        SWAP    [r0], k4, [t3]
-        call    solve_quartic_all, near_list
+        call_quartic solve_quartic_all
         EX      root_at, near_roots
         IX      root_at, 64 * 4
         LOD     [root_at], roots_left

@@ -1,13 +1,4 @@
-; torus_scalar.s - intersects one ray with a torus about the y axis.
-;
-;       CALL TORUS (RAY, PRIMITIVE, SEGMENT)
-;       CALL TORUS_SOLID (RAY, PRIMITIVE, SEGMENTS)
-;
-; The arguments are those of sphere_scalar.s, the method is that of
-; torus_vector.s. SEGMENTS receives two segments (4 words) of the ray inside
-; (segments_scalar.s). elliptical_torus.s contains the part after the polynomial.
-
-        include_form lanes
+; torus_scalar.s - the scalar form of the torus.
 
 ; Branches to miss if the ray stays above or below the torus.
         .macro  leave_above miss
@@ -40,22 +31,3 @@ leave_not\@:
         RTOR    one, k4
         ADDN    e4, e0, k0
         .endm
-
-        .kernel torus
-torus:
-        enter_solver 10
-        find_lanes ox, oy, oz, sh4, torus_miss
-        leave_above torus_miss
-        torus_polynomial
-        solve_near sh8, torus_miss
-        leave_solver
-torus_miss:
-        miss_near
-
-torus_solid:
-        enter_solver 10
-        find_all_lanes ox, oy, oz, sh4, torus_passed
-        leave_above torus_passed
-        torus_polynomial
-        BIM     torus_segments
-        .endkernel

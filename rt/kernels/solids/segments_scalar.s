@@ -7,19 +7,14 @@
 
 ; Like find_lanes, for the whole line.
         .macro  find_all_lanes x0, x1, x2, bound2, miss
-        closest_approach \x0, \x1, \x2, t0, t1, t2, along, t3, t4
-        dot     t0, t1, t2, t0, t1, t2, near_o2, t4
-        SUBN    \bound2, near_o2, near_high
-        CFPGE   r0, near_high, \miss
-        SQRT    near_high, near_high
+        find_bound \x0, \x1, \x2, \bound2, \miss
         SUBN    r0, near_high, near_low
         .endm
 
 ; e0 := number of roots; they are stored from e1 on.
         .macro  solve_all resolution
         RTOR    \resolution, near_resolution
-        store_words k4, 8, near_input, t3
-        call    solve_quartic_signs, near_list
+        call_quartic solve_quartic_signs
         EX      e1, near_roots
         ES      t3, 4
         LOD     [e1, t3], e0

@@ -9,11 +9,7 @@
 
 ; Like find_lanes, for the whole line.
         .macro  find_all_lanes x0, x1, x2, bound2, miss
-        closest_approach \x0, \x1, \x2, w0, w1, w2, w3, w4
-        dot_vectors w0, w1, w2, w0, w1, w2, w7, w4
-        SUBNV   \bound2, [w7], [w6]
-        CMPLTV  r0, [w6], [bits0]
-        SQRTV   [w6], [w6] ? [bits0]
+        find_bound \x0, \x1, \x2, \bound2
         SUBNV   r0, [w6], [w5]
         if_none bits0, m, \miss
         .endm
