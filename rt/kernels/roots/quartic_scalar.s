@@ -29,6 +29,7 @@
 
         .include "roots/quartic_constants.s"
         .include "roots/falsi_scalar.s"
+        .include "roots/values.s"
         .include "roots/signs.s"
         .include "forms.s"
         scalar_form solver_
@@ -63,27 +64,6 @@
 solver_image:  quartic_constants
 solver_save:   .space QUARTIC_REGISTERS
         .code
-
-; fx = value at x, by Horner's rule.
-        .macro  value_at x, fx
-        MPYS    q_c4, \x, \fx
-        ADDN    \fx, q_c3, \fx
-        MPYS    \fx, \x, \fx
-        ADDN    \fx, q_c2, \fx
-        MPYS    \fx, \x, \fx
-        ADDN    \fx, q_c1, \fx
-        MPYS    \fx, \x, \fx
-        ADDN    \fx, q_c0, \fx
-        .endm
-
-        .macro  slope_at x, fx
-        MPYS    q_s3, \x, \fx
-        ADDN    \fx, q_s2, \fx
-        MPYS    \fx, \x, \fx
-        ADDN    \fx, q_s1, \fx
-        MPYS    \fx, \x, \fx
-        ADDN    \fx, q_c1, \fx
-        .endm
 
 ; fx = value at x; zero = 1 if it is within the tolerance of the sum of the
 ; magnitudes.  Two chains of operations are interleaved to hide their latencies.
@@ -135,24 +115,13 @@ signs_differ\@:
         .endm
 
         .macro  clamp x
-        CFPGE   \x, q_low, clamp_above\@
-        RTOR    q_low, \x
-clamp_above\@:
-        CFPGE   q_high, \x, clamp_end\@
-        RTOR    q_high, \x
-clamp_end\@:
+        solver_not_below q_low, \x
+        solver_not_above q_high, \x
         .endm
 
 ; Sharpens a double root by one Newton step on f' (quartic_vector.s).
         .macro  polish
-        slope_at q_next, q_w
-        MPYS    q_s3, q_three, q_s
-        ADDN    q_s2, q_s2, q_d
-        MPYS    q_s, q_next, q_s
-        ADDN    q_s, q_d, q_s
-        MPYS    q_s, q_next, q_s
-        ADDN    q_s, q_s1, q_s
-        DIVS    q_w, q_s, q_w
+        newton_on_slope
         ABS     q_next, q_d
         MPYS    q_d, q_polish, q_d
         ADDN    q_d, q_resolution, q_d
@@ -270,13 +239,6 @@ search_flat\@:
         RTOR    q_answer, q_last
         STO     [q_roots, q_count], q_answer
         IX      q_count, 1
-        .endm
-
-; Computes the coefficients of the derivative.
-        .macro  derive
-        MPYS    q_c4, q_four, q_s3
-        MPYS    q_c3, q_three, q_s2
-        ADDN    q_c2, q_c2, q_s1
         .endm
 
 ; Computes the magnitudes for the test against 0.

@@ -60,6 +60,7 @@
 
         .include "roots/quartic_constants.s"
         .include "roots/falsi_vector.s"
+        .include "roots/values.s"
         .include "roots/signs.s"
         .include "forms.s"
         vector_form solver_, q_sign
@@ -133,35 +134,6 @@ solver_roots:  .space QUEUE * 5
         RTOR    \high, s6
         ADDN    \resolution, r0, s7
         BSAVE   link_inner, [\routine]
-        .endm
-
-; One step of Horner's rule.
-        .macro  horner_step x, fx, c
-        MPYSV   [\fx], [\x], [\fx]
-        ADDNV   [\fx], [\c], [\fx]
-        .endm
-
-        .macro  quartic_polynomial x, fx, c4, c3, c2, c1, c0
-        MPYSV   [\c4], [\x], [\fx]
-        ADDNV   [\fx], [\c3], [\fx]
-        horner_step \x, \fx, \c2
-        horner_step \x, \fx, \c1
-        horner_step \x, \fx, \c0
-        .endm
-
-        .macro  cubic_polynomial x, fx, c3, c2, c1, c0
-        MPYSV   [\c3], [\x], [\fx]
-        ADDNV   [\fx], [\c2], [\fx]
-        horner_step \x, \fx, \c1
-        horner_step \x, \fx, \c0
-        .endm
-
-        .macro  value_at x, fx
-        quartic_polynomial \x, \fx, q_c4, q_c3, q_c2, q_c1, q_c0
-        .endm
-
-        .macro  slope_at x, fx
-        cubic_polynomial \x, \fx, q_s3, q_s2, q_s1, q_c1
         .endm
 
 ; Clamps bends outside the interval, and indefinite ones, to its ends.
@@ -362,14 +334,7 @@ give_none\@:
         lengthen q_lanes, q_w
         lengthen q_lanes, q_s
         lengthen q_lanes, q_d
-        slope_at q_next, q_w
-        MPYSV   [q_s3], q_three, [q_s]
-        ADDNV   [q_s2], [q_s2], [q_d]
-        MPYSV   [q_s], [q_next], [q_s]
-        ADDNV   [q_s], [q_d], [q_s]
-        MPYSV   [q_s], [q_next], [q_s]
-        ADDNV   [q_s], [q_s1], [q_s]
-        DIVSV   [q_w], [q_s], [q_w]
+        newton_on_slope
         LINKV
         MPYSV   |[q_next]|, q_polish, [q_d]
         ADDNV   [q_d], q_resolution, [q_d]
@@ -550,9 +515,7 @@ search_alive\@:
 enter_alive\@:
         VTOV    [q_lane], [q_position]
         VTOV    r0, [q_count]
-        MPYSV   [q_c4], q_four, [q_s3]
-        MPYSV   [q_c3], q_three, [q_s2]
-        ADDNV   [q_c2], [q_c2], [q_s1]
+        derive
         .endm
 
 ; Computes the bends, with a = q_next, b = q_right_slope, b^2 = q_knot,

@@ -1,7 +1,7 @@
 ; normal_quartic.s - computes the normal of a quartic surface (normal_vector.s).
 ;
 ; The normal is the gradient of F, whose terms are grouped as in
-; quartic_terms.s.  For each row B (t0; its derivative by z in t1), each group A
+; quartic.s.  For each row B (t0; its derivative by z in t1), each group A
 ; (t2; by y in t3, by z in t4) and F (t5; its gradient in n) Horner's rule is
 ;
 ;   value := value x + c,    derivative := derivative x + value before
