@@ -16,6 +16,8 @@
 ;       advance_by address, count, work         to the address after count words
 ;       if_none bits, count, label              to the label if no bit is one
 ;       call_routine routine, link              the routine returns by link
+;       no_code name                            the operation name, without code,
+;                                               for one of two forms
 ;
 ; record has the address of the record, and an offset is in words. at gets the
 ; address and the number, count that of the bits that are one.
@@ -104,6 +106,11 @@ at_most\@:
         .macro  if_none bits, count, label
         CNTOB   [\bits], \count
         IBXEQ   \count, r0, r0, \label
+        .endm
+
+        .macro  no_code name
+        .macro  \name a=, b=, c=, d=
+        .endm
         .endm
 
         .macro  call_routine routine, link

@@ -104,8 +104,7 @@
         CMPLTV  r0, [q_w], [q_bits]
         ANDB    [q_small], [q_bits], [q_small]
 \name\()_wide:
-        CNTOB   [q_small], q_finished
-        IBXEQ   q_finished, r0, r0, \name\()_narrow
+        if_none q_small, q_finished, \name\()_narrow
         SQRTV   [q_w], [q_x] ? [q_small]
         CMPLTV  [q_a], r0, [q_bits]
         VTOV    -[q_x], [q_x] ? [q_bits]
@@ -138,8 +137,7 @@
         MPYSV   |[q_b]|, \close, [q_d]
         ADDNV   [q_d], q_resolution, [q_d]
         CMPLTV  |[q_s]|, [q_d], [q_small]
-        CNTOB   [q_small], q_finished
-        IBXEQ   q_finished, r0, r0, \name\()_long_enough
+        if_none q_small, q_finished, \name\()_long_enough
         MPYSV   [q_d], q_least, [q_s] ? [q_small]
         CMPLTV  [q_w], r0, [q_bits]
         ANDB    [q_small], [q_bits], [q_bits]

@@ -221,8 +221,7 @@ search_flat\@:
         EX      save_at, solver_save
         ELEN    save_at, QUARTIC_REGISTERS
         SWAP    [image_at], q_one, [save_at]
-        ELEN    arguments, 3
-        SWAP    [arguments], q_coefficients, [r0]
+        load_from arguments, 3, q_coefficients
         SWAP    [q_coefficients], q_c4, [r0]
         SWAP    [q_interval], q_low, [r0]
         ES      q_count, 0

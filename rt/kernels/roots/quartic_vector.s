@@ -232,8 +232,7 @@ is_zero\@:
         .endm
 
         .macro  count_lanes bits, none
-        CNTOB   [\bits], q_u
-        IBXEQ   q_u, r0, r0, \none
+        if_none \bits, q_u, \none
         .endm
 
 ; The operations of signs.s.
@@ -494,8 +493,7 @@ search_alive\@:
         VTOV    [q_lane], [q_target]
 
         CMPLTV  [q_low], [q_high], [q_alive]
-        CNTOB   [q_alive], q_alive_count
-        IBXEQ   q_alive_count, r0, r0, solver_end
+        if_none q_alive, q_alive_count, solver_end
         if_half_alive enter_alive\@
         compress_inputs
         compress_input q_low, 6
@@ -578,8 +576,7 @@ solver_begin:
         IBXEQ   q_want, r0, q_index_one, solver_end
         VTOVX   [q_lane], [q_count], [root_count]
 solver_end:
-        ELEN    q_save_at, QUARTIC_REGISTERS
-        SWAP    [q_save_at], q_s3, [r0]
+        load_from q_save_at, QUARTIC_REGISTERS, q_s3
         BIM     0, link_inner
 
 solve_quartic_signs:

@@ -43,6 +43,7 @@ scaling_constants:
         .code
 
         .include "forms.s"
+        .include "frame/common.s"
 
         .ifdef  SCALAR
 ; ---- One polynomial ----------------------------------------------------------
@@ -90,8 +91,7 @@ scale_above\+:
 scale_moved:
         .endm
 
-        .macro  find_present d, present
-        .endm
+        no_code find_present
 
         .macro  if_present d, label
         CFPEQ   \d, r0, \label
@@ -125,8 +125,7 @@ clear_less\@:
         CFPEQ   bound, r0, \end
         .endm
 
-        .macro  end_bound
-        .endm
+        no_code end_bound
 
         .macro  begin_list
         ES      index_minus_one, -1
@@ -158,9 +157,7 @@ clear_less\@:
 
         .macro  solve_to end
         RTOR    \end, high
-        EX      s0, roots_passed
-        ELEN    s0, 8
-        SWAP    [r0], d4, [s0]
+        store_words d4, 8, roots_passed, s0
         EX      arguments, quartic_list
         BSAVE   link, [routine]
         load_at roots_arguments, 5, root0
@@ -248,19 +245,7 @@ roots_planes:   .space QUEUE * ROOTS_VECTORS
         .code
 
         .macro  load_at label, number, first
-        EX      s0, \label
-        ELEN    s0, \number
-        SWAP    [s0], \first, [r0]
-        .endm
-
-        .macro  load_word label, register
-        EX      \register, \label
-        LOD     [\register], \register
-        .endm
-
-        .macro  if_any bits, none
-        CNTOB   [\bits], number
-        IBXEQ   number, r0, r0, \none
+        load_words \label, \number, \first, s0
         .endm
 
 ; Moves the coefficients down while the last is 0.
@@ -273,7 +258,7 @@ roots_planes:   .space QUEUE * ROOTS_VECTORS
         CMPEQV  [d0], r0, [at_zero]
         .rept   4
         CMPEQV  [d0], r0, [bits0]
-        if_any  bits0, scale_moved
+        if_none bits0, number, scale_moved
         then_copy d1, d0
         then_copy d2, d1
         then_copy d3, d2
@@ -287,8 +272,7 @@ scale_moved:
         CMPNEV  [\d], r0, [\present]
         .endm
 
-        .macro  if_present d, label
-        .endm
+        no_code if_present
 
         .macro  find_top d, present, e, power
         VTOV    [\e], [top] ? [\present]
@@ -315,8 +299,7 @@ scale_moved:
         ANDB    [refused], [present0], [refused]
         .endm
 
-        .macro  begin_bound end
-        .endm
+        no_code begin_bound
 
         .macro  end_bound
         CMPEQV  [bound], r0, [bits0]
@@ -366,7 +349,7 @@ roots_last:
 
         .macro  if_bound_below label
         CMPLTV  [bound], r0, [bits0]
-        if_any  bits0, \label
+        if_none bits0, number, \label
         .endm
 
         .macro  solve_to end
@@ -385,7 +368,7 @@ roots_last:
 
         .macro  if_at_least least, done
         CMPGEV  [root_count], \least, [bits0]
-        if_any  bits0, \done
+        if_none bits0, number, \done
         .endm
 
         .macro  if_more_wanted done

@@ -154,16 +154,14 @@ end_none\@:
         .macro  take_pieces none
         begin_pieces
 blob_part:
-        ELEN    blob_row, 7
-        SWAP    [blob_row], part_kind, [r0]     ; to part_strength
+        load_from blob_row, 7, part_kind        ; to part_strength
         CFPNE   part_kind, r0, blob_moved
         take_ball
         BIM     blob_next_row
 blob_moved:
         RTOR    blob_row, blob_words
         IX      blob_words, 64 * BLOB_LENGTH
-        ELEN    blob_words, 13
-        SWAP    [blob_words], part_length, [r0] ; also b00 .. b23
+        load_from blob_words, 13, part_length   ; also b00 .. b23
         CFPNE   part_kind, one, blob_long
         take_ellipsoid
         BIM     blob_next_row
@@ -256,9 +254,7 @@ blob:
 blob_begin:
         begin_lanes
         take_pieces blob_end
-        EX      blob_words, blob_numbers
-        ELEN    blob_words, 3
-        SWAP    [blob_words], blob_quarter, [r0] ; also blob_sixth, blob_four
+        load_words blob_numbers, 3, blob_quarter, blob_words ; also blob_sixth, blob_four
         walk_blob
         .endkernel
 

@@ -66,8 +66,7 @@ blob_list:      .space PIECE_WORDS * BLOB_PIECES
 
         .macro  next_piece
         RTOR    part_strength, piece_strength
-        ELEN    pieces_end, PIECE_WORDS
-        SWAP    [r0], piece_enter, [pieces_end]
+        store_to piece_enter, PIECE_WORDS, pieces_end
         IX      pieces_end, 64 * PIECE_WORDS
         .endm
 
@@ -175,8 +174,7 @@ side_found:
         ES      interval_pieces, 0
         EX      piece_at, blob_list
 interval_piece:
-        ELEN    piece_at, PIECE_WORDS
-        SWAP    [piece_at], piece_enter, [r0]
+        load_from piece_at, PIECE_WORDS, piece_enter
         IX      piece_at, 64 * PIECE_WORDS
         CFPGE   interval_t, piece_leave, interval_next
         CFPLT   interval_t, piece_enter, interval_ahead
@@ -256,9 +254,7 @@ take_last:
         .macro  enter_blob_solid
         enter_solver 7, blob_save, BLOB_REGISTERS
         RTOR    a_segment, column_at
-        RTOR    a_primitive, t0
-        IX      t0, 64 * P_SEGMENTS
-        LOD     [t0], t0
+        load_of a_primitive, P_SEGMENTS, t0
         SHIFTI  t0, 7, t0
         ADDX    column_at, t0, columns_end
         ES      walk_first, 0
@@ -270,8 +266,7 @@ take_last:
         ES      walk_first, 1
         .endm
 
-        .macro  begin_lanes
-        .endm
+        no_code begin_lanes
 
         .macro  walk_blob
         ES      interval_inside, 0

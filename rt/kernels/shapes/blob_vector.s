@@ -121,8 +121,7 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
         ANDB    [hits0], [hits1], [hits1]
         CMPLTV  [lane_low], [\to], [hits2]
         ANDB    [hits1], [hits2], [hits1]
-        CNTOB   [hits1], s0
-        IBXEQ   s0, r0, r0, \none
+        if_none hits1, s0, \none
         MASKV   [\from], big, [piece_enter] ? [hits1]
         MASKV   [\to], big, [piece_leave] ? [hits1]
         CMPLTV  [\from], [interval_t], [hits2]
@@ -170,8 +169,7 @@ add_most\@:
         MASKV   [part_oz], [cap_z], [last_z] ? [hits1]
         MPYSV   -[first_z], [e6], [first_at]
         MPYSV   -[last_z], [e6], [last_at]
-        CNTOB   [hits0], s0
-        IBXEQ   s0, r0, r0, find_ends\@
+        if_none hits0, s0, find_ends\@
         VTOV    minus_big, [first_at] ? [hits0]
         VTOV    big, [last_at] ? [hits0]
         CMPLTV  [part_oz], r0, [hits1]
@@ -190,15 +188,13 @@ find_ends\@:
         MASKV   one, [side_a], [side_inverse] ? [hits2]
         DIVSV   one, [side_inverse], [side_inverse]
         reach_of side_a, side_b, side_c, side_inverse, reach_from, reach_to, side_disc, side_root, blob_next_row
-        CNTOB   [hits2], s0
-        IBXEQ   s0, r0, r0, side_crossed
+        if_none hits2, s0, side_crossed
         VTOV    [side_c], [side_disc] ? [hits2]
         CMPLTV  r0, [side_disc], [hits0]
         VTOV    minus_big, [reach_from] ? [hits2]
         VTOV    big, [reach_to] ? [hits2]
 side_crossed:
-        CNTOB   [hits0], s0
-        IBXEQ   s0, r0, r0, blob_next_row
+        if_none hits0, s0, blob_next_row
         MPYSV   [side_disc], [side_inverse], [side_disc]
         .endm
 
@@ -257,8 +253,7 @@ keep_piece\@:
 ; lanes if they are more than half.
         .macro  leave_lanes none
         CMPLTV  [interval_t], big, [hits1]
-        CNTOB   [hits1], s0
-        IBXEQ   s0, r0, r0, \none
+        if_none hits1, s0, \none
         ADDX    s0, s0, s0
         IBXGE   s0, r0, m, leave_lanes\@
         keep_lanes
@@ -288,16 +283,14 @@ leave_lanes\@:
         RTOR    pieces_used, pieces_left
 interval_piece\@:
         CMPLTV  [interval_t], [piece_leave], [hits1]
-        CNTOB   [hits1], s0
-        IBXEQ   s0, r0, r0, interval_next\@
+        if_none hits1, s0, interval_next\@
         CMPLTV  [interval_t], [piece_enter], [hits0]
         MASKV   [piece_enter], [piece_leave], [e0] ? [hits0]
         CMPLTV  [e0], [interval_end], [hits2]
         ANDB    [hits1], [hits2], [hits2]
         VTOV    [e0], [interval_end] ? [hits2]
         ANDNB   [hits1], [hits0], [hits1]
-        CNTOB   [hits1], s0
-        IBXEQ   s0, r0, r0, interval_next\@
+        if_none hits1, s0, interval_next\@
         add_piece
 interval_next\@:
         next_piece
@@ -319,8 +312,7 @@ interval_next\@:
         ORB     [hits1], [hits2], [hits1]
         .endm
 
-        .macro  end_signs differ, alike
-        .endm
+        no_code end_signs
 
 ; Computes the roots of the lanes of hits1, relative to interval_t.
         .macro  solve_interval
@@ -411,8 +403,7 @@ blob_more:
         CMPLTV  [iota], lanes_end, [bits0]
         ANDB    [bits0], [bits2], [bits0]
         ANDNB   [bits2], [bits0], [bits2]
-        CNTOB   [bits0], m
-        IBXEQ   m, r0, r0, blob_done
+        if_none bits0, m, blob_done
         IBXEQ   nearest_interval, r0, r0, begin_lanes\@
         ES      nearest_interval, 1
 begin_lanes\@:
@@ -457,8 +448,7 @@ begin_lanes\@:
 blob_walk:
         next_interval
         test_interval blob_passed
-        CNTOB   [hits1], s0
-        IBXEQ   s0, r0, r0, blob_passed
+        if_none hits1, s0, blob_passed
         solve_interval
         signs_at_beginning
         IBXNE   nearest_interval, r0, r0, blob_first
@@ -474,8 +464,7 @@ blob_ended:
 blob_passed:
         signs_at_beginning
         ORB     [hits0], [hits0], [lane_inside]
-        CNTOB   [hits1], s0
-        IBXEQ   s0, r0, r0, blob_continue
+        if_none hits1, s0, blob_continue
         VTOV    [interval_t], [e0]
         IBXNE   nearest_interval, r0, r0, blob_there
         take_crossing

@@ -23,9 +23,7 @@
 ; The list of crossings is ascending, from a_segment to list_last.  If there is
 ; no room before list_end, the largest one is dropped.
         .macro  begin_columns
-        RTOR    a_primitive, t0
-        IX      t0, 64 * P_SEGMENTS
-        LOD     [t0], t0
+        load_of a_primitive, P_SEGMENTS, t0
         ADDX    t0, t0, t0
         SHIFTI  t0, 6, t0
         ADDX    a_segment, t0, list_end
@@ -77,17 +75,19 @@ list_filled\@:
         leave_segments \shape\()_save, \shape\()_registers
         .endm
 
-        .macro  all_lanes
-        .endm
+; One ray needs no code for these operations.
+        no_code all_lanes
+        no_code set_ahead
+        no_code note_side
+        no_code keep_set_before
+        no_code range_of_queue
+        no_code note_negative
+        no_code none_in
+        no_code keep_within
+        no_code skip_both
 
         .macro  if_any_less_number a, k, set, label
         CFPGE   \a, \k, \label
-        .endm
-
-        .macro  set_ahead a, b, set, all
-        .endm
-
-        .macro  note_side a, left
         .endm
 
         .macro  mark_side a, left
@@ -108,9 +108,6 @@ side_changes\@:
 
         .macro  keep_before a, before
         RTOR    \a, \before
-        .endm
-
-        .macro  keep_set_before set, before
         .endm
 
         .macro  find_turning bend, lead, left, once, twice, out
@@ -168,12 +165,6 @@ turned_by\@:
 
 ; ---- Lathes ------------------------------------------------------------------
 
-        .macro  range_of_queue low, high
-        .endm
-
-        .macro  note_negative a, set
-        .endm
-
         .macro  unless_zero a, set, zero
         CFPEQ   \a, r0, \zero
         .endm
@@ -209,9 +200,6 @@ either_by\@:
         either_two \set, \a, \b, \c, \x, \y, \z
         .endm
 
-        .macro  none_in set, low, high
-        .endm
-
         .macro  begin_clear set
         ES      \set, 0
         .endm
@@ -226,9 +214,6 @@ either_by\@:
         ES      \set, 1
         .endm
 
-        .macro  keep_within at, low, high, set
-        .endm
-
         .macro  find_twice once, inside, inside_before, twice, out
         AND     \inside, \inside_before, third
         IBXNE   third, r0, r0, \out
@@ -238,20 +223,12 @@ either_by\@:
         IBXNE   \once, r0, r0, \label
         .endm
 
-        .macro  skip_both set, other, out
-        .endm
-
         .macro  opposite a
         SUBN    r0, \a, \a
         .endm
 
-        .macro  keep_opposite_not_less a, b, set, out
-        CFPLT   \a, \b, \out
-        .endm
-
-        .macro  keep_opposite_less a, b, set, out
-        CFPGE   \a, \b, \out
-        .endm
+        condition keep_opposite_not_less, CFPLT
+        condition keep_opposite_less, CFPGE
 
         .macro  turned_if_negative number, set, chosen
         CFPGE   \number, r0, turned\@

@@ -67,8 +67,7 @@ clear_column\@:
 ; column.
         .macro  exchange_column
         CMPLTV  [crossed_at], [column_at], [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, column_kept\@
+        if_none bits0, s0, column_kept\@
         MASKV   [column_at], [crossed_at], [column_work] ? [bits0]
         VTOV    [crossed_at], [column_at] ? [bits0]
         trade   crossed_at, column_work
@@ -193,8 +192,7 @@ fill_segment\@:
         BIM     0, link_kernel
         .endm
 
-        .macro  missed_columns label, shape
-        .endm
+        no_code missed_columns
 
         .macro  fill_columns shape, passed, fill
 \fill:
@@ -257,8 +255,7 @@ either_by\@:
         .endm
 
 ; The set is empty from far on; what begin_clear precedes, computes it.
-        .macro  begin_clear set
-        .endm
+        no_code begin_clear
 
         .macro  end_clear set, far
         BIM     cleared\@
@@ -293,12 +290,10 @@ cleared\@:
         skip_both \twice, \once, \out
         .endm
 
-        .macro  unless_once once, label
-        .endm
+        no_code unless_once
 
 ; The vector form compares with -a.
-        .macro  opposite a
-        .endm
+        no_code opposite
 
         .macro  keep_opposite_not_less a, b, set, out
         CMPGEV  -[\a], [\b], [bits0]

@@ -61,8 +61,7 @@
         SQRTV   [w0], [w0] ? [bits1]
         SUBNV   [w3], [w0], [tin] ? [bits1]
         ADDNV   [w3], [w0], [tout] ? [bits1]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, cylinder_crossed\@
+        if_none bits0, s0, cylinder_crossed\@
         MPYSV   [w7], [w7], [w7]
         MPYSV   [w8], [w8], [w8]
         ADDNV   [w8], [w7], [w7]

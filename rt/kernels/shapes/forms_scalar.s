@@ -82,29 +82,25 @@
 
 ; ---- Sets of rays ------------------------------------------------------------
 
-        .macro  set_number_not_less k, a, set, out
-        CFPLT   \k, \a, \out
-        .endm
+; One ray needs no code for these operations.
+        no_code remove
+        no_code skip_empty
+        no_code copy_set
+        no_code close_segment
+        no_code restore_across
 
-        .macro  keep_less a, b, set, out
-        CFPGE   \a, \b, \out
+; A ray for which `unless` compares true branches to out.
+        .macro  condition name, unless
+        .macro  \name a, b, set, out, work=
+        \unless \a, \b, \out
         .endm
-
-        .macro  keep_number_less k, a, set, out
-        CFPGE   \k, \a, \out
         .endm
-
-        .macro  keep_not_less a, b, set, out
-        CFPLT   \a, \b, \out
-        .endm
-
-        .macro  keep_not_less_number a, k, set, out, work=
-        CFPLT   \a, \k, \out
-        .endm
-
-        .macro  keep_number_not_less k, a, set, out, work=
-        CFPLT   \k, \a, \out
-        .endm
+        condition set_number_not_less, CFPLT
+        condition keep_less, CFPGE
+        condition keep_number_less, CFPGE
+        condition keep_not_less, CFPLT
+        condition keep_not_less_number, CFPLT
+        condition keep_number_not_less, CFPLT
 
         .macro  unless_number_less k, a, set, rest, less, label
         CFPLT   \k, \a, \label
@@ -113,9 +109,6 @@
         .macro  else_in set, rest, less, end, label
         BIM     \end
 \label:
-        .endm
-
-        .macro  remove bits, set
         .endm
 
         .macro  turn set, other
@@ -147,18 +140,12 @@ kept\@:
         IBXEQ   \set, r0, r0, \out
         .endm
 
-        .macro  skip_empty set, out
-        .endm
-
         .macro  if_any set, out
         IBXEQ   \set, r0, r0, \out
         .endm
 
         .macro  done label
         BIM     \label
-        .endm
-
-        .macro  copy_set set, other
         .endm
 
         .macro  copy_in set, a, c
@@ -262,9 +249,6 @@ slab_parallel\@:
         CFPLT   \o, \low, \miss
         CFPLT   \high, \o, \miss
 slab_end\@:
-        .endm
-
-        .macro  close_segment
         .endm
 
 ; ---- Quadratics --------------------------------------------------------------
@@ -487,9 +471,6 @@ not_candidate\@:
         .macro  only_parallel label, end
         BIM     \end
 \label:
-        .endm
-
-        .macro  restore_across
         .endm
 
         .macro  inside_if_number_not_less k, a, miss

@@ -65,8 +65,7 @@
 ; ---- Begin and end -----------------------------------------------------------
 
 ; Declares what the scalar form saves.
-        .macro  saves shape, registers, words
-        .endm
+        no_code saves
 
         .macro  enter_shape shape, words, first=one
         load_record P_SHAPE, \words, sh0
@@ -81,8 +80,7 @@
         .endm
 
 ; The rays that branched to label miss.
-        .macro  missed label, first=one
-        .endm
+        no_code missed
 
 ; ---- Sets of rays ------------------------------------------------------------
 
@@ -164,12 +162,10 @@
 
 ; The following operations are for the rays of a set that is a word in the scalar
 ; form.
-        .macro  in_set set, out
-        .endm
+        no_code in_set
 
         .macro  skip_empty set, out
-        CNTOB   [\set], s0
-        IBXEQ   s0, r0, r0, \out
+        if_none \set, s0, \out
         .endm
 
 ; What follows, up to out, is for the rays of a set that is a word.
@@ -178,8 +174,7 @@
         .endm
 
 ; The end of what follows if_any; the scalar form goes to label.
-        .macro  done label
-        .endm
+        no_code done
 
         .macro  copy_set set, other
         ANDB    [\set], [\set], [\other]
@@ -222,8 +217,7 @@
 
 ; What follows, up to end, is for the parallel rays.
         .macro  parallel_rays label, end
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, \end
+        if_none bits0, s0, \end
         .endm
 
 ; They are inside everywhere if a >= k, else nowhere.
@@ -248,16 +242,14 @@
         CMPLTV  [t1], r0, [bits1]
         MASKV   [t2], minus_big, [\from] ? [bits1]
         MASKV   big, [t2], [\to] ? [bits1]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, space_found\@
+        if_none bits0, s0, space_found\@
         CMPGEV  [\a], r0, [bits1]
         everywhere_or_nowhere \from, \to
 space_found\@:
         .endm
 
 ; A ray with an empty segment misses; close_segment follows in the vector form.
-        .macro  leave_empty miss=
-        .endm
+        no_code leave_empty
 
 ; The segment is t, big if a < k, else minus_big, t.  A ray that is not parallel
 ; leaves.
@@ -297,8 +289,7 @@ space_found\@:
         CMPLTV  [w2], [w1], [bits1]
         MASKV   [w2], [w1], [w3] ? [bits1]
         MASKV   [w1], [w2], [w4] ? [bits1]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, slab_crossed\@
+        if_none bits0, s0, slab_crossed\@
         VTOV    minus_big, [w3] ? [bits0]
         VTOV    big, [w4] ? [bits0]
         CMPLTV  [\o], \low, [bits1]
@@ -395,8 +386,7 @@ slab_crossed\@:
         .macro  cone_roots miss
         quadratic_roots quad_a, quad_b, quad_c, t2, t0, t1
         ORB     [bits1], [bits2], [bits1]
-        CNTOB   [bits1], s0
-        IBXEQ   s0, r0, r0, cone_rooted\@
+        if_none bits1, s0, cone_rooted\@
         CMPEQV  [quad_a], r0, [bits1]
         VTOV    [t0], [t1] ? [bits2]
         VTOV    [t1], [t0] ? [bits1]
@@ -419,8 +409,7 @@ cone_rooted\@:
         .macro  quadric_roots miss=
         quadratic_roots quad_a, quad_b, quad_c, t2, t0, t1
         ORB     [bits1], [bits2], [bits1]
-        CNTOB   [bits1], s0
-        IBXEQ   s0, r0, r0, quadric_rooted\@
+        if_none bits1, s0, quadric_rooted\@
         CMPEQV  [quad_a], r0, [bits1]
         VTOV    [t0], [t1] ? [bits2]
         VTOV    [t1], [t0] ? [bits1]
@@ -462,8 +451,7 @@ quadric_rooted\@:
         VTOV    minus_big, [tin] ? [bits2]
         VTOV    big, [tout] ? [bits2]
         CMPEQV  [quad_a], r0, [bits1]
-        CNTOB   [bits1], s0
-        IBXEQ   s0, r0, r0, solid_stored\@
+        if_none bits1, s0, solid_stored\@
         ANDB    [bits0], [bits1], [bits0]       ; a = 0: one crossing
         ANDNB   [bits1], [bits0], [bits1]       ; a = 0: no crossing
         CMPGEV  [quad_b], r0, [bits2]
@@ -608,8 +596,7 @@ solid_stored\@:
         CMPLTV  |[w0]|, tiny, [bits0]
         MASKV   one, [w0], [w0] ? [bits0]
         DIVSV   -[w1], [w0], [w2]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, clip_crossed\@
+        if_none bits0, s0, clip_crossed\@
         CMPLTV  r0, [w1], [bits1]
         ANDB    [bits1], [bits0], [bits1]
         VTOV    big, [w2] ? [bits0]
@@ -627,8 +614,7 @@ clip_crossed\@:
         .endm
 
 ; The scalar form stores the surfaces.
-        .macro  give_surfaces
-        .endm
+        no_code give_surfaces
 
 ; Keeps the crossings with the side.  A single one is both entry and exit.
         .macro  leave_with_side miss, recorded

@@ -28,14 +28,9 @@ near_list:      .descriptor 5, near_input
 
         .macro  enter_solver words, save=near_save, registers=LANE_REGISTERS
         enter   kernel_image, KERNEL_CONSTANTS, \save, \registers
-        ELEN    arguments, 3
-        SWAP    [arguments], a_ray, [r0]
-        ELEN    a_ray, 7
-        SWAP    [a_ray], ox, [r0]
-        RTOR    a_primitive, t0
-        IX      t0, 64 * P_SHAPE
-        ELEN    t0, \words
-        SWAP    [t0], sh0, [r0]
+        load_from arguments, 3, a_ray
+        load_from a_ray, 7, ox
+        load_part a_primitive, P_SHAPE, \words, sh0, t0
         RTOR    link, link_kept
         .endm
 
@@ -100,8 +95,7 @@ find_lanes_ahead\@:
         enter_solver \words
         .endm
 
-        .macro  take_lanes
-        .endm
+        no_code take_lanes
 
         .macro  leave_at_root resolution, miss
         solve_near \resolution, \miss

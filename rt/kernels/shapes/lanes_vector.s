@@ -82,8 +82,7 @@ lane_shade_store: .space (SHADE_VECTORS - 4) * QUEUE
         VTOV    -[w6], [w5] ? [bits1]
         CMPLTV  [w5], [w6], [bits1]
         ANDB    [bits0], [bits1], [bits0]
-        CNTOB   [bits0], m
-        IBXEQ   m, r0, r0, \miss
+        if_none bits0, m, \miss
         .endm
 
         .macro  take_lanes

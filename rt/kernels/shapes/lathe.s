@@ -237,8 +237,7 @@ twice_kept\@:
         load_field P_TABLE, segment_at
         RTOR    \rows, segments_left
 segment\@:
-        ELEN    segment_at, 10
-        SWAP    [segment_at], row_square, [r0]
+        load_from segment_at, 10, row_square
         IX      segment_at, 64 * LATHE_SIZE
         find_corner_side
         CFPNE   row_begins, r0, segment_passed\@

@@ -139,8 +139,7 @@ crossings_capacity:
         IBXEQ   mesh_is_solid, r0, r0, crossings_fill
         ANDV    [mesh_counts], one_index, [w0]
         CMPNEV  [w0], r0, [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, crossings_fill
+        if_none bits0, s0, crossings_fill
         EX      s2, odd_store
         EX      s3, odd_store + 64 * QUEUE
         CPSV    [iota], [s2] ? [bits0]
@@ -159,8 +158,7 @@ crossings_fill:
         RTOR    triangles_at, s4
 crossings_column:
         CMPLTV  s2, [mesh_counts], [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, crossings_filled
+        if_none bits0, s0, crossings_filled
         IBXEQ   s0, r0, near, crossings_full
         VTOV    big, [s3] ?! [bits0]
         VTOV    r0, [s4] ?! [bits0]
@@ -202,8 +200,7 @@ crossings_before:
         CMPLTV  [s8], [s7], [bits2]
         ANDB    [bits1], [bits2], [bits1]
         ORB     [bits0], [bits1], [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, crossings_placed
+        if_none bits0, s0, crossings_placed
         swap_columns s5, s6
         swap_columns s7, s8
         RTOR    s5, s6
@@ -248,8 +245,7 @@ intersect_every:
         cross_edge side_b1, side_b2, side_x1, side_y1, side_x2, side_y2, side_u
         cross_edge side_b2, side_b0, side_x2, side_y2, side_x0, side_y0, side_v
         cross_edge side_b0, side_b1, side_x0, side_y0, side_x1, side_y1, side_w
-        CNTOB   [side_bits], s2
-        IBXEQ   s2, r0, r0, every_hit
+        if_none side_bits, s2, every_hit
         keep_sides
         set_crossing_sides s2
         ABSV    [side_u], [side_u]
@@ -281,8 +277,7 @@ every_ahead:
         .endif
         CMPLTV  r0, [side_z0], [side_bits]
 every_counted:
-        CNTOB   [side_bits], s3
-        IBXEQ   s3, r0, r0, every_hit
+        if_none side_bits, s3, every_hit
         IBXEQ   s3, r0, s2, every_turn
         RTOR    s3, s2
 every_keep:

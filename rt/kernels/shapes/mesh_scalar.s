@@ -88,9 +88,7 @@ lesser\@:
         RTOR    a_primitive, t0
         IX      t0, 64 * P_TABLE
         LOD     [t0], mesh_table
-        EX      t0, mesh_numbers
-        ELEN    t0, 2
-        SWAP    [t0], mesh_less, [r0]
+        load_words mesh_numbers, 2, mesh_less, t0
         EX      hit_link, MESH_LEAF_HIT
         ABS     dx, t0
         ABS     dy, t1
@@ -186,8 +184,7 @@ mesh_node\@:
         IBXLT   node, r0, hit_link, mesh_node\@
         SUBX    node, hit_link, node
         IX      node_at, 64 * (\first)
-        ELEN    node_at, 2
-        SWAP    [node_at], triangle, [r0]       ; also triangles_left
+        load_from node_at, 2, triangle          ; also triangles_left
         BIM     mesh_triangle\@
 mesh_box_missed\@:
         IX      node_at, 64

@@ -24,8 +24,7 @@
         .macro  begin_screen_bounds none, missed
         RTOR    mesh_table, t0
         IX      t0, 64 * MESH_FIRST
-        ELEN    t0, 2
-        SWAP    [t0], t1, [r0]                  ; also t2: their number
+        load_from t0, 2, t1                     ; also t2: their number
         IBXEQ   t2, r0, r0, \none
         RTOR    ox, t3
         RTOR    oy, t4
@@ -42,16 +41,14 @@ viewpoint_light\@:
         EX      t0, shadow_limit
         LOD     [t0, index_one], t0
         IBXEQ   t0, r0, r0, \none
-        ELEN    t0, 3
-        SWAP    [t0], t3, [r0]
+        load_from t0, 3, t3
 viewpoint_position\@:
         .endif
         SHIFTI  t1, 6, t1
         ADDX    mesh_table, t1, node_at
 viewpoint_compare\@:
         RTOR    node_at, t0
-        ELEN    t0, VIEWPOINT_SIZE
-        SWAP    [t0], viewpoint_x, [r0]
+        load_from t0, VIEWPOINT_SIZE, viewpoint_x
         CFPNE   viewpoint_x, t3, viewpoint_differs\@
         CFPNE   viewpoint_y, t4, viewpoint_differs\@
         CFPEQ   viewpoint_z, t5, viewpoint_found\@

@@ -33,19 +33,16 @@
         IBXEQ   from_one_point, r0, r0, \none
         EX      s0, queue_origin
 viewpoint_position\@:
-        ELEN    s0, 3
-        SWAP    [s0], s1, [r0]                  ; the point
+        load_from s0, 3, s1                     ; the point
         RTOR    mesh_table, s0
         IX      s0, 64 * MESH_FIRST
-        ELEN    s0, 2
-        SWAP    [s0], s4, [r0]                  ; also s5: their number
+        load_from s0, 2, s4                     ; also s5: their number
         SHIFTI  s4, 6, s4
         ADDX    mesh_table, s4, mesh_viewpoint
         BIM     viewpoint_next\@
 viewpoint_compare\@:
         RTOR    mesh_viewpoint, s0
-        ELEN    s0, 3
-        SWAP    [s0], s6, [r0]
+        load_from s0, 3, s6
         CFPNE   s6, s1, viewpoint_differs\@
         CFPNE   s7, s2, viewpoint_differs\@
         CFPEQ   s8, s3, viewpoint_found\@
@@ -60,10 +57,7 @@ viewpoint_found\@:
 ; s2, s3, s4 = the directions along the viewpoint's axes w, u, v; s5, s6, s7 =
 ; VIEWPOINT_AXIS and the next two words.
         .macro  viewpoint_axes
-        RTOR    mesh_viewpoint, s0
-        IX      s0, 64 * VIEWPOINT_AXIS
-        ELEN    s0, 3
-        SWAP    [s0], s5, [r0]
+        load_part mesh_viewpoint, VIEWPOINT_AXIS, 3, s5, s0
         RTOR    dx, s2
         RTOR    dy, s3
         RTOR    dz, s4
@@ -94,8 +88,7 @@ viewpoint_turned\@:
         CMPGEV  s7, [mesh_limit], [mesh_hit]
         ANDB    [mesh_bits], [mesh_hit], [mesh_bits]
 screen_bounds_tested\@:
-        CNTOB   [mesh_bits], m
-        IBXEQ   m, r0, r0, \none
+        if_none mesh_bits, m, \none
         walk_keep mesh_ray
         walk_keep mesh_u
         walk_keep mesh_v
@@ -108,9 +101,7 @@ screen_bounds_tested\@:
         limit_screen_bounds near_limit
         ES      s2, SCREEN_SIZE
         VTOV    s2, [mesh_at]
-        RTOR    mesh_viewpoint, s0
-        IX      s0, 64 * VIEWPOINT_BOUNDS
-        LOD     [s0], s0
+        load_of mesh_viewpoint, VIEWPOINT_BOUNDS, s0
         SHIFTI  s0, 6, s0
         ADDX    mesh_table, s0, mesh_links
         IX      mesh_links, 64 * SCREEN_LINKS
@@ -120,12 +111,9 @@ screen_bounds_tested\@:
 ; none.
         .macro  find_far none
         IBXEQ   shadows, r0, r0, \none
-        RTOR    mesh_viewpoint, s0
-        IX      s0, 64 * VIEWPOINT_FAR
-        LOD     [s0], s0
+        load_of mesh_viewpoint, VIEWPOINT_FAR, s0
         CMPLTV  s0, [near_limit], [bits0]
-        CNTOB   [bits0], s0
-        IBXEQ   s0, r0, r0, \none
+        if_none bits0, s0, \none
         RTOR    near, m
         set_walk
         RTOR    mesh_table, mesh_links
@@ -135,9 +123,7 @@ screen_bounds_tested\@:
 ; Keeps these rays among the placed ones, if there is a viewpoint.
         .macro  among_far
         IBXEQ   mesh_viewpoint, r0, r0, far_placed\@
-        RTOR    mesh_viewpoint, s2
-        IX      s2, 64 * VIEWPOINT_FAR
-        LOD     [s2], s2
+        load_of mesh_viewpoint, VIEWPOINT_FAR, s2
         CMPLTV  s2, [mesh_limit], [mesh_bits]
         CNTOB   [mesh_bits], m
         walk_keep mesh_ray

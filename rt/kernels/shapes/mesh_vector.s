@@ -312,8 +312,7 @@ side_bases:
         .endif
         .endm
 
-        .macro  among_all
-        .endm
+        no_code among_all
 
 ; All rays, or those that among_\some selects, start at the first node.
         .macro  start_walk limits, some=all
@@ -344,8 +343,7 @@ mesh_step\@:
 mesh_on\@:
         VTOV    [mesh_g1], [mesh_at]
         CMPNEV  [mesh_at], r0, [mesh_bits]
-        CNTOB   [mesh_bits], s2
-        IBXEQ   s2, r0, r0, mesh_walked\@
+        if_none mesh_bits, s2, mesh_walked\@
         if_sparse  s2, m, mesh_narrow\@
         BIM     mesh_step\@
 mesh_narrow\@:
@@ -370,8 +368,7 @@ mesh_leaves\@:
 leaf_next\@:
         ADDX    mesh_pairs, leaf_count, s0
         IBXLE   s0, r0, m, leaf_pairs\@
-        EX      target, \intersect
-        BSAVE   lane_link, [target]
+        call_routine \intersect, lane_link
         .if     \limits
         limit_\bounds w9
         .endif
@@ -383,8 +380,7 @@ leaf_pairs\@:
         SUBXV   [leaf_left], one_index, [leaf_left]
         describe leaf_bits, lane_bits + 64 * QUEUE_BIT_WORDS * 3, leaf_count
         CMPNEV  [leaf_left], r0, [leaf_bits]
-        CNTOB   [leaf_bits], leaf_count
-        IBXEQ   leaf_count, r0, r0, mesh_on\@
+        if_none leaf_bits, leaf_count, mesh_on\@
         CPSV    [leaf_triangle], [leaf_triangle] ? [leaf_bits]
         CPSV    [leaf_ray], [leaf_ray] ? [leaf_bits]
         CPSV    [leaf_left], [leaf_left] ? [leaf_bits]
@@ -393,8 +389,7 @@ leaf_pairs\@:
 
 mesh_walked\@:
         IBXEQ   mesh_pairs, r0, r0, mesh_done\@
-        EX      target, \intersect
-        BSAVE   lane_link, [target]
+        call_routine \intersect, lane_link
 mesh_done\@:
         .endm
 
@@ -455,8 +450,7 @@ intersect_sides:
         side_and side_more, r0, [side_v]
         side_and side_more, r0, [side_w]
         ORB     [side_bits], [side_more], [side_bits]
-        CNTOB   [side_bits], s2
-        IBXEQ   s2, r0, r0, sides_hit
+        if_none side_bits, s2, sides_hit
         keep_sides
         set_sides s2
         MPYSV   [side_u], [side_z0], [side_z0]
@@ -489,8 +483,7 @@ sides_better:
         CMPLTV  [side_z0], [side_g0], [side_tie]
         ORB     [side_more], [side_tie], [side_more]
         ANDB    [side_bits], [side_more], [side_bits]
-        CNTOB   [side_bits], s2
-        IBXEQ   s2, r0, r0, sides_hit
+        if_none side_bits, s2, sides_hit
         side_keep side_ray
         side_keep side_triangle
         side_keep side_z0

@@ -51,8 +51,7 @@ normal_blob:
         load_table
         IX      table, 64 * BLOB_STRENGTH
 normal_blob_row:
-        ELEN    table, 14
-        SWAP    [table], sh0, [r0]
+        load_from table, 14, sh0
         IX      table, 64 * BLOB_SIZE
         take_part
         SUBN    spare, m_one, spare

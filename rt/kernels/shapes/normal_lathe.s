@@ -39,15 +39,13 @@ normal_lathe:
         load_table
         IX      table, 64 * LATHE_HEIGHT
 normal_lathe_row:
-        ELEN    table, 4
-        SWAP    [table], foot_height, [r0]      ; foot_height .. foot_high
+        load_from table, 4, foot_height         ; foot_height .. foot_high
         CFPNE   foot_begins, r0, normal_lathe_next
         CFPLT   foot_high, height_low, normal_lathe_next
         CFPLT   height_high, foot_low, normal_lathe_next
         RTOR    table, row_at
         IX      row_at, 64 * (LATHE_RADIUS - LATHE_HEIGHT)
-        ELEN    row_at, 6
-        SWAP    [row_at], foot_radius, [r0]     ; foot_radius .. outward_y
+        load_from row_at, 6, foot_radius        ; foot_radius .. outward_y
         nearest_edge t6, t7, foot_radius, foot_height, back_r, back_y, back_length, outward_r, outward_y, segment_farther
         then_set outward_r, nx
         then_set outward_y, ny

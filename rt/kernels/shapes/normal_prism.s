@@ -65,8 +65,7 @@ normal_prism_sides:
         set     m_zero, nz
         load_table
 normal_prism_row:
-        ELEN    table, PRISM_SIZE
-        SWAP    [table], sh3, [r0]
+        load_from table, PRISM_SIZE, sh3
         IX      table, 64 * PRISM_SIZE
         CFPNE   sh5, r0, normal_prism_next
         take_edge

@@ -65,8 +65,7 @@ normal_curve:
         LOD     [curve_at], curve_begins
         CFPNE   curve_begins, r0, normal_curve_next
         IX      curve_at, 64 * (QUADRATIC_FOOT - QUADRATIC_BEGINS)
-        ELEN    curve_at, 9
-        SWAP    [curve_at], foot_x, [r0]        ; foot_x .. curve_outward
+        load_from curve_at, 9, foot_x           ; foot_x .. curve_outward
         take_curve
 normal_curve_next:
         IX      table, 64 * QUADRATIC_SIZE

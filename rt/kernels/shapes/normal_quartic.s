@@ -24,8 +24,7 @@
         .endm
 
         .macro  gradient_group words
-        ELEN    table, \words
-        SWAP    [table], sh0, [r0]
+        load_from table, \words, sh0
         IX      table, 64 * \words
         set     sh0, t2
         set     m_zero, t3

@@ -4,10 +4,7 @@
 ; nx, ny, nz; t0-t6 change (normal_vector.s).
 
         .macro  load_shape number
-        RTOR    a_primitive, t0
-        IX      t0, 64 * P_SHAPE
-        ELEN    t0, \number
-        SWAP    [t0], sh0, [r0]
+        load_part a_primitive, P_SHAPE, \number, sh0, t0
         .endm
 
         .reg    table, here
@@ -52,8 +49,7 @@
         .endm
 
 ; Branches to label if the condition is false for all points.
-        .macro  skip_if_none label
-        .endm
+        no_code skip_if_none
 
         .macro  leave_normal
         BIM     0, normal_link

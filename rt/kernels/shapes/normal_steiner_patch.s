@@ -24,8 +24,7 @@
         load_point_s
         load_point_t
         load_table
-        ELEN    table, 18
-        SWAP    [table], row0, [r0]
+        load_from table, 18, row0
         tangent point_s, point_t, kx1, ky1, kz1, kx3, ky3, kz3, t0, t1, t2
         tangent point_t, point_s, kx2, ky2, kz2, kx5, ky5, kz5, t3, t4, t5
         .endm
@@ -45,8 +44,7 @@ normal_rational_steiner:
         load_shape 3
         load_table
         IX      table, 64 * 18
-        ELEN    table, 6
-        SWAP    [table], sh3, [r0]              ; K0.w .. K5.w
+        load_from table, 6, sh3                 ; K0.w .. K5.w
         tangents
         less_weight point_s, point_t, sh4, sh6, t0, t1, t2
         less_weight point_t, point_s, sh5, sh8, t3, t4, t5

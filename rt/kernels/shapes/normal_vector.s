@@ -86,13 +86,11 @@
         .endm
 
         .macro  skip_if_none label
-        CNTOB   [hits1], s0
-        IBXEQ   s0, r0, r0, \label
+        if_none hits1, s0, \label
         .endm
 
         .macro  leave_normal
         BIM     0, link_kernel
         .endm
 
-        .macro  leave_or label
-        .endm
+        no_code leave_or

@@ -115,8 +115,7 @@ prism_turned\@:
         load_field P_TABLE, row_at
         RTOR    sh2, rows_left
 prism_row\@:
-        ELEN    row_at, 3
-        SWAP    [row_at], here_x, [r0]          ; also here_z, begins
+        load_from row_at, 3, here_x             ; also here_z, begins
         IX      row_at, 64 * PRISM_SIZE
         see_corner here_x, here_z
         CFPNE   begins, r0, prism_next\@

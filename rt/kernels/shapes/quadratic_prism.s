@@ -66,8 +66,7 @@
         load_field P_TABLE, row_at
         RTOR    sh2, rows_left
 curve\@:
-        ELEN    row_at, 7
-        SWAP    [row_at], end_x, [r0]           ; end_x .. lead_z
+        load_from row_at, 7, end_x              ; end_x .. lead_z
         IX      row_at, 64 * QUADRATIC_SIZE
         see_corner end_x, end_z, mark_side
         CFPNE   loop_begins, r0, curve_passed\@

@@ -175,8 +175,7 @@ times_none\@:
 
 ; Adds the next group of the table and advances table_at.
         .macro  quartic_group degree, words
-        ELEN    table_at, \words
-        SWAP    [table_at], sh0, [r0]
+        load_from table_at, \words, sh0
         IX      table_at, 64 * \words
         ES      used_terms, 0
         clear_group \degree

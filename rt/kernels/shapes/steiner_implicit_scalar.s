@@ -43,34 +43,26 @@
 
         .macro  load_planes
         RTOR    sh6, near_resolution
-        RTOR    a_primitive, table_at
-        IX      table_at, 64 * P_TABLE
-        LOD     [table_at], table_at
+        load_of a_primitive, P_TABLE, table_at
         IX      table_at, 64 * PATCH_TABLE
-        ELEN    table_at, PLANES_TABLE
-        SWAP    [table_at], la00, [r0]
+        load_from table_at, PLANES_TABLE, la00
         .endm
 
         .macro  load_margins
-        EX      t3, implicit_numbers
-        ELEN    t3, 3
-        SWAP    [t3], margin_low, [r0]
+        load_words implicit_numbers, 3, margin_low, t3
         .endm
 
         .macro  leave_through label
         MPYS    sh3, through, e1
         IX      table_at, 64 * PLANES_TABLE
-        ELEN    table_at, FORMS_TABLE
-        SWAP    [table_at], qxss, [r0]
+        load_from table_at, FORMS_TABLE, qxss
         CFPGE   e1, form0, \label
         .endm
 
 ; For a ray through the triple point the other kernel continues with the
 ; arguments of this one.
         .macro  leave_implicit through, miss
-        EX      t3, near_input
-        ELEN    t3, 8
-        SWAP    [r0], k4, [t3]
+        store_words k4, 8, near_input, t3
         EX      fourth, implicit_accept
         call    solve_quartic_until, near_list
         EX      t3, near_roots
@@ -82,9 +74,7 @@
         miss_near patch_save, PATCH_REGISTERS
 \through:
         RTOR    link_kept, link
-        EX      save_at, patch_save
-        ELEN    save_at, PATCH_REGISTERS
-        SWAP    [save_at], r32, [r0]
+        load_words patch_save, PATCH_REGISTERS, r32, save_at
         BIM     0, target
         .endm
 

@@ -74,27 +74,22 @@ through_store:  .space 4 * QUEUE
 
         .macro  load_planes
         set_more_lanes m
-        EX      s2, implicit_numbers + 64 * 2
-        LOD     [s2], s2
+        load_word implicit_numbers + 64 * 2, s2
         MPYS    sh3, s2, s2
         load_field P_TABLE, shape_at
         IX      shape_at, 64 * PATCH_TABLE
-        ELEN    shape_at, PLANES_TABLE
-        SWAP    [shape_at], la00, [r0]
+        load_from shape_at, PLANES_TABLE, la00
         .endm
 
-        .macro  load_margins
-        .endm
+        no_code load_margins
 
         .macro  leave_through label
         CMPGEV  s2, [form0], [hits0]
-        CNTOB   [hits0], through_count
-        IBXEQ   through_count, r0, r0, implicit_form
+        if_none hits0, through_count, implicit_form
         VTOV    [lane_low], [lane_high] ? [hits0]       ; no interval: no root
 implicit_form:
         IX      shape_at, 64 * PLANES_TABLE
-        ELEN    shape_at, FORMS_TABLE
-        SWAP    [shape_at], qxss, [r0]
+        load_from shape_at, FORMS_TABLE, qxss
         .endm
 
 ; The other kernel processes the whole queue.  Then all rays except those
@@ -142,9 +137,7 @@ implicit_accept:
         ADDNV   [q_s], [q_x], [q_s]
         DIVSV   [q_a], [q_s], [q_a]             ; s
         DIVSV   [q_b], [q_s], [q_b]             ; t
-        EX      s2, implicit_numbers
-        ELEN    s2, 2
-        SWAP    [s2], s3, [r0]
+        load_words implicit_numbers, 2, s3, s2
         CMPGEV  [q_a], s3, [q_bits]
         CMPGEV  [q_b], s3, [q_change]
         ANDB    [q_bits], [q_change], [q_bits]

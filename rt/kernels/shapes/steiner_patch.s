@@ -287,11 +287,9 @@ steiner_lines:
         ray_plus e0, pa0, e0
         discriminant pa5, e1, e0, temp0, temp1
         first_candidate
-        EX      target, steiner_newton
-        BSAVE   patch_link, [target]
+        call_routine steiner_newton, patch_link
         second_candidate
-        EX      target, steiner_newton
-        BSAVE   patch_link, [target]
+        call_routine steiner_newton, patch_link
         BIM     steiner_next
 steiner_newton:
         .rept   3

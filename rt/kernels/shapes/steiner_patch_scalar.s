@@ -25,14 +25,9 @@ patch_save:     .space PATCH_REGISTERS
         .code
 
         .macro  load_patch
-        RTOR    a_primitive, t3
-        IX      t3, 64 * P_TABLE
-        LOD     [t3], t3
-        ELEN    t3, PATCH_TABLE
-        SWAP    [t3], kx0, [r0]
-        EX      t3, patch_numbers
-        ELEN    t3, 4
-        SWAP    [t3], quarter, [r0]
+        load_of a_primitive, P_TABLE, t3
+        load_from t3, PATCH_TABLE, kx0
+        load_words patch_numbers, 4, quarter, t3
         .endm
 
         .macro  other_plane
@@ -169,9 +164,7 @@ crossing_none\@:
 
         .macro  solve_patch
         RTOR    near_low, patch_least
-        EX      t3, patch_limits
-        ELEN    t3, 3
-        SWAP    [t3], near_low, [r0]
+        load_words patch_limits, 3, near_low, t3
         RTOR    near_low, patch_low
         RTOR    near_high, patch_high
         call_quartic solve_quartic_all
@@ -198,8 +191,7 @@ root_plain\@:
         BSAVE   patch_link, [candidate_routine]
         .endm
 
-        .macro  next_root
-        .endm
+        no_code next_root
 
         .macro  leave_patch done, miss
 \done:

@@ -27,8 +27,7 @@
         RTOR    sh4, parallel_limit
         RTOR    sh5, spread_limit
         load_field P_TABLE, shape_at
-        ELEN    shape_at, PATCH_TABLE
-        SWAP    [shape_at], kx0, [r0]
+        load_from shape_at, PATCH_TABLE, kx0
         .endm
 
 ; Replaces n2 in the lanes with spread <= e3.
@@ -55,8 +54,7 @@ planes_found\@:
         ray_product_double \a, \b, \c
         .endm
 
-        .macro  doubled c
-        .endm
+        no_code doubled
 
 ; hits0 = all Bernstein coefficients of R (k0, e0-e3) exceed the rounding
 ; errors; hits1 = all are below the negative of these.
@@ -69,9 +67,7 @@ planes_found\@:
 
 ; Branches to miss if this is so for no ray.
         .macro  bernstein_signs miss
-        EX      s2, patch_numbers
-        ELEN    s2, 3
-        SWAP    [s2], s3, [r0]                  ; 1/4, 1/6, noise
+        load_words patch_numbers, 3, s3, s2     ; 1/4, 1/6, noise
         ADDNV   |[k0]|, |[k1]|, [e4]
         ADDNV   |[k2]|, [e4], [e4]
         ADDNV   |[k3]|, [e4], [e4]
@@ -175,9 +171,7 @@ crossing_none\@:
         .endm
 
         .macro  solve_patch
-        EX      s2, patch_limits
-        ELEN    s2, 3
-        SWAP    [s2], s7, [r0]                  ; low, high, resolution
+        load_words patch_limits, 3, s7, s2      ; low, high, resolution
         RTOR    s7, patch_low
         RTOR    s8, patch_high
         VTOV    patch_low, [e0]
@@ -196,8 +190,7 @@ crossing_none\@:
 
         .macro  begin_root done
         CMPLTV  r0, [root_count], [hits0]
-        CNTOB   [hits0], s2
-        IBXEQ   s2, r0, r0, \done
+        if_none hits0, s2, \done
         IBXEQ   s2, r0, m, root_taken\@
         RTOR    s2, m
         keep    lane_at
@@ -273,8 +266,7 @@ root_taken\@:
 
 ; hits2 = the lanes of hits1 in which Newton's method has converged, s inside.
         .macro  leave_newton
-        EX      s2, patch_numbers + 64 * 3
-        LOD     [s2], s2
+        load_word patch_numbers + 64 * 3, s2
         ADDNV   |[e0]|, |[e1]|, [e0]
         CMPLTV  [e0], s2, [hits2]
         ANDB    [hits1], [hits2], [hits2]

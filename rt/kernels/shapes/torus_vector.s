@@ -16,8 +16,7 @@
         CMPLTV  [w9], s0, [bits2]
         ANDB    [bits1], [bits2], [bits1]
         ANDNB   [bits0], [bits1], [bits0]
-        CNTOB   [bits0], m
-        IBXEQ   m, r0, r0, \miss
+        if_none bits0, m, \miss
         .endm
 
 ; Computes the quartics of the lanes.
