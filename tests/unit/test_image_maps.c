@@ -225,6 +225,21 @@ TEST(tables)
         assert_int_equal(scene->primitives[i].pigment.image.table->number, i / 2);
 }
 
+/* A pattern that replaces an image has no waves, unless a frequency is set. */
+TEST(replaced)
+{
+    field_keep(FILE_OF("P6\n8 1\n255\n" COLORS));
+    SCOPED(scene) *scene = read_format(
+        "#declare P = pigment { onion frequency 3 }\n"
+        "#declare Q = pigment { P image_map { \"%s\" } }\n"
+        "sphere { 0, 1 pigment { Q radial phase .5 } }\n"
+        "object { sphere { 0, 1 pigment { Q } } pigment { Q frequency 2 gradient x } }",
+        field_path);
+    assert_int_equal(scene->primitives[0].pigment.kind, PIGMENT_PATTERN);
+    assert_close(scene->primitives[0].pigment.pattern.frequency, 0, 0);
+    assert_close(scene->primitives[1].pigment.pattern.frequency, 2, 0);
+}
+
 /* ---- Reports --------------------------------------------------------------- */
 
 static void expect_report(const char *words, const char *message)

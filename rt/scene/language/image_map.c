@@ -285,12 +285,16 @@ static bool leave_out(struct reader *reader, const struct block *block,
     return block_finish(reader, block);
 }
 
+/* As in POV-Ray, the frequency becomes 0, and a pattern that replaces the image has
+ * this frequency. */
 bool image_map_read(struct reader *reader, const struct item *item)
 {
     struct image_reading reading = { .map = { .mapping = IMAGE_PLANAR } };
+    struct pigment *pigment = item->subject;
     const char *other;
     struct block block;
     bool good;
+    pigment->pattern.frequency = 0;
     if (!block_open(reader, &block, '{'))
         return false;
     good = read_way(reader);
@@ -300,10 +304,10 @@ bool image_map_read(struct reader *reader, const struct item *item)
                 : is_token(&reader->token, "pigment") ? "pigment"
                                                       : NULL;
     if (good && other)
-        return leave_out(reader, &block, item->subject, other);
+        return leave_out(reader, &block, pigment, other);
     good = good
            && image_file_read(reader, "the kind of an image, or its name",
                               &reading.file);
     return block_items(reader, &block, &grammar, &reading, good)
-           && take_image(reader, &reading, item->subject);
+           && take_image(reader, &reading, pigment);
 }
