@@ -65,6 +65,13 @@ void write_slopes(struct language *draw)
     write_text(draw, "}\n");
 }
 
+/* In POV-Ray a copy of a normal shares its map with the original, and no_bump_scale in
+ * the copy also changes the original. Therefore a copy does not have this keyword. */
+void begin_copy(struct language *draw)
+{
+    draw->copied = true;
+}
+
 /* Adds a normal to some textures. On mirrors it is less steep, because POV-Ray's
  * tolerance decides whether a ray along the surface hits it again. */
 static void write_normal_of(struct language *draw, double steep)
@@ -74,6 +81,7 @@ static void write_normal_of(struct language *draw, double steep)
     draw->steep = steep;
     write_text(draw, "$4[$own_normal;|$]");
     draw->state = before;
+    draw->copied = false;
 }
 
 void write_normal(struct language *draw)

@@ -61,6 +61,7 @@ struct language {
     bool clear;    /* objects may transmit light, because there is no fog */
     bool metals;   /* metals are allowed, because no light is transmitted */
     bool clipping; /* the object clips, so it must not be a mesh */
+    bool copied;   /* the next normal may replace a copy of a declared normal */
 };
 
 typedef void language_writer(struct language *draw);
@@ -89,10 +90,10 @@ void open_solid_shape(struct language *draw, bool closed);
 
 /* The functions that rules call. */
 language_writer write_map, write_plain_color, write_clear_look, write_steepness,
-    write_bump_map, write_slopes, write_normal, write_steep_normal, write_component,
-    write_looking_camera, write_area, write_clip, write_listed_solid, write_great_solid,
-    write_for, write_macro, open_solid, open_quadric, open_lone_triangle,
-    open_bent_triangle, open_net, open_bicubic, declare_array, declare_palette,
-    declare_solid;
+    write_bump_map, write_slopes, begin_copy, write_normal, write_steep_normal,
+    write_component, write_looking_camera, write_area, write_clip, write_listed_solid,
+    write_great_solid, write_for, write_macro, open_solid, open_quadric,
+    open_lone_triangle, open_bent_triangle, open_net, open_bicubic, declare_array,
+    declare_palette, declare_solid;
 
 #endif

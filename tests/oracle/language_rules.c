@@ -143,12 +143,14 @@ const struct language_rule language_rules[] = {
     { "slopes", write_slopes, NULL },
     { "own_normal", NULL,
       "normal {\n$6[$bump_list;|$bump_map;|$slopes;|$bump;\n$]scale <1, ^4.6:1.2^, 1>\n"
-      "$.rotate <^2-60:60^, ^2-60:60^, 0>\n$." PLACE_OFF "$6[no_bump_scale\n|$]}\n" },
+      "$.rotate <^2-60:60^, ^2-60:60^, 0>\n$." PLACE_OFF
+      "$?copied[|$6[no_bump_scale\n|$]$]}\n" },
+    { "copied", begin_copy, NULL },
     { "normal", write_normal, NULL },
     { "steep_normal", write_steep_normal, NULL },
     /* --- textures --- */
     { "texture_words", NULL,
-      "$?Look3[$=Look;\n$3[$pigment;|$]$3[$finish;|$]|$pigment;$finish;$]"
+      "$?Look3[$=Look;\n$copied;$3[$pigment;|$]$3[$finish;|$]|$pigment;$finish;$]"
       "$normal;$turns;" },
     { "look", NULL,
       "$4[$pigment;$steep_normal;|$pigment;$finish;$normal;"
@@ -208,16 +210,18 @@ const struct language_rule language_rules[] = {
     /* ---- Solids ---- */
     { "listed_solid", write_listed_solid, NULL },
     { "great_solid", write_great_solid, NULL },
-    { "reference", NULL, "object {\n$=Solid;\n$2[$look;|$]$turns;" SHIFT "}\n" },
+    { "reference", NULL,
+      "object {\n$=Solid;\n$2[$copied;$look;|$]$turns;" SHIFT "}\n" },
     /* ---- Objects ---- */
     { "shape_thing", NULL, "$shape;$dress;$cuts;$place;}\n" },
     { "sheet_thing", NULL, "$sheet;$dress;" HIDDEN("8") "$place;}\n" },
     /* These words have no effect here. */
     { "solid_thing", NULL,
-      "object {\n$great_solid;$2[$look;|$]$turns;"
+      "object {\n$great_solid;$2[$?Look[$copied;|$]$look;|$]$turns;"
       "$6[$[hollow|hollow off|no_radiosity|photons { }$]\n|$]" HIDDEN(
           "8") "$place;}\n" },
-    { "named_thing", NULL, "object {\n$=Solid;\n$dress;$cuts;$place;}\n" },
+    { "named_thing", NULL,
+      "object {\n$=Solid;\n$turns;$copied;$look;$turns;$cuts;$place;}\n" },
     /* A list of solids and sheets. */
     { "listed", NULL, "$3[$sheet;$turns;" SHIFT "}\n|$listed_solid;$]" },
     { "group", NULL,

@@ -203,9 +203,9 @@ static bool holds(const struct language *draw, const char *name, size_t length)
         const char *name;
         bool holds;
     } flags[] = {
-        { "clear", draw->clear },     { "library", draw->library },
-        { "metals", draw->metals },   { "streams", draw->streams },
-        { "turning", draw->turning },
+        { "clear", draw->clear },     { "copied", draw->copied },
+        { "library", draw->library }, { "metals", draw->metals },
+        { "streams", draw->streams }, { "turning", draw->turning },
     };
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
         if (is_word(flags[i].name, name, length))
