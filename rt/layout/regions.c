@@ -270,16 +270,16 @@ static void layout_clear(struct record_layout *layout, struct places *places)
     layout_word(layout, "scene_clear_count", c205_from_integer((int64_t)count));
 }
 
-/* Returns true if the region is an opaque sphere in world space that casts a shadow and
- * that all rays can see. */
+/* Returns true if the region is an opaque sphere in world space, without yield, that
+ * casts a shadow and that all rays can see. */
 static bool is_sphere(const struct scene *scene, const struct region *region)
 {
     const struct primitive *first = &scene->primitives[region->first_primitive];
     struct shape_words shape;
     shape_words(first, &shape);
     return first->kind == PRIMITIVE_SPHERE && !shape.transformed
-           && region_is_simple(scene, region) && shadow_of(scene, region) == 1
-           && hidden_from(scene, region) == 0;
+           && region_is_simple(scene, region) && region->yield == 0
+           && shadow_of(scene, region) == 1 && hidden_from(scene, region) == 0;
 }
 
 /* Marks each node if all regions of the leaves below it satisfy is_sphere, and no leaf

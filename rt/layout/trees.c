@@ -19,7 +19,7 @@ bool primitive_is_mesh(const struct primitive *primitive)
 bool region_is_simple(const struct scene *scene, const struct region *region)
 {
     const struct primitive *first = &scene->primitives[region->first_primitive];
-    return !scene->every_crossing && region->primitive_count == 1 && region->yield == 0
+    return !scene->every_crossing && region->primitive_count == 1
            && !pigment_is_clear(&first->pigment);
 }
 

@@ -8,8 +8,8 @@
 
 #include "rt/scene/scene.h"
 
-/* Returns true if the region is one opaque primitive without yield, and the scene needs
- * only the nearest crossings. */
+/* Returns true if the region is one opaque primitive, and the scene needs only the
+ * nearest crossings. */
 bool region_is_simple(const struct scene *scene, const struct region *region);
 
 /* Returns true if all surfaces of the region belong to bodies and are visible. The part

@@ -94,6 +94,14 @@ static bool has_keys(const struct scene *scene)
     return scene_has_interiors(scene);
 }
 
+static bool has_simple_yields(const struct scene *scene)
+{
+    for (size_t i = 0; i < scene->region_count; i++)
+        if (scene->regions[i].yield > 0 && region_is_simple(scene, &scene->regions[i]))
+            return true;
+    return false;
+}
+
 /* Optional parts of the kernels, each with a function that returns whether a scene
  * needs it. */
 static const struct feature {
@@ -110,6 +118,7 @@ static const struct feature {
     { "BUMPS", scene_has_bumps },
     { "INTERIORS", scene_has_interiors },
     { "KEYS", has_keys },
+    { "SIMPLE_YIELDS", has_simple_yields },
     { "MESH_CROSSINGS", scene_has_crossed_meshes },
 };
 enum { FEATURES = sizeof features / sizeof *features };

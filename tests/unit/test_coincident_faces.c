@@ -27,6 +27,10 @@ static struct words *frame_of_all(const char *text)
 #define ABOVE "box { <-1, 0, -1>, 1 } "
 #define BELOW "box { -1, <1, 0, 1> } "
 
+/* A thin box, and a box beside the ray with a face that coincides with its face. */
+#define THIN "box { <-1, -1, 0>, <1, 1, 5e-8> } "
+#define CORNER "box { <.5, .5, 0>, 1 } "
+
 /* A box with a floor that has the given slope along z. If the ray crosses the floor, it
  * is above the floor from z = 0 on, or up to z = 0. */
 #define SLANTED(slope) \
@@ -57,6 +61,11 @@ static const struct {
     { "difference { box { -3, 3 } merge { box { -6, <1, 1, 0> } "
       "box { <-1, -1, 2e-7>, 1 } } }",
       2, 5 },
+
+    /* An object that is thinner than k_delta is seen, also if it has a yield. */
+    { THIN, 1, 5 },
+    { CORNER THIN, 2, 5 },
+    { THIN CORNER, 1, 5 },
 
     /* Rays in a face of a single object. */
     { ABOVE, 1, 4 },

@@ -17,6 +17,11 @@
 
         .include "frame/trees_1984.s"
 
+        .share  loop
+        .reg    its_tie, r180           ; key of a hit in a simple region, less
+                                        ; its distance
+        .endshare
+
         .data
         .align 64
 light_left:     .space 3 * QUEUE        ; transmitted light of each shadow ray
@@ -34,6 +39,17 @@ light_left:     .space 3 * QUEUE        ; transmitted light of each shadow ray
         STO     [loop_work, loop_ray_index], \distance
         .endif
         .endm
+
+        .if     KEYS
+; Sets tie to the product of the primitive's P_TIE_OFFSET and k_delta.
+        .macro  load_tie primitive, tie
+        RTOR    \primitive, loop_at
+        IX      loop_at, 64 * P_TIE_OFFSET
+        LOD     [loop_at], segment_out
+        load_at k_delta, 1, ray_limit
+        MPYS    segment_out, ray_limit, \tie
+        .endm
+        .endif
 
 ; Accepts a hit that is nearer than the ray's hit, or equally near and on an
 ; earlier primitive.
@@ -66,6 +82,12 @@ simple_hit:
         ES      loop_index, 0
         LOD     [from_least], w_lower
         find_patch its_primitive
+        .if     SIMPLE_YIELDS
+        RTOR    r0, its_tie
+        IBXNE   to_lights, r0, r0, simple_begin
+        load_tie its_primitive, its_tie
+simple_begin:
+        .endif
         EX      from_in, found_store
         EX      from_out, found_store + 64 * QUEUE
         load_segment loop_index
@@ -80,12 +102,20 @@ simple_next:
         .endif
         CFPGE   w_lower, segment_in, simple_second
 simple_ahead:
+        .if     SIMPLE_YIELDS
+        RTOR    segment_in, segment_out         ; distance
+        ADDN    segment_in, its_tie, segment_in ; key
+        .endif
         CFPGE   segment_in, ray_limit, simple_tie
 simple_taken:
         find_ray_index
         IBXNE   to_lights, r0, r0, simple_dark
         STO     [to_nearest, loop_ray_index], segment_in
+        .if     SIMPLE_YIELDS
+        store_depth segment_out
+        .else
         store_depth segment_in
+        .endif
         STO     [to_nearest_primitive, loop_ray_index], its_primitive
         IBXEQ   its_patch, r0, r0, simple_skip
         LOD     [from_patch_s, loop_index], segment_in
@@ -117,11 +147,7 @@ walk_tree:
         IBXNE   to_lights, r0, r0, tree_to_light
         LOD     [to_nearest, loop_ray_index], loop_work
         .if     KEYS
-        RTOR    w_out, loop_at
-        IX      loop_at, 64 * P_TIE_OFFSET
-        LOD     [loop_at], segment_out
-        load_at k_delta, 1, ray_limit
-        MPYS    segment_out, ray_limit, next_in
+        load_tie w_out, next_in
         ADDN    w_in, next_in, next_in
         take_nearer next_in, tree_taken
         .else

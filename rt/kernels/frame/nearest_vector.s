@@ -88,7 +88,22 @@ simple_hit:
         ANDB    [bits0], [bits1], [bits0]
         if_none bits0, s0, walk_skip
         load_record P_ID, 2, identity
+        .if     SIMPLE_YIELDS
+        RTOR    w0, s5                          ; keys
+        load_field P_TIE_OFFSET, s6             ; their distance from w0
+        CFPEQ   s6, r0, simple_compared
+        load_word k_delta, s0
+        MPYS    s6, s0, s6
+        RTOR    w2, s5
+        ADDNV   [w0], s6, [s5]
+        CMPGEV  [near_limit], [s5], [bits1]
+        ANDB    [bits0], [bits1], [bits0]
+        if_none bits0, s0, walk_skip
+simple_compared:
+        CMPEQV  [s5], [near_limit], [bits1]
+        .else
         CMPEQV  [w0], [near_limit], [bits1]
+        .endif
         ANDB    [bits0], [bits1], [bits1]
         if_none bits1, s1, simple_nearer
         VXTOV   [ray_index], [nearest_primitive], [w1]
@@ -102,9 +117,17 @@ simple_nearer:
         take_found ray_index, taken_at, 0, bits0
         mark_tested
         take_found w0, taken_distance, 1, bits0
+        .if     SIMPLE_YIELDS
+        scatter_depth taken_distance
+        CFPEQ   s6, r0, simple_scatter
+        ADDNV   [taken_distance], s6, [taken_distance]
+simple_scatter:
+        .endif
         VTOVX   [taken_at], [taken_distance], [nearest]
         VTOVX   [taken_at], identity, [nearest_primitive]
+        .if     SIMPLE_YIELDS == 0
         scatter_depth taken_distance
+        .endif
         IBXEQ   on_patch, r0, r0, walk_skip
         take_found patch_s, taken_distance, 1, bits0
         VTOVX   [taken_at], [taken_distance], [hit_s]
@@ -115,7 +138,11 @@ simple_nearer:
 ; All rays of the queue are current.
 simple_all:
         mark_tested
+        .if     SIMPLE_YIELDS
+        VTOV    [s5], [nearest] ? [bits0]
+        .else
         VTOV    [w0], [nearest] ? [bits0]
+        .endif
         VTOV    identity, [nearest_primitive] ? [bits0]
         .if     KEYS
         describe s0, depth_store, n

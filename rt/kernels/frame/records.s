@@ -44,6 +44,8 @@
                                    ; gradients (light/pattern.s)
         option  QUADRATIC_PRISMS   ; there are prisms of quadratic splines
                                    ; (shapes/quadratic_prism.s)
+        option  SIMPLE_YIELDS      ; the primitive of a simple region has a
+                                   ; P_TIE_OFFSET above 0; KEYS is 1, too
         .equ    ORIGINS_DIFFER, ORTHOGRAPHIC || LENS ; rays have many origins
 
 ; A primitive.

@@ -157,9 +157,9 @@ point_enters\@:
         .endif
         .endm
 
-; Sets w_t0 to the key of a hit at w_in on w_out.
-        .macro  count_hit
-        load_of w_out, P_TIE_OFFSET, w_t0
+; Sets w_t0 to the key of a hit at w_in on the primitive.
+        .macro  count_hit primitive
+        load_of \primitive, P_TIE_OFFSET, w_t0
         load_word k_delta, w_t1
         MPYS    w_t0, w_t1, w_t0
         ADDN    w_in, w_t0, w_t0
@@ -199,11 +199,21 @@ nearest_least:
         .kernel call
         IBXNE   w_flags, r0, m_index_one, nearest_other
 nearest_simple:
-        intersect_simple nearest_hit, nearest_skip
+        intersect_simple nearest_near, nearest_skip
         CFPNE   w_in, w_limit, nearest_skip
+        .if     SIMPLE_YIELDS
+nearest_near:
+        count_hit w_first
+        CFPLT   w_t0, w_limit, nearest_hit
+        CFPNE   w_t0, w_limit, nearest_skip
         IBXGE   w_first, r0, w_leaf, nearest_skip
 nearest_hit:
+        RTOR    w_t0, w_limit
+        .else
+        IBXGE   w_first, r0, w_leaf, nearest_skip
+nearest_near:
         RTOR    w_in, w_limit
+        .endif
         RTOR    w_first, w_leaf
         .if     KEYS
         RTOR    w_in, w_depth
@@ -239,7 +249,7 @@ nearest_tree:
         IBXEQ   w_hit, r0, r0, nearest_skip
         next_visible w_least, nearest_skip
         .if     KEYS
-        count_hit
+        count_hit w_out
         CFPLT   w_t0, w_limit, nearest_visible
         CFPNE   w_t0, w_limit, nearest_skip
         .else
