@@ -337,8 +337,8 @@ static const struct command_option options[] = {
     OPTION_FLAG("trace", PLACE(trace), "print each instruction as it is executed"),
     OPTION_FLAG(
         "profile", PLACE(profile),
-        "also print the clocks of each line, the most expensive first; macros at "
-        "their calls"),
+        "also print the clocks of each line, the most expensive first; macros of "
+        "other files at their calls; operations of forms.s with their form"),
     OPTION_FLAG("in-order", PLACE(in_order),
                 "print the lines of --profile in the order of memory"),
     OPTION_FLAG("warm", PLACE(warm), "all pages are in memory when the program begins"),

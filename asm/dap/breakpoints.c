@@ -93,7 +93,8 @@ static bool has_code(const struct dap *dap, const char *file, size_t number)
         const struct asm_line *line = &dap->object->lines[i];
         if (line->is_code
             && ((line->number == number && strcmp(line->file, file) == 0)
-                || (line->call_number == number && strcmp(line->call_file, file) == 0)))
+                || asm_place_is(&line->shown, file, number)
+                || asm_place_is(&line->call, file, number)))
             return true;
     }
     return false;

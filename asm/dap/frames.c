@@ -33,7 +33,8 @@ bool sources_find(struct dap *dap)
     dap->file_count = 0;
     for (size_t i = 0; i < dap->object->line_count; i++)
         if (!add_file(dap, dap->object->lines[i].file, &capacity)
-            || !add_file(dap, dap->object->lines[i].call_file, &capacity))
+            || !add_file(dap, dap->object->lines[i].shown.file, &capacity)
+            || !add_file(dap, dap->object->lines[i].call.file, &capacity))
             return false;
     return true;
 }
@@ -182,9 +183,9 @@ bool request_threads(struct dap *dap)
     return true;
 }
 
-/* The frames, innermost first: the instruction, the macro call that contains it, and
- * the region. */
-enum frame_of { FRAME_PLACE, FRAME_CALL, FRAME_REGION, FRAMES };
+/* The frames, innermost first: the instruction, the line at which it is shown, the
+ * outermost macro call that contains it, and the region. */
+enum frame_of { FRAME_PLACE, FRAME_SHOWN, FRAME_CALL, FRAME_REGION, FRAMES };
 
 struct frames {
     uint64_t pc;
@@ -201,7 +202,12 @@ static struct frames find_frames(const struct dap *dap)
                              .line = object_line(dap->object, pc),
                              .region = object_region(dap->object, pc) };
     frames.kinds[frames.count++] = FRAME_PLACE;
-    if (frames.line && place_is_called(frames.line))
+    if (frames.line
+        && !asm_place_is(&frames.line->shown, frames.line->file, frames.line->number))
+        frames.kinds[frames.count++] = FRAME_SHOWN;
+    if (frames.line
+        && !asm_place_is(&frames.line->call, frames.line->shown.file,
+                         frames.line->shown.number))
         frames.kinds[frames.count++] = FRAME_CALL;
     if (*frames.region)
         frames.kinds[frames.count++] = FRAME_REGION;
@@ -253,16 +259,18 @@ static void put_no_place(struct json *body)
     json_number(body, "column", 0);
 }
 
-static void put_call(struct dap *dap, struct json *body, const struct asm_line *line)
+static void put_macro_call(struct dap *dap, struct json *body,
+                           const struct asm_place *place, enum asm_form form)
 {
-    const char *from = line->call_source;
+    const char *from = place->source;
     struct text_line text = { .length = 0 };
     struct sink sink = text_line_sink(&text);
     while (isspace((unsigned char)*from))
         from++;
-    sink_print(&sink, "%.*s", (int)strcspn(from, "\n;"), from);
+    sink_print(&sink, form ? "%.*s (%s)" : "%.*s", (int)strcspn(from, "\n;"), from,
+               asm_form_name(form));
     json_text(body, "name", text.text);
-    put_frame_place(dap, body, line->call_file, line->call_number);
+    put_frame_place(dap, body, place->file, place->number);
 }
 
 static void put_frame(struct dap *dap, struct json *body, const struct frames *frames,
@@ -279,7 +287,10 @@ static void put_frame(struct dap *dap, struct json *body, const struct frames *f
         else
             put_no_place(body);
         break;
-    case FRAME_CALL: put_call(dap, body, frames->line); break;
+    case FRAME_SHOWN:
+        put_macro_call(dap, body, &frames->line->shown, frames->line->form);
+        break;
+    case FRAME_CALL: put_macro_call(dap, body, &frames->line->call, ASM_NO_FORM); break;
     default:
         json_text(body, "name", frames->region);
         json_text(body, "presentationHint", "label");

@@ -190,8 +190,6 @@ uint64_t place_of(const struct debugger *debugger, uint64_t address);
  * address. */
 bool place_begins(const struct debugger *debugger, const char *file, size_t number,
                   uint64_t address);
-/* Returns true if a line belongs to a macro that another line calls. */
-bool place_is_called(const struct asm_line *line);
 /* Returns the address of the previous instruction, according to the program's lines. */
 uint64_t place_before(const struct debugger *debugger, uint64_t address);
 

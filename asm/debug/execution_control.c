@@ -115,37 +115,43 @@ enum execution_end execution_next(struct debugger *debugger)
                                                 : execution_steps(debugger, 1);
 }
 
-/* ---- Macro calls ------------------------------------------------------------ */
+/* ---- Lines and macro calls -------------------------------------------------- */
+
+static const struct asm_line *line_here(const struct debugger *debugger)
+{
+    return object_line(debugger->setup.object, pc_of(debugger));
+}
+
+/* Returns true if the current instruction is shown at the same line as another one, and
+ * is not the first of an expansion of this line. */
+static bool is_behind_beginning(const struct debugger *debugger,
+                                const struct asm_line *line)
+{
+    const struct asm_line *here = line_here(debugger);
+    return here && line && !here->shown.begins
+           && asm_place_is(&here->shown, line->shown.file, line->shown.number);
+}
+
+enum execution_end execution_line(struct debugger *debugger)
+{
+    const struct asm_line *line = line_here(debugger);
+    enum execution_end ended = execution_next(debugger);
+    while (ended == EXECUTION_COMPLETE && is_behind_beginning(debugger, line))
+        ended = execution_next(debugger);
+    return ended;
+}
 
 /* Returns a line of the macro call that contains the current instruction, or NULL. */
 static const struct asm_line *call_of(const struct debugger *debugger)
 {
-    const struct asm_line *line = object_line(debugger->setup.object, pc_of(debugger));
-    return line && place_is_called(line) ? line : NULL;
+    const struct asm_line *line = line_here(debugger);
+    return line && asm_line_is_called(line) ? line : NULL;
 }
 
 static bool is_in(const struct debugger *debugger, const struct asm_line *call)
 {
     const struct asm_line *line = call_of(debugger);
-    return line && line->call_number == call->call_number
-           && strcmp(line->call_file, call->call_file) == 0;
-}
-
-static bool is_behind_beginning(const struct debugger *debugger,
-                                const struct asm_line *call)
-{
-    return is_in(debugger, call)
-           && !place_begins(debugger, call->call_file, call->call_number,
-                            pc_of(debugger));
-}
-
-enum execution_end execution_line(struct debugger *debugger)
-{
-    const struct asm_line *call = call_of(debugger);
-    enum execution_end ended = execution_next(debugger);
-    while (ended == EXECUTION_COMPLETE && call && is_behind_beginning(debugger, call))
-        ended = execution_next(debugger);
-    return ended;
+    return line && asm_place_is(&line->call, call->call.file, call->call.number);
 }
 
 static const char *region_here(const struct debugger *debugger)
@@ -200,8 +206,8 @@ enum execution_end execution_back(struct debugger *debugger, uint64_t count)
 enum execution_end execution_back_line(struct debugger *debugger)
 {
     enum execution_end ended = execution_back(debugger, 1);
-    const struct asm_line *call = call_of(debugger);
-    while (ended == EXECUTION_COMPLETE && call && is_behind_beginning(debugger, call)
+    const struct asm_line *line = line_here(debugger);
+    while (ended == EXECUTION_COMPLETE && is_behind_beginning(debugger, line)
            && step_of(debugger) > 0)
         ended = execution_back(debugger, 1);
     return ended;

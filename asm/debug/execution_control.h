@@ -34,7 +34,8 @@ enum execution_end execution_next(struct debugger *debugger);
 /* Returns true if the next instruction is a call. Sets *behind to its return
  * address. */
 bool execution_is_call(const struct debugger *debugger, uint64_t *behind);
-/* Like execution_next, but a macro call also counts as one instruction. */
+/* Like execution_next, but all instructions that an expansion of a line shows count as
+ * one instruction. */
 enum execution_end execution_line(struct debugger *debugger);
 /* Executes at least one instruction, up to an address. */
 enum execution_end execution_to(struct debugger *debugger, uint64_t address);
@@ -42,14 +43,14 @@ enum execution_end execution_to(struct debugger *debugger, uint64_t address);
 enum execution_end execution_until(struct debugger *debugger,
                                    bool (*is_there)(void *context, const c205 *machine),
                                    void *context);
-/* Leaves the current macro call, or the current region if there is no call.
+/* Leaves the current outermost macro call, or the current region if there is no call.
  * execution_can_go_out reports an error and returns false if there is neither. */
 bool execution_can_go_out(struct debugger *debugger);
 enum execution_end execution_out(struct debugger *debugger);
 enum execution_end execution_run(struct debugger *debugger); /* from the start */
 enum execution_end execution_back(struct debugger *debugger, uint64_t count);
-/* Goes back by one instruction. If that instruction belongs to a macro call, goes to
- * the start of the call. */
+/* Goes back by one instruction, and to the first instruction of the expansion of its
+ * line. */
 enum execution_end execution_back_line(struct debugger *debugger);
 /* The state of a search back to the last stop before the current step. It must be zero
  * at the start. After an interruption the program is at an arbitrary step. Another call

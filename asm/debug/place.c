@@ -30,8 +30,10 @@ static const char *find_file(const struct object *object, const char *name,
         const struct asm_line *line = &object->lines[i];
         if (is_file(line->file, name))
             return line->file;
-        if (is_file(line->call_file, name))
-            return line->call_file;
+        if (is_file(line->shown.file, name))
+            return line->shown.file;
+        if (is_file(line->call.file, name))
+            return line->call.file;
     }
     return NULL;
 }
@@ -71,7 +73,9 @@ static bool find_line(struct debugger *debugger, const char *name, size_t number
         if (!line->is_code)
             continue;
         consider(found, line->file, line->number, number, file, line->address);
-        consider(found, line->call_file, line->call_number, number, file,
+        consider(found, line->shown.file, line->shown.number, number, file,
+                 line->address);
+        consider(found, line->call.file, line->call.number, number, file,
                  line->address);
     }
     return found->file
@@ -83,17 +87,6 @@ static bool find_line(struct debugger *debugger, const char *name, size_t number
                name, number);
 }
 
-bool place_is_called(const struct asm_line *line)
-{
-    return line->number != line->call_number
-           || strcmp(line->file, line->call_file) != 0;
-}
-
-static bool is_call(const struct asm_line *line, const char *file, size_t number)
-{
-    return line->call_number == number && strcmp(line->call_file, file) == 0;
-}
-
 bool place_begins(const struct debugger *debugger, const char *file, size_t number,
                   uint64_t address)
 {
@@ -103,9 +96,9 @@ bool place_begins(const struct debugger *debugger, const char *file, size_t numb
         return false;
     if (line->number == number && strcmp(line->file, file) == 0)
         return true;
-    return is_call(line, file, number)
-           && (line == object->lines || !line[-1].is_code
-               || !is_call(&line[-1], file, number));
+    if (asm_place_is(&line->call, file, number))
+        return line->call.begins;
+    return asm_place_is(&line->shown, file, number) && line->shown.begins;
 }
 
 /* Parses NAME:LINE, or LINE of the program's file. Returns false if the text is another

@@ -1,33 +1,25 @@
 /* show.c - the verbs that show the current location, instructions and source lines. */
-#include <ctype.h>
 #include <inttypes.h>
 #include <string.h>
 
 #include "asm/debug/debug_internal.h"
 #include "asm/object/disassemble.h"
 #include "asm/view/operand_view.h"
+#include "asm/view/source_line.h"
 #include "asm/view/trap_report.h"
 
 /* ---- Instructions --------------------------------------------------------- */
 
-static void put_source_line(const struct debugger *debugger, const char *file,
-                            size_t number, const char *source)
-{
-    const char *slash = strrchr(file, '/');
-    while (isspace((unsigned char)*source))
-        source++;
-    sink_print(&debugger->out, "%s:%zu: %s", slash ? slash + 1 : file, number, source);
-}
-
-/* Prints the source line. For a line of a macro, prints the call first. */
+/* Prints the line at which an instruction is shown. If another line of a macro contains
+ * it, this line follows. */
 static void put_source(const struct debugger *debugger, const struct asm_line *line)
 {
     sink_put(&debugger->out, "  ; ");
-    put_source_line(debugger, line->call_file, line->call_number, line->call_source);
-    if (!place_is_called(line))
+    source_line_shown(line, &debugger->out);
+    if (asm_place_is(&line->shown, line->file, line->number))
         return;
     sink_put(&debugger->out, "  <- ");
-    put_source_line(debugger, line->file, line->number, line->source);
+    source_line_innermost(line, &debugger->out);
 }
 
 void show_instruction(struct debugger *debugger, uint64_t address, const char *before)
@@ -53,14 +45,28 @@ void show_halt(struct debugger *debugger)
                     stop, &debugger->out);
 }
 
+/* Prints the outermost macro call, if the instruction is shown at another line. */
+static void put_call(const struct debugger *debugger)
+{
+    const struct asm_line *line = object_line(debugger->setup.object,
+                                              c205_pc(machine_of(debugger)));
+    const struct asm_place *shown = line ? &line->shown : NULL;
+    if (!line || asm_place_is(&line->call, shown->file, shown->number))
+        return;
+    sink_put(&debugger->out, ", called at ");
+    source_line_place(&line->call, &debugger->out);
+}
+
 void show_place(struct debugger *debugger)
 {
     c205 *machine = machine_of(debugger);
     const char *region = object_region(debugger->setup.object, c205_pc(machine));
     line_tracker_close(&debugger->printed);
-    sink_print(&debugger->out, "step %" PRIu64 ", clock %" PRIu64 "%s%s\n",
+    sink_print(&debugger->out, "step %" PRIu64 ", clock %" PRIu64 "%s%s",
                step_of(debugger), c205_clock(machine), *region ? ", region " : "",
                region);
+    put_call(debugger);
+    sink_put(&debugger->out, "\n");
     if (debugger->halted)
         show_halt(debugger);
     if (!debugger->halted || debugger->halt.trap != C205_TRAP_NONE)
@@ -118,11 +124,12 @@ bool verb_disassemble(struct debugger *debugger, struct text_cursor *cursor)
 
 static bool is_same_line(const struct asm_line *a, const struct asm_line *b)
 {
-    return a && b && a->number == b->number && strcmp(a->file, b->file) == 0;
+    return a && b && a->form == b->form
+           && asm_place_is(&a->shown, b->shown.file, b->shown.number);
 }
 
-/* Shows the source lines of code and data in the order of addresses: list [PLACE] [,
- * COUNT] */
+/* Shows the source lines of code and data, with the form of their operations, in the
+ * order of addresses: list [PLACE] [, COUNT] */
 bool verb_list(struct debugger *debugger, struct text_cursor *cursor)
 {
     const struct object *object = debugger->setup.object;
@@ -139,9 +146,10 @@ bool verb_list(struct debugger *debugger, struct text_cursor *cursor)
         const struct asm_line *line = &object->lines[i];
         if (line->address + 32 * line->halves <= address || is_same_line(line, shown))
             continue;
-        sink_print(&debugger->out, "%s%s:%zu\t%.*s\n",
-                   is_same_line(line, now) ? "=> " : "   ", line->file, line->number,
-                   (int)strcspn(line->source, "\n"), line->source);
+        sink_print(&debugger->out, "%s%s:%zu%s%s\t%.*s\n",
+                   is_same_line(line, now) ? "=> " : "   ", line->shown.file,
+                   line->shown.number, line->form ? " " : "", asm_form_name(line->form),
+                   (int)strcspn(line->shown.source, "\n"), line->shown.source);
         shown = line;
         count--;
     }

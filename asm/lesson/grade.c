@@ -176,8 +176,8 @@ static void print_endless(struct sitting *sitting, const c205_stop *stop)
     struct text_line where = { 0 };
     struct sink sink = text_line_sink(&where);
     if (line)
-        sink_print(&sink, "  It was at line %zu: %s", line->call_number,
-                   lesson_source(line->call_source));
+        sink_print(&sink, "  It was at line %zu: %s", line->shown.number,
+                   lesson_source(line->shown.source));
     report_printf(&sitting->trial->report,
                   "It had not ended after %" PRIu64
                   " clocks: look for an endless loop.%s",

@@ -18,12 +18,13 @@ struct line_profile {
     struct profile_row *rows;    /* [row_count + ROWS_BESIDES] */
     const struct asm_line *last; /* the line of the last look-up */
     bool cut;                    /* the run stopped within an instruction */
+    bool has_forms;              /* a row has a form */
 };
 
 /* ---- Rows ----------------------------------------------------------------- */
 
-/* The key of a line for sorting by call and region. */
-struct called_line {
+/* The key of a line for sorting by place, region and form. */
+struct placed_line {
     const struct asm_line *line;
     const char *region;
     size_t index;
@@ -31,42 +32,44 @@ struct called_line {
 
 static int compare_places(const void *a, const void *b)
 {
-    const struct called_line *one = a, *other = b;
-    int order = strcmp(one->line->call_file, other->line->call_file);
+    const struct placed_line *one = a, *other = b;
+    const struct asm_place *place = &one->line->shown, *next = &other->line->shown;
+    int order = strcmp(place->file, next->file);
     if (order == 0)
-        order = (one->line->call_number > other->line->call_number)
-                - (one->line->call_number < other->line->call_number);
+        order = (place->number > next->number) - (place->number < next->number);
     if (order == 0)
         order = strcmp(one->region, other->region);
+    if (order == 0)
+        order = (int)one->line->form - (int)other->line->form;
     return order != 0 ? order
                       : (one->index > other->index) - (one->index < other->index);
 }
 
-static bool is_same_call(const struct called_line *a, const struct called_line *b)
+static bool is_same_row(const struct placed_line *a, const struct placed_line *b)
 {
-    return a->line->call_number == b->line->call_number
-           && strcmp(a->line->call_file, b->line->call_file) == 0
-           && strcmp(a->region, b->region) == 0;
+    const struct asm_place *place = &b->line->shown;
+    return asm_place_is(&a->line->shown, place->file, place->number)
+           && strcmp(a->region, b->region) == 0 && a->line->form == b->line->form;
 }
 
-/* Finds the first line with the same call as each line. */
-static void find_firsts(const struct called_line *places, size_t count, size_t *first)
+/* Finds the first line with the same row as each line. */
+static void find_firsts(const struct placed_line *places, size_t count, size_t *first)
 {
     size_t begin = 0;
     for (size_t i = 0; i < count; i++) {
-        if (!is_same_call(&places[i], &places[begin]))
+        if (!is_same_row(&places[i], &places[begin]))
             begin = i;
         first[places[i].index] = places[begin].index;
     }
 }
 
-/* Finds the first line with the same call and region as each line. The lines are sorted
- * by call and region, so equal lines are adjacent. They are also sorted by index, so
- * the first line comes first. */
+/* Finds the first line with the same place, region and form as each line. The lines are
+ * sorted by these, so equal lines are adjacent. They are also sorted by index, so the
+ * first line comes first. */
 static bool sort_places(const struct object *object, size_t *first)
 {
     size_t count = object->line_count;
-    struct called_line *places = malloc((count + 1) * sizeof *places);
+    struct placed_line *places = malloc((count + 1) * sizeof *places);
     if (!places)
         return false;
     for (size_t i = 0; i < count; i++) {
@@ -80,8 +83,8 @@ static bool sort_places(const struct object *object, size_t *first)
     return true;
 }
 
-/* Makes a row for each call in the order of addresses. The first line of a call
- * precedes its other lines, so its row exists when they are reached. */
+/* Makes the rows in the order of addresses. The first line of a row precedes its other
+ * lines, so the row exists when they are reached. */
 static void make_rows(struct line_profile *profile)
 {
     for (size_t i = 0; i < profile->object->line_count; i++) {
@@ -92,9 +95,11 @@ static void make_rows(struct line_profile *profile)
             continue;
         }
         row->region = object_region(profile->object, line->address);
-        row->file = line->call_file;
-        row->number = line->call_number;
-        row->source = line->call_source;
+        row->file = line->shown.file;
+        row->number = line->shown.number;
+        row->source = line->shown.source;
+        row->form = line->form;
+        profile->has_forms = profile->has_forms || row->form;
         profile->row_of[i] = profile->row_count++;
     }
 }
@@ -217,19 +222,23 @@ void line_profile_listen(void *context, const c205 *machine, const c205_event *e
 
 /* ---- Tables --------------------------------------------------------------- */
 
-/* The columns of text tables. The first column is omitted if regions are not shown.
- * Tables with a column for each cause begin with the columns before `source`. */
-static const struct table_column in_words[] = {
-    { "region", "region", TABLE_TEXT, 0 },
-    { "line", "line", TABLE_TEXT, 0 },
+/* The columns of tables. The column of regions is omitted if regions are not shown, and
+ * that of forms if no row has a form. */
+static const struct table_column region_column = { "region", "region", TABLE_TEXT, 0 };
+static const struct table_column line_column = { "line", "line", TABLE_TEXT, 0 };
+static const struct table_column form_column = { "form", "form", TABLE_TEXT, 0 };
+static const struct table_column number_columns[] = {
     { "clocks", "clocks", TABLE_COUNT, 0 },
     { "percent", "%", TABLE_NUMBER, 1 },
     { "executions", "times", TABLE_COUNT, 0 },
     { "elements", "elements", TABLE_COUNT, 0 },
-    { "source", "source", TABLE_TEXT, 0 },
-    { "causes", "mostly", TABLE_TEXT, 0 },
 };
-enum { COLUMNS_IN_WORDS = sizeof in_words / sizeof *in_words, BEFORE = 6 };
+static const struct table_column source_column = { "source", "source", TABLE_TEXT, 0 };
+static const struct table_column causes_column = { "causes", "mostly", TABLE_TEXT, 0 };
+enum {
+    NUMBER_COLUMNS = sizeof number_columns / sizeof *number_columns,
+    MAX_COLUMNS = 3 + NUMBER_COLUMNS + C205_CAUSES + 2
+};
 
 uint64_t line_profile_clocks(const struct profile_row *row)
 {
@@ -287,20 +296,34 @@ static void put_causes(struct table *table, const struct profile_row *row)
     table_text(table, text);
 }
 
-/* Makes a table with a column for each cause. The first `first` columns are omitted. */
-static struct table *new_columns(size_t first)
+static struct table *new_table(const struct line_profile *profile, bool regions,
+                               bool words)
 {
-    struct table_column columns[BEFORE + C205_CAUSES + 1];
-    memcpy(columns, in_words, BEFORE * sizeof *in_words);
-    memcpy(columns + BEFORE, accounts_cause_columns, sizeof accounts_cause_columns);
-    columns[BEFORE + C205_CAUSES] = in_words[BEFORE];
-    return table_new(columns + first, BEFORE + C205_CAUSES + 1 - first);
+    struct table_column columns[MAX_COLUMNS];
+    size_t count = 0;
+    if (regions)
+        columns[count++] = region_column;
+    columns[count++] = line_column;
+    if (profile->has_forms)
+        columns[count++] = form_column;
+    memcpy(columns + count, number_columns, sizeof number_columns);
+    count += NUMBER_COLUMNS;
+    if (!words) {
+        memcpy(columns + count, accounts_cause_columns, sizeof accounts_cause_columns);
+        count += C205_CAUSES;
+    }
+    columns[count++] = source_column;
+    if (words)
+        columns[count++] = causes_column;
+    return table_new(columns, count);
 }
 
 static void put_profile_row(struct table *table, const struct line_profile *profile,
                             const struct profile_row *row, uint64_t all, bool words)
 {
     put_name(table, profile, row);
+    if (profile->has_forms)
+        table_text(table, asm_form_name(row->form));
     table_count(table, line_profile_clocks(row));
     table_number(table,
                  all > 0 ? 100 * (double)line_profile_clocks(row) / (double)all : 0);
@@ -389,7 +412,6 @@ static void put_rows(struct table *table, const struct line_profile *profile,
 struct table *line_profile_table(const struct line_profile *profile,
                                  struct profile_view view, bool words)
 {
-    size_t first = view.regions ? 0 : 1;
     struct shown_rows shown;
     struct table *table;
     if (!choose_rows(profile, &shown))
@@ -398,8 +420,7 @@ struct table *line_profile_table(const struct line_profile *profile,
         add_up_regions(&shown);
     if (view.order == PROFILE_HOTTEST)
         qsort(shown.rows, shown.count, sizeof *shown.rows, compare_hottest);
-    table = words ? table_new(in_words + first, COLUMNS_IN_WORDS - first)
-                  : new_columns(first);
+    table = new_table(profile, view.regions, words);
     put_rows(table, profile, &shown, view.regions, words);
     free(shown.rows);
     return table;

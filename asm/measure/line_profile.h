@@ -1,5 +1,6 @@
-/* line_profile.h - the clocks of a program by source line. The lines of a macro are
- * summed at the line that calls it, separately for each region.
+/* line_profile.h - the clocks of a program by source line. The instructions of a macro
+ * are summed at the lines at which they are shown (asm/text/shown_line.h), separately
+ * for each region and form.
  *
  * A listener adds the pieces of the clock's records. As in the accounts, a piece
  * belongs to the instruction that causes it. If instructions wait for a vector
@@ -31,6 +32,7 @@ struct profile_row {
     const char *file;   /* NULL: code without lines, or the end of the run */
     size_t number;
     const char *source;
+    enum asm_form form;
     uint64_t executions, elements, clocks[C205_CAUSES];
 };
 

@@ -17,6 +17,11 @@ const char *asm_contents_name(enum asm_contents contents)
     return names[contents];
 }
 
+const char *asm_form_name(enum asm_form form)
+{
+    return form == ASM_SCALAR_FORM ? "scalar" : form == ASM_VECTOR_FORM ? "vector" : "";
+}
+
 const struct asm_line *object_line(const struct object *object, uint64_t address)
 {
     const struct asm_line *lines = object->lines;
@@ -75,6 +80,16 @@ const c205_region *object_region_named(const struct object *object, const char *
         if (strcmp(regions[i].name, name) == 0)
             return &regions[i];
     return NULL;
+}
+
+bool asm_place_is(const struct asm_place *place, const char *file, size_t number)
+{
+    return place->number == number && strcmp(place->file, file) == 0;
+}
+
+bool asm_line_is_called(const struct asm_line *line)
+{
+    return !asm_place_is(&line->call, line->file, line->number);
 }
 
 struct position asm_line_position(const struct asm_line *line)

@@ -33,6 +33,20 @@ struct asm_symbol {
                        declare it */
 };
 
+/* The form of an operation of asm/lib/forms.s. */
+enum asm_form { ASM_NO_FORM = 0, ASM_SCALAR_FORM = 1, ASM_VECTOR_FORM = 2 };
+
+/* Returns "scalar", "vector" or "". */
+const char *asm_form_name(enum asm_form form);
+
+/* A source line that contains or calls an instruction. */
+struct asm_place {
+    const char *file;
+    size_t number;
+    const char *source;
+    bool begins; /* the previous words are not code of the same expansion of the line */
+};
+
 /* The addresses of the words of a statement, for listings, debuggers and profiles. */
 struct asm_line {
     uint64_t address;
@@ -40,11 +54,12 @@ struct asm_line {
     const char *file;
     size_t number;
     const char *source;
-    bool is_code; /* the words are instructions */
-    /* The outermost macro call that contains the line, or the line itself. */
-    const char *call_file;
-    size_t call_number;
-    const char *call_source;
+    bool is_code;           /* the words are instructions */
+    struct asm_place shown; /* the line at which the words are shown: the line itself,
+                               or that of a macro call (asm/text/shown_line.h) */
+    struct asm_place call;  /* the outermost macro call that contains the line, or the
+                               line itself */
+    enum asm_form form;     /* form of the operation to which the words belong */
 };
 
 /* A register name, declared by .reg or .regs. */
@@ -96,6 +111,10 @@ bool object_is_code(const struct object *object, const c205_segment *segment);
 const char *object_region(const struct object *object, uint64_t address);
 /* Returns the region of a name, or NULL. */
 const c205_region *object_region_named(const struct object *object, const char *name);
+/* Returns true if a line belongs to a macro that another line calls. */
+bool asm_line_is_called(const struct asm_line *line);
+/* Returns true if a place is this line of this file. */
+bool asm_place_is(const struct asm_place *place, const char *file, size_t number);
 /* Returns the source position of a line. */
 struct position asm_line_position(const struct asm_line *line);
 /* Returns the symbol of a name, or NULL. */

@@ -31,9 +31,12 @@
 struct line {
     const char *file;
     size_t number;
-    const char *text, *text_end; /* the whole line, for messages */
-    const char *begin, *end;     /* the part to parse */
-    const struct line *caller;   /* the macro call or .rept that produced the line */
+    const char *text, *text_end;       /* the whole line, for messages */
+    const char *begin, *end;           /* the part to parse */
+    const char *written, *written_end; /* the text in the definition of the macro that
+                                          contains the line; NULL: no macro */
+    const struct call *call; /* the macro call or .rept that produced the line, or
+                                NULL */
 };
 
 enum value_kind {

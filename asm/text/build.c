@@ -1,10 +1,10 @@
 /* build.c - builds the object from the results of the passes. */
-#include <ctype.h>
 #include <string.h>
 
 #include "asm/object/storage.h"
 #include "asm/text/data_map.h"
 #include "asm/text/expression.h"
+#include "asm/text/shown_line.h"
 
 enum { WORD_BITS = 64 };
 
@@ -60,36 +60,28 @@ static bool add_symbols(struct assembler *assembler, struct storage *storage)
     return !storage->arena.failed;
 }
 
-/* Returns true for a line in a .rept. Its position is not the position of the
- * .rept. */
-static bool is_repetition(const struct line *line)
+/* Stores the place of a line. The previous code has the place of the line `before`, or
+ * NULL. Many macro calls can produce a line of a macro, so its source is the text of the
+ * definition. */
+static struct asm_place keep_place(struct storage *storage, const struct line *line,
+                                   const struct line *before)
 {
-    const char *at = line->begin;
-    while (at < line->end && isspace((unsigned char)*at))
-        at++;
-    return at < line->end && *at == '.';
+    const char *text = line->written ? line->written : line->text;
+    const char *end = line->written ? line->written_end : line->text_end;
+    return (struct asm_place){
+        .file = store_text(storage, line->file),
+        .number = line->number,
+        .source = arena_text(&storage->arena, text, (size_t)(end - text)),
+        .begins = line != before,
+    };
 }
 
-/* Returns the outermost macro call, or the line if there is none. */
-static const struct line *call_of(const struct line *line)
-{
-    const struct line *call = line, *caller;
-    for (caller = line->caller; caller; caller = caller->caller)
-        if (!is_repetition(caller))
-            call = caller;
-    return call;
-}
-
-static const char *keep_source(struct storage *storage, const struct line *line)
-{
-    return arena_text(&storage->arena, line->text,
-                      (size_t)(line->text_end - line->text));
-}
-
-static bool add_line(struct storage *storage, const struct layout_item *item)
+/* Adds the line of an item. The item before it is NULL if there is none. */
+static bool add_line(struct storage *storage, const struct layout_item *item,
+                     const struct layout_item *before)
 {
     struct asm_line *line = storage_add_line(storage);
-    const struct line *from = item->line, *call = call_of(from);
+    const struct line *from = item->line, *last = NULL;
     if (!line)
         return false;
     line->address = item->address;
@@ -97,12 +89,15 @@ static bool add_line(struct storage *storage, const struct layout_item *item)
     line->number = from->number;
     line->is_code = item->kind == ITEM_INSTRUCTION;
     line->file = store_text(storage, from->file);
-    line->source = line->call_source = keep_source(storage, from);
-    line->call_file = store_text(storage, call->file);
-    line->call_number = call->number;
-    if (call != from)
-        line->call_source = keep_source(storage, call);
-    return line->source && line->call_source;
+    line->source = arena_text(&storage->arena, from->text,
+                              (size_t)(from->text_end - from->text));
+    if (before && before->kind == ITEM_INSTRUCTION)
+        last = before->line;
+    line->shown = keep_place(storage, shown_line(from), last ? shown_line(last) : NULL);
+    line->call = keep_place(storage, outermost_line(from),
+                            last ? outermost_line(last) : NULL);
+    line->form = form_of_line(from);
+    return !storage->arena.failed;
 }
 
 /* Adds the lines. Adjacent items of a line become one entry. */
@@ -117,7 +112,7 @@ static bool add_lines(struct assembler *assembler, struct storage *storage)
              && items[next].address == layout_end(&whole);
              next++)
             whole.halves += items[next].halves;
-        if (!add_line(storage, &whole))
+        if (!add_line(storage, &whole, i > 0 ? &items[i - 1] : NULL))
             return false;
     }
     return true;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "asm/object/syntax.h"
+#include "asm/text/shown_line.h"
 
 bool report_file(struct diagnostics *diagnostics, const char *file, const char *message)
 {
@@ -17,9 +18,9 @@ bool report_file(struct diagnostics *diagnostics, const char *file, const char *
 static void print_caller(char *message, size_t size, const struct line *line)
 {
     size_t used = strlen(message);
-    if (line->caller)
+    if (line->call)
         snprintf(message + used, size - used, " (expanded from %s:%zu)",
-                 line->caller->file, line->caller->number);
+                 line->call->line->file, line->call->line->number);
 }
 
 /* Returns the column of an error. An error of a whole line is at its first word. */

@@ -1,5 +1,5 @@
 /* expand.c - the pass that executes includes, macros and repetitions. */
-#include "asm/text/expand.h"
+#include "asm/text/shown_line.h"
 
 #include <string.h>
 
@@ -30,8 +30,22 @@ static struct expansion *push(struct expander *expander, const struct line *line
     frame = &expander->frames[expander->depth++];
     *frame = empty;
     frame->kind = kind;
-    frame->caller = line;
     frame->conditions = expander->condition_depth;
+    return frame;
+}
+
+/* Pushes the expansion of a body, which a line of a macro call or .rept produces. */
+static struct expansion *push_body(struct expander *expander, const struct line *line,
+                                   enum frame_kind kind, const struct macro *body)
+{
+    struct call *call = arena_take(expander->assembler->arena, sizeof *call);
+    struct expansion *frame = call ? push(expander, line, kind) : NULL;
+    if (!frame)
+        return NULL;
+    call->line = line;
+    call->macro = kind == FRAME_MACRO ? body : NULL;
+    frame->call = call;
+    frame->body = body;
     return frame;
 }
 
@@ -132,7 +146,11 @@ static struct line *body_line(struct expander *expander, struct expansion *frame
         halt(expander, model, "the line expands to more than %zu bytes", MAX_LINE);
         return NULL;
     }
-    line->caller = frame->caller;
+    line->call = frame->call;
+    if (frame->kind == FRAME_MACRO && !line->written) {
+        line->written = model->text;
+        line->written_end = model->text_end;
+    }
     line->text = line->begin = arena_text(expander->assembler->arena, expander->scratch,
                                           length);
     if (!line->text)
@@ -209,6 +227,7 @@ static void define_macro(struct expander *expander, struct cursor *cursor)
                                         invalid */
     if (!capture(expander, cursor->line, body, FOR_MACRO) || !macro)
         return;
+    shown_line_define(expander, cursor->line, macro);
     symbol = symbol_intern(expander->assembler, macro->name, strlen(macro->name));
     if (symbol && symbol->macro)
         report_at(cursor, at, "macro '%s' is already defined", symbol->name);
@@ -228,11 +247,9 @@ static void repeat(struct expander *expander, struct cursor *cursor)
     if (!capture(expander, cursor->line, body, FOR_REPEAT) || !good || count == 0
         || body->line_count == 0)
         return;
-    frame = push(expander, cursor->line, FRAME_REPEAT);
-    if (frame) {
-        frame->body = body;
+    frame = push_body(expander, cursor->line, FRAME_REPEAT, body);
+    if (frame)
         frame->repeats = (uint64_t)count;
-    }
 }
 
 static void include(struct expander *expander, struct cursor *cursor)
@@ -267,11 +284,11 @@ static void call(struct expander *expander, struct cursor *cursor,
     struct expansion *frame;
     cursor_next(cursor);
     arguments = macro_arguments(cursor, macro);
-    frame = arguments ? push(expander, cursor->line, FRAME_MACRO) : NULL;
+    frame = arguments ? push_body(expander, cursor->line, FRAME_MACRO, macro) : NULL;
     if (frame) {
-        frame->body = macro;
         frame->arguments = arguments;
         frame->unique = expander->unique++;
+        shown_line_call(expander);
     }
 }
 

@@ -19,7 +19,7 @@ struct expansion {
     const char *at, *end;
     size_t number;
     /* For the other kinds, up to repeats: */
-    const struct line *caller;
+    struct call *call;
     const struct macro *body;
     size_t next;
     const struct span *arguments;

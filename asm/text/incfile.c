@@ -4,7 +4,7 @@
  * may be in quotes. A # starts a comment. The first line is a heading with the names of
  * the columns if no field of it is a number.
  */
-#include "asm/text/source.h"
+#include "asm/text/shown_line.h"
 #include "asm/text/statement.h"
 
 #include <math.h>
@@ -197,15 +197,6 @@ static bool read_lines(struct number_file *file, const struct asm_source *source
 
 /* ---- The directive -------------------------------------------------------- */
 
-/* Returns the file of the outermost line. Paths are relative to it and not to the file
- * of a macro. */
-static const char *file_of(const struct line *line)
-{
-    while (line->caller)
-        line = line->caller;
-    return line->file;
-}
-
 static bool read_column(struct number_file *file)
 {
     struct cursor *cursor = file->cursor;
@@ -244,12 +235,14 @@ bool parse_incfile(struct cursor *cursor)
     struct asm_source source;
     c205_error error;
     const char *at = cursor->token.begin;
+    /* Paths are relative to the file of the outermost line, not to that of a macro. */
+    const char *from = outermost_line(cursor->line)->file;
     size_t length;
     const char *name = expect_string(cursor, &length);
     layout_align(cursor->assembler, 64);
     if (!name || !read_expectations(&file))
         return false;
-    if (!source_find(cursor->assembler, name, file_of(cursor->line), &source, &error))
+    if (!source_find(cursor->assembler, name, from, &source, &error))
         return report_at(cursor, at, "cannot read '%.200s': %.200s", name,
                          error.message);
     return read_lines(&file, &source) && layout_known(cursor, file.words, file.count);

@@ -18,6 +18,10 @@ struct macro {
     struct parameter *parameters;
     size_t line_count, line_capacity;
     struct line *lines;
+    /* Properties for shown_line.h: */
+    const char *file; /* of the definition */
+    bool is_library;  /* the file is part of asm/lib */
+    enum asm_form form;
 };
 
 /* The replacements of backslash sequences in a body. */

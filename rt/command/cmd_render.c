@@ -484,9 +484,10 @@ static const struct command_option options[] = {
     CMD_PART(PLACE(jobs), "bands"),
     CMD_RANKS(PLACE(jobs)),
     OPTION_FLAG("accounts", PLACE(accounts), "also the clocks by cause and by region"),
-    OPTION_FLAG("profile", PLACE(profile),
-                "also the clocks by line of the kernels, hottest region first; a macro "
-                "counts where it is called"),
+    OPTION_FLAG(
+        "profile", PLACE(profile),
+        "also the clocks by line of the kernels, hottest region first; "
+        "operations of forms.s count at the line of the formula, in their form"),
     OPTION_FLAG("in-order", PLACE(in_order),
                 "lines of --profile in the order of memory"),
     OPTION_FLAG("half", PLACE(half), "16-bit colours in an .exr"),

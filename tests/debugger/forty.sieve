@@ -4,16 +4,16 @@ step 0, clock 0
 step 0, clock 0
 => 400000  EX r20, 0x400000000000        ; sieve.s:25: load_constant flag, 1.0  <- core.s:17: EX      flag, bits(1.0) & 0xFFFFFFFFFFFF
 (c205) list
-=> core.s:17	        EX      flag, bits(1.0) & 0xFFFFFFFFFFFF
-   core.s:18	        ELEN    flag, bits(1.0) >> 48 & 0xFFFF
-   core.s:11	        EX      fs, flags
-   core.s:12	        ELEN    fs, limit
+=> asm/examples/sieve.s:25	        load_constant flag, 1.0
+   asm/examples/sieve.s:26	        descriptor fs, flags, limit
    asm/examples/sieve.s:28	        VTOV    flag, [fs]
    asm/examples/sieve.s:29	        STO     [fs], r0
    asm/examples/sieve.s:30	        ES      one, 1
    asm/examples/sieve.s:31	        STO     [fs, one], r0
    asm/examples/sieve.s:33	        ES      p, 2
    asm/examples/sieve.s:34	        ES      end, limit
+   asm/examples/sieve.s:35	next:   LOD     [fs, p], flag
+   asm/examples/sieve.s:36	        CFPEQ   flag, r0, composite
 (c205) disassemble
 => 400000  EX r20, 0x400000000000        ; sieve.s:25: load_constant flag, 1.0  <- core.s:17: EX      flag, bits(1.0) & 0xFFFFFFFFFFFF
    400040  ELEN r20, -46                 ; sieve.s:25: load_constant flag, 1.0  <- core.s:18: ELEN    flag, bits(1.0) >> 48 & 0xFFFF

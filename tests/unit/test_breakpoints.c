@@ -98,8 +98,8 @@ TEST(visited)
 
 /* ---- Lines ---------------------------------------------------------------- */
 
-/* Returns the first line from `number` on that has code, or that calls a macro with
- * code. Returns 0 if there is none. */
+/* Returns the first line from `number` on that has or shows code, or whose macro call
+ * contains code. Returns 0 if there is none. */
 static size_t next_line(const struct object *object, const char *file, size_t number)
 {
     size_t found = SIZE_MAX;
@@ -110,9 +110,12 @@ static size_t next_line(const struct object *object, const char *file, size_t nu
         if (strcmp(line->file, file) == 0 && line->number >= number
             && line->number < found)
             found = line->number;
-        if (strcmp(line->call_file, file) == 0 && line->call_number >= number
-            && line->call_number < found)
-            found = line->call_number;
+        if (strcmp(line->shown.file, file) == 0 && line->shown.number >= number
+            && line->shown.number < found)
+            found = line->shown.number;
+        if (strcmp(line->call.file, file) == 0 && line->call.number >= number
+            && line->call.number < found)
+            found = line->call.number;
     }
     return number == 0 || found == SIZE_MAX ? 0 : found;
 }

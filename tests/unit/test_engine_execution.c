@@ -188,10 +188,10 @@ static void choose_stop(struct walk *walk)
     size_t wanted = 1 + below(60), found = 0;
     for (size_t i = 0; i < object->line_count; i++) {
         const struct asm_line *each = &object->lines[i];
-        if (each->is_code && strcmp(each->call_file, "program.s") == 0
-            && each->call_number >= wanted
-            && (found == 0 || each->call_number < found)) {
-            found = each->call_number;
+        if (each->is_code && strcmp(each->shown.file, "program.s") == 0
+            && each->shown.number >= wanted
+            && (found == 0 || each->shown.number < found)) {
+            found = each->shown.number;
             walk->stops.place = each->address;
         }
     }

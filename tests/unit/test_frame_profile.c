@@ -161,7 +161,10 @@ TEST(order)
     unsigned long long clocks, before = 0, in_region = 0, in_last = UINT64_MAX;
     size_t regions = 0;
     for (; *line; line = strchr(line, '\n') + 1) {
-        assert_int_equal(sscanf(line, "%39[^,],%*[^,],%llu", region, &clocks), 2);
+        /* The form after the line is empty for instructions without one. */
+        const char *form = strchr(strchr(line, ',') + 1, ',') + 1;
+        assert_int_equal(sscanf(line, "%39[^,]", region), 1);
+        assert_int_equal(sscanf(strchr(form, ','), ",%llu", &clocks), 1);
         if (strcmp(region, last) != 0) {
             if (regions++ > 1)
                 assert_true(in_region <= in_last);

@@ -77,8 +77,9 @@ static const struct profile_row *row_of(const struct line_profile *profile,
     return NULL;
 }
 
-/* A macro is summed at its call, a repetition at its own lines. A vector instruction
- * has the clocks of the instructions that wait for it. Warm pages cost no clocks. */
+/* A macro of the library is summed at its call, other macros and repetitions at their
+ * own lines. A vector instruction has the clocks of the instructions that wait for it.
+ * Warm pages cost no clocks. */
 TEST(lines)
 {
     SCOPED(object) *object = good("        .include \"vectors.s\"\n"
@@ -103,9 +104,11 @@ TEST(lines)
     c205_warm(machine);
     assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
     check_sums(profile, machine, "lines");
-    assert_int_equal(row_of(profile, 8)->executions, 2);
-    assert_int_equal(row_of(profile, 9)->executions, 2);
-    assert_string_equal(row_of(profile, 9)->source, "        twice r20");
+    assert_int_equal(row_of(profile, 3)->executions, 2);
+    assert_int_equal(row_of(profile, 4)->executions, 2);
+    assert_string_equal(row_of(profile, 3)->source, "        ADDX \\r, \\r, \\r");
+    assert_string_equal(row_of(profile, 7)->source,
+                        "        words a, 1.0, 2.0, 3.0, 4.0");
     assert_int_equal(row_of(profile, 11)->executions, 3);
     for (size_t number = 13; number <= 14; number++) {
         row = row_of(profile, number);

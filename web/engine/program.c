@@ -282,7 +282,7 @@ void program_drop(struct engine *engine)
 size_t program_line(const struct engine *engine, uint64_t address)
 {
     const struct asm_line *line = object_line(engine->object, address);
-    return line && strcmp(line->call_file, engine->name) == 0 ? line->call_number : 0;
+    return line && strcmp(line->shown.file, engine->name) == 0 ? line->shown.number : 0;
 }
 
 static void put_symbols(const struct object *object, struct json *reply)

@@ -78,13 +78,17 @@ const BREAK = new Mark("break", "a breakpoint");
 const CURRENT_LINE = new Mark("current-line", "the next instruction");
 const ROOM = new Mark("room", "");
 
-// The clocks of a line. A larger share of the run has a darker background.
+const sum = (rows, key) => rows.reduce((all, row) => all + row[key], 0);
+
+// The clocks of a line, which has a row for each form and region. A larger share of the run has a
+// darker background.
 class Clocks extends GutterMarker {
-  constructor({ clocks, percent, executions }) {
+  constructor(rows) {
     super();
-    this.clocks = clocks;
-    this.share = percent / 100;
-    this.title = `${some(clocks, "clock")}, ${fixed(percent, 1)} %, in ${some(executions, "execution")}`;
+    this.clocks = sum(rows, "clocks");
+    this.share = sum(rows, "percent") / 100;
+    this.title = rows.map(({ form, clocks, percent, executions }) => `${form ? `${form}: ` : ""}` +
+      `${some(clocks, "clock")}, ${fixed(percent, 1)} %, in ${some(executions, "execution")}`).join("\n");
   }
   eq(other) { return other.title === this.title; }
   toDOM() {
@@ -114,8 +118,9 @@ const clocks = StateField.define({
   update(marks, change) {
     for (const effect of change.effects)
       if (effect.is(setClocks))
-        return RangeSet.of(effect.value.map((row) =>
-          new Clocks(row).range(lineStart(change.state.doc, row.line))), true);
+        return RangeSet.of([...new Set(effect.value.map(({ line }) => line))].map((line) =>
+          new Clocks(effect.value.filter((row) => row.line === line))
+            .range(lineStart(change.state.doc, line))), true);
     return change.docChanged ? RangeSet.empty : marks;
   },
 });
@@ -266,7 +271,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
       view.dispatch({ effects: setCurrentLine.of(line) });
       if (line) bringIntoSight(lineStart(view.state.doc, line), MARGIN);
     },
-    /** Shows clocks next to lines. A row is {line, clocks, percent, executions}. */
+    /** Shows clocks next to lines. A row is {line, form, clocks, percent, executions}. */
     charge(rows) {
       view.dispatch({ effects: setClocks.of(rows) });
     },
