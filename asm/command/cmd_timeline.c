@@ -93,7 +93,9 @@ static struct ending run_to_end(c205 *machine, const struct timeline *timeline)
 static int run_program(struct session *session,
                        const struct program_timeline_arguments *args)
 {
-    struct timeline timeline = { .from = args->from, .to = args->to };
+    struct timeline timeline = { .object = session->object,
+                                 .from = args->from,
+                                 .to = args->to };
     c205_error error;
     int code;
     if (!session_load(session, args->warm, &error))

@@ -95,9 +95,10 @@ static void put(const struct timeline *timeline, const struct happening *item,
         sink_print(sink, "I\t%zu\t%zu\t0\n", id, id);
         sink_print(sink, "L\t%zu\t0\t%" PRIX64 ": %s\n", id, insn->pc, insn->text);
         sink_print(sink,
-                   "L\t%zu\t1\tissued %" PRIu64 ", result %" PRIu64 ", %zu element%s\n",
+                   "L\t%zu\t1\tissued %" PRIu64 ", result %" PRIu64
+                   ", %zu element%s%s%s\n",
                    id, insn->issued, insn->ready, insn->elements,
-                   plural(insn->elements));
+                   plural(insn->elements), *insn->line ? "; " : "", insn->line);
         break;
     case ENTERS: sink_print(sink, "S\t%zu\t0\t%s\n", id, item->stage); break;
     case LEAVES: sink_print(sink, "E\t%zu\t0\t%s\n", id, item->stage); break;

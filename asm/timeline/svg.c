@@ -126,6 +126,9 @@ static void put_title(const struct timeline_picture *picture,
                span->end - span->begin, plural(span->end - span->begin), span->begin,
                span->end, insn->pc);
     svg_put_escaped(picture->sink, insn->text);
+    if (*insn->line)
+        sink_put(picture->sink, "\n");
+    svg_put_escaped(picture->sink, insn->line);
     sink_print(picture->sink,
                "\narrived %" PRIu64 ", issued %" PRIu64 ", result %" PRIu64,
                insn->arrived, insn->issued, insn->ready);

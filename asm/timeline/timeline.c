@@ -5,6 +5,7 @@
 
 #include "asm/object/disassemble.h"
 #include "asm/view/operand_view.h"
+#include "asm/view/source_line.h"
 
 /* Adds a copy of an item to an array of the timeline. NULL: memory is exhausted. */
 #define ADD(timeline, what, item) \
@@ -44,6 +45,24 @@ static const char *keep_text(struct timeline *timeline, const c205 *machine,
     return arena_text(&timeline->kept, text, strlen(text));
 }
 
+static const char *keep_line(struct timeline *timeline, uint64_t pc)
+{
+    const struct asm_line *line = timeline->object ? object_line(timeline->object, pc)
+                                                   : NULL;
+    struct text_buffer text = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&text);
+    const char *kept = NULL;
+    if (!line || !asm_line_is_called(line))
+        return "";
+    source_line_shown(line, &sink);
+    if (!text.failed)
+        kept = arena_text(&timeline->kept, text.text, text.length);
+    else
+        timeline->kept.failed = true;
+    text_buffer_free(&text);
+    return kept;
+}
+
 static uint64_t done_of(const c205_event *event)
 {
     uint64_t after = event->record->arrived + event->clocks;
@@ -73,8 +92,10 @@ static void add_insn(struct timeline *timeline, const c205 *machine,
         made.issued = made.ready = made.arrived;
         made.done = made.arrived + event->clocks;
     }
+    made.line = made.insn ? keep_line(timeline, event->pc) : "";
     made.text = keep_text(timeline, machine, event->pc);
-    if (!made.text || !add_pieces(timeline, times) || !add_phases(timeline, times))
+    if (!made.text || !made.line || !add_pieces(timeline, times)
+        || !add_phases(timeline, times))
         return;
     made.piece_count = timeline->piece_count - made.first_piece;
     made.phase_count = timeline->phase_count - made.first_phase;

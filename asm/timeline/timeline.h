@@ -8,9 +8,8 @@
 #ifndef ASM_TIMELINE_H
 #define ASM_TIMELINE_H
 
+#include "asm/object/object.h"
 #include "base/arena.h"
-#include "base/sink.h"
-#include "vm/c205.h"
 
 enum { MAX_TIMELINE = 50000 }; /* default number of instructions */
 
@@ -28,11 +27,13 @@ struct timed_insn {
                     * arrives */
     const c205_insn *insn; /* NULL: the wait for results in flight at the end */
     const char *text;
+    const char *line; /* its source line and form, if it belongs to a macro, or "" */
     size_t elements;
     size_t first_piece, piece_count, first_phase, phase_count;
 };
 
 struct timeline {
+    const struct object *object; /* the program, for the lines of macros, or NULL */
     uint64_t from, to; /* an interval in clocks; instructions that overlap it are
                           stored */
     size_t insn_count, piece_count, phase_count;
@@ -44,7 +45,7 @@ struct timeline {
     bool full;   /* further instructions were not stored */
 };
 
-/* Before listening, set from and to, and all other fields to zero. */
+/* Before listening, set object, from and to, and all other fields to zero. */
 c205_listener timeline_listen; /* its context is the timeline */
 /* Returns false if memory is exhausted. */
 bool timeline_is_good(const struct timeline *timeline);

@@ -46,6 +46,10 @@ static void put_span(const struct lanes *lanes, const struct timed_span *span,
                cause, thread_of(lanes, span->lane, span->row), span->begin,
                span->end - span->begin, span->insn->pc, span->insn->elements);
     json_string(sink, span->insn->text);
+    if (*span->insn->line) {
+        sink_put(sink, ",\"line\":");
+        json_string(sink, span->insn->line);
+    }
     sink_put(sink, "}}");
 }
 

@@ -89,6 +89,7 @@ static bool draw(const struct timeline_arguments *args, const struct frame_pixel
     bool good;
     if (!find_stretch(args, pixel, &stretch, error))
         return false;
+    timeline.object = trace_program(pixel->trace);
     timeline.from = stretch.from;
     timeline.to = stretch.to;
     good = listen(pixel, &timeline, error) && save(args, pixel, &timeline, error);

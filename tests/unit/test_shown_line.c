@@ -1,9 +1,10 @@
 /* test_shown_line.c - random programs with nested macros in several files, with
  * operations in both forms, formulas and repetitions. The test computes the line and
  * the form of each instruction from the definition of the rule, and compares those of
- * the assembler, the profile and the debugger with them. */
+ * the assembler, the profile, the timeline and the debugger with them. */
 #include "asm/debug/execution_control.h"
 #include "asm/measure/line_profile.h"
+#include "asm/timeline/timeline.h"
 #include "tests/unit/debugger_session.h"
 #include "tests/unit/draw.h"
 #include "vm/text.h"
@@ -342,6 +343,25 @@ static void put_shown(const struct asm_line *line, char text[80])
              asm_form_name(line->form));
 }
 
+static void check_timeline(const struct object *object, const struct timeline *timeline)
+{
+    const struct timed_insn *insn = timeline->insns;
+    for (size_t i = 0; i < expected.count; i++) {
+        const struct asm_line *line = &object->lines[i];
+        const char *said = insn->line;
+        char text[80] = "";
+        if (!expected.insns[i].is_step)
+            continue;
+        assert_int_equal(insn++->pc, line->address);
+        if (asm_place_is(&line->call, line->file, line->number))
+            assert_string_equal(said, "");
+        else {
+            put_shown(line, text);
+            assert_memory_equal(said, text, strlen(text));
+        }
+    }
+}
+
 /* Frees the object. */
 static void check_debugger(struct object *object)
 {
@@ -433,13 +453,16 @@ TEST(drawn)
         expand(program.top, program.top_count, MACROS);
         struct object *object = assemble();
         SCOPED(line_profile) *profile = line_profile_new(object);
+        SCOPED_VALUE(timeline) timeline = { .object = object, .to = UINT64_MAX };
         SCOPED(c205) *machine = c205_new(prior_model, &failure);
         REQUIRE(machine && c205_load(machine, &object->program, &failure));
-        assert_true(c205_listen(machine, line_profile_listen, profile));
+        assert_true(c205_listen(machine, line_profile_listen, profile)
+                    && c205_listen(machine, timeline_listen, &timeline));
         stop = c205_run(machine, C205_NO_LIMIT);
         assert_int_equal(stop.trap, C205_TRAP_NONE);
         check_lines(object);
         check_profile(object, profile);
+        check_timeline(object, &timeline);
         check_debugger(object);
         check_stops(assemble());
         check_steps(assemble());

@@ -181,8 +181,8 @@ static void check_texts(const struct timeline *timeline)
 
 static void check_object(const struct object *object, const char *path)
 {
-    SCOPED_VALUE(timeline) timeline = { .to = UINT64_MAX };
-    SCOPED_VALUE(timeline) part = { 0 };
+    SCOPED_VALUE(timeline) timeline = { .object = object, .to = UINT64_MAX };
+    SCOPED_VALUE(timeline) part = { .object = object };
     SCOPED(c205) *machine = run(object, &timeline);
     check_sums(&timeline, machine, path);
     check_rows(&timeline);

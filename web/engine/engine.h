@@ -139,8 +139,9 @@
  *   full          more instructions were omitted
  *   file          text of the file; without file in the request:
  *   lanes         name, rows (the spans of a row do not overlap)
- *   insns         pc, line, text, unit, elements, arrived, issued, ready, done, phases
- *                 and pieces: begin, end, cause
+ *   insns         pc, line, text, source (line and form of an instruction of a macro,
+ *                 or ""), unit, elements, arrived, issued, ready, done, phases and
+ *                 pieces: begin, end, cause
  *   spans         lane, row, begin, end, insn (index in insns), cause (missing for
  *                 execution)
  *   charged       begin, end, cause; without gaps

@@ -23,6 +23,7 @@ static void put_insn(const struct engine *engine, struct json *reply,
     json_count(reply, "pc", insn->pc);
     json_count(reply, "line", program_line(engine, insn->pc));
     json_text(reply, "text", insn->text);
+    json_text(reply, "source", insn->line);
     json_text(reply, "unit", insn->insn ? c205_unit_name(insn->insn->unit) : "");
     json_count(reply, "elements", insn->elements);
     json_count(reply, "arrived", insn->arrived);
@@ -147,7 +148,7 @@ bool answer_timeline(struct engine *engine, const struct json_value *request,
     const struct timeline_form *form;
     if (!take_slice(engine, request, error))
         return false;
-    *timeline = (struct timeline){ .to = UINT64_MAX };
+    *timeline = (struct timeline){ .object = engine->object, .to = UINT64_MAX };
     if (!take_count(request, "from", &timeline->from, error)
         || !take_count(request, "to", &timeline->to, error)
         || !take_count(request, "most", &most, error)

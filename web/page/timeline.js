@@ -138,8 +138,8 @@ export function makeTimeline(panel, session) {
 }
 
 // Returns the tooltip of a box.
-const words = ({ cause = "active", begin, end }, { text, arrived, issued, ready }) =>
-  [`${cause}: ${some(end - begin, "clock")}, ${begin} .. ${end}`, text,
+const words = ({ cause = "active", begin, end }, { text, source, arrived, issued, ready }) =>
+  [`${cause}: ${some(end - begin, "clock")}, ${begin} .. ${end}`, text, ...(source ? [source] : []),
     `arrived ${arrived}, issued ${issued}, result ${ready}`].join("\n");
 
 // Returns at most about MAX_COUNT round numbers between two clocks.
