@@ -111,8 +111,8 @@ fine_begun:
         .share  hits
         .regs   r136, visit_first, visit_d, visit_e, visit_t, visit_a0, visit_a1
         .regs   r142, visit_b0, visit_b1, visit_right, visit_shown
-        .regs   r137, string0, string1, string2, string3, string4, string5
-        .regs   r143, string6, string7, string8
+        .regs   visit_d, string0, string1, string2, string3, string4, string5
+        .regs   visit_b1, string6, string7, string8
         .endshare
 
 ; Allocates bit strings as long as a row of pixels, with zeros before and after

@@ -50,7 +50,7 @@ crossed_sums:   .word 0                 ; address of the sums
         .regs   r20, col_at, col_half_lanes, col_lower, col_upper, at_col_upper
         .regs   r25, col_work0, col_work1, col_work2
         .regs   r32, col_s, col_normal, col_ray, col_part, col_sign, col_object_depth, col_scene_depth
-        .regs   r32, field0, field1, field2, field3, field4, field5, field6
+        .regs   col_s, field0, field1, field2, field3, field4, field5, field6
         .regs   r39, col_w, col_lane, col_lanes_most
         .regs   r42, col_n, col_count, b_enter, b_leave, b_visible, b_part
 
