@@ -150,10 +150,7 @@ frame_refine:
         call_routine fine_next, link
         load_at fine_rays, 1, plane_size
         IBXEQ   plane_size, r0, r0, frame_refined
-        EX      main_at, rays_primary
-        LOD     [main_at], main_t
-        ADDX    main_t, plane_size, main_t
-        STO     [main_at], main_t
+        add_to_word rays_primary, plane_size, main_at, main_t
         SHIFTI  plane_size, 6, plane_size
         load_at scene_frame, 1, plane_at
         ES      main_t, 0

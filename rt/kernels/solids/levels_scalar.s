@@ -69,13 +69,6 @@ hit:            .space 2                ; distance, primitive
         store_part \first, \number, level, \offset, main_at
         .endm
 
-        .macro  count_ray kind
-        EX      main_at, \kind
-        LOD     [main_at], main_t
-        IS      main_t, 1
-        STO     [main_at], main_t
-        .endm
-
         .macro  call_level routine, list
         RTOR    level, arguments
         IX      arguments, 64 * \list
@@ -184,7 +177,7 @@ trace_hit:
         of_level L_FOLLOWED
         LOD     [main_at], main_t
         IBXEQ   main_t, r0, r0, trace_waiting
-        count_ray rays_reflected
+        add_to_word rays_reflected, m_index_one, main_at, main_t
         .if     HIDDEN
         of_level LEVEL_SIZE + L_CLASS
         ES      main_t, REFLECTED_RAYS
@@ -212,7 +205,7 @@ trace_class:
         ELEN    main_t, CHILD_SIZE
         SWAP    [main_at], r32, [r0]
         SWAP    [r0], r32, [main_t]
-        count_ray rays_refracted
+        add_to_word rays_refracted, m_index_one, main_at, main_t
 trace_down:
         IX      level, 64 * LEVEL_SIZE
         ADDX    levels_left, m_index_minus_one, levels_left
