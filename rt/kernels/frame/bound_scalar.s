@@ -1,16 +1,10 @@
 ; bound_scalar.s - tests whether a ray comes near a bounding sphere.
 ;
-; With centre C, radius R, L = C - O and b = L . D:
-;
-;   near:  L . L - b^2 <= R^2   and   b + R > 0   and   b - R < limit
-;
-; The host has enlarged the radius, and L.L is reduced slightly, as in
-; bound_vector.s, so no hit is missed. R = big: no bound. The products do not
-; depend on each other. The distance takes longest, so it is tested last.
+; bound_vector.s gives the formula and its source. R = big: no bound. The products
+; do not depend on each other. The distance takes longest, so it is tested last.
 ;
 ; The ray, the limit and the temporaries are in the registers of the routines
 ; that walk through the regions.
-; Source: bound_vector.s.
 
         .share  local
         .regs   r32, w_ray, w_argument, w_result_at

@@ -1,7 +1,6 @@
 ; nodes_scalar.s - intersects a ray with the primitives of a tree.
 ;
-; The nodes are in preorder. If the ray does not come near a node, the node and
-; everything below it are skipped. The kernels of other primitives store their
+; nodes_vector.s describes the walk. The kernels of primitives store their
 ; crossings at P_FIRST_STATE and P_FIRST_EVENT. P_NEXT_HIT chains the primitives
 ; that the ray hits, beginning in span. Branches that the ray comes near are
 ; listed. The value of a missed node is 0.

@@ -1,9 +1,6 @@
 ; segments_scalar.s - segments of a ray in a shape whose crossings are roots.
 ;
-; Boolean trees use them; see segments_vector.s. The crossings of the whole line
-; within the shape's bound, before the start of the ray and after it, are
-; alternately in and out. If the line begins inside, the first in is minus_big.
-; If it ends inside, the last out is big.
+; Boolean trees use them; segments_vector.s describes the order of crossings.
 
 ; Like find_lanes, for the whole line.
         .macro  find_all_lanes x0, x1, x2, bound2, miss

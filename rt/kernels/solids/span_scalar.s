@@ -1,15 +1,8 @@
 ; span_scalar.s - the span of a ray in which a tree can be visible.
 ;
-; Some parts of a tree are required (N_NEEDED): a ray outside one of them is
-; outside the tree. A ray that misses a required part does not see the tree.
-; Nothing of the tree is visible before a ray enters such a part, or after it
-; leaves it. Surfaces nearer than delta count as one, so the span is
-;
-;   in - 2 delta < E < out + 2 delta
-;
-; These macros are parts of the walks (bound_scalar.s). w_least and w_end are
-; the ends of the span.
-; Source: derived here.
+; span_vector.s gives the formula. A ray that misses a required part does not see
+; the tree. These macros are parts of the walks (bound_scalar.s). w_least and
+; w_end are the ends of the span.
 
         .macro  load_two_delta
         load_word k_delta, w_two_delta

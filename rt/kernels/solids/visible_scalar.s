@@ -12,23 +12,9 @@
 ; distance < limit, and the record of its primitive; big, 0 if there is none (2
 ; words).
 ;
-; A leaf with segments in_j .. out_j has these bits at a distance E:
-;
-;   before:  some  in_j <  E - delta  and not  out_j <  E - delta
-;   after:   some  in_j <= E + delta  and not  out_j <= E + delta
-;
-; A leaf without inside is 0 before. It is 1 after if it has a crossing in the
-; range E - delta .. E + delta. Surfaces nearer to each other than delta are
-; thus one surface. Both bits of a value are in one word: 2 before, 1 after. A
-; leaf shows at E if its bits differ and the bits of every solid that it is a
-; part of differ. An event is visible if a leaf shows there and has a crossing
-; there. Its primitive is the first leaf in the scene that shows there and has a
-; crossing in this range.
-;
-; Events are examined in order until one is visible. If only the bits of the
-; event's own leaf differ, it shows.
-; Source: the project's notes on ray tracing, 4.1. The rule of visibility is
-; derived here.
+; visible_vector.s gives the rule of visibility and its source. Both bits of a
+; value are in one word: 2 before, 1 after. Events are examined in order until one
+; is visible. If only the bits of the event's own leaf differ, it shows.
 
         .share  local
         .regs   r32, v_region, v_crossings, v_span, v_event
