@@ -61,6 +61,16 @@ hit:            .space 2                ; distance, primitive
         IX      main_at, 64 * (\offset)
         .endm
 
+        .macro  set_level offset, register
+        of_level \offset
+        STO     [main_at], \register
+        .endm
+
+        .macro  get_level offset, register
+        of_level \offset
+        LOD     [main_at], \register
+        .endm
+
         .macro  load_level offset, number, first
         load_part level, \offset, \number, \first, main_at
         .endm
@@ -80,15 +90,13 @@ hit:            .space 2                ; distance, primitive
         RTOR    level, main_t
         IX      main_t, 64 * (\offset)
         ELEN    main_t, \number
-        of_level \position
-        STO     [main_at], main_t
+        set_level \position, main_t
         .endm
 
         .macro  hit_argument position, number
         EX      main_t, hit
         ELEN    main_t, \number
-        of_level \position
-        STO     [main_at], main_t
+        set_level \position, main_t
         .endm
 
 ; Makes the argument lists of all levels, and the ray of the first.
@@ -125,8 +133,7 @@ levels_next:
         STO     [main_at], m_tmin
         STO     [main_at, m_index_one], main_t
         .if     INTERIORS
-        of_level L_PASSED
-        STO     [main_at], r0
+        set_level L_PASSED, r0
         of_level L_INSIDE
         STO     [main_at], m_minus_one
         STO     [main_at, m_index_one], m_one
@@ -136,8 +143,7 @@ levels_next:
         ES      main_t, IMAGE_RAYS
         STO     [main_at], main_t
         .endif
-        of_level L_WEIGHT
-        STO     [main_at], m_one
+        set_level L_WEIGHT, m_one
         BIM     0, trace_link
         .endkernel
 
@@ -156,11 +162,9 @@ trace_next:
 trace_hit:
         IBXEQ   hit_primitive, r0, r0, trace_background
         .if     FOG
-        of_level L_DISTANCE
-        STO     [main_at], distance
+        set_level L_DISTANCE, distance
         .endif
-        of_level L_SHADE + 1
-        STO     [main_at], hit_primitive
+        set_level L_SHADE + 1, hit_primitive
         call_level shade, L_SHADE
         .endkernel
         .kernel spawn
@@ -171,11 +175,9 @@ trace_hit:
         LOD     [main_at, m_index_one], main_red
         OR      main_t, main_red, main_t
         IBXEQ   main_t, r0, r0, trace_ended
-        of_level L_SPAWN + 1
-        STO     [main_at], hit_primitive
+        set_level L_SPAWN + 1, hit_primitive
         call_level spawn, L_SPAWN
-        of_level L_FOLLOWED
-        LOD     [main_at], main_t
+        get_level L_FOLLOWED, main_t
         IBXEQ   main_t, r0, r0, trace_waiting
         add_to_word rays_reflected, m_index_one, main_at, main_t
         .if     HIDDEN
@@ -185,18 +187,15 @@ trace_hit:
         .endif
         BIM     trace_down
 trace_waiting:
-        of_level L_FOLLOWED + 1
-        LOD     [main_at], main_t
+        get_level L_FOLLOWED + 1, main_t
         IBXEQ   main_t, r0, r0, trace_ended
         STO     [main_at], r0
         .if     HIDDEN
         ES      main_at, REFLECTED_RAYS
         IBXEQ   main_t, r0, main_at, trace_class ; 2: total reflection
-        of_level L_CLASS
-        LOD     [main_at], main_t
+        get_level L_CLASS, main_t
 trace_class:
-        of_level LEVEL_SIZE + L_CLASS
-        STO     [main_at], main_t
+        set_level LEVEL_SIZE + L_CLASS, main_t
         .endif
         of_level L_WAITING
         ELEN    main_at, CHILD_SIZE
@@ -216,8 +215,7 @@ trace_down:
 trace_background:
         .if     FOG
         load_word fog_far, main_t
-        of_level L_DISTANCE
-        STO     [main_at], main_t
+        set_level L_DISTANCE, main_t
         .endif
         load_at scene_background, 3, own_red
         IBXEQ   sky_stops, r0, r0, trace_no_sky
@@ -229,8 +227,7 @@ trace_no_sky:
         .kernel resolve
 trace_ended:
         .if     FOG
-        of_level L_DISTANCE
-        LOD     [main_at], fog_distance
+        get_level L_DISTANCE, fog_distance
         load_level L_SAMPLE, 3, own_red
         see_through_fog own_red, own_green, own_blue
         store_level L_SAMPLE, 3, own_red

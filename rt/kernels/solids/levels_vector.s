@@ -80,6 +80,12 @@ class_image:    .space QUEUE            ; class of the first level's rays
         IX      \address, 64 * (LEVEL_LIST + \vector * LIST)
         .endm
 
+; The same from the position in the list on, which is s4 bits after its start.
+        .macro  list_part vector, address
+        list_vector level, \vector, \address
+        ADDX    \address, s4, \address
+        .endm
+
         .kernel frame
 trace_levels:
         RTOR    link, link_levels
@@ -211,14 +217,12 @@ list_queue:
         store_word r0, queue_order, s5
         EX      s3, 64 * LIST
         SHIFTI  position, 6, s4
-        list_vector level, LIST_RAY, s2
-        ADDX    s2, s4, s2
+        list_part LIST_RAY, s2
         three_planes s2, s3, aox, aoy, aoz
         ADDX    aoz, s3, adx
         ADDX    adx, s3, ady
         ADDX    ady, s3, adz
-        list_vector level, LIST_IMPORTANCE, s2
-        ADDX    s2, s4, s2
+        list_part LIST_IMPORTANCE, s2
         ADDLEN  s2, n, s2
         store_word s2, queue_importance, s5
         .if     INTERIORS
@@ -236,8 +240,7 @@ list_queue:
 list_passed_none:
         .endif
         .if     HIDDEN
-        list_vector level, LIST_CLASS, s2
-        ADDX    s2, s4, s2
+        list_part LIST_CLASS, s2
         ADDLEN  s2, n, s2
         EX      s5, queue_classes
         STO     [s5], s2
@@ -252,8 +255,7 @@ list_passed_none:
 list_class_sum:
         store_word s6, queue_class_sum, s5
         .endif
-        list_vector level, LIST_COLOR, s2
-        ADDX    s2, s4, s2
+        list_part LIST_COLOR, s2
         three_planes s2, s3, out_red, out_green, out_blue
         ES      from_one_point, 0
         BIM     0, link

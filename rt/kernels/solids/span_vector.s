@@ -28,16 +28,15 @@
         IX      \value_after, 64 * QUEUE_BIT_WORDS
         .endm
 
+; The rays in object space.
+        .regs   lox, local0, local1, local2, local3, local4, local5, local6, local7
+
         .data
 event_bits:     .space 3 * QUEUE_BIT_WORDS
         .align  64
 event_store:    .space 4 * QUEUE
 last_store:     .space QUEUE
         .code
-
-        .macro  compress_own vector
-        CPSV    [\vector], [\vector] ? [active]
-        .endm
 
 ; [later] = the later of two ends of segments.
         .macro  later_end end, other, later
@@ -107,14 +106,9 @@ compress_origins:
         leave_only woz, world_store, 2, active
 compress_spaces:
         IBXEQ   space, r0, r0, compress_crossings
-        compress_own lox
-        compress_own loy
-        compress_own loz
-        compress_own ldx
-        compress_own ldy
-        compress_own ldz
-        compress_own lscale
-        compress_own llower
+        .rept   8
+        CPSV    [local\+], [local\+] ? [active]
+        .endr
 compress_crossings:
         load_leaves
         call_routine compress_rays, link_inner
