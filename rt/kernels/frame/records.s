@@ -9,7 +9,7 @@
 ; Constants that the host sets when the program is assembled.
         option  MAX_CROSSINGS, 6   ; the most crossings of a ray with a primitive
         option  BLOB_PIECES        ; the most pieces of a blob, or 0: no blobs
-                                   ; (shapes/blob_vector.s)
+                                   ; (shapes/blob.s)
 
 ; Constants that are 1 if
         option  ADAPTIVE           ; sampling is adaptive (adaptive.s)

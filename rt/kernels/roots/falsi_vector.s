@@ -43,21 +43,12 @@
         .endm
 
         .macro  set_loop
-        lengthen q_loop, q_x
-        lengthen q_loop, q_fx
-        lengthen q_loop, q_w
-        lengthen q_loop, q_s
-        lengthen q_loop, q_d
-        lengthen q_loop, q_t
-        lengthen q_loop, q_answer
-        lengthen q_loop, q_small
-        lengthen q_loop, q_change
-        lengthen q_loop, q_bits
-        lengthen q_loop, q_x_sign
-        lengthen q_loop, q_done
-        .if     FALSI == PAPER
-        lengthen q_loop, q_changed
-        .endif
+        .rept   7
+        lengthen q_loop, loop\+
+        .endr
+        .rept   5 + (FALSI == PAPER)
+        lengthen q_loop, loop_bits\+
+        .endr
         .endm
 
 ; Reduces f(A) in the lanes in which A is kept, because the sign has not

@@ -75,19 +75,27 @@
         .share                          ; saved and restored
         .regs   r116, q_s3, q_s2, q_s1                      ; of f', with q_c1
         .regs   r119, q_bend1, q_bend2                      ; f'' = 0
-        .regs   r121, q_lane, q_position, q_count
-        .regs   r124, q_left_slope, q_right_slope
-        .regs   r126, q_knot, q_knot_f, q_next, q_next_f
-        .regs   r130, q_size, q_root, q_most_value, q_most_slope
+        .regs   r121, q_left_slope, q_knot, q_knot_f, q_most_value, q_most_slope
+        .regs   r126, q_position, q_count, q_lane
+        .regs   r129, q_right_slope, q_next, q_next_f, q_size, q_root
         .regs   r134, q_k4, q_k3, q_k2, q_k1, q_k0          ; lanes in the loop
         .regs   r139, q_a, q_fa, q_b, q_fb, q_x, q_fx
         .regs   r145, q_w, q_s, q_d, q_t, q_answer, q_at
         .equ    QUARTIC_VECTORS, 35
         .regs   r151, q_alive, q_left_flat, q_right_flat, q_knot_touch
         .regs   r155, q_next_touch, q_need, q_sign
-        .regs   r158, q_active, q_small, q_change, q_b_sign, q_x_sign, q_done
+        .regs   r158, q_active, q_b_sign, q_small, q_change, q_x_sign, q_done
         .regs   r164, q_bits, q_changed
         .equ    QUARTIC_BITS, 15
+
+; The same by numbers: kept from interval to interval; of one interval; of one
+; step in falsi_vector.s.
+        .regs   q_s3, kept0, kept1, kept2, kept3, kept4, kept5, kept6
+        .regs   q_knot_f, kept7, kept8, kept9, kept10, kept11
+        .regs   q_right_slope, interval0, interval1, interval2, interval3, interval4
+        .regs   q_alive, flag0, flag1, flag2, flag3, flag4, flag5, flag6
+        .regs   q_x, loop0, loop1, loop2, loop3, loop4, loop5, loop6
+        .regs   q_small, loop_bits0, loop_bits1, loop_bits2, loop_bits3, loop_bits4, loop_bits5
 
 ; Constants, then registers without an initial value.
         .regs   r166, q_one, q_half, q_three_halves, q_three, q_four
@@ -95,6 +103,7 @@
         .regs   r176, q_least, q_none, q_index_one, q_falsi_steps, q_all_steps
         .regs   r181, q_c4, q_c3, q_c2, q_c1, q_c0, q_low, q_high
         .regs   r188, q_resolution, q_lanes, q_want, q_left, q_result
+        .regs   q_c4, input0, input1, input2, input3, input4, input5, input6, input7
         .regs   r193, q_alive_count, q_active_count, q_finished, q_loop
         .regs   r197, q_steps, q_u, q_link, q_target
         .endshare
@@ -154,10 +163,9 @@ solver_roots:  .space QUEUE * 5
         .endm
 
         .macro  cubic_compress bits
-        CPSV    [q_k3], [q_k3] ? [\bits]
-        CPSV    [q_k2], [q_k2] ? [\bits]
-        CPSV    [q_k1], [q_k1] ? [\bits]
-        CPSV    [q_k0], [q_k0] ? [\bits]
+        .rept   4
+        CPSV    [q_k\+], [q_k\+] ? [\bits]
+        .endr
         .endm
 
         .macro  quartic_compress bits
@@ -276,18 +284,12 @@ is_zero\@:
 
         .macro  compressed
         RTOR    q_alive_count, q_lanes
-        lengthen q_lanes, q_right_slope
-        lengthen q_lanes, q_next
-        lengthen q_lanes, q_next_f
-        lengthen q_lanes, q_size
-        lengthen q_lanes, q_root
-        lengthen q_lanes, q_alive
-        lengthen q_lanes, q_left_flat
-        lengthen q_lanes, q_right_flat
-        lengthen q_lanes, q_knot_touch
-        lengthen q_lanes, q_next_touch
-        lengthen q_lanes, q_need
-        lengthen q_lanes, q_sign
+        .rept   5
+        lengthen q_lanes, interval\+
+        .endr
+        .rept   7
+        lengthen q_lanes, flag\+
+        .endr
         EQVB    [q_alive], [q_alive], [q_alive]
         .endm
 
@@ -350,11 +352,9 @@ give_none\@:
 ; Refines the roots of the lanes of q_need, between knot and next.
         .macro  refine_value
         take_bracket q_knot, q_knot_f, q_next, q_next_f, q_need
-        take    q_k4, q_c4, q_need
-        take    q_k3, q_c3, q_need
-        take    q_k2, q_c2, q_need
-        take    q_k1, q_c1, q_need
-        take    q_k0, q_c0, q_need
+        .rept   5
+        take    q_k\+, q_c\+, q_need
+        .endr
         RTOR    q_root, q_result
         EX      q_target, refine_quartic
         BSAVE   q_link, [q_target]
@@ -428,16 +428,9 @@ search_none\@:
         exchange q_left_flat, q_right_flat
         if_half_alive search_alive\@
         compress_inputs
-        compress_vector q_s3
-        compress_vector q_s2
-        compress_vector q_s1
-        compress_vector q_bend1
-        compress_vector q_bend2
-        compress_vector q_left_slope
-        compress_vector q_knot
-        compress_vector q_most_value
-        compress_vector q_most_slope
-        compress_vector q_knot_f
+        .rept   10
+        compress_vector kept\+
+        .endr
         CPSB    [q_left_flat], [q_left_flat] ? [q_alive]
         CPSB    [q_knot_touch], [q_knot_touch] ? [q_alive]
         compressed
@@ -460,14 +453,9 @@ search_alive\@:
         EX      q_save_at, solver_save
         ELEN    q_save_at, QUARTIC_REGISTERS
         SWAP    [q_image_at], q_s3, [q_save_at]
-        RTOR    s0, q_c4
-        RTOR    s1, q_c3
-        RTOR    s2, q_c2
-        RTOR    s3, q_c1
-        RTOR    s4, q_c0
-        RTOR    s5, q_low
-        RTOR    s6, q_high
-        RTOR    s7, q_resolution
+        .rept   8
+        RTOR    s\+, input\+
+        .endr
         LTOR    q_c4, q_lanes
         RTOR    s9, q_want
         EX      root0, solver_roots
@@ -480,12 +468,9 @@ search_alive\@:
         IX      root3, 64 * QUEUE
         RTOR    root3, root_count
         IX      root_count, 64 * QUEUE
-        VTOV    q_none, [root0]
-        .if     \places == 4
-        VTOV    q_none, [root1]
-        VTOV    q_none, [root2]
-        VTOV    q_none, [root3]
-        .endif
+        .rept   \places
+        VTOV    q_none, [root\+]
+        .endr
         VTOV    r0, [root_count]
         INTVLV  r0, q_index_one, [q_lane]
         EX      q_target, solver_order
@@ -497,18 +482,9 @@ search_alive\@:
         if_half_alive enter_alive\@
         compress_inputs
         compress_input q_low, 6
-        lengthen q_alive_count, q_s3
-        lengthen q_alive_count, q_s2
-        lengthen q_alive_count, q_s1
-        lengthen q_alive_count, q_bend1
-        lengthen q_alive_count, q_bend2
-        lengthen q_alive_count, q_position
-        lengthen q_alive_count, q_count
-        lengthen q_alive_count, q_left_slope
-        lengthen q_alive_count, q_knot
-        lengthen q_alive_count, q_knot_f
-        lengthen q_alive_count, q_most_value
-        lengthen q_alive_count, q_most_slope
+        .rept   12
+        lengthen q_alive_count, kept\+
+        .endr
         compressed
 enter_alive\@:
         VTOV    [q_lane], [q_position]

@@ -223,8 +223,8 @@ signs_same\@:
 take_full\@:
         .endm
 
-; Records a crossing at interval_t if the sign there differs from the sign at the
-; end of the previous interval.
+; Records a crossing at interval_t if the sign there differs from the sign at
+; the end of the previous interval.
         .macro  signs_at_beginning
         IBXNE   walk_first, r0, r0, signs_done\@
         IBXEQ   e6, r0, interval_inside, signs_done\@

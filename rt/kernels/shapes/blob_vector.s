@@ -7,6 +7,7 @@
         .regs   r233, interval_t, interval_end, interval_length, most_field, crossing_at, columns_free
         .equ    BLOB_VECTORS, 6
         .regs   r239, piece_a, piece_b, piece_c, piece_enter, piece_leave
+        .regs   piece_a, piece0, piece1, piece2, piece3, piece4
         .regs   r244, pieces_used
         .reg    nearest_interval, r245  ; 0: all crossings; 1, 2: the nearest;
         .endshare                       ; 1: in the first interval, 2: later
@@ -85,11 +86,9 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
         .endm
 
         .macro  next_piece
-        IX      piece_a, 64 * PIECE_SIZE
-        IX      piece_b, 64 * PIECE_SIZE
-        IX      piece_c, 64 * PIECE_SIZE
-        IX      piece_enter, 64 * PIECE_SIZE
-        IX      piece_leave, 64 * PIECE_SIZE
+        .rept   5
+        IX      piece\+, 64 * PIECE_SIZE
+        .endr
         IX      strength_at, 64
         .endm
 
@@ -114,8 +113,8 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
         .endm
 
 ; Stores the interval [from] .. [to] of the lanes of hits0 as a piece and lowers
-; interval_t to its start.  hits1 = the lanes that have it ahead of them.  Branches
-; to none if there are none.
+; interval_t to its start.  hits1 = the lanes that have it ahead of them.
+; Branches to none if there are none.
         .macro  take_piece from, to, none
         CMPLTV  [\from], [\to], [hits1]
         ANDB    [hits0], [hits1], [hits1]
@@ -221,12 +220,6 @@ side_crossed:
 
 ; ---- The walk
 
-; Compresses a vector of a piece in place and restores the register's length.
-        .macro  keep_vector vector
-        CPSV    [\vector], [\vector] ? [hits1]
-        lengthen m, \vector
-        .endm
-
 ; Keeps only the lanes of hits1.  m = their number.
         .macro  keep_lanes
         CPSV    [lane_at], [lane_at] ? [hits1]
@@ -238,11 +231,10 @@ side_crossed:
         first_piece
         RTOR    pieces_used, pieces_left
 keep_piece\@:
-        keep_vector piece_a
-        keep_vector piece_b
-        keep_vector piece_c
-        keep_vector piece_enter
-        keep_vector piece_leave
+        .rept   5
+        CPSV    [piece\+], [piece\+] ? [hits1]
+        lengthen m, piece\+
+        .endr
         next_piece
         IBXNE   pieces_left, minus_one_index, r0, keep_piece\@, pieces_left
         CNTOB   [hits1], m
@@ -318,10 +310,7 @@ interval_next\@:
         .macro  solve_interval
         VTOV    r0, [e5]
         VTOV    r0, [interval_length] ?! [hits1]
-        RTOR    link_inner, lane_link
-        EX      target, solve_quartic_signs
-        call_quartic target, k4, k3, k2, k1, k0, e5, interval_length, sh6
-        RTOR    lane_link, link_inner
+        solve_quartics solve_quartic_signs, e5, interval_length, sh6
         .endm
 
 ; Records the crossing [e0] of the lanes of hits1 as the only one.
@@ -343,8 +332,9 @@ interval_next\@:
         SUBNV   [columns_free], one, [columns_free] ? [hits2]
         .endm
 
-; hits1 = the lanes that cross at interval_t: inside by the previous interval and
-; outside by this one, or vice versa.  The first interval has no predecessor.
+; hits1 = the lanes that cross at interval_t: inside by the previous interval
+; and outside by this one, or vice versa.  The first interval has no
+; predecessor.
         .macro  signs_at_beginning
         XORB    [lane_inside], [hits0], [hits1]
         IBXNE   nearest_interval, r0, one_index, signs_walked\@

@@ -63,9 +63,7 @@ find_lanes_ahead\@:
 
 ; Passes the quartic and its interval to a routine of the solver.
         .macro  call_quartic routine
-        EX      t3, near_input
-        ELEN    t3, 8
-        SWAP    [r0], k4, [t3]
+        store_words k4, 8, near_input, t3
         call    \routine, near_list
         .endm
 

@@ -99,13 +99,18 @@ lane_shade_store: .space (SHADE_VECTORS - 4) * QUEUE
         CPSV    [w6], [lane_high] ? [bits0]
         .endm
 
+; Calls a routine of the solver with the lanes' quartics k4 .. k0.
+        .macro  solve_quartics routine, low, high, resolution
+        RTOR    link_inner, lane_link
+        EX      target, \routine
+        call_quartic target, k4, k3, k2, k1, k0, \low, \high, \resolution
+        RTOR    lane_link, link_inner
+        .endm
+
 ; Computes the first root of each lane's quartic k4 .. k0, with the scalar
 ; resolution, as tin = tout of its ray.  hits0 = the lanes that have one.
         .macro  solve_lanes resolution, routine=solve_quartic
-        RTOR    link_inner, lane_link
-        EX      target, \routine
-        call_quartic target, k4, k3, k2, k1, k0, lane_low, lane_high, \resolution
-        RTOR    lane_link, link_inner
+        solve_quartics \routine, lane_low, lane_high, \resolution
         VTOV    big, [tin]
         VTOV    minus_big, [tout]
         CMPLTV  [root0], big, [hits0]

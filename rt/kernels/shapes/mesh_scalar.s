@@ -22,6 +22,7 @@
         .regs   r123, side_x2, side_y2, side_z2, side_u, side_v, side_w
         .regs   r129, triangle_at, mesh_least, mesh_stops
         .endshare
+        .regs   box_x, box0, box1, box2, box3, box4, box5
         .equ    MESH_REGISTERS, 100
 
         .data
@@ -130,18 +131,10 @@ limit_none\@:
 ; Tests the box of the node at node_at, which advances to its links.  Branches
 ; to box_missed if the ray misses the box.
         .macro  near_boxes box_missed
-        LOD     [node_at], box_x
+        .rept   MESH_LINKS - MESH_BOX
+        LOD     [node_at], box\+
         IX      node_at, 64
-        LOD     [node_at], box_y
-        IX      node_at, 64
-        LOD     [node_at], box_z
-        IX      node_at, 64
-        LOD     [node_at], box_hx
-        IX      node_at, 64
-        LOD     [node_at], box_hy
-        IX      node_at, 64
-        LOD     [node_at], box_hz
-        IX      node_at, 64 * (MESH_LINKS - 5)
+        .endr
         SUBN    box_x, ox, box_x
         SUBN    box_y, oy, box_y
         SUBN    box_z, oz, box_z

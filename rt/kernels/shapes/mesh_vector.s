@@ -50,6 +50,8 @@
         .regs   r147, mesh_signs, mesh_limit
         .regs   r149, mesh_low, mesh_high, mesh_g0, mesh_g1, mesh_g2, mesh_g3
         .regs   r155, mesh_bits, mesh_hit
+        .regs   mesh_at, walk0, walk1, walk2, walk3, walk4, walk5, walk6, walk7
+        .regs   mesh_ax, walk8, walk9, walk10, walk11, walk12
         .equ    WALK_VECTORS, 21
         .regs   r157, mesh_table, mesh_row, mesh_links, mesh_leaf_link
         .reg    mesh_pairs, r161
@@ -284,19 +286,9 @@ side_bases:
         .endm
 
         .macro  keep_boxes
-        walk_keep mesh_at
-        walk_keep mesh_ray
-        walk_keep mesh_ox
-        walk_keep mesh_oy
-        walk_keep mesh_oz
-        walk_keep mesh_ix
-        walk_keep mesh_iy
-        walk_keep mesh_iz
-        walk_keep mesh_ax
-        walk_keep mesh_ay
-        walk_keep mesh_az
-        walk_keep mesh_signs
-        walk_keep mesh_limit
+        .rept   13
+        walk_keep walk\+
+        .endr
         .endm
 
         .macro  limit_boxes limits

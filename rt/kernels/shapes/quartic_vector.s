@@ -47,10 +47,7 @@
         ADDNV   [lower], [w3], [w6]
         CMPGEV  -[w6], [w5], [bits0]
         VTOV    -[w5], [w6] ? [bits0]
-        RTOR    link_inner, lane_link
-        EX      s8, solve_quartic
-        call_quartic s8, k4, k3, k2, k1, k0, w6, w5, sh1
-        RTOR    lane_link, link_inner
+        solve_quartics solve_quartic, w6, w5, sh1
         VTOV    big, [tin]
         VTOV    minus_big, [tout]
         CMPLTV  [root0], big, [bits0]

@@ -177,10 +177,7 @@ crossing_none\@:
         VTOV    patch_low, [e0]
         VTOV    patch_high, [e1]
         VTOV    patch_low, [e1] ? [hits0]       ; no interval: no root
-        RTOR    link_inner, lane_link
-        EX      s8, solve_quartic_all
-        call_quartic s8, k4, k3, k2, k1, k0, e0, e1, s9
-        RTOR    lane_link, link_inner
+        solve_quartics solve_quartic_all, e0, e1, s9
         .endm
 
 ; Keeps only the lanes of hits0.

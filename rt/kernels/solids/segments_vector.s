@@ -16,10 +16,7 @@
 
 ; Finds all roots of each lane's quartic.
         .macro  solve_all low, high, resolution
-        RTOR    link_inner, lane_link
-        EX      s8, solve_quartic_signs
-        call_quartic s8, k4, k3, k2, k1, k0, \low, \high, \resolution
-        RTOR    lane_link, link_inner
+        solve_quartics solve_quartic_signs, \low, \high, \resolution
         .endm
 
 ; [value] = the distance of a crossing at which a ray enters or leaves. Lanes
