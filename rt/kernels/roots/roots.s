@@ -250,11 +250,9 @@ roots_planes:   .space QUEUE * ROOTS_VECTORS
 
 ; Moves the coefficients down while the last is 0.
         .macro  remove_zeros
-        copy    c4, d4
-        copy    c3, d3
-        copy    c2, d2
-        copy    c1, d1
-        copy    c0, d0
+        .rept   5
+        copy    c\+, d\+
+        .endr
         CMPEQV  [d0], r0, [at_zero]
         .rept   4
         CMPEQV  [d0], r0, [bits0]

@@ -53,11 +53,9 @@ scale_coefficient\@:
 
         .macro  scale_polynomials
         remove_zeros
-        find_exponent 0
-        find_exponent 1
-        find_exponent 2
-        find_exponent 3
-        find_exponent 4
+        .rept   5
+        find_exponent \+
+        .endr
         copy    e0, top
         set     one, degree
         find_top d1, present1, e1, one
@@ -79,11 +77,9 @@ scale_coefficient\@:
         shift_exponent 4, four
         find_refused
 
-        scale_coefficient 0
-        scale_coefficient 1
-        scale_coefficient 2
-        scale_coefficient 3
-        scale_coefficient 4
+        .rept   5
+        scale_coefficient \+
+        .endr
         word_exponent k
         pack_coefficient t0, unit, size
         raise   largest, two, t1

@@ -231,9 +231,7 @@ either_by\@:
         condition keep_opposite_less, CFPGE
 
         .macro  turned_if_negative number, set, chosen
-        CFPGE   \number, r0, turned\@
-        XOR     \chosen, index_one, \chosen
-turned\@:
+        turn_if_less \number, r0, \set, \chosen
         .endm
 
         .macro  subset_less a, b, set, subset, out

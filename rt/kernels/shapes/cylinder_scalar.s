@@ -111,11 +111,3 @@ open_cylinder:
         keep_between_disks t5, t6, sh13, cylinder_miss
         leave_kernel
         .endkernel
-
-        .ifdef  CYLINDER_IN_FRAME
-        .include "shapes/cylinder_in_frame.s"
-        .endif
-
-        .ifdef  HISTORICAL
-        .include "shapes/cylinder_clipped.s"
-        .endif

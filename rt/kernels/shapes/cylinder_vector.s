@@ -22,12 +22,8 @@
         SUBNV   [ox], sh0, [w0]
         SUBNV   [oy], sh1, [w1]
         SUBNV   [oz], sh2, [w2]
-        dot_constant w0, w1, w2, sh3, sh4, sh5, w7, w9
-        dot_constant w0, w1, w2, sh6, sh7, sh8, w8, w9
-        dot_constant w0, w1, w2, sh9, sh10, sh11, w5, w9
-        dot_constant dx, dy, dz, sh3, sh4, sh5, w0, w9
-        dot_constant dx, dy, dz, sh6, sh7, sh8, w1, w9
-        dot_constant dx, dy, dz, sh9, sh10, sh11, w6, w9
+        dot_constants w0, w1, w2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, w7, w8, w5, w9
+        dot_constants dx, dy, dz, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, w0, w1, w6, w9
         .endm
 
 ; Computes tin, tout of the side of the infinite cylinder.  Leaves o along w in
@@ -123,11 +119,3 @@ open_cylinder:
         keep_between_disks w5, w6, sh13
         BIM     0, link_kernel
         .endkernel
-
-        .ifdef  CYLINDER_IN_FRAME
-        .include "shapes/cylinder_in_frame.s"
-        .endif
-
-        .ifdef  HISTORICAL
-        .include "shapes/cylinder_clipped.s"
-        .endif

@@ -256,11 +256,7 @@ intersect_every:
         CMPEQV  [side_x0], r0, [side_bits]
         VTOV    one, [side_u] ? [side_bits]
         VTOV    one, [side_x0] ? [side_bits]
-        MPYSV   [side_u], [side_z0], [side_z0]
-        MPYSV   [side_v], [side_z1], [side_z1]
-        MPYSV   [side_w], [side_z2], [side_z2]
-        ADDNV   [side_z0], [side_z1], [side_z0]
-        ADDNV   [side_z0], [side_z2], [side_z0]
+        weigh_corners
         of_ray  w5, side_g1
         MPYSV   [side_z0], [side_g1], [side_z0]
         DIVSV   [side_z0], [side_x0], [side_z0] ; t
@@ -281,9 +277,7 @@ every_counted:
         IBXEQ   s3, r0, s2, every_turn
         RTOR    s3, s2
 every_keep:
-        side_keep side_ray
-        side_keep side_triangle
-        side_keep side_z0
+        keep_hits
         set_crossing_sides s2
 every_turn:
         VXTOV   [side_ray], [mesh_counts], [side_x0]

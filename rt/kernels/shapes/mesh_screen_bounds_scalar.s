@@ -7,6 +7,8 @@
         .reg    mesh_v, inverse_y
         .reg    mesh_forward, inverse_z
         .reg    mesh_bounds, size_x
+; The lowest and highest u and v, and the lowest z.
+        .regs   box_x, window0, window1, window2, window3, window4
 ; The viewpoint, in the registers of the boxes until the traversal begins.
         .share  local
         .regs   r100, viewpoint_x, viewpoint_y, viewpoint_z, viewpoint_axis
@@ -88,21 +90,15 @@ viewpoint_ahead\@:
         .endm
 
         .macro  near_screen_bounds box_missed
-        LOD     [node_at], low_x
+        .rept   5
+        LOD     [node_at], window\+
         IX      node_at, 64
-        LOD     [node_at], high_x
-        IX      node_at, 64
-        LOD     [node_at], low_y
-        IX      node_at, 64
-        LOD     [node_at], high_y
-        IX      node_at, 64
-        LOD     [node_at], low_z
-        IX      node_at, 64
+        .endr
         MPYS    tin, mesh_forward, high_z
-        CFPLT   mesh_u, low_x, \box_missed
-        CFPLT   high_x, mesh_u, \box_missed
-        CFPLT   mesh_v, low_y, \box_missed
-        CFPLT   high_y, mesh_v, \box_missed
-        CFPGE   low_z, high_z, \box_missed
+        CFPLT   mesh_u, window0, \box_missed
+        CFPLT   window1, mesh_u, \box_missed
+        CFPLT   mesh_v, window2, \box_missed
+        CFPLT   window3, mesh_v, \box_missed
+        CFPGE   window4, high_z, \box_missed
         .endm
 

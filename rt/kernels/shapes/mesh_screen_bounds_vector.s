@@ -162,11 +162,9 @@ far_placed\@:
         .endm
 
         .macro  keep_screen_bounds
-        walk_keep mesh_at
-        walk_keep mesh_ray
-        walk_keep mesh_u
-        walk_keep mesh_v
-        walk_keep mesh_forward
+        .rept   5
+        walk_keep walk\+
+        .endr
         walk_keep mesh_limit
         .endm
 

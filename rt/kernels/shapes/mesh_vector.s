@@ -188,14 +188,18 @@ side_bases:
         CPSV    [\vector], [\vector] ? [side_bits]
         .endm
 
-; Keeps only the pairs of side_bits, which the ray may hit.
-        .macro  keep_sides
+; Keeps only the pairs of side_bits: their hits, or also U, V and W.
+        .macro  keep_hits
         side_keep side_ray
         side_keep side_triangle
+        side_keep side_z0
+        .endm
+
+        .macro  keep_sides
+        keep_hits
         side_keep side_u
         side_keep side_v
         side_keep side_w
-        side_keep side_z0
         side_keep side_z1
         side_keep side_z2
         .endm
@@ -242,6 +246,15 @@ side_bases:
         .macro  side_and bits, a, b
         CMPGEV  \a, \b, [side_tie]
         ANDB    [\bits], [side_tie], [\bits]
+        .endm
+
+; [side_z0] = U z0 + V z1 + W z2.
+        .macro  weigh_corners
+        MPYSV   [side_u], [side_z0], [side_z0]
+        MPYSV   [side_v], [side_z1], [side_z1]
+        MPYSV   [side_w], [side_z2], [side_z2]
+        ADDNV   [side_z0], [side_z1], [side_z0]
+        ADDNV   [side_z0], [side_z2], [side_z0]
         .endm
 
 ; Prepares the data of the near rays for a traversal: their own axes.
@@ -445,11 +458,7 @@ intersect_sides:
         if_none side_bits, s2, sides_hit
         keep_sides
         set_sides s2
-        MPYSV   [side_u], [side_z0], [side_z0]
-        MPYSV   [side_v], [side_z1], [side_z1]
-        MPYSV   [side_w], [side_z2], [side_z2]
-        ADDNV   [side_z0], [side_z1], [side_z0]
-        ADDNV   [side_z0], [side_z2], [side_z0]
+        weigh_corners
         ADDNV   [side_u], [side_v], [side_u]
         ADDNV   [side_u], [side_w], [side_u]
         of_ray  w5, side_g1
@@ -476,9 +485,7 @@ sides_better:
         ORB     [side_more], [side_tie], [side_more]
         ANDB    [side_bits], [side_more], [side_bits]
         if_none side_bits, s2, sides_hit
-        side_keep side_ray
-        side_keep side_triangle
-        side_keep side_z0
+        keep_hits
         set_sides s2
         VTOVX   [side_ray], [side_z0], [tin]
         VTOVX   [side_ray], [side_triangle], [patch_s]
