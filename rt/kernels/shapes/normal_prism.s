@@ -52,18 +52,23 @@
         end_if  cap_nearest\@
         .endm
 
-normal_open_prism:
+; Begins the normals of a prism, with or without caps.
+        .macro  begin_normals name
+normal_open_\name:
         load_shape 3
         set_big t0
         set     m_one, nx
         set     m_zero, ny
-        BIM     normal_prism_sides
-normal_prism:
+        BIM     normal_\name\()_sides
+normal_\name:
         load_shape 3
         nearest_cap
-normal_prism_sides:
+normal_\name\()_sides:
         set     m_zero, nz
         load_table
+        .endm
+
+        begin_normals prism
 normal_prism_row:
         load_from table, PRISM_SIZE, sh3
         IX      table, 64 * PRISM_SIZE

@@ -47,18 +47,7 @@
 curve_none\@:
         .endm
 
-normal_open_quadratic_prism:
-        load_shape 3
-        set_big t0
-        set     m_one, nx
-        set     m_zero, ny
-        BIM     normal_curves
-normal_quadratic_prism:
-        load_shape 3
-        nearest_cap
-normal_curves:
-        set     m_zero, nz
-        load_table
+        begin_normals quadratic_prism
 normal_curve:
         RTOR    table, curve_at
         IX      curve_at, 64 * QUADRATIC_BEGINS

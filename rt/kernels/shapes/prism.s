@@ -159,22 +159,6 @@ side_not\@:
 cap_not\@:
         .endm
 
-        saves   prism, 70, r76
-        .kernel prism
-prism:
-        begin_prism prism, prism_missed
-        ray_set big, tin
-        walk_edges side_or_cap_ahead
-        cap_ahead inside_low, cap_low
-        cap_ahead inside_high, cap_high
-        leave_at_nearest prism, prism_missed
-open_prism:
-        begin_prism prism, prism_missed
-        ray_set big, tin
-        walk_edges side_ahead
-        leave_at_nearest prism, prism_missed
-        missed_columns prism_missed, prism
-
 ; Inserts the crossings between the caps.  inside_high: their number is odd.
         .macro  between_caps
         keep_less_or_turn edge_low, crossed_at, crossed, inside_low, between_not\@
@@ -206,15 +190,36 @@ cap_none\@:
         insert_cap inside_high, cap_high
         .endm
 
-prism_solid:
-        begin_prism prism, prism_passed
+; The routines of a prism: `walk` computes the crossings with the edges.
+        .macro  prism_routines name, shape, walk
+\name:
+        begin_prism \shape, \shape\()_missed
+        ray_set big, tin
+        \walk   side_or_cap_ahead
+        cap_ahead inside_low, cap_low
+        cap_ahead inside_high, cap_high
+        leave_at_nearest \shape, \shape\()_missed
+open_\name:
+        begin_prism \shape, \shape\()_missed
+        ray_set big, tin
+        \walk   side_ahead
+        leave_at_nearest \shape, \shape\()_missed
+        missed_columns \shape\()_missed, \shape
+
+\name\()_solid:
+        begin_prism \shape, \shape\()_passed
         begin_columns
-        walk_edges between_caps
+        \walk   between_caps
         insert_caps
-        BIM     prism_fill
-open_prism_sides:
-        begin_prism prism, prism_passed
+        BIM     \shape\()_fill
+open_\name\()_sides:
+        begin_prism \shape, \shape\()_passed
         begin_columns
-        walk_edges side_between
-        fill_columns prism, prism_passed, prism_fill
+        \walk   side_between
+        fill_columns \shape, \shape\()_passed, \shape\()_fill
+        .endm
+
+        saves   prism, 70, r76
+        .kernel prism
+        prism_routines prism, prism, walk_edges
         .endkernel

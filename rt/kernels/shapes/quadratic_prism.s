@@ -107,30 +107,6 @@ curve_passed\@:
 
         saves   quadratic, 80, r76
         .kernel quadratic_prism
-quadratic_prism:
-        begin_prism quadratic, quadratic_missed
-        ray_set big, tin
-        walk_curves side_or_cap_ahead
-        cap_ahead inside_low, cap_low
-        cap_ahead inside_high, cap_high
-        leave_at_nearest quadratic, quadratic_missed
-open_quadratic_prism:
-        begin_prism quadratic, quadratic_missed
-        ray_set big, tin
-        walk_curves side_ahead
-        leave_at_nearest quadratic, quadratic_missed
-        missed_columns quadratic_missed, quadratic
-
-quadratic_prism_solid:
-        begin_prism quadratic, quadratic_passed
-        begin_columns
-        walk_curves between_caps
-        insert_caps
-        BIM     quadratic_fill
-open_quadratic_prism_sides:
-        begin_prism quadratic, quadratic_passed
-        begin_columns
-        walk_curves side_between
-        fill_columns quadratic, quadratic_passed, quadratic_fill
+        prism_routines quadratic_prism, quadratic, walk_curves
         .endkernel
         .endif
