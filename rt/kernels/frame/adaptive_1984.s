@@ -5,8 +5,7 @@
 
         .macro  by_scalar_program routine
         to_scalar
-        EX      target, \routine
-        BSAVE   link, [target]
+        call_routine \routine, link
         to_vector
         .endm
 

@@ -7,8 +7,7 @@ average_1984:
         load_word scene_samples, s1
         IBXLE   s1, r0, one_index, average_not
         to_scalar
-        EX      target, average
-        BSAVE   link, [target]
+        call_routine average, link
         to_vector
 average_not:
         BIM     0, link_kernel

@@ -15,12 +15,10 @@
         .kernel frame
 begin_scalar:
         EX      s0, vector_context
-        ELEN    s0, CONTEXT
-        SWAP    [r0], r7, [s0]
+        store_to r7, CONTEXT, s0
         load_main_constants
         EX      s0, scalar_context
-        ELEN    s0, CONTEXT
-        SWAP    [r0], r7, [s0]
+        store_to r7, CONTEXT, s0
         to_vector
         BIM     0, link_kernel
         .endkernel

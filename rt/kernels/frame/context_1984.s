@@ -26,13 +26,11 @@ operands:       .space OPERANDS
 
         .macro  to_vector
         EX      s0, vector_context
-        ELEN    s0, CONTEXT
-        SWAP    [s0], r7, [r0]
+        load_from s0, CONTEXT, r7
         .endm
 
 ; Passes `number` registers, from `register` on, as operands from `position` on.
         .macro  pass_operands register, number=1, position=0, into=operands
         EX      s0, \into + 64 * \position
-        ELEN    s0, \number
-        SWAP    [r0], \register, [s0]
+        store_to \register, \number, s0
         .endm

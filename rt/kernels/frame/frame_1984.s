@@ -19,17 +19,13 @@
         .entry  frame
         .kernel frame
 frame:
-        EX      target, begin_queues
-        BSAVE   link_walk, [target]
-        EX      target, begin_scalar
-        BSAVE   link_kernel, [target]
-        EX      target, trace_levels
-        BSAVE   link, [target]
+        call_routine begin_queues, link_walk
+        call_routine begin_scalar, link_kernel
+        call_routine trace_levels, link
         .if     ADAPTIVE
         refine_pixels begin_fine, next_fine, average_fine, end_fine, link_kernel
         .else
-        EX      target, average_1984
-        BSAVE   link_kernel, [target]
+        call_routine average_1984, link_kernel
         .endif
         EXIT
         .endkernel

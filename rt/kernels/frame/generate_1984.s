@@ -42,8 +42,7 @@ generate:
         load_at scene_wide, 1, width
         load_place_steps
         .else
-        EX      loop_at, scene_width
-        LOD     [loop_at], width
+        load_word scene_width, width
         .endif
         load_at queue_order, 1, tile_places
         IBXNE   tile_places, r0, r0, generate_tiles

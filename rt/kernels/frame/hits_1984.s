@@ -42,11 +42,8 @@ hit_save:       .space SURFACE_REGISTERS
         .code
 
         .macro  enter_hit arguments_count, registers
-        EX      save_at, hit_save
-        ELEN    save_at, \registers
-        SWAP    [r0], r32, [save_at]
-        ELEN    arguments, \arguments_count
-        SWAP    [arguments], a_hit, [r0]
+        store_words r32, \registers, hit_save, image_at
+        load_from arguments, \arguments_count, a_hit
         .endm
 
         .macro  leave_hit registers
@@ -124,8 +121,7 @@ surface:
 
 towards:
         enter_hit 2, TOWARDS_REGISTERS
-        ELEN    a_light, LIGHT_SIZE
-        SWAP    [a_light], light_x, [r0]
+        load_from a_light, LIGHT_SIZE, light_x
         load_hit HIT_SAMPLE, SAMPLE_SIZE, red
         towards_light towards_none
         BIM     towards_found
@@ -140,8 +136,7 @@ towards_found:
 
 shine:
         enter_hit 2, SHINE_REGISTERS
-        ELEN    a_light, LIGHT_SIZE
-        SWAP    [a_light], light_x, [r0]
+        load_from a_light, LIGHT_SIZE, light_x
         .if     BEAMS
         IBXEQ   light_beam, r0, r0, shine_all_around
         load_hit HIT_ATTENUATION, 1, attenuation

@@ -21,16 +21,13 @@
 
 ; Computes the first pixel: its column, its row, its position in the planes.
         .macro  tiles_begin
-        EX      loop_at, strip_state
-        ELEN    loop_at, 5
-        SWAP    [loop_at], strip_number, [r0]
+        load_at strip_state, 5, strip_number
         load_at scene_band, 2, band_row
         SUBN    band_rows, band_row, band_rows
         IBXNE   strip_number, r0, r0, tiles_strip
         next_strip band_rows, strips, loop_work
 tiles_strip:
-        EX      loop_at, strips_done
-        STO     [loop_at], strip_row
+        store_word strip_row, strips_done, image_at
         strip_rows
         FLR     width, columns
         ADDN    strip_at, r0, column
@@ -67,7 +64,5 @@ tiles_strip:
         .endm
 
         .macro  tiles_end
-        EX      loop_at, strip_state
-        ELEN    loop_at, 4
-        SWAP    [r0], strip_number, [loop_at]
+        store_words strip_number, 4, strip_state, image_at
         .endm

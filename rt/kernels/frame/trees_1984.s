@@ -59,9 +59,7 @@ found_ray_index\@:
         .endm
 
         .macro  find_patch primitive
-        RTOR    \primitive, loop_at
-        IX      loop_at, 64 * P_ON_PATCH
-        LOD     [loop_at], its_patch
+        load_of \primitive, P_ON_PATCH, its_patch
         .endm
 
 ; Loads the current ray, for crossings that serve normals and light.
@@ -92,10 +90,8 @@ found_ray_index\@:
         load_two_delta
         load_at scene_leaves, 2, first_leaf     ; first_leaf, leaves_last
         IBXEQ   first_leaf, r0, leaves_last, tree_end
-        EX      loop_at, branches_end
-        LOD     [loop_at], loop_work
-        EX      loop_at, span + 64 * 2
-        STO     [loop_at], loop_work
+        load_word branches_end, loop_work
+        store_word loop_work, span + 64 * 2, image_at
 tree_next:
         LOD     [from_limit, loop_index], w_end
         SHIFTI  loop_index, 6, w_crossings
@@ -108,8 +104,7 @@ tree_next:
         EX      chain_at, span + 64 * 3
         ES      w_hit, 0
 tree_leaf:
-        ELEN    its_leaf, LEAF_SIZE
-        SWAP    [its_leaf], leaf_primitive, [r0]
+        load_from its_leaf, LEAF_SIZE, leaf_primitive
         ADDX    leaf_first_state, w_crossings, leaf_first_state
         LOD     [leaf_first_state], w_in
         CFPGE   w_in, m_big, tree_missed

@@ -35,18 +35,14 @@ area_store:     .space 3 * QUEUE        ; sum of the transmitted light
 
 ; Stores the next point of the area and the number of points left.
         .macro  area_continue
-        EX      loop_at, area_at
-        ELEN    loop_at, 2
-        SWAP    [r0], area_next_at, [loop_at]
+        store_words area_next_at, 2, area_at, image_at
         .endm
 
 ; Replaces the rays to the light by rays to the point in area_at.
         .macro  area_rays_to_point
         load_at area_at, 1, area_next_at
-        EX      loop_at, shade_shadows
-        STO     [loop_at], area_next_at
-        ELEN    area_next_at, LIGHT_POINT_SIZE
-        SWAP    [area_next_at], area_x, [r0]
+        store_word area_next_at, shade_shadows, image_at
+        load_from area_next_at, LIGHT_POINT_SIZE, area_x
         load_at shade_light + 64 * LIGHT_COLOR, 3, area_r
         area_loop
 area_ray\@:
@@ -85,19 +81,16 @@ area_ray\@:
 ; If shade_light has an area, makes the rays to its first point.
         .macro  area_begin
         EX      loop_at, shade_light
-        EX      lit_at, shade_shadows
-        STO     [lit_at], loop_at
+        store_word loop_at, shade_shadows, image_at
         load_at shade_light + 64 * LIGHT_BEAM, 1, loop_at
         ES      area_next_at, 0
         IBXEQ   loop_at, r0, r0, area_begin\@
         IX      loop_at, 64 * BEAM_POINTS
-        ELEN    loop_at, 2
-        SWAP    [loop_at], area_next_at, [r0]
+        load_from loop_at, 2, area_next_at
 area_begin\@:
         area_continue
         IBXEQ   area_next_at, r0, r0, area_begun\@
-        EX      loop_at, area_rays
-        STO     [loop_at], lit_count
+        store_word lit_count, area_rays, image_at
         area_loop
 area_zero\@:
         area_put area_store, 0, m_zero

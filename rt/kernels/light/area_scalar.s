@@ -12,10 +12,7 @@
 ; to none if it has no area.
         .macro  area_of_light none
         IBXEQ   light_beam, r0, r0, \none
-        RTOR    light_beam, here
-        IX      here, 64 * BEAM_POINTS
-        ELEN    here, 2
-        SWAP    [here], area_at, [r0]
+        load_part light_beam, BEAM_POINTS, 2, area_at, image_at
         IBXEQ   area_at, r0, r0, \none
         .endm
 
@@ -30,18 +27,15 @@
         RTOR    m_zero, area_g
         RTOR    m_zero, area_b
 area_point\@:
-        ELEN    area_at, LIGHT_POINT_SIZE
-        SWAP    [area_at], area_x, [r0]
+        load_from area_at, LIGHT_POINT_SIZE, area_x
         SUBN    area_x, px, area_x
         SUBN    area_y, py, area_y
         SUBN    area_z, pz, area_z
         direction_by m_one, area_x, area_y, area_z, area_distance, t1
         EX      here, shadow_ray + 64 * 3
-        ELEN    here, 3
-        SWAP    [r0], area_x, [here]
+        store_to area_x, 3, here
         cast_shadow area_distance, area_at
-        ELEN    here, 3
-        SWAP    [here], area_transmitted_r, [r0]
+        load_from here, 3, area_transmitted_r
         area_add area_r, area_transmitted_r
         area_add area_g, area_transmitted_g
         area_add area_b, area_transmitted_b

@@ -27,9 +27,7 @@ area_store:     .space 3 * QUEUE        ; sum of the light, for all hits
 ; area.
         .macro  area_of_light work, none
         IBXEQ   light_beam, r0, r0, \none
-        RTOR    light_beam, \work
-        IX      \work, 64 * BEAM_POINTS
-        LOD     [\work], \work
+        load_of light_beam, BEAM_POINTS, \work
         IBXEQ   \work, r0, r0, \none
         .endm
 
@@ -66,8 +64,7 @@ area_store:     .space 3 * QUEUE        ; sum of the light, for all hits
 
         .kernel shadow
 cast_from_area:
-        EX      s0, area_link
-        STO     [s0], link
+        store_word link, area_link, shape_at
         RTOR    light_beam, s0
         IX      s0, 64 * BEAM_POINTS
         ELEN    s0, 2
@@ -81,8 +78,7 @@ cast_from_area:
 cast_from_point:
         load_word area_at, shadows
         RTOR    shadows, s3
-        ELEN    s3, LIGHT_POINT_SIZE
-        SWAP    [s3], s4, [r0]
+        load_from s3, LIGHT_POINT_SIZE, s4
         area_direction s4, s5, s6
         CMPEQV  [v0], r0, [hits1]
         CNTOB   [hits1], s0
@@ -94,8 +90,7 @@ cast_to_point:
         VTOV    s7, [ndotl]
         CNTOB   [hits3], s8
         ES      tinted, 0
-        EX      target, cast_shadows
-        BSAVE   link, [target]
+        call_routine cast_shadows, link
         IBXNE   tinted, r0, r0, area_tinted
         area_add light_r, 0
         area_add light_g, 1
@@ -107,8 +102,7 @@ area_tinted:
         area_add [tint_b], 2
 area_next:
         EX      s0, area_at
-        ELEN    s0, 2
-        SWAP    [s0], s2, [r0]
+        load_from s0, 2, s2
         IX      s2, 64 * LIGHT_POINT_SIZE
         IX      s3, -1
         SWAP    [r0], s2, [s0]

@@ -58,8 +58,7 @@
 ;      distance from the axis of a cylinder.
         .macro  find_beam_direction
         RTOR    light_beam, here
-        ELEN    here, BEAM_WORDS
-        SWAP    [here], beam_attenuates, [r0]
+        load_from here, BEAM_WORDS, beam_attenuates
         IBXNE   beam_parallel, r0, r0, beam_rays\@
         unit_vector lx, ly, lz, light_distance, t1
         leave_beam beam_direction\@

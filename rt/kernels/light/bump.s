@@ -73,21 +73,7 @@
         .equ    BUMP_NUMBERS, BUMP_MAP + MAP_NUMBERS
         .equ    BUMP_CORNER_SIZE, 6
 
-        .macro  bump_words offset, number, first
-        RTOR    bump_at, here
-        IX      here, 64 * (\offset)
-        ELEN    here, \number
-        SWAP    [here], \first, [r0]
-        .endm
-
-        .macro  bump_word offset, register
-        RTOR    bump_at, here
-        IX      here, 64 * (\offset)
-        LOD     [here], \register
-        .endm
-
-; Computes the three products with the nine words that bump_words loaded from b0
-; on.
+; Computes the three products with the nine words from b0 on.
         .macro  bump_rows x0, x1, x2, y0, y1, y2
         dot_numbers \x0, \x1, \x2, b0, b1, b2, \y0, t0
         dot_numbers \x0, \x1, \x2, b3, b4, b5, \y1, t0
@@ -100,7 +86,7 @@
         .endm
 
         .macro  bump_place x, y, z
-        bump_words BUMP_TO_LOCAL, 12, b0
+        load_part bump_at, BUMP_TO_LOCAL, 12, b0, here
         bump_axis b0, b1, b2, b3, \x
         bump_axis b4, b5, b6, b7, \y
         bump_axis b8, b9, b10, b11, \z
@@ -119,19 +105,17 @@
         .endm
 
         .macro  call_bump
-        EX      target, find_bump
-        BSAVE   bump_link, [target]
+        call_routine find_bump, bump_link
         .endm
 
         .macro  call_height
-        EX      target, find_height
-        BSAVE   height_link, [target]
+        call_routine find_height, height_link
         .endm
 
 ; Applies the bumps of bump_at to nx, ny, nz and facing; raw_x .. = the old
 ; normal.
         .macro  apply_bumps
-        bump_word BUMP_ENTRY_COUNT, bump_left
+        load_of bump_at, BUMP_ENTRY_COUNT, bump_left
         IBXNE   bump_left, r0, r0, bumped_by_map\@
         call_bump
 bumped_found\@:
@@ -143,28 +127,28 @@ bumped_found\@:
 
 bumped_by_map\@:
         RTOR    bump_at, bump_outer
-        bump_words BUMP_MAP, MAP_SIZE, map_function
+        load_part bump_at, BUMP_MAP, MAP_SIZE, map_function, here
         IBXEQ   map_function, r0, r0, bumped_by_all\@
         bump_place q_x, q_y, q_z
         call_height
         copy    y_0, bump_value
-        bump_word BUMP_ENTRIES, bump_at
+        load_of bump_at, BUMP_ENTRIES, bump_at
         sum_of_two_entries
 bumped_summed\@:
         RTOR    bump_outer, bump_at
-        bump_words BUMP_BACK, 9, b0
+        load_part bump_at, BUMP_BACK, 9, b0, here
         bump_rows bump_sum_x, bump_sum_y, bump_sum_z, lx, ly, lz
         unit_vector lx, ly, lz, t0, t1
         BIM     bumped_found\@
 
 bumped_by_all\@:
-        bump_word BUMP_ENTRIES, bump_at
+        load_of bump_at, BUMP_ENTRIES, bump_at
         set     m_zero, bump_sum_x
         set     m_zero, bump_sum_y
         set     m_zero, bump_sum_z
 bumped_each\@:
         call_bump
-        bump_word BUMP_RISE, bump_weight
+        load_of bump_at, BUMP_RISE, bump_weight
         scaled_plus lx, bump_weight, bump_sum_x, bump_sum_x
         scaled_plus ly, bump_weight, bump_sum_y, bump_sum_y
         scaled_plus lz, bump_weight, bump_sum_z, bump_sum_z
@@ -180,20 +164,19 @@ bumped\@:
 ; lx, ly, lz = the normal by the bump in bump_at, in the space of its map.
 find_bump:
         bump_place bump_x, bump_y, bump_z
-        bump_words BUMP_TRANSFORM, 9, b0
+        load_part bump_at, BUMP_TRANSFORM, 9, b0, here
         bump_rows raw_x, raw_y, raw_z, lx, ly, lz
-        bump_word BUMP_SCALED, bump_flag
+        load_of bump_at, BUMP_SCALED, bump_flag
         IBXEQ   bump_flag, r0, r0, bump_unscaled
         unit_vector lx, ly, lz, t0, t1
 bump_unscaled:
-        bump_words BUMP_MAP, MAP_SIZE, map_function
+        load_part bump_at, BUMP_MAP, MAP_SIZE, map_function, here
         IBXEQ   map_function, r0, r0, bump_quilted
         RTOR    bump_at, bump_corner
         IX      bump_corner, 64 * BUMP_CORNERS
         ES      bump_corners_left, 4
 bump_next:
-        ELEN    bump_corner, BUMP_CORNER_SIZE
-        SWAP    [bump_corner], b0, [r0]
+        load_from bump_corner, BUMP_CORNER_SIZE, b0
         raise   bump_x, b0, q_x
         raise   bump_y, b1, q_y
         raise   bump_z, b2, q_z
@@ -204,9 +187,9 @@ bump_next:
         IX      bump_corner, 64 * BUMP_CORNER_SIZE
         IBXNE   bump_corners_left, m_index_minus_one, r0, bump_next, bump_corners_left
 bump_back:
-        bump_words BUMP_BACK, 9, b0
+        load_part bump_at, BUMP_BACK, 9, b0, here
         bump_rows lx, ly, lz, q_x, q_y, q_z
-        bump_word BUMP_NORMALISED, bump_flag
+        load_of bump_at, BUMP_NORMALISED, bump_flag
         IBXEQ   bump_flag, r0, r0, bump_returned
         unit_vector q_x, q_y, q_z, t0, t1
 bump_returned:
@@ -216,7 +199,7 @@ bump_returned:
         BIM     0, bump_link
 
 bump_quilted:
-        bump_words BUMP_CORNERS, 3, b0
+        load_part bump_at, BUMP_CORNERS, 3, b0, here
         quilt_place bump_x, q_x
         quilt_place bump_y, q_y
         quilt_place bump_z, q_z
@@ -232,9 +215,8 @@ bump_quilted:
 
 ; y_0 = the height at q_x, q_y, q_z, by map_function .. and the bump's map.
 find_height:
-        EX      target, find_value
-        BSAVE   pattern_link, [target]
-        bump_word BUMP_HEIGHTS, height_at
+        call_routine find_value, pattern_link
+        load_of bump_at, BUMP_HEIGHTS, height_at
         IBXEQ   height_at, r0, r0, height_found
         each_height height_next, height_last
         lowered_scale y_0, height_from, height_slope, t1

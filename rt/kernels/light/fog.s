@@ -45,15 +45,11 @@ fog_far:        .word 2e10              ; POV-Ray's value
         set     m_zero, haze_red
         set     m_zero, haze_green
         set     m_zero, haze_blue
-        EX      fog_scale, scene_fogs
-        ELEN    fog_scale, 2
-        SWAP    [fog_scale], fog_at, [r0]       ; also fogs_left
+        load_words scene_fogs, 2, fog_at, fog_scale ; also fogs_left
 fog_next\@:
-        ELEN    fog_at, FOG_SIZE
-        SWAP    [fog_at], fog_scale, [r0]
+        load_from fog_at, FOG_SIZE, fog_scale
         scale   fog_distance, fog_scale, p_x
-        EX      target, two_to
-        BSAVE   power_link, [target]
+        call_routine two_to, power_link
         not_below_number fog_least, p_x
         from    m_one, p_x, fog_share
         fog_channel fog_red, fog_pass_red, pass_red, haze_red

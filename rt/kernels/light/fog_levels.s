@@ -31,21 +31,17 @@ fog_store:      .space QUEUE
         RTOR    s2, n
 fog_short\@:
         ADDX    s4, n, s3
-        EX      s2, fog_position
-        STO     [s2], s3
+        store_word s3, fog_position, shape_at
         SHIFTI  s4, 6, s4
         .endm
 
         .macro  fog_begin
-        EX      s0, fog_link
-        STO     [s0], link
-        EX      s0, fog_position
-        STO     [s0], r0
+        store_word link, fog_link, shape_at
+        store_word r0, fog_position, shape_at
         .endm
 
         .macro  fog_call
-        EX      target, fog_rays
-        BSAVE   link_kernel, [target]
+        call_routine fog_rays, link_kernel
         .endm
 
         .macro  fog_return

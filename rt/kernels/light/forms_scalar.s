@@ -13,8 +13,7 @@
 ; p_x := p_x ^ exponent if p_x is above 0, else 0.
         .macro  power_of_positive
         CFPGE   r0, p_x, power_dark\@
-        EX      target, power
-        BSAVE   power_link, [target]
+        call_routine power, power_link
         BIM     power_done\@
 power_dark\@:
         RTOR    m_zero, p_x
@@ -82,8 +81,7 @@ mirror_enters:
         .endif
         .endm
         .macro  load_pigment
-        ELEN    g_pigment, 3
-        SWAP    [g_pigment], g_pigment_r, [r0]
+        load_from g_pigment, 3, g_pigment_r
         .endm
 
 ; light.s
@@ -246,12 +244,12 @@ not_bumped\@:
 ; bump_sum_x .. = the normal between the entries below and above bump_value.
         .macro  sum_of_two_entries
 bumped_seek\@:
-        bump_word BUMP_SIZE + BUMP_TO, t1
+        load_of bump_at, BUMP_SIZE + BUMP_TO, t1
         CFPLT   bump_value, t1, bumped_between\@
         IX      bump_at, 64 * BUMP_SIZE
         BIM     bumped_seek\@
 bumped_between\@:
-        bump_words BUMP_FROM, 4, bump_from
+        load_part bump_at, BUMP_FROM, 4, bump_from, image_at
         lowered_scale bump_value, bump_low, bump_rise, bump_share
         not_below_number m_zero, bump_share
         not_above_number m_one, bump_share
@@ -274,8 +272,7 @@ bumped_between\@:
         LOD     [height_at], t1
         CFPGE   y_0, t1, \next
         IX      height_at, -64 * HEIGHT_SIZE
-        ELEN    height_at, HEIGHT_SIZE
-        SWAP    [height_at], height_from, [r0]
+        load_from height_at, HEIGHT_SIZE, height_from
         .endm
         .macro  set_height next, last
         ADDN    t2, height_0, y_0

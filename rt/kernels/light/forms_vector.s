@@ -24,8 +24,7 @@
         .macro  power_of_positive
         CMPLTV  r0, [v0], [hits0]
         MASKV   [v0], one, [v0] ? [hits0]
-        EX      target, power
-        BSAVE   power_link, [target]
+        call_routine power, power_link
         ADDN    r0, r0, s2
         MASKV   [v0], s2, [v0] ? [hits0]
         .endm
@@ -56,8 +55,7 @@
         .endshare
 
         .macro  find_sheen
-        EX      target, find_sheen
-        BSAVE   link_inner, [target]
+        call_routine find_sheen, link_inner
         .endm
 
 ; mirror.s
@@ -103,8 +101,7 @@
         .endshare
 
         .macro  beam_towards
-        EX      target, beam_towards
-        BSAVE   link_inner, [target]
+        call_routine beam_towards, link_inner
         .endm
         .macro  add_where bits, x, channel
         ADDNV   [\channel], [\x], [\channel] ? [\bits]
@@ -296,7 +293,7 @@ bumped:
         .macro  sum_of_two_entries
 bumped_entry:
         call_bump
-        bump_words BUMP_FROM, 4, bump_from
+        load_part bump_at, BUMP_FROM, 4, bump_from, shape_at
         CFPGE   bump_from, big, bumped_lower    ; the first entry
         CMPGEV  [bump_value], bump_from, [hits1]
         CMPLTV  [bump_value], bump_to, [hits2]
@@ -322,13 +319,11 @@ bumped_next:
 
 ; Loads each height of the map; hits1 = the values that are not below it.
         .macro  each_height next, last
-        ELEN    height_at, HEIGHT_SIZE
-        SWAP    [height_at], height_from, [r0]
+        load_from height_at, HEIGHT_SIZE, height_from
         VTOV    height_0, [v3]
 \next:
         IX      height_at, 64 * HEIGHT_SIZE
-        ELEN    height_at, HEIGHT_SIZE
-        SWAP    [height_at], height_from, [r0]
+        load_from height_at, HEIGHT_SIZE, height_from
         CFPGE   height_from, big, \last
         CMPGEV  [y_0], height_from, [hits1]
         .endm

@@ -38,9 +38,7 @@ gloss_constants:
 ; g_sheen = 1 - F(g_sheen), for a cosine above 0, or with bumps for any cosine.
 ; Changes g_cosine, g_root, g_signed, g_a7 ...
         .macro  compute_sheen
-        EX      g_at, gloss_constants
-        ELEN    g_at, GLOSS_CONSTANTS
-        SWAP    [g_at], g_a7, [r0]
+        load_words gloss_constants, GLOSS_CONSTANTS, g_a7, g_at
         .if     BUMPS
         copy    g_sheen, g_signed
         absolute g_sheen, g_sheen

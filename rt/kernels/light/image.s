@@ -41,8 +41,7 @@
 
 ; y_0 = the pattern radial of x, z.
         .macro  find_turn
-        EX      target, pattern_radial
-        BSAVE   inner_link, [target]
+        call_routine pattern_radial, inner_link
         .endm
 
         .macro  axis_distance to

@@ -34,8 +34,7 @@ take_interiors:
 find_interiors:
         find_entering
         EX      s0, scene_interiors
-        ELEN    s0, INTERIORS_OF_SIZE
-        SWAP    [s0], in_table, [r0]
+        load_from s0, INTERIORS_OF_SIZE, in_table
         load_field P_INTERIOR, in_body
         CMPLTV  [lx], r0, [hits1]
         CNTOB   [hits1], s0

@@ -17,8 +17,7 @@
 ; p_x = p_x ^ k.
         .macro  power_of k
         RTOR    \k, exponent
-        EX      target, power
-        BSAVE   power_link, [target]
+        call_routine power, power_link
         .endm
 
         .if     BEAMS

@@ -46,15 +46,12 @@ attenuation_store: .space QUEUE         ; of all hits
 
 ; Sets shadow_parallel, for the kernels that bound the rays: 1 if they are
 ; parallel.
-        .macro  beam_shadows work, at
+        .macro  beam_shadows work
         RTOR    r0, \work
         IBXEQ   light_beam, r0, r0, beam_shadows\@
-        RTOR    light_beam, \work
-        IX      \work, 64 * BEAM_PARALLEL
-        LOD     [\work], \work
+        load_of light_beam, BEAM_PARALLEL, \work
 beam_shadows\@:
-        EX      \at, shadow_parallel
-        STO     [\at], \work
+        store_word \work, shadow_parallel, shape_at
         .endm
 
         .kernel shade
@@ -109,16 +106,14 @@ attenuate_light\@:
         .endif
 
         .macro  load_light
-        ELEN    light_at, LIGHT_SIZE
-        SWAP    [light_at], light_x, [r0]
+        load_from light_at, LIGHT_SIZE, light_x
         .endm
 
         .kernel shade
 illuminate:
         RTOR    link, link_light
         load_light
-        EX      target, set_hits
-        BSAVE   link_inner, [target]
+        call_routine set_hits, link_inner
         find_light_direction
         CMPLTV  r0, [ndotl], [hits3]
         CNTOB   [hits3], s8
@@ -126,23 +121,20 @@ illuminate:
         IBXEQ   s8, r0, r0, illuminate_none
         .if     BEAMS
         IBXEQ   light_beam, r0, r0, illuminate_cast
-        EX      target, find_attenuation
-        BSAVE   link, [target]
+        call_routine find_attenuation, link
         IBXEQ   s8, r0, r0, illuminate_none
 illuminate_cast:
         .endif
         CFPEQ   light_highlights, r0, illuminate_parts  ; shadowless
         .if     AREAS
         area_of_light s0, illuminate_point
-        EX      target, cast_from_area
-        BSAVE   link, [target]
+        call_routine cast_from_area, link
         BIM     illuminate_parts
 illuminate_point:
         end_before_light
         RTOR    light_at, shadows
         .endif
-        EX      target, cast_shadows
-        BSAVE   link, [target]
+        call_routine cast_shadows, link
 illuminate_parts:
         .if     BEAMS
         attenuate_light

@@ -70,16 +70,13 @@ angle_constants:
 
 ; y_0 = sin(2 pi y_0).
         .macro  sine_of_turn
-        EX      target, find_sine
-        BSAVE   sine_link, [target]
+        call_routine find_sine, sine_link
         .endm
 
         .kernel shade
         begin_pattern
 find_value:
-        EX      number, pattern_constants
-        ELEN    number, PATTERN_CONSTANTS
-        SWAP    [number], turn, [r0]
+        load_words pattern_constants, PATTERN_CONSTANTS, turn, number
         RTOR    map_function, target
         BSAVE   inner_link, [target]
         IBXEQ   map_wave, r0, r0, pattern_found
@@ -192,8 +189,7 @@ pattern_leopard:
 ; y_0 = the smaller of |x| and |z|, y_1 = the greater.
 pattern_radial:
         EX      number, angle_constants
-        ELEN    number, ANGLE_CONSTANTS
-        SWAP    [number], angle3, [r0]
+        load_from number, ANGLE_CONSTANTS, angle3
         absolute q_x, y_0
         absolute q_z, y_1
         if_less y_1, y_0, radial_z

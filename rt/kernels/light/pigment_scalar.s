@@ -37,16 +37,11 @@ pigment_save:   .space SKY_REGISTERS
         .code
 
         .macro  get_field offset, register
-        RTOR    a_primitive, here
-        IX      here, 64 * (\offset)
-        LOD     [here], \register
+        load_of a_primitive, \offset, \register
         .endm
 
         .macro  get_record offset, number, first
-        RTOR    a_primitive, here
-        IX      here, 64 * (\offset)
-        ELEN    here, \number
-        SWAP    [here], \first, [r0]
+        load_part a_primitive, \offset, \number, \first, image_at
         .endm
 
         .macro  pattern_floor k0, k1, k2, k3, sum
@@ -95,8 +90,7 @@ map_next\@:
         IX      here, 64 * STOP_SIZE
 map_between\@:
         IX      here, -64 * STOP_SIZE
-        ELEN    here, STOP_SIZE
-        SWAP    [here], sh6, [r0]
+        load_from here, STOP_SIZE, sh6
         SUBN    t0, sh6, t1
         MPYS    t1, sh7, t1
         MPYS    t1, sh11, color0r
@@ -130,8 +124,7 @@ map_between\@:
         .if     IMAGES
         ES      image_cell, 0
         .endif
-        EX      target, find_value
-        BSAVE   pattern_link, [target]
+        call_routine find_value, pattern_link
         .if     IMAGES
         IBXNE   map_stop_count, r0, r0, pattern_mapped\@
         RTOR    y_0, color0r
@@ -168,26 +161,21 @@ pattern_coloured\@:
         .macro  raise_value to
         RTOR    y_0, p_x
         RTOR    \to, exponent
-        EX      target, power
-        BSAVE   power_link, [target]
+        call_routine power, power_link
         RTOR    p_x, y_0
         .endm
         .endif
 
         .kernel shade
 pigment_cell:
-        EX      save_at, pigment_save
-        ELEN    save_at, PIGMENT_REGISTERS
-        SWAP    [r0], r32, [save_at]
-        ELEN    arguments, 3
-        SWAP    [arguments], a_point, [r0]
+        store_words r32, PIGMENT_REGISTERS, pigment_save, image_at
+        load_from arguments, 3, a_point
         SWAP    [a_point], px, [r0]
         .if     IMAGES
         checker_cell pigment_found, pigment_image
         BIM     pigment_found
 pigment_image:
-        EX      target, find_image_cell
-        BSAVE   image_link, [target]
+        call_routine find_image_cell, image_link
         .else
         checker_cell pigment_found, pigment_found
         .endif

@@ -25,8 +25,7 @@
 ; Loads the next stop, sh0 .. sh7.  [v1] = the position of the values between it
 ; and the one after it, 0 to 1.
         .macro  next_stop
-        ELEN    s9, STOP_SIZE
-        SWAP    [s9], sh0, [r0]
+        load_from s9, STOP_SIZE, sh0
         IX      s9, 64 * STOP_SIZE
         LINKV
         SUBNV   [v0], sh0, [v1]
@@ -86,8 +85,7 @@ pattern_value:
 
         .macro  raise_value to
         RTOR    \to, exponent
-        EX      target, power
-        BSAVE   link_inner, [target]
+        call_routine power, link_inner
         .endm
         .endif
 
@@ -112,8 +110,7 @@ find_pigment:
         load_field P_PIGMENT, s0
         IBXEQ   s0, r0, r0, pigment_plain
         IBXNE   s0, r0, one_index, pigment_gradient
-        EX      target, find_checker
-        BSAVE   link_inner, [target]
+        call_routine find_checker, link_inner
         VTOV    color1r, [cr] ? [hits3]
         VTOV    color1g, [cg] ? [hits3]
         VTOV    color1b, [cb] ? [hits3]
@@ -126,16 +123,14 @@ pigment_gradient:
         IBXNE   s0, r0, s1, pigment_pattern
         .endif
         load_record P_PATTERN, 6, m00
-        EX      target, find_gradient
-        BSAVE   link_inner, [target]
+        call_routine find_gradient, link_inner
         BIM     0, link_kernel
 
         .if     PATTERNS
 pigment_pattern:
         load_record P_PATTERN, 12, m00
         load_record P_MAP, MAP_SIZE, map_function
-        EX      target, find_pattern
-        BSAVE   link_inner, [target]
+        call_routine find_pattern, link_inner
         BIM     0, link_kernel
         .endif
 

@@ -7,8 +7,7 @@
 ; rays, which see the distances fog_depth.
 fog_rays:
         RTOR    n, h
-        EX      target, set_hits
-        BSAVE   link_inner, [target]
+        call_routine set_hits, link_inner
         .reg    fog_distance, fog_depth
         see_through_fog out_red, out_green, out_blue
         BIM     0, link_kernel

@@ -47,8 +47,7 @@ lit_store:      .space 7 * QUEUE        ; rays to a light, and their limits
 
         .macro  begin_hits
         load_at shade_operands, SHADE_OPERANDS, of_nearest
-        EX      hit_at, shade_hits
-        LOD     [hit_at], loop_count
+        load_word shade_hits, loop_count
         EX      hit_at, hits
         ES      loop_index, 0
         .endm
@@ -61,15 +60,11 @@ lit_store:      .space 7 * QUEUE        ; rays to a light, and their limits
         .macro  call_hit routine
         EX      arguments, hit_list
         STO     [arguments], hit_at
-        EX      target, \routine
-        BSAVE   link, [target]
+        call_routine \routine, link
         .endm
 
         .macro  in_hit offset, number, first
-        RTOR    hit_at, loop_at
-        IX      loop_at, 64 * (\offset)
-        ELEN    loop_at, \number
-        SWAP    [loop_at], \first, [r0]
+        load_part hit_at, \offset, \number, \first, image_at
         .endm
 
 ; pixel_of: the pixel of a ray, by its index in the queue.
@@ -140,8 +135,7 @@ shade_ray:
         LOD     [of_nearest, loop_index], new_distance
         RTOR    loop_index, new_index
         RTOR    hit_at, loop_at
-        ELEN    loop_at, HIT_SAMPLE
-        SWAP    [r0], new_ox, [loop_at]
+        store_to new_ox, HIT_SAMPLE, loop_at
         find_patch new_primitive
         IBXEQ   its_patch, r0, r0, shade_surface
         LOD     [of_hit_s, loop_index], loop_work
@@ -156,31 +150,21 @@ shade_surface:
         IX      hit_at, 64 * HIT_SIZE
 shade_ray_next:
         loop_next shade_ray
-        EX      loop_at, shade_hits
-        STO     [loop_at], lit_count
+        store_word lit_count, shade_hits, image_at
         IBXEQ   lit_count, r0, r0, shade_done
-        EX      target, spawn_hits
-        BSAVE   loop_link, [target]
-        EX      loop_at, scene_lights
-        ELEN    loop_at, 2
-        SWAP    [loop_at], new_ox, [r0]
-        EX      loop_at, shade_light_at
-        ELEN    loop_at, 2
-        SWAP    [r0], new_ox, [loop_at]
+        call_routine spawn_hits, loop_link
+        load_at scene_lights, 2, new_ox
+        store_words new_ox, 2, shade_light_at, image_at
         IBXEQ   new_oy, r0, r0, shade_store
 
 ; Finds for each light the hits that face it.
 shade_towards:
         load_at shade_light_at, 1, loop_at
-        ELEN    loop_at, LIGHT_SIZE
-        SWAP    [loop_at], new_ox, [r0]
-        EX      loop_at, shade_light
-        ELEN    loop_at, LIGHT_SIZE
-        SWAP    [r0], new_ox, [loop_at]
+        load_from loop_at, LIGHT_SIZE, new_ox
+        store_words new_ox, LIGHT_SIZE, shade_light, image_at
         begin_hits
         ES      lit_count, 0
-        EX      loop_at, k_shadow
-        LOD     [loop_at], lit_least
+        load_word k_shadow, lit_least
 shade_towards_hit:
         call_hit towards
         in_hit  HIT_NDOTL, 3, lit_ndotl         ; D . L, distance
@@ -276,9 +260,7 @@ shade_shine_hit:
         CFPNE   lit_green, r0, shade_some
         CFPEQ   lit_blue, r0, shade_shine_next
 shade_some:
-        EX      loop_at, shade_light + 64 * 3
-        ELEN    loop_at, 3
-        SWAP    [r0], lit_red, [loop_at]
+        store_words lit_red, 3, shade_light + 64 * 3, image_at
 shade_shines:
         call_hit shine
 shade_shine_next:
@@ -286,9 +268,7 @@ shade_shine_next:
         load_at shade_light_at, 2, new_ox       ; also the number of lights left
         IX      new_ox, 64 * LIGHT_SIZE
         IX      new_oy, -1
-        EX      loop_at, shade_light_at
-        ELEN    loop_at, 2
-        SWAP    [r0], new_ox, [loop_at]
+        store_words new_ox, 2, shade_light_at, image_at
         IBXNE   new_oy, r0, r0, shade_towards
 
 ; Stores the colours of the hits.
@@ -323,7 +303,7 @@ shade_background:
         LOD     [of_dx, loop_index], new_dx
         LOD     [of_dy, loop_index], new_dy
         LOD     [of_dz, loop_index], new_dz
-        see_sky new_dx, back_red, loop_at
+        see_sky new_dx, back_red
 shade_no_sky:
         pixel_of loop_index, loop_ray_index
         STO     [of_red, loop_ray_index], back_red

@@ -43,9 +43,7 @@ shadow_light:   .space 3
 cast_to_place\@:
         .endif
         STO     [here, m_index_one], t1
-        EX      here, shadow_light
-        ELEN    here, 3
-        SWAP    [r0], light_r, [here]
+        store_words light_r, 3, shadow_light, image_at
         call    shadow, shadow_list
         EX      here, shadow_light
         .endm
@@ -56,12 +54,9 @@ cast_to_place\@:
 
         .kernel shade
 shade:
-        EX      save_at, shade_save
-        ELEN    save_at, SHADE_REGISTERS
-        SWAP    [r0], r32, [save_at]
+        store_words r32, SHADE_REGISTERS, shade_save, image_at
         RTOR    link, link_saved
-        ELEN    arguments, SHADE_ARGUMENTS
-        SWAP    [arguments], a_ray, [r0]
+        load_from arguments, SHADE_ARGUMENTS, a_ray
         .if     GLOSS
         RTOR    lights_left, a_pigment
         .endif
@@ -70,24 +65,18 @@ shade:
         find_surface
         begin_colour 8
         .if     GLOSS
-        ELEN    a_pigment, 3
-        SWAP    [r0], color0r, [a_pigment]
+        store_to color0r, 3, a_pigment
         get_record P_GLOSS, 2, f_brilliance
         .endif
-        EX      here, scene_lights
-        ELEN    here, 2
-        SWAP    [here], t0, [r0]
+        load_at scene_lights, 2, t0
         RTOR    t0, light_at
         RTOR    t1, lights_left
         IBXEQ   lights_left, r0, r0, shade_store
 shade_light:
-        ELEN    light_at, LIGHT_SIZE
-        SWAP    [light_at], light_x, [r0]
+        load_from light_at, LIGHT_SIZE, light_x
         towards_light shade_next_light
         CFPEQ   light_highlights, r0, shade_lit
-        EX      here, shadow_ray
-        ELEN    here, 6
-        SWAP    [r0], px, [here]
+        store_words px, 6, shadow_ray, image_at
         .if     AREAS
         area_of_light shade_point_light
         light_of_area
@@ -98,8 +87,7 @@ shade_point_light:
         LOD     [here], t0
         SUBN    light_distance, t0, t0
         cast_shadow t0, light_at
-        ELEN    here, 3
-        SWAP    [here], light_r, [r0]
+        load_from here, 3, light_r
 shade_passed:
         CFPNE   light_r, r0, shade_lit
         CFPNE   light_g, r0, shade_lit

@@ -54,8 +54,7 @@
         .endm
 
         .macro  part_begin
-        EX      target, set_part
-        BSAVE   link_inner, [target]
+        call_routine set_part, link_inner
         .endm
 
         .macro  parts_next again
@@ -79,9 +78,7 @@ shade:
         RTOR    link, link_shade
         load_word queue_order, s0
         IBXNE   s0, r0, r0, shade_sky
-        EX      s0, scene_background
-        ELEN    s0, 3
-        SWAP    [s0], s1, [r0]
+        load_words scene_background, 3, s1, shape_at
         VTOV    s1, [out_red]
         VTOV    s2, [out_green]
         VTOV    s3, [out_blue]
@@ -103,26 +100,19 @@ shade_sky:
         CMPEQV  [nearest_primitive], r0, [near_bits]
         CNTOB   [near_bits], h
         IBXEQ   h, r0, r0, shade_sort
-        EX      target, set_hits
-        BSAVE   link_inner, [target]
+        call_routine set_hits, link_inner
         describe s4, count_store, n
         CPSV    [s4], [at] ? [near_bits]
         CPSV    [adx], [px] ? [near_bits]
         CPSV    [ady], [py] ? [near_bits]
         CPSV    [adz], [pz] ? [near_bits]
-        EX      s0, scene_sky
-        ELEN    s0, 6
-        SWAP    [s0], m00, [r0]
+        load_words scene_sky, 6, m00, shape_at
         EX      target, find_gradient
         .if     PATTERNS
         load_word sky_map, s0
         IBXEQ   s0, r0, r0, shade_sky_colours
-        EX      s0, sky_pattern
-        ELEN    s0, 12
-        SWAP    [s0], m00, [r0]
-        EX      s0, sky_map
-        ELEN    s0, MAP_SIZE
-        SWAP    [s0], map_function, [r0]
+        load_words sky_pattern, 12, m00, shape_at
+        load_words sky_map, MAP_SIZE, map_function, shape_at
         EX      target, find_pattern
 shade_sky_colours:
         .endif
@@ -141,8 +131,7 @@ shade_sort:
         ES      parts_left, 0
         load_word first_material, primitive
         IBXEQ   primitive, r0, one_index, shade_done
-        EX      s0, first_material
-        STO     [s0], one_index
+        store_word one_index, first_material, shape_at
         EX      at, shade_store
         EX      part_at, hit_parts
         RTOR    n, s8
@@ -216,10 +205,8 @@ sort_rest:
         BIM     sort_rest
 sort_done:
         IBXEQ   h, r0, r0, shade_done
-        EX      s0, hit_part_count
-        STO     [s0], parts_left
-        EX      target, set_hits
-        BSAVE   link_inner, [target]
+        store_word parts_left, hit_part_count, shape_at
+        call_routine set_hits, link_inner
         VXTOV   [at], [nearest], [v0]
         load_word queue_order, s2
         IBXEQ   s2, r0, r0, shade_points
@@ -244,18 +231,13 @@ shade_surfaces:
         parts_begin
 shade_surface:
         part_begin
-        EX      target, find_normal
-        BSAVE   link_kernel, [target]
+        call_routine find_normal, link_kernel
         .if     GLOSS
-        EX      target, find_pigment
-        BSAVE   link_kernel, [target]
-        EX      target, spawn
-        BSAVE   link_kernel, [target]
+        call_routine find_pigment, link_kernel
+        call_routine spawn, link_kernel
         .else
-        EX      target, spawn
-        BSAVE   link_kernel, [target]
-        EX      target, find_pigment
-        BSAVE   link_kernel, [target]
+        call_routine spawn, link_kernel
+        call_routine find_pigment, link_kernel
         .endif
         load_record P_FINISH, 3, f_ambientr
         MPYSV   [cr], f_ambientr, [red]
@@ -268,14 +250,12 @@ shade_surface:
         load_word scene_light_count, lights_left
         IBXEQ   lights_left, r0, r0, shade_store_colours
 shade_light:
-        EX      target, illuminate
-        BSAVE   link, [target]
+        call_routine illuminate, link
         IX      light_at, 64 * LIGHT_SIZE
         IBXNE   lights_left, minus_one_index, r0, shade_light, lights_left
 
 shade_store_colours:
-        EX      target, set_hits
-        BSAVE   link_inner, [target]
+        call_routine set_hits, link_inner
         load_word queue_order, s2
         RTOR    at, s3
         IBXEQ   s2, r0, r0, shade_store_at

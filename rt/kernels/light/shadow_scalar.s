@@ -33,8 +33,7 @@ shadow:
         SWAP    [w_result_at], s_red, [r0]
         IS      w_t0, 1
         STO     [w_at], w_t0
-        EX      w_at, scene_clear
-        LOD     [w_at], s_waiting
+        load_word scene_clear, s_waiting
         RTOR    s_waiting, s_waiting_end
         IBXEQ   w_regions_left, r0, r0, shadow_leaf
         .endkernel
@@ -67,25 +66,20 @@ shadow_other:
 shadow_tree:
         IBXNE   w_shadow, r0, m_index_one, shadow_wait
         RTOR    w_limit, w_end
-        EX      target, intersect_tree
-        BSAVE   w_back, [target]
+        call_routine intersect_tree, w_back
         IBXEQ   w_hit, r0, r0, shadow_next
         next_visible w_least, shadow_next
         BIM     shadow_dark
 
 ; Inserts the region into the list.
 shadow_wait:
-        RTOR    w_region, w_at
-        IX      w_at, 64 * R_CLEAR
-        LOD     [w_at], w_t0
+        load_of w_region, R_CLEAR, w_t0
         RTOR    s_waiting_end, w_at
         IX      s_waiting_end, 64
 shadow_wait_before:
         IBXEQ   w_at, r0, s_waiting, shadow_wait_here
         LOD     [w_at, m_index_minus_one], w_t1
-        RTOR    w_t1, w_t2
-        IX      w_t2, 64 * R_CLEAR
-        LOD     [w_t2], w_t2
+        load_of w_t1, R_CLEAR, w_t2
         IBXLT   w_t2, r0, w_t0, shadow_wait_here
         STO     [w_at], w_t1
         IX      w_at, -64
@@ -108,8 +102,7 @@ shadow_waiting:
         IX      s_waiting, 64
         load_region
         RTOR    w_limit, w_end
-        EX      target, intersect_tree
-        BSAVE   w_back, [target]
+        call_routine intersect_tree, w_back
         IBXEQ   w_hit, r0, r0, shadow_waiting
         next_visible w_least, shadow_waiting
 shadow_clear:

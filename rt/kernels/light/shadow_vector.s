@@ -70,12 +70,10 @@ hit_tint_store: .space 3 * QUEUE
 cast_shadows:
         RTOR    link, link_shadow
         add_to_counter rays_shadow, s8
-        EX      s0, shadow_n
-        STO     [s0], n
-        EX      s0, shadow_view
-        STO     [s0], from_one_point
+        store_word n, shadow_n, shape_at
+        store_word from_one_point, shadow_view, shape_at
         .if     BEAMS
-        beam_shadows s0, s1
+        beam_shadows s1
         .endif
         .if     AREAS == 0
         end_before_light
@@ -104,12 +102,10 @@ shadows_cast:
         RTOR    light_at, shadows
         .endif
         EX      found, found_shadow
-        EX      target, walk_regions
-        BSAVE   link, [target]
+        call_routine walk_regions, link
         load_light
         EX      s0, shade_descriptors
-        ELEN    s0, SHADE_VECTORS
-        SWAP    [s0], at, [r0]
+        load_from s0, SHADE_VECTORS, at
         describe ndotl, NDOTL_STORE, h
         describe near_bits, queue_bits, n
         CMPNEV  [nearest], minus_big, [near_bits]
@@ -131,9 +127,7 @@ shadows_done:
 ; Processes the hits of the shadow rays in a region.
 found_shadow:
         region_took_hits
-        RTOR    region, s0
-        IX      s0, 64 * R_SHADOW
-        LOD     [s0], s0
+        load_of region, R_SHADOW, s0
         IBXNE   s0, r0, one_index, shadow_of_parts
         take_found ray_index, taken_at, 0, visible_rays
         VTOVX   [taken_at], minus_big, [nearest]

@@ -16,19 +16,15 @@ sky_colour:     .space 3
 
 ; Sets the three registers from `first` on to the colour in the direction that
 ; the three registers from `from` on hold.
-        .macro  see_sky from, first, at
-        EX      \at, sky_direction
-        ELEN    \at, 3
-        SWAP    [r0], \from, [\at]
+        .macro  see_sky from, first
+        store_words \from, 3, sky_direction, image_at
         call    sky, sky_list
         load_at sky_colour, 3, \first
         .endm
 
         .kernel shade
 sky:
-        EX      save_at, pigment_save
-        ELEN    save_at, SKY_REGISTERS
-        SWAP    [r0], r32, [save_at]
+        store_words r32, SKY_REGISTERS, pigment_save, image_at
         LOD     [arguments], a_point
         LOD     [arguments, m_index_one], a_color
         SWAP    [a_point], px, [r0]

@@ -41,8 +41,7 @@ spawn_children: .space 2 * CHILD_SIZE
         RTOR    hit_at, loop_work
         IX      loop_work, 64 * (\offset)
         ELEN    loop_work, \words
-        EX      loop_at, spawn_list + 64 * \number
-        STO     [loop_at], loop_work
+        store_word loop_work, spawn_list + 64 * \number, image_at
         .endm
 
         .macro  list_next value
@@ -91,17 +90,13 @@ spawn_hits:
         RTOR    of_next, list_at
         IX      list_at, 64 * LEVEL_LIST
         EX      list_stride, 64 * LIST
-        EX      loop_at, queue_importance
-        LOD     [loop_at], hit_weight_at
+        load_word queue_importance, hit_weight_at
         .if     INTERIORS
-        EX      loop_at, queue_inside
-        LOD     [loop_at], ray_inside_at
-        EX      loop_at, queue_level
-        LOD     [loop_at], ray_level_at
+        load_word queue_inside, ray_inside_at
+        load_word queue_level, ray_level_at
         .endif
         .if     HIDDEN
-        EX      loop_at, queue_classes
-        LOD     [loop_at], ray_class_at
+        load_word queue_classes, ray_class_at
         .endif
         load_order
 spawn_hit:
@@ -124,14 +119,12 @@ spawn_hit:
         LOD     [ray_level_at, new_index], ray_level
         LOD     [hit_weight_at, new_index], ray_weight
         EX      loop_work, spawn_state
-        ELEN    loop_work, SPAWN_STATE
-        SWAP    [r0], ray_inside, [loop_work]
+        store_to ray_inside, SPAWN_STATE, loop_work
         .else
         SHIFTI  new_index, 6, loop_work
         ADDX    hit_weight_at, loop_work, loop_work
         .endif
-        EX      loop_at, spawn_list + 64 * 3
-        STO     [loop_at], loop_work
+        store_word loop_work, spawn_list + 64 * 3, image_at
         call    spawn, spawn_list
         ADDX    new_index, of_position, parent
         IBXEQ   of_order, r0, r0, spawn_in_rows

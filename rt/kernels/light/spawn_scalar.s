@@ -98,10 +98,7 @@ spawn_save:     .space SPAWN_REGISTERS
         .code
 
         .macro  spawn_record offset, number, first
-        RTOR    sp_primitive, sp_at
-        IX      sp_at, 64 * (\offset)
-        ELEN    sp_at, \number
-        SWAP    [sp_at], \first, [r0]
+        load_part sp_primitive, \offset, \number, \first, image_at
         .endm
 
         .if     BUMPS
@@ -147,63 +144,45 @@ mirror_is_outside\@:
         .macro  weigh offset, position
         ADDX    sp_primitive, \position, sp_at
         IX      sp_at, 64 * (\offset)
-        ELEN    sp_at, 4
-        SWAP    [sp_at], sp_red, [r0]
+        load_from sp_at, 4, sp_red
         MPYS    sp_own_weight, sp_greatest, sp_weight
         .endm
 
         .kernel spawn
 spawn:
-        EX      save_at, spawn_save
-        ELEN    save_at, SPAWN_REGISTERS
-        SWAP    [r0], r32, [save_at]
-        ELEN    arguments, SPAWN_ARGUMENTS
-        SWAP    [arguments], sp_ray, [r0]
+        store_words r32, SPAWN_REGISTERS, spawn_save, image_at
+        load_from arguments, SPAWN_ARGUMENTS, sp_ray
         .if     GLOSS
         RTOR    sp_dx, g_pigment
         .endif
         IX      sp_ray, 64 * 3
-        ELEN    sp_ray, 3
-        SWAP    [sp_ray], sp_dx, [r0]
-        ELEN    sp_surface, 9
-        SWAP    [sp_surface], sp_nx, [r0]
+        load_from sp_ray, 3, sp_dx
+        load_from sp_surface, 9, sp_nx
         .if     BUMPS
         IX      sp_surface, 64 * (SAMPLE_BEFORE - SAMPLE_NORMAL)
-        ELEN    sp_surface, 3
-        SWAP    [sp_surface], sp_before_x, [r0]
-        RTOR    sp_primitive, sp_at
-        IX      sp_at, 64 * P_BUMP
-        LOD     [sp_at], sp_bump
+        load_from sp_surface, 3, sp_before_x
+        load_of sp_primitive, P_BUMP, sp_bump
         .endif
         spawn_record P_INVERTED, 5, sp_inverted
         .if     INTERIORS
-        ELEN    sp_weight_at, SPAWN_STATE
-        SWAP    [sp_weight_at], sp_own_inside, [r0]
+        load_from sp_weight_at, SPAWN_STATE, sp_own_inside
         .else
         LOD     [sp_weight_at], sp_own_weight
         .endif
-        EX      sp_at, scene_bailout
-        LOD     [sp_at], sp_least
-        EX      sp_at, k_lower
-        LOD     [sp_at], sp_scaled
+        load_word scene_bailout, sp_least
+        load_word k_lower, sp_scaled
         RTOR    m_tmin, sp_lower
         STO     [sp_followed], r0
         STO     [sp_followed, m_index_one], r0
 
         .if     INTERIORS
         ES      sp_passed, 0
-        EX      sp_at, scene_interiors
-        ELEN    sp_at, INTERIORS_OF_SIZE
-        SWAP    [sp_at], in_table, [r0]
+        load_at scene_interiors, INTERIORS_OF_SIZE, in_table
         CFPGE   sp_own_level, in_levels, spawn_done
-        RTOR    sp_primitive, sp_at
-        IX      sp_at, 64 * P_INTERIOR
-        LOD     [sp_at], in_body
+        load_of sp_primitive, P_INTERIOR, in_body
         IBXNE   sp_clear, r0, r0, spawn_interiors
         .if     GLOSS
-        RTOR    sp_primitive, sp_at
-        IX      sp_at, 64 * P_REFLECTION_KIND
-        LOD     [sp_at], sp_flag
+        load_of sp_primitive, P_REFLECTION_KIND, sp_flag
         ES      sp_at, 2                        ; Fresnel's formulas
         IBXEQ   sp_flag, r0, sp_at, spawn_interiors
         .endif
@@ -251,11 +230,8 @@ spawn_straight:
         RTOR    sp_own_level, sp_level
 spawn_refracted:
         IBXEQ   sp_clear, r0, r0, spawn_reflected
-        RTOR    sp_primitive, sp_at
-        IX      sp_at, 64 * P_RANK
-        LOD     [sp_at], sp_passed
-        ELEN    sp_refracted_at, CHILD_SIZE
-        SWAP    [r0], sp_ox, [sp_refracted_at]
+        load_of sp_primitive, P_RANK, sp_passed
+        store_to sp_ox, CHILD_SIZE, sp_refracted_at
         STO     [sp_followed, m_index_one], m_index_one
         ES      sp_passed, 0
         .endif
@@ -273,8 +249,7 @@ mirror_constant:
         ADDN    sp_own_level, m_one, sp_level
         .endif
         mirrored
-        ELEN    sp_reflected_at, CHILD_SIZE
-        SWAP    [r0], sp_ox, [sp_reflected_at]
+        store_to sp_ox, CHILD_SIZE, sp_reflected_at
         STO     [sp_followed], m_index_one
 spawn_done:
         leave   spawn_save, SPAWN_REGISTERS
@@ -287,8 +262,7 @@ spawn_total:
         RTOR    m_one, sp_green
         RTOR    m_one, sp_blue
         RTOR    sp_own_inside, sp_inside
-        ELEN    sp_refracted_at, CHILD_SIZE
-        SWAP    [r0], sp_ox, [sp_refracted_at]
+        store_to sp_ox, CHILD_SIZE, sp_refracted_at
         .if     HIDDEN
         ES      sp_flag, 2
         STO     [sp_followed, m_index_one], sp_flag

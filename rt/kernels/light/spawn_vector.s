@@ -52,8 +52,7 @@
         VXTOV   [at], [s0], [v4]
         MPYSV   [v4], \share, [v5]
         .if     INTERIORS
-        EX      s0, scene_interiors + 64 * INTERIORS_LEVELS
-        LOD     [s0], s0
+        load_word scene_interiors + 64 * INTERIORS_LEVELS, s0
         load_word queue_level, s1
         VXTOV   [at], [s1], [v4]
         CMPGEV  [v4], s0, [hits1]
@@ -75,8 +74,7 @@
         reflect hdy, ny, v2
         reflect hdz, nz, v3
         .if     BUMPS
-        EX      target, mirror_outside
-        BSAVE   link_kernel, [target]
+        call_routine mirror_outside, link_kernel
         .endif
         renormalise v1, v2, v3, v4, v6
         .endm
@@ -118,8 +116,7 @@ spawn:
         RTOR    link_kernel, link_spawn
         ES      spawn_total, 0
         .if     INTERIORS
-        EX      target, take_interiors
-        BSAVE   link_inner, [target]
+        call_routine take_interiors, link_inner
         EX      target, find_interiors
         IBXNE   spawn_clear, r0, r0, spawn_interiors
         .if     GLOSS
@@ -138,8 +135,7 @@ spawn_no_interiors:
         .endif
         .if     GLOSS
         IBXEQ   spawn_mirror, r0, r0, spawn_no_mirror
-        EX      target, find_mirror
-        BSAVE   link_kernel, [target]
+        call_routine find_mirror, link_kernel
 spawn_no_mirror:
         .endif
         .if     INTERIORS
@@ -203,8 +199,7 @@ spawn_followed:
         IBXEQ   spawn_count, r0, r0, spawn_refracted
         reflect_all
         add_to_counter rays_reflected, spawn_count
-        EX      target, spawn_ray
-        BSAVE   link_kernel, [target]
+        call_routine spawn_ray, link_kernel
         .if     GLOSS
         spawn_vector red
         spawn_vector green
@@ -218,8 +213,7 @@ spawn_followed:
         .if     INTERIORS
         RTOR    lx, spawn_inside
         .endif
-        EX      target, spawn_rest
-        BSAVE   link_kernel, [target]
+        call_routine spawn_rest, link_kernel
 
 spawn_refracted:
         .if     INTERIORS
@@ -239,8 +233,7 @@ spawn_refract:
 spawn_none_total:
         SQRTV   [v7], [v7] ?! [hits2]
         .if     BUMPS
-        EX      target, refract_from_back
-        BSAVE   link_kernel, [target]
+        call_routine refract_from_back, link_kernel
         .endif
         MPYSV   -[facing], [v0], [v6]
         SUBNV   [v6], [v7], [v7]
@@ -250,8 +243,7 @@ spawn_none_total:
         refract hdz, nz, v3
 spawn_through:
         add_to_counter rays_refracted, spawn_count
-        EX      target, spawn_ray
-        BSAVE   link_kernel, [target]
+        call_routine spawn_ray, link_kernel
         ADDX    spawn_checker, spawn_total, s0
         IBXNE   s0, r0, r0, spawn_weights
         spawn_number sh8
@@ -266,8 +258,7 @@ spawn_weighted:
         ES      spawn_kind, 1
         VTOV    [lx], [ly] ? [hits2]
         RTOR    ly, spawn_inside
-        EX      target, spawn_rest
-        BSAVE   link_kernel, [target]
+        call_routine spawn_rest, link_kernel
         .endif
 spawn_done:
         BIM     0, link_spawn
@@ -307,9 +298,7 @@ spawn_counted:
         IBXEQ   spawn_kind, r0, r0, spawn_passed_none
         load_field P_RANK, s0
         VTOV    s0, [v6]
-        RTOR    part_at, s0
-        IX      s0, 64 * PART_SHARED
-        LOD     [s0], s0
+        load_of part_at, PART_SHARED, s0
         IBXEQ   s0, r0, r0, spawn_passed
         VXTOV   [at], [nearest_primitive], [v4]
         find_records v4, v4, P_RANK, s1

@@ -21,8 +21,7 @@ set_hits:
 ; all hits; the other vectors from their beginning on.
 set_part:
         RTOR    part_at, s0
-        ELEN    s0, PART_SIZE
-        SWAP    [s0], s1, [r0]
+        load_from s0, PART_SIZE, s1
         RTOR    s1, primitive
         SHIFTI  s2, 6, part_offset
         RTOR    s3, m
@@ -38,9 +37,7 @@ set_part:
         IX      s1, 64 * HIT_VECTORS
         ELEN    s1, SHADE_VECTORS - HIT_VECTORS
         ORV     [s0], m_high, [s1]
-        EX      s1, shade_descriptors
-        ELEN    s1, SHADE_VECTORS
-        SWAP    [s1], at, [r0]
+        load_words shade_descriptors, SHADE_VECTORS, at, shape_at
         describe ndotl, NDOTL_STORE, m
         ADDX    ndotl, part_offset, ndotl
         BIM     0, link_inner
@@ -52,9 +49,7 @@ find_normal:
         RTOR    link_kernel, link_inner
         set_points px, py, pz
         load_field P_TRANSFORMED, s9
-        RTOR    part_at, s0
-        IX      s0, 64 * PART_SHARED
-        LOD     [s0], s0
+        load_of part_at, PART_SHARED, s0
         IBXNE   s0, r0, r0, normal_shared
         IBXEQ   s9, r0, r0, normal_local
         load_record P_LOCAL, 12, m00

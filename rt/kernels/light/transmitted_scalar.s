@@ -19,9 +19,7 @@ transmitted_cell: .space 1
 ; Multiplies the light by the colour that the primitive w_out transmits at the
 ; crossing w_in of the ray.  Branches to dark if it transmits none.
         .macro  pass_through dark
-        RTOR    w_out, w_at
-        IX      w_at, 64 * P_CLEAR
-        LOD     [w_at], s_clear
+        load_of w_out, P_CLEAR, s_clear
         IBXEQ   s_clear, r0, r0, \dark
         MPYS    w_in, w_dx, w_t0
         MPYS    w_in, w_dy, w_t1
@@ -29,18 +27,14 @@ transmitted_cell: .space 1
         ADDN    w_ox, w_t0, w_t0
         ADDN    w_oy, w_t1, w_t1
         ADDN    w_oz, w_t2, w_t2
-        EX      w_at, transmitted_point
-        ELEN    w_at, 3
-        SWAP    [r0], w_t0, [w_at]
-        EX      w_at, transmitted_primitive
-        STO     [w_at], w_out
+        store_words w_t0, 3, transmitted_point, image_at
+        store_word w_out, transmitted_primitive, image_at
         call    pigment_cell, transmitted_list
         EX      w_at, transmitted_cell
         LOD     [w_at], w_t0
         ADDX    w_out, w_t0, w_at
         IX      w_at, 64 * P_TRANSMITTED
-        ELEN    w_at, 3
-        SWAP    [w_at], s_transmitted_r, [r0]
+        load_from w_at, 3, s_transmitted_r
         MPYS    s_red, s_transmitted_r, s_red
         MPYS    s_green, s_transmitted_g, s_green
         MPYS    s_blue, s_transmitted_b, s_blue

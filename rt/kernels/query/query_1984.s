@@ -22,15 +22,12 @@
 lines:
         begin_machine
         begin_queues
-        EX      target, begin_scalar
-        BSAVE   link_kernel, [target]
+        call_routine begin_scalar, link_kernel
 query_next:
         begin_queue
-        EX      target, walk_regions
-        BSAVE   link, [target]
+        call_routine walk_regions, link
         .if     DEPTHS
-        EX      target, count_depths
-        BSAVE   link_kernel, [target]
+        call_routine count_depths, link_kernel
         .endif
         next_queue
         .endkernel

@@ -28,7 +28,7 @@
         .endm
 
         .macro  begin_machine
-        load_words constants, CONSTANTS, one, s0
+        load_words constants, CONSTANTS, one, shape_at
         begin_counting
         EX      s4, QUEUE
         describe iota, count_store, s4
@@ -49,7 +49,10 @@
         .endm
 
         .macro  begin_queue
-        at_most QUEUE, query_left, n
+        EX      n, QUEUE
+        IBXLE   n, r0, query_left, queue_full\@
+        RTOR    query_left, n
+queue_full\@:
         call_routine begin_query, link_kernel
         .endm
 

@@ -31,9 +31,7 @@ query_ray:      .space 6
 ; Stores the ray for the normals.
         .macro  load_query_ray
         load_ray
-        EX      loop_at, query_ray
-        ELEN    loop_at, 6
-        SWAP    [r0], w_ox, [loop_at]
+        store_words w_ox, 6, query_ray, image_at
         .endm
 
 ; Sets c_first_hit to the address of the ray's first crossing.
@@ -51,7 +49,7 @@ query_ray:      .space 6
         ADDX    c_plane, to_stride, c_plane
         .endm
 
-        .macro  store_plane register
+        .macro  put_word register
         STO     [c_plane], \register
         ADDX    c_plane, to_stride, c_plane
         .endm
@@ -79,15 +77,15 @@ put_move\@:
         BIM     put_next\@
 put_here\@:
         RTOR    c_slot, c_plane
-        store_plane c_distance
-        store_plane c_primitive
-        store_plane c_crossing
-        store_plane c_s
-        store_plane c_t
+        put_word c_distance
+        put_word c_primitive
+        put_word c_crossing
+        put_word c_s
+        put_word c_t
         .if     NORMALS
-        store_plane c_nx
-        store_plane c_ny
-        store_plane c_nz
+        put_word c_nx
+        put_word c_ny
+        put_word c_nz
         .endif
         .endm
 
@@ -105,9 +103,7 @@ walk_tree:
 tree_visible:
         RTOR    w_in, c_distance
         RTOR    w_out, w_leaf
-        RTOR    w_out, w_at
-        IX      w_at, 64 * P_ID
-        LOD     [w_at], c_primitive
+        load_of w_out, P_ID, c_primitive
         find_crossing
         load_at k_delta, 1, c_least
         ADDN    w_in, c_least, c_least          ; within delta: the same place

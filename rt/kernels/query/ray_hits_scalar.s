@@ -32,7 +32,7 @@ query_save:     .space QUERY_REGISTERS
 point_stored\@:
         load_of w_leaf, P_ON_PATCH, w_t0
         IBXEQ   w_t0, r0, r0, point_found\@
-        load_part w_leaf, P_PATCH_POINT, 2, c_s, w_at
+        load_part w_leaf, P_PATCH_POINT, 2, c_s, image_at
 point_found\@:
         .endm
 
@@ -92,7 +92,7 @@ query_next_region:
         SUBN    c_distance, w_t0, c_distance
 query_from_origin:
         put_in_order
-        load_word k_delta, w_t0                 ; within delta: the same place
+        load_word k_delta, w_t0         ; within delta: the same place
         ADDN    w_in, w_t0, w_least
         BIM     query_next_region
         .endkernel

@@ -77,7 +77,7 @@ found_from_origin:
 ; preserved.
 find_normals:
         RTOR    link_kernel, query_normals
-        store_words event, 21, query_saved, s3
+        store_words event, 21, query_saved, shape_at
         EX      part_at, query_part
         leaves_begin
 normals_leaf:
@@ -85,7 +85,8 @@ normals_leaf:
         load_field P_ID, identity
         describe near_bits, queue_bits, query_taken
         CMPEQV  [taken_primitive], identity, [near_bits]
-        if_none near_bits, h, normals_next
+        CNTOB   [near_bits], h
+        IBXEQ   h, r0, r0, normals_next
         call_routine set_hits, link_inner
         RTOR    h, m
         EX      query_to, query_store + 64 * QUEUE
@@ -106,7 +107,7 @@ normals_leaf:
         VTOVX   [query_to], [nz], [s4]
 normals_next:
         leaves_next normals_leaf
-        load_words query_saved, 21, event, s3
+        load_words query_saved, 21, event, shape_at
         BIM     0, query_normals
         .endif
         .endkernel

@@ -220,7 +220,7 @@ trace_background:
         load_at scene_background, 3, own_red
         IBXEQ   sky_stops, r0, r0, trace_no_sky
         load_level L_RAY + 3, 3, own_red
-        see_sky own_red, own_red, main_at
+        see_sky own_red, own_red
 trace_no_sky:
         store_level L_SAMPLE, 3, own_red
         .endkernel
