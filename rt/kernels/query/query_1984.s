@@ -8,30 +8,15 @@
 ; on the scalar unit. The results equal those of both forms, bit for bit.
 ; Source: the paper: "the ray/primitive intersections were vectorized".
 
-        .include "frame/records.s"
-        .include "frame/queue.s"
-        .include "query/query.s"
-        .reg    link_walk, r133
-
         .equ    VALUE_SIZE, 1           ; words of a tree's value
 
-        .include "query/queue_vector.s"
-
-        .entry  lines
-        .kernel lines
-lines:
-        begin_machine
-        begin_queues
+        .macro  begin_form
         call_routine begin_scalar, link_kernel
-query_next:
-        begin_queue
-        call_routine walk_regions, link
-        .if     DEPTHS
-        call_routine count_depths, link_kernel
-        .endif
-        next_queue
-        .endkernel
-
+        .endm
+        .macro  order_crossings
+        .endm
+        .entry  lines
+        .include "query/queue_vector.s"
         .include "frame/intersect_vector.s"
         .include "solids/invisible_vector.s"
 

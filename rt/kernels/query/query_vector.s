@@ -6,31 +6,17 @@
 ; has (ray_hits_vector.s). After all regions the planes of the queue are sorted
 ; (sort_vector.s).
 
-        .include "frame/records.s"
-        .include "frame/queue.s"
-        .include "query/query.s"
-        .reg    link_walk, r133
+        .macro  begin_form
+        EX      found, found_crossings
+        .endm
+        .macro  order_crossings
+        call_routine sort_crossings, link_kernel
+        .endm
+        .entry  lines
+        .include "query/queue_vector.s"
 
 ; Words of a tree's values before and after an event.
         .equ    VALUE_SIZE, 2 * QUEUE_BIT_WORDS
-
-        .include "query/queue_vector.s"
-
-        .entry  lines
-        .kernel lines
-lines:
-        begin_machine
-        EX      found, found_crossings
-        begin_queues
-query_next:
-        begin_queue
-        call_routine walk_regions, link
-        call_routine sort_crossings, link_kernel
-        .if     DEPTHS
-        call_routine count_depths, link_kernel
-        .endif
-        next_queue
-        .endkernel
 
         .include "frame/intersect_vector.s"
         .include "frame/nearest_vector.s"

@@ -1,14 +1,13 @@
-; queue_vector.s - queues of rays, for the vector form and the kernels mode.
+; queue_vector.s - the main program of ray queries in queues, for the vector form
+; and the kernels mode.
 ;
-; It loads the rays of a queue and makes descriptors of its results:
-;
-;   lines:
-;           begin_machine
-;           begin_queues
-;   query_next:
-;           begin_queue             ; the next queue
-;           ..                      ; visible crossings along its rays
-;           next_queue              ; to query_next, until there is none
+; The including program defines two macros: begin_form prepares its routines, and
+; order_crossings orders the crossings that walk_regions found.
+
+        .include "frame/records.s"
+        .include "frame/queue.s"
+        .include "query/query.s"
+        .reg    link_walk, r133
 
 ; In bits: the distance from the word of one field to that of the next, and from
 ; one crossing to the next.
@@ -27,7 +26,8 @@
         VTOV    [w3], [\o]
         .endm
 
-        .macro  begin_machine
+        .kernel lines
+lines:
         load_words constants, CONSTANTS, one, shape_at
         begin_counting
         EX      s4, QUEUE
@@ -37,33 +37,29 @@
         VTOV    tmin, [s5]
         ES      from_one_point, 0
         ES      shadows, 0
-        .endm
-
-        .macro  begin_queues
+        begin_form
         load_word query_count, query_left
         load_word query_start, query_start_distance
         SHIFTI  query_left, 6, query_stride
         ES      query_step, RAY_HIT_SIZE
         MPYX    query_step, query_stride, query_step
         ES      query_from, 0
-        .endm
-
-        .macro  begin_queue
+query_next:
         EX      n, QUEUE
-        IBXLE   n, r0, query_left, queue_full\@
+        IBXLE   n, r0, query_left, queue_full
         RTOR    query_left, n
-queue_full\@:
+queue_full:
         call_routine begin_query, link_kernel
-        .endm
-
-        .macro  next_queue
+        call_routine walk_regions, link
+        order_crossings
+        .if     DEPTHS
+        call_routine count_depths, link_kernel
+        .endif
         ADDX    query_from, n, query_from
         SUBX    query_left, n, query_left
         IBXNE   query_left, r0, r0, query_next
         EXIT
-        .endm
 
-        .kernel lines
 ; Prepares the queue's rays and the descriptors of its crossings.
 begin_query:
         set_near n
