@@ -10,10 +10,14 @@ normal_distance: .space 1
 normal_found:   .space 3
         .code
 
-; Sets c_crossing to 1 where the ray enters the body of the region, to -1 where it
+; Sets c_distance, c_primitive and w_leaf for the crossing w_in on w_out. Sets
+; c_crossing to 1 where the ray enters the body of the region, to -1 where it
 ; leaves, and to 0 if there is no body. The value of the region's tree after the
 ; crossing decides.
         .macro  find_crossing
+        RTOR    w_in, c_distance
+        RTOR    w_out, w_leaf
+        load_of w_out, P_ID, c_primitive
         RTOR    w_region, w_at
         IX      w_at, 64 * R_BODY
         LOD     [w_at], c_crossing

@@ -1,8 +1,10 @@
 ; depth_scalar.s - counts the bodies that contain a ray after each crossing.
 ;
-; See depth_vector.s. These macros are parts of the main program.
+; See depth_vector.s. These macros are parts of the main program, and of
+; depth_1984.s.
 
         .equ    DEPTH_SIZE, 1           ; words of an object
+        .regs   r228, to_primitive, to_crossing, to_object_depth, to_scene_depth
         .regs   r232, depth_crossing, depth_at, depth_object, depth_scene
 
 ; Sets depth_at to the address of the body count for the object of the primitive
@@ -23,33 +25,35 @@
 
 ; Sets depth_at to the address of the count for the object crossed at ray_hit_at.
         .macro  find_object
-        LOD     [ray_hit_at, m_index_one], depth_at
+        LOD     [ray_hit_at, to_primitive], depth_at
         find_count
         .endm
 
+; plane_of, of each form, computes the place of a field of a crossing.
+        .macro  load_depth_planes
+        plane_of RAY_HIT_PRIMITIVE, to_primitive
+        plane_of RAY_HIT_CROSSING, to_crossing
+        plane_of RAY_HIT_OBJECT_DEPTH, to_object_depth
+        plane_of RAY_HIT_SCENE_DEPTH, to_scene_depth
+        .endm
+
 ; Processes the crossings of the ray from ray_hit_at on. Their number
-; ray_hits_left is at least 1.
+; ray_hits_left is at least 1. begin_ray_hits sets both again.
         .macro  count_depths_of_ray
         ES      depth_scene, 0
 depths_next\@:
         find_object
-        RTOR    ray_hit_at, query_work
-        IX      query_work, 64 * RAY_HIT_CROSSING
-        LOD     [query_work], depth_crossing
+        LOD     [ray_hit_at, to_crossing], depth_crossing
         LOD     [depth_at], depth_object
         ADDX    depth_object, depth_crossing, depth_object
         ADDX    depth_scene, depth_crossing, depth_scene
         STO     [depth_at], depth_object
-        IX      query_work, 64 * (RAY_HIT_OBJECT_DEPTH - RAY_HIT_CROSSING)
-        STO     [query_work], depth_object
-        STO     [query_work, m_index_one], depth_scene
-        IX      ray_hit_at, 64 * RAY_HIT_SIZE
-        IBXNE   ray_hits_left, m_index_minus_one, r0, depths_next\@, ray_hits_left
-        load_ray_hits
+        STO     [ray_hit_at, to_object_depth], depth_object
+        STO     [ray_hit_at, to_scene_depth], depth_scene
+        next_ray_hit depths_next\@
+        begin_ray_hits
 depths_clear\@:
         find_object
         STO     [depth_at], r0
-        IX      ray_hit_at, 64 * RAY_HIT_SIZE
-        IBXNE   ray_hits_left, m_index_minus_one, r0, depths_clear\@, ray_hits_left
-        load_ray_hits
+        next_ray_hit depths_clear\@
         .endm

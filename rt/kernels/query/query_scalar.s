@@ -54,9 +54,18 @@ query_hit_count: .space 1
         .endm
 
 ; Loads the number of the ray's crossings and the address of the first one.
-        .macro  load_ray_hits
+        .macro  begin_ray_hits
         load_word query_hit_count, ray_hits_left
         load_word query_list, ray_hit_at
+        .endm
+
+        .macro  next_ray_hit again
+        IX      ray_hit_at, 64 * RAY_HIT_SIZE
+        IBXNE   ray_hits_left, m_index_minus_one, r0, \again, ray_hits_left
+        .endm
+
+        .macro  plane_of field, into
+        ES      \into, \field
         .endm
 
 ; Copies the next word of the crossing at ray_hit_at to its plane.
@@ -87,6 +96,9 @@ lines:
         SHIFTI  query_left, 6, query_stride
         ES      query_step, RAY_HIT_SIZE
         MPYX    query_step, query_stride, query_step
+        .if     DEPTHS
+        load_depth_planes
+        .endif
 query_next:
         RTOR    query_at, query_work
         load_of_query query_ox
@@ -103,11 +115,12 @@ query_next:
 query_begin:
         store_words query_ox, 8, query_ray, image_at
         call    find_ray_hits, query_arguments
-        load_ray_hits
+        begin_ray_hits
         STO     [query_counts_at], ray_hits_left
         IBXEQ   ray_hits_left, r0, r0, query_stored
         .if     DEPTHS
         count_depths_of_ray
+        begin_ray_hits
         .endif
         RTOR    query_hits_at, ray_hit_slot
 query_hit:

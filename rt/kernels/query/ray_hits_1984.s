@@ -101,9 +101,6 @@ walk_tree:
         load_query_ray
         .endif
 tree_visible:
-        RTOR    w_in, c_distance
-        RTOR    w_out, w_leaf
-        load_of w_out, P_ID, c_primitive
         find_crossing
         load_at k_delta, 1, c_least
         ADDN    w_in, c_least, c_least          ; within delta: the same place

@@ -79,9 +79,6 @@ query_tree:
         IBXEQ   w_hit, r0, r0, query_skip
 query_next_region:
         next_visible w_least, query_skip
-        RTOR    w_in, c_distance
-        RTOR    w_out, w_leaf
-        load_of w_out, P_ID, c_primitive
         find_crossing
         find_point
         .if     NORMALS
