@@ -39,3 +39,26 @@
         .data
 scene_interiors: .space INTERIORS_OF_SIZE
         .code
+
+; under = T, last = the last of the bodies in all.
+        .macro  last_of all, under, last
+        scale   \all, in_per_base, \under
+        floor   \under, \under
+        normal  \under, \under
+        scale   \under, in_base, \last
+        minus   \all, \last, \last
+        .endm
+
+; index = n(body); body becomes the index into the table.
+        .macro  index_of body, index
+        floor   \body, \body
+        gather  \body, in_table, \index
+        .endm
+
+; room = all without its first body.
+        .macro  drop_first all, room
+        scale   \all, in_per_full, \room
+        floor   \room, \room
+        normal  \room, \room
+        minus_scaled \all, \room, in_full, \room
+        .endm

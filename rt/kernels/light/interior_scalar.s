@@ -8,19 +8,6 @@
         .reg    in_mirror, r91
         .endshare
 
-        .macro  last_of all, under, last
-        MPYS    \all, in_per_base, \under
-        FLR     \under, \under
-        ADDN    \under, r0, \under
-        MPYS    \under, in_base, \last
-        SUBN    \all, \last, \last
-        .endm
-
-        .macro  index_of body, index
-        FLR     \body, \index
-        LOD     [in_table, \index], \index
-        .endm
-
 ; In:  sp_own_inside = S, sp_outward; in_table .., in_body.
 ; Out: sp_own_inside, known; sp_inside = S', sp_e = e; in_mirror = w.
         .macro  find_interiors
@@ -75,14 +62,9 @@ interiors_new:
         .endif
         RTOR    sp_own_inside, sp_t0
         CFPEQ   in_full, r0, interiors_limit
-        MPYS    sp_own_inside, in_per_full, sp_t0
-        FLR     sp_t0, sp_t0
-        ADDN    sp_t0, r0, sp_t0
-        MPYS    sp_t0, in_full, sp_t0
-        SUBN    sp_own_inside, sp_t0, sp_t0
+        drop_first sp_own_inside, sp_t0
 interiors_limit:
-        MPYS    sp_t0, in_base, sp_inside
-        ADDN    sp_inside, in_body, sp_inside
+        line    sp_t0, in_base, in_body, sp_inside
 interiors_near:
         SUBN    sp_e, m_one, sp_t0
         CFPGE   sp_t0, m_checker_shift, interiors_found

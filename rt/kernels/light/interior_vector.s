@@ -6,21 +6,6 @@
         .regs   r45, in_levels, in_body, in_scale
         .endshare
 
-; [under] = T, [last] = the last of the bodies in [all].
-        .macro  last_of all, under, last
-        MPYSV   [\all], in_per_base, [\under]
-        FLRV    [\under], [\under]
-        ADDNV   [\under], r0, [\under]
-        MPYSV   [\under], in_base, [\last]
-        SUBNV   [\all], [\last], [\last]
-        .endm
-
-; [index] = n([body]); [body] becomes the index into the table.
-        .macro  index_of body, index
-        FLRV    [\body], [\body]
-        VXTOV   [\body], [in_table], [\index]
-        .endm
-
 ; lx = S of the m rays, or -1.
         .kernel spawn
 take_interiors:
@@ -52,20 +37,11 @@ interiors_known:
         DIVSV   spawn_index, [v2], [v7]
         .endif
         CFPEQ   in_full, r0, interiors_limit
-        MPYSV   [lx], in_per_full, [v2]
-        FLRV    [v2], [v2]
-        ADDNV   [v2], r0, [v2]
-        LINKV
-        MPYSV   [v2], in_full, [v2]
-        SUBNV   [lx], [v2], [v2]
-        LINKV
-        MPYSV   [v2], in_base, [v2]
-        ADDNV   [v2], in_body, [ly]
+        drop_first lx, v2
+        line    v2, in_base, in_body, ly
         BIM     interiors_come
 interiors_limit:
-        LINKV
-        MPYSV   [lx], in_base, [v2]
-        ADDNV   [v2], in_body, [ly]
+        line    lx, in_base, in_body, ly
 interiors_come:
         CNTOB   [hits1], s0
         IBXEQ   s0, r0, r0, interiors_under
