@@ -6,6 +6,10 @@
 ;       load_from at, number, first             the same, from the address in at
 ;       load_of record, offset, register        the word of a record
 ;       load_part record, offset, number, first, at
+;       load_field field, register              the same of the record of primitive
+;       load_record field, number, first
+;       store_field field, register
+;       load_shape number                       its shape, to registers from sh0 on
 ;       store_word register, label, at
 ;       store_words first, number, label, at
 ;       store_to first, number, at
@@ -19,6 +23,7 @@
 ;       no_code name                            the operation name, without code,
 ;                                               for one of two forms
 ;
+; The including program names the registers primitive and shape_at, an address.
 ; record has the address of the record, and an offset is in words. at gets the
 ; address and the number, count that of the bits that are one.
 
@@ -56,6 +61,25 @@
         RTOR    \record, \at
         IX      \at, 64 * (\offset)
         load_from \at, \number, \first
+        .endm
+
+; Fields of the record of the current primitive.
+        .macro  load_field field, register
+        load_of primitive, \field, \register
+        .endm
+
+        .macro  load_record field, number, first
+        load_part primitive, \field, \number, \first, shape_at
+        .endm
+
+        .macro  store_field field, register
+        RTOR    primitive, shape_at
+        IX      shape_at, 64 * (\field)
+        STO     [shape_at], \register
+        .endm
+
+        .macro  load_shape number
+        load_record P_SHAPE, \number, sh0
         .endm
 
         .macro  store_word register, label, at

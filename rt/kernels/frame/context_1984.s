@@ -7,6 +7,7 @@
 ; This file is included while register names are those of the vector program.
 
         .reg    link_queue, link        ; of the vector program
+        .reg    queue_primitive, primitive
         .equ    CONTEXT, 249
         .equ    OPERANDS, 18
 

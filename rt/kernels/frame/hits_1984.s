@@ -70,7 +70,7 @@ hit_save:       .space SURFACE_REGISTERS
 surface:
         enter_hit 1, SURFACE_REGISTERS
         load_hit HIT_RAY, HIT_INDEX, ox
-        RTOR    hit_primitive, a_primitive
+        RTOR    hit_primitive, primitive
         RTOR    hit_distance, t0
         find_surface
         begin_colour 3
@@ -81,7 +81,7 @@ surface:
 
 ; TOWARDS and SHINE need fewer registers.
         .share  local
-        .regs   r32, a_hit, a_light, a_primitive, t0, t1, here
+        .regs   r32, a_hit, a_light, primitive, t0, t1, here
         .regs   r38, red, green, blue, nx, ny, nz, facing, outward, cell
         .regs   r47, px, py, pz, lx, ly, lz, ndotl, ddotl, light_distance
         .regs   r56, light_x, light_y, light_z, light_r, light_g, light_b
@@ -144,7 +144,7 @@ shine:
 shine_all_around:
         .endif
         load_hit HIT_RAY, HIT_INDEX, ox
-        RTOR    hit_primitive, a_primitive
+        RTOR    hit_primitive, primitive
         .if     BUMPS
         load_hit HIT_SAMPLE, SAMPLE_SIZE, red
         load_hit HIT_LIGHT, 6, lx
@@ -152,9 +152,9 @@ shine_all_around:
         load_hit HIT_SAMPLE, SAMPLE_SIZE + 6, red
         .endif
         load_hit HIT_PIGMENT, 3, color0r
-        get_record P_FINISH, 8, f_ambientr
+        load_record P_FINISH, 8, f_ambientr
         .if     GLOSS
-        get_record P_GLOSS, 2, f_brilliance
+        load_record P_GLOSS, 2, f_brilliance
         .endif
         shine   light_r, light_g, light_b
         store_hit HIT_SAMPLE, 3, red

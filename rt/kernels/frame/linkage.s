@@ -21,6 +21,7 @@
         option  CASTS_SHADOWS
 
         .regs   r7, link, arguments, save_at, image_at, target
+        .reg    shape_at, image_at
         .share  main
         .reg    inner, r12
         .endshare
@@ -41,6 +42,7 @@
         .share  local
         .regs   r32, one, tiny, index_one, big, minus_big
         .regs   r37, a_ray, a_primitive, a_segment
+        .reg    primitive, a_primitive
         .regs   r40, ox, oy, oz, dx, dy, dz
         .regs   r46, tin, tout
         .regs   r48, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9

@@ -204,23 +204,6 @@ near_set\@:
         load_words near_descriptors + 64 * PATCH_VECTORS, 2, patch_s, s0
         .endm
 
-; Loads `number` words of the primitive's record, at `offset`, into registers.
-        .macro  load_record offset, number, first
-        load_part primitive, \offset, \number, \first, shape_at
-        .endm
-
-        .macro  load_field offset, register
-        RTOR    primitive, shape_at
-        IX      shape_at, 64 * (\offset)
-        LOD     [shape_at], \register
-        .endm
-
-        .macro  store_field offset, register
-        RTOR    primitive, shape_at
-        IX      shape_at, 64 * (\offset)
-        STO     [shape_at], \register
-        .endm
-
 ; Makes descriptors of n words in each of three planes, whose distance is
 ; `stride`.
         .macro  three_planes first, stride, a, b, c

@@ -46,7 +46,7 @@
         pass_operands ray_index, 2, 4
         pass_operands patch_s, 2, 6
         pass_operands wlower, 1, 8
-        pass_operands primitive, 1, 9
+        pass_operands queue_primitive, 1, 9
         pass_operands shadows, 1, 10
         .endm
 

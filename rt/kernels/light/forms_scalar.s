@@ -166,8 +166,8 @@ one_where_near\@:
 ; by BSAVE image_link.
         .macro  begin_image
 find_image_cell:
-        get_record P_PATTERN, 12, sh0
-        get_record P_MAP, MAP_SIZE, map_function
+        load_record P_PATTERN, 12, sh0
+        load_record P_MAP, MAP_SIZE, map_function
         pattern_colour
         RTOR    image_cell, cell
         BIM     0, image_link
@@ -230,7 +230,7 @@ image_outside:
         RTOR    nx, raw_x
         RTOR    ny, raw_y
         RTOR    nz, raw_z
-        get_field P_BUMP, bump_at
+        load_field P_BUMP, bump_at
         IBXEQ   bump_at, r0, r0, not_bumped\@
         apply_bumps
 not_bumped\@:

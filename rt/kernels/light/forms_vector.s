@@ -70,9 +70,6 @@
         .regs   red, sp_red, sp_green, sp_blue
         .endshare
 
-        .macro  spawn_record offset, number, first
-        load_record \offset, \number, \first
-        .endm
         .macro  set_mirror_weight
         VTOV    spawn_most, [ndotl]
         .endm

@@ -9,7 +9,7 @@
 ; Computes the reflection's colour and weight from the cosine -N . D.  Branches
 ; to mirror_constant if it does not depend on the angle.
         .macro  mirror_by_angle
-        spawn_record P_REFLECTION_RANGE, 6, g_red
+        load_record P_REFLECTION_RANGE, 6, g_red
         IBXEQ   g_kind, r0, r0, mirror_constant
         negate  sp_facing, g_seen
         IBXNE   g_kind, r0, m_index_one, mirror_fresnel

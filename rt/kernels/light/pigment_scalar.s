@@ -9,7 +9,7 @@
 ; operations is that of pigment_vector.s.
 
         .share  local
-        .regs   r32, a_point, a_primitive, a_cell
+        .regs   r32, a_point, primitive, a_cell
         .regs   r40, link_saved, here
         .regs   r48, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9
         .regs   r58, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10
@@ -36,14 +36,6 @@
 pigment_save:   .space SKY_REGISTERS
         .code
 
-        .macro  get_field offset, register
-        load_of a_primitive, \offset, \register
-        .endm
-
-        .macro  get_record offset, number, first
-        load_part a_primitive, \offset, \number, \first, image_at
-        .endm
-
         .macro  pattern_floor k0, k1, k2, k3, sum
         dot     px, py, pz, \k0, \k1, \k2, t0, t1
         ADDN    t0, \k3, t0
@@ -54,10 +46,10 @@ pigment_save:   .space SKY_REGISTERS
 ; Computes cell.  Branches to plain or to gradient if the pigment is no checker.
         .macro  checker_cell plain, gradient
         ES      cell, 0
-        get_field P_PIGMENT, t0
+        load_field P_PIGMENT, t0
         IBXEQ   t0, r0, r0, \plain
         IBXNE   t0, r0, m_index_one, \gradient
-        get_record P_PATTERN, 12, sh0
+        load_record P_PATTERN, 12, sh0
         pattern_floor sh0, sh1, sh2, sh3, t2
         pattern_floor sh4, sh5, sh6, sh7, t3
         pattern_floor sh8, sh9, sh10, sh11, t4

@@ -66,7 +66,7 @@ shade:
         begin_colour 8
         .if     GLOSS
         store_to color0r, 3, a_pigment
-        get_record P_GLOSS, 2, f_brilliance
+        load_record P_GLOSS, 2, f_brilliance
         .endif
         load_at scene_lights, 2, t0
         RTOR    t0, light_at

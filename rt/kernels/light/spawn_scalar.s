@@ -25,7 +25,7 @@
 ; shape is inverted.
 
         .share  local
-        .regs   r32, sp_ray, sp_primitive, sp_surface, sp_weight_at
+        .regs   r32, sp_ray, primitive, sp_surface, sp_weight_at
         .regs   r36, sp_followed, sp_reflected_at, sp_refracted_at
         .regs   r39, sp_dx, sp_dy, sp_dz
         .regs   r42, sp_nx, sp_ny, sp_nz, sp_facing, sp_outward, sp_cell
@@ -97,10 +97,6 @@
 spawn_save:     .space SPAWN_REGISTERS
         .code
 
-        .macro  spawn_record offset, number, first
-        load_part sp_primitive, \offset, \number, \first, image_at
-        .endm
-
         .if     BUMPS
 ; Corrects a direction sp_x .. that would go behind the surface (bump.s).
         .macro  mirror_outside
@@ -142,7 +138,7 @@ mirror_is_outside\@:
 ; Loads the colour and its maximum component, at an offset of the record plus
 ; position, and computes the weight.
         .macro  weigh offset, position
-        ADDX    sp_primitive, \position, sp_at
+        ADDX    primitive, \position, sp_at
         IX      sp_at, 64 * (\offset)
         load_from sp_at, 4, sp_red
         MPYS    sp_own_weight, sp_greatest, sp_weight
@@ -161,9 +157,9 @@ spawn:
         .if     BUMPS
         IX      sp_surface, 64 * (SAMPLE_BEFORE - SAMPLE_NORMAL)
         load_from sp_surface, 3, sp_before_x
-        load_of sp_primitive, P_BUMP, sp_bump
+        load_field P_BUMP, sp_bump
         .endif
-        spawn_record P_INVERTED, 5, sp_inverted
+        load_record P_INVERTED, 5, sp_inverted
         .if     INTERIORS
         load_from sp_weight_at, SPAWN_STATE, sp_own_inside
         .else
@@ -179,10 +175,10 @@ spawn:
         ES      sp_passed, 0
         load_at scene_interiors, INTERIORS_OF_SIZE, in_table
         CFPGE   sp_own_level, in_levels, spawn_done
-        load_of sp_primitive, P_INTERIOR, in_body
+        load_field P_INTERIOR, in_body
         IBXNE   sp_clear, r0, r0, spawn_interiors
         .if     GLOSS
-        load_of sp_primitive, P_REFLECTION_KIND, sp_flag
+        load_field P_REFLECTION_KIND, sp_flag
         ES      sp_at, 2                        ; Fresnel's formulas
         IBXEQ   sp_flag, r0, sp_at, spawn_interiors
         .endif
@@ -230,7 +226,7 @@ spawn_straight:
         RTOR    sp_own_level, sp_level
 spawn_refracted:
         IBXEQ   sp_clear, r0, r0, spawn_reflected
-        load_of sp_primitive, P_RANK, sp_passed
+        load_field P_RANK, sp_passed
         store_to sp_ox, CHILD_SIZE, sp_refracted_at
         STO     [sp_followed, m_index_one], m_index_one
         ES      sp_passed, 0

@@ -2,7 +2,7 @@
 ; pigment.  These macros and registers are a part of the subroutines that shade.
 
         .share  local
-        .regs   r32, a_ray, a_primitive, a_distance, a_sample
+        .regs   r32, a_ray, primitive, a_distance, a_sample
         .regs   r36, lights_left, light_at, normal_link, transformed_shape
         .regs   r40, link_saved, here
         .regs   r42, color0r, color0g, color0b, color1r, color1g, color1b
@@ -75,17 +75,17 @@
         RTOR    px, qx
         RTOR    py, qy
         RTOR    pz, qz
-        get_field P_TRANSFORMED, transformed_shape
+        load_field P_TRANSFORMED, transformed_shape
         IBXEQ   transformed_shape, r0, r0, surface_local\@
-        get_record P_LOCAL, 12, sh0
+        load_record P_LOCAL, 12, sh0
         local_point sh0, sh1, sh2, sh3, qx
         local_point sh4, sh5, sh6, sh7, qy
         local_point sh8, sh9, sh10, sh11, qz
 surface_local\@:
-        get_field P_NORMAL, target
+        load_field P_NORMAL, target
         BSAVE   normal_link, [target]
         IBXEQ   transformed_shape, r0, r0, surface_world\@
-        get_record P_LOCAL, 12, sh0
+        load_record P_LOCAL, 12, sh0
         dot     nx, ny, nz, sh0, sh4, sh8, lx, t0
         dot     nx, ny, nz, sh1, sh5, sh9, ly, t0
         dot     nx, ny, nz, sh2, sh6, sh10, lz, t0
@@ -103,10 +103,10 @@ surface_world\@:
         SUBN    r0, facing, facing
 surface_turned\@:
         .if     MESH_CROSSINGS
-        get_field P_ON_PATCH, t0
+        load_field P_ON_PATCH, t0
         ES      t1, 2
         IBXNE   t0, r0, t1, surface_sided\@
-        get_field P_PATCH_POINT + 1, t0         ; hit_t: it enters or leaves
+        load_field P_PATCH_POINT + 1, t0         ; hit_t: it enters or leaves
         RTOR    facing, outward
         IBXEQ   t0, r0, r0, surface_sided\@
         SUBN    r0, facing, outward
@@ -124,7 +124,7 @@ surface_sided\@:
 ; Computes the pigment color0 and loads words of the finish; red, green, blue
 ; start with the ambient light.
         .macro  begin_colour words
-        get_record P_COLOR, 6, color0r
+        load_record P_COLOR, 6, color0r
         checker_cell pigment_found\@, pigment_gradient\@
         IBXEQ   cell, r0, r0, pigment_found\@
         RTOR    color1r, color0r
@@ -135,8 +135,8 @@ pigment_gradient\@:
         .if     PATTERNS
         ES      t1, 2
         IBXEQ   t0, r0, t1, pigment_slope\@
-        get_record P_PATTERN, 12, sh0
-        get_record P_MAP, MAP_SIZE, map_function
+        load_record P_PATTERN, 12, sh0
+        load_record P_MAP, MAP_SIZE, map_function
         pattern_colour
         .if     IMAGES
         RTOR    image_cell, cell
@@ -148,10 +148,10 @@ pigment_gradient\@:
         BIM     pigment_found\@
 pigment_slope\@:
         .endif
-        get_record P_PATTERN, 6, sh0
+        load_record P_PATTERN, 6, sh0
         gradient_colour
 pigment_found\@:
-        get_record P_FINISH, \words, f_ambientr
+        load_record P_FINISH, \words, f_ambientr
         MPYS    color0r, f_ambientr, red
         MPYS    color0g, f_ambientg, green
         MPYS    color0b, f_ambientb, blue

@@ -6,12 +6,6 @@
         .reg    number, t9
         .reg    chosen, t0
 
-        .macro  load_field offset, register
-        RTOR    a_primitive, \register
-        IX      \register, 64 * (\offset)
-        LOD     [\register], \register
-        .endm
-
         .macro  include_form shape
         .include "shapes/\shape\()_scalar.s"
         .endm

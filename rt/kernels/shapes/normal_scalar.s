@@ -3,10 +3,6 @@
 ; branches to them with normal_link.  The point is in qx, qy, qz, the normal in
 ; nx, ny, nz; t0-t6 change (normal_vector.s).
 
-        .macro  load_shape number
-        load_part a_primitive, P_SHAPE, \number, sh0, t0
-        .endm
-
         .reg    table, here
         .reg    spare, t8
         .share  local
@@ -21,16 +17,16 @@
 
 ; table = the address of the primitive's table.
         .macro  load_table
-        get_field P_TABLE, table
+        load_field P_TABLE, table
         .endm
 
 ; The parameters of the hit on a patch.
         .macro  load_point_s
-        get_field P_PATCH_POINT, point_s
+        load_field P_PATCH_POINT, point_s
         .endm
 
         .macro  load_point_t
-        get_field P_PATCH_POINT + 1, point_t
+        load_field P_PATCH_POINT + 1, point_t
         .endm
 
 ; a = the greatest number, at the start of a search for the smallest.

@@ -41,10 +41,6 @@
         .regs   r243, row10, row11, row12, row13, row14, row15, row16, row17
         .endshare
 
-        .macro  load_shape number
-        load_record P_SHAPE, \number, sh0
-        .endm
-
         .macro  dot_product x0, x1, x2, y0, y1, y2, sum, work
         dot_vectors \x0, \x1, \x2, \y0, \y1, \y2, \sum, \work
         .endm
