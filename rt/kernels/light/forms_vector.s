@@ -188,8 +188,8 @@ find_cells:
         load_field P_PIGMENT, s0
         IBXEQ   s0, r0, one_index, find_checker
         load_record P_PATTERN, 8, m00
-        pattern_axis m00, m01, m02, m03, v1
-        pattern_axis m10, m11, m12, m13, v2
+        local_coordinate m00, m01, m02, m03, v1
+        local_coordinate m10, m11, m12, m13, v2
         find_tile v1, v2, v3, v4
         load_field P_MAP_NUMBERS + 2, s0
         find_outside s0, v3, v4, cells_found

@@ -4,9 +4,9 @@
 ;
 ; POINT = x, y, z (3 words); PRIMITIVE = its record; CELL = the offset of the
 ; colour from the first one, in bits, at four words per colour: 0, or 256 in
-; every other cell of a checker, where floor(x) + floor(y) + floor(z) is odd in
-; the pigment's space, and outside of a bounded image.  The order of the
-; operations is that of pigment_vector.s.
+; every other cell of a checker, and outside of a bounded image (pigment.s).
+
+        .include "light/pigment.s"
 
         .share  local
         .regs   r32, a_point, primitive, a_cell
@@ -16,7 +16,11 @@
         .regs   r69, sh11, sh12, sh13, sh14, sh15
         .regs   r74, px, py, pz
         .regs   r77, cell
+        .regs   sh0, m00, m01, m02, m03, m10, m11, m12, m13, m20, m21, m22, m23
+        .regs   sh6, stop_at, stop_scale, stop_r, stop_g, stop_b, rise_r, rise_g
+        .reg    rise_b, sh13
         .regs   r78, a_color, color0r, color0g, color0b
+        .regs   color0r, cr, cg, cb
         .if     IMAGES
         .regs   r126, image_cell, image_link
         .endif
@@ -36,37 +40,22 @@
 pigment_save:   .space SKY_REGISTERS
         .code
 
-        .macro  pattern_floor k0, k1, k2, k3, sum
-        dot     px, py, pz, \k0, \k1, \k2, t0, t1
-        ADDN    t0, \k3, t0
-        ADDN    t0, m_checker_shift, t0
-        FLR     t0, \sum
-        .endm
-
 ; Computes cell.  Branches to plain or to gradient if the pigment is no checker.
         .macro  checker_cell plain, gradient
         ES      cell, 0
         load_field P_PIGMENT, t0
         IBXEQ   t0, r0, r0, \plain
         IBXNE   t0, r0, m_index_one, \gradient
-        load_record P_PATTERN, 12, sh0
-        pattern_floor sh0, sh1, sh2, sh3, t2
-        pattern_floor sh4, sh5, sh6, sh7, t3
-        pattern_floor sh8, sh9, sh10, sh11, t4
-        ADDU    t2, t3, t2
-        ADDU    t2, t4, t2
+        checker_floors
+        plus_index t2, t4, t2
         AND     t2, m_index_one, t2
         SHIFTI  t2, 8, cell
         .endm
 
 ; Computes color0 at the point.  sh0 .. sh5 = the words of a gradient, P_PATTERN
-; or scene_sky.  The order of the operations is that of pigment_vector.s.
+; or scene_sky.
         .macro  gradient_colour
-        dot     px, py, pz, sh0, sh1, sh2, t0, t1
-        ADDN    t0, sh3, t0
-        FLR     t0, t1
-        ADDN    t1, r0, t1
-        SUBN    t0, t1, t0
+        gradient_value
         map_colour
         .endm
 
@@ -82,15 +71,8 @@ map_next\@:
         IX      here, 64 * STOP_SIZE
 map_between\@:
         IX      here, -64 * STOP_SIZE
-        load_from here, STOP_SIZE, sh6
-        SUBN    t0, sh6, t1
-        MPYS    t1, sh7, t1
-        MPYS    t1, sh11, color0r
-        MPYS    t1, sh12, color0g
-        MPYS    t1, sh13, color0b
-        ADDN    color0r, sh8, color0r
-        ADDN    color0g, sh9, color0g
-        ADDN    color0b, sh10, color0b
+        load_from here, STOP_SIZE, stop_at
+        colour_between_stops
         .endm
 
         .if     PATTERNS
@@ -110,9 +92,7 @@ map_between\@:
 
 ; Computes color0 at the point.  sh0 .. = P_PATTERN, map_function .. = P_MAP.
         .macro  pattern_colour
-        pattern_axis sh0, sh1, sh2, sh3, q_x
-        pattern_axis sh4, sh5, sh6, sh7, q_y
-        pattern_axis sh8, sh9, sh10, sh11, q_z
+        pattern_point
         .if     IMAGES
         ES      image_cell, 0
         .endif
@@ -132,11 +112,6 @@ pattern_mapped\@:
         .if     IMAGES
 pattern_coloured\@:
         .endif
-        .endm
-
-        .macro  pattern_axis k0, k1, k2, k3, q
-        dot     px, py, pz, \k0, \k1, \k2, \q, t0
-        ADDN    \q, \k3, \q
         .endm
 
         .macro  begin_pattern

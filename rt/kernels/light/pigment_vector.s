@@ -1,35 +1,29 @@
-; pigment_vector.s - computes the colours of a primitive at m points.
-;
-; Checker: the second colour where floor(x) + floor(y) + floor(z) is odd in the
-; pigment's space.  Gradient: the coordinate along an axis, minus its floor, is
-; a position between the stops of a map; the colour is interpolated linearly
-; between two stops.
+; pigment_vector.s - computes the colours of a primitive at m points (pigment.s).
 ;
 ; In:  px py pz; the primitive's record; for find_gradient the words of
 ;      P_PATTERN or scene_sky in m00 .. m11.
 ; find_pigment, find_gradient: Out: cr cg cb.  find_checker: Out: hits3 = the
 ; points with the second colour.  They change v0-v4, hits3.
-; Source: POV-Ray's gradient and its colour maps.
 
         .share  scratch
         .regs   r248, color0r, color0g, color0b, color1r, color1g, color1b
         .endshare
 
-        .macro  pattern_floor x0, x1, x2, k0, k1, k2, k3, sum
-        dot_constant \x0, \x1, \x2, \k0, \k1, \k2, v0, v1
-        ADDNV   [v0], \k3, [v0]
-        ADDNV   [v0], checker_shift, [v0]
-        FLRV    [v0], [\sum]
+        .share  shape
+        .regs   sh0, stop_at, stop_scale, stop_r, stop_g, stop_b, rise_r, rise_g
+        .reg    rise_b, sh7
+        .endshare
+
+        .macro  next_stop
+        load_from s9, STOP_SIZE, stop_at
+        IX      s9, 64 * STOP_SIZE
         .endm
 
-; Loads the next stop, sh0 .. sh7.  [v1] = the position of the values between it
-; and the one after it, 0 to 1.
-        .macro  next_stop
-        load_from s9, STOP_SIZE, sh0
-        IX      s9, 64 * STOP_SIZE
+; Computes a channel of the colours in hits3.
+        .macro  channel_after_stop rise, stop, color
         LINKV
-        SUBNV   [v0], sh0, [v1]
-        MPYSV   [v1], sh1, [v1]
+        MPYSV   [v1], \rise, [v2]
+        ADDNV   [v2], \stop, [\color] ? [hits3]
         .endm
 
         .if     PATTERNS
@@ -47,11 +41,6 @@
         .regs   s0, number, none
         .endshare
 
-        .macro  pattern_axis k0, k1, k2, k3, q
-        dot_constant px, py, pz, \k0, \k1, \k2, \q, v0
-        ADDNV   [\q], \k3, [\q]
-        .endm
-
 ; In:  px py pz; m00 .. = P_PATTERN, map_function .. = P_MAP or the map of the
 ;      sky.
 ; Out: cr cg cb.  Changes v0-v7, hits1-hits3.
@@ -60,9 +49,7 @@
         .macro  begin_pattern
 find_pattern:
         RTOR    link_inner, link_pattern
-        pattern_axis m00, m01, m02, m03, q_x
-        pattern_axis m10, m11, m12, m13, q_y
-        pattern_axis m20, m21, m22, m23, q_z
+        pattern_point
         .endm
 
         .macro  end_pattern
@@ -91,13 +78,9 @@ pattern_value:
 
         .kernel shade
 find_checker:
-        load_record P_PATTERN, 12, m00
-        pattern_floor px, py, pz, m00, m01, m02, m03, v2
-        pattern_floor px, py, pz, m10, m11, m12, m13, v3
-        pattern_floor px, py, pz, m20, m21, m22, m23, v4
-        ADDUV   [v2], [v3], [v2]
+        checker_floors
         LINKV
-        ADDUV   [v2], [v4], [v2]
+        ADDXV   [v2], [v4], [v2]
         ANDV    [v2], one_index, [v2]
         CMPNEV  [v2], r0, [hits3]
         BIM     0, link_inner
@@ -135,35 +118,18 @@ pigment_pattern:
         .endif
 
 find_gradient:
-        dot_constant px, py, pz, m00, m01, m02, v0, v1
-        ADDNV   [v0], m03, [v0]
-        FLRV    [v0], [v1]
-        ADDNV   [v1], r0, [v1]
-        SUBNV   [v0], [v1], [v0]
+        gradient_value
 find_colours:                                   ; values v0, map m10, m11
         RTOR    m10, s9
         next_stop
-        LINKV
-        MPYSV   [v1], sh5, [cr]
-        ADDNV   [cr], sh2, [cr]
-        LINKV
-        MPYSV   [v1], sh6, [cg]
-        ADDNV   [cg], sh3, [cg]
-        LINKV
-        MPYSV   [v1], sh7, [cb]
-        ADDNV   [cb], sh4, [cb]
+        colour_between_stops
 gradient_next:
         next_stop
-        CMPGEV  [v0], sh0, [hits3]
-        LINKV
-        MPYSV   [v1], sh5, [v2]
-        ADDNV   [v2], sh2, [cr] ? [hits3]
-        LINKV
-        MPYSV   [v1], sh6, [v2]
-        ADDNV   [v2], sh3, [cg] ? [hits3]
-        LINKV
-        MPYSV   [v1], sh7, [v2]
-        ADDNV   [v2], sh4, [cb] ? [hits3]
+        place_between_stops
+        CMPGEV  [v0], stop_at, [hits3]
+        channel_after_stop rise_r, stop_r, cr
+        channel_after_stop rise_g, stop_g, cg
+        channel_after_stop rise_b, stop_b, cb
         IBXNE   m11, minus_one_index, r0, gradient_next, m11
         BIM     0, link_inner
         .endkernel

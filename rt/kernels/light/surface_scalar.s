@@ -60,11 +60,6 @@
         ADDN    \o, t1, \p
         .endm
 
-        .macro  local_point k0, k1, k2, k3, q
-        dot     px, py, pz, \k0, \k1, \k2, \q, t0
-        ADDN    \q, \k3, \q
-        .endm
-
 ; Computes the point at the distance t0 and the world normal there, turned
 ; against the ray; facing = N . D, outward = the same before the normal was
 ; turned.
@@ -78,9 +73,9 @@
         load_field P_TRANSFORMED, transformed_shape
         IBXEQ   transformed_shape, r0, r0, surface_local\@
         load_record P_LOCAL, 12, sh0
-        local_point sh0, sh1, sh2, sh3, qx
-        local_point sh4, sh5, sh6, sh7, qy
-        local_point sh8, sh9, sh10, sh11, qz
+        local_coordinate sh0, sh1, sh2, sh3, qx
+        local_coordinate sh4, sh5, sh6, sh7, qy
+        local_coordinate sh8, sh9, sh10, sh11, qz
 surface_local\@:
         load_field P_NORMAL, target
         BSAVE   normal_link, [target]

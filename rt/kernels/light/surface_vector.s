@@ -10,6 +10,8 @@
 ;   the length of the part.  Out: [nx] [ny] [nz], [facing], hits0.
 ; Source: textbook.
 
+        .include "light/pigment.s"
+
         .kernel shade
 ; Describes the vectors of all hits.
 set_hits:
@@ -53,12 +55,9 @@ find_normal:
         IBXNE   s0, r0, r0, normal_shared
         IBXEQ   s9, r0, r0, normal_local
         load_record P_LOCAL, 12, m00
-        dot_constant px, py, pz, m00, m01, m02, lx, v0
-        ADDNV   [lx], m03, [lx]
-        dot_constant px, py, pz, m10, m11, m12, ly, v0
-        ADDNV   [ly], m13, [ly]
-        dot_constant px, py, pz, m20, m21, m22, lz, v0
-        ADDNV   [lz], m23, [lz]
+        local_coordinate m00, m01, m02, m03, lx
+        local_coordinate m10, m11, m12, m13, ly
+        local_coordinate m20, m21, m22, m23, lz
         set_points lx, ly, lz
 normal_local:
         load_field P_NORMAL, target
