@@ -81,8 +81,7 @@ cast_from_point:
         load_from s3, LIGHT_POINT_SIZE, s4
         area_direction s4, s5, s6
         CMPEQV  [v0], r0, [hits1]
-        CNTOB   [hits1], s0
-        IBXEQ   s0, r0, r0, cast_to_point
+        if_none hits1, s0, cast_to_point
         VTOV    one, [lx] ? [hits1]
         VTOV    r0, [ly] ? [hits1]
         VTOV    r0, [lz] ? [hits1]

@@ -24,12 +24,9 @@ fog_store:      .space QUEUE
 ; that position.  Branches to done if there are none.
         .macro  fog_queue done
         load_word fog_position, s4
-        SUBX    s1, s4, n
-        IBXEQ   n, r0, r0, \done
-        EX      s2, QUEUE
-        IBXLE   n, r0, s2, fog_short\@
-        RTOR    s2, n
-fog_short\@:
+        SUBX    s1, s4, s2
+        IBXEQ   s2, r0, r0, \done
+        at_most QUEUE, s2, n
         ADDX    s4, n, s3
         store_word s3, fog_position, shape_at
         SHIFTI  s4, 6, s4
@@ -38,10 +35,6 @@ fog_short\@:
         .macro  fog_begin
         store_word link, fog_link, shape_at
         store_word r0, fog_position, shape_at
-        .endm
-
-        .macro  fog_call
-        call_routine fog_rays, link_kernel
         .endm
 
         .macro  fog_return
@@ -73,7 +66,7 @@ fog_list_next:
         ADDX    s2, s4, s2
         three_planes s2, s3, out_red, out_green, out_blue
         ADDX    out_blue, s3, fog_depth
-        fog_call
+        call_routine fog_rays, link_kernel
         BIM     fog_list_next
 fog_list_done:
         fog_return
@@ -98,7 +91,7 @@ fog_frame_next:
         CMPEQV  [out_id], r0, [near_bits]
         load_word fog_far, s3
         VTOV    s3, [fog_depth] ? [near_bits]
-        fog_call
+        call_routine fog_rays, link_kernel
         BIM     fog_frame_next
 fog_frame_done:
         fog_return

@@ -107,8 +107,7 @@
 ; hits3 = the points that face the light.
         .macro  leave_if_dark label
         CMPLTV  r0, [ndotl], [hits3]
-        CNTOB   [hits3], s0
-        IBXEQ   s0, r0, r0, \label
+        if_none hits3, s0, \label
         .endm
         .macro  leave_if_matt label
         ADDN    f_phong, f_specular, s0
@@ -119,8 +118,7 @@
         .macro  base_of_highlight x, none
         CMPLTV  r0, [\x], [hits0]
         ANDB    [hits0], [hits3], [hits0]
-        CNTOB   [hits0], s0
-        IBXEQ   s0, r0, r0, \none
+        if_none hits0, s0, \none
         MASKV   [\x], one, [\x] ? [hits0]
         .endm
         .macro  leave_if_indefinite x, label

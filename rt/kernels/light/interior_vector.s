@@ -22,8 +22,7 @@ find_interiors:
         load_from s0, INTERIORS_OF_SIZE, in_table
         load_field P_INTERIOR, in_body
         CMPLTV  [lx], r0, [hits1]
-        CNTOB   [hits1], s0
-        IBXEQ   s0, r0, r0, interiors_known
+        if_none hits1, s0, interiors_known
         ANDB    [hits1], [hits2], [hits3]
         VTOV    r0, [lx] ? [hits3]
         ANDNB   [hits1], [hits2], [hits3]
@@ -43,8 +42,7 @@ interiors_known:
 interiors_limit:
         line    lx, in_base, in_body, ly
 interiors_come:
-        CNTOB   [hits1], s0
-        IBXEQ   s0, r0, r0, interiors_under
+        if_none hits1, s0, interiors_under
         VTOV    [v0], [ly] ? [hits1]
         .if     GLOSS
         VTOV    [lz], [v7] ? [hits1]
@@ -63,12 +61,10 @@ interiors_under:
         RTOR    in_base, in_scale
 interiors_deeper:
         CMPNEV  [v0], r0, [hits3]
-        CNTOB   [hits3], s0
-        IBXEQ   s0, r0, r0, interiors_near
+        if_none hits3, s0, interiors_near
         last_of v0, v2, v3
         CMPEQV  [v3], in_body, [hits3]
-        CNTOB   [hits3], s0
-        IBXEQ   s0, r0, r0, interiors_deeper_next
+        if_none hits3, s0, interiors_deeper_next
         SUBNV   [v2], [v0], [v3]
         LINKV
         MPYSV   [v3], in_scale, [v3]

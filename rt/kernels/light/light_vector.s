@@ -20,12 +20,6 @@
         ADDX    \tint, part_offset, \tint
         .endm
 
-        .macro  tints_of_part
-        tint_of_part tint_r, 0
-        tint_of_part tint_g, 1
-        tint_of_part tint_b, 2
-        .endm
-
 ; Computes the limits of rays to the light's own position.
         .macro  end_before_light
         load_word k_shadow, s0
@@ -150,7 +144,9 @@ illuminate_next:
         shine   light_r, light_g, light_b
         BIM     illuminate_parts_next
 illuminate_tinted:
-        tints_of_part
+        tint_of_part tint_r, 0
+        tint_of_part tint_g, 1
+        tint_of_part tint_b, 2
         shine   [tint_r], [tint_g], [tint_b]
 illuminate_parts_next:
         parts_next illuminate_next

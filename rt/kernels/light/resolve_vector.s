@@ -46,8 +46,7 @@ add_short:
         ES      wanted_kind, 0
 add_kind:
         CMPEQV  [child_kind], wanted_kind, [of_kind]
-        CNTOB   [of_kind], s0
-        IBXEQ   s0, r0, r0, add_kind_done
+        if_none of_kind, s0, add_kind_done
         SUBX    s0, children, child_count
         RTOR    child_parent, chosen_parent
         IBXEQ   child_count, r0, r0, add_parents

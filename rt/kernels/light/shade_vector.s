@@ -98,8 +98,7 @@ shade_sky:
         IBXEQ   s0, r0, r0, shade_sort
         describe near_bits, queue_bits, n
         CMPEQV  [nearest_primitive], r0, [near_bits]
-        CNTOB   [near_bits], h
-        IBXEQ   h, r0, r0, shade_sort
+        if_none near_bits, h, shade_sort
         call_routine set_hits, link_inner
         describe s4, count_store, n
         CPSV    [s4], [at] ? [near_bits]
@@ -162,8 +161,7 @@ sort_next:
 sort_find:
         describe near_bits, queue_bits, s8
         CMPEQV  [s5], identity, [near_bits]
-        CNTOB   [near_bits], m
-        IBXEQ   m, r0, r0, sort_none
+        if_none near_bits, m, sort_none
         RTOR    at, s1
         CPSV    [s4], [s1] ? [near_bits]
         STO     [part_at], primitive

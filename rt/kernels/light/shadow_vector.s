@@ -139,8 +139,7 @@ shadow_leaf:
         load_field P_ID, identity
         CMPEQV  [event_primitive], identity, [bits0]
         ANDB    [bits0], [visible_rays], [bits0]
-        CNTOB   [bits0], m
-        IBXEQ   m, r0, r0, shadow_next
+        if_none bits0, m, shadow_next
         take_found ray_index, taken_at, 0, bits0
         load_field P_CLEAR, s0
         IBXNE   s0, r0, r0, shadow_clear

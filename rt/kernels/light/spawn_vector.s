@@ -164,8 +164,7 @@ spawn_transmitted:
 spawn_bend:
         XORB    [hits2], [hits2], [hits2]
         CMPNEV  [lz], one, [hits0]
-        CNTOB   [hits0], spawn_bent_count
-        IBXEQ   spawn_bent_count, r0, r0, spawn_reflected
+        if_none hits0, spawn_bent_count, spawn_reflected
         VTOV    [lz], [v0]
         MPYSV   [v0], [v0], [v7]
         LINKV
@@ -195,8 +194,7 @@ spawn_reflected:
         IBXEQ   spawn_total, r0, r0, spawn_followed
         ANDNB   [hits1], [hits2], [hits1]
 spawn_followed:
-        CNTOB   [hits1], spawn_count
-        IBXEQ   spawn_count, r0, r0, spawn_refracted
+        if_none hits1, spawn_count, spawn_refracted
         reflect_all
         add_to_counter rays_reflected, spawn_count
         call_routine spawn_ray, link_kernel
@@ -220,8 +218,7 @@ spawn_refracted:
         IBXEQ   spawn_clear, r0, r0, spawn_done
         MASKV   sh15, sh11, [v6] ? [hits3]
         spawn_importance [v6]
-        CNTOB   [hits1], spawn_count
-        IBXEQ   spawn_count, r0, r0, spawn_done
+        if_none hits1, spawn_count, spawn_done
         IBXNE   spawn_bent_count, r0, r0, spawn_refract
         VTOV    [hdx], [v1]
         VTOV    [hdy], [v2]

@@ -73,8 +73,7 @@ normal_local:
 normal_world:
         dot_vectors nx, ny, nz, hdx, hdy, hdz, facing, v0
         CMPLTV  r0, [facing], [hits0]
-        CNTOB   [hits0], s0
-        IBXEQ   s0, r0, r0, normal_faces
+        if_none hits0, s0, normal_faces
         VTOV    -[nx], [nx] ? [hits0]
         VTOV    -[ny], [ny] ? [hits0]
         VTOV    -[nz], [nz] ? [hits0]

@@ -45,10 +45,7 @@ lines:
         MPYX    query_step, query_stride, query_step
         ES      query_from, 0
 query_next:
-        EX      n, QUEUE
-        IBXLE   n, r0, query_left, queue_full
-        RTOR    query_left, n
-queue_full:
+        at_most QUEUE, query_left, n
         call_routine begin_query, link_kernel
         call_routine walk_regions, link
         order_crossings

@@ -85,8 +85,7 @@ normals_leaf:
         load_field P_ID, identity
         describe near_bits, queue_bits, query_taken
         CMPEQV  [taken_primitive], identity, [near_bits]
-        CNTOB   [near_bits], h
-        IBXEQ   h, r0, r0, normals_next
+        if_none near_bits, h, normals_next
         call_routine set_hits, link_inner
         RTOR    h, m
         EX      query_to, query_store + 64 * QUEUE
