@@ -65,14 +65,10 @@ generate_aimed:
         .endif
         call    generate_ray, generate_list
         load_at result_ray + 64 * 3, 3, result_dx
-        STO     [to_dx, loop_index], result_dx
-        STO     [to_dy, loop_index], result_dy
-        STO     [to_dz, loop_index], result_dz
+        store_three to_dx, to_dy, to_dz, loop_index, result_dx, result_dy, result_dz
         .if     ORIGINS_DIFFER
         load_at result_ray, 3, result_ox
-        STO     [to_ox, loop_index], result_ox
-        STO     [to_oy, loop_index], result_oy
-        STO     [to_oz, loop_index], result_oz
+        store_three to_ox, to_oy, to_oz, loop_index, result_ox, result_oy, result_oz
         .endif
         IBXNE   tile_places, r0, r0, generate_next_of_tile
         ADDN    column, m_one, column

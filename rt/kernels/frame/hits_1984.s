@@ -46,30 +46,16 @@ hit_save:       .space SURFACE_REGISTERS
         load_from arguments, \arguments_count, a_hit
         .endm
 
-        .macro  leave_hit registers
-        leave   hit_save, \registers
-        .endm
-
-        .macro  of_hit offset, number
+        .macro  store_hit offset, number, first
         RTOR    a_hit, here
         IX      here, 64 * \offset
-        ELEN    here, \number
-        .endm
-
-        .macro  load_hit offset, number, first
-        of_hit  \offset, \number
-        SWAP    [here], \first, [r0]
-        .endm
-
-        .macro  store_hit offset, number, first
-        of_hit  \offset, \number
-        SWAP    [r0], \first, [here]
+        store_to \first, \number, here
         .endm
 
         .kernel shade
 surface:
         enter_hit 1, SURFACE_REGISTERS
-        load_hit HIT_RAY, HIT_INDEX, ox
+        load_part a_hit, HIT_RAY, HIT_INDEX, ox, image_at
         RTOR    hit_primitive, primitive
         RTOR    hit_distance, t0
         find_surface
@@ -77,7 +63,7 @@ surface:
         give_normal_before
         store_hit HIT_SAMPLE, SAMPLE_SIZE, red
         store_hit HIT_PIGMENT, 3, color0r
-        leave_hit SURFACE_REGISTERS
+        leave   hit_save, SURFACE_REGISTERS
 
 ; TOWARDS and SHINE need fewer registers.
         .share  local
@@ -122,7 +108,7 @@ surface:
 towards:
         enter_hit 2, TOWARDS_REGISTERS
         load_from a_light, LIGHT_SIZE, light_x
-        load_hit HIT_SAMPLE, SAMPLE_SIZE, red
+        load_part a_hit, HIT_SAMPLE, SAMPLE_SIZE, red, image_at
         towards_light towards_none
         BIM     towards_found
 towards_none:
@@ -132,31 +118,31 @@ towards_found:
         .if     BEAMS
         store_hit HIT_ATTENUATION, 1, attenuation
         .endif
-        leave_hit TOWARDS_REGISTERS
+        leave   hit_save, TOWARDS_REGISTERS
 
 shine:
         enter_hit 2, SHINE_REGISTERS
         load_from a_light, LIGHT_SIZE, light_x
         .if     BEAMS
         IBXEQ   light_beam, r0, r0, shine_all_around
-        load_hit HIT_ATTENUATION, 1, attenuation
+        load_part a_hit, HIT_ATTENUATION, 1, attenuation, image_at
         attenuate_light
 shine_all_around:
         .endif
-        load_hit HIT_RAY, HIT_INDEX, ox
+        load_part a_hit, HIT_RAY, HIT_INDEX, ox, image_at
         RTOR    hit_primitive, primitive
         .if     BUMPS
-        load_hit HIT_SAMPLE, SAMPLE_SIZE, red
-        load_hit HIT_LIGHT, 6, lx
+        load_part a_hit, HIT_SAMPLE, SAMPLE_SIZE, red, image_at
+        load_part a_hit, HIT_LIGHT, 6, lx, image_at
         .else
-        load_hit HIT_SAMPLE, SAMPLE_SIZE + 6, red
+        load_part a_hit, HIT_SAMPLE, SAMPLE_SIZE + 6, red, image_at
         .endif
-        load_hit HIT_PIGMENT, 3, color0r
+        load_part a_hit, HIT_PIGMENT, 3, color0r, image_at
         load_record P_FINISH, 8, f_ambientr
         .if     GLOSS
         load_record P_GLOSS, 2, f_brilliance
         .endif
         shine   light_r, light_g, light_b
         store_hit HIT_SAMPLE, 3, red
-        leave_hit SHINE_REGISTERS
+        leave   hit_save, SHINE_REGISTERS
         .endkernel

@@ -168,18 +168,14 @@ tree_to_light:
         EX      from_red, light_left
         EX      from_green, light_left + 64 * QUEUE
         EX      from_blue, light_left + 64 * QUEUE * 2
-        LOD     [from_red, loop_ray_index], s_red
-        LOD     [from_green, loop_ray_index], s_green
-        LOD     [from_blue, loop_ray_index], s_blue
+        load_three from_red, from_green, from_blue, loop_ray_index, s_red, s_green, s_blue
 tree_clear:
         pass_through tree_dark
         ADDN    w_in, w_lower, w_in
         next_visible w_in, tree_passed
         BIM     tree_clear
 tree_passed:
-        STO     [from_red, loop_ray_index], s_red
-        STO     [from_green, loop_ray_index], s_green
-        STO     [from_blue, loop_ray_index], s_blue
+        store_three from_red, from_green, from_blue, loop_ray_index, s_red, s_green, s_blue
         BIM     tree_skip
 tree_dark:
         STO     [to_nearest, loop_ray_index], m_minus_big

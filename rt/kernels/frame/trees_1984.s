@@ -64,12 +64,8 @@ found_ray_index\@:
 
 ; Loads the current ray, for crossings that serve normals and light.
         .macro  load_ray
-        LOD     [from_ox, loop_ray_index], w_ox
-        LOD     [from_oy, loop_ray_index], w_oy
-        LOD     [from_oz, loop_ray_index], w_oz
-        LOD     [from_dx, loop_ray_index], w_dx
-        LOD     [from_dy, loop_ray_index], w_dy
-        LOD     [from_dz, loop_ray_index], w_dz
+        load_three from_ox, from_oy, from_oz, loop_ray_index, w_ox, w_oy, w_oz
+        load_three from_dx, from_dy, from_dz, loop_ray_index, w_dx, w_dy, w_dz
         .endm
 
         .macro  walk_rays prepare=

@@ -23,16 +23,6 @@ area_store:     .space 3 * QUEUE        ; sum of the transmitted light
         ES      loop_index, 0
         .endm
 
-        .macro  area_load store, number, value
-        EX      lit_at, \store + 64 * QUEUE * \number
-        LOD     [lit_at, loop_index], \value
-        .endm
-
-        .macro  area_put store, number, value
-        EX      lit_at, \store + 64 * QUEUE * \number
-        STO     [lit_at, loop_index], \value
-        .endm
-
 ; Stores the next point of the area and the number of points left.
         .macro  area_continue
         store_words area_next_at, 2, area_at, image_at
@@ -46,36 +36,30 @@ area_store:     .space 3 * QUEUE        ; sum of the transmitted light
         load_at shade_light + 64 * LIGHT_COLOR, 3, area_r
         area_loop
 area_ray\@:
-        area_load lit_store, 0, area_dx
-        area_load lit_store, 1, area_dy
-        area_load lit_store, 2, area_dz
+        load_lanes lit_store, 0, loop_index, area_dx, area_dy, area_dz
         SUBN    area_x, area_dx, area_dx
         SUBN    area_y, area_dy, area_dy
         SUBN    area_z, area_dz, area_dz
         direction_by m_one, area_dx, area_dy, area_dz, area_distance, area_work
-        area_put lit_store, 3, area_dx
-        area_put lit_store, 4, area_dy
-        area_put lit_store, 5, area_dz
-        area_put lit_store, 6, area_distance
-        area_put light_left, 0, area_r
-        area_put light_left, 1, area_g
-        area_put light_left, 2, area_b
+        store_lanes lit_store, 3, loop_index, area_dx, area_dy, area_dz
+        store_lane lit_store, 6, loop_index, area_distance
+        store_lanes light_left, 0, loop_index, area_r, area_g, area_b
         loop_next area_ray\@
         load_at area_rays, 1, loop_at
         RTOR    loop_at, n
         .endm
 
         .macro  area_add number
-        area_load light_left, \number, area_r
-        area_load area_store, \number, area_sum
+        load_lane light_left, \number, loop_index, area_r
+        load_lane area_store, \number, loop_index, area_sum
         MPYS    area_weight, area_r, area_r
         ADDN    area_sum, area_r, area_sum
-        area_put area_store, \number, area_sum
+        store_lane area_store, \number, loop_index, area_sum
         .endm
 
         .macro  area_end number
-        area_load area_store, \number, area_sum
-        area_put light_left, \number, area_sum
+        load_lane area_store, \number, loop_index, area_sum
+        store_lane light_left, \number, loop_index, area_sum
         .endm
 
 ; If shade_light has an area, makes the rays to its first point.
@@ -93,9 +77,7 @@ area_begin\@:
         store_word lit_count, area_rays, image_at
         area_loop
 area_zero\@:
-        area_put area_store, 0, m_zero
-        area_put area_store, 1, m_zero
-        area_put area_store, 2, m_zero
+        store_lanes area_store, 0, loop_index, m_zero, m_zero, m_zero
         loop_next area_zero\@
         area_rays_to_point
 area_begun\@:
@@ -110,7 +92,7 @@ area_begun\@:
         LOD     [area_next_at], area_weight
         area_loop
 area_ray\@:
-        area_load lit_store, 6, area_distance
+        load_lane lit_store, 6, loop_index, area_distance
         CFPEQ   area_distance, m_minus_big, area_dark\@
         area_add 0
         area_add 1
@@ -127,7 +109,7 @@ area_dark\@:
 area_last\@:
         area_loop
 area_sum\@:
-        area_put lit_store, 6, m_zero
+        store_lane lit_store, 6, loop_index, m_zero
         area_end 0
         area_end 1
         area_end 2

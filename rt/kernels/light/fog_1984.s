@@ -18,13 +18,9 @@ fog_rays:
         ES      loop_index, 0
 fog_ray:
         LOD     [fog_depths_at, loop_index], fog_distance
-        LOD     [fog_reds_at, loop_index], ray_red
-        LOD     [fog_greens_at, loop_index], ray_green
-        LOD     [fog_blues_at, loop_index], ray_blue
+        load_three fog_reds_at, fog_greens_at, fog_blues_at, loop_index, ray_red, ray_green, ray_blue
         see_through_fog ray_red, ray_green, ray_blue
-        STO     [fog_reds_at, loop_index], ray_red
-        STO     [fog_greens_at, loop_index], ray_green
-        STO     [fog_blues_at, loop_index], ray_blue
+        store_three fog_reds_at, fog_greens_at, fog_blues_at, loop_index, ray_red, ray_green, ray_blue
         loop_next fog_ray
         to_vector
         BIM     0, link_kernel

@@ -16,7 +16,7 @@
         .regs   r181, new_ox, new_oy, new_oz, new_dx, new_dy, new_dz
         .regs   r187, new_distance, new_primitive, new_index
         .regs   r190, lit_ndotl, lit_ddotl, lit_distance, lit_red, lit_green
-        .regs   r195, lit_blue, lit_highlights, lit_at, lit_count, lit_limit
+        .regs   r195, lit_blue, lit_highlights, lit_count, lit_limit
         .endshare
         .share  loop
         .reg    of_order, r192          ; indices in the planes, or 0
@@ -63,10 +63,6 @@ lit_store:      .space 7 * QUEUE        ; rays to a light, and their limits
         call_routine \routine, link
         .endm
 
-        .macro  in_hit offset, number, first
-        load_part hit_at, \offset, \number, \first, image_at
-        .endm
-
 ; pixel_of: the pixel of a ray, by its index in the queue.
         .macro  load_order
         load_at queue_order, 1, of_order
@@ -77,16 +73,6 @@ lit_store:      .space 7 * QUEUE        ; rays to a light, and their limits
         IBXEQ   of_order, r0, r0, pixel\@
         LOD     [of_order, \ray], \pixel
 pixel\@:
-        .endm
-
-        .macro  lit_vector number, value
-        EX      lit_at, lit_store + 64 * QUEUE * \number
-        STO     [lit_at, lit_count], \value
-        .endm
-
-        .macro  left_vector number, value
-        EX      lit_at, light_left + 64 * QUEUE * \number
-        STO     [lit_at, lit_count], \value
         .endm
 
         .if     AREAS
@@ -126,12 +112,8 @@ shade_first:
 shade_ray:
         LOD     [of_primitive, loop_index], new_primitive
         IBXEQ   new_primitive, r0, r0, shade_background
-        LOD     [of_ox, loop_index], new_ox
-        LOD     [of_oy, loop_index], new_oy
-        LOD     [of_oz, loop_index], new_oz
-        LOD     [of_dx, loop_index], new_dx
-        LOD     [of_dy, loop_index], new_dy
-        LOD     [of_dz, loop_index], new_dz
+        load_three of_ox, of_oy, of_oz, loop_index, new_ox, new_oy, new_oz
+        load_three of_dx, of_dy, of_dz, loop_index, new_dx, new_dy, new_dz
         LOD     [of_nearest, loop_index], new_distance
         RTOR    loop_index, new_index
         RTOR    hit_at, loop_at
@@ -167,27 +149,21 @@ shade_towards:
         load_word k_shadow, lit_least
 shade_towards_hit:
         call_hit towards
-        in_hit  HIT_NDOTL, 3, lit_ndotl         ; D . L, distance
+        load_part hit_at, HIT_NDOTL, 3, lit_ndotl, image_at ; D . L, distance
         CFPGE   r0, lit_ndotl, shade_towards_next
         load_at shade_light + 64 * 3, 4, lit_red ; lit_red .. lit_highlights
         CFPEQ   lit_highlights, r0, shade_towards_next
         SUBN    lit_distance, lit_least, lit_limit
-        left_vector 0, lit_red
-        left_vector 1, lit_green
-        left_vector 2, lit_blue
+        store_lanes light_left, 0, lit_count, lit_red, lit_green, lit_blue
         .if     BUMPS
-        in_hit  HIT_SAMPLE + SAMPLE_POINT, 3, new_ox
-        in_hit  HIT_LIGHT, 3, new_dx
+        load_part hit_at, HIT_SAMPLE + SAMPLE_POINT, 3, new_ox, image_at
+        load_part hit_at, HIT_LIGHT, 3, new_dx, image_at
         .else
-        in_hit  HIT_SAMPLE + SAMPLE_POINT, 6, new_ox ; point, L
+        load_part hit_at, HIT_SAMPLE + SAMPLE_POINT, 6, new_ox, image_at ; point, L
         .endif
-        lit_vector 0, new_ox
-        lit_vector 1, new_oy
-        lit_vector 2, new_oz
-        lit_vector 3, new_dx
-        lit_vector 4, new_dy
-        lit_vector 5, new_dz
-        lit_vector 6, lit_limit
+        store_lanes lit_store, 0, lit_count, new_ox, new_oy, new_oz
+        store_lanes lit_store, 3, lit_count, new_dx, new_dy, new_dz
+        store_lane lit_store, 6, lit_count, lit_limit
         IX      lit_count, 1
 shade_towards_next:
         next_hit shade_towards_hit
@@ -242,18 +218,12 @@ shade_shine:
         begin_hits
         ES      lit_count, 0
 shade_shine_hit:
-        in_hit  HIT_NDOTL, 1, lit_ndotl
+        load_part hit_at, HIT_NDOTL, 1, lit_ndotl, image_at
         CFPGE   r0, lit_ndotl, shade_shine_next
         load_at shade_light + 64 * 6, 1, lit_highlights
         CFPEQ   lit_highlights, r0, shade_shines
-        EX      lit_at, lit_store + 64 * QUEUE * 6
-        LOD     [lit_at, lit_count], lit_limit
-        EX      lit_at, light_left
-        LOD     [lit_at, lit_count], lit_red
-        IX      lit_at, 64 * QUEUE
-        LOD     [lit_at, lit_count], lit_green
-        IX      lit_at, 64 * QUEUE
-        LOD     [lit_at, lit_count], lit_blue
+        load_lane lit_store, 6, lit_count, lit_limit
+        load_lanes light_left, 0, lit_count, lit_red, lit_green, lit_blue
         IX      lit_count, 1
         CFPEQ   lit_limit, m_minus_big, shade_shine_next
         CFPNE   lit_red, r0, shade_some
@@ -276,19 +246,15 @@ shade_store:
         begin_hits
         load_order
 shade_store_hit:
-        in_hit  HIT_DISTANCE, 3, new_distance   ; primitive, place
-        in_hit  HIT_SAMPLE, 6, new_ox           ; colour, normal
+        load_part hit_at, HIT_DISTANCE, 3, new_distance, image_at ; primitive, place
+        load_part hit_at, HIT_SAMPLE, 6, new_ox, image_at ; colour, normal
         pixel_of new_index, loop_ray_index
-        STO     [of_red, loop_ray_index], new_ox
-        STO     [of_green, loop_ray_index], new_oy
-        STO     [of_blue, loop_ray_index], new_oz
+        store_three of_red, of_green, of_blue, loop_ray_index, new_ox, new_oy, new_oz
         IBXEQ   of_first, r0, r0, shade_store_next
         IX      new_primitive, 64 * P_ID
         LOD     [new_primitive], loop_work
         STO     [of_depth, loop_ray_index], new_distance
-        STO     [of_nx, loop_ray_index], new_dx
-        STO     [of_ny, loop_ray_index], new_dy
-        STO     [of_nz, loop_ray_index], new_dz
+        store_three of_nx, of_ny, of_nz, loop_ray_index, new_dx, new_dy, new_dz
         STO     [of_id, loop_ray_index], loop_work
 shade_store_next:
         next_hit shade_store_hit
@@ -300,20 +266,14 @@ shade_done:
 
 shade_background:
         IBXEQ   of_sky, r0, r0, shade_no_sky
-        LOD     [of_dx, loop_index], new_dx
-        LOD     [of_dy, loop_index], new_dy
-        LOD     [of_dz, loop_index], new_dz
+        load_three of_dx, of_dy, of_dz, loop_index, new_dx, new_dy, new_dz
         see_sky new_dx, back_red
 shade_no_sky:
         pixel_of loop_index, loop_ray_index
-        STO     [of_red, loop_ray_index], back_red
-        STO     [of_green, loop_ray_index], back_green
-        STO     [of_blue, loop_ray_index], back_blue
+        store_three of_red, of_green, of_blue, loop_ray_index, back_red, back_green, back_blue
         IBXEQ   of_first, r0, r0, shade_ray_next
         STO     [of_depth, loop_ray_index], m_zero
-        STO     [of_nx, loop_ray_index], m_zero
-        STO     [of_ny, loop_ray_index], m_zero
-        STO     [of_nz, loop_ray_index], m_zero
+        store_three of_nx, of_ny, of_nz, loop_ray_index, m_zero, m_zero, m_zero
         STO     [of_id, loop_ray_index], m_zero
         BIM     shade_ray_next
         .endkernel

@@ -100,7 +100,7 @@ spawn_hits:
         .endif
         load_order
 spawn_hit:
-        in_hit  HIT_PRIMITIVE, 2, new_primitive ; also its index
+        load_part hit_at, HIT_PRIMITIVE, 2, new_primitive, image_at ; also its index
         RTOR    new_primitive, loop_at
         IX      loop_at, 64 * P_MIRROR
         LOD     [loop_at], is_mirror
