@@ -85,6 +85,7 @@ for program in c205 rt205; do
     ends 2 "$build/$program" nonsense
     tells err 'unknown command .nonsense.'
     ends 2 "$build/$program" help nonsense
+    tells err 'unknown command .nonsense.'
 done
 for program in c205 rt205 fit205; do
     ends 0 "$build/$program" --version

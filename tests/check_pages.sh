@@ -121,6 +121,8 @@ for program in c205 rt205 fit205; do
             completes "${sorted% }" $program $word "$name" ''
             # shellcheck disable=SC2086
             completes "${sorted% }" $program $word "$name" =
+            # shellcheck disable=SC2086
+            completes "${sorted% }" $program $word "$name="
         fi
     done <"$program.list"
     for shell in zsh fish; do

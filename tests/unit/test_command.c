@@ -378,6 +378,7 @@ TEST(missing_and_too_many)
     assert_int_equal(run_words("look", NULL), CMD_USAGE);
     assert_int_equal(run_words("other", "look", NULL), CMD_USAGE);
     assert_int_equal(run_words("lok", NULL), CMD_USAGE);
+    assert_int_equal(run_words("xh", NULL), CMD_USAGE);
     assert_int_equal(run_words("look", "--input=-", "other", "-", NULL), CMD_USAGE);
     release(&caught);
     assert_non_null(strstr(caught.text, "test look: FIRST is missing: a text"));

@@ -6,8 +6,19 @@
 #include "tests/unit/draw.h"
 #include "tests/unit/temporary_folder.h"
 
+#include <ctype.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+/* Only the case of letters may differ. */
+TEST(other_case_bytes)
+{
+    for (int a = 1; a < 128; a++)
+        for (int b = 1; b < 128; b++) {
+            const char one = (char)a, other = (char)b;
+            assert_int_equal(other_case_is(&one, &other, 1), tolower(a) == tolower(b));
+        }
+}
 
 /* Two folders differ in case. All files in them that match a spelling are found. */
 TEST(other_case)
