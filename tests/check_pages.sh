@@ -91,6 +91,9 @@ for program in c205 rt205 fit205; do
             grep -qx "$title" "$program.text"
             verdict $? "$program.1 has no section $title"
         done
+        sections=$(grep -x '[A-Z ]*' "$program.text" | sort | uniq -d)
+        [ -z "$sections" ]
+        verdict $? "$program.1 repeats the sections $sections"
         while read -r what command name letter kind choices; do
             [ "$what" = command ] && name=$command letter=-
             [ "$name" = - ] || grep -q -e "$name" "$program.text"

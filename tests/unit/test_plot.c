@@ -379,7 +379,17 @@ TEST(axes_are_labelled)
                   "0 5e+12 1e+13 1.5e+13 2e+13 2.5e+13 3e+13 3.5e+13 4e+13 ");
 }
 
-/* The levels are drawn if the y axis is cut off. The caption states the cut. */
+/* Returns the y coordinate of the top of the frame. */
+static double frame_top(const char *picture)
+{
+    double top;
+    const char *frame = NON_NULL(strstr(picture, "<svg x="));
+    assert_int_equal(sscanf(frame, "<svg x=\"%*f\" y=\"%lf\"", &top), 1);
+    return top;
+}
+
+/* The levels are drawn if the y axis is cut off. The caption states the cut and moves
+ * the frame down by a line, which is 16 pixels high. */
 TEST_WITH(curves_are_cut, set_up, tear_down)
 {
     struct plot plot = lines;
@@ -392,6 +402,7 @@ TEST_WITH(curves_are_cut, set_up, tear_down)
     assert_non_null(strstr(cut, "class=\"up\">12<"));
     assert_non_null(strstr(cut, "overflow=\"hidden\""));
     assert_non_null(strstr(cut, "cut off at 12; the highest value is 33.3333"));
+    assert_true(fabs(frame_top(cut) - frame_top(whole) - 16) < 1e-9);
 }
 
 static void expect_rounded(enum plot_scale scale, double value, double more, double low,

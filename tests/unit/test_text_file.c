@@ -3,6 +3,7 @@
  * A line end that is missed, or a control character that is printed, fails here. */
 #include "asm/text/assemble.h"
 #include "base/diagnostic.h"
+#include "base/sink.h"
 #include "base/text_file.h"
 #include "base/visible_text.h"
 #include "tests/unit/draw.h"
@@ -79,6 +80,24 @@ TEST(any_stream)
         free(stream.line);
         fclose(stream.file);
     }
+}
+
+/* A line is open after a character other than a newline. An empty text after a newline
+ * in memory changes nothing. */
+TEST(open_lines)
+{
+    struct text_buffer printed = { 0 };
+    struct line_tracker tracker = { text_buffer_sink(&printed), false };
+    struct sink sink = line_tracker_sink(&tracker);
+    static const char text[] = "a\nb";
+    sink.put(sink.context, text, 1);
+    assert_true(tracker.open);
+    sink.put(sink.context, text + 2, 0);
+    assert_true(tracker.open);
+    sink.put(sink.context, text, 2);
+    sink.put(sink.context, text + 1, 0);
+    assert_false(tracker.open);
+    text_buffer_free(&printed);
 }
 
 TEST(utf16)
