@@ -91,7 +91,7 @@ for program in c205 rt205 fit205; do
             grep -qx "$title" "$program.text"
             verdict $? "$program.1 has no section $title"
         done
-        sections=$(grep -x '[A-Z ]*' "$program.text" | sort | uniq -d)
+        sections=$(grep -x '[A-Z][A-Z ]*' "$program.text" | sort | uniq -d)
         [ -z "$sections" ]
         verdict $? "$program.1 repeats the sections $sections"
         while read -r what command name letter kind choices; do
