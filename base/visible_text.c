@@ -38,6 +38,7 @@ static const struct invisible {
     { 0xFEFF, 0xFEFF, "a byte order mark" },
     { 0xFFA0, 0xFFA0, "an invisible filler" },
     { 0xFFF0, 0xFFFB, "an invisible mark" },
+    { 0x1BCA0, 0x1BCA3, "an invisible mark" },
     { 0x1D173, 0x1D17A, "an invisible mark" },
     { 0xE0000, 0xE0FFF, "an invisible mark" },
 };

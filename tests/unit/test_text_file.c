@@ -124,6 +124,35 @@ TEST(utf16)
 
 /* ---- Invisible characters ---- */
 
+/* Returns the number of bytes of the UTF-8 form of a code point. */
+static size_t put_utf8(unsigned long code, char *bytes)
+{
+    static const unsigned lead[] = { 0, 0, 0xC0, 0xE0, 0xF0 };
+    size_t length = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
+    for (size_t i = length; i-- > 1; code >>= 6)
+        bytes[i] = (char)(0x80 | (code & 0x3F));
+    bytes[0] = (char)(lead[length] | code);
+    return length;
+}
+
+/* Unicode 15 has 4,174 code points with the property Default_Ignorable_Code_Point, 65
+ * controls (Cc), 18 separators (Z) other than the plain blank, and three annotation
+ * marks (U+FFF9 to U+FFFB). The empty pattern of Braille, U+2800, is added. */
+TEST(invisible_code_points)
+{
+    size_t count = 0;
+    for (unsigned long code = 0; code <= 0x10FFFF; code++) {
+        char bytes[4];
+        unsigned long found = 0;
+        size_t length = put_utf8(code, bytes);
+        if (invisible_length(bytes, length, &found) == 0)
+            continue;
+        assert_int_equal(found, code);
+        count++;
+    }
+    assert_int_equal(count, 4174 + 65 + 18 + 3 + 1);
+}
+
 /* An error at an invisible character names it. */
 TEST(invisible_in_program)
 {
