@@ -41,7 +41,8 @@ static struct table *trial_table(const struct lesson_verdict *verdict)
     return table;
 }
 
-/* Joins the sentences. Each includes at most the first of the lines below it. */
+/* Joins the sentences. If source lines follow a sentence, only the first of them is
+ * included. */
 void check_join(struct text_buffer *buffer, const struct lesson_report *report)
 {
     struct sink sink = text_buffer_sink(buffer);

@@ -26,7 +26,8 @@ struct check_command {
 /* Reads a lesson from a folder. The lesson must be zeroed. Returns false if the folder
  * is not a lesson. The lesson must be freed in all cases. */
 bool check_read_lesson(struct lesson *lesson, const char *path, c205_error *error);
-/* Grades a file. The error does not contain its name. */
+/* Grades the answer in a file. The error message does not contain the name of the
+ * file. */
 bool check_grade(const struct lesson *lesson, const char *path,
                  struct lesson_verdict *verdict, c205_error *error);
 /* Appends all sentences of a report to a buffer, as one line. */

@@ -253,9 +253,10 @@ static void take_student(struct handed_in *all, const char *name, const char *pa
         refuse(all, name, all->check->lesson, path, "no answer was found");
 }
 
-/* Returns the student of a file outside the folders of students. A name without an
- * ending is the name of a student. The result is empty if the student is unknown. The
- * caller frees it. */
+/* Returns the name of the student whose file is not in a folder of a student. All files
+ * are STUDENT.s if the arguments name a lesson. Otherwise, a name without an ending is
+ * a student, and the student of LESSON.s is unknown: the result is empty. The caller
+ * frees it. */
 static struct text_buffer student_of(const char *name, const struct lesson *asked)
 {
     struct text_buffer student = { 0 };
@@ -266,7 +267,8 @@ static struct text_buffer student_of(const char *name, const struct lesson *aske
     return student;
 }
 
-/* Handles an entry of the folder: STUDENT, LESSON.s or STUDENT.s. */
+/* Grades an entry of a folder of answers: a folder STUDENT, or a file LESSON.s or
+ * STUDENT.s. `nobody` is the student if the name contains none. */
 static void take_entry(struct handed_in *all, const char *nobody, const char *name,
                        const char *path)
 {

@@ -110,7 +110,8 @@ static bool begins(const char *line, const char *text)
     return strncmp(line, text, strlen(text)) == 0;
 }
 
-/* Prints a line. The line of a hint is "<details><summary>First hint</summary>". */
+/* Prints a line of the lesson, except comments and hints that are not requested.
+ * "<details><summary>First hint</summary>" is printed as "First hint". */
 static void put_line(struct lesson_reading *reading, const char *line, size_t length)
 {
     static const char before[] = "<details><summary>", behind[] = "</summary>";

@@ -53,7 +53,8 @@ static bool run_to_end(struct compared_run *run, c205 *machine, c205_error *erro
     return compared_take(run, machine);
 }
 
-/* Checks that each definition is used by a program that receives it. */
+/* Checks that each constant that -D defines is used by a program for which it is
+ * defined. */
 static bool uses_defines(const struct two_runs *runs)
 {
     const struct compare_arguments *args = runs->args;
@@ -73,7 +74,7 @@ static bool uses_defines(const struct two_runs *runs)
     return !unused;
 }
 
-/* Runs a program and discards its output. */
+/* Runs one of the two programs and discards its output. */
 static bool run_side(struct two_runs *runs, int which)
 {
     struct session *session = &runs->session[which];

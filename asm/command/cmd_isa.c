@@ -12,7 +12,7 @@ struct isa_arguments {
     bool only_names, markdown, grammar, card;
 };
 
-/* The columns for output in text format. */
+/* The columns of the instruction table in text format. */
 static const struct table_column brief[] = {
     { "mnemonic", "name", TABLE_TEXT, 0 },
     { "code", "code", TABLE_TEXT, 0 },
@@ -177,7 +177,7 @@ static int show(const struct isa_arguments *args, const struct command_output *r
     return output_show(&rest, chosen_rows(args, false), "instructions", NULL);
 }
 
-/* Prints the outputs that contain clocks of a model. */
+/* Prints the card or the reference page. Both contain clocks of the model. */
 static int with_model(const struct isa_arguments *args)
 {
     int code = CMD_DONE;
@@ -197,7 +197,7 @@ static int with_model(const struct isa_arguments *args)
     return code;
 }
 
-/* Returns the name of an output that is not a table, or NULL. */
+/* Returns the option that selects an output other than a table, or NULL. */
 static const char *other_form(const struct isa_arguments *args)
 {
     return args->markdown  ? "markdown"

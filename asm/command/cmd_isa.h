@@ -18,7 +18,7 @@ void isa_code(const c205_insn *insn, char text[ISA_CODE]);
 enum { ISA_DRAWING = 64 };
 void isa_drawing(const c205_insn *insn, char text[ISA_DRAWING]);
 
-/* An operand, in the order of the syntax. */
+/* One operand in the syntax of an instruction, as isa_next_operand returns it. */
 struct isa_operand {
     const char *written; /* text in the syntax of the format */
     int length;          /* number of characters of `written` */
@@ -46,8 +46,9 @@ struct isa_rules {
 };
 void isa_list_rules(const c205_insn *insn, struct isa_rules *rules);
 
-/* Returns a description of the elements that the clock counts for an instruction, or ""
- * if they are its results. */
+/* isa_clocked returns the meaning of n in the formula of the clocks, or "" if n is the
+ * number of results. isa_provenance returns the meaning of a letter of the column
+ * "source". */
 const char *isa_clocked(const c205_insn *insn);
 const char *isa_provenance(char letter);
 
@@ -59,8 +60,9 @@ const char *isa_family(const c205_insn *insn);
  * or NULL. */
 const c205_constant *isa_constant(const c205_model *model, const char *kind,
                                   const char *timing);
-/* Returns the clocks per element of a stream, a constant of the model. If its unit is
- * divided among the pipes, half words are faster than words. */
+/* Returns the clocks per element. `stream` is a constant stream.NAME of the model. If
+ * its unit contains "*pipe", its value is divided by the number of pipes, and half
+ * words are faster than words. */
 double isa_per_element(const c205_model *model, const c205_constant *stream, bool half);
 
 /* Returns the lines of a short example program, or NULL. */

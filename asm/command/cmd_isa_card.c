@@ -1,6 +1,6 @@
 /* cmd_isa_card.c - c205 isa --card: prints the instructions on two pages, as groff
- * source. Rows and clocks come from the tables. The other texts and the layout are in
- * asm/card.
+ * source. The instruction table and the machine model determine the rows and the
+ * clocks. The other texts and the layout are in asm/card.
  */
 #include <ctype.h>
 #include <string.h>
@@ -8,7 +8,8 @@
 #include "asm/command/cmd_isa.h"
 #include "base/text_file.h"
 
-/* Operands beyond this length may extend beyond their column. */
+/* The width of the column of operands in characters. Longer operands extend beyond
+ * it. */
 enum { MAX_OPERANDS = 14 };
 
 /* Texts of the instruction table, with the mathematical signs of groff that replace
@@ -30,8 +31,9 @@ static void put_text(const char *name)
     text_put(text_find(card_texts, name), &sink);
 }
 
-/* Returns the sign for the start of a text, and the length of the replaced text.
- * Returns NULL and 1 if the character is not replaced. */
+/* Returns the sign that replaces the start of a text, and sets *length to the length of
+ * the replaced characters. Returns NULL and 1 if the first character is not
+ * replaced. */
 static const char *sign_at(const char *text, size_t *length)
 {
     for (size_t i = 0; i < SIGNS; i++) {
@@ -69,8 +71,8 @@ static void put_word(const char *text)
     putchar('"');
 }
 
-/* Returns the longest operands of a family, up to MAX_OPERANDS. They determine its
- * columns. */
+/* Returns the longest syntax of operands in the family that begins with the
+ * instruction. Syntaxes longer than MAX_OPERANDS are ignored. */
 static const char *usual_operands(const c205_insn *insn)
 {
     const c205_insn *end = c205_insns + c205_insn_count;
@@ -103,7 +105,8 @@ static void put_marks(const c205_insn *insn)
                                           : "");
 }
 
-/* Prints the timing class and the first letter of the part of the vector unit. */
+/* Prints the timing class. For instructions that can be linked, the first letter of the
+ * name of the arithmetic unit follows, as in "M" for multiply. */
 static void put_class(const c205_insn *insn)
 {
     const char *part = strchr(c205_unit_name(insn->unit), ' ');

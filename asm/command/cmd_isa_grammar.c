@@ -37,8 +37,8 @@ static void put_pattern(struct json *json, const char *name, const char *match)
     json_end(json);
 }
 
-/* Writes the pattern of the mnemonics in upper or lower case. ",H" follows if an
- * instruction allows it. */
+/* Writes the pattern for the mnemonics of all vector or all scalar instructions, in
+ * upper or lower case. It allows ",H" after an instruction with 32-bit operands. */
 static bool put_names(struct json *json, const char *name, bool vector)
 {
     struct text_buffer match = { 0 };

@@ -73,8 +73,9 @@ static void put_cell(const char *text)
     }
 }
 
-/* Prints a row. The name has the given length; a negative length means the whole name.
- * Returns false if the text is missing. */
+/* Prints a row of a Markdown table: a name and a text. Only the first `length`
+ * characters of the name are printed; a negative length means all. Returns false if the
+ * text is missing. */
 static bool put_row(const char *name, int length, const char *text)
 {
     printf("| %.*s | ", length, name);
@@ -174,9 +175,9 @@ static void put_stream(const c205_insn *insn, const c205_model *model,
     }
 }
 
-/* Prints the clocks of a scalar instruction. A branch has the clocks that it loses
- * after its issue if it is taken. The clocks of a swap depend on the number of
- * words. */
+/* Prints the clocks of a scalar instruction: for a branch, the clocks lost after its
+ * issue if it is taken; for a swap, the clocks of each word; for others, the clocks
+ * until the result and until the unit is free. */
 static void put_latency(const c205_insn *insn, const c205_model *model,
                         const c205_constant *latency, const c205_constant *busy)
 {
@@ -248,7 +249,8 @@ static bool put_example(const c205_insn *insn)
     return true;
 }
 
-/* Returns false if an explanation or the example is missing. */
+/* Prints the section of the reference about an instruction. Returns false if an
+ * explanation or the example is missing. */
 static bool put_insn(const c205_insn *insn, const c205_model *model)
 {
     char code[ISA_CODE], drawing[ISA_DRAWING];

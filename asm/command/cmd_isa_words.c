@@ -12,8 +12,8 @@ struct meaning {
     const char *text;
 };
 
-/* in_brackets is the meaning in formats in which the source is always in brackets and
- * cannot be a register. */
+/* The meanings of the letters of operands. in_brackets replaces `text` in formats that
+ * always have the source in brackets, where it cannot be a register. */
 static const struct operand_meaning {
     char letter;
     const char *text, *in_brackets;
@@ -111,9 +111,10 @@ static void mark(char letter, c205_word mask, char owners[WORD_BITS])
             owners[i] = letter;
 }
 
-/* Determines the field that owns each bit: sets each field separately, encodes the
- * instruction, and marks the bits that change. The bits of the operation belong to G.
- * The distance of a relative branch overlays Y and B, so it is marked last. */
+/* Sets owners[i] to the letter of the field to which bit i of the instruction word
+ * belongs. For this, each field is set to ones, and the bits of the encoded word that
+ * change are marked. Fixed bits of the operation belong to G. The distance of a
+ * relative branch overlays Y and B, so it is marked last. */
 static void probe_format(const c205_insn *insn, char owners[WORD_BITS])
 {
     c205_fields fields = { 0 };
@@ -152,8 +153,8 @@ void isa_drawing(const c205_insn *insn, char text[ISA_DRAWING])
 
 /* ---- Operands and rules ------------------------------------------------- */
 
-/* Returns true if the source is always in brackets, because a reduction requires a
- * vector. */
+/* Returns true if the syntax always has the source in brackets, so it must be a vector:
+ * its letter is a capital, or the instruction is a reduction. */
 static bool is_in_brackets(const c205_insn *insn, char field)
 {
     return isupper((unsigned char)field) || insn->format == C205_FORMAT_REDUCE
@@ -259,8 +260,8 @@ static const char *length_rule(const c205_insn *insn)
                : "the length of A";
 }
 
-/* Describes the padding of a short source. The only source of an instruction is never
- * short if it determines the length. */
+/* Describes the elements that continue a short source vector. Returns "" if no source
+ * can be short. */
 static const char *padding_rule(const c205_insn *insn)
 {
     bool sparse = insn->format == C205_FORMAT_SPARSE;
@@ -316,8 +317,8 @@ static size_t list_fields(const c205_insn *insn, const char *letters,
     return count;
 }
 
-/* Writes a text about a group of fields: `one` if there is one field, `more` if there
- * are several. */
+/* Writes a text with the names of the fields whose letters are given: the format `one`
+ * for one field, `more` for several. */
 static size_t put_group(const c205_insn *insn, const char *letters, const char *one,
                         const char *more, char *text, size_t size)
 {
@@ -358,8 +359,8 @@ static void write_half_rule(const c205_insn *insn, char text[ISA_HALF])
 
 /* ---- Special values ----------------------------------------------------- */
 
-/* Describes the results for machine zeros and indefinites. If the general rule does not
- * apply, it also describes results out of range. */
+/* Describes the results for machine zeros and indefinites, and also for results out of
+ * range if they differ from the general rule. */
 static const char *specials_rule(const c205_insn *insn)
 {
     bool has_numbers = has_operand(insn, "fvFV");

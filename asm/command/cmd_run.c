@@ -1,4 +1,4 @@
-/* cmd_run.c - c205 run: runs a program and attributes its clocks. */
+/* cmd_run.c - c205 run: runs a program and prints the causes of its clocks. */
 #include <inttypes.h>
 
 #include "asm/check/runtime_check.h"
@@ -128,8 +128,8 @@ static FILE *program_stream(const struct command_output *results)
     return among ? stdout : stderr;
 }
 
-/* Prints a message on stderr. If the program has left a line open there, it is closed
- * first. */
+/* Prints a message on stderr. If the output of the program is on stderr and its last
+ * line is incomplete, a newline is printed first. */
 static void put_message(void *context, const char *text, size_t length)
 {
     struct sink report = visible_stream(stderr);

@@ -1,4 +1,4 @@
-/* cmd_run.h - the arguments of c205 run, and its part for test programs. */
+/* cmd_run.h - the arguments of c205 run, and the function for c205 run --check. */
 #ifndef ASM_CMD_RUN_H
 #define ASM_CMD_RUN_H
 

@@ -203,7 +203,8 @@ static bool run_and_draw(const struct program_sweep_arguments *args,
     return good;
 }
 
-/* Opens the output after the programs have been read. */
+/* Runs the sweep and prints its results. The output files are opened only here, after
+ * all programs were read, so an error in a program leaves them unchanged. */
 static int run_and_show(struct session *session,
                         const struct program_sweep_arguments *args,
                         struct program_sweep *sweep)

@@ -192,7 +192,8 @@ static bool measure_all(const struct time_arguments *args, const c205_model *mod
 
 /* ---- Results --------- */
 
-/* Prints the points. The JSON always has them. */
+/* Prints the measured points if the option --points is given. They are always written
+ * to the JSON. */
 static int show_points(const struct time_arguments *args,
                        const struct measurements *measured,
                        const struct command_output *results)
@@ -206,8 +207,8 @@ static int show_points(const struct time_arguments *args,
     return code;
 }
 
-/* Shows the named instructions one by one, or all instructions by class. CSV and JSON
- * always have single instructions. */
+/* Shows the speeds of the named instructions one by one, or of all instructions by
+ * class. CSV and JSON always have single instructions. */
 static int show_speeds(const struct time_arguments *args, const c205_model *model,
                        const struct measurements *measured,
                        const struct command_output *results)
@@ -267,8 +268,9 @@ static int cmd_time(void *given)
                               : CMD_FAILED);
 }
 
-/* Returns name i for completion: an instruction or the triad. Returns "" if it cannot
- * be measured, and NULL after the last. */
+/* Returns the choice with a number for the completion of MNEMONIC: a vector instruction
+ * or the triad. Returns "" if the instruction cannot be measured, and NULL after the
+ * last. */
 static const char *measured_choice(size_t number)
 {
     if (number > c205_insn_count)

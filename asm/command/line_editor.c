@@ -50,11 +50,12 @@ static bool wait_for_input(void)
     return !interrupt_pending();
 }
 
-/* Functions of readline's interface that libedit provides. */
+/* The types of readline's callbacks, which libedit also uses. */
 typedef char *generator(const char *text, int state);
 typedef int getter(FILE *file);
 
-/* Replaces a function of libedit that continues after the first signal. */
+/* Reads a byte for libedit. The function of libedit cannot be used, because it
+ * continues to read after the first signal. */
 static int read_byte(FILE *file)
 {
     unsigned char byte;

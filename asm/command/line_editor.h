@@ -20,7 +20,8 @@ struct typed_lines {
     int (*keep)(const char *line);
 };
 
-/* name returns the i-th name for completion, or NULL after the last. */
+/* Prepares reading lines from a file. For completion, `name` returns name i, or NULL
+ * after the last. */
 struct typed_lines typed_lines_of(FILE *file, const char *(*name)(size_t i));
 /* Returns the next line. Returns NULL at the end of the input or if memory is
  * exhausted. */

@@ -73,7 +73,8 @@ command_take cmd_take_warning;
 #define CMD_FIGURES \
     CMD_RESULTS, OUTPUT_OPTION_PROVENANCE(struct shared_arguments, results)
 
-/* These macros take the offset of the struct source_arguments. */
+/* Options of commands that read programs. `source` is the offset of the struct
+ * source_arguments in the arguments of the command. */
 #define CMD_INCLUDE(source) \
     OPTION_INCLUDE((source) + offsetof(struct source_arguments, folders))
 #define CMD_DEFINE_WANTS "NAME=VALUE, a name and an integer, each name once"
@@ -98,11 +99,11 @@ command_take cmd_take_warning;
 
 /* ---- Session ------------------------------------------------------------- */
 
-/* Default limit: 20 seconds of the machine, in clocks. Few programs need more, and
- * endless loops are frequent. */
+/* Default limit of a run in clocks: 20 seconds of machine time. Few programs need more,
+ * and endless loops are frequent. */
 #define CMD_LIMIT UINT64_C(1000000000)
 
-/* The session of a command. Initially only the member command is set. */
+/* The session of a command. Initially only `command` is set. */
 struct session {
     const char *command;
     struct object *object;
@@ -111,8 +112,8 @@ struct session {
     struct command_output results;
 };
 
-/* Each of these functions opens one member and returns false after an error message.
- * output is another file that the command writes, or NULL. */
+/* Each of these functions opens one part of the session, and returns false after an
+ * error message. `output` is another file that the command writes, or NULL. */
 bool session_program(struct session *session, const struct source_arguments *source,
                      const char *path);
 bool session_model(struct session *session, const char *name);
@@ -121,8 +122,8 @@ bool session_output(struct session *session, const struct command_output *result
 /* Creates a machine of the model and loads the program. warm: all pages of the program
  * are in memory at the start. Returns false with the reason in the error. */
 bool session_load(struct session *session, bool warm, c205_error *error);
-/* Closes all open members. JSON is written if the code is CMD_DONE and discarded
- * otherwise. Returns the exit code. */
+/* Closes everything that the session has open. The JSON results are written if the code
+ * is CMD_DONE, and discarded otherwise. Returns the exit code. */
 int session_close(struct session *session, int code);
 
 #endif
