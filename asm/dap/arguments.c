@@ -11,8 +11,8 @@ enum kind { TEXT, TRUTH, WHOLE, OBJECT, SOURCE, LIST, TEXTS, WHOLES };
 enum { MAX_KEYS = 9 };
 
 /* clang-format off */
-/* The types of members. A member has the same type in all its owners. The first row
- * whose member has another type is reported. */
+/* The required types of the members of requests and of types of the protocol. Each row
+ * has one type. The first row that a message violates is reported. */
 static const struct {
     const char *owners; /* requests or types of the protocol */
     enum kind kind;

@@ -125,8 +125,9 @@ bool request_breakpoint_locations(struct dap *dap)
 
 /* ---- Names --------------------------------------------------------------- */
 
-/* Returns the debugger's keyword for a name. Labels have precedence over regions and
- * instructions. */
+/* Returns the keyword of a place in a debugger command: "region ", "insn ", or "" for a
+ * label. If a label, a region and an instruction have the same name, the label or else
+ * the region is meant. */
 static const char *kind_of(const struct dap *dap, const char *name)
 {
     if (object_symbol(dap->object, name))
@@ -180,7 +181,8 @@ bool request_instruction_breakpoints(struct dap *dap)
 
 /* ---- Data ---------------------------------------------------------------- */
 
-/* Reads a data identifier, ADDRESS, WORDS in the syntax of the verb watch. */
+/* Reads the identifier of watched data. It has the form "ADDRESS, WORDS", like the
+ * arguments of the debugger command `watch`. */
 static bool read_data_stop(struct dap *dap, const struct json_value *wanted,
                            const char *file, struct breakpoint *stop)
 {
@@ -199,8 +201,8 @@ bool request_data_breakpoints(struct dap *dap)
     return replace(dap, NULL, GROUP_DATA, read_data_stop);
 }
 
-/* Finds the address of an element of a vector. Without a reference, the name is an
- * expression. */
+/* Finds the address of the data that a request names. The name is an element of a
+ * vector if the request has a variablesReference; otherwise it is an expression. */
 static bool find_address(struct dap *dap, const char *name, uint64_t *address)
 {
     struct text_cursor cursor = { name };
@@ -232,8 +234,8 @@ static void put_data(struct json *body, uint64_t address, int64_t bytes)
     json_bool(body, "canPersist", true);
 }
 
-/* Returns the identifier of data. If the data cannot be watched, the request succeeds
- * with a null identifier and the reason. */
+/* Responds with the identifier of data to be watched. If the data cannot be watched,
+ * the request succeeds with a null identifier and the reason. */
 bool request_data_breakpoint_info(struct dap *dap)
 {
     const char *name = json_member_text(dap->arguments, "name");

@@ -18,7 +18,8 @@
 #include "base/json_read.h"
 #include "vm/error.h"
 
-/* The states of a session, in their order. A set of states is a combination of bits. */
+/* The states of a session, in the order in which it passes them. Each is a bit, so sets
+ * of states can be combined with |. */
 enum dap_state {
     DAP_NEW = 1,
     DAP_GREETED = 2,  /* after initialize */
@@ -127,14 +128,14 @@ void close_program(struct dap *dap);
 
 /* ---- Arguments (arguments.c) --------------------------------------------- */
 
-/* Checks that the members of an object have the types of the owner, a request or a type
- * of the protocol. Otherwise, reports an error and returns false. */
+/* Checks the types of the members of an object. `owner` is the request or the type of
+ * the protocol to which the object belongs. Reports an error and returns false if a
+ * type is wrong. */
 bool dap_check(struct dap *dap, const char *owner, const struct json_value *object);
 
 /* ---- Reports and messages (respond.c) ------------------------------------ */
 
-/* Reports an error of one sentence and returns false. debugger_report returns these
- * reports. */
+/* Reports an error as one sentence to dap->said, and returns false. */
 bool dap_fault(struct dap *dap, const char *format, ...) PRINTF_FORMAT(2, 3);
 /* Writes the reports since the last call as a member of an object. */
 void dap_put_said(struct dap *dap, struct json *json, const char *key);
@@ -196,8 +197,8 @@ size_t file_index(const struct dap *dap, const char *file);
 /* Returns the file of a Source, a type of the protocol. NULL: the program has no such
  * file. */
 const char *source_file(const struct dap *dap, const struct json_value *source);
-/* put_source writes the member source of an object. put_source_members writes only the
- * content of this member. */
+/* put_source writes the member `source` of an object. put_source_members writes only
+ * the content of this member. */
 void put_source(struct dap *dap, struct json *json, const char *file);
 void put_source_members(struct dap *dap, struct json *json, const char *file);
 /* line_of converts a line number of the client to a line number of the debugger.
@@ -212,13 +213,14 @@ void put_line(const struct dap *dap, struct json *json, const char *key, size_t 
 void dap_begin(struct dap *dap);
 /* Sends the event terminated. */
 void dap_finish(struct dap *dap);
-/* Sends the event stopped. Reports of the debugger are its description. met:
+/* Sends the event "stopped". Its description is what the debugger has reported. met:
  * breakpoints stopped the program. */
 void dap_stopped(struct dap *dap, const char *reason, bool met);
 
 /* ---- Elements (elements.c) ----------------------------------------------- */
 
-/* Prints a value as variables show it: a number and the bits. */
+/* put_bits prints a value as a number and its bits. put_elements writes elements of a
+ * vector as variables. */
 void put_bits(c205_word word, unsigned width, const struct sink *sink);
 void put_elements(struct dap *dap, struct json *json, const struct vector_view *vector,
                   size_t first, size_t count);
@@ -227,8 +229,8 @@ bool element_number(const struct vector_view *vector, const char *name, size_t *
 
 /* ---- Variables (variables.c) --------------------------------------------- */
 
-/* Sets *vector to the vector of a reference. Returns false if the reference has no
- * vector. */
+/* Sets *vector to the vector whose elements a variable reference denotes. Returns false
+ * if the reference denotes no vector. */
 bool vector_of(struct dap *dap, int64_t reference, struct vector_view *vector);
 /* Writes the members for the value of a register: its word, and the vector that the
  * word describes, if any. */

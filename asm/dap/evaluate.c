@@ -5,7 +5,8 @@
 
 /* ---- Expressions --------------------------------------------------------- */
 
-/* Writes a value. The value of a register includes its vector. */
+/* Evaluates the expression `text` and writes its value as the member `key`. For a
+ * register, also writes the members that describe its vector. */
 static bool put_value(struct dap *dap, struct json *body, const char *text,
                       const char *key)
 {
@@ -47,7 +48,8 @@ static void send_moved(struct dap *dap)
     dap_stopped(dap, "goto", false);
 }
 
-/* Requests a redraw, because a command may have changed registers or memory. */
+/* Notifies the client that it must read all variables again, because a command may have
+ * changed registers or memory. */
 static void send_changed(struct dap *dap)
 {
     struct text_buffer body;
@@ -97,7 +99,7 @@ bool request_evaluate(struct dap *dap)
     return true;
 }
 
-/* Executes EXPRESSION = VALUE by the debugger's verb set. */
+/* Executes the debugger command "set EXPRESSION = VALUE". */
 bool request_set_expression(struct dap *dap)
 {
     const char *name = json_member_text(dap->arguments, "expression");

@@ -39,7 +39,8 @@ bool sources_find(struct dap *dap)
     return true;
 }
 
-/* Returns the text of a file that is part of c205, or NULL. Such a file has no path. */
+/* Returns the text of a library file that is compiled into c205, or NULL. Such a file
+ * has no path. */
 static const struct text *carried(const char *file)
 {
     return text_find(library_texts, file);

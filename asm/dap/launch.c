@@ -64,7 +64,8 @@ bool request_initialize(struct dap *dap)
 
 /* ---- launch --------------------------------------------------------------------- */
 
-/* Copies a text that must exist as long as the program. The copy of NULL is NULL. */
+/* Copies a text into the arena that lives as long as the program. The copy of NULL is
+ * NULL. */
 static const char *copy_text(struct dap *dap, const char *text)
 {
     return text ? arena_text(&dap->launched, text, strlen(text)) : NULL;
@@ -85,7 +86,7 @@ static const struct asm_define *read_defines(struct dap *dap)
     return defines;
 }
 
-/* Reads a list of folders such as [ "DIR", .. ]. */
+/* Reads the argument "include", a list of folders such as [ "DIR", .. ]. */
 static const char *const *read_search(struct dap *dap)
 {
     const struct json_value *list = json_member(dap->arguments, "include");
@@ -168,7 +169,8 @@ static void ask_configuration(struct dap *dap)
     send_event(dap, "initialized", NULL);
 }
 
-/* Reads where to stop. With noDebug the program stops nowhere. */
+/* Reads whether traps, the entry and the end stop the program. With noDebug none of
+ * them does. */
 static void read_stops(struct dap *dap)
 {
     bool stops = !json_member_truth(dap->arguments, "noDebug", false);
@@ -200,8 +202,8 @@ bool request_configuration_done(struct dap *dap)
 
 /* ---- Restart and end ----------------------------------------------------- */
 
-/* Ends the current execution by a pending request. If the program does not run, calls
- * `then` after the response. */
+/* Ends the execution of the program because of a request. If the program runs, the
+ * pending request ends it. Otherwise, `then` is called after the response. */
 static bool end_execution(struct dap *dap, enum pending_request pending,
                           void (*then)(struct dap *dap))
 {

@@ -16,7 +16,8 @@
 static const char digits[] =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/* Encodes three bytes as four digits. "=" replaces the digits of absent bytes. */
+/* Writes bytes in base64: three bytes as four digits. "=" replaces the digits of absent
+ * bytes. */
 static void put_base64(const struct sink *sink, const unsigned char *bytes,
                        size_t count)
 {
@@ -79,8 +80,8 @@ static bool read_byte(const struct dap *dap, uint64_t address, unsigned char *by
     return true;
 }
 
-/* Reads the mapped bytes from an address on, unless bytes is NULL. Returns their
- * number. */
+/* Reads the bytes from an address up to the first unmapped byte, at most `count`.
+ * Returns their number. If bytes is NULL, they are only counted. */
 static size_t read_bytes(const struct dap *dap, uint64_t address, unsigned char *bytes,
                          size_t count)
 {

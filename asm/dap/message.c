@@ -13,7 +13,8 @@ static enum message_state broken(c205_error *error, const char *what)
     return MESSAGE_BROKEN;
 }
 
-/* Reads decimal digits. The value is at most MAX_MESSAGE. */
+/* Reads decimal digits. Returns false if there are none, or if the number exceeds
+ * MAX_MESSAGE. */
 static bool read_length(const char *at, const char *end, size_t *length)
 {
     *length = 0;

@@ -15,17 +15,18 @@ enum message_state {
     MESSAGE_BROKEN
 };
 
-/* Examines the start of the received bytes. Sets the place of the content if the
- * message is complete, and the error if it is invalid. */
+/* The place of the content of a message in the received bytes. */
 struct message_content {
     size_t begin, length;
 };
+/* Finds the first message in the received bytes. Sets *content if the message is
+ * complete, and the error if it is invalid. */
 enum message_state message_find(const struct text_buffer *bytes,
                                 struct message_content *content, c205_error *error);
 /* Removes the first `count` received bytes. */
 void message_drop(struct text_buffer *bytes, size_t count);
 
-/* Writes a content and its header in one call. */
+/* Writes a message, its header and its content, in one call. */
 void message_put(const struct text_buffer *content, const struct sink *out);
 
 #endif

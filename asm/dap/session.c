@@ -55,8 +55,8 @@ static void respond(struct dap *dap, const struct json_value *request, bool good
     send_response(dap, request, good, good ? body : *said ? said : "out of memory");
 }
 
-/* Executes a request and responds. A request may arrive while an earlier request is
- * running the program. `outer` saves the fields of the earlier request. */
+/* Executes a request and responds. If an earlier request is running the program,
+ * `outer` saves the state of the earlier request. */
 static void handle_request(struct dap *dap, const struct json_value *request)
 {
     struct text_buffer body;

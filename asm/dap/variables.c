@@ -141,7 +141,8 @@ static void put_vectors(struct dap *dap, struct json *json)
     }
 }
 
-/* Offers the elements of a vector also as half words and as bits. */
+/* Writes two further variables that show the elements of a vector as half words and as
+ * bits. */
 static void put_other_ways(struct json *json, const struct vector_view *vector,
                            size_t number)
 {
@@ -282,7 +283,8 @@ static bool set(struct dap *dap, int64_t reference, const char *name,
     return dap_fault(dap, "'%.40s' cannot be changed", name);
 }
 
-/* Writes the new value as variables show it. */
+/* Writes the member "value": the new value of a variable, in the same text as in the
+ * list of variables. */
 static void put_new(struct dap *dap, struct json *body, int64_t reference,
                     const char *name)
 {

@@ -43,8 +43,9 @@ const char *name_of(const struct dap *dap, unsigned number, char text[REGISTER_N
 void put_operands(struct dap *dap, struct json *json);
 bool operand_vector(const struct dap *dap, size_t number, struct vector_view *vector);
 
-/* Write the variables of the scope of times, of a region, and of the last instruction
- * (time.c). */
+/* put_time writes the variables of the scope that shows times: step, clock, last
+ * instruction and regions. put_region and put_last write the variables of a region and
+ * of the last instruction (time.c). */
 void put_time(struct dap *dap, struct json *json);
 void put_region(struct dap *dap, struct json *json, size_t number);
 void put_last(struct dap *dap, struct json *json);

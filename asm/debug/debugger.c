@@ -102,7 +102,7 @@ static bool verb_help(struct debugger *debugger, struct text_cursor *cursor)
 
 /* ---- The listener --------------------------------------------------------- */
 
-/* Copies the used pieces and phases of a record, which are few. */
+/* Copies a record without the unused elements of its arrays of pieces and phases. */
 static void copy_record(c205_times *to, const c205_times *from)
 {
     memcpy(to, from, offsetof(c205_times, piece));
@@ -290,7 +290,7 @@ static void keep_movement(struct debugger *debugger, const char *line)
         snprintf(debugger->again, sizeof debugger->again, "%s", line);
 }
 
-/* Executes an additional verb of the setup, which must have its whole name. Returns
+/* Executes an additional verb of the setup. Its name must be written in full. Returns
  * false if the line has no such verb. */
 static bool obey_more(struct debugger *debugger, const char *line, size_t length)
 {

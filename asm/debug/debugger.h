@@ -34,8 +34,8 @@ struct debugger_setup {
     bool (*interrupted)(void *asked); /* called regularly while the program runs; true
                                          stops it; NULL: never stop */
     void *asked;
-    /* Creates the machine with the program of the object, which has not started. NULL:
-     * the debugger creates a machine of the model. */
+    /* Creates a machine with the loaded program before its first instruction. NULL: the
+     * debugger creates a machine of the model. */
     c205 *(*machine)(void *context, c205_error *error);
     const struct debugger_verb *verbs; /* additional verbs, or NULL */
     void *context;                     /* context of the machine function and the
@@ -52,7 +52,7 @@ void debugger_greet(struct debugger *debugger);
 /* Executes a line. An empty line repeats the last execution command. Returns false
  * after the verb quit. */
 bool debugger_obey(struct debugger *debugger, const char *line);
-/* Returns the number of lines that failed, including failed assertions. */
+/* Returns the number of errors of commands, including failed assertions. */
 size_t debugger_faults(const struct debugger *debugger);
 
 /* Returns the name of built-in verb i, or NULL after the last. */

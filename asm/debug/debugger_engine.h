@@ -119,8 +119,9 @@ void text_cursor_text(const char *from, const struct text_cursor *cursor,
 
 bool debug_value(struct debugger *debugger, struct text_cursor *cursor,
                  struct value_of *value);
-/* Checks that the text is an expression. Values of registers and memory do not
- * matter. */
+/* debug_grammar checks that the text is an expression, without reading registers or
+ * memory. debug_address and debug_count evaluate an expression that must be an address
+ * or a count. */
 bool debug_grammar(struct debugger *debugger, struct text_cursor *cursor);
 bool debug_address(struct debugger *debugger, struct text_cursor *cursor,
                    uint64_t *address);
@@ -145,7 +146,7 @@ c205_word debug_register_word(const struct debugger *debugger,
 
 /* ---- Verbs ----------------------------------------------------------------- */
 
-/* Executes a verb. The cursor is at the rest of its line. */
+/* Executes a verb. The cursor is at the text after the name of the verb. */
 typedef bool debug_verb(struct debugger *debugger, struct text_cursor *cursor);
 
 /* Verbs that the debug adapter uses as well. */
@@ -174,7 +175,8 @@ bool debug_jump(struct debugger *debugger, uint64_t address);
  * NAME. */
 bool place_read(struct debugger *debugger, struct text_cursor *cursor,
                 struct breakpoint *stop);
-/* Reads a source line, or the next line that has code, like place_read. */
+/* Sets the kind, the address and the text of a breakpoint at a source line, or at the
+ * next line that has code. */
 bool place_line(struct debugger *debugger, const char *file, size_t number,
                 struct breakpoint *stop);
 /* place_address reads any address. place_code reads an address at which an instruction
@@ -190,7 +192,8 @@ uint64_t place_of(const struct debugger *debugger, uint64_t address);
  * address. */
 bool place_begins(const struct debugger *debugger, const char *file, size_t number,
                   uint64_t address);
-/* Returns the address of the previous instruction, according to the program's lines. */
+/* Returns the address of the instruction before an address. Without source lines, code
+ * is decoded from the start of its segment, but at most 1024 half words back. */
 uint64_t place_before(const struct debugger *debugger, uint64_t address);
 
 /* ---- Stops (breakpoints.c) -------------------------------------------------- */
@@ -201,8 +204,8 @@ bool breakpoints_watch(struct debugger *debugger, struct text_cursor *cursor,
 /* Sets the condition to the whole text; "" or NULL removes it. */
 bool breakpoints_condition(struct debugger *debugger, struct breakpoint *stop,
                            const char *text);
-/* Sets the condition on hits. It is an operator and its operand, or the number of the
- * first hit that stops the program. */
+/* Sets the condition on the number of hits: an operator and its operand, such as "% 3",
+ * or the number of the first hit that stops the program. */
 bool breakpoints_wanted(struct debugger *debugger, struct breakpoint *stop,
                         const char *text);
 /* Adds a copy of the breakpoint and assigns its number. Returns false if memory is
@@ -213,9 +216,8 @@ bool breakpoints_add(struct debugger *debugger, struct breakpoint *stop);
 bool breakpoints_delete(struct debugger *debugger, uint64_t number);
 void breakpoints_forget(struct debugger *debugger, size_t group);
 
-/* Marks the breakpoints that stop the program at the current location after an
- * instruction. Returns true if there are any. before is the address of that
- * instruction. */
+/* Marks the breakpoints that stop the program at the current location, after the
+ * instruction at address `before` was executed. Returns true if there are any. */
 bool breakpoints_meet(struct debugger *debugger, uint64_t before);
 /* Records the current contents of the watched words. */
 void breakpoints_sample(struct debugger *debugger);

@@ -26,8 +26,8 @@ void show_wait(const struct debugger *debugger, const c205_piece *piece,
                const struct sink *sink);
 /* Prints the reason for which the program cannot continue. */
 void show_halt(struct debugger *debugger);
-/* Returns the reports of the debugger in a buffer, without "error: " and the last
- * newline. The text is valid until the buffer changes. */
+/* Returns what the debugger has reported to the buffer, without the prefix "error: "
+ * and the last newline. The text is valid until the buffer changes. */
 const char *debugger_report(struct text_buffer *said);
 
 /* Sets a breakpoint at a source line or at the next line that has code, and sets *line

@@ -26,9 +26,9 @@ static enum execution_end forward(struct debugger *debugger)
     return breakpoints_meet(debugger, before) ? EXECUTION_AT_STOP : EXECUTION_COMPLETE;
 }
 
-/* Returns true if the user interrupts. It checks only every 4096 steps or 2^18 clocks,
- * because the check may be a system call. The limit of clocks is for vector
- * instructions, which take many clocks. */
+/* Returns true if the user has requested an interruption. The request is checked only
+ * at every 4096th step or after 2^18 clocks, because the check may be a system call.
+ * The limit of clocks is for vector instructions, which take many clocks. */
 static bool is_interrupted(struct debugger *debugger)
 {
     enum { STEPS = 4096, CLOCKS = 1 << 18 };
@@ -122,8 +122,8 @@ static const struct asm_line *line_here(const struct debugger *debugger)
     return object_line(debugger->setup.object, pc_of(debugger));
 }
 
-/* Returns true if the current instruction is shown at the same line as another one, and
- * is not the first of an expansion of this line. */
+/* Returns true if the current instruction is a later instruction of an expansion of the
+ * given line: it is shown at this line, but is not the first of the expansion. */
 static bool is_behind_beginning(const struct debugger *debugger,
                                 const struct asm_line *line)
 {
@@ -141,7 +141,7 @@ enum execution_end execution_line(struct debugger *debugger)
     return ended;
 }
 
-/* Returns a line of the macro call that contains the current instruction, or NULL. */
+/* Returns the current source line if it belongs to a macro call, or NULL. */
 static const struct asm_line *call_of(const struct debugger *debugger)
 {
     const struct asm_line *line = line_here(debugger);
@@ -213,8 +213,8 @@ enum execution_end execution_back_line(struct debugger *debugger)
     return ended;
 }
 
-/* Replays the current interval of the search and records the last step with a
- * breakpoint. After an interruption, it continues the interval. */
+/* Replays the current interval of the search and records the last step at which a
+ * breakpoint stops the program. After an interruption, it continues the interval. */
 static enum execution_end find_last(struct debugger *debugger,
                                     struct back_search *search)
 {
@@ -250,10 +250,10 @@ static void begin_stretch(struct back_search *search)
 
 /* Searches back for the last stop before the current step. The machine can only be
  * executed forward from a snapshot, so intervals are replayed: the last 64 steps, then
- * the 128 steps before them, and so on with double lengths. An interval finds
- * breakpoints at the steps from begin + 1 to end - 1, so the next interval ends at
- * begin + 1. The number of replayed steps is at most about twice the distance of the
- * result. */
+ * the 128 steps before them, and so on with double lengths. The number of replayed
+ * steps is at most about twice the distance of the result. Replaying an interval finds
+ * the breakpoints after its first step and before its end, so the next interval ends at
+ * begin + 1. */
 static enum execution_end search_back(struct debugger *debugger,
                                       struct back_search *search)
 {

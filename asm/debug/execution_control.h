@@ -23,8 +23,8 @@ enum execution_end {
     EXECUTION_FAILED
 };
 
-/* Acknowledges the breakpoints that stopped the program, and deletes breakpoints with
- * `once`. reported: reports each of them first. */
+/* Acknowledges the breakpoints that stopped the program, and deletes those whose member
+ * `once` is set. If reported is true, each is first reported. */
 void breakpoints_pass(struct debugger *debugger, bool reported);
 
 enum execution_end execution_steps(struct debugger *debugger, uint64_t count);
@@ -34,8 +34,8 @@ enum execution_end execution_next(struct debugger *debugger);
 /* Returns true if the next instruction is a call. Sets *behind to its return
  * address. */
 bool execution_is_call(const struct debugger *debugger, uint64_t *behind);
-/* Like execution_next, but all instructions that an expansion of a line shows count as
- * one instruction. */
+/* Like execution_next, but the instructions of one expansion of a line, such as a macro
+ * call, count as one instruction. */
 enum execution_end execution_line(struct debugger *debugger);
 /* Executes at least one instruction, up to an address. */
 enum execution_end execution_to(struct debugger *debugger, uint64_t address);
@@ -49,8 +49,8 @@ bool execution_can_go_out(struct debugger *debugger);
 enum execution_end execution_out(struct debugger *debugger);
 enum execution_end execution_run(struct debugger *debugger); /* from the start */
 enum execution_end execution_back(struct debugger *debugger, uint64_t count);
-/* Goes back by one instruction, and to the first instruction of the expansion of its
- * line. */
+/* Goes back by one instruction. If this is within the expansion of a line, goes back to
+ * the first instruction of the expansion. */
 enum execution_end execution_back_line(struct debugger *debugger);
 /* The state of a search back to the last stop before the current step. It must be zero
  * at the start. After an interruption the program is at an arbitrary step. Another call

@@ -38,7 +38,7 @@ static const char *find_file(const struct object *object, const char *name,
     return NULL;
 }
 
-/* A source line that was found. */
+/* The result of find_line: a source line that has code or calls a macro with code. */
 struct line_place {
     const char *file; /* name in the object */
     size_t number;
@@ -102,7 +102,8 @@ bool place_begins(const struct debugger *debugger, const char *file, size_t numb
 }
 
 /* Parses NAME:LINE, or LINE of the program's file. Returns false if the text is another
- * kind of place. */
+ * kind of place. Otherwise, *good is true if the program has the line;
+ * if not, the error has been reported. */
 static bool read_line(struct debugger *debugger, struct text_cursor *cursor,
                       struct line_place *found, bool *good)
 {
@@ -167,8 +168,8 @@ static bool begins_line(const struct debugger *debugger, uint64_t address)
     return line && line->is_code && line->address == address;
 }
 
-/* Decodes the code segments from their first word, for programs without source
- * lines. */
+/* Returns true if an instruction begins at the address. Without source lines, the code
+ * segment is decoded from its first word up to the address. */
 static bool begins_decoded(const struct debugger *debugger, uint64_t address)
 {
     const struct object *object = debugger->setup.object;
@@ -191,10 +192,11 @@ static bool begins_code(const struct debugger *debugger, uint64_t address)
                                                   : begins_decoded(debugger, address);
 }
 
-/* Returns the program counter for an address. A LINKV begins one to three half words
- * before an instruction of its pair. Instructions have different lengths, so the
- * previous instruction cannot be decoded directly. Each of these addresses is tried; a
- * source line must also begin there. */
+/* Returns the address of the LINKV if the instruction at the address belongs to a
+ * linked pair, otherwise the address itself. The LINKV is one to three half words
+ * before the instruction. Code cannot be decoded backward, because instructions have
+ * different lengths, so each of these addresses is tried; a source line must also begin
+ * there. */
 uint64_t place_of(const struct debugger *debugger, uint64_t address)
 {
     struct instruction_view view;
@@ -216,8 +218,8 @@ uint64_t place_of(const struct debugger *debugger, uint64_t address)
     return address;
 }
 
-/* Sets a breakpoint. If a LINKV links the instruction, the breakpoint is set at the
- * LINKV. */
+/* Sets the address and the source line of a breakpoint. If a LINKV links the
+ * instruction, the breakpoint is at the LINKV. */
 static void be_at(const struct debugger *debugger, uint64_t address,
                   struct breakpoint *stop)
 {
@@ -259,8 +261,9 @@ bool place_code(struct debugger *debugger, struct text_cursor *cursor,
                || debug_fault(debugger, "no instruction begins at %" PRIX64, *address));
 }
 
-/* Sets *moved if the breakpoint is at another line or instruction than the text
- * states. */
+/* Reads a source line or an address and sets the breakpoint there. Sets *ended to true
+ * if the breakpoint is at a later line or at another instruction than the text
+ * names. */
 static bool read_address(struct debugger *debugger, struct text_cursor *cursor,
                          struct breakpoint *stop, bool *ended)
 {
@@ -333,9 +336,9 @@ bool place_read(struct debugger *debugger, struct text_cursor *cursor,
 
 /* ---- The instruction before ------------------------------------------------- */
 
-/* Returns an address at which to begin decoding. Without source lines it is the start
- * of the code segment, but at most 1024 half words back. Outside of all segments each
- * half word counts as an instruction. */
+/* Returns an address from which the code up to `address` can be decoded. Without source
+ * lines it is the start of the code segment, but at most 1024 half words back. Outside
+ * of all segments each half word counts as an instruction. */
 static uint64_t read_from(const struct debugger *debugger, uint64_t address)
 {
     enum { FAR_BACK = 32 * 1024 };

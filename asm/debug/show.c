@@ -10,8 +10,8 @@
 
 /* ---- Instructions --------------------------------------------------------- */
 
-/* Prints the line at which an instruction is shown. If another line of a macro contains
- * it, this line follows. */
+/* Prints the source line at which the instruction is shown. If the instruction is from
+ * a line of a macro, that line follows after "<-". */
 static void put_source(const struct debugger *debugger, const struct asm_line *line)
 {
     sink_put(&debugger->out, "  ; ");

@@ -376,7 +376,7 @@ static bool read_hex(struct reading *reading, struct value_of *value)
     return true;
 }
 
-/* Reads an address. A descriptor with a length is rejected; NAME.i is its address. */
+/* Reads an address. A descriptor with a length is rejected; its address is NAME.i. */
 static bool read_address(struct debugger *debugger, struct reading *reading,
                          struct value_of *value, uint64_t *address)
 {
@@ -527,7 +527,7 @@ static bool is_decided(int code, const struct value_of *value)
                                         : false;
 }
 
-/* Reads an operand and the operators after it. Their precedence is at least the given
+/* Reads an operand and the operators after it whose precedence is at least the given
  * one. */
 static bool read_chain(struct reading *reading, int precedence, struct value_of *value)
 {
