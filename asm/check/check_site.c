@@ -22,7 +22,7 @@ static bool should_sample(struct site *site)
 /* ---- Lengths ------------------------------------------------------------ */
 
 /* Returns true if the length of the operand determines the number of elements. The
- * result of ACPSV in Z has a bit for each comparison instead. */
+ * result in Z of ACPSV does not, because it has a bit for each comparison. */
 static bool has_length(const struct operand_view *operand)
 {
     return operand->is_vector && (operand->field != 'Z' || operand->letter == 'b')
@@ -63,7 +63,8 @@ static void check_storage(struct runtime_checker *watch, const struct site *site
                        past, name, end);
 }
 
-/* Checks the store of one element at an index from a base address. */
+/* Warns if the element at an index is beyond the storage of the label at the base
+ * address. */
 static void check_store(struct runtime_checker *watch, const struct site *site,
                         uint64_t base, int64_t index, unsigned width)
 {
@@ -110,7 +111,8 @@ static void check_index(struct runtime_checker *watch, const struct site *site,
     print_float_index(watch, site, which.text, index->word);
 }
 
-/* Checks the index list of a gather or a scatter. A scatter writes to the table. */
+/* Warns of normalised numbers in the index list of a gather or scatter. For a scatter,
+ * also checks the addresses in the table to which it stores. */
 static void check_indices(struct runtime_checker *watch, const c205 *machine,
                           const struct site *site, const struct operand_view *list)
 {
@@ -139,8 +141,9 @@ static void check_indices(struct runtime_checker *watch, const c205 *machine,
     }
 }
 
-/* Checks the period of a periodic gather or scatter. A scatter writes one element for
- * each element of its source. */
+/* Warns if the period of a periodic gather or scatter is a normalised number. Otherwise
+ * checks the last store of a scatter, which has one store for each element of its
+ * source. */
 static void check_period(struct runtime_checker *watch, const struct site *site,
                          const struct operand_view *period)
 {
@@ -195,7 +198,8 @@ static bool check_pair(struct runtime_checker *watch, const struct site *site,
     return true;
 }
 
-/* Reads the words of a source; a scalar is repeated. */
+/* Reads n words of a source vector from element `first` on. A scalar source is
+ * repeated. */
 static bool fetch(const c205 *machine, const struct operand_view *source, size_t first,
                   size_t n, c205_word *words)
 {
@@ -206,7 +210,8 @@ static bool fetch(const c205 *machine, const struct operand_view *source, size_t
     return true;
 }
 
-/* Returns the number of elements that all sources and the result have. */
+/* Returns the smallest length of the source vectors and of the result. If no source is
+ * a vector, this is at most 1. */
 static size_t count_elements(const struct site *site, const struct operand_view *a,
                              const struct operand_view *b)
 {
@@ -251,7 +256,8 @@ static void check_integers(struct runtime_checker *watch, const c205 *machine,
 
 /* ---- By kind ------------------------------------------------------------ */
 
-/* Finds the sources that are numbers, in order. */
+/* Finds the first two source operands of which the instruction reads numbers, in the
+ * order of the syntax. Returns their number. */
 static size_t find_numbers(const struct instruction_view *view,
                            const struct operand_view *sources[2])
 {
@@ -276,7 +282,8 @@ static void check_numbers(struct runtime_checker *watch, const c205 *machine,
         check_integers(watch, machine, site, sources[0], sources[1]);
 }
 
-/* Returns true if the exponent is 0. Few normalised numbers have this exponent. */
+/* Returns true if the register may contain an integer, because its exponent is 0. Few
+ * normalised numbers have this exponent, so most operands need no further check. */
 static inline bool may_be_integer(const c205 *machine,
                                   const struct operand_view *operand)
 {
@@ -322,7 +329,7 @@ static void before_vector(struct runtime_checker *watch, const c205 *machine,
         check_numbers(watch, machine, site);
 }
 
-/* Checks the storage of results whose length the instruction has set. */
+/* Checks that results whose length the instruction has set fit in their storage. */
 static void after_vector(struct runtime_checker *watch, const c205 *machine,
                          struct site *site)
 {
@@ -340,9 +347,8 @@ static bool recurs(const struct operand_view *read, const struct operand_view *w
            && written->address < read->address + (uint64_t)read->length * read->width;
 }
 
-/* Reports a result that is also a source of the same instruction. The report for a
- * linked pair names the prefix, and the operands of its two instructions are not
- * examined. */
+/* Reports a result that is also a source of the same instruction. For a linked pair,
+ * the report is for the prefix LINKV and does not name the source. */
 void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
                         struct site *site, size_t elements)
 {

@@ -50,8 +50,8 @@ struct runtime_checker {
     c205_word entered[C205_REGISTERS], emptied[C205_REGISTERS];
     bool is_written[C205_REGISTERS]; /* some instruction writes the register */
     struct site sites[CHECK_SITES];  /* indexed by address */
-    /* A copy of site.before, which every instruction reads. Most instructions have no
-     * check, so the test for NULL must be fast. */
+    /* A copy of `pc` and `before` of the sites, without their other members, because it
+     * is read at every instruction. Most instructions have no check. */
     struct {
         uint64_t pc;
         site_check *before;

@@ -7,7 +7,7 @@
 #include "asm/object/expectation.h"
 #include "asm/object/object.h"
 
-/* Returns true if the program has an expectation other than the model. */
+/* Returns true if the program has any expectation except expect-model. */
 bool expect_anything(const struct object *object);
 
 /* Returns the first expectation of a kind, or NULL if there is none. */
@@ -17,8 +17,8 @@ const struct asm_expectation *expect_find(const struct object *object,
 /* Returns the model on which the expected clocks are valid, or NULL for any model. */
 const char *expect_model(const struct object *object);
 
-/* Returns true if the expected clocks of the program belong to another model. These
- * clocks are not compared. */
+/* Returns true if the clocks that the program expects are those of another model. They
+ * are then not compared. */
 bool expect_other_model(const struct object *object, const c205 *machine);
 
 /* Returns the warnings that the program declares as intended. */

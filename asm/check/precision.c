@@ -7,7 +7,8 @@
 
 #include "vm/min_max.h"
 
-/* The stems of mnemonics. Only letters of operands follow a stem. */
+/* The rules of precision by mnemonic. After the stem, a mnemonic may have one of the
+ * letters H, V and S. */
 static const struct {
     const char *stem;
     enum precision_rule rule;
@@ -87,10 +88,9 @@ static double exact_result(enum precision_rule rule, double a, double b)
     }
 }
 
-/* Returns the exponent of the last bit that the result keeps. It depends only on the
- * exponents of the operands for an upper result. A significant result has the smaller
- * number of significant bits of the two operands, counted from the first bit of the
- * exact result. */
+/* Returns the exponent of the last bit of the exact result that the machine keeps. For
+ * an upper result it depends only on the exponents of the operands. A significant
+ * result keeps as many significant bits as the operand that has fewer. */
 static int last_bit(enum precision_rule rule, bool half, c205_word a, c205_word b,
                     double exact)
 {
@@ -107,8 +107,9 @@ static int last_bit(enum precision_rule rule, bool half, c205_word a, c205_word 
     return ilogb(exact) + 1 - max_int(s, 1);
 }
 
-/* Rounds the exact result as the machine does. All results are rounded down. A quotient
- * is first truncated towards zero at the last bit of the upper quotient. */
+/* Rounds the exact result as the machine does. All results are rounded down at the bit
+ * `last`. A quotient is first truncated towards zero at the last bit of the upper
+ * quotient. */
 static double cut(enum precision_rule rule, double exact, int last,
                   int last_of_quotient)
 {
@@ -117,8 +118,8 @@ static double cut(enum precision_rule rule, double exact, int last,
     return ldexp(floor(ldexp(exact, -last)), last);
 }
 
-/* A loss is reported only if it exceeds this number of bits, compared with a normalised
- * result. */
+/* The number of bits that an operand in integer form may cost without a report,
+ * compared with normalised operands. */
 enum { SPARE = 7 };
 
 bool precision_is_lost(enum precision_rule rule, bool half, c205_word a, c205_word b,

@@ -51,7 +51,8 @@ size_t runtime_errors(const struct runtime_checker *watch)
 
 /* ---- Reports ------------------------------------------------------------ */
 
-/* Returns true if the line has no such warning yet. */
+/* Returns true, and records the report, if the warning was not yet reported for the
+ * line and fewer than MAX_REPORTED reports are recorded. */
 static bool is_new(struct runtime_checker *watch, struct reported reported)
 {
     for (size_t i = 0; i < watch->reported_count; i++)
@@ -75,7 +76,8 @@ static void put(struct runtime_checker *watch, enum warning warning,
     diagnostics_free(&diagnostics);
 }
 
-/* Reports an instruction by its address, for programs without source lines. */
+/* Reports a warning with the address of the instruction, for programs without source
+ * lines. */
 static void put_at_address(struct runtime_checker *watch, const struct site *site,
                            enum warning warning, const char *message)
 {
@@ -141,8 +143,8 @@ static void look_ahead(struct runtime_checker *watch, const c205 *machine)
         watch->direct[i].before(watch, machine, runtime_site(watch, machine, pc));
 }
 
-/* Clears is_entered and is_emptied of the written registers. The result of an
- * instruction like CPSV therefore has a length, even if it is 0. */
+/* Clears is_entered and is_emptied of the registers that the instruction has written.
+ * CPSV sets the length of its result, so this length is intended even if it is 0. */
 static void take_lengths(struct runtime_checker *watch, const c205_event *event)
 {
     for (unsigned r = 0; r < C205_REGISTERS; r++) {
@@ -181,8 +183,8 @@ void runtime_listen(void *context, const c205 *machine, const c205_event *event)
 
 /* ---- The start ---------------------------------------------------------- */
 
-/* Records the registers that an instruction writes: operands w, p, m and k, and results
- * whose length it sets. SWAP may write all registers. */
+/* Records the registers that an instruction writes, according to the letters of its
+ * operands in insn.def. SWAP may write all registers. */
 static void note_writes(struct runtime_checker *watch,
                         const struct instruction_view *view)
 {
@@ -199,8 +201,8 @@ static void note_writes(struct runtime_checker *watch,
         memset(watch->is_written, true, sizeof watch->is_written);
 }
 
-/* Finds the registers that no instruction writes, so they are never set. Without source
- * lines all registers count as written. */
+/* Determines which registers no instruction writes. Reading one of these is probably a
+ * mistake. Without source lines, all registers count as written. */
 void runtime_begin(struct runtime_checker *watch, const c205 *machine)
 {
     const struct object *object = watch->object;

@@ -23,7 +23,8 @@ void runtime_free(struct runtime_checker *watch);
 /* Prepares the checks. Must be called before a machine with the program starts, and
  * after a machine was restored. */
 void runtime_begin(struct runtime_checker *watch, const c205 *machine);
-/* The listener of a checker, which is its context. */
+/* Checks each instruction while the program runs. The context is the struct
+ * runtime_checker. */
 c205_listener runtime_listen;
 
 /* Returns the warnings that occurred, including those that the program declares as

@@ -9,8 +9,8 @@ struct storage_span {
     const char *name;
 };
 
-/* The owners of storage. If several labels have the same address, the last label owns
- * the storage. */
+/* The storage of the labels. If several labels have the same address, the last of them
+ * by name owns the storage. */
 struct storage_map {
     size_t count;
     struct storage_span spans[];

@@ -10,7 +10,8 @@
 
 struct storage_map;
 
-/* Returns a map, or NULL if memory is exhausted. The object must outlive it. */
+/* Returns a map of the storage of the labels, or NULL if memory is exhausted. The
+ * object must outlive it. */
 struct storage_map *storage_map_new(const struct object *object);
 void storage_map_free(struct storage_map *map);
 

@@ -193,7 +193,7 @@ static void print_trap(struct sitting *sitting, const c205_stop *stop)
     report_buffer(&sitting->trial->report, &text);
 }
 
-/* Reports a run that did not end with EXIT, and returns false. */
+/* Returns true if the run ended with EXIT. Otherwise reports why it stopped. */
 static bool check_stop(struct sitting *sitting, const c205_stop *stop)
 {
     if (stop->trap == C205_TRAP_CLOCK_LIMIT)

@@ -143,8 +143,8 @@ static bool is_of(const struct text *text, const char *name, size_t length)
     return text->name && strncmp(text->name, name, length) == 0;
 }
 
-/* Opens the lesson whose texts begin here. Returns the first text of the next folder,
- * or NULL with the error. */
+/* Builds the lesson whose first text is `text`. Returns the first text of the next
+ * lesson, or NULL with the error. */
 static const struct text *open_next(struct lesson *lesson, const struct text *text,
                                     c205_error *error)
 {

@@ -82,12 +82,13 @@ void lessons_free(struct lessons *lessons);
 const struct lesson *lessons_find(const struct lessons *lessons, const char *name,
                                   c205_error *error);
 
-/* Returns the assembled text of a test, or NULL with the error. */
+/* Assembles the text of a test. Returns NULL and sets the error on failure. */
 struct object *lesson_assemble_test(const struct lesson_test *test, c205_error *error);
-/* Returns the label of the answer whose expected data have a label in the test: "y" for
- * "want_y". Returns NULL for the label of an input. */
+/* Returns the label of the results in the answer for a label of the test: "y" for
+ * "want_y". Returns NULL if the label of the test does not begin with "want_". */
 const char *lesson_wanted(const char *label);
-/* Returns true if the symbol is an integer constant, which the answer gets, too. */
+/* Returns true if the symbol is an integer constant. The constants of a test are also
+ * defined for the answer. */
 bool lesson_is_constant(const struct asm_symbol *symbol);
 
 /* ---- Answers --------------------------------------------------------------- */
@@ -128,8 +129,8 @@ struct lesson_verdict {
  * is invalid or memory is exhausted. */
 bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
                   const char *name, const char *text, size_t length, c205_error *error);
-/* Sets the verdict of an answer that cannot be graded. It has not passed, and the
- * reason is its report. lesson is NULL if it is unknown. */
+/* Sets the verdict of an answer that cannot be graded: not passed, with the reason as
+ * its report. lesson is NULL if the lesson is unknown. */
 void lesson_refuse(struct lesson_verdict *verdict, const struct lesson *lesson,
                    const char *name, const char *reason);
 void lesson_verdict_free(struct lesson_verdict *verdict);

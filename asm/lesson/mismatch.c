@@ -35,7 +35,8 @@ static bool is_right(const struct test_item *item, size_t i)
 
 /* ---- Typical mistakes ---------------------------------------------------- */
 
-/* A property of one element of a wrong result, or of the result as a whole. */
+/* Functions that test for a property of one element of a result, or of the whole
+ * result. */
 typedef bool of_element(const struct test_item *item, size_t i);
 typedef bool of_result(const struct test_item *item);
 
@@ -86,8 +87,8 @@ static bool is_chance(const struct test_item *item)
     return item->contents == ASM_BITS && item->count < 16;
 }
 
-/* Returns true if a shift can be recognised. It needs more than two elements, and not
- * all of them equal. */
+/* Returns true if a result that is shifted by one element could be recognised: it has
+ * more than two elements, and they are not all equal. */
 static bool have_places(const struct test_item *item)
 {
     return item->count > 2 && !is_chance(item) && !all(item, is_first);
@@ -196,7 +197,8 @@ static bool lost_bits(const struct test_item *item)
     return !all(item, keeps_bits);
 }
 
-/* Returns true if the first elements are right and all others are unchanged. */
+/* Returns true if only a beginning of the result was computed: some elements from the
+ * first on are right, and all later elements are unchanged. */
 static bool only_begun(const struct test_item *item)
 {
     size_t i = 0;

@@ -160,7 +160,7 @@ static bool check_name(const struct test_note *note, size_t length)
            || refuse(note, "unknown note; expected 'test:', 'goals:' or 'tolerance:'");
 }
 
-/* Reads "; name: text" or .warm. Other lines are ignored. */
+/* Reads a line of a test: a note "; name: text" or .warm. Other lines are ignored. */
 static bool take_line(struct test_note *note)
 {
     size_t length;

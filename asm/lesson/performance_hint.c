@@ -60,7 +60,7 @@ static void print_goal(const struct lesson_trial *trial, struct lesson_report *r
 
 /* ---- The cause ------------------------------------------------------------- */
 
-/* A program with this many instructions must contain a loop. */
+/* An answer that has executed this many instructions must contain a loop. */
 static const uint64_t many = 1000;
 
 static bool is_scalar(const c205_account *all)
