@@ -79,7 +79,8 @@ static uint64_t compared_clocks(const struct compared_run *run, const char *regi
     return account ? accounts_clocks(account) : 0;
 }
 
-/* Lists the regions of the first run, then the regions that only the second run has. */
+/* Returns a table with the clocks of both runs by region: first the regions of the
+ * first run, then those that only the second run has. */
 struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS])
 {
     struct table *table = table_new(TABLE_COLUMNS(region_columns));
@@ -98,7 +99,8 @@ struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS])
     return table;
 }
 
-/* Adds a figure with the same number of decimals as c205 run. */
+/* Adds a row with a figure of both runs and the quotient of the figures. `decimals` is
+ * as in the output of c205 run. */
 static void add_figure(struct table *table, const char *name, int decimals,
                        double first, double second)
 {
@@ -147,8 +149,9 @@ static double difference_of(const struct compared_run runs[COMPARED_RUNS], int c
            - (double)runs[COMPARED_FIRST].all.clocks[cause];
 }
 
-/* Returns the cause with the largest difference of the same sign as `whole`. Ignores
- * the cause `besides`. Returns -1 if there is none. */
+/* Returns the cause whose clocks differ most between the two runs. Only causes whose
+ * difference has the sign of `whole` are considered, and not the cause `besides`.
+ * Returns -1 if there is none. */
 static int largest(const struct compared_run runs[COMPARED_RUNS], double whole,
                    int besides)
 {

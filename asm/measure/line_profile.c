@@ -52,7 +52,7 @@ static bool is_same_row(const struct placed_line *a, const struct placed_line *b
            && strcmp(a->region, b->region) == 0 && a->line->form == b->line->form;
 }
 
-/* Finds the first line with the same row as each line. */
+/* Finds, for each line, the first line that belongs to the same row. */
 static void find_firsts(const struct placed_line *places, size_t count, size_t *first)
 {
     size_t begin = 0;
@@ -63,8 +63,8 @@ static void find_firsts(const struct placed_line *places, size_t count, size_t *
     }
 }
 
-/* Finds the first line with the same place, region and form as each line. The lines are
- * sorted by these, so equal lines are adjacent. They are also sorted by index, so the
+/* Finds, for each line, the first line with the same place, region and form. After
+ * sorting by these, equal lines are adjacent. They are also sorted by index, so the
  * first line comes first. */
 static bool sort_places(const struct object *object, size_t *first)
 {
@@ -178,9 +178,8 @@ static void add_pieces(struct line_profile *profile, const c205_times *times)
     }
 }
 
-/* Computes the clocks of an instruction within which the run stopped. The clock has no
- * record of it yet, so its clocks are the accounts minus all rows. If the run
- * continues, the later record of the instruction contains them. */
+/* Computes the clocks of an instruction within which the run stopped. The accounts of
+ * the machine contain its clocks, but no row does yet. */
 static void add_end(struct line_profile *profile, const c205 *machine)
 {
     struct profile_row *end = &profile->rows[profile->row_count + ROW_END];
@@ -270,8 +269,8 @@ static void put_source(struct table *table, const struct profile_row *row)
     table_text(table, source + strspn(source, " \t"));
 }
 
-/* Writes up to three of the largest causes. Each has at least a tenth of the clocks of
- * the row. */
+/* Writes up to three causes and their clocks, the largest first. A cause is written
+ * only if it has at least a tenth of the clocks of the row. */
 static void put_causes(struct table *table, const struct profile_row *row)
 {
     char text[160] = "";

@@ -20,8 +20,8 @@ struct line_profile;
  * and outlive the profile. */
 struct line_profile *line_profile_new(const struct object *object);
 void line_profile_free(struct line_profile *profile);
-/* The listener of a profile, which is its context. It must be added before the run
- * starts. */
+/* Adds each instruction of a run to a profile. The context is the struct line_profile.
+ * The listener must be added before the run starts. */
 c205_listener line_profile_listen;
 
 /* Adds the counts of another profile of the same object. */
@@ -56,8 +56,8 @@ struct profile_view {
  * cause has a column. Returns NULL if memory is exhausted. */
 struct table *line_profile_table(const struct line_profile *profile,
                                  struct profile_view view, bool in_words);
-/* Shows the table for the format of the results. Its name in JSON is "lines". Returns
- * the exit code. */
+/* Prints the table in the format of the results. In JSON it is the member "lines".
+ * Returns the exit code. */
 int line_profile_show(const struct line_profile *profile, struct profile_view view,
                       const struct command_output *results);
 

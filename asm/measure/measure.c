@@ -104,9 +104,8 @@ static bool is_half(const struct subject *subject, char field)
     return half;
 }
 
-/* Writes the operand for a letter of the syntax. "a" and "[A]" are vectors. A source
- * outside of brackets is the scalar. Half register 2n is the left half of register
- * n. */
+/* Writes the operand for a letter of the syntax. "a" and "[A]" are vectors. A or B
+ * outside of brackets is a scalar. Half register 2n is the left half of register n. */
 static int write_letter(const struct subject *subject, char letter, bool in_brackets,
                         char *text, size_t size)
 {
@@ -194,7 +193,7 @@ static c205_word next_numbers(uint64_t *state, bool half)
                 : C205_ONE | bits >> 18;
 }
 
-/* Returns an index in a table of one page. */
+/* Returns a random index in a table with the length of a page. */
 static c205_word next_index(uint64_t *state)
 {
     return c205_from_integer((int64_t)(next_bits(state) >> 18) % C205_PAGE_WORDS);
@@ -234,10 +233,10 @@ static bool fill_operands(c205 *machine, const struct subject *subject,
 
 /* ---- The runs -------------------------------------------------------- */
 
-/* A machine with operands. one_step: B has one element, for instructions that read all
- * of B for each element of A; the measured rate is then the rate of one element of B.
- * scalar is the number one (left-aligned if it is a half word), or the period of a
- * gather or scatter. */
+/* A machine whose operands are set. one_step gives B a single element, for instructions
+ * that combine each element of A with all of B; otherwise B is as long as A. scalar is
+ * the number one (left-aligned if it is a half word), or the period of a gather or
+ * scatter. */
 struct rig {
     c205 *machine;
     bool one_step;
@@ -265,8 +264,8 @@ static bool run_once(const struct rig *rig, uint64_t entry, size_t length,
     return true;
 }
 
-/* Runs twice and returns the clocks of the second run, in which all pages are
- * resident. */
+/* Measures the clocks of a run. The program runs twice and the second run counts,
+ * because all pages are then resident. */
 static bool measure_clocks(const struct rig *rig, uint64_t entry, size_t length,
                            uint64_t *clocks, c205_error *error)
 {
@@ -303,7 +302,8 @@ static bool measure_points(const struct rig *rig, uint64_t entry, uint64_t last,
     return true;
 }
 
-/* Fits the line. The empty vector is omitted, because it has no stream. */
+/* Fits a line to the clocks of the points. The point with length 0 is ignored, because
+ * an empty vector has no stream, so its clocks need not be on the line. */
 static void fit_line(struct measurement *result)
 {
     struct weighted_point points[MEASURE_POINTS];

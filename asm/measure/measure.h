@@ -43,8 +43,9 @@ bool measure_knows(const char *name);
 bool measure(const c205_model *model, const char *name, struct measurement *result,
              c205_error *error);
 
-/* Returns millions of flops per second, or of results if there are no flops, for the
- * clock period of the model. */
+/* measure_rate returns millions of flops per second at the clock period of the model,
+ * or millions of results if the instruction has no flops. measure_half_length returns
+ * n-half. */
 double measure_rate(const struct measurement *measurement, const c205_model *model);
 double measure_half_length(const struct measurement *measurement);
 

@@ -11,7 +11,8 @@ static uint64_t operations_of(const c205_account *account)
     return account->operations;
 }
 
-/* Fits a line by relative errors. A point with value 0 has weight 0. */
+/* Fits a line that minimises the sum of squared relative errors. A point whose figure
+ * is 0 is ignored. */
 static struct straight_line fit(const struct program_sweep *sweep, int which,
                                 figure_of *figure)
 {

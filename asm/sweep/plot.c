@@ -23,7 +23,8 @@ struct swept_plot {
     char labels[MAX_PLOT_MARKS][LABEL];
 };
 
-/* Adds a mark. Returns the buffer of its label, which the caller writes. */
+/* Adds a mark to the axis of the plot. The caller writes its label to the returned
+ * buffer. */
 static char *new_mark(struct swept_plot *plot, double at)
 {
     char *label = plot->labels[plot->mark_count];

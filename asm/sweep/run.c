@@ -182,7 +182,8 @@ static bool halve(struct program_sweep *sweep, c205_error *error)
     return true;
 }
 
-/* Makes one step of the search. Sets *over if there are no more crossings. */
+/* Makes one step of the search for crossings. Sets *over to true if there are no
+ * more. */
 static bool search(struct program_sweep *sweep, bool *over, c205_error *error)
 {
     if (sweep->inside)

@@ -31,8 +31,8 @@ struct swept_range {
 bool swept_take_range(const char *text, struct swept_range *range);
 /* Computes the values of a range. A range with a step or factor has all of its values.
  * Another range has at most `points` values, including both ends, in a constant ratio
- * except for rounding. 0 points: 8 per octave, at most 25. Returns the number of
- * values, or 0 if it would exceed MAX_SWEPT_POINTS. */
+ * except for rounding. If points is 0, there are 8 values per octave, but at most 25.
+ * Returns the number of values, or 0 if it would exceed MAX_SWEPT_POINTS. */
 size_t swept_values(const struct swept_range *range, size_t points,
                     uint64_t values[MAX_SWEPT_POINTS]);
 
@@ -46,7 +46,8 @@ struct swept_point {
     c205_account runs[SWEPT_PROGRAMS]; /* sum over all regions */
 };
 
-/* A value at which the faster program changes. */
+/* A value of the constant at which the other program becomes the faster one. `faster`
+ * is true if it is the second program. */
 struct swept_crossing {
     struct swept_point at;
     bool faster;
@@ -65,8 +66,8 @@ struct program_sweep {
     const c205_model *model;
     const struct asm_options *options; /* the constant of the sweep is added to its
                                           constants, at most MAX_SWEPT_DEFINES */
-    /* Whether all pages are in memory at the start, or none. If both are false, the
-     * program determines it. */
+    /* warm: all pages are in memory at the start. cold: no page is. If both are false,
+     * the program determines it. */
     bool warm, cold;
     uint64_t clocks_most; /* limit of a run in clocks */
     struct sink report;   /* receives the messages of the assembler */
@@ -103,8 +104,8 @@ void swept_free(struct program_sweep *sweep);
 /* ---- The line -------------------------------------------------------------- */
 
 /* A line t = startup + value / r, in clocks, with the smallest sum of squared relative
- * errors. Absolute errors would be unsuitable, because n-half depends on short vectors.
- * An error of 0.1 % for a long vector would exceed all of their clocks.
+ * errors. Absolute errors would be unsuitable, because n-half depends on short vectors:
+ * an error of 0.1 % for a long vector exceeds all clocks of a short vector.
  *
  *   r-infinity = values per clock for long vectors
  *   n-half     = startup x r, the value with half of this rate
@@ -119,14 +120,14 @@ struct swept_line {
     bool grows; /* the last point takes more clocks than the first point */
     bool good;  /* grows, and no point deviates by more than SWEPT_FAR */
 };
-/* No line is reported if a point deviates from it by more than this part of its
- * clocks. */
+/* The largest relative deviation of a point from the fitted line. If a point deviates
+ * more, no line is reported. */
 #define SWEPT_FAR 0.05
 
 struct swept_line swept_line_of(const struct program_sweep *sweep, int which);
 double swept_half_length(const struct swept_line *line);
-/* Returns the exponent of a power of the value that approximates the clocks in the last
- * octave. */
+/* Returns the exponent k for which the clocks grow approximately as value^k over the
+ * last octave of the points. */
 double swept_power(const struct program_sweep *sweep, int which);
 
 /* ---- Tables --------------------------------------------------------------- */
@@ -147,8 +148,8 @@ struct table *swept_crossings(const struct program_sweep *sweep);
 
 enum { SWEPT_TITLE = 160 };
 void swept_title(const struct program_sweep *sweep, char title[SWEPT_TITLE]);
-/* Draws the points, lines, half lengths, and crossings that have room. Returns false if
- * memory is exhausted. */
+/* Draws the points, the fitted lines, their half lengths, and as many crossings as have
+ * room. Returns false if memory is exhausted. */
 bool swept_svg(const struct program_sweep *sweep, const char *title,
                const struct sink *sink, c205_error *error);
 

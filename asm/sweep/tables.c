@@ -79,7 +79,8 @@ struct table *swept_causes(const struct program_sweep *sweep)
     return table;
 }
 
-/* Adds the line of a program. If there is no line, adds only its largest deviation. */
+/* Adds a row with the line of a program. If its points are not on a line, the row has
+ * only the largest deviation. */
 static void add_line(struct table *table, const struct program_sweep *sweep, int which)
 {
     struct swept_line line = swept_line_of(sweep, which);
