@@ -83,7 +83,8 @@ static bool lies_in(uint64_t address, const c205_segment *segment)
     return address >= segment->address && address < end_of(segment);
 }
 
-/* Returns the next address that an instruction must not cross. */
+/* Returns the next address at which an instruction must begin: the entry, a bound of a
+ * region, or the end of the segment. */
 static uint64_t next_stop(const c205_program *program, const c205_segment *segment,
                           uint64_t address)
 {
@@ -116,7 +117,8 @@ static c205_word word_at(const c205_segment *segment, uint64_t address)
 typedef void visit(struct disassembler *, const c205_segment *, uint64_t address,
                    unsigned halves, const char *text);
 
-/* Calls the visitor for every instruction of a segment and its text. */
+/* Calls the visitor for every instruction of a segment, with its address, length and
+ * text. */
 static void walk(struct disassembler *disassembler, const c205_segment *segment,
                  visit *visitor)
 {
@@ -168,8 +170,8 @@ static void open_region(struct disassembler *disassembler, const c205_region *re
     disassembler->region = region;
 }
 
-/* Ends and starts regions at an address. Regions that overlap others or leave their
- * segment cannot be written and are omitted. */
+/* Writes the directives that end and start regions at an address. A region that
+ * overlaps another or leaves its segment cannot be written and is omitted. */
 static void turn_region(struct disassembler *disassembler, const c205_segment *segment,
                         uint64_t address)
 {
@@ -301,7 +303,8 @@ static void sort_labels(struct labels *labels)
     labels->count = count;
 }
 
-/* Returns true if a line of the text starts at the address. */
+/* Returns true if the disassembly has a line at the address, so the line can have a
+ * label. */
 static bool can_be_labelled(const struct disassembler *disassembler, uint64_t address)
 {
     const c205_program *program = disassembler->program;

@@ -10,7 +10,7 @@
 
 #include "asm/object/object.h"
 
-/* Writes the program. Returns false if memory is exhausted. */
+/* Writes the program as text of the assembler. Returns false if memory is exhausted. */
 bool disassemble(const struct object *object, const struct sink *sink);
 
 enum { DISASSEMBLE_TEXT_SIZE = TEXT_LINE_SIZE };

@@ -50,7 +50,7 @@ struct asm_expectation {
     size_t line;
 };
 
-/* Returns the name of a kind in object files. */
+/* Returns the keyword for a kind of expectation in object files. */
 const char *expectation_name(enum expectation_kind kind);
 
 #endif

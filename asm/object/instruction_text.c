@@ -94,8 +94,8 @@ static void write_source(struct writer *writer, const struct operand *operand)
     sink_print(&writer->sink, "%s%s", bare ? "" : "]", magnitude ? "|" : "");
 }
 
-/* Writes a branch target. The distance to a target outside of the address space is not
- * copied to `written`, because the text cannot express it. */
+/* Writes a branch target. The distance of a target outside of the address space is not
+ * stored in `written`, the fields that the text expresses. */
 static void write_target(struct writer *writer)
 {
     uint64_t target = writer->address + (uint64_t)writer->fields.immediate * HALF_BITS;
@@ -118,7 +118,7 @@ static bool holds_address(const struct operand *operand)
 }
 
 /* Writes an immediate, as an address if it can be one. A value out of range is not
- * copied to `written`. */
+ * stored in `written`, the fields that the text expresses. */
 static void write_immediate(struct writer *writer, const struct operand *operand)
 {
     int64_t value = writer->fields.immediate;
@@ -146,8 +146,8 @@ static void write_operand(struct writer *writer, const struct operand *operand)
     }
 }
 
-/* Returns true if an optional control vector is absent: its register is 0, and ones
- * select. */
+/* Returns true if the operand is an optional control vector that the instruction does
+ * not use: its register is r0, and G does not select elements by zero bits. */
 static bool is_absent(const struct writer *writer, const struct operand *operand)
 {
     return operand->kind == OPERAND_CONTROL && operand->may_be_left_out

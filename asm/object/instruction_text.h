@@ -24,8 +24,8 @@ void label_write(const struct labels *labels, uint64_t address,
                  const struct sink *sink);
 
 /* Writes the instruction in the high part of a word, with labels for addresses.
- * available is the number of half words in memory. Returns the number of half words of
- * the instruction. */
+ * available is the number of half words that it may occupy; a longer instruction is
+ * written as .half. Returns the length in half words. */
 unsigned instruction_write(c205_word word, uint64_t address, unsigned available,
                            const struct labels *labels, const struct sink *sink);
 /* Returns true and sets *target if the instruction branches to an address or enters an

@@ -104,12 +104,11 @@ void object_free(struct object *object);
 const struct asm_line *object_line(const struct object *object, uint64_t address);
 /* Returns the segment that contains an address and has words, or NULL. */
 const c205_segment *object_segment(const struct object *object, uint64_t address);
-/* Returns true if a segment is code, which contains the entry or the start of a
- * region. */
+/* Returns true if a segment is code: it contains the entry or the start of a region. */
 bool object_is_code(const struct object *object, const c205_segment *segment);
 /* Returns the name of the region that contains an address, or "". */
 const char *object_region(const struct object *object, uint64_t address);
-/* Returns the region of a name, or NULL. */
+/* Returns the region with the given name, or NULL. */
 const c205_region *object_region_named(const struct object *object, const char *name);
 /* Returns true if a line belongs to a macro that another line calls. */
 bool asm_line_is_called(const struct asm_line *line);
@@ -117,11 +116,12 @@ bool asm_line_is_called(const struct asm_line *line);
 bool asm_place_is(const struct asm_place *place, const char *file, size_t number);
 /* Returns the source position of a line. */
 struct position asm_line_position(const struct asm_line *line);
-/* Returns the symbol of a name, or NULL. */
+/* Returns the symbol with the given name, or NULL. */
 const struct asm_symbol *object_symbol(const struct object *object, const char *name);
 /* Returns the first label at an address, in the order of names, or "". */
 const char *object_label(const struct object *object, uint64_t address);
-/* Returns the last name of a register or half register in the program, or "". */
+/* Returns the name that the program declares for a register or half register, or "" if
+ * it declares none. If there are several names, returns the last. */
 const char *object_register_name(const struct object *object, unsigned number,
                                  bool half);
 

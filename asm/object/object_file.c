@@ -25,7 +25,8 @@ const char *expectation_name(enum expectation_kind kind)
     return names[kind];
 }
 
-/* Writes a name. It ends its line, so "?" replaces control characters. */
+/* Writes a name and a newline. Control characters are replaced by "?", because a
+ * newline in the name would end the line of the object file. */
 static void put_name(const struct sink *sink, const char *name)
 {
     for (; *name; name++)
@@ -118,8 +119,8 @@ struct object *object_load(const char *path, c205_error *error)
     return object;
 }
 
-/* Checks that a program has instructions. The entry of a program without instructions
- * is the default start of the code. */
+/* Checks that a program has instructions. The entry of an empty program is the default
+ * start of the code, CODE_ORIGIN, so only this entry is checked. */
 bool object_check(const struct object *object, c205_error *error)
 {
     const c205_program *program = &object->program;

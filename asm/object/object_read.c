@@ -245,7 +245,8 @@ static bool read_tolerance(struct object_reader *reader, struct asm_expectation 
            && take_hex(reader, &made->tolerance);
 }
 
-/* Returns the number of words that follow the line. */
+/* Returns the number of words that follow the line of an expectation in an object
+ * file. */
 static size_t words_of(const struct asm_expectation *expectation)
 {
     if (expectation->kind == EXPECT_BITS)

@@ -80,8 +80,8 @@ static const struct format_rule *find_rule(c205_format format)
     return NULL;
 }
 
-/* Sets the bits of G for signs. A and B may have a magnitude, and only A may have a
- * minus. */
+/* Sets the bits of G that select the sign of an operand. |A| and |B| are possible, but
+ * only A can be negated. */
 static void add_sign(struct operand *operand, const c205_insn *insn, char letter)
 {
     if (!(insn->flags & C205_INSN_SIGN)
@@ -95,9 +95,9 @@ static void add_sign(struct operand *operand, const c205_insn *insn, char letter
     }
 }
 
-/* Reads "[R, S]", "[A+X]" or "[R]". A result vector may have an offset, which is in
- * register C+1, unless its bit of G means that Z is given. Returns the end of the
- * operand, and advances over its letters. */
+/* Reads an operand in brackets: "[R, S]", "[A+X]" or "[R]". A result vector may have an
+ * offset in register C+1, but not in instructions whose Z can be given (letter g in
+ * insn.def). Returns the end of the operand, and advances over its letters. */
 static const char *read_bracket(struct operand *operand, const char *at,
                                 const c205_insn *insn, const char **letter)
 {
@@ -126,8 +126,8 @@ static void read_source(struct operand *operand, char field)
                                                : C205_G_BROADCAST_B;
 }
 
-/* Returns true if a register without brackets is a half register. With ",H" some
- * letters count as capitals (insn.def). */
+/* Returns true if an operand without brackets is a half register: its letter in
+ * insn.def is a capital, or is treated as a capital because of ",H". */
 static bool is_half(const struct operand *operand, const c205_insn *insn, char letter,
                     bool half)
 {

@@ -45,8 +45,8 @@ struct object *assemble_bytes(const char *name, const char *text, size_t length,
                               const struct asm_options *options,
                               struct diagnostics *diagnostics);
 
-/* Returns true if a diagnostic reports that the text redefines a name of the
- * options. */
+/* Returns true if a diagnostic reports that the text redefines the name, which the
+ * options define. */
 bool asm_is_redefined(const struct diagnostic *diagnostic, const char *name);
 
 /* Returns the name of directive i, or NULL after the last. */

@@ -237,8 +237,8 @@ struct assembler {
  * the whole line. The reporting functions of error.c return false. */
 bool report(struct assembler *assembler, const struct line *line, const char *at,
             const char *format, ...) PRINTF_FORMAT(4, 5);
-/* Records a warning. It is reported at the end unless it is disabled or declared as
- * intended. */
+/* Records a warning. It is reported at the end of the assembly, unless it is disabled
+ * or declared as intended. */
 void warn(struct assembler *assembler, enum warning warning, const struct line *line,
           const char *at, const char *format, ...) PRINTF_FORMAT(5, 6);
 /* Reports the recorded warnings. Returns the set of all warnings, even if not
@@ -248,10 +248,10 @@ bool report_file(struct diagnostics *diagnostics, const char *file,
                  const char *message);
 bool too_many_errors(const struct assembler *assembler);
 
-/* Returns the symbol of a name, and adds it if it is new (symbol.c). */
+/* Returns the symbol with the given name, and adds it if it is new (symbol.c). */
 struct symbol *symbol_intern(struct assembler *assembler, const char *name,
                              size_t length);
-/* Returns the symbol of a name, or NULL if the name was never used. */
+/* Returns the symbol with the given name, or NULL if the name was never used. */
 struct symbol *symbol_find(const struct assembler *assembler, const char *name,
                            size_t length);
 bool symbol_define(struct assembler *assembler, const struct line *line, const char *at,
@@ -260,11 +260,11 @@ bool symbol_define(struct assembler *assembler, const struct line *line, const c
 /* Parses a line of the expander to items and symbols (parse.c). */
 bool parse_line(struct assembler *assembler, const struct line *line);
 
-/* Warns of code that continues where there is no code (fallthrough.c). */
+/* Warns if execution can run past the end of the code (fallthrough.c). */
 void check_ends(struct assembler *assembler);
 
-/* layout.c. layout_end returns the address after an item; layout_sort sorts items by
- * address. */
+/* layout_end returns the address after an item. layout_sort sorts the items by address
+ * (layout.c). */
 uint64_t layout_end(const struct layout_item *item);
 void layout_sort(struct assembler *assembler);
 
@@ -272,7 +272,7 @@ void layout_sort(struct assembler *assembler);
  * errors of values are reported (encode.c). */
 bool encode_segments(struct assembler *assembler, struct storage *storage);
 
-/* Returns the object, or NULL after errors (build.c). */
+/* Builds the object from the items and symbols. Returns NULL after errors (build.c). */
 struct object *build_object(struct assembler *assembler);
 
 #endif

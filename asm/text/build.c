@@ -60,9 +60,9 @@ static bool add_symbols(struct assembler *assembler, struct storage *storage)
     return !storage->arena.failed;
 }
 
-/* Stores the place of a line. The previous code has the place of the line `before`, or
- * NULL. Many macro calls can produce a line of a macro, so its source is the text of the
- * definition. */
+/* Stores the place of a line. `before` is the line of the previous code, or NULL. The
+ * source of a line of a macro is the text of the definition, because each call of the
+ * macro can produce another text. */
 static struct asm_place keep_place(struct storage *storage, const struct line *line,
                                    const struct line *before)
 {
@@ -76,7 +76,7 @@ static struct asm_place keep_place(struct storage *storage, const struct line *l
     };
 }
 
-/* Adds the line of an item. The item before it is NULL if there is none. */
+/* Adds the source line of an item. `before` is the previous item, or NULL. */
 static bool add_line(struct storage *storage, const struct layout_item *item,
                      const struct layout_item *before)
 {
