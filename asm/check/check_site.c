@@ -329,7 +329,7 @@ static void before_vector(struct runtime_checker *watch, const c205 *machine,
         check_numbers(watch, machine, site);
 }
 
-/* Checks that results whose length the instruction has set fit in their storage. */
+/* Checks that a result fits in its storage if the instruction has set its length. */
 static void after_vector(struct runtime_checker *watch, const c205 *machine,
                          struct site *site)
 {

@@ -118,8 +118,8 @@ static double cut(enum precision_rule rule, double exact, int last,
     return ldexp(floor(ldexp(exact, -last)), last);
 }
 
-/* The number of bits that an operand in integer form may cost without a report,
- * compared with normalised operands. */
+/* A loss of at most this number of bits, compared with normalised operands, is not
+ * reported. */
 enum { SPARE = 7 };
 
 bool precision_is_lost(enum precision_rule rule, bool half, c205_word a, c205_word b,

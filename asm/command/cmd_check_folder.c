@@ -253,10 +253,10 @@ static void take_student(struct handed_in *all, const char *name, const char *pa
         refuse(all, name, all->check->lesson, path, "no answer was found");
 }
 
-/* Returns the name of the student whose file is not in a folder of a student. All files
- * are STUDENT.s if the arguments name a lesson. Otherwise, a name without an ending is
- * a student, and the student of LESSON.s is unknown: the result is empty. The caller
- * frees it. */
+/* Returns the name of the student of a file that is not in the folder of a student. The
+ * file is STUDENT.s if all answers are to the lesson `asked`, and may be STUDENT
+ * without an ending. The student of LESSON.s is unknown, so the result is empty. The
+ * caller frees it. */
 static struct text_buffer student_of(const char *name, const struct lesson *asked)
 {
     struct text_buffer student = { 0 };

@@ -175,9 +175,9 @@ static void put_stream(const c205_insn *insn, const c205_model *model,
     }
 }
 
-/* Prints the clocks of a scalar instruction: for a branch, the clocks lost after its
- * issue if it is taken; for a swap, the clocks of each word; for others, the clocks
- * until the result and until the unit is free. */
+/* Prints the clocks of a scalar instruction: until the result is available, and until
+ * the unit is free. For a taken branch, prints the clocks lost; for a swap, also the
+ * clocks of each word. */
 static void put_latency(const c205_insn *insn, const c205_model *model,
                         const c205_constant *latency, const c205_constant *busy)
 {

@@ -277,7 +277,7 @@ static const char *padding_rule(const c205_insn *insn)
                                   : "continues with zero words";
 }
 
-/* Describes the effect of the control vector on blocked elements. */
+/* Describes the effect of the control vector on elements that it does not select. */
 static const char *control_rule(const c205_insn *insn)
 {
     if (!has_operand(insn, "z"))

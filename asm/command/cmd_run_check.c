@@ -13,7 +13,8 @@
 #include "asm/view/print.h"
 #include "base/named_model.h"
 
-/* Limit of clocks. A program fails if it exceeds the limit. */
+/* Default limit of the clocks of a test program. A program that exceeds the limit
+ * fails. */
 static const uint64_t patience = 100000000;
 
 struct checker {

@@ -268,9 +268,9 @@ static int cmd_time(void *given)
                               : CMD_FAILED);
 }
 
-/* Returns the choice with a number for the completion of MNEMONIC: a vector instruction
- * or the triad. Returns "" if the instruction cannot be measured, and NULL after the
- * last. */
+/* Returns choice `number` for the completion of MNEMONIC: a vector instruction or the
+ * triad. Returns "" if the instruction cannot be measured, and NULL after the last
+ * choice. */
 static const char *measured_choice(size_t number)
 {
     if (number > c205_insn_count)

@@ -100,7 +100,7 @@ struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS])
 }
 
 /* Adds a row with a figure of both runs and the quotient of the figures. `decimals` is
- * as in the output of c205 run. */
+ * the number of decimals, the same as in c205 run. */
 static void add_figure(struct table *table, const char *name, int decimals,
                        double first, double second)
 {

@@ -139,7 +139,7 @@ bool dap_check(struct dap *dap, const char *owner, const struct json_value *obje
 bool dap_fault(struct dap *dap, const char *format, ...) PRINTF_FORMAT(2, 3);
 /* Writes the reports since the last call as a member of an object. */
 void dap_put_said(struct dap *dap, struct json *json, const char *key);
-/* Returns a sink that appends to the reports. */
+/* Returns a sink that appends to dap->said, the reports of the current request. */
 struct sink dap_output_sink(struct dap *dap);
 
 /* The body of an event or response is written between event_begin and event_end.

@@ -119,8 +119,8 @@ void text_cursor_text(const char *from, const struct text_cursor *cursor,
 
 bool debug_value(struct debugger *debugger, struct text_cursor *cursor,
                  struct value_of *value);
-/* debug_grammar checks that the text is an expression, without reading registers or
- * memory. debug_address and debug_count evaluate an expression that must be an address
+/* debug_grammar checks that the text is an expression, whatever registers and memory
+ * contain. debug_address and debug_count evaluate an expression that must be an address
  * or a count. */
 bool debug_grammar(struct debugger *debugger, struct text_cursor *cursor);
 bool debug_address(struct debugger *debugger, struct text_cursor *cursor,
@@ -185,8 +185,8 @@ bool place_address(struct debugger *debugger, struct text_cursor *cursor,
                    uint64_t *address);
 bool place_code(struct debugger *debugger, struct text_cursor *cursor,
                 uint64_t *address);
-/* Returns the program counter when the instruction at an address is executed. It is the
- * address of the LINKV for an instruction of a linked pair. */
+/* Returns the program counter at which an instruction is executed: the address of the
+ * LINKV if the instruction belongs to a linked pair, otherwise its own address. */
 uint64_t place_of(const struct debugger *debugger, uint64_t address);
 /* Returns true if code of a source line, or of a macro called there, begins at an
  * address. */

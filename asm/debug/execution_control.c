@@ -122,8 +122,8 @@ static const struct asm_line *line_here(const struct debugger *debugger)
     return object_line(debugger->setup.object, pc_of(debugger));
 }
 
-/* Returns true if the current instruction is a later instruction of an expansion of the
- * given line: it is shown at this line, but is not the first of the expansion. */
+/* Returns true if the current instruction belongs to an expansion of the given line and
+ * is not the first instruction of this expansion. */
 static bool is_behind_beginning(const struct debugger *debugger,
                                 const struct asm_line *line)
 {

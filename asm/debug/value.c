@@ -376,7 +376,8 @@ static bool read_hex(struct reading *reading, struct value_of *value)
     return true;
 }
 
-/* Reads an address. A descriptor with a length is rejected; its address is NAME.i. */
+/* Reads an address. A descriptor with a length is rejected; the user must write NAME.i
+ * for its address. */
 static bool read_address(struct debugger *debugger, struct reading *reading,
                          struct value_of *value, uint64_t *address)
 {

@@ -93,7 +93,7 @@ bool lesson_is_constant(const struct asm_symbol *symbol);
 
 /* ---- Answers --------------------------------------------------------------- */
 
-/* The sentences of a report on an answer. Source lines of the answer may follow a
+/* A report on an answer, as sentences. Source lines of the answer may follow a
  * sentence. */
 struct lesson_report {
     size_t count, capacity;

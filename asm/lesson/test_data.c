@@ -110,9 +110,9 @@ static void begin_wanted(struct lesson_test_data *test_data, struct test_item *i
         get_elements(test_data->data, item->expected_at, item, item->expected);
 }
 
-/* Lists the data at a label of the test as an item, either an input or expected
- * results. Returns false with a report if the answer has no suitable label for results,
- * or if the data of its label are unsuitable. */
+/* Adds an item for the data at a label of the test: an input, or expected results.
+ * Returns false with a report if the answer has no label for results, or if its label
+ * has other data. */
 static bool begin_label(struct lesson_test_data *test_data,
                         const struct asm_symbol *ours)
 {

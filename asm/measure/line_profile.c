@@ -63,9 +63,8 @@ static void find_firsts(const struct placed_line *places, size_t count, size_t *
     }
 }
 
-/* Finds, for each line, the first line with the same place, region and form. After
- * sorting by these, equal lines are adjacent. They are also sorted by index, so the
- * first line comes first. */
+/* Finds, for each line, the first line with the same place, region and form. The lines
+ * are sorted by these and then by index, so the first of equal lines comes first. */
 static bool sort_places(const struct object *object, size_t *first)
 {
     size_t count = object->line_count;

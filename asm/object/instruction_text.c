@@ -146,8 +146,8 @@ static void write_operand(struct writer *writer, const struct operand *operand)
     }
 }
 
-/* Returns true if the operand is an optional control vector that the instruction does
- * not use: its register is r0, and G does not select elements by zero bits. */
+/* Returns true if the operand is an optional control vector that the text omits: its
+ * register is r0, and G does not select elements by zero bits. */
 static bool is_absent(const struct writer *writer, const struct operand *operand)
 {
     return operand->kind == OPERAND_CONTROL && operand->may_be_left_out

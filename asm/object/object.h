@@ -47,7 +47,8 @@ struct asm_place {
     bool begins; /* the previous words are not code of the same expansion of the line */
 };
 
-/* The addresses of the words of a statement, for listings, debuggers and profiles. */
+/* The addresses of the words of a statement and its source line, for listings,
+ * debuggers and profiles. */
 struct asm_line {
     uint64_t address;
     uint64_t halves;

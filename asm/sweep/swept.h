@@ -120,8 +120,8 @@ struct swept_line {
     bool grows; /* the last point takes more clocks than the first point */
     bool good;  /* grows, and no point deviates by more than SWEPT_FAR */
 };
-/* The largest relative deviation of a point from the fitted line. If a point deviates
- * more, no line is reported. */
+/* A line is not reported if a point deviates from it by more than this fraction of its
+ * clocks. */
 #define SWEPT_FAR 0.05
 
 struct swept_line swept_line_of(const struct program_sweep *sweep, int which);

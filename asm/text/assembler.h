@@ -241,8 +241,8 @@ bool report(struct assembler *assembler, const struct line *line, const char *at
  * or declared as intended. */
 void warn(struct assembler *assembler, enum warning warning, const struct line *line,
           const char *at, const char *format, ...) PRINTF_FORMAT(5, 6);
-/* Reports the recorded warnings. Returns the set of all warnings, even if not
- * reported. */
+/* Reports the recorded warnings. Returns the set of all recorded warnings, including
+ * those that are not reported. */
 warning_set report_pending_warnings(struct assembler *assembler);
 bool report_file(struct diagnostics *diagnostics, const char *file,
                  const char *message);
