@@ -228,7 +228,8 @@ static void set_entry(struct assembler *assembler, struct storage *storage)
     storage->object.program.entry = entry;
 }
 
-/* Fills the object. Continues after errors, so all errors of values are reported. */
+/* Stores the words, symbols and lines in the object. Continues after errors in values,
+ * so that all of them are reported. */
 static bool fill_storage(struct assembler *assembler, struct storage *storage)
 {
     return encode_segments(assembler, storage) && add_regions(assembler, storage)

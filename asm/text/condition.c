@@ -9,7 +9,7 @@ bool condition_skips(const struct expander *expander)
     return depth > 0 && !expander->conditions[depth - 1].active;
 }
 
-/* Reports open conditions without .endif at the end of a text. */
+/* Reports the conditions that lack an .endif at the end of a text. */
 void condition_close(struct expander *expander, unsigned depth)
 {
     while (expander->condition_depth > depth) {

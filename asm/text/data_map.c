@@ -35,8 +35,8 @@ static size_t find_address(const uint64_t *addresses, size_t count, uint64_t add
     return low;
 }
 
-/* Sets the type and the count of a label. They include all items of one type without a
- * gap from its address up to `end`. */
+/* Sets the data type and the number of elements at a label. The data of a label are the
+ * adjacent items of one type from its address up to `end`. */
 static void set_type(const struct assembler *assembler, struct asm_symbol *symbol,
                      size_t first, uint64_t end)
 {

@@ -1,4 +1,4 @@
-/* data_map.h - the types and numbers of data at the labels of a program. */
+/* data_map.h - finds the type and the number of data at each label of a program. */
 #ifndef ASM_DATA_MAP_H
 #define ASM_DATA_MAP_H
 

@@ -79,7 +79,7 @@ static c205_word encode_descriptor(struct assembler *assembler,
     return (c205_word)length << ADDRESS_BITS | address;
 }
 
-/* Encodes a half of a word. It accepts signed and unsigned integers of 32 bits. */
+/* Encodes a half word. It accepts signed and unsigned integers of 32 bits. */
 static c205_word encode_half(struct assembler *assembler,
                              const struct layout_item *item)
 {
@@ -89,7 +89,7 @@ static c205_word encode_half(struct assembler *assembler,
     return (c205_word)integer << HALF_BITS;
 }
 
-/* Returns the word of an item. The value of an item of one half is in the high half. */
+/* Returns the word of an item. The value of a half-word item is in the high half. */
 static c205_word encode_one(struct assembler *assembler, const struct layout_item *item)
 {
     c205_word word = 0;

@@ -34,7 +34,7 @@ static struct expansion *push(struct expander *expander, const struct line *line
     return frame;
 }
 
-/* Pushes the expansion of a body, which a line of a macro call or .rept produces. */
+/* Pushes the body of a macro or .rept. line is the line that calls it. */
 static struct expansion *push_body(struct expander *expander, const struct line *line,
                                    enum frame_kind kind, const struct macro *body)
 {
@@ -60,7 +60,8 @@ static void push_source(struct expander *expander, const struct line *line,
     }
 }
 
-/* Starts the next repetition. If there is none, pops the text and returns false. */
+/* Starts the next repetition of a .rept. After the last one, pops the text on top of
+ * the stack and returns false. */
 static bool repeat_or_pop(struct expander *expander)
 {
     struct expansion *frame = &expander->frames[expander->depth - 1];
@@ -329,8 +330,8 @@ static const struct macro *find_macro(const struct expander *expander,
 
 /* ---- The pass ---- */
 
-/* Returns the labels before a directive of this pass as a line, and stores the
- * directive for the next call. */
+/* Returns the labels before a directive or macro call as a line, and stores the rest of
+ * the line for the next call. */
 static const struct line *split(struct expander *expander, const struct line *line,
                                 const char *at)
 {
@@ -344,8 +345,9 @@ static const struct line *split(struct expander *expander, const struct line *li
     return &halves[0];
 }
 
-/* Executes a directive of this pass and returns NULL. Any other line is returned for
- * the parser. */
+/* Executes a directive of this pass or a macro call, and returns NULL. If labels come
+ * before it, it is executed at the next call. Labels and all other lines are returned
+ * for the parser. */
 static const struct line *obey(struct expander *expander, const struct line *line)
 {
     struct cursor cursor = cursor_start(expander->assembler, line);

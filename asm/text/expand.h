@@ -18,7 +18,7 @@ struct expansion {
     const char *name;
     const char *at, *end;
     size_t number;
-    /* For the other kinds, up to repeats: */
+    /* For FRAME_MACRO and FRAME_REPEAT, the members from call to repeats: */
     struct call *call;
     const struct macro *body;
     size_t next;
@@ -53,8 +53,8 @@ struct expander *expander_new(struct assembler *assembler,
 /* Returns the next line for the parser, or NULL at the end. */
 const struct line *expander_next(struct expander *expander);
 
-/* Executes .if and similar directives. Returns false if the next token is another token
- * (condition.c). */
+/* Executes .if and similar directives. Returns false if the next token is not such a
+ * directive (condition.c). */
 bool condition_directive(struct expander *expander, struct cursor *cursor);
 bool condition_names(const struct token *token);
 bool condition_skips(const struct expander *expander);

@@ -215,8 +215,8 @@ static bool is_equation(const char *at, const char *end)
     return at < end && *at == '=';
 }
 
-/* Returns true if the text after the word has the form of an expectation. Prose does
- * not have this form. */
+/* Returns true if the text after a word that resembles "expect" has the form of an
+ * expectation. Prose does not have this form. */
 static bool goes_on(const char *at, const char *end, bool dashed)
 {
     at = skip_blanks(at, end);

@@ -156,7 +156,7 @@ static const struct expression *parse_here(struct cursor *cursor)
     return node;
 }
 
-/* Returns true if the token is a name before a bracket. */
+/* Returns true if the token is a name before an opening parenthesis. */
 static bool is_call(const struct token *token)
 {
     const char *at = token->end;

@@ -13,24 +13,25 @@
 
 struct expression;
 
-/* Parses an expression. Returns NULL after a report. */
+/* Parses an expression. After an error it reports the error and returns NULL. */
 const struct expression *parse_expression(struct cursor *cursor);
 
 bool evaluate(struct assembler *assembler, const struct line *line,
               const struct expression *expression, struct value *value);
-/* Evaluates to an integer. A floating-point number is an error. */
+/* Evaluates an expression to an integer. A floating-point number is an error. */
 bool evaluate_integer(struct assembler *assembler, const struct line *line,
                       const struct expression *expression, int64_t *integer);
-/* Evaluates to an integer from low to high. `what` describes the integer in an
- * error. */
+/* Evaluates an expression to an integer from low to high. `what` describes the integer
+ * in an error. */
 bool evaluate_range(struct assembler *assembler, const struct line *line,
                     const struct expression *expression, int64_t low, int64_t high,
                     const char *what, int64_t *integer);
-/* Evaluates to a word of memory. An integer has exponent 0. */
+/* Evaluates an expression to a word of memory. An integer becomes a number with
+ * exponent 0. */
 bool evaluate_word(struct assembler *assembler, const struct line *line,
                    const struct expression *expression, c205_word *word);
-/* Evaluates to a half word, left-aligned in *half. An integer has exponent 0; a
- * word must fit 32 bits. */
+/* Evaluates an expression to a half word, left-aligned in *half. An integer becomes a
+ * number with exponent 0. A word must fit 32 bits. */
 bool evaluate_half(struct assembler *assembler, const struct line *line,
                    const struct expression *expression, c205_word *half);
 bool evaluate_address(struct assembler *assembler, const struct line *line,

@@ -1,4 +1,4 @@
-/* fallthrough.c - warns of code that continues where there is no code. */
+/* fallthrough.c - warns if a program can continue at an address without code. */
 #include "asm/text/expression.h"
 
 /* Returns true if the item is EXIT with request 0, the default request. */
@@ -13,7 +13,7 @@ static bool ends_program(struct assembler *assembler, const struct layout_item *
                && value.bits == 0);
 }
 
-/* Returns true if the instruction branches for any values of registers. */
+/* Returns true if the instruction branches whatever the registers contain. */
 static bool always_branches(const c205_insn *insn)
 {
     return insn->format == C205_FORMAT_JUMP
@@ -36,8 +36,9 @@ static bool expects_trap(const struct assembler *assembler)
     return false;
 }
 
-/* Warns of code that continues where there is no code. The items must be sorted by
- * address. A program that expects a trap is not checked. */
+/* Warns of instructions after which the program can continue at an address without
+ * code. The items must be sorted by address. A program that expects a trap is not
+ * checked. */
 void check_ends(struct assembler *assembler)
 {
     const struct layout_item *items = assembler->items;

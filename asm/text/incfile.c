@@ -34,8 +34,8 @@ static const char *skip_blanks(const char *at, const char *end)
     return at;
 }
 
-/* Returns the end of a field: the position after its closing quote, or of the
- * separator. */
+/* Returns the end of a field: the position after its closing quote, or the position of
+ * the separator. */
 static const char *field_end(const struct number_file *file, const char *at)
 {
     const char *end = file->line.end;

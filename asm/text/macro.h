@@ -36,8 +36,8 @@ struct substitution {
 struct macro *macro_parse(struct cursor *cursor);
 bool macro_add_line(struct assembler *assembler, struct macro *macro,
                     const struct line *line);
-/* Parses the arguments after the name of a macro. Returns a span for each parameter, or
- * NULL after a report. */
+/* Parses the arguments after the name of a macro. Returns a span for each parameter.
+ * After an error it reports the error and returns NULL. */
 const struct span *macro_arguments(struct cursor *cursor, const struct macro *macro);
 /* Expands the backslash sequences of a line. Returns the length of the new text. It
  * exceeds MAX_LINE if the line is too long. */

@@ -51,7 +51,8 @@ static bool parse_body(struct cursor *cursor)
     return expected(cursor, "an instruction");
 }
 
-/* Parses all parts of a statement, even after an error in a part. */
+/* Parses the labels of a statement and its directive or instruction, even after an
+ * error in a label. */
 static bool parse_statement(struct cursor *cursor)
 {
     bool good = parse_labels(cursor);

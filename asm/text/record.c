@@ -66,8 +66,8 @@ bool parse_field(struct cursor *cursor)
     return true;
 }
 
-/* Sets the position of the next field. It may go back, for fields that share words, or
- * forward. */
+/* Parses .at, which sets the position of the next field. Fields that share words need a
+ * smaller position. */
 bool parse_at(struct cursor *cursor)
 {
     int64_t place;

@@ -21,7 +21,7 @@ static bool overlap(struct register_name a, struct register_name b)
     return a.half && b.half ? a.number == b.number : whole_number(a) == whole_number(b);
 }
 
-/* Returns the naming with an index that counts from 1. Returns NULL for index 0. */
+/* Returns a naming by its index, which counts from 1. Returns NULL for index 0. */
 static struct naming *naming_at(const struct registers *registers, size_t index)
 {
     return index > 0 ? &registers->namings[index - 1] : NULL;
@@ -35,8 +35,8 @@ static bool encloses(const struct register_share *outer,
     return share == outer;
 }
 
-/* Returns true if a block has a word. Words are unique symbols, so pointers are
- * compared. */
+/* Returns true if a block around the first name, but not around the other, has this
+ * word. Words are unique symbols, so pointers are compared. */
 static bool has_word(const struct register_share *share,
                      const struct register_share *other, const char *word)
 {
@@ -46,8 +46,8 @@ static bool has_word(const struct register_share *share,
     return false;
 }
 
-/* Returns true if a block permits sharing. It must contain the first naming but not the
- * other. */
+/* Returns true if one of the .share blocks around a name allows it to share its
+ * register with the other name. Names in the same block cannot share. */
 static bool allows_sharing(const struct register_share *share,
                            const struct register_share *other)
 {
@@ -66,8 +66,8 @@ static bool may_share(const struct naming *naming, const struct naming *other)
            || allows_sharing(other->share, naming->share);
 }
 
-/* Returns a valid naming of the register with another owner, or NULL. Namings that have
- * ended are removed from the list. */
+/* Returns a name with another owner that uses the same register without permission, or
+ * NULL. Names that no longer belong to the register are removed from the list. */
 static const struct naming *other_owner(struct registers *registers,
                                         const struct naming *naming)
 {
@@ -176,9 +176,9 @@ static size_t naming_behind(const struct registers *registers, size_t index)
                : 0;
 }
 
-/* Names consecutive registers. If a name gives the first register, the others are the
- * registers declared directly after that name, and the new names have the same
- * owners. */
+/* Parses .regs, which names consecutive registers. If the first register is given by
+ * name, the new names have the owners of that name and of the names declared directly
+ * after it. */
 bool parse_regs(struct cursor *cursor)
 {
     const char *name;
@@ -236,7 +236,6 @@ bool parse_endshare(struct cursor *cursor)
     return true;
 }
 
-/* Records that an instruction uses a name. */
 bool mention_register(struct assembler *assembler, struct register_name named)
 {
     struct registers *registers = &assembler->registers;

@@ -31,8 +31,8 @@ static bool ends_with(const char *text, const char *ending)
     return length >= most && strcmp(text + length - most, ending) == 0;
 }
 
-/* Returns true if a macro that is defined at a line, within the expansion of another
- * macro or NULL, has a form. */
+/* Returns true if a macro is an operation in this form. line is the line of its
+ * definition; within is the macro whose expansion contains the definition, or NULL. */
 static bool has_form(const struct line *line, const struct macro *within,
                      enum asm_form form)
 {
@@ -54,8 +54,9 @@ void shown_line_define(const struct expander *expander, const struct line *line,
                                                             : ASM_NO_FORM;
 }
 
-/* If the macro is an operation, the calls that contain it become calls of formulas,
- * outwards to a macro of another file. */
+/* Adds the form of an operation to the macro calls around its call, so that those
+ * macros count as formulas. Ends at another operation, and at a macro of another file
+ * than the formula. */
 void shown_line_call(const struct expander *expander)
 {
     unsigned i = expander->depth - 1;

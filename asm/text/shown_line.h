@@ -6,21 +6,22 @@
  *   macro call, or in a formula. An instruction outside of all macros is shown at its
  *   line.
  *
- * An operation is a macro that scalar_form or vector_form of asm/lib/forms.s defines,
- * or a macro of a file whose name ends in _scalar.s or _vector.s. It has this form. A
- * formula is another macro that calls an operation, itself or through macros of its file
- * or of asm/lib. Macros of asm/lib are no formulas.
+ * An operation is a macro in scalar or vector form: scalar_form or vector_form of
+ * asm/lib/forms.s defines it, or the name of its file ends in _scalar.s or _vector.s. A
+ * formula is another macro that calls an operation, itself or through macros of its
+ * file or of asm/lib. Macros of asm/lib are never formulas.
  *
- * So a line of a kernel that is written once has the clocks of its operations, even if
- * the kernel is a macro of another file. A macro that loads a word for many kernels is
- * shown where a kernel calls it.
+ * If a kernel is written once for both forms, each of its lines therefore has the
+ * clocks of the operations on the line. This is also true if the kernel is a macro of
+ * another file. A macro without operations, such as one that loads a word, is shown at
+ * its call in the kernel.
  */
 #ifndef ASM_SHOWN_LINE_H
 #define ASM_SHOWN_LINE_H
 
 #include "asm/text/expand.h"
 
-/* A call of a macro or a .rept, which produced lines. */
+/* A macro call or .rept that produced lines. */
 struct call {
     const struct line *line;
     const struct macro *macro; /* NULL: .rept */
@@ -28,20 +29,20 @@ struct call {
                                   asm_form */
 };
 
-/* Sets the form and the other properties of a macro for the rule. It is defined at a
- * line. */
+/* Sets the properties of a macro that determine its shown lines: its file and form.
+ * line is the first line of its definition. */
 void shown_line_define(const struct expander *expander, const struct line *line,
                        struct macro *macro);
-/* Records the call of a macro, whose frame is on top of the stack. */
+/* Records a macro call. The frame of the macro must be on top of the stack. */
 void shown_line_call(const struct expander *expander);
 
-/* Returns the line at which a line is shown. */
+/* Returns the line at which profiles and debuggers show the code of a line. */
 const struct line *shown_line(const struct line *line);
 /* Returns the outermost macro call that contains a line, or the line. */
 const struct line *outermost_line(const struct line *line);
-/* Returns the form of the operation that contains a line, within the line at which it is
- * shown, or of the formula that contains the shown line. Returns ASM_NO_FORM if there is
- * none, or if the formula calls operations of both forms. */
+/* Returns the form of the code of a line: of the innermost operation between the line
+ * and its shown line, or else of the formula that contains the shown line. Returns
+ * ASM_NO_FORM if there is neither, or if the formula calls operations of both forms. */
 enum asm_form form_of_line(const struct line *line);
 
 #endif

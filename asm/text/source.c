@@ -1,4 +1,4 @@
-/* source.c - finds the texts that .include names, in tables and in folders. */
+/* source.c - finds the files that .include names, in built-in tables and in folders. */
 #include "asm/text/source.h"
 
 #include <errno.h>
@@ -41,8 +41,8 @@ static bool is_missing(int reason)
     return reason == ENOENT || reason == ENOTDIR;
 }
 
-/* Reads a file. Returns false if it does not exist or cannot be read. The error has the
- * reason if it exists. */
+/* Reads a file. Returns false if it does not exist or cannot be read. The error is set
+ * only if the file exists. */
 static bool read_source(struct assembler *assembler, const char *path,
                         struct asm_source *source, c205_error *error)
 {
@@ -62,7 +62,8 @@ static bool read_source(struct assembler *assembler, const char *path,
     return true;
 }
 
-/* Reads a file of a folder, whose path need not end with a NUL. */
+/* Reads the file `name` of a folder. The folder's path is given by its length and need
+ * not end with a NUL. */
 static bool read_from(struct assembler *assembler, const char *folder, size_t length,
                       const char *name, struct asm_source *source, c205_error *error)
 {

@@ -5,7 +5,7 @@
 
 #include "asm/text/expression.h"
 
-/* Adds an item at the current address (layout.c). */
+/* Adds an item of the given number of half words at the current address (layout.c). */
 struct layout_item *layout_add(struct cursor *cursor, enum item_kind kind,
                                uint64_t halves);
 /* Adds words with known values at the current address. */
@@ -22,8 +22,8 @@ bool parse_any_register(struct cursor *cursor, struct register_name *found);
 bool parse_register(struct cursor *cursor, uint8_t *number);
 bool parse_instruction(struct cursor *cursor, const c205_insn *insn);
 
-/* Returns the parser of a directive, or NULL if there is no such directive
- * (directive.c). */
+/* The function that parses a directive. find_directive returns NULL if a token is not
+ * the name of a directive (directive.c). */
 typedef bool directive_parser(struct cursor *cursor);
 struct directive {
     const char *name;
@@ -35,7 +35,7 @@ const struct directive *find_directive(const struct token *token);
 
 /* Defined in register.c. */
 directive_parser parse_reg, parse_regs, parse_share, parse_endshare;
-/* Records that an instruction uses the name. */
+/* Records that an instruction uses a register by its name. */
 bool mention_register(struct assembler *assembler, struct register_name named);
 
 /* Defined in record.c. */

@@ -27,7 +27,7 @@ static void try_symbols(const struct assembler *assembler, enum suggestion kind,
 
 typedef const char *name_list(size_t i);
 
-/* Returns directive i of the concatenated lists. */
+/* Returns the name of directive i in the concatenated lists. */
 const char *asm_directive(size_t i)
 {
     static name_list *const lists[] = { directive_name, expand_name, condition_name };
