@@ -18,7 +18,8 @@
 #include "asm/timeline/timeline.h"
 #include "base/plural.h"
 
-/* The kinds of events. Events at the same clock are in the order of the run. */
+/* The kinds of events. Events at the same clock are written in the order of their
+ * instructions. */
 enum { LEAVES, RETIRES, APPEARS, ENTERS };
 
 struct happening {
@@ -54,7 +55,7 @@ static bool add_event(struct log *log, uint64_t clock, size_t insn, int kind,
                      sizeof happening);
 }
 
-/* Adds a stage. A stage of no clocks is omitted. */
+/* Adds the events of a stage. A stage of no clocks is omitted. */
 static bool add_stage(struct log *log, size_t insn, uint64_t begin, uint64_t end,
                       const char *stage)
 {

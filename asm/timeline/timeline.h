@@ -1,9 +1,10 @@
 /* timeline.h - records when each instruction of a run arrived, issued, executed and
  * completed, and the cause to which each clock was charged.
  *
- * A listener stores the records of the clock for an interval of clocks. The formats are
- * a picture (SVG), text for the viewer Konata (Kanata 0004), and trace events for
- * viewers such as Perfetto (JSON). The charged clocks sum to the clocks that passed.
+ * timeline_listen stores the instructions that overlap a given interval of clocks. A
+ * timeline is written as a picture (SVG), as text for the viewer Konata (Kanata 0004),
+ * or as trace events for viewers such as Perfetto (JSON). The charged clocks sum to the
+ * clocks that passed.
  */
 #ifndef ASM_TIMELINE_H
 #define ASM_TIMELINE_H
@@ -63,8 +64,8 @@ enum { TIMELINE_TITLE = 400 };
 void timeline_title(const struct timeline *timeline, const char *program,
                     const char *model, char title[TIMELINE_TITLE]);
 
-/* Returns the number of instructions. The wait for results in flight at the end is not
- * counted. */
+/* Returns the number of instructions. The entry for the final wait for results in
+ * flight does not count. */
 size_t timeline_instructions(const struct timeline *timeline);
 /* Moves `to` back to the clock at which the last instruction completed, if `to` is
  * after this clock. */
@@ -76,8 +77,8 @@ const struct timeline_form *timeline_form_of(const char *path);
 bool timeline_is_named(const char *path);
 bool timeline_write(const struct timeline *timeline, const struct timeline_form *form,
                     const char *title, const struct sink *sink);
-/* Saves a file in the format of its name. Writes the whole file or leaves the old file
- * unchanged. */
+/* Saves a timeline in the format that the ending of the path selects. Writes the whole
+ * file or leaves the old file unchanged. */
 bool timeline_save(const struct timeline *timeline, const char *path, const char *title,
                    c205_error *error);
 

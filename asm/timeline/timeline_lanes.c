@@ -12,8 +12,8 @@ const char *lane_name(enum lane lane)
     return names[lane];
 }
 
-/* Returns the first row that is free at the start of a span. ends is the end of each
- * row. */
+/* A row is free for a span if all earlier spans in the row have ended. ends has the end
+ * of the last span in each row. If all rows are in use, the last row is returned. */
 enum { MAX_ROWS = 64 };
 
 static unsigned find_row(const struct timed_span *span, uint64_t ends[MAX_ROWS])

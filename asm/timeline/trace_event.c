@@ -7,8 +7,8 @@
 #include "asm/timeline/timeline_lanes.h"
 #include "base/json.h"
 
-/* Returns the number of the thread for a row. The rows of all lanes are numbered
- * consecutively. */
+/* Returns the thread number of a row for the trace viewer. The rows of all lanes are
+ * numbered consecutively. */
 static unsigned thread_of(const struct lanes *lanes, enum lane lane, unsigned row)
 {
     unsigned number = 1 + row;

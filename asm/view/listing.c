@@ -3,7 +3,8 @@
 
 #include <inttypes.h>
 
-/* Prints eight hex digits. Returns false for zeros, which are not stored. */
+/* Prints a half word in hex. Returns false if it is in no segment, because zeros are
+ * not stored. */
 static bool put_half(const struct object *object, uint64_t address,
                      const struct sink *sink)
 {

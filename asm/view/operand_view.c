@@ -44,9 +44,10 @@ static unsigned element_width(char letter)
     return isupper((unsigned char)letter) ? HALF_BITS : WORD_BITS;
 }
 
-/* Sets the register of an operand's offset. It is X or Y for "a", X for "[A+X]", and
- * the register after the result for a result and the control vector. There is no offset
- * if its bit of G means that Z is given. */
+/* Sets the register that contains the offset of a vector operand. In the syntax, a
+ * lower-case letter is a field whose offset is in X or Y, and "A+X" has its offset in
+ * X. With C205_G_OFFSET the result and the control vector have an offset in register
+ * C+1, except in instructions with an operand "g", where the bit means C205_G_GIVEN. */
 static void add_offset(struct operand_view *operand,
                        const struct instruction_view *view, const char *syntax)
 {
@@ -86,8 +87,8 @@ static void decode_one(struct operand_view *operand,
         add_offset(operand, view, syntax);
 }
 
-/* Decodes the operands. Each field of the syntax has one letter in insn.def, except an
- * offset "+X". */
+/* Decodes the operands. Letters of the syntax name fields of the instruction. insn.def
+ * has a letter for the operand in each field, except for an offset "+X". */
 static void decode_operands(struct instruction_view *view)
 {
     const char *syntax = c205_format_syntax(view->insn->format);

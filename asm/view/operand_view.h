@@ -34,20 +34,21 @@ struct instruction_view {
     struct operand_view operands[VIEW_OPERANDS];
 };
 
-/* Decodes the part of a view that does not depend on the contents of registers. */
+/* Decodes an instruction, and the properties of its operands that do not depend on the
+ * contents of registers. */
 void view_decode(struct instruction_view *view, const c205 *machine, uint64_t pc);
-/* Reads the part of a view that depends on the contents of registers. Must be called
- * again before each execution. */
+/* Adds the properties of the operands that depend on the contents of registers. Must be
+ * called again before each execution. */
 void view_fill(struct instruction_view *view, const c205 *machine);
 
-/* Decodes and fills the instruction at an address, or both instructions of the pair if
- * it is a LINKV. Returns the number of instructions. insn is NULL if the word is not an
- * instruction. */
+/* The number of instructions that a LINKV links. view_at describes the instruction at
+ * an address or, if it is a LINKV, the two instructions after it. It returns their
+ * number. insn is NULL if the word is not an instruction. */
 enum { VIEW_LINKED = 2 };
 size_t view_at(struct instruction_view views[VIEW_LINKED], const c205 *machine,
                uint64_t pc);
 
-/* Returns the operand with one of these letters, or NULL. */
+/* Returns the operand that has one of these letters in insn.def, or NULL. */
 const struct operand_view *view_find(const struct instruction_view *view,
                                      const char *letters);
 
@@ -58,9 +59,9 @@ bool view_is_present(const struct operand_view *operand);
  * counts, because its descriptor is read. */
 bool view_is_read(const struct operand_view *operand);
 
-/* Reads n elements of a width in bits. They begin at element `first` after an address.
- * Elements of 32 bits are left-aligned in words, bits are right-aligned. Returns false
- * if memory is not mapped. */
+/* Reads n elements of the given width in bits, from element `first` of the vector at an
+ * address. Elements of 32 bits are left-aligned in words, bits are right-aligned.
+ * Returns false if memory is not mapped. */
 bool view_read(const c205 *machine, uint64_t address, unsigned width, size_t first,
                size_t n, c205_word *words);
 

@@ -4,7 +4,7 @@
 #include <inttypes.h>
 
 /* Reads element i of a vector, right-aligned. Elements have 1, 8 or 64 bits. If the
- * element is not mapped, prints this and returns false. */
+ * element is not mapped, prints a note and returns false. */
 static bool fetch(const struct printer *printer, const c205 *machine,
                   c205_word descriptor, unsigned i, unsigned bits, c205_word *element)
 {

@@ -23,8 +23,8 @@ void source_line_innermost(const struct asm_line *line, const struct sink *sink)
     put_source(&place, ASM_NO_FORM, sink);
 }
 
-/* If no other line contains the instruction, its source has the arguments of the
- * macro. */
+/* If an instruction is shown at its own line, the source is printed with the arguments
+ * of the macro. */
 void source_line_shown(const struct asm_line *line, const struct sink *sink)
 {
     struct asm_place place = line->shown;

@@ -4,10 +4,10 @@
 
 #include "vm/c205.h"
 
-/* Writes the whole file or leaves the old file unchanged. */
+/* Saves a machine to a file. If this fails, an existing file remains unchanged. */
 bool state_save(const c205 *machine, const char *path, c205_error *error);
-/* Returns a machine, or NULL with the error if the file cannot be read or is
- * rejected. */
+/* Restores a machine from a file. Returns NULL with the error if the file cannot be
+ * read or is rejected. */
 c205 *state_load(const char *path, const c205_model *model, c205_error *error);
 
 #endif

@@ -1,5 +1,5 @@
-/* trap_report.c - reports a trap with its line, its rule and the values of the
- * operands. */
+/* trap_report.c - reports a trap: the line, the rule that was broken, and the values of
+ * the operands. */
 #include "asm/view/trap_report.h"
 
 #include <ctype.h>

@@ -22,13 +22,14 @@ const char *vector_elements(unsigned width);
 /* Prints the extent, as in "100 words from 801900 on". */
 void vector_extent(const struct vector_view *vector, const struct sink *sink);
 
-/* Returns the vector of which a word is the descriptor. */
+/* Returns the vector that a descriptor describes. width is the size of its elements in
+ * bits. */
 struct vector_view vector_described(c205_word word, unsigned width);
 /* Interprets a word as the descriptor of a vector of words if all of its elements are
  * mapped, and otherwise of a bit vector. Returns false if neither is possible. */
 bool vector_recognise(const c205 *machine, c205_word word, struct vector_view *vector);
 /* vector_has_elements returns true if an operand has a known number of elements.
- * vector_of_operand returns them with their control bits. */
+ * vector_of_operand then returns its elements and their control bits. */
 bool vector_has_elements(const struct operand_view *operand);
 struct vector_view vector_of_operand(const struct instruction_view *view,
                                      const struct operand_view *operand);

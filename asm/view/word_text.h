@@ -10,7 +10,7 @@ struct word_text {
     char hex[C205_TEXT_SIZE]; /* in groups of 4 digits */
 };
 
-/* Returns the texts of a word. A half word is left-aligned in it. */
+/* Formats a word as a number and in hex. A half word must be left-aligned. */
 struct word_text word_text(c205_word word, bool half);
 /* Prints a word, as in "X'0000 0000 0000 0005' (5)". */
 void word_print(c205_word word, bool half, const struct sink *sink);
