@@ -29,23 +29,23 @@ uint64_t accounts_clocks(const c205_account *account);
 /* Writes the time of a number of clocks, as in "22.78 us". */
 enum { ACCOUNTS_TIME = 48 };
 void accounts_time(const c205_model *model, uint64_t clocks, char text[ACCOUNTS_TIME]);
-/* Returns the flops of an account in millions per second, or NaN if there are none. */
+/* Returns the Mflop/s of an account, or NaN if it has no floating-point operations. */
 double accounts_rate(const c205_model *model, const c205_account *account);
 /* Returns the name of an account's region as tables print it. */
 const char *accounts_region(const c205_account *account);
 /* Returns the number of regions that took time. */
 size_t accounts_regions(const struct accounts *accounts);
-/* Returns the sum of all regions, whose name is "all". */
+/* Returns an account with the sums over all regions. Its region name is "all". */
 c205_account accounts_together(const struct accounts *accounts);
 /* Computes the sum of all accounts of a machine. Returns false if the host is out of
  * memory. */
 bool accounts_whole(const c205 *machine, c205_account *sum);
 
-/* The columns of tables with the clocks of each cause. */
+/* The table columns for the clocks of each cause. */
 extern const struct table_column accounts_cause_columns[C205_CAUSES];
 
-/* Returns the unit, such as us, in which tables print times of up to the given
- * seconds. */
+/* The unit in which tables print times, such as us. accounts_unit returns the unit for
+ * times of up to the given seconds. */
 struct accounts_unit {
     const char *name, *heading;
     double per_second;

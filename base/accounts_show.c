@@ -106,8 +106,8 @@ static bool matrix_of(struct matrix *matrix, const struct accounts *accounts)
 
 /* ---- Causes are rows ----------------------------------------------------- */
 
-/* Adds the row of a line of the matrix. The columns of the sum and of its percentage
- * are only in the first part. */
+/* Adds one row of the matrix. The sum of all regions and its percentage are printed
+ * only if first is 0. */
 static void add_cause(struct table *table, const struct matrix *matrix, int line,
                       size_t first, size_t count)
 {

@@ -15,13 +15,13 @@
 int accounts_show(const struct accounts *accounts,
                   const struct command_output *results);
 
-/* The rows of the matrix are causes or regions. Rows of regions are narrower if there
- * are many regions. */
+/* The rows of the matrix are causes or regions. If there are many regions, a matrix
+ * with regions as rows is narrower. */
 enum accounts_rows { ACCOUNTS_CAUSES, ACCOUNTS_REGIONS };
-/* Returns the matrix for up to count regions that took time, from index first on. If
- * only one region took time, the matrix has only the sum of all regions. The columns of
- * the sum and its percentages are omitted if causes are rows and first is not 0. If
- * regions are rows, the sum is the last row. NULL: out of memory. */
+/* Returns the matrix for up to `count` regions that took time, from index `first` on.
+ * If only one region took time, it is omitted, because it equals the sum of all
+ * regions. If causes are rows, the sum and its percentages are columns, but only if
+ * first is 0. If regions are rows, the sum is the last row. NULL: out of memory. */
 struct table *accounts_matrix(const struct accounts *accounts, enum accounts_rows rows,
                               size_t first, size_t count);
 

@@ -19,8 +19,8 @@ struct arena_block {
     union widest bytes[1];
 };
 
-/* Builds with sanitizers define small blocks, which reveal more accesses beyond a
- * piece. */
+/* Builds with sanitizers define a smaller block size, which reveals more accesses
+ * beyond the end of a piece of memory. */
 #ifndef BLOCK_SIZE
 #define BLOCK_SIZE ((size_t)64 * 1024)
 #endif

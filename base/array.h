@@ -11,8 +11,8 @@
  * be added by this function. The owner frees the array. */
 void *array_add(void *items, size_t *count, const void *item, size_t size);
 
-/* Stores an array with room for one more item in *items, and adds the item like
- * array_add. Returns NULL if array is NULL. */
+/* Adds an item to `array`, which must have room for it, and stores the address of the
+ * array in *items. Returns the address of the item, or NULL if array is NULL. */
 void *array_store(void *items, void *array, size_t *count, const void *item,
                   size_t size);
 

@@ -22,8 +22,8 @@ struct atomic_file {
 /* Opens a temporary file for the path. Returns NULL with the error if it cannot be
  * written. */
 struct atomic_file *atomic_file_open(const char *path, c205_error *error);
-/* Returns true if the file can be written. A command calls this before long work.
- * Leaves no file. */
+/* Returns true if the file can be written. A command calls this function before long
+ * work. It leaves no file. */
 bool atomic_file_check(const char *path, c205_error *error);
 /* atomic_file_commit gives the file its real name; a failure leaves the old file
  * unchanged. atomic_file_discard removes the temporary file. Both free the struct. */

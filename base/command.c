@@ -89,8 +89,8 @@ static bool asks_for_page(int argc, char **argv)
     return argc > 2 && strcmp(argv[1], "help") == 0 && strncmp(argv[2], "--", 2) == 0;
 }
 
-/* Returns the command that the line selects. Returns NULL if the line is a request
- * without a command; the request is then executed and *code is set. */
+/* Returns the command that the command line selects. If the line requests help, the
+ * version or a page, or is wrong, performs the request, sets *code and returns NULL. */
 static const struct command *select_command(const struct command_program *program,
                                             int argc, char **argv, int *code)
 {

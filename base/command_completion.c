@@ -7,7 +7,7 @@
 
 /* ---- Candidates --------------------------------------------------------- */
 
-/* Prints a candidate and its explanation if it begins with the word. */
+/* Prints a candidate and its explanation if the candidate begins with the word. */
 static void put_candidate(const char *word, const char *dashes, const char *name,
                           const char *meaning)
 {

@@ -4,7 +4,8 @@
 
 #include "base/command_rows.h"
 
-/* COLUMN is the column of the explanations. */
+/* Columns of the help: COLUMN is the first column of explanations, WIDTH the length of
+ * a line, the others are indents. */
 enum { COLUMN = 23, WIDTH = 79, PARAGRAPH = 0, EXAMPLE = 6 };
 
 /* ---- Texts of a row ----------------------------------------------------- */
@@ -84,7 +85,7 @@ bool command_option_preset(const struct command_option *option, const struct sin
 
 /* ---- Lines -------------------------------------------------------------- */
 
-/* Writes words from a column on and breaks lines at the line width. Newlines of the
+/* The state of writing words between two columns: the indent and WIDTH. Newlines of the
  * text remain. */
 struct filler {
     FILE *file;

@@ -1,5 +1,6 @@
 /* command_options.h - rows of options that have the same meaning in every program
- * (command.h). Each macro takes the offset of the value.
+ * (command.h). The parameter `place` of a macro is the offset of the option's value in
+ * the structure of arguments.
  */
 #ifndef BASE_COMMAND_OPTIONS_H
 #define BASE_COMMAND_OPTIONS_H
@@ -20,7 +21,8 @@
       .offset = place, .help = text }
 #define OPTION_FLAG(option, place, text) \
     { .name = option, .kind = COMMAND_FLAG, .offset = place, .help = text }
-/* The members of a row. The caller adds the braces and further members. */
+/* Initialisers of a struct command_option, without the braces, so that the caller can
+ * add members. */
 #define OPERAND_ROW(form, type, place, text) \
     .value = form, .kind = type, .offset = place, .help = text
 #define OPTION_ROW(option, form, type, place, text) \
@@ -28,8 +30,8 @@
 #define OPTION_COUNT(option, place, first, last, usual, text) \
     .name = option, .value = "N", .kind = COMMAND_COUNT, .offset = place, \
     .least = first, .most = (double)(last), .preset = usual, .help = text
-/* The common members of a command. Its file must define the lists options and
- * operands. */
+/* Initialisers of a struct command that most commands share. The file must define the
+ * lists options and operands. */
 #define COMMAND_ROW(command, work, arguments, text) \
     .name = command, .summary = text, .function = work, \
     .arguments_size = sizeof(arguments), .options = options, .operands = operands

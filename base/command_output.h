@@ -37,7 +37,8 @@ struct command_output {
     struct json *json;   /* the JSON document; NULL: none */
 };
 
-/* The output options of a command. member is the name of its struct command_output. */
+/* The values of the option --format, and the output options of a command. member is the
+ * struct command_output in its arguments. */
 command_choice output_format_choice;
 /* clang-format off */
 #define OUTPUT_OPTIONS(arguments, member) \
@@ -48,7 +49,7 @@ command_choice output_format_choice;
     { .name = "json", .value = "FILE", .kind = COMMAND_OUTPUT, \
       .offset = offsetof(arguments, member.path), \
       .help = "also write the results to a file; with -: print only JSON" }
-/* The option of a command that prints results of a model. */
+/* The option --provenance, for commands that print results of a machine model. */
 #define OUTPUT_OPTION_PROVENANCE(arguments, member) \
     { .name = "provenance", .kind = COMMAND_FLAG, \
       .offset = offsetof(arguments, member.provenance), \
@@ -75,16 +76,16 @@ void output_gap(const struct command_output *results);
  * --provenance. JSON always has the full provenance (provenance_json). */
 void output_model(const struct command_output *results, const c205_model *model);
 /* Prints a table and adds it to the JSON under its key. All formats except text print
- * the heading. Returns false if the host is out of memory or was while the table was
- * filled; the table may then be NULL. */
+ * the heading. Returns false if the host is out of memory, or if the table is NULL or
+ * incomplete for lack of memory. */
 bool output_table(const struct command_output *results, const struct table *table,
                   const char *key, const char *heading);
-/* Does the work of output_table and frees the table. Text format has the heading, too.
- * The heading is text such as "Heading", without a colon. */
+/* Like output_table, but frees the table, and prints the heading in text format, too.
+ * The heading has no colon. */
 bool output_part(const struct command_output *results, struct table *table,
                  const char *key, const char *heading);
-/* Does the work of output_table, and frees the table. Returns CMD_DONE, or CMD_FAILED
- * after an error message if the host is out of memory. */
+/* Like output_table, but frees the table, and returns CMD_DONE, or CMD_FAILED after an
+ * error message if the host is out of memory. */
 int output_show(const struct command_output *results, struct table *table,
                 const char *key, const char *heading);
 

@@ -1,4 +1,4 @@
-/* command_pages.c - prints the list of all rows, and the man page. */
+/* command_pages.c - prints the list of options for scripts, and the man page. */
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>

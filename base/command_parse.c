@@ -264,7 +264,8 @@ static int wrong_option(const struct parsing *parsing, const char *word)
 
 /* ---- Options ------------------------------------------------------------ */
 
-/* The first value by which getopt identifies a row. Letters have smaller values. */
+/* getopt identifies long options by values from this one on, and short options by their
+ * letters, which have smaller values. */
 enum { FIRST_ROW = 256 };
 
 /* The options of a command as getopt expects them, followed by help, version and an end
@@ -395,8 +396,8 @@ static const char *path_of(const struct parsing *parsing,
     return i == 0 ? path : NULL;
 }
 
-/* Returns true if the row contains the path of this file. The name of a built-in model
- * is not a path. */
+/* Returns true if an argument of the row is the path of this file. The name of a
+ * built-in model is not a path. */
 static bool names(const struct parsing *parsing, const struct command_option *row,
                   const char *path)
 {
@@ -410,8 +411,8 @@ static bool names(const struct parsing *parsing, const struct command_option *ro
     return false;
 }
 
-/* Returns the first of these rows that has the file as an output or as an input. NULL:
- * none. */
+/* Returns the first of these rows that has the file as an output (if `output` is true)
+ * or as an input. Returns NULL if there is none. */
 static const struct command_option *row_naming(const struct parsing *parsing,
                                                const struct command_option *row,
                                                bool output, const char *path)
@@ -458,7 +459,7 @@ static int check_outputs(const struct parsing *parsing)
     return code;
 }
 
-/* Returns the number of values of these rows that are stdin. */
+/* Returns the number of inputs in these rows that are stdin ("-"). */
 static size_t streams_in(const struct parsing *parsing,
                          const struct command_option *row)
 {

@@ -9,7 +9,7 @@
 #include "base/command.h"
 #include "base/sink.h"
 
-/* The options of every command. */
+/* Options that every command has. */
 extern const struct command_option command_help_option, command_version_option;
 
 /* Returns true for a row, and false for the end of a list. A NULL list has no rows. */
@@ -55,9 +55,9 @@ void command_print_man(const struct command_program *program, FILE *file);
 void command_print_bash(const struct command_program *program, FILE *file);
 void command_print_zsh(const struct command_program *program, FILE *file);
 void command_print_fish(const struct command_program *program, FILE *file);
-/* Prints the completions of the last word. The other words follow the name of the
- * program. The first line is "-f" if the word may be a file, "-d" if it may be a
- * folder, and otherwise empty. Each further line is a candidate, a tab and its
+/* Prints the completions of the last of the given words, which are the words after the
+ * name of the program. The first line is "-f" if the word may be a file, "-d" if it may
+ * be a folder, and otherwise empty. Each further line is a candidate, a tab and its
  * explanation. Returns the exit code. */
 int command_complete(const struct command_program *program, int count, char **words);
 

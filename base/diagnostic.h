@@ -32,7 +32,7 @@ struct diagnostic {
     char *source; /* the text of that line */
 };
 
-/* Messages with positions. It must be zeroed before use. */
+/* Messages with positions. The struct must be zeroed before use. */
 struct diagnostics {
     size_t count;
     size_t errors; /* number of errors, including errors that could not be stored */

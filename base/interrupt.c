@@ -60,7 +60,8 @@ static const char *volatile files[FILES];
 static volatile pid_t owner; /* the process that owns the files; a forked process must
                                 not remove them */
 
-/* All signals that end a program by default. */
+/* Signals that come from other processes, the terminal or resource limits, and that end
+ * a program by default. */
 static const int endings[] = { SIGHUP,  SIGINT,  SIGQUIT, SIGPIPE, SIGALRM,
                                SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU, SIGXFSZ };
 enum { ENDINGS = sizeof endings / sizeof *endings };
@@ -127,7 +128,7 @@ static void note(int number)
     came = number;
 }
 
-/* Records a signal. Signals may arrive any number of times. */
+/* Records the first signal and ignores later signals, which never end the program. */
 static void note_again(int number)
 {
     came = came ? came : number;

@@ -46,7 +46,7 @@ static void new_line(struct json *json)
 }
 
 /* Returns true for characters that a terminal would interpret. They are escaped,
- * because a user may print the file on a terminal. */
+ * because JSON may be printed on a terminal. */
 static bool is_hidden(const char *text, size_t length)
 {
     unsigned long code;

@@ -120,7 +120,8 @@ static bool read_character(struct json_reading *reading, char **to)
     return true;
 }
 
-/* Reads a text in place, because it is never longer than its escaped form. */
+/* Decodes a string in place, which is possible because it is never longer than its
+ * escaped form. */
 static const char *read_string(struct json_reading *reading)
 {
     const char *close = reading->at + 1;

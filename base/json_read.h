@@ -45,7 +45,8 @@ const struct json_value *json_member(const struct json_value *object, const char
 /* Returns the text of a member. Returns NULL if there is no such member or it is not a
  * text. */
 const char *json_member_text(const struct json_value *object, const char *key);
-/* Returns the first item of the array or object in a member. */
+/* Returns the first item of the array or object in a member, or NULL if there is
+ * none. */
 const struct json_value *json_member_first(const struct json_value *object,
                                            const char *key);
 /* Returns the number of items of an array or object. */

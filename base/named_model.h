@@ -6,11 +6,11 @@
 #include "vm/c205.h"
 
 /* Opens a built-in model or a file, as c205_model_find does. A NULL name is the default
- * model. Returns NULL after an error message on stderr, which shows the wrong line of a
- * file. */
+ * model. Returns NULL after an error message on stderr. For an invalid file the message
+ * shows the line with the error. */
 c205_model *model_open(const char *command, const char *name);
-/* Like c205_model_find, for a name from a text. It rejects a file that the command
- * writes. */
+/* Like c205_model_find, for names that occur in the user's files. Rejects a file that
+ * the command writes. */
 c205_model *model_find(const char *name, c205_error *error);
 
 /* The names of the built-in models. */

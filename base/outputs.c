@@ -16,7 +16,7 @@ static struct {
     size_t count;
 } outputs;
 
-/* Finds a regular file. Devices and pipes are not listed, because they have no content
+/* Finds a regular file. Devices and pipes are never found, because they have no content
  * to lose. */
 static struct output *find_output(const struct stat *status)
 {

@@ -74,7 +74,7 @@ static double y_of(const struct plot_picture *picture, size_t row, size_t curve)
     return table_value(picture->table, row, picture->plot->curves[curve].column);
 }
 
-/* Returns the sum of the first curves in a row of the table. */
+/* Returns the sum of the first `curves` curves in a row of the table. */
 static double sum_of(const struct plot_picture *picture, size_t row, size_t curves)
 {
     double sum = 0;
@@ -389,8 +389,9 @@ static bool has_area(const struct plot_picture *picture, size_t row)
            && isfinite(sum_of(picture, row, picture->plot->curve_count));
 }
 
-/* Draws the area of a curve, between the sum without it and the sum with it. Each run
- * of rows without a gap has its own area. */
+/* Draws the area of a curve in a stack. Its lower edge is the sum of the curves before
+ * it, its upper edge the sum with this curve. An empty cell ends an area, and the next
+ * row with values begins another. */
 static void put_area(const struct plot_picture *picture, size_t curve)
 {
     size_t rows = table_rows(picture->table);
@@ -459,7 +460,8 @@ static void put_sample(const struct plot_picture *picture, size_t curve, double 
                    x, y - 4, color, x + 13, y - 4, color);
 }
 
-/* Draws the levels and the key. The key lists areas in the order of the plot. */
+/* Draws the horizontal lines of plot->levels, and the key. In a plot of stacked areas,
+ * the order of the key is the order of the areas from top to bottom. */
 static void put_key(const struct plot_picture *picture)
 {
     const struct plot *plot = picture->plot;

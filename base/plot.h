@@ -21,8 +21,8 @@ struct plot_line {
     double start, slope; /* y = start + slope x */
 };
 
-/* A curve: a column of the table, which counts from 0. All curves have the same x
- * column. */
+/* A curve: the values of one column of the table. Columns count from 0. All curves have
+ * the same x column. */
 struct plot_curve {
     size_t column;
     const char *title;

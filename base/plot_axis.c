@@ -132,7 +132,7 @@ static void separate_thousands(char *label, const char *digits)
     *label = '\0';
 }
 
-/* Formats a label. Long numbers become powers, as in 1e+15. */
+/* Formats a label. Large numbers have an exponent, as in 1e+15. */
 void axis_label(char label[AXIS_LABEL_SIZE], double value)
 {
     char digits[20];
@@ -187,8 +187,8 @@ static void add_powers(struct tics *tics, const struct axis *axis)
     }
 }
 
-/* Makes the tics. A logarithmic axis that spans less than one power has linear
- * labels. */
+/* Makes the tics. A logarithmic axis that spans less than one power of its base (2 or
+ * 10) is labelled like a linear axis. */
 size_t axis_tics(const struct axis *axis, struct axis_tic tics[AXIS_TICS])
 {
     struct tics all = { tics, 0 };

@@ -24,7 +24,7 @@ bool axis_shows(const struct axis *axis, double value);
 void axis_reach(struct axis *axis, double value);
 /* Widens an axis that consists of a single point. */
 void axis_widen(struct axis *axis);
-/* Adds a margin for points at both ends. */
+/* Extends the axis at both ends, so that no point touches the frame. */
 void axis_pad(struct axis *axis);
 /* Extends both ends to the next round value. A linear axis also includes 0. */
 void axis_round(struct axis *axis);

@@ -41,7 +41,8 @@ const char *provenance_left_out(const c205_model *model)
 
 static const char unknown[] = "not compared with published figures";
 
-/* Formats an agreement. Returns true if it has any figures. */
+/* Formats the number of figures that a model was compared with, and the largest error.
+ * Returns false if there are no figures. */
 static bool format_belief(const char *how, c205_belief belief,
                           char line[PROVENANCE_LINE])
 {
@@ -69,8 +70,8 @@ static bool print_belief_line(const char *how, c205_belief belief, const char *b
     return known;
 }
 
-/* Returns the fitted model that this model changes, or NULL. The comparison with
- * figures is not valid for the changed model. */
+/* Returns the fitted model from which this model is derived, or NULL. Its errors are
+ * not those of the derived model. */
 static const c205_model *fitted_origin(const c205_model *model)
 {
     bool known = c205_model_fitted(model).figures > 0

@@ -6,17 +6,17 @@
 
 #include "base/json.h"
 
-/* Returns true if a fit changed a constant of the model (source F). */
+/* Returns true if a constant of the model was fitted to published times (source F). */
 bool provenance_is_fitted(const c205_model *model);
 
-/* Writes one line on the error of a model: the largest error relative to the figures of
- * the fit, or else relative to other figures, or a note that there was no
- * comparison. */
+/* provenance_line writes one line with the largest error of a model: relative to the
+ * published figures that it was fitted to, or else to those that it was only compared
+ * with. If there are none, the line is a note. */
 enum { PROVENANCE_LINE = 256 };
 void provenance_line(const c205_model *model, char line[PROVENANCE_LINE]);
 
-/* Returns the effects of the real machine that a model omits, as in "this, that and
- * that". */
+/* Returns the effects of the real machine that a model omits, as a text such as "a, b
+ * and c". */
 const char *provenance_left_out(const c205_model *model);
 
 /* Prints one line below a table: the kind of the figures, the model, and the option

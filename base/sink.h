@@ -40,15 +40,15 @@ struct text_line {
 };
 
 struct sink text_line_sink(struct text_line *line);
-/* Passes text to another sink and records whether its last line is open. Other text can
- * then begin on a new line. */
+/* A sink that passes text to another sink. It records whether the last line has no
+ * newline yet, so that other text can begin on a new line. */
 struct line_tracker {
     struct sink to;
     bool open;
 };
 
 struct sink line_tracker_sink(struct line_tracker *tracker);
-/* Writes a newline if the last line is open. */
+/* Writes a newline if the last line has none. */
 void line_tracker_close(struct line_tracker *tracker);
 /* Returns a sink that writes to a stdio stream. */
 struct sink stream_sink(void *stream);

@@ -25,7 +25,8 @@ struct spelling {
     size_t distance;
 };
 
-/* Compares a name with the word. The name must remain valid. Case is ignored. */
+/* Replaces spelling->name by this name if it is closer to the word. Case is ignored.
+ * The name must remain valid. */
 void spelling_try(struct spelling *spelling, const char *name);
 
 #endif

@@ -14,7 +14,7 @@ struct svg_sheet {
     const char *style;
 };
 
-/* Begins a picture. The title begins at left. */
+/* Begins a picture. The x coordinate of the title is sheet->left. */
 void svg_begin(const struct sink *sink, const struct svg_sheet *sheet,
                const char *title);
 void svg_end(const struct sink *sink);

@@ -21,8 +21,9 @@ struct table_column {
     int decimals; /* decimals of a printed number */
 };
 
-/* The formats. Plain and Markdown print numbers with the decimals of their columns. CSV
- * has the keys as headings and the same digits as JSON. */
+/* The formats in which a table can be written. Plain and Markdown round each number to
+ * the decimals of its column. CSV prints all digits, and its headings are the keys of
+ * the columns. */
 enum table_format { TABLE_PLAIN, TABLE_CSV, TABLE_MARKDOWN };
 
 /* Expands to an array of columns and its length. */
@@ -62,13 +63,13 @@ bool table_is_whole(const struct table *table);
 /* Prints a blank line and the heading of a table. It has the form "Heading:", in CSV "#
  * Heading", in Markdown "## Heading". */
 void table_heading(const char *heading, enum table_format format, FILE *file);
-/* Returns the prefix for a line of text between tables. */
+/* Returns the prefix for lines of text between tables, such as "# " in CSV. */
 const char *table_remark(enum table_format format);
 
 /* Writes a table. CSV is quoted as in RFC 4180, its lines end in LF, and a text that a
  * spreadsheet would evaluate as a formula begins with an apostrophe. Markdown is the
- * dialect of GitHub. Returns false if the host is out of memory or was while the table
- * was filled. */
+ * dialect of GitHub. Returns false if the host is out of memory, or if the table is
+ * incomplete for lack of memory. */
 bool table_write(const struct table *table, enum table_format format, FILE *file);
 /* Writes a table as text with aligned columns. */
 bool table_print(const struct table *table, FILE *file);

@@ -17,9 +17,9 @@ char *text_file_read(const char *path, size_t largest, size_t *length,
  * the error if it is not a text. */
 bool text_clean(char *text, size_t *length, c205_error *error);
 
-/* Returns a text of a table by its name, or NULL. The table is part of the program. */
+/* Returns a built-in text by its name, or NULL if the table does not contain it. */
 const struct text *text_find(const struct text *table, const char *name);
-/* Writes the lines of a text of the program to a sink. */
+/* Writes the lines of a built-in text to a sink. */
 void text_put(const struct text *text, const struct sink *sink);
 
 /* The state of reading a text line by line, also from a pipe or a terminal. It must be

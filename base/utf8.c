@@ -8,8 +8,8 @@ static bool continues(unsigned char c)
     return (c & 0xC0) == 0x80;
 }
 
-/* Returns true for a valid second byte. Surrogates, codes with a shorter encoding, and
- * codes above the last code are invalid. */
+/* Returns true if the second byte of a UTF-8 character is valid after the first.
+ * Surrogates, codes with a shorter encoding, and codes above 10FFFF are invalid. */
 static bool is_second(unsigned char first, unsigned char second)
 {
     switch (first) {

@@ -5,7 +5,7 @@
 
 #include "base/utf8.h"
 
-/* Code points of Unicode 15, in order. */
+/* The invisible code points of Unicode 15, in ascending order. */
 static const struct invisible {
     unsigned long first, last;
     const char *name;
