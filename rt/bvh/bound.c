@@ -1,4 +1,4 @@
-/* bound.c - computes bounding spheres and boxes of other bounds. */
+/* bound.c - computes spheres and boxes that enclose other bounds. */
 #include "rt/bvh/bound.h"
 
 #include <math.h>
@@ -122,9 +122,9 @@ void bound_common(const struct bound *parts, size_t count, struct bound *whole)
 }
 
 /* Enlarges the bound by the sum of three margins: 1/1000 of the radius; the rounding
- * error of a ray that comes from far away; twice k_delta (docs/solids.md). Points up to
- * k_delta on either side of a crossing are tested, so a solid whose bound is missed
- * must contain neither point. */
+ * error of a ray that comes from far away; twice k_delta (docs/solids.md). CSG tests
+ * points up to k_delta before and after a crossing. If a ray misses the bound of a
+ * solid, the solid must contain none of these points. */
 void bound_add_margin(struct bound *bound)
 {
     double margin = .001 * bound->radius + 1e-9 * length3(bound->center) + 2e-7;

@@ -28,7 +28,7 @@ void bound_enclose(const struct bound *parts, size_t count, struct bound *whole)
 /* Computes a bound of the intersection of other bounds: the smallest of their spheres,
  * and the intersection of their boxes. */
 void bound_common(const struct bound *parts, size_t count, struct bound *whole);
-/* Computes the box around the boxes of other bounds. */
+/* Computes the box that encloses the boxes of other bounds. */
 void bound_box(const struct bound *parts, size_t count, struct bound *whole);
 /* Enlarges a bound by more than the rounding errors of the machine. */
 void bound_add_margin(struct bound *bound);

@@ -32,7 +32,7 @@ struct cut_part {
 
 struct cutting {
     const struct boxed *things;
-    /* Returns the cost of a part of a list with the box `whole`. */
+    /* Returns the cost of one part of a split; `whole` is the box of both parts. */
     double (*cost)(const struct cut_part *part, const struct box *whole);
     size_t *other; /* scratch space for a list */
 };
@@ -45,7 +45,8 @@ struct cut {
     double cost;
 };
 
-/* Returns the best split whose cost is below `cost`. */
+/* Returns the split with the least cost. Its axis is negative if no split costs less
+ * than `cost`. */
 struct cut cut_find(const struct cutting *cutting, const size_t *row, size_t count,
                     const struct box *whole, double cost);
 /* Partitions a list by a split: the lower part comes first, and each part keeps its

@@ -31,9 +31,9 @@ static double surface_of(const struct box *box)
     return sum;
 }
 
-/* Returns the expected number of tests below a node, for a ray that hits the node's
- * sphere. Such a ray hits a smaller sphere inside with a probability equal to the ratio
- * of the surfaces. */
+/* Returns the expected number of tests in a part, for a ray that hits the sphere around
+ * the whole. Such a ray hits the part's sphere with a probability equal to the ratio of
+ * the surfaces. */
 static double cost_of(const struct cut_part *part, const struct box *whole)
 {
     double surface = surface_of(whole);
@@ -140,8 +140,8 @@ bool hierarchy_none(size_t count, struct hierarchy *hierarchy)
     return hierarchy->order;
 }
 
-/* Builds the nodes of all bounded regions. A single leaf is removed, because it would
- * save no test. */
+/* Builds the hierarchy of all bounded regions. A hierarchy of a single leaf is removed,
+ * because it would save no test. */
 static void build_all(const struct build *build)
 {
     struct hierarchy *hierarchy = build->hierarchy;

@@ -37,8 +37,8 @@ struct hierarchy {
 /* Builds a hierarchy over count regions. Returns false if out of memory. */
 bool hierarchy_build(const struct bound *bounds, size_t count,
                      struct hierarchy *hierarchy);
-/* Makes an empty hierarchy: all regions are loose, in their own order. Returns false if
- * out of memory. */
+/* Makes a hierarchy without nodes: all regions are loose (in no leaf), in their own
+ * order. Returns false if out of memory. */
 bool hierarchy_none(size_t count, struct hierarchy *hierarchy);
 void hierarchy_free(struct hierarchy *hierarchy);
 

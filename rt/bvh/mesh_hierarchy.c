@@ -32,7 +32,8 @@ static double part_cost(const struct cut_part *part, const struct box *whole)
 
 /* ---- Splits -------------------------------------------------------------- */
 
-/* Moves the lowest triangle of the upper part to the lower part. */
+/* Moves the triangle of the upper part that is lowest along the axis to the lower
+ * part. */
 static void lift(const struct boxed *things, size_t *row, size_t count, size_t lower,
                  int axis)
 {
@@ -45,7 +46,7 @@ static void lift(const struct boxed *things, size_t *row, size_t count, size_t l
     row[lower] = kept;
 }
 
-/* Splits a list so that the lower part consists of full leaves. */
+/* Splits a list near a cut, so that all leaves of the lower part are full. */
 static size_t cut_leaves(const struct cutting *cutting, size_t *row, size_t count,
                          const struct cut *cut)
 {
@@ -63,7 +64,8 @@ static size_t half_of(size_t count)
 
 /* ---- Nodes --------------------------------------------------------------- */
 
-/* Splits the list of a node. Returns the size of its lower part, and sets the axis. */
+/* Splits the triangles of a node into two parts. Returns the number of triangles in the
+ * lower part, and sets node->axis. */
 static size_t split(const struct mesh_build *build, size_t *row, size_t count,
                     size_t depth, struct mesh_node *node)
 {
@@ -132,7 +134,7 @@ static bool upper_first(const struct threading *threading, size_t node)
     return threading->orders[node] & MESH_UPPER_FIRST;
 }
 
-/* Returns the first node of a subtree that is tested. */
+/* Returns the first tested node at or below a node, in the order of traversal. */
 static size_t first_asked(const struct threading *threading, size_t node)
 {
     while (threading->orders[node] & MESH_PASSED)

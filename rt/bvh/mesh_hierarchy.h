@@ -32,8 +32,8 @@ struct mesh_hierarchy {
 
 /* Returns the number of nodes of a hierarchy over this many triangles, at least one. */
 size_t mesh_hierarchy_nodes(size_t triangles);
-/* Builds a hierarchy. The triangles' points may have any scale. Returns false if out of
- * memory. */
+/* Builds a hierarchy. All members `place` of the triangles may be scaled by a common
+ * factor. Returns false if out of memory. */
 bool mesh_hierarchy_build(const struct boxed *triangles, size_t count,
                           struct mesh_hierarchy *hierarchy);
 void mesh_hierarchy_free(struct mesh_hierarchy *hierarchy);
@@ -50,7 +50,7 @@ struct mesh_rows {
     double *links; /* address of the two adjacent links of the first node */
     size_t size;   /* words of a row */
 };
-/* A number that is greater than the offset of any row. */
+/* A number that marks leaves. It is greater than the offset of any row. */
 #define MESH_LEAF_HIT 0x1p40
 
 /* Stores two links for each node, for a traversal without a stack. Rays that hit the

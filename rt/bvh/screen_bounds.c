@@ -1,4 +1,4 @@
-/* screen_bounds.c - computes the windows of a mesh's nodes from viewpoints. */
+/* screen_bounds.c - computes the windows of a mesh's nodes, as seen from viewpoints. */
 #include "rt/bvh/screen_bounds.h"
 
 #include <math.h>
@@ -29,10 +29,11 @@ enum {
 
 /* ---- Viewpoints ---------------------------------------------------------- */
 
-/* These limits are relative to the greatest coordinate. MARGIN is added to each side of
- * a window, measured at the depth of the node. It is eight times the rounding error of
- * a ray that starts within MAX_FAR, and of a triangle that it hits. For a viewpoint
- * closer than MIN_NEAR the margin would be most of the window. */
+/* These limits are relative to the greatest coordinate of the mesh and the viewpoint.
+ * MARGIN is added to each side of a window, measured at the smallest depth of the mesh.
+ * It is eight times the rounding error of a hit by a ray that starts within MAX_FAR. A
+ * viewpoint closer than MIN_NEAR has no windows, because the margin would be most of
+ * them. */
 #define MARGIN 0x1p-31
 #define MIN_NEAR 0x1p-20
 enum { MAX_FAR = 512 };
@@ -162,8 +163,8 @@ static double cost_below(const struct mesh_node *node, double area, int clocks)
            * (node->count > 0 ? TRIANGLE_CLOCKS * (double)node->count : 2. * clocks);
 }
 
-/* Returns the projected area of a box. The value is accurate only for a small box,
- * which suffices. */
+/* Returns the area of a box in the plane z = 1. The value is accurate only for a small
+ * box, which suffices. */
 static double silhouette(const struct box *box, const struct viewpoint *viewpoint)
 {
     double away[3], size[3], z, area = 0;
@@ -233,8 +234,8 @@ static void plan_orders(const struct mesh_node *nodes, size_t node,
 
 /* ---- Words --------------------------------------------------------------- */
 
-/* Writes the row of a node. The margin of its window is the margin of the mesh, divided
- * by the least depth. */
+/* Writes the row of a node. MARGIN is a length at the smallest depth of the mesh;
+ * divided by this depth, it is added to each side of the window. */
 static void put_node_bounds(const struct screen_bounds *of,
                             const struct viewpoint *viewpoint,
                             const struct node_bounds *window, size_t node, double *row)

@@ -35,11 +35,12 @@ struct screen_bounds {
 };
 
 /* Returns the size of the screen bounds in words, and sets *seeing to the number of
- * viewpoints outside the box. */
+ * viewpoints that are outside of the box and not too close to it. */
 size_t screen_bounds_size(const struct viewpoints *viewpoints, const struct box *whole,
                           size_t nodes, size_t *seeing);
-/* Writes the screen bounds at the offset `place` of the table, and sets *planned to the
- * number of viewpoints that have windows. Returns false if out of memory. */
+/* Writes the screen bounds into `words`; place is their offset in the mesh's table.
+ * Sets *planned to the number of viewpoints that have windows. Returns false if out of
+ * memory. */
 bool screen_bounds_put(const struct screen_bounds *bounds,
                        const struct viewpoints *viewpoints, double place, double *words,
                        size_t *planned);
