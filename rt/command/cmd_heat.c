@@ -54,7 +54,8 @@ static struct heat_request request_of(const struct heat_arguments *args)
     };
 }
 
-/* Warns about primitives that cannot emit. With lines, all primitives can. */
+/* Warns about primitives that receive radiation but cannot emit it. All primitives can
+ * emit if the factors are computed with lines through the scene. */
 static void warn_of_receivers(const struct heat_arguments *args,
                               const struct heat *heat)
 {
@@ -103,7 +104,8 @@ static bool find_stages(const struct heat *heat, struct stages *stages,
 
 /* ---- Output ----------------------------------------------------------------- */
 
-/* Prints the areas. JSON always contains all surfaces. */
+/* Prints the visible areas, without invisible surfaces unless details is true. JSON
+ * always contains all surfaces. */
 static bool print_areas(const struct heat *heat, bool details,
                         const struct command_output *results)
 {

@@ -11,7 +11,7 @@
 #include "rt/heat/hits.h"
 #include "rt/study/speedup.h"
 
-/* The ways that are compared. WAY_PROJECTED is the scalar form, projected for another
+/* The runs that are compared. WAY_PROJECTED is the scalar form, projected for another
  * machine model. */
 enum way { WAY_PROJECTED, WAY_SCALAR, WAY_QUEUE, WAY_LONGEST, WAYS };
 
@@ -49,7 +49,7 @@ static bool find_way(struct hits_ways *ways, enum way way)
                      &ways->error);
 }
 
-/* Runs all forms. Checks that their results are equal bit for bit. */
+/* Computes the results in all ways, and checks that they are equal bit for bit. */
 static bool find_ways(struct hits_ways *ways)
 {
     for (int way = WAY_SCALAR; way < WAYS; way++)

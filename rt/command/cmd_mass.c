@@ -1,5 +1,6 @@
 /* cmd_mass.c - rt205 mass: computes volume, area, mass, centroid, inertia and principal
- * axes of solids, with their errors. The machine computes them along columns. */
+ * axes of solids, with their errors. The machine computes them as sums over parallel
+ * rays. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -217,8 +218,8 @@ static int find_and_print(struct trace_session *session,
     return good ? CMD_DONE : cmd_failed(args->shared.command, "%s", error.message);
 }
 
-/* Moves a share such as 1/4 from the list of parts to the job set. Names of parts do
- * not contain a slash. */
+/* Moves a share such as 1/4 from the list of parts to args->jobs.job_set. The name of a
+ * part contains no slash. */
 static void take_share(struct mass_arguments *args)
 {
     struct command_texts *parts = &args->parts;

@@ -1,4 +1,5 @@
-/* cmd_profile.c - rt205 profile: compares the costs of a frame in the three stages. */
+/* cmd_profile.c - rt205 profile: compares the costs of a frame in the scalar form, the
+ * form of 1984 and the vector form. */
 #include <stdio.h>
 
 #include "base/provenance.h"
@@ -33,8 +34,8 @@ static void print_head(const struct profile_arguments *args, const struct trace 
     provenance_json(options->model, json);
 }
 
-/* Selects the output of a table. Text shows groups in millions of clocks. CSV and JSON
- * have exact clocks. */
+/* Disables the outputs of a table that another table replaces. Text has three groups of
+ * parts, in millions of clocks; CSV and JSON have the exact clocks of each part. */
 static struct command_output results_of(enum profile_table kind,
                                         const struct command_output *results)
 {

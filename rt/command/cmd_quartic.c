@@ -121,7 +121,8 @@ static size_t print_all_roots(const struct quartic_arguments *args,
     return refused;
 }
 
-/* Prints the table of roots, which text output does not have. */
+/* Prints the table of roots in all formats except text, which prints the roots as
+ * lines. */
 static bool print_table(const struct table *table, const struct command_output *results)
 {
     struct command_output printed = *results;
@@ -208,7 +209,7 @@ static int solve(const struct quartic_arguments *args,
 
 /* ---- Comparison of the rules of falsi ----------------------------------- */
 
-/* The cost of a rule in one form of the program. */
+/* The cost of a regula falsi rule in one form of the root solver. */
 struct rule_run {
     uint64_t clocks;
     struct iterations iterations;
@@ -239,8 +240,8 @@ static bool run_rule(void *context, const struct task *task, c205_error *error)
     return found != NULL;
 }
 
-/* Returns the host's relative cost. The scalar form takes the host several times as
- * long as the vector form. */
+/* Returns the estimated time of the host for a task. Scalar programs take several times
+ * as long as vector programs. */
 static double rule_weight(const void *context, size_t number)
 {
     (void)context;

@@ -96,8 +96,8 @@ static struct result result_of(const struct render_arguments *args,
     return result;
 }
 
-/* Prints the number of camera rays with a threshold, and their percentage of all
- * samples. */
+/* Prints the number of camera rays that were traced with --threshold, and their
+ * percentage of the rays without it. */
 static void print_rays(const struct result *result,
                        const struct command_output *results)
 {
@@ -376,7 +376,7 @@ static int run_debugger(const struct render_arguments *args, struct frame_pixel 
     return repl_run(&repl, &setup);
 }
 
-/* Debugs the program of the frame in the band that contains the pixel. */
+/* Runs the debugger on the program of the band that contains the pixel. */
 static int debug(struct trace_session *session, const struct render_arguments *args)
 {
     const struct scene *scene = session_scene(session, &args->scene);

@@ -1,5 +1,5 @@
-/* cmd_speedup.c - rt205 speedup: compares the paper's Table 1 with the speedups of this
- * project. */
+/* cmd_speedup.c - rt205 speedup: compares the measured speedups of vector programs with
+ * Table 1 of the tracer's 1984 paper. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -94,7 +94,8 @@ static bool print(const struct speedup_arguments *args,
            && (!args->passes || speedup_report_passes(report, format, results->file));
 }
 
-/* Writes the model, the projections and the view of a measurement. */
+/* Writes the model, the projections to other machines, and the view of the
+ * primitives. */
 static bool write_head(const struct speedup_arguments *args, int projections,
                        struct json *json, c205_error *error)
 {

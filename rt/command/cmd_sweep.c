@@ -103,8 +103,8 @@ static int check(const struct sweep_arguments *args)
 
 /* ---- Results ------------------------------------------------------------- */
 
-/* Returns true if the sweep uses the requested frame. A sweep of lengths uses frames
- * that consist of one queue. */
+/* Returns true if the sweep uses the requested frame. The sweep of queue lengths uses
+ * frames of one queue instead. */
 static bool has_frame(const struct sweep_kind *kind)
 {
     return kind != &sweep_length;

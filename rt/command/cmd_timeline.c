@@ -17,8 +17,8 @@ struct timeline_arguments {
     uint64_t from, to;  /* range of clocks; C205_NO_LIMIT: not specified */
 };
 
-/* Finds the range of clocks of the band that is shown. By default it is the range of
- * the queue that contains the pixel. */
+/* Finds the clocks that the timeline shows: by default those of the queue that contains
+ * the pixel. */
 static bool find_stretch(const struct timeline_arguments *args,
                          const struct frame_pixel *pixel, struct clock_stretch *stretch,
                          c205_error *error)

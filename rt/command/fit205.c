@@ -88,8 +88,8 @@ static bool hold_out(const struct fit_arguments *args, const struct observations
 
 /* ---- Writing ------------------------------------------------------------ */
 
-/* Predicts the observations with the models as they are written. Writes the requested
- * models. */
+/* Sets `written` to predictions of the observations, computed with constants rounded as
+ * in a model file. Then writes the requested model files. */
 static bool write_models(const struct fit_arguments *args, const struct study *study,
                          double *written, c205_error *error)
 {

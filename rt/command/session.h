@@ -1,5 +1,5 @@
-/* session.h - groups of arguments, rows of their options, and the session of a command.
- * All commands of rt205 share them.
+/* session.h - what all commands of rt205 share: structures of arguments, their options,
+ * and a session, which opens the model, the output and the scene of a command.
  *
  *   struct trace_session session;
  *   int code = session_open(&session, &args->shared, NULL);
@@ -9,7 +9,7 @@
  *   return session_close(&session, code);
  *
  * The file of a command defines a structure of the command's arguments. It begins with
- * struct trace_arguments, and contains other groups of arguments.
+ * struct trace_arguments, and contains other structures of this file.
  */
 #ifndef RT_SESSION_H
 #define RT_SESSION_H
