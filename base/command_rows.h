@@ -1,5 +1,5 @@
-/* command_rows.h - functions on the rows of command.h, for parsing, help and generated
- * pages. Only base/command*.c include it.
+/* command_rows.h - functions on the rows of commands and options (command.h), for
+ * parsing, help and generated pages. Only base/command*.c include it.
  */
 #ifndef BASE_COMMAND_ROWS_H
 #define BASE_COMMAND_ROWS_H

@@ -40,9 +40,10 @@ void shown_line_call(const struct expander *expander);
 const struct line *shown_line(const struct line *line);
 /* Returns the outermost macro call that contains a line, or the line. */
 const struct line *outermost_line(const struct line *line);
-/* Returns the form of the code of a line: of the innermost operation between the line
- * and its shown line, or else of the formula that contains the shown line. Returns
- * ASM_NO_FORM if there is neither, or if the formula calls operations of both forms. */
+/* Returns the form of a line's code, scalar or vector. If operations were called
+ * between the line and its shown line, it is the form of the innermost one; otherwise
+ * it is that of the formula that contains the shown line. Returns ASM_NO_FORM if there
+ * is neither, or if the formula calls operations of both forms. */
 enum asm_form form_of_line(const struct line *line);
 
 #endif
