@@ -15,10 +15,8 @@ begin_fine:
         BIM     0, link_kernel
 next_fine:
         by_scalar_program fine_next
-        EX      s0, scene_tiles
-        STO     [s0], r0
-        EX      s0, scene_first_pixel
-        STO     [s0], r0
+        store_word r0, scene_tiles, s0
+        store_word r0, scene_first_pixel, s0
         BIM     0, link_kernel
 average_fine:
         by_scalar_program fine_average

@@ -93,8 +93,7 @@ add_kind_done:
         BIM     add_kind
 add_queue_done:
         SUBX    children_left, children, children_left
-        SHIFTI  children, 6, s2
-        ADDX    child_list, s2, child_list
+        advance_by child_list, children, s2
         IBXNE   children_left, r0, r0, add_queue
         BIM     0, link
         .endkernel

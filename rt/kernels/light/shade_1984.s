@@ -58,8 +58,7 @@ lit_store:      .space 7 * QUEUE        ; rays to a light, and their limits
         .endm
 
         .macro  call_hit routine
-        EX      arguments, hit_list
-        STO     [arguments], hit_at
+        store_word hit_at, hit_list, arguments
         call_routine \routine, link
         .endm
 
@@ -196,8 +195,7 @@ shade_walk:
         IX      s2, 64 * BEAM_PARALLEL
         LOD     [s2], s1
 shadow_of_point:
-        EX      s2, shadow_parallel
-        STO     [s2], s1
+        store_word s1, shadow_parallel, s2
         .endif
         .if     AREAS
         load_word shade_shadows, shadows

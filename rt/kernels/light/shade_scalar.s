@@ -33,8 +33,7 @@ shadow_light:   .space 3
 ; Traces the ray of shadow_ray up to limit.  position = the address of its target.
 ; here = the address of the remaining light.
         .macro  cast_shadow limit, position
-        EX      here, shadow_limit
-        STO     [here], \limit
+        store_word \limit, shadow_limit, here
         RTOR    \position, t1
         .if     BEAMS
         IBXEQ   light_beam, r0, r0, cast_to_place\@

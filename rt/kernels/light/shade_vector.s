@@ -174,8 +174,7 @@ sort_find:
         IX      part_at, 64
         IX      parts_left, 1
         ADDX    h, m, h
-        SHIFTI  m, 6, s0
-        ADDX    at, s0, at
+        advance_by at, m, s0
         IBXEQ   s9, r0, one_index, sort_none
         SHIFTI  m, 3, s0                        ; an eighth: they are removed
         IBXLT   s0, r0, s8, sort_none

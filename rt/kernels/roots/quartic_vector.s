@@ -234,8 +234,7 @@ is_zero\@:
         take    q_fa, \fa, \bits
         take    q_b, \b, \bits
         take    q_fb, \fb, \bits
-        EX      q_target, solver_order
-        ADDLEN  q_target, q_lanes, q_target
+        describe q_target, solver_order, q_lanes
         take    q_at, q_target, \bits
         .endm
 
@@ -458,8 +457,7 @@ search_alive\@:
         .endr
         LTOR    q_c4, q_lanes
         RTOR    s9, q_want
-        EX      root0, solver_roots
-        ADDLEN  root0, q_lanes, root0
+        describe root0, solver_roots, q_lanes
         RTOR    root0, root1
         IX      root1, 64 * QUEUE
         RTOR    root1, root2
@@ -473,8 +471,7 @@ search_alive\@:
         .endr
         VTOV    r0, [root_count]
         INTVLV  r0, q_index_one, [q_lane]
-        EX      q_target, solver_order
-        ADDLEN  q_target, q_lanes, q_target
+        describe q_target, solver_order, q_lanes
         VTOV    [q_lane], [q_target]
 
         CMPLTV  [q_low], [q_high], [q_alive]

@@ -34,8 +34,7 @@ through_store:  .space 4 * QUEUE
         .code
 
         .macro  through_vectors
-        EX      s2, through_store
-        ADDLEN  s2, near, s2
+        describe s2, through_store, near
         RTOR    s2, s3
         IX      s3, 64 * QUEUE
         RTOR    s3, s4
