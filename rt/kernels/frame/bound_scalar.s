@@ -33,15 +33,9 @@
 
         .macro  skip_far c0, c1, c2, radius, square, limit, far
         CFPGE   \radius, m_big, near\@
-        SUBN    \c0, w_ox, w_t0
-        SUBN    \c1, w_oy, w_t1
-        SUBN    \c2, w_oz, w_t2
-        MPYS    w_t0, w_dx, w_t3
-        MPYS    w_t1, w_dy, w_t4
-        MPYS    w_t2, w_dz, w_t5
-        MPYS    w_t0, w_t0, w_t0
-        MPYS    w_t1, w_t1, w_t1
-        MPYS    w_t2, w_t2, w_t2
+        three   SUBN, \c0, \c1, \c2, w_ox, w_oy, w_oz, w_t0, w_t1, w_t2
+        three   MPYS, w_t0, w_t1, w_t2, w_dx, w_dy, w_dz, w_t3, w_t4, w_t5
+        three   MPYS, w_t0, w_t1, w_t2, w_t0, w_t1, w_t2, w_t0, w_t1, w_t2
         ADDN    w_t4, w_t3, w_t3
         ADDN    w_t1, w_t0, w_t0
         ADDN    w_t5, w_t3, w_t3
@@ -77,21 +71,15 @@ near\@:
         .macro  skip_if_box_missed box_missed
         load_part w_region, R_BOX, 6, b_cx, w_at
         load_word bound_lost, b_lost
-        SUBN    b_cx, w_ox, b_cx
-        SUBN    b_cy, w_oy, b_cy
-        SUBN    b_cz, w_oz, b_cz
+        three   SUBN, b_cx, b_cy, b_cz, w_ox, w_oy, w_oz, b_cx, b_cy, b_cz
         ABS     w_dx, b_dx
         ABS     w_dy, b_dy
         ABS     w_dz, b_dz
         ABS     b_cx, w_t0
         ABS     b_cy, w_t1
         ABS     b_cz, w_t2
-        MPYS    w_t0, b_lost, w_t0
-        MPYS    w_t1, b_lost, w_t1
-        MPYS    w_t2, b_lost, w_t2
-        ADDN    b_hx, w_t0, b_hx
-        ADDN    b_hy, w_t1, b_hy
-        ADDN    b_hz, w_t2, b_hz
+        three_by MPYS, b_lost, w_t0, w_t1, w_t2, w_t0, w_t1, w_t2
+        three   ADDN, b_hx, b_hy, b_hz, w_t0, w_t1, w_t2, b_hx, b_hy, b_hz
         skip_if_separated b_cy, b_cz, w_dy, w_dz, b_hy, b_hz, b_dy, b_dz, \box_missed
         skip_if_separated b_cz, b_cx, w_dz, w_dx, b_hz, b_hx, b_dz, b_dx, \box_missed
         skip_if_separated b_cx, b_cy, w_dx, w_dy, b_hx, b_hy, b_dx, b_dy, \box_missed

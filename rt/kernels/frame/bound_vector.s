@@ -59,13 +59,9 @@ bound_store:    .space 4 * QUEUE
 ; Tests the sphere relative to the point at address s0, which all rays share.
         .macro  bound_common
         load_from s0, 3, s3
-        SUBN    bound_x, s3, s3
-        SUBN    bound_y, s4, s4
-        SUBN    bound_z, s5, s5
+        three   SUBN, bound_x, bound_y, bound_z, s3, s4, s5, s3, s4, s5
         dot_constant dx, dy, dz, s3, s4, s5, bound_g1, bound_g0
-        MPYS    s3, s3, s3
-        MPYS    s4, s4, s4
-        MPYS    s5, s5, s5
+        three   MPYS, s3, s4, s5, s3, s4, s5, s3, s4, s5
         ADDN    s3, s4, s3
         ADDN    s3, s5, s3
         MPYS    s3, s7, s3
@@ -152,12 +148,8 @@ bound_to_light:
 ; Makes all s8 rays of a set current: ox .. dz, their limits in s9.
 take_all:
         set_near s8
-        RTOR    ox, wox
-        RTOR    oy, woy
-        RTOR    oz, woz
-        RTOR    dx, wdx
-        RTOR    dy, wdy
-        RTOR    dz, wdz
+        copy_three ox, oy, oz, wox, woy, woz
+        copy_three dx, dy, dz, wdx, wdy, wdz
         RTOR    s9, near_limit
         load_word walk_set, s1
         IX      s1, 64 * SET_INDEX

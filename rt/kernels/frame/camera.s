@@ -62,17 +62,13 @@ camera:
         DIVS    cam_dirx, cam_t, view_locx
         DIVS    cam_diry, cam_t, view_locy
         DIVS    cam_dirz, cam_t, view_locz
-        RTOR    cam_locx, cam_dirx
-        RTOR    cam_locy, cam_diry
-        RTOR    cam_locz, cam_dirz
+        copy_three cam_locx, cam_locy, cam_locz, cam_dirx, cam_diry, cam_dirz
         .if     LENS
         load_word k_one, cam_t
         DIVS    cam_t, cam_focus, view_focus
         .endif
         .else
-        RTOR    cam_locx, view_locx
-        RTOR    cam_locy, view_locy
-        RTOR    cam_locz, view_locz
+        copy_three cam_locx, cam_locy, cam_locz, view_locx, view_locy, view_locz
         .if     LENS
         MPYS    cam_dirx, cam_dirx, view_focus
         MPYS    cam_diry, cam_diry, cam_t

@@ -20,6 +20,9 @@
 ;       advance_by address, count, work         to the address after count words
 ;       if_none bits, count, label              to the label if no bit is one
 ;       call_routine routine, link              the routine returns by link
+;       copy_three a, b, c, x, y, z, op         op a, x; op b, y; op c, z; default RTOR
+;       three op, a, b, c, d, e, f, x, y, z     op a, d, x; op b, e, y; op c, f, z
+;       three_by op, k, a, b, c, x, y, z        op k, a, x; op k, b, y; op k, c, z
 ;       no_code name                            the operation name, without code,
 ;                                               for one of two forms
 ;
@@ -130,6 +133,25 @@ at_most\@:
         .macro  if_none bits, count, label
         CNTOB   [\bits], \count
         IBXEQ   \count, r0, r0, \label
+        .endm
+
+; The same operation on the three components of vectors or colours.
+        .macro  three op, a, b, c, d, e, f, x, y, z
+        \op     \a, \d, \x
+        \op     \b, \e, \y
+        \op     \c, \f, \z
+        .endm
+
+        .macro  three_by op, k, a, b, c, x, y, z
+        \op     \k, \a, \x
+        \op     \k, \b, \y
+        \op     \k, \c, \z
+        .endm
+
+        .macro  copy_three a, b, c, x, y, z, op=RTOR
+        \op     \a, \x
+        \op     \b, \y
+        \op     \c, \z
         .endm
 
         .macro  no_code name

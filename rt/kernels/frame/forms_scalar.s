@@ -29,24 +29,14 @@ generate_ray:
 
 ; x, y, z = base + column per_column + row per_row.
         .macro  aim x, y, z
-        MPYS    g_column, g_colx, \x
-        MPYS    g_column, g_coly, \y
-        MPYS    g_column, g_colz, \z
-        MPYS    g_row, g_rowx, g_t
-        MPYS    g_row, g_rowy, g_u
-        MPYS    g_row, g_rowz, third
-        ADDN    \x, g_basex, \x
-        ADDN    \y, g_basey, \y
-        ADDN    \z, g_basez, \z
-        ADDN    g_t, \x, \x
-        ADDN    g_u, \y, \y
-        ADDN    third, \z, \z
+        three_by MPYS, g_column, g_colx, g_coly, g_colz, \x, \y, \z
+        three_by MPYS, g_row, g_rowx, g_rowy, g_rowz, g_t, g_u, third
+        three   ADDN, \x, \y, \z, g_basex, g_basey, g_basez, \x, \y, \z
+        three   ADDN, g_t, g_u, third, \x, \y, \z, \x, \y, \z
         .endm
         .macro  end_rays
         .if     ! ORIGINS_DIFFER
-        RTOR    g_lx, g_ox
-        RTOR    g_ly, g_oy
-        RTOR    g_lz, g_oz
+        copy_three g_lx, g_ly, g_lz, g_ox, g_oy, g_oz
         .endif
         SWAP    [r0], g_ox, [g_ray]
         leave   generate_save, GENERATE_REGISTERS

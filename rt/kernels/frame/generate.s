@@ -24,9 +24,7 @@
         begin_rays
         .if     ORTHOGRAPHIC
         aim     g_ox, g_oy, g_oz
-        set     g_lx, g_dx
-        set     g_ly, g_dy
-        set     g_lz, g_dz
+        copy_three g_lx, g_ly, g_lz, g_dx, g_dy, g_dz, set
         .else
         aim     g_dx, g_dy, g_dz
         .endif

@@ -42,9 +42,7 @@ leaf_node\@:
         IBXEQ   h_region_count, r0, m_index_one, leaf_found\@
         skip_far h_cx, h_cy, h_cz, h_radius, h_square, w_limit, leaf_pop\@
         IBXNE   h_region_count, r0, r0, leaf_found\@
-        MPYS    h_dirx, w_dx, w_t0
-        MPYS    h_diry, w_dy, w_t1
-        MPYS    h_dirz, w_dz, w_t2
+        three   MPYS, h_dirx, h_diry, h_dirz, w_dx, w_dy, w_dz, w_t0, w_t1, w_t2
         IX      h_node, 64 * H_SIZE
         ADDN    w_t0, w_t1, w_t0
         ADDN    w_t0, w_t2, w_t0

@@ -72,9 +72,7 @@ tile_queue:
 tile_begin:
         store_word strip_row, strips_done, s0
         RTOR    n, tile_left
-        RTOR    w0, s2
-        RTOR    w1, s3
-        RTOR    w2, s4
+        copy_three w0, w1, w2, s2, s3, s4
         ELEN    s2, 0
         ELEN    s3, 0
         ELEN    s4, 0

@@ -86,12 +86,8 @@
         .regs   r116, ox, oy, oz, dx, dy, dz, lower
 
         .macro  set_rays x0, x1, x2, d0, d1, d2, least
-        RTOR    \x0, ox
-        RTOR    \x1, oy
-        RTOR    \x2, oz
-        RTOR    \d0, dx
-        RTOR    \d1, dy
-        RTOR    \d2, dz
+        copy_three \x0, \x1, \x2, ox, oy, oz
+        copy_three \d0, \d1, \d2, dx, dy, dz
         RTOR    \least, lower
         .endm
 
@@ -278,9 +274,7 @@ near_set\@:
         dot_vectors \x0, \x1, \x2, \x0, \x1, \x2, \length, \work
         SQRTV   [\length], [\length]
         DIVSV   one, [\length], [\work]
-        MPYSV   [\x0], [\work], [\x0]
-        MPYSV   [\x1], [\work], [\x1]
-        MPYSV   [\x2], [\work], [\x2]
+        three_by MPYSV, [\work], [\x0], [\x1], [\x2], [\x0], [\x1], [\x2]
         .endm
 
 ; Normalises the vector x0, x1, x2, whose length is nearly one. One Newton step
@@ -292,7 +286,5 @@ near_set\@:
         LINKV
         MPYSV   [\scale], half, [\scale]
         ADDNV   [\scale], one, [\scale]
-        MPYSV   [\x0], [\scale], [\x0]
-        MPYSV   [\x1], [\scale], [\x1]
-        MPYSV   [\x2], [\scale], [\x2]
+        three_by MPYSV, [\scale], [\x0], [\x1], [\x2], [\x0], [\x1], [\x2]
         .endm

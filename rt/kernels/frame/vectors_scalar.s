@@ -9,9 +9,7 @@
 
 ; sum = x . u, in the order (x1 u1 + x0 u0) + x2 u2.
         .macro  dot x0, x1, x2, u0, u1, u2, sum, work
-        MPYS    \x0, \u0, \sum
-        MPYS    \x1, \u1, \work
-        MPYS    \x2, \u2, third
+        three   MPYS, \x0, \x1, \x2, \u0, \u1, \u2, \sum, \work, third
         ADDN    \work, \sum, \sum
         ADDN    third, \sum, \sum
         .endm
@@ -26,30 +24,18 @@
 
 ; Computes three such sums of x with the rows a, b, c at a time, without waits.
         .macro  dot_rows x0, x1, x2, a0, a1, a2, b0, b1, b2, c0, c1, c2, a, b, c, w0, w1, w2, w3
-        MPYS    \x0, \a0, \a
-        MPYS    \x0, \b0, \b
-        MPYS    \x0, \c0, \c
-        MPYS    \x1, \a1, \w0
-        MPYS    \x1, \b1, \w1
-        MPYS    \x1, \c1, \w2
-        MPYS    \x2, \a2, \w3
-        MPYS    \x2, \b2, third
-        MPYS    \x2, \c2, fourth
-        ADDN    \w0, \a, \a
-        ADDN    \w1, \b, \b
-        ADDN    \w2, \c, \c
-        ADDN    \w3, \a, \a
-        ADDN    third, \b, \b
-        ADDN    fourth, \c, \c
+        three_by MPYS, \x0, \a0, \b0, \c0, \a, \b, \c
+        three_by MPYS, \x1, \a1, \b1, \c1, \w0, \w1, \w2
+        three_by MPYS, \x2, \a2, \b2, \c2, \w3, third, fourth
+        three   ADDN, \w0, \w1, \w2, \a, \b, \c, \a, \b, \c
+        three   ADDN, \w3, third, fourth, \a, \b, \c, \a, \b, \c
         .endm
 
         .macro  normalise_by unit, x0, x1, x2, length, work
         dot     \x0, \x1, \x2, \x0, \x1, \x2, \length, \work
         SQRT    \length, \length
         DIVS    \unit, \length, \work
-        MPYS    \x0, \work, \x0
-        MPYS    \x1, \work, \x1
-        MPYS    \x2, \work, \x2
+        three_by MPYS, \work, \x0, \x1, \x2, \x0, \x1, \x2
         .endm
 
 ; Like normalise_by, but a vector without length becomes (1, 0, 0).
@@ -68,9 +54,7 @@ direction\@:
         SUBN    \unit, \scale, \scale
         MPYS    \scale, \half, \scale
         ADDN    \scale, \unit, \scale
-        MPYS    \x0, \scale, \x0
-        MPYS    \x1, \scale, \x1
-        MPYS    \x2, \scale, \x2
+        three_by MPYS, \scale, \x0, \x1, \x2, \x0, \x1, \x2
         .endm
 
 ; y = A x for the symmetric matrix of a quadric's record.
@@ -79,13 +63,7 @@ direction\@:
         .endm
 
         .macro  cross_product a0, a1, a2, b0, b1, b2, c0, c1, c2
-        MPYS    \a1, \b2, \c0
-        MPYS    \a2, \b0, \c1
-        MPYS    \a0, \b1, \c2
-        MPYS    \a2, \b1, t8
-        MPYS    \a0, \b2, t9
-        MPYS    \a1, \b0, third
-        SUBN    \c0, t8, \c0
-        SUBN    \c1, t9, \c1
-        SUBN    \c2, third, \c2
+        three   MPYS, \a1, \a2, \a0, \b2, \b0, \b1, \c0, \c1, \c2
+        three   MPYS, \a2, \a0, \a1, \b1, \b2, \b0, t8, t9, third
+        three   SUBN, \c0, \c1, \c2, t8, t9, third, \c0, \c1, \c2
         .endm

@@ -14,9 +14,7 @@
 ; Source: textbook.
 
         .macro  transform_rows x, y, z, k00, k01, k02, k10, k11, k12, k20, k21, k22, to0, to1, to2
-        scale   \x, \k00, \to0
-        scale   \x, \k10, \to1
-        scale   \x, \k20, \to2
+        three_by scale, \x, \k00, \k10, \k20, \to0, \to1, \to2
         scaled_plus_three \y, \k01, \to0, \to0, \y, \k11, \to1, \to1, \y, \k21, \to2, \to2
         scaled_plus_three \z, \k02, \to0, \to0, \z, \k12, \to1, \to1, \z, \k22, \to2, \to2
         .endm
@@ -36,7 +34,5 @@ emission_transform:
         raise   spot_z, to_world11, spot_z
         into    one, temp0, temp1
         times   weight, temp0, weight
-        times   face_x, temp1, face_x
-        times   face_y, temp1, face_y
-        times   face_z, temp1, face_z
+        three_by times, temp1, face_x, face_y, face_z, face_x, face_y, face_z
         .endkernel

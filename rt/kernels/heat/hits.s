@@ -244,9 +244,7 @@ hits_next:
 hits_cylinder:
         load_from hit_at, CYLINDER_SIZE, cyl_x
         IX      hit_at, 64 * CYLINDER_SIZE
-        lower   ox, cyl_x, s0
-        lower   oy, cyl_y, s1
-        lower   oz, cyl_z, s2
+        three   lower, ox, oy, oz, cyl_x, cyl_y, cyl_z, s0, s1, s2
         dot_axis s0, s1, s2, s3, s4                     ; b
         dot_axis dx, dy, dz, s4, s5                     ; a
         times   s0, dx, s5

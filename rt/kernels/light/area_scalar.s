@@ -28,9 +28,7 @@
         RTOR    m_zero, area_b
 area_point\@:
         load_from area_at, LIGHT_POINT_SIZE, area_x
-        SUBN    area_x, px, area_x
-        SUBN    area_y, py, area_y
-        SUBN    area_z, pz, area_z
+        three   SUBN, area_x, area_y, area_z, px, py, pz, area_x, area_y, area_z
         direction_by m_one, area_x, area_y, area_z, area_distance, t1
         EX      here, shadow_ray + 64 * 3
         store_to area_x, 3, here
@@ -41,7 +39,5 @@ area_point\@:
         area_add area_b, area_transmitted_b
         IX      area_at, 64 * LIGHT_POINT_SIZE
         IBXNE   area_left, m_index_minus_one, r0, area_point\@, area_left
-        RTOR    area_r, light_r
-        RTOR    area_g, light_g
-        RTOR    area_b, light_b
+        copy_three area_r, area_g, area_b, light_r, light_g, light_b
         .endm

@@ -56,9 +56,7 @@ area_store:     .space 3 * QUEUE        ; sum of the light, for all hits
 
 ; lx, ly, lz = the directions from the hits to a point.
         .macro  area_direction x, y, z
-        SUBNV   \x, [px], [lx]
-        SUBNV   \y, [py], [ly]
-        SUBNV   \z, [pz], [lz]
+        three   SUBNV, \x, \y, \z, [px], [py], [pz], [lx], [ly], [lz]
         normalise lx, ly, lz, v0, v1
         .endm
 

@@ -71,9 +71,7 @@ beam_rays\@:
         dot_product lx, ly, lz, lx, ly, lz, beam_off, t1
         root    beam_off, beam_off
 beam_axis\@:
-        set     beam_x, lx
-        set     beam_y, ly
-        set     beam_z, lz
+        copy_three beam_x, beam_y, beam_z, lx, ly, lz, set
 beam_direction\@:
         .endm
 

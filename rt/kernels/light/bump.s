@@ -119,9 +119,7 @@
         IBXNE   bump_left, r0, r0, bumped_by_map\@
         call_bump
 bumped_found\@:
-        copy    lx, nx
-        copy    ly, ny
-        copy    lz, nz
+        copy_three lx, ly, lz, nx, ny, nz, copy
         dot_product nx, ny, nz, hdx, hdy, hdz, facing, t0
         leave_bumped bumped\@
 
@@ -177,9 +175,7 @@ bump_unscaled:
         ES      bump_corners_left, 4
 bump_next:
         load_from bump_corner, BUMP_CORNER_SIZE, b0
-        raise   bump_x, b0, q_x
-        raise   bump_y, b1, q_y
-        raise   bump_z, b2, q_z
+        three   raise, bump_x, bump_y, bump_z, b0, b1, b2, q_x, q_y, q_z
         call_height
         scaled_plus y_0, b3, lx, lx
         scaled_plus y_0, b4, ly, ly
@@ -193,9 +189,7 @@ bump_back:
         IBXEQ   bump_flag, r0, r0, bump_returned
         unit_vector q_x, q_y, q_z, t0, t1
 bump_returned:
-        copy    q_x, lx
-        copy    q_y, ly
-        copy    q_z, lz
+        copy_three q_x, q_y, q_z, lx, ly, lz, copy
         BIM     0, bump_link
 
 bump_quilted:

@@ -148,9 +148,7 @@ one_where_near\@:
 
 ; Multiplies the light's colour, or its transmitted part, by the attenuation.
         .macro  attenuate_light
-        MPYS    attenuation, light_r, light_r
-        MPYS    attenuation, light_g, light_g
-        MPYS    attenuation, light_b, light_b
+        three_by MPYS, attenuation, light_r, light_g, light_b, light_r, light_g, light_b
         .endm
 
 ; image.s: find_value calls its routines.  They return the colour in image_r ..,
@@ -227,9 +225,7 @@ image_outside:
         .endshare
 
         .macro  change_normal
-        RTOR    nx, raw_x
-        RTOR    ny, raw_y
-        RTOR    nz, raw_z
+        copy_three nx, ny, nz, raw_x, raw_y, raw_z
         load_field P_BUMP, bump_at
         IBXEQ   bump_at, r0, r0, not_bumped\@
         apply_bumps
@@ -255,9 +251,7 @@ bumped_between\@:
         not_above_number m_one, bump_share
         call_bump
         SUBN    m_one, bump_share, t0
-        MPYS    lx, t0, bump_sum_x
-        MPYS    ly, t0, bump_sum_y
-        MPYS    lz, t0, bump_sum_z
+        three_by MPYS, t0, lx, ly, lz, bump_sum_x, bump_sum_y, bump_sum_z
         IX      bump_at, 64 * BUMP_SIZE
         call_bump
         scaled_plus lx, bump_share, bump_sum_x, bump_sum_x

@@ -263,9 +263,7 @@ image_found:
 bumped:
         RTOR    link_inner, link_bump
         normals_before s1, s2, s3
-        VTOV    [nx], [s1]
-        VTOV    [ny], [s2]
-        VTOV    [nz], [s3]
+        copy_three [nx], [ny], [nz], [s1], [s2], [s3], VTOV
         apply_bumps
         .endm
         .macro  leave_bumped label

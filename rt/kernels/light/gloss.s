@@ -107,13 +107,9 @@ metal_none\@:
         .macro  add_highlight amount, light_r, light_g, light_b
         scale   p_x, \amount, t0
         CFPNE   f_metallic, r0, highlight_metallic\@
-        add_light t0, \light_r, red
-        add_light t0, \light_g, green
-        add_light t0, \light_b, blue
+        three_by add_light, t0, \light_r, \light_g, \light_b, red, green, blue
         BIM     highlight_added\@
 highlight_metallic\@:
-        add_metallic \light_r, cr, red
-        add_metallic \light_g, cg, green
-        add_metallic \light_b, cb, blue
+        three   add_metallic, \light_r, \light_g, \light_b, cr, cg, cb, red, green, blue
 highlight_added\@:
         .endm

@@ -186,8 +186,6 @@ image_bilinear:
 image_by_distance:
         add_four weigh_by_distance
         into    m_one, weight_sum, weight_sum
-        times   image_r, weight_sum, image_r
-        times   image_g, weight_sum, image_g
-        times   image_b, weight_sum, image_b
+        three_by times, weight_sum, image_r, image_g, image_b, image_r, image_g, image_b
         BIM     0, colour_link
         .endkernel

@@ -26,9 +26,7 @@
 
 ; Computes the direction lx, ly, lz to the light, its distance and N . L.
         .macro  find_light_direction
-        from    light_x, px, lx
-        from    light_y, py, ly
-        from    light_z, pz, lz
+        three   from, light_x, light_y, light_z, px, py, pz, lx, ly, lz
         .if     BEAMS
         IBXNE   light_beam, r0, r0, towards_beam\@
         .endif
@@ -59,9 +57,7 @@ towards_direction\@:
         .else
         .macro  add_highlight amount, light_r, light_g, light_b
         scale   p_x, \amount, t0
-        add_light t0, \light_r, red
-        add_light t0, \light_g, green
-        add_light t0, \light_b, blue
+        three_by add_light, t0, \light_r, \light_g, \light_b, red, green, blue
         .endm
         .endif
 
@@ -73,9 +69,7 @@ towards_direction\@:
         .else
         scale   ndotl, f_diffuse, t0
         .endif
-        add_diffuse \light_r, cr, red
-        add_diffuse \light_g, cg, green
-        add_diffuse \light_b, cb, blue
+        three   add_diffuse, \light_r, \light_g, \light_b, cr, cg, cb, red, green, blue
         CFPEQ   light_highlights, r0, shine_end\@
         leave_if_matt shine_end\@
         dot_product hdx, hdy, hdz, lx, ly, lz, ddotl, t0

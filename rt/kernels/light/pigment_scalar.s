@@ -99,9 +99,7 @@ map_between\@:
         call_routine find_value, pattern_link
         .if     IMAGES
         IBXNE   map_stop_count, r0, r0, pattern_mapped\@
-        RTOR    y_0, color0r
-        RTOR    y_1, color0g
-        RTOR    y_2, color0b
+        copy_three y_0, y_1, y_2, color0r, color0g, color0b
         BIM     pattern_coloured\@
 pattern_mapped\@:
         .endif

@@ -87,9 +87,7 @@ find_checker:
 
 find_pigment:
         load_record P_COLOR, 6, color0r
-        VTOV    color0r, [cr]
-        VTOV    color0g, [cg]
-        VTOV    color0b, [cb]
+        copy_three color0r, color0g, color0b, [cr], [cg], [cb], VTOV
         load_field P_PIGMENT, s0
         IBXEQ   s0, r0, r0, pigment_plain
         IBXNE   s0, r0, one_index, pigment_gradient

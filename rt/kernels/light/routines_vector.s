@@ -84,9 +84,7 @@ find_mirror:
         mirror_by_angle
         BIM     0, link_gloss
 mirror_constant:
-        VTOV    spawn_r, [red]
-        VTOV    spawn_g, [green]
-        VTOV    spawn_b, [blue]
+        copy_three spawn_r, spawn_g, spawn_b, [red], [green], [blue], VTOV
         VTOV    spawn_most, [ndotl]
         BIM     0, link_gloss
         .endkernel

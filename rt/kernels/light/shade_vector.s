@@ -79,9 +79,7 @@ shade:
         load_word queue_order, s0
         IBXNE   s0, r0, r0, shade_sky
         load_words scene_background, 3, s1, shape_at
-        VTOV    s1, [out_red]
-        VTOV    s2, [out_green]
-        VTOV    s3, [out_blue]
+        copy_three s1, s2, s3, [out_red], [out_green], [out_blue], VTOV
         unless_first_level shade_sky
         describe near_bits, queue_bits, n
         VTOV    r0, [out_depth]
@@ -121,9 +119,7 @@ shade_sky_colours:
         VXTOV   [at], [s2], [v0]
         RTOR    v0, at
 shade_sky_store:
-        VTOVX   [at], [cr], [out_red]
-        VTOVX   [at], [cg], [out_green]
-        VTOVX   [at], [cb], [out_blue]
+        three_by VTOVX, [at], [cr], [cg], [cb], [out_red], [out_green], [out_blue]
 
 shade_sort:
         ES      h, 0
@@ -258,13 +254,9 @@ shade_store_colours:
         IBXEQ   s2, r0, r0, shade_store_at
         order_hits s3
 shade_store_at:
-        VTOVX   [s3], [red], [out_red]
-        VTOVX   [s3], [green], [out_green]
-        VTOVX   [s3], [blue], [out_blue]
+        three_by VTOVX, [s3], [red], [green], [blue], [out_red], [out_green], [out_blue]
         unless_first_level shade_done
-        VTOVX   [s3], [nx], [out_nx]
-        VTOVX   [s3], [ny], [out_ny]
-        VTOVX   [s3], [nz], [out_nz]
+        three_by VTOVX, [s3], [nx], [ny], [nz], [out_nx], [out_ny], [out_nz]
 shade_done:
         BIM     0, link_shade
         .endkernel

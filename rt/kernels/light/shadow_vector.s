@@ -79,21 +79,13 @@ cast_shadows:
         end_before_light
         .endif
         IBXNE   s8, r0, h, shadows_of_some
-        RTOR    px, aox
-        RTOR    py, aoy
-        RTOR    pz, aoz
-        RTOR    lx, adx
-        RTOR    ly, ady
-        RTOR    lz, adz
+        copy_three px, py, pz, aox, aoy, aoz
+        copy_three lx, ly, lz, adx, ady, adz
         RTOR    v0, nearest
         BIM     shadows_cast
 shadows_of_some:
-        shadow_vector px, aox, 0
-        shadow_vector py, aoy, 1
-        shadow_vector pz, aoz, 2
-        shadow_vector lx, adx, 3
-        shadow_vector ly, ady, 4
-        shadow_vector lz, adz, 5
+        three   shadow_vector, px, py, pz, aox, aoy, aoz, 0, 1, 2
+        three   shadow_vector, lx, ly, lz, adx, ady, adz, 3, 4, 5
         shadow_vector v0, nearest, 6
 shadows_cast:
         RTOR    s8, n
@@ -116,9 +108,7 @@ shadows_cast:
         VTOV    r0, [ndotl] ?! [hits1]
 shadows_none:
         IBXEQ   tinted, r0, r0, shadows_done
-        spread_tint tint_r, light_r, 0
-        spread_tint tint_g, light_g, 1
-        spread_tint tint_b, light_b, 2
+        three   spread_tint, tint_r, tint_g, tint_b, light_r, light_g, light_b, 0, 1, 2
 shadows_done:
         load_word shadow_n, n
         load_word shadow_view, from_one_point
@@ -166,9 +156,7 @@ shadow_tinted:
         tint_channel 2, sh2
         BIM     shadow_next
 shadow_checker:
-        shadow_point aox, adx, px
-        shadow_point aoy, ady, py
-        shadow_point aoz, adz, pz
+        three   shadow_point, aox, aoy, aoz, adx, ady, adz, px, py, pz
         .if     IMAGES
         EX      target, find_cells
         .else

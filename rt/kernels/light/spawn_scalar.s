@@ -105,30 +105,20 @@ spawn_save:     .space SPAWN_REGISTERS
         CFPGE   sp_k, r0, mirror_is_outside\@
         dot     sp_x, sp_y, sp_z, sp_nx, sp_ny, sp_nz, sp_t1, sp_t0
         CFPGE   sp_t1, r0, mirror_again\@
-        RTOR    sp_dx, sp_x
-        RTOR    sp_dy, sp_y
-        RTOR    sp_dz, sp_z
+        copy_three sp_dx, sp_dy, sp_dz, sp_x, sp_y, sp_z
         dot     sp_x, sp_y, sp_z, sp_before_x, sp_before_y, sp_before_z, sp_k, sp_t0
 mirror_again\@:
         MPYS    sp_k, m_two, sp_k
-        MPYS    sp_k, sp_before_x, sp_t0
-        MPYS    sp_k, sp_before_y, sp_t1
-        MPYS    sp_k, sp_before_z, sp_t2
-        SUBN    sp_x, sp_t0, sp_x
-        SUBN    sp_y, sp_t1, sp_y
-        SUBN    sp_z, sp_t2, sp_z
+        three_by MPYS, sp_k, sp_before_x, sp_before_y, sp_before_z, sp_t0, sp_t1, sp_t2
+        three   SUBN, sp_x, sp_y, sp_z, sp_t0, sp_t1, sp_t2, sp_x, sp_y, sp_z
 mirror_is_outside\@:
         .endm
         .endif
 
         .macro  mirrored
         MPYS    sp_facing, m_two, sp_k
-        MPYS    sp_k, sp_nx, sp_t0
-        MPYS    sp_k, sp_ny, sp_t1
-        MPYS    sp_k, sp_nz, sp_t2
-        SUBN    sp_dx, sp_t0, sp_x
-        SUBN    sp_dy, sp_t1, sp_y
-        SUBN    sp_dz, sp_t2, sp_z
+        three_by MPYS, sp_k, sp_nx, sp_ny, sp_nz, sp_t0, sp_t1, sp_t2
+        three   SUBN, sp_dx, sp_dy, sp_dz, sp_t0, sp_t1, sp_t2, sp_x, sp_y, sp_z
         .if     BUMPS
         mirror_outside
         .endif
@@ -193,9 +183,7 @@ spawn_no_interiors:
         CFPGE   sp_weight, sp_least, spawn_through
         ES      sp_clear, 0
 spawn_through:
-        RTOR    sp_dx, sp_x
-        RTOR    sp_dy, sp_y
-        RTOR    sp_dz, sp_z
+        copy_three sp_dx, sp_dy, sp_dz, sp_x, sp_y, sp_z
         CFPEQ   sp_e, m_one, spawn_straight
         SUBN    r0, sp_facing, sp_t0            ; c
         MPYS    sp_e, sp_e, sp_k
@@ -211,16 +199,10 @@ spawn_through:
         SUBN    r0, sp_k, sp_k
 spawn_from_front:
         .endif
-        MPYS    sp_e, sp_dx, sp_x
-        MPYS    sp_e, sp_dy, sp_y
-        MPYS    sp_e, sp_dz, sp_z
+        three_by MPYS, sp_e, sp_dx, sp_dy, sp_dz, sp_x, sp_y, sp_z
         SUBN    sp_t0, sp_k, sp_k
-        MPYS    sp_k, sp_nx, sp_t0
-        MPYS    sp_k, sp_ny, sp_t1
-        MPYS    sp_k, sp_nz, sp_t2
-        ADDN    sp_x, sp_t0, sp_x
-        ADDN    sp_y, sp_t1, sp_y
-        ADDN    sp_z, sp_t2, sp_z
+        three_by MPYS, sp_k, sp_nx, sp_ny, sp_nz, sp_t0, sp_t1, sp_t2
+        three   ADDN, sp_x, sp_y, sp_z, sp_t0, sp_t1, sp_t2, sp_x, sp_y, sp_z
         BIM     spawn_refracted
 spawn_straight:
         RTOR    sp_own_level, sp_level

@@ -70,9 +70,7 @@
 ; v1, v2, v3 = the reflected directions.  Changes v4, v6.
         .macro  reflect_all
         MPYSV   [facing], two, [v4]
-        reflect hdx, nx, v1
-        reflect hdy, ny, v2
-        reflect hdz, nz, v3
+        three   reflect, hdx, hdy, hdz, nx, ny, nz, v1, v2, v3
         .if     BUMPS
         call_routine mirror_outside, link_kernel
         .endif
@@ -220,9 +218,7 @@ spawn_refracted:
         spawn_importance [v6]
         if_none hits1, spawn_count, spawn_done
         IBXNE   spawn_bent_count, r0, r0, spawn_refract
-        VTOV    [hdx], [v1]
-        VTOV    [hdy], [v2]
-        VTOV    [hdz], [v3]
+        copy_three [hdx], [hdy], [hdz], [v1], [v2], [v3], VTOV
         BIM     spawn_through
 spawn_refract:
         IBXEQ   spawn_total, r0, r0, spawn_none_total
@@ -235,9 +231,7 @@ spawn_none_total:
         MPYSV   -[facing], [v0], [v6]
         SUBNV   [v6], [v7], [v7]
         VTOV    r0, [v7] ?! [hits0]             ; e = 1: D' = D
-        refract hdx, nx, v1
-        refract hdy, ny, v2
-        refract hdz, nz, v3
+        three   refract, hdx, hdy, hdz, nx, ny, nz, v1, v2, v3
 spawn_through:
         add_to_counter rays_refracted, spawn_count
         call_routine spawn_ray, link_kernel

@@ -49,9 +49,7 @@
 ; Copies the normal without bumps to its place in the sample, at the end.
         .macro  give_normal_before
         .if     BUMPS
-        RTOR    raw_x, lx
-        RTOR    raw_y, ly
-        RTOR    raw_z, lz
+        copy_three raw_x, raw_y, raw_z, lx, ly, lz
         .endif
         .endm
 
@@ -64,12 +62,8 @@
 ; against the ray; facing = N . D, outward = the same before the normal was
 ; turned.
         .macro  find_surface
-        point   ox, dx, px
-        point   oy, dy, py
-        point   oz, dz, pz
-        RTOR    px, qx
-        RTOR    py, qy
-        RTOR    pz, qz
+        three   point, ox, oy, oz, dx, dy, dz, px, py, pz
+        copy_three px, py, pz, qx, qy, qz
         load_field P_TRANSFORMED, transformed_shape
         IBXEQ   transformed_shape, r0, r0, surface_local\@
         load_record P_LOCAL, 12, sh0
@@ -85,16 +79,12 @@ surface_local\@:
         dot     nx, ny, nz, sh1, sh5, sh9, ly, t0
         dot     nx, ny, nz, sh2, sh6, sh10, lz, t0
         normalise_by m_one, lx, ly, lz, t0, t1
-        RTOR    lx, nx
-        RTOR    ly, ny
-        RTOR    lz, nz
+        copy_three lx, ly, lz, nx, ny, nz
 surface_world\@:
         dot     nx, ny, nz, dx, dy, dz, facing, t0
         RTOR    facing, outward
         CFPGE   r0, facing, surface_turned\@
-        SUBN    r0, nx, nx
-        SUBN    r0, ny, ny
-        SUBN    r0, nz, nz
+        three_by SUBN, r0, nx, ny, nz, nx, ny, nz
         SUBN    r0, facing, facing
 surface_turned\@:
         .if     MESH_CROSSINGS
@@ -122,9 +112,7 @@ surface_sided\@:
         load_record P_COLOR, 6, color0r
         checker_cell pigment_found\@, pigment_gradient\@
         IBXEQ   cell, r0, r0, pigment_found\@
-        RTOR    color1r, color0r
-        RTOR    color1g, color0g
-        RTOR    color1b, color0b
+        copy_three color1r, color1g, color1b, color0r, color0g, color0b
         BIM     pigment_found\@
 pigment_gradient\@:
         .if     PATTERNS
@@ -136,9 +124,7 @@ pigment_gradient\@:
         .if     IMAGES
         RTOR    image_cell, cell
         IBXEQ   cell, r0, r0, pigment_found\@
-        RTOR    color1r, color0r
-        RTOR    color1g, color0g
-        RTOR    color1b, color0b
+        copy_three color1r, color1g, color1b, color0r, color0g, color0b
         .endif
         BIM     pigment_found\@
 pigment_slope\@:

@@ -67,9 +67,7 @@ normal_local:
         dot_constant nx, ny, nz, m01, m11, m21, ly, v0
         dot_constant nx, ny, nz, m02, m12, m22, lz, v0
         normalise lx, ly, lz, v0, v1
-        VTOV    [lx], [nx]
-        VTOV    [ly], [ny]
-        VTOV    [lz], [nz]
+        copy_three [lx], [ly], [lz], [nx], [ny], [nz], VTOV
 normal_world:
         dot_vectors nx, ny, nz, hdx, hdy, hdz, facing, v0
         CMPLTV  r0, [facing], [hits0]

@@ -21,12 +21,8 @@ transmitted_cell: .space 1
         .macro  pass_through dark
         load_of w_out, P_CLEAR, s_clear
         IBXEQ   s_clear, r0, r0, \dark
-        MPYS    w_in, w_dx, w_t0
-        MPYS    w_in, w_dy, w_t1
-        MPYS    w_in, w_dz, w_t2
-        ADDN    w_ox, w_t0, w_t0
-        ADDN    w_oy, w_t1, w_t1
-        ADDN    w_oz, w_t2, w_t2
+        three_by MPYS, w_in, w_dx, w_dy, w_dz, w_t0, w_t1, w_t2
+        three   ADDN, w_ox, w_oy, w_oz, w_t0, w_t1, w_t2, w_t0, w_t1, w_t2
         store_words w_t0, 3, transmitted_point, image_at
         store_word w_out, transmitted_primitive, image_at
         call    pigment_cell, transmitted_list

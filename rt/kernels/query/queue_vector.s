@@ -80,14 +80,10 @@ begin_query:
         EX      s2, queue_store + 64 * QUEUE * 3
         EX      s3, 64 * QUEUE
         three_planes s2, s3, adx, ady, adz
-        VTOV    [s4], [adx]
-        VTOV    [s5], [ady]
-        VTOV    [s6], [adz]
+        copy_three [s4], [s5], [s6], [adx], [ady], [adz], VTOV
         normalise adx, ady, adz, w2, w3
         CFPEQ   query_start_distance, r0, begin_query_done
-        move_behind aox, adx, 0
-        move_behind aoy, ady, 1
-        move_behind aoz, adz, 2
+        three   move_behind, aox, aoy, aoz, adx, ady, adz, 0, 1, 2
 begin_query_done:
         BIM     0, link_kernel
         .endkernel

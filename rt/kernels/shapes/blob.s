@@ -237,9 +237,7 @@ blob_next_row:
 ; ---- The routines
 
         .macro  begin_blob find, miss
-        ray_lower ox, sh0, t5
-        ray_lower oy, sh1, t6
-        ray_lower oz, sh2, t7
+        three   ray_lower, ox, oy, oz, sh0, sh1, sh2, t5, t6, t7
         \find   t5, t6, t7, sh3, \miss
         .endm
 

@@ -134,9 +134,7 @@ side_found:
         .endm
 
         .macro  begin_pieces
-        RTOR    t0, ray_x
-        RTOR    t1, ray_y
-        RTOR    t2, ray_z
+        copy_three t0, t1, t2, ray_x, ray_y, ray_z
         RTOR    big, interval_t
         ADDN    r0, r0, most_field
         EX      pieces_end, blob_list

@@ -33,9 +33,7 @@
 ; origin, and quad_a = a.  k_along > 0: a ray with a <= 0 ends inside.
         .macro  cone_side miss
         enter_shape cone, 15
-        ray_lower ox, sh0, t0
-        ray_lower oy, sh1, t1
-        ray_lower oz, sh2, t2
+        three   ray_lower, ox, oy, oz, sh0, sh1, sh2, t0, t1, t2
         closest_approach t0, t1, t2, t0, t1, t2, shift, t3, t4
         dot_constants t0, t1, t2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t7, t8, o_along, t3, t4, t5, t6
         dot_constants dx, dy, dz, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t0, t1, d_along, t3, t4, t5, t6

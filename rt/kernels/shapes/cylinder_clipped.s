@@ -62,9 +62,7 @@
 ; divisions and square roots of the scalar form.
         .macro  find_side miss
         across_axis dx, dy, dz, t0, t1, t2
-        ray_lower ox, sh0, t4
-        ray_lower oy, sh1, t5
-        ray_lower oz, sh2, t6
+        three   ray_lower, ox, oy, oz, sh0, sh1, sh2, t4, t5, t6
         length  t0, t1, t2, t3, t8
         across_axis t4, t5, t6, across0, across1, across2
         unless_parallel t3, side_along\@

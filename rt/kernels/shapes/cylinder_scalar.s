@@ -13,9 +13,7 @@
 ; The ray in the frame u, v, w: o = t7, t8, t5; d = t0, t1, t6.  Changes t2, t3,
 ; t4, t9.
         .macro  into_frame
-        SUBN    ox, sh0, t0
-        SUBN    oy, sh1, t1
-        SUBN    oz, sh2, t2
+        three   SUBN, ox, oy, oz, sh0, sh1, sh2, t0, t1, t2
         dot_rows t0, t1, t2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t7, t8, t5, t3, t4, t6, t9
         dot_rows dx, dy, dz, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t0, t1, t6, t2, t3, t4, t9
         .endm

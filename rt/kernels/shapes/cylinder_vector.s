@@ -19,9 +19,7 @@
 
 ; The ray in the frame u, v, w: o = w7, w8, w5; d = w0, w1, w6.  Changes w2, w9.
         .macro  into_frame
-        SUBNV   [ox], sh0, [w0]
-        SUBNV   [oy], sh1, [w1]
-        SUBNV   [oz], sh2, [w2]
+        three   SUBNV, [ox], [oy], [oz], sh0, sh1, sh2, [w0], [w1], [w2]
         dot_constants w0, w1, w2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, w7, w8, w5, w9
         dot_constants dx, dy, dz, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, w0, w1, w6, w9
         .endm

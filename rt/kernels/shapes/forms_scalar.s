@@ -27,12 +27,8 @@
         .endm
 
         .macro  from_scaled_three k, a, b, c, d, e, f, g, h, i
-        MPYS    \b, \k, \c
-        MPYS    \e, \k, \f
-        MPYS    \h, \k, \i
-        SUBN    \a, \c, \c
-        SUBN    \d, \f, \f
-        SUBN    \g, \i, \i
+        three_by MPYS, \k, \b, \e, \h, \c, \f, \i
+        three   SUBN, \a, \d, \g, \c, \f, \i, \c, \f, \i
         .endm
 
         .macro  cross_vectors x0, x1, x2, y0, y1, y2, c0, c1, c2, work
@@ -282,12 +278,8 @@ sorted\@:
 
         .macro  closest_approach x0, x1, x2, o0, o1, o2, along, work0, work1
         dot     \x0, \x1, \x2, dx, dy, dz, \along, \work0
-        MPYS    \along, dx, \work0
-        MPYS    \along, dy, \work1
-        MPYS    \along, dz, third
-        SUBN    \x0, \work0, \o0
-        SUBN    \x1, \work1, \o1
-        SUBN    \x2, third, \o2
+        three_by MPYS, \along, dx, dy, dz, \work0, \work1, third
+        three   SUBN, \x0, \x1, \x2, \work0, \work1, third, \o0, \o1, \o2
         .endm
 
         .macro  move_back along
@@ -480,12 +472,8 @@ not_candidate\@:
         .endm
 
         .macro  clip p0, p1, p2, q, surface, miss
-        MPYS    dx, \p0, t0
-        MPYS    dy, \p1, t1
-        MPYS    dz, \p2, t2
-        MPYS    ox, \p0, t3
-        MPYS    oy, \p1, t4
-        MPYS    oz, \p2, t5
+        three   MPYS, dx, dy, dz, \p0, \p1, \p2, t0, t1, t2
+        three   MPYS, ox, oy, oz, \p0, \p1, \p2, t3, t4, t5
         ADDN    t1, t0, t0
         ADDN    t4, t3, t3
         ADDN    t2, t0, t0

@@ -570,9 +570,7 @@ solid_stored\@:
 
 ; Computes the cross product of O - B and the axis again.
         .macro  restore_across
-        ray_lower ox, sh0, t4
-        ray_lower oy, sh1, t5
-        ray_lower oz, sh2, t6
+        three   ray_lower, ox, oy, oz, sh0, sh1, sh2, t4, t5, t6
         across_axis t4, t5, t6, across0, across1, across2
         .endm
 

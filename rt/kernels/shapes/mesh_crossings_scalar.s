@@ -80,9 +80,7 @@ list_here\@:
         RTOR    one, side_u
         RTOR    one, t3
 side_wide\@:
-        MPYS    side_u, side_z0, t0
-        MPYS    side_v, side_z1, t1
-        MPYS    side_w, side_z2, t2
+        three   MPYS, side_u, side_v, side_w, side_z0, side_z1, side_z2, t0, t1, t2
         ADDN    t0, t1, t0
         ADDN    t0, t2, t0
         MPYS    t0, local_z, t0

@@ -35,9 +35,7 @@ mesh_save:      .space MESH_REGISTERS
         ES      axis_x, \kx
         ES      axis_y, \ky
         ES      axis_z, \kz
-        RTOR    o\x, local_ox
-        RTOR    o\y, local_oy
-        RTOR    o\z, local_oz
+        copy_three o\x, o\y, o\z, local_ox, local_oy, local_oz
         DIVS    one, d\z, local_z
         MPYS    d\x, local_z, shear_x
         MPYS    d\y, local_z, shear_y
@@ -135,9 +133,7 @@ limit_none\@:
         LOD     [node_at], box\+
         IX      node_at, 64
         .endr
-        SUBN    box_x, ox, box_x
-        SUBN    box_y, oy, box_y
-        SUBN    box_z, oz, box_z
+        three   SUBN, box_x, box_y, box_z, ox, oy, oz, box_x, box_y, box_z
         MPYS    box_hx, size_x, box_hx
         MPYS    box_hy, size_y, box_hy
         MPYS    box_hz, size_z, box_hz
@@ -195,18 +191,10 @@ mesh_triangle\@:
         from_origin local_oz, side_z0, side_z1, side_z2
         from_origin local_ox, side_x0, side_x1, side_x2
         from_origin local_oy, side_y0, side_y1, side_y2
-        MPYS    shear_x, side_z0, t0
-        MPYS    shear_x, side_z1, t1
-        MPYS    shear_x, side_z2, t2
-        MPYS    shear_y, side_z0, t3
-        MPYS    shear_y, side_z1, t4
-        MPYS    shear_y, side_z2, t5
-        SUBN    side_x0, t0, side_x0
-        SUBN    side_x1, t1, side_x1
-        SUBN    side_x2, t2, side_x2
-        SUBN    side_y0, t3, side_y0
-        SUBN    side_y1, t4, side_y1
-        SUBN    side_y2, t5, side_y2
+        three_by MPYS, shear_x, side_z0, side_z1, side_z2, t0, t1, t2
+        three_by MPYS, shear_y, side_z0, side_z1, side_z2, t3, t4, t5
+        three   SUBN, side_x0, side_x1, side_x2, t0, t1, t2, side_x0, side_x1, side_x2
+        three   SUBN, side_y0, side_y1, side_y2, t3, t4, t5, side_y0, side_y1, side_y2
         MPYS    side_x1, side_y2, side_u
         MPYS    side_y1, side_x2, t0
         MPYS    side_x2, side_y0, side_v
@@ -223,9 +211,7 @@ mesh_walked\@:
 
 ; Computes U, V, W.
         .macro  subtract_sides
-        SUBN    side_u, t0, side_u
-        SUBN    side_v, t1, side_v
-        SUBN    side_w, t2, side_w
+        three   SUBN, side_u, side_v, side_w, t0, t1, t2, side_u, side_v, side_w
         .endm
 
 ; Keeps the nearest hit in tin and nearest_side.
@@ -240,9 +226,7 @@ mesh_all_below\@:
         CFPLT   r0, side_v, mesh_next\@
         CFPLT   r0, side_w, mesh_next\@
 mesh_side\@:
-        MPYS    side_u, side_z0, t0
-        MPYS    side_v, side_z1, t1
-        MPYS    side_w, side_z2, t2
+        three   MPYS, side_u, side_v, side_w, side_z0, side_z1, side_z2, t0, t1, t2
         ADDN    side_u, side_v, t3
         ADDN    t0, t1, t0
         ADDN    t3, side_w, t3

@@ -16,9 +16,7 @@
         .endshare
 
         .macro  viewpoint_axes w, u, v
-        RTOR    \w, mesh_forward
-        RTOR    \u, mesh_u
-        RTOR    \v, mesh_v
+        copy_three \w, \u, \v, mesh_forward, mesh_u, mesh_v
         .endm
 
 ; Prepares the data of the viewpoint that the ray goes through.  Branches to
@@ -28,9 +26,7 @@
         IX      t0, 64 * MESH_FIRST
         load_from t0, 2, t1                     ; also t2: their number
         IBXEQ   t2, r0, r0, \none
-        RTOR    ox, t3
-        RTOR    oy, t4
-        RTOR    oz, t5
+        copy_three ox, oy, oz, t3, t4, t5
         .if     CASTS_SHADOWS
         IBXNE   mesh_stops, r0, r0, viewpoint_light\@
         .if     ORIGINS_DIFFER

@@ -58,17 +58,11 @@ viewpoint_found\@:
 ; VIEWPOINT_AXIS and the next two words.
         .macro  viewpoint_axes
         load_part mesh_viewpoint, VIEWPOINT_AXIS, 3, s5, s0
-        RTOR    dx, s2
-        RTOR    dy, s3
-        RTOR    dz, s4
+        copy_three dx, dy, dz, s2, s3, s4
         IBXEQ   s5, r0, r0, viewpoint_turned\@
-        RTOR    dy, s2
-        RTOR    dz, s3
-        RTOR    dx, s4
+        copy_three dy, dz, dx, s2, s3, s4
         IBXEQ   s5, r0, one_index, viewpoint_turned\@
-        RTOR    dz, s2
-        RTOR    dx, s3
-        RTOR    dy, s4
+        copy_three dz, dx, dy, s2, s3, s4
 viewpoint_turned\@:
         .endm
 
@@ -77,9 +71,7 @@ viewpoint_turned\@:
         .macro  start_screen_bounds none
         set_mesh_rays
         viewpoint_axes
-        VXTOV   [mesh_ray], [s2], [mesh_forward]
-        VXTOV   [mesh_ray], [s3], [mesh_u]
-        VXTOV   [mesh_ray], [s4], [mesh_v]
+        three_by VXTOV, [mesh_ray], [s2], [s3], [s4], [mesh_forward], [mesh_u], [mesh_v]
         MPYSV   [mesh_forward], s6, [mesh_forward]
         CMPLTV  r0, [mesh_forward], [mesh_bits]
         IBXEQ   shadows, r0, r0, screen_bounds_tested\@

@@ -27,9 +27,7 @@
         from    m_one, t6, t6                   ; g
         if_number_less r0, t6, part_outside\@
         scale   t6, sh0, t6
-        times   t3, t6, t3
-        times   t4, t6, t4
-        times   t5, t6, t5
+        three_by times, t6, t3, t4, t5, t3, t4, t5
         dot_numbers t3, t4, t5, sh2, sh6, sh10, t6, t7
         then_plus nx, t6, nx
         dot_numbers t3, t4, t5, sh3, sh7, sh11, t6, t7
@@ -41,9 +39,7 @@
 
 normal_blob:
         load_shape 6
-        lower   qx, sh0, t0
-        lower   qy, sh1, t1
-        lower   qz, sh2, t2
+        three   lower, qx, qy, qz, sh0, sh1, sh2, t0, t1, t2
         RTOR    sh5, spare
         clear   nx
         clear   ny

@@ -6,9 +6,7 @@
 ; compared and not ratios, because a box may be flat.
 normal_box:
         load_shape 12
-        lower   qx, sh6, t0
-        lower   qy, sh7, t1
-        lower   qz, sh8, t2
+        three   lower, qx, qy, qz, sh6, sh7, sh8, t0, t1, t2
         set     m_zero, nx
         set     m_zero, ny
         set     m_zero, nz

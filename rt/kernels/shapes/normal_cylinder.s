@@ -9,9 +9,7 @@
 ; t0, t1, t2 = the point in the frame of the axis.
         .macro  point_along_axis
         load_shape 16
-        lower   qx, sh0, t3
-        lower   qy, sh1, t4
-        lower   qz, sh2, t5
+        three   lower, qx, qy, qz, sh0, sh1, sh2, t3, t4, t5
         dot_numbers t3, t4, t5, sh3, sh4, sh5, t0, t6
         dot_numbers t3, t4, t5, sh6, sh7, sh8, t1, t6
         dot_numbers t3, t4, t5, sh9, sh10, sh11, t2, t6

@@ -13,9 +13,7 @@
 ; X - B in t0-t2; x in nx, ny, nz.
         .macro  find_across
         load_shape 16
-        lower   qx, sh0, t0
-        lower   qy, sh1, t1
-        lower   qz, sh2, t2
+        three   lower, qx, qy, qz, sh0, sh1, sh2, t0, t1, t2
         dot_numbers t0, t1, t2, sh3, sh4, sh5, t3, t4
         minus_scaled t0, t3, sh3, nx
         minus_scaled t1, t3, sh4, ny

@@ -35,9 +35,7 @@ normal_mesh:
 normal_smooth_mesh:
         find_triangle
         three_of_triangle TRIANGLE_CORNERS, t3, t4, t5
-        minus   qx, t3, t0
-        minus   qy, t4, t1
-        minus   qz, t5, t2
+        three   minus, qx, qy, qz, t3, t4, t5, t0, t1, t2
         interpolate_part 0, nx
         interpolate_part 1, ny
         interpolate_part 2, nz

@@ -3,8 +3,6 @@
         .kernel shade
 normal_plane:
         load_shape 3
-        set     sh0, nx
-        set     sh1, ny
-        set     sh2, nz
+        copy_three sh0, sh1, sh2, nx, ny, nz, set
         leave_normal
         .endkernel

@@ -4,13 +4,9 @@
 ; N = A (X - C) + g, normalised.
 normal_quadric:
         load_shape 13
-        lower   qx, sh0, t0
-        lower   qy, sh1, t1
-        lower   qz, sh2, t2
+        three   lower, qx, qy, qz, sh0, sh1, sh2, t0, t1, t2
         matrix_times t0, t1, t2, nx, ny, nz
-        raise   nx, sh9, nx
-        raise   ny, sh10, ny
-        raise   nz, sh11, nz
+        three   raise, nx, ny, nz, sh9, sh10, sh11, nx, ny, nz
 ; Normalises a gradient.  A zero gradient, at an apex, becomes x.
 gradient_normal:
         dot_product nx, ny, nz, nx, ny, nz, t0, t1
@@ -20,8 +16,6 @@ gradient_normal:
         end_if  gradient_there
         root    t0, t0
         into    m_one, t0, t0
-        times   nx, t0, nx
-        times   ny, t0, ny
-        times   nz, t0, nz
+        three_by times, t0, nx, ny, nz, nx, ny, nz
         leave_normal
         .endkernel

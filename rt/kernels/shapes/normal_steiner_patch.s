@@ -13,9 +13,7 @@
 
 ; Computes a tangent along `this` parameter, from the derivative at 0.
         .macro  tangent this, other, x, y, z, xx, yy, zz, e0, e1, e2
-        ADDN    \xx, \xx, \xx
-        ADDN    \yy, \yy, \yy
-        ADDN    \zz, \zz, \zz
+        three   ADDN, \xx, \yy, \zz, \xx, \yy, \zz, \xx, \yy, \zz
         line_three \this, \xx, \x, \e0, \this, \yy, \y, \e1, \this, \zz, \z, \e2
         scaled_plus_three \other, kx4, \e0, \e0, \other, ky4, \e1, \e1, \other, kz4, \e2, \e2
         .endm
@@ -35,9 +33,7 @@
         line    \this, \square, \k, t6
         scaled_plus \other, sh7, t6, t6
         lowered_times_three qx, sh0, t6, nx, qy, sh1, t6, ny, qz, sh2, t6, nz
-        minus   \e0, nx, \e0
-        minus   \e1, ny, \e1
-        minus   \e2, nz, \e2
+        three   minus, \e0, \e1, \e2, nx, ny, nz, \e0, \e1, \e2
         .endm
 
 normal_rational_steiner:

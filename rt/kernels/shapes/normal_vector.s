@@ -11,9 +11,7 @@
         .endshare
 
         .macro  set_points x0, x1, x2
-        RTOR    \x0, qx
-        RTOR    \x1, qy
-        RTOR    \x2, qz
+        copy_three \x0, \x1, \x2, qx, qy, qz
         .endm
 
 ; The operations of kernels that are written once (forms.s), with the names of

@@ -23,20 +23,14 @@
 ; Computes a, b, c, and t2 = b^2 - a c.
         .macro  quadric_polynomial
         enter_shape quadric, 13, index_one
-        ray_lower ox, sh0, t0
-        ray_lower oy, sh1, t1
-        ray_lower oz, sh2, t2
+        three   ray_lower, ox, oy, oz, sh0, sh1, sh2, t0, t1, t2
         closest_approach t0, t1, t2, t0, t1, t2, shift, t3, t4
         times_matrix dx, dy, dz, t7, t8, t9, t3, t4, t5, t6
         dot_vectors dx, dy, dz, t7, t8, t9, quad_a, t3
         times_matrix t0, t1, t2, t7, t8, t9, t3, t4, t5, t6
-        ray_raise t7, sh9, t7
-        ray_raise t8, sh10, t8
-        ray_raise t9, sh11, t9
+        three   ray_raise, t7, t8, t9, sh9, sh10, sh11, t7, t8, t9
         dot_vectors dx, dy, dz, t7, t8, t9, quad_b, t3
-        ray_raise t7, sh9, t7
-        ray_raise t8, sh10, t8
-        ray_raise t9, sh11, t9
+        three   ray_raise, t7, t8, t9, sh9, sh10, sh11, t7, t8, t9
         dot_vectors t0, t1, t2, t7, t8, t9, quad_c, t3
         ray_raise quad_c, sh12, quad_c
         discriminant quad_a, quad_b, quad_c, t2, t0

@@ -77,9 +77,7 @@ term_none\@:
         ray_times z31, dz, a3
         ray_times z32, t2, z42
         ray_times z32, dz, a4
-        ray_plus a2, z41, z41
-        ray_plus a3, z42, z42
-        ray_plus a4, z43, z43
+        three   ray_plus, a2, a3, a4, z41, z42, z43, z41, z42, z43
         .endm
 
 ; c(i) := c(i) o + c(i-1) d, up to the degree, which is that of the product.

@@ -49,9 +49,7 @@
         .macro  plane_rows la00, la01, la02, la03, la10, la11, la12, la13, la20, la21, la22, la23, a0, a1, a2, d0, d1, d2
         dot_constants near_ox, near_oy, near_oz, \la00, \la01, \la02, \la10, \la11, \la12, \la20, \la21, \la22, \a0, \a1, \a2, temp0, temp1, temp2, temp3
         dot_constants near_dx, near_dy, near_dz, \la00, \la01, \la02, \la10, \la11, \la12, \la20, \la21, \la22, \d0, \d1, \d2, temp0, temp1, temp2, temp3
-        ray_raise \a0, \la03, \a0
-        ray_raise \a1, \la13, \a1
-        ray_raise \a2, \la23, \a2
+        three   ray_raise, \a0, \a1, \a2, \la03, \la13, \la23, \a0, \a1, \a2
         .endm
 
         .macro  parameters_of_ray
@@ -61,9 +59,7 @@
         cross_vectors ma0, ma1, ma2, db0, db1, db2, c10, c11, c12, temp0
         cross_vectors da0, da1, da2, mb0, mb1, mb2, e0, e1, e2, temp0
         cross_vectors da0, da1, da2, db0, db1, db2, c20, c21, c22, temp0
-        ray_plus c10, e0, c10
-        ray_plus c11, e1, c11
-        ray_plus c12, e2, c12
+        three   ray_plus, c10, c11, c12, e0, e1, e2, c10, c11, c12
         .endm
 
 ; Computes N in plane_x, plane_y, plane_z and N . o in plane_o.
@@ -108,9 +104,7 @@ steiner_implicit:
         EX      other_kernel, steiner
 implicit_begin:
         enter_implicit
-        ray_lower ox, sh0, t5
-        ray_lower oy, sh1, t6
-        ray_lower oz, sh2, t7
+        three   ray_lower, ox, oy, oz, sh0, sh1, sh2, t5, t6, t7
         find_lanes t5, t6, t7, sh3, implicit_miss
         take_lanes
         load_planes

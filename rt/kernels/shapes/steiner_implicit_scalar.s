@@ -25,12 +25,8 @@
         .reg    other_kernel, target
 
         .macro  minus_scaled_three a, f0, k0, f1, k1, f2, k2
-        MPYS    \a, \k0, t3
-        MPYS    \a, \k1, t4
-        MPYS    \a, \k2, t5
-        SUBN    \f0, t3, \f0
-        SUBN    \f1, t4, \f1
-        SUBN    \f2, t5, \f2
+        three_by MPYS, \a, \k0, \k1, \k2, t3, t4, t5
+        three   SUBN, \f0, \f1, \f2, t3, t4, t5, \f0, \f1, \f2
         .endm
 
         .macro  dot_rows_of x0, x1, x2, a0, a1, a2, b0, b1, b2, c0, c1, c2, a, b, c
@@ -81,18 +77,10 @@
 ; Accepts a root if its parameters are in the triangle.
         .macro  accept_implicit
 implicit_accept:
-        MPYS    c20, q_answer, q_a
-        MPYS    c21, q_answer, q_b
-        MPYS    c22, q_answer, q_x
-        ADDN    q_a, c10, q_a
-        ADDN    q_b, c11, q_b
-        ADDN    q_x, c12, q_x
-        MPYS    q_a, q_answer, q_a
-        MPYS    q_b, q_answer, q_b
-        MPYS    q_x, q_answer, q_x
-        ADDN    q_a, c00, q_a
-        ADDN    q_b, c01, q_b
-        ADDN    q_x, c02, q_x
+        three_by MPYS, q_answer, c20, c21, c22, q_a, q_b, q_x
+        three   ADDN, q_a, q_b, q_x, c10, c11, c12, q_a, q_b, q_x
+        three_by MPYS, q_answer, q_a, q_b, q_x, q_a, q_b, q_x
+        three   ADDN, q_a, q_b, q_x, c00, c01, c02, q_a, q_b, q_x
         ADDN    q_a, q_b, q_s
         ADDN    q_s, q_x, q_s
         DIVS    q_a, q_s, patch_s

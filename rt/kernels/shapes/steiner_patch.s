@@ -64,12 +64,8 @@
 ; Removes the part of n along the direction.
         .macro  make_perpendicular n0, n1, n2
         dot_vectors \n0, \n1, \n2, near_dx, near_dy, near_dz, e3, temp0
-        ray_times e3, near_dx, temp0
-        ray_times e3, near_dy, temp1
-        ray_times e3, near_dz, temp2
-        ray_minus \n0, temp0, \n0
-        ray_minus \n1, temp1, \n1
-        ray_minus \n2, temp2, \n2
+        three_by ray_times, e3, near_dx, near_dy, near_dz, temp0, temp1, temp2
+        three   ray_minus, \n0, \n1, \n2, temp0, temp1, temp2, \n0, \n1, \n2
         .endm
 
 ; Computes the normals of the two planes.  A ray counts as parallel to P if
@@ -229,9 +225,7 @@
         .endm
 
         .macro  find_conics rational
-        ray_lower ox, sh0, t5
-        ray_lower oy, sh1, t6
-        ray_lower oz, sh2, t7
+        three   ray_lower, ox, oy, oz, sh0, sh1, sh2, t5, t6, t7
         find_lanes t5, t6, t7, sh3, steiner_miss
         take_lanes
         load_patch
