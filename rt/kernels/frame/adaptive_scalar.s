@@ -50,8 +50,7 @@ fine_power:
         ADDX    fine_plane, fine_stride, fine_end_at
 fine_distance:
         RTOR    fine_pixel, fine_at
-        RTOR    fine_pixel, fine_there
-        IX      fine_there, 64
+        address_of fine_pixel, 1, fine_there
         of_plane fine_pixel, FINE_DISTANCE, fine_distance_at
         find_distance fine_stride
         of_plane fine_pixel, FINE_OF_MEAN, fine_distance_at

@@ -45,12 +45,9 @@ bound_store:    .space 4 * QUEUE
 ; Makes the vectors of the test, s8 long.
         .macro  set_bound
         describe bound_g0, bound_store, s8
-        RTOR    bound_g0, bound_g1
-        IX      bound_g1, 64 * QUEUE
-        RTOR    bound_g1, bound_g2
-        IX      bound_g2, 64 * QUEUE
-        RTOR    bound_g2, bound_g3
-        IX      bound_g3, 64 * QUEUE
+        address_of bound_g0, QUEUE, bound_g1
+        address_of bound_g1, QUEUE, bound_g2
+        address_of bound_g2, QUEUE, bound_g3
         describe bound_bits, bound_bit_store, s8
         describe near_bits, queue_bits, s8
         load_word bound_less, s7
@@ -104,12 +101,10 @@ test_bound:
         CMPGEV  [bound_g0], [bound_g2], [near_bits]
         if_none near_bits, s0, bound_tested
         SUBN    r0, bound_r, s6
-        CMPLTV  s6, [bound_g1], [bound_bits]
-        ANDB    [near_bits], [bound_bits], [near_bits]
+        keep_where CMPLTV, s6, [bound_g1], near_bits, bound_bits
 bound_range:
         SUBNV   [bound_g1], bound_r, [bound_g0]
-        CMPLTV  [bound_g0], [s9], [bound_bits]
-        ANDB    [near_bits], [bound_bits], [near_bits]
+        keep_where CMPLTV, [bound_g0], [s9], near_bits, bound_bits
         CNTOB   [near_bits], s0
 bound_tested:
         BIM     0, link_inner
@@ -124,8 +119,7 @@ bound_line_to_light:
         set_bound
         RTOR    shadows, s0
         bound_common
-        CMPLTV  [bound_g1], bound_r, [bound_bits]
-        ANDB    [near_bits], [bound_bits], [near_bits]
+        keep_where CMPLTV, [bound_g1], bound_r, near_bits, bound_bits
         CNTOB   [near_bits], s0
         BIM     bound_tested
 
@@ -134,14 +128,12 @@ bound_to_light:
         RTOR    shadows, s0
         bound_common
         if_none near_bits, s0, bound_tested
-        CMPLTV  [bound_g1], bound_r, [bound_bits]
-        ANDB    [near_bits], [bound_bits], [near_bits]
+        keep_where CMPLTV, [bound_g1], bound_r, near_bits, bound_bits
         load_word k_shadow, s0
         SUBN    r0, bound_r, s1
         SUBN    s1, s0, s1
         ADDNV   [bound_g1], [s9], [bound_g0]
-        CMPLTV  s1, [bound_g0], [bound_bits]
-        ANDB    [near_bits], [bound_bits], [near_bits]
+        keep_where CMPLTV, s1, [bound_g0], near_bits, bound_bits
         CNTOB   [near_bits], s0
         BIM     bound_tested
 

@@ -10,6 +10,7 @@
 ;       load_record field, number, first
 ;       store_field field, register
 ;       load_shape number                       its shape, to registers from sh0 on
+;       address_of record, offset, register     of a word of the record
 ;       store_word register, label, at
 ;       store_words first, number, label, at
 ;       store_to first, number, at
@@ -19,6 +20,8 @@
 ;       at_most most, left, count               count = the minimum of most and left
 ;       advance_by address, count, work         to the address after count words
 ;       if_none bits, count, label              to the label if no bit is one
+;       keep_where test, a, b, bits, work       clears the bits for which the
+;                                               comparison of a with b is false
 ;       call_routine routine, link              the routine returns by link
 ;       copy_three a, b, c, x, y, z, op         op a, x; op b, y; op c, z; default RTOR
 ;       three op, a, b, c, d, e, f, x, y, z     op a, d, x; op b, e, y; op c, f, z
@@ -54,15 +57,18 @@
         load_from \at, \number, \first
         .endm
 
-        .macro  load_of record, offset, register
+        .macro  address_of record, offset, register
         RTOR    \record, \register
         IX      \register, 64 * (\offset)
+        .endm
+
+        .macro  load_of record, offset, register
+        address_of \record, \offset, \register
         LOD     [\register], \register
         .endm
 
         .macro  load_part record, offset, number, first, at
-        RTOR    \record, \at
-        IX      \at, 64 * (\offset)
+        address_of \record, \offset, \at
         load_from \at, \number, \first
         .endm
 
@@ -76,8 +82,7 @@
         .endm
 
         .macro  store_field field, register
-        RTOR    primitive, shape_at
-        IX      shape_at, 64 * (\field)
+        address_of primitive, \field, shape_at
         STO     [shape_at], \register
         .endm
 
@@ -101,8 +106,7 @@
         .endm
 
         .macro  store_part first, number, record, offset, at
-        RTOR    \record, \at
-        IX      \at, 64 * (\offset)
+        address_of \record, \offset, \at
         store_to \first, \number, \at
         .endm
 
@@ -133,6 +137,11 @@ at_most\@:
         .macro  if_none bits, count, label
         CNTOB   [\bits], \count
         IBXEQ   \count, r0, r0, \label
+        .endm
+
+        .macro  keep_where test, a, b, bits, work
+        \test   \a, \b, [\work]
+        ANDB    [\bits], [\work], [\bits]
         .endm
 
 ; The same operation on the three components of vectors or colours.

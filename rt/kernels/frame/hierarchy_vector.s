@@ -202,8 +202,7 @@ walk_narrow:
         IX      s7, 64 * (SET_END - SET_INDEX)
         LOD     [s7], s1
         store_word s1, walk_set, s0
-        RTOR    s1, s5
-        IX      s5, 64 * SET_SIZE
+        address_of s1, SET_SIZE, s5
         ELEN    s5, 0
         ADDLEN  s5, s6, s5
         SHIFTI  s6, 6, s2

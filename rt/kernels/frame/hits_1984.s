@@ -47,9 +47,7 @@ hit_save:       .space SURFACE_REGISTERS
         .endm
 
         .macro  store_hit offset, number, first
-        RTOR    a_hit, here
-        IX      here, 64 * \offset
-        store_to \first, \number, here
+        store_part \first, \number, a_hit, \offset, here
         .endm
 
         .kernel shade

@@ -43,8 +43,7 @@ light_left:     .space 3 * QUEUE        ; transmitted light of each shadow ray
         .if     KEYS
 ; Sets tie to the product of the primitive's P_TIE_OFFSET and k_delta.
         .macro  load_tie primitive, tie
-        RTOR    \primitive, loop_at
-        IX      loop_at, 64 * P_TIE_OFFSET
+        address_of \primitive, P_TIE_OFFSET, loop_at
         LOD     [loop_at], segment_out
         load_at k_delta, 1, ray_limit
         MPYS    segment_out, ray_limit, \tie

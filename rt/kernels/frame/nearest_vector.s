@@ -51,8 +51,7 @@ found_bits:     .space 3 * QUEUE_BIT_WORDS
         .macro  mark_tested
         load_record P_MATERIAL, 2, s2               ; P_MATERIAL, P_TESTED
         IBXEQ   s2, r0, primitive, mark_own\@
-        RTOR    s2, s3
-        IX      s3, 64 * P_SHARED
+        address_of s2, P_SHARED, s3
         STO     [s3], one_index
         IX      s3, 64 * (P_TESTED - P_SHARED)
         LOD     [s3], s3
@@ -84,8 +83,7 @@ simple_hit:
         MASKV   [tin], [tout], [w0] ? [bits0]
         CMPLTV  [wlower], [w0], [bits0]
         IBXNE   shadows, r0, r0, simple_stops
-        CMPGEV  [near_limit], [w0], [bits1]
-        ANDB    [bits0], [bits1], [bits0]
+        keep_where CMPGEV, [near_limit], [w0], bits0, bits1
         if_none bits0, s0, walk_skip
         load_record P_ID, 2, identity
         .if     SIMPLE_YIELDS
@@ -96,8 +94,7 @@ simple_hit:
         MPYS    s6, s0, s6
         RTOR    w2, s5
         ADDNV   [w0], s6, [s5]
-        CMPGEV  [near_limit], [s5], [bits1]
-        ANDB    [bits0], [bits1], [bits0]
+        keep_where CMPGEV, [near_limit], [s5], bits0, bits1
         if_none bits0, s0, walk_skip
 simple_compared:
         CMPEQV  [s5], [near_limit], [bits1]
@@ -107,8 +104,7 @@ simple_compared:
         ANDB    [bits0], [bits1], [bits1]
         if_none bits1, s1, simple_nearer
         VXTOV   [ray_index], [nearest_primitive], [w1]
-        CMPGEV  identity, [w1], [bits2]
-        ANDB    [bits1], [bits2], [bits1]
+        keep_where CMPGEV, identity, [w1], bits1, bits2
         XORB    [bits0], [bits1], [bits0]
         if_none bits0, s0, walk_skip
 simple_nearer:
@@ -155,8 +151,7 @@ simple_all:
 
 ; Blocks shadow rays.
 simple_stops:
-        CMPLTV  [w0], [near_limit], [bits1]
-        ANDB    [bits0], [bits1], [bits0]
+        keep_where CMPLTV, [w0], [near_limit], bits0, bits1
         if_none bits0, s0, walk_skip
         region_took_hits
         IBXEQ   near, r0, n, simple_stops_all

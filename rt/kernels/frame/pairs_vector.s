@@ -123,8 +123,7 @@ add_pairs:
         ADDX    s4, s5, s4
         VTOV    [s3], [s4]
         pool_part s4, pool_nodes, s0, s8
-        RTOR    region, s1
-        IX      s1, 64 * H_SIZE
+        address_of region, H_SIZE, s1
         SHIFTI  s1, -6, s1
         VTOV    s1, [s4]
         ADDX    s4, s5, s4
@@ -214,11 +213,9 @@ pairs_some:
         if_none pair_bits, s0, pairs_take
         VXTOV   [pair_ray], [nearest], [pair_limit]
         ADDNV   [pair_b], [pair_y], [pair_x]
-        CMPLTV  r0, [pair_x], [pair_more]
-        ANDB    [pair_bits], [pair_more], [pair_bits]
+        keep_where CMPLTV, r0, [pair_x], pair_bits, pair_more
         SUBNV   [pair_b], [pair_y], [pair_x]
-        CMPLTV  [pair_x], [pair_limit], [pair_more]
-        ANDB    [pair_bits], [pair_more], [pair_bits]
+        keep_where CMPLTV, [pair_x], [pair_limit], pair_bits, pair_more
         if_none pair_bits, s8, pairs_take
         CPSV    [pair_ray], [pair_ray] ? [pair_bits]
         CPSV    [pair_node], [pair_node] ? [pair_bits]
@@ -339,8 +336,7 @@ spheres_from_start:
         spheres_ahead s1
         IBXNE   shadows, r0, r0, spheres_stop
 spheres_found:
-        CMPGEV  [pair_limit], [pair_hit], [pair_more]
-        ANDB    [pair_bits], [pair_more], [pair_bits]
+        keep_where CMPGEV, [pair_limit], [pair_hit], pair_bits, pair_more
         if_none pair_bits, pair_count, spheres_hit
         CPSV    [pair_ray], [pair_ray] ? [pair_bits]
         CPSV    [pair_hit], [pair_hit] ? [pair_bits]
@@ -352,8 +348,7 @@ spheres_found:
         pair_field pair_node, P_MATERIAL, pair_x
 spheres_compare:
         LOD     [pair_x], s2
-        RTOR    s2, s3
-        IX      s3, 64 * P_SHARED
+        address_of s2, P_SHARED, s3
         STO     [s3], one_index
         IX      s3, 64 * (P_TESTED - P_SHARED)
         LOD     [s3], s4
@@ -382,8 +377,7 @@ spheres_better:
         CMPEQV  [pair_hit], [pair_limit], [pair_more]
         if_none pair_more, s0, spheres_no_tie
         VXTOV   [pair_ray], [nearest_primitive], [pair_limit]
-        CMPLTV  [pair_y], [pair_limit], [pair_tie]
-        ANDB    [pair_more], [pair_tie], [pair_more]
+        keep_where CMPLTV, [pair_y], [pair_limit], pair_more, pair_tie
         ORB     [pair_bits], [pair_more], [pair_bits]
 spheres_no_tie:
         if_none pair_bits, s8, spheres_stamp
@@ -408,8 +402,7 @@ spheres_scatter:
 
 ; Blocks shadow rays.
 spheres_stop:
-        CMPLTV  [pair_hit], [pair_limit], [pair_more]
-        ANDB    [pair_bits], [pair_more], [pair_bits]
+        keep_where CMPLTV, [pair_hit], [pair_limit], pair_bits, pair_more
         if_none pair_bits, pair_left, spheres_hit
         CPSV    [pair_ray], [pair_ray] ? [pair_bits]
         VTOVX   [pair_ray], minus_big, [nearest]

@@ -125,8 +125,7 @@ point_crossing\@:
 ; Stores the triangle of a mesh, and 1 if the ray leaves there. Every second
 ; crossing leaves a solid.
 point_triangle\@:
-        RTOR    w_leaf, w_at
-        IX      w_at, 64 * (P_SHAPE + 1)
+        address_of w_leaf, P_SHAPE + 1, w_at
         LOD     [w_at], w_t5
         FLR     w_t5, w_t5                      ; offset of the triangles
         IX      w_at, 64 * (P_SEGMENTS - P_SHAPE - 1)
@@ -278,8 +277,7 @@ nearest_passed:
         SUBN    r0, w_t2, w_t1
         RTOR    w_t1, w_lower
 nearest_lowered:
-        RTOR    w_ray, w_at
-        IX      w_at, 64 * 6
+        address_of w_ray, 6, w_at
         STO     [w_at], w_lower
         STO     [w_at, m_index_one], w_t1
         store_word r0, local_space, w_at

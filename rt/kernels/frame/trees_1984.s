@@ -105,8 +105,7 @@ tree_leaf:
         LOD     [leaf_first_state], w_in
         CFPGE   w_in, m_big, tree_missed
         STO     [chain_at], leaf_primitive
-        RTOR    leaf_primitive, chain_at
-        IX      chain_at, 64 * P_NEXT_HIT
+        address_of leaf_primitive, P_NEXT_HIT, chain_at
         ES      w_hit, 1
         IBXEQ   leaf_needed, r0, r0, tree_leaf_next
         IBXEQ   leaf_segments, r0, r0, tree_leaf_next
@@ -162,8 +161,7 @@ tree_end:
 ; regions_scalar.s.
 tree_triangle:
         RTOR    its_patch, next_limit
-        RTOR    w_out, loop_at
-        IX      loop_at, 64 * (P_SHAPE + 1)
+        address_of w_out, P_SHAPE + 1, loop_at
         LOD     [loop_at], its_patch
         FLR     its_patch, its_patch
         EX      loop_work, CROSSING_SIZE

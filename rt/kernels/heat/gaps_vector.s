@@ -26,8 +26,7 @@ gap_bits:       .space 65536 / 64 * 2
 ; Makes descriptors of a plane of ends from its first and from its second word.
         .macro  gap_plane plane, near, far
         ADDLEN  \plane, gap_count, \near
-        RTOR    \near, \far
-        IX      \far, 64
+        address_of \near, 1, \far
         .endm
 
 ; Sets [b_gap] to the gaps that are empty and long enough.
@@ -38,8 +37,7 @@ gap_bits:       .space 65536 / 64 * 2
         SUBNV   [v_far], [v_near], [v_length]
         ABSV    [v_length], [v_length]
         CMPGEV  [v_length], gap_least, [b_gap]
-        CMPEQV  [v_scene_depth], gap_zero, [b_open]
-        ANDB    [b_gap], [b_open], [b_gap]
+        keep_where CMPEQV, [v_scene_depth], gap_zero, b_gap, b_open
         .endm
 
         ES      gap_zero, 0

@@ -191,12 +191,10 @@ hits_bits:      .space (QUEUE + 63) / 64 * 6
 
         .macro  keep_heights passed
         CMPLTV  [first], r0, [b_one]
-        CMPLTV  [last], r0, [b_other]
-        ANDB    [b_one], [b_other], [b_one]
+        keep_where CMPLTV, [last], r0, b_one, b_other
         ANDNB   [b_ok], [b_one], [b_ok]
         CMPLTV  [g], [first], [b_one]
-        CMPLTV  [g], [last], [b_other]
-        ANDB    [b_one], [b_other], [b_one]
+        keep_where CMPLTV, [g], [last], b_one, b_other
         ANDNB   [b_ok], [b_one], [b_ok]
         .endm
 

@@ -63,8 +63,7 @@ area_store:     .space 3 * QUEUE        ; sum of the light, for all hits
         .kernel shadow
 cast_from_area:
         store_word link, area_link, shape_at
-        RTOR    light_beam, s0
-        IX      s0, 64 * BEAM_POINTS
+        address_of light_beam, BEAM_POINTS, s0
         ELEN    s0, 2
         EX      s1, area_at
         ELEN    s1, 2

@@ -170,8 +170,7 @@ find_bump:
 bump_unscaled:
         load_part bump_at, BUMP_MAP, MAP_SIZE, map_function, here
         IBXEQ   map_function, r0, r0, bump_quilted
-        RTOR    bump_at, bump_corner
-        IX      bump_corner, 64 * BUMP_CORNERS
+        address_of bump_at, BUMP_CORNERS, bump_corner
         ES      bump_corners_left, 4
 bump_next:
         load_from bump_corner, BUMP_CORNER_SIZE, b0

@@ -289,8 +289,7 @@ bumped_entry:
         load_part bump_at, BUMP_FROM, 4, bump_from, shape_at
         CFPGE   bump_from, big, bumped_lower    ; the first entry
         CMPGEV  [bump_value], bump_from, [hits1]
-        CMPLTV  [bump_value], bump_to, [hits2]
-        ANDB    [hits1], [hits2], [hits1]
+        keep_where CMPLTV, [bump_value], bump_to, hits1, hits2
         bump_upper lx, bump_sum_x
         bump_upper ly, bump_sum_y
         bump_upper lz, bump_sum_z

@@ -12,8 +12,7 @@
         .endshare
 
         .macro  list_address vector, address
-        RTOR    child_level, \address
-        IX      \address, 64 * (LEVEL_LIST + (\vector) * LIST)
+        address_of child_level, LEVEL_LIST + (\vector) * LIST, \address
         .endm
 
         .macro  add_channel factor_at, color_at

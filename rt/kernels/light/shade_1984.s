@@ -121,8 +121,7 @@ shade_ray:
         IBXEQ   its_patch, r0, r0, shade_surface
         LOD     [of_hit_s, loop_index], loop_work
         LOD     [of_hit_t, loop_index], loop_ray_index
-        RTOR    new_primitive, loop_at
-        IX      loop_at, 64 * P_PATCH_POINT
+        address_of new_primitive, P_PATCH_POINT, loop_at
         STO     [loop_at], loop_work
         STO     [loop_at, m_index_one], loop_ray_index
 shade_surface:

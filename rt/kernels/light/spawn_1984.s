@@ -38,8 +38,7 @@ spawn_children: .space 2 * CHILD_SIZE
         .code
 
         .macro  spawn_argument number, offset, words
-        RTOR    hit_at, loop_work
-        IX      loop_work, 64 * (\offset)
+        address_of hit_at, \offset, loop_work
         ELEN    loop_work, \words
         store_word loop_work, spawn_list + 64 * \number, image_at
         .endm
@@ -87,8 +86,7 @@ spawn_children: .space 2 * CHILD_SIZE
 spawn_hits:
         begin_hits
         IBXEQ   of_next, r0, r0, spawn_end
-        RTOR    of_next, list_at
-        IX      list_at, 64 * LEVEL_LIST
+        address_of of_next, LEVEL_LIST, list_at
         EX      list_stride, 64 * LIST
         load_word queue_importance, hit_weight_at
         .if     INTERIORS
@@ -101,8 +99,7 @@ spawn_hits:
         load_order
 spawn_hit:
         load_part hit_at, HIT_PRIMITIVE, 2, new_primitive, image_at ; also its index
-        RTOR    new_primitive, loop_at
-        IX      loop_at, 64 * P_MIRROR
+        address_of new_primitive, P_MIRROR, loop_at
         LOD     [loop_at], is_mirror
         LOD     [loop_at, m_index_one], is_clear
         OR      is_mirror, is_clear, is_clear

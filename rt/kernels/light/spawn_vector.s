@@ -176,8 +176,7 @@ spawn_bend:
         VTOV    r0, [v7] ?! [hits0]
         IBXEQ   spawn_checker, r0, r0, spawn_bent
         MASKV   sh15, sh11, [v6] ? [hits3]
-        CMPGEV  [v6], r0, [hits1]               ; not too dim
-        ANDB    [hits2], [hits1], [hits2]
+        keep_where CMPGEV, [v6], r0, hits2, hits1 ; not too dim
 spawn_bent:
         CNTOB   [hits2], spawn_total
         .endif

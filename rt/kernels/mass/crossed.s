@@ -174,11 +174,9 @@ crossed_full\@:
 ; count `bodies`.
         .macro  find_visible bodies
         CMPEQV  [col_sign], col_index_one, [b_enter]
-        CMPEQV  [\bodies], col_index_one, [b_part]
-        ANDB    [b_enter], [b_part], [b_enter]
+        keep_where CMPEQV, [\bodies], col_index_one, b_enter, b_part
         CMPEQV  [col_sign], col_index_minus_one, [b_leave]
-        CMPEQV  [\bodies], r0, [b_part]
-        ANDB    [b_leave], [b_part], [b_leave]
+        keep_where CMPEQV, [\bodies], r0, b_leave, b_part
         ORB     [b_enter], [b_leave], [b_visible]
         .endm
 

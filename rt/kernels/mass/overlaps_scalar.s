@@ -34,15 +34,13 @@ partner_off\@:
 level_next\@:
         load_fields ovl_level, LEVEL_MIN, 4, ovl_least
         IBXNE   ovl_count, r0, ovl_least, level_done\@
-        RTOR    ovl_level, ovl_at
-        IX      ovl_at, 64 * LEVEL_ON
+        address_of ovl_level, LEVEL_ON, ovl_at
         .if     \enters
         STO     [ovl_at], col_index_one
         .endif
         add_pairs
         .if     \enters == 0
-        RTOR    ovl_level, ovl_at
-        IX      ovl_at, 64 * LEVEL_ON
+        address_of ovl_level, LEVEL_ON, ovl_at
         STO     [ovl_at], ovl_zero
         .endif
 level_done\@:

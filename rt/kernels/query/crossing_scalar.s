@@ -18,8 +18,7 @@ normal_found:   .space 3
         RTOR    w_in, c_distance
         RTOR    w_out, w_leaf
         load_of w_out, P_ID, c_primitive
-        RTOR    w_region, w_at
-        IX      w_at, 64 * R_BODY
+        address_of w_region, R_BODY, w_at
         LOD     [w_at], c_crossing
         IX      w_at, 64 * (R_RESULT - R_BODY)
         LOD     [w_at], w_t0

@@ -108,8 +108,7 @@ tree_visible:
         RTOR    r0, segment_out
         find_point tree_stored
         .if     NORMALS
-        RTOR    w_leaf, w_at
-        IX      w_at, 64 * P_PATCH_POINT
+        address_of w_leaf, P_PATCH_POINT, w_at
         STO     [w_at], segment_in
         STO     [w_at, m_index_one], segment_out
         .endif

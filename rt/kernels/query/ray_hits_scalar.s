@@ -43,9 +43,7 @@ point_found\@:
         ADDX    c_count, m_index_one, c_count
 put_next\@:
         IBXEQ   c_at, r0, c_first, put_here\@
-        RTOR    c_at, c_before
-        IX      c_before, -64 * RAY_HIT_SIZE
-        load_from c_before, RAY_HIT_WORDS, c_other_distance
+        load_part c_at, -RAY_HIT_SIZE, RAY_HIT_WORDS, c_other_distance, c_before
         CFPLT   c_other_distance, c_distance, put_here\@
         CFPNE   c_other_distance, c_distance, put_move\@
         IBXLT   c_other_primitive, r0, c_primitive, put_here\@

@@ -63,8 +63,7 @@ sort_pair:
         if_none bits1, s0, sort_compared
         ADDX    sort_low, query_stride, s2
         ADDX    sort_high, query_stride, s3
-        CMPLTV  [s3], [s2], [bits2]
-        ANDB    [bits1], [bits2], [bits1]
+        keep_where CMPLTV, [s3], [s2], bits1, bits2
         ORB     [bits0], [bits1], [bits0]
 sort_compared:
         if_none bits0, s0, sort_next

@@ -92,8 +92,7 @@
         CMPLTV  [q_s], |[q_b]|, [q_small]
         CMPLTV  [q_d], |[q_a]|, [q_bits]
         ORB     [q_small], [q_bits], [q_small]
-        CMPLTV  r0, [q_w], [q_bits]
-        ANDB    [q_small], [q_bits], [q_small]
+        keep_where CMPLTV, r0, [q_w], q_small, q_bits
 \name\()_wide:
         if_none q_small, q_finished, \name\()_narrow
         SQRTV   [q_w], [q_x] ? [q_small]

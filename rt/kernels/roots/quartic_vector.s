@@ -339,12 +339,9 @@ give_none\@:
         MPYSV   |[q_next]|, q_polish, [q_d]
         ADDNV   [q_d], q_resolution, [q_d]
         SUBNV   [q_next], [q_w], [q_s]
-        CMPGEV  [q_d], |[q_w]|, [q_bits]
-        ANDB    [q_sign], [q_bits], [q_sign]
-        CMPLTV  [q_knot], [q_s], [q_bits]
-        ANDB    [q_sign], [q_bits], [q_sign]
-        CMPGEV  [q_high], [q_s], [q_bits]
-        ANDB    [q_sign], [q_bits], [q_sign]
+        keep_where CMPGEV, [q_d], |[q_w]|, q_sign, q_bits
+        keep_where CMPLTV, [q_knot], [q_s], q_sign, q_bits
+        keep_where CMPGEV, [q_high], [q_s], q_sign, q_bits
         VTOV    [q_s], [q_root] ? [q_sign]
         .endm
 
@@ -458,14 +455,10 @@ search_alive\@:
         LTOR    q_c4, q_lanes
         RTOR    s9, q_want
         describe root0, solver_roots, q_lanes
-        RTOR    root0, root1
-        IX      root1, 64 * QUEUE
-        RTOR    root1, root2
-        IX      root2, 64 * QUEUE
-        RTOR    root2, root3
-        IX      root3, 64 * QUEUE
-        RTOR    root3, root_count
-        IX      root_count, 64 * QUEUE
+        address_of root0, QUEUE, root1
+        address_of root1, QUEUE, root2
+        address_of root2, QUEUE, root3
+        address_of root3, QUEUE, root_count
         .rept   \places
         VTOV    q_none, [root\+]
         .endr

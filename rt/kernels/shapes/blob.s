@@ -159,9 +159,7 @@ blob_part:
         take_ball
         BIM     blob_next_row
 blob_moved:
-        RTOR    blob_row, blob_words
-        IX      blob_words, 64 * BLOB_LENGTH
-        load_from blob_words, 13, part_length   ; also b00 .. b23
+        load_part blob_row, BLOB_LENGTH, 13, part_length, blob_words ; also b00 .. b23
         CFPNE   part_kind, one, blob_long
         take_ellipsoid
         BIM     blob_next_row

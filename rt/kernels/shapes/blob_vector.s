@@ -72,8 +72,7 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
 ; ---- The pieces
 
         .macro  next_vector before, vector
-        RTOR    \before, \vector
-        IX      \vector, 64 * BLOB_LANES
+        address_of \before, BLOB_LANES, \vector
         .endm
 
         .macro  first_piece
@@ -118,8 +117,7 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
         .macro  take_piece from, to, none
         CMPLTV  [\from], [\to], [hits1]
         ANDB    [hits0], [hits1], [hits1]
-        CMPLTV  [lane_low], [\to], [hits2]
-        ANDB    [hits1], [hits2], [hits1]
+        keep_where CMPLTV, [lane_low], [\to], hits1, hits2
         if_none hits1, s0, \none
         MASKV   [\from], big, [piece_enter] ? [hits1]
         MASKV   [\to], big, [piece_leave] ? [hits1]
@@ -341,8 +339,7 @@ interval_next\@:
         XORB    [hits1], [hits1], [hits1]
         ES      nearest_interval, 2
 signs_walked\@:
-        CMPLTV  [interval_t], big, [hits2]
-        ANDB    [hits1], [hits2], [hits1]
+        keep_where CMPLTV, [interval_t], big, hits1, hits2
         .endm
 
 ; lane_inside = inside at the end of the interval: inside at its start,

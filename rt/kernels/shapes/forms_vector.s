@@ -111,8 +111,7 @@
         .endm
 
         .macro  keep_number_not_less k, a, set, out, work=bits0
-        CMPGEV  \k, [\a], [\work]
-        ANDB    [\set], [\work], [\set]
+        keep_where CMPGEV, \k, [\a], \set, \work
         .endm
 
 ; rest = the rays of the set without k < a; from else_in on those with k < a.
@@ -375,8 +374,7 @@ slab_crossed\@:
 ; disc = 0 for the rays with disc < 0 and a < 0.
         .macro  clear_if_negative disc, a, miss
         CMPLTV  [\a], r0, [bits0]
-        CMPLTV  [\disc], r0, [bits1]
-        ANDB    [bits0], [bits1], [bits0]
+        keep_where CMPLTV, [\disc], r0, bits0, bits1
         VTOV    r0, [\disc] ? [bits0]
         .endm
 

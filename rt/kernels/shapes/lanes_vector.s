@@ -80,8 +80,7 @@ lane_shade_store: .space (SHADE_VECTORS - 4) * QUEUE
         ADDNV   [lower], [w3], [w5]
         CMPGEV  -[w5], [w6], [bits1]
         VTOV    -[w6], [w5] ? [bits1]
-        CMPLTV  [w5], [w6], [bits1]
-        ANDB    [bits0], [bits1], [bits0]
+        keep_where CMPLTV, [w5], [w6], bits0, bits1
         if_none bits0, m, \miss
         .endm
 

@@ -197,8 +197,7 @@ crossings_before:
         ADDX    s6, mesh_capacity, s8
         CMPLTV  [s6], [s5], [bits0]
         CMPEQV  [s6], [s5], [bits1]
-        CMPLTV  [s8], [s7], [bits2]
-        ANDB    [bits1], [bits2], [bits1]
+        keep_where CMPLTV, [s8], [s7], bits1, bits2
         ORB     [bits0], [bits1], [bits0]
         if_none bits0, s0, crossings_placed
         swap_columns s5, s6

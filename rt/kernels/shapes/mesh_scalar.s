@@ -84,8 +84,7 @@ lesser\@:
 ; Prepares the data of the ray for a traversal: its own axes and signs.
         .macro  begin_mesh
         FLR     sh0, mesh_row
-        RTOR    a_primitive, t0
-        IX      t0, 64 * P_TABLE
+        address_of a_primitive, P_TABLE, t0
         LOD     [t0], mesh_table
         load_words mesh_numbers, 2, mesh_less, t0
         EX      hit_link, MESH_LEAF_HIT

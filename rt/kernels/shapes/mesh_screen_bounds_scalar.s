@@ -22,9 +22,7 @@
 ; Prepares the data of the viewpoint that the ray goes through.  Branches to
 ; none if there is none, or to missed if the ray goes away from the mesh.
         .macro  begin_screen_bounds none, missed
-        RTOR    mesh_table, t0
-        IX      t0, 64 * MESH_FIRST
-        load_from t0, 2, t1                     ; also t2: their number
+        load_part mesh_table, MESH_FIRST, 2, t1, t0 ; also t2: their number
         IBXEQ   t2, r0, r0, \none
         copy_three ox, oy, oz, t3, t4, t5
         .if     CASTS_SHADOWS

@@ -34,9 +34,7 @@
         EX      s0, queue_origin
 viewpoint_position\@:
         load_from s0, 3, s1                     ; the point
-        RTOR    mesh_table, s0
-        IX      s0, 64 * MESH_FIRST
-        load_from s0, 2, s4                     ; also s5: their number
+        load_part mesh_table, MESH_FIRST, 2, s4, s0 ; also s5: their number
         SHIFTI  s4, 6, s4
         ADDX    mesh_table, s4, mesh_viewpoint
         BIM     viewpoint_next\@
@@ -77,8 +75,7 @@ viewpoint_turned\@:
         IBXEQ   shadows, r0, r0, screen_bounds_tested\@
         CMPLTV  [mesh_forward], r0, [mesh_bits]
         VXTOV   [mesh_ray], [near_limit], [mesh_limit]
-        CMPGEV  s7, [mesh_limit], [mesh_hit]
-        ANDB    [mesh_bits], [mesh_hit], [mesh_bits]
+        keep_where CMPGEV, s7, [mesh_limit], mesh_bits, mesh_hit
 screen_bounds_tested\@:
         if_none mesh_bits, m, \none
         walk_keep mesh_ray
@@ -108,8 +105,7 @@ screen_bounds_tested\@:
         if_none bits0, s0, \none
         RTOR    near, m
         set_walk
-        RTOR    mesh_table, mesh_links
-        IX      mesh_links, 64 * MESH_LINKS
+        address_of mesh_table, MESH_LINKS, mesh_links
         .endm
 
 ; Keeps these rays among the placed ones, if there is a viewpoint.
@@ -125,8 +121,7 @@ far_placed\@:
         .endm
 
         .macro  screen_bounds_below least, greatest
-        CMPGEV  \greatest, \least, [mesh_hit]
-        ANDB    [mesh_bits], [mesh_hit], [mesh_bits]
+        keep_where CMPGEV, \greatest, \least, mesh_bits, mesh_hit
         .endm
 
 ; Gathers the next word of the windows.
@@ -136,8 +131,7 @@ far_placed\@:
         .endm
 
         .macro  step_screen_bounds
-        RTOR    mesh_links, s0
-        IX      s0, -64 * SCREEN_LINKS
+        address_of mesh_links, -SCREEN_LINKS, s0
         screen_bounds_word
         CMPGEV  [mesh_u], [mesh_g0], [mesh_bits]
         screen_bounds_word
@@ -147,8 +141,7 @@ far_placed\@:
         screen_bounds_word
         screen_bounds_below [mesh_v], [mesh_g0]
         screen_bounds_word
-        CMPLTV  [mesh_g0], [mesh_limit], [mesh_hit]
-        ANDB    [mesh_bits], [mesh_hit], [mesh_bits]
+        keep_where CMPLTV, [mesh_g0], [mesh_limit], mesh_bits, mesh_hit
         ADDXV   [mesh_at], one_index, [mesh_at] ?! [mesh_bits]
         VXTOV   [mesh_at], [s0], [mesh_g1]
         .endm

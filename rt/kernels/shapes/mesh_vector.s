@@ -150,8 +150,7 @@ side_bases:
 
 ; [low], [high] = the interval in the box at MESH_BOX + number along one axis.
         .macro  box_axis number, own, inverse, size, low, high
-        RTOR    mesh_table, s0
-        IX      s0, 64 * (MESH_BOX + \number)
+        address_of mesh_table, MESH_BOX + \number, s0
         VXTOV   [mesh_at], [s0], [mesh_g0]
         IX      s0, 64 * 3
         VXTOV   [mesh_at], [s0], [mesh_g1]
@@ -244,8 +243,7 @@ side_bases:
         .endm
 
         .macro  side_and bits, a, b
-        CMPGEV  \a, \b, [side_tie]
-        ANDB    [\bits], [side_tie], [\bits]
+        keep_where CMPGEV, \a, \b, \bits, side_tie
         .endm
 
 ; [side_z0] = U z0 + V z1 + W z2.
@@ -259,8 +257,7 @@ side_bases:
 
 ; Prepares the data of the near rays for a traversal: their own axes.
         .macro  begin_mesh
-        RTOR    mesh_table, mesh_links
-        IX      mesh_links, 64 * MESH_LINKS
+        address_of mesh_table, MESH_LINKS, mesh_links
         EX      mesh_leaf_link, MESH_LEAF_HIT
         ES      mesh_pairs, 0
         RTOR    near, m
@@ -289,10 +286,8 @@ side_bases:
         box_next 2, mesh_oz, mesh_iz, mesh_az
         MPYSV   [mesh_low], s1, [mesh_low]
         CMPGEV  [mesh_high], [mesh_low], [mesh_bits]
-        CMPGEV  [mesh_high], r0, [mesh_hit]
-        ANDB    [mesh_bits], [mesh_hit], [mesh_bits]
-        CMPLTV  [mesh_low], [mesh_limit], [mesh_hit]
-        ANDB    [mesh_bits], [mesh_hit], [mesh_bits]
+        keep_where CMPGEV, [mesh_high], r0, mesh_bits, mesh_hit
+        keep_where CMPLTV, [mesh_low], [mesh_limit], mesh_bits, mesh_hit
         ADDXV   [mesh_at], [mesh_signs], [mesh_g0]
         ADDXV   [mesh_g0], one_index, [mesh_g0] ?! [mesh_bits]
         VXTOV   [mesh_g0], [mesh_links], [mesh_g1]
@@ -365,8 +360,7 @@ mesh_leaves\@:
         RTOR    mesh_g0, leaf_left
         CPSV    [mesh_at], [leaf_triangle] ? [mesh_hit]
         CPSV    [mesh_ray], [leaf_ray] ? [mesh_hit]
-        RTOR    mesh_links, s0
-        IX      s0, 64 * (\first + 1)
+        address_of mesh_links, \first + 1, s0
         VXTOV   [leaf_triangle], [s0], [leaf_left]
         IX      s0, -64
         VXTOV   [leaf_triangle], [s0], [leaf_triangle]
@@ -467,8 +461,7 @@ intersect_sides:
         VTOV    one, [side_u] ?! [side_bits]
         DIVSV   [side_z0], [side_u], [side_z0]  ; t
         of_ray  lower, side_g1
-        CMPLTV  [side_g1], [side_z0], [side_more]
-        ANDB    [side_bits], [side_more], [side_bits]
+        keep_where CMPLTV, [side_g1], [side_z0], side_bits, side_more
         BIM     sides_better
 
 ; Keeps the nearest hit of each ray.  If a ray has several, the last store wins,
@@ -479,8 +472,7 @@ sides_better:
         of_ray  w9, side_g0
         CMPEQV  [side_z0], [side_g0], [side_more]
         of_ray  patch_s, side_g1
-        CMPLTV  [side_triangle], [side_g1], [side_tie]
-        ANDB    [side_more], [side_tie], [side_more]
+        keep_where CMPLTV, [side_triangle], [side_g1], side_more, side_tie
         CMPLTV  [side_z0], [side_g0], [side_tie]
         ORB     [side_more], [side_tie], [side_more]
         ANDB    [side_bits], [side_more], [side_bits]

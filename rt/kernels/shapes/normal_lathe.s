@@ -43,9 +43,7 @@ normal_lathe_row:
         CFPNE   foot_begins, r0, normal_lathe_next
         CFPLT   foot_high, height_low, normal_lathe_next
         CFPLT   height_high, foot_low, normal_lathe_next
-        RTOR    table, row_at
-        IX      row_at, 64 * (LATHE_RADIUS - LATHE_HEIGHT)
-        load_from row_at, 6, foot_radius        ; foot_radius .. outward_y
+        load_part table, LATHE_RADIUS - LATHE_HEIGHT, 6, foot_radius, row_at ; .. outward_y
         nearest_edge t6, t7, foot_radius, foot_height, back_r, back_y, back_length, outward_r, outward_y, segment_farther
         then_set outward_r, nx
         then_set outward_y, ny

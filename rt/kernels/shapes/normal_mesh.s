@@ -2,8 +2,7 @@
 
         .kernel shade
         .macro  of_triangle word, into
-        RTOR    table, spare
-        IX      spare, 64 * (\word)
+        address_of table, \word, spare
         gather  point_s, spare, \into
         .endm
 

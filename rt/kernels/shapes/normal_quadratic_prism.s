@@ -49,8 +49,7 @@ curve_none\@:
 
         begin_normals quadratic_prism
 normal_curve:
-        RTOR    table, curve_at
-        IX      curve_at, 64 * QUADRATIC_BEGINS
+        address_of table, QUADRATIC_BEGINS, curve_at
         LOD     [curve_at], curve_begins
         CFPNE   curve_begins, r0, normal_curve_next
         IX      curve_at, 64 * (QUADRATIC_FOOT - QUADRATIC_BEGINS)

@@ -35,12 +35,9 @@ through_store:  .space 4 * QUEUE
 
         .macro  through_vectors
         describe s2, through_store, near
-        RTOR    s2, s3
-        IX      s3, 64 * QUEUE
-        RTOR    s3, s4
-        IX      s4, 64 * QUEUE
-        RTOR    s4, s5
-        IX      s5, 64 * QUEUE
+        address_of s2, QUEUE, s3
+        address_of s3, QUEUE, s4
+        address_of s4, QUEUE, s5
         .endm
 
         .macro  minus_scaled_three a, f0, k0, f1, k1, f2, k2
@@ -138,11 +135,9 @@ implicit_accept:
         DIVSV   [q_b], [q_s], [q_b]             ; t
         load_words implicit_numbers, 2, s3, s2
         CMPGEV  [q_a], s3, [q_bits]
-        CMPGEV  [q_b], s3, [q_change]
-        ANDB    [q_bits], [q_change], [q_bits]
+        keep_where CMPGEV, [q_b], s3, q_bits, q_change
         ADDNV   [q_a], [q_b], [q_s]
-        CMPGEV  s4, [q_s], [q_change]
-        ANDB    [q_bits], [q_change], [q_bits]
+        keep_where CMPGEV, s4, [q_s], q_bits, q_change
         VTOVX   [q_at], [q_a], [found_s] ? [q_bits]
         VTOVX   [q_at], [q_b], [found_t] ? [q_bits]
         BIM     0, s9

@@ -156,8 +156,7 @@ crossing_none\@:
         STO     [point_at], big
         IX      point_at, 64
         .endr
-        RTOR    a_primitive, point_at
-        IX      point_at, 64 * P_PATCH_POINTS
+        address_of a_primitive, P_PATCH_POINTS, point_at
         RTOR    crossings_wanted, crossings_left
         .endif
         .endm

@@ -59,10 +59,8 @@ planes_found\@:
 ; hits0 = all Bernstein coefficients of R (k0, e0-e3) exceed the rounding
 ; errors; hits1 = all are below the negative of these.
         .macro  bernstein_sign c
-        CMPLTV  [e4], [\c], [hits2]
-        ANDB    [hits0], [hits2], [hits0]
-        CMPLTV  [\c], [e5], [hits2]
-        ANDB    [hits1], [hits2], [hits1]
+        keep_where CMPLTV, [e4], [\c], hits0, hits2
+        keep_where CMPLTV, [\c], [e5], hits1, hits2
         .endm
 
 ; Branches to miss if this is so for no ray.
@@ -124,16 +122,14 @@ planes_found\@:
         .endm
 
         .macro  keep_ahead none
-        CMPLTV  [lane_low], [e3], [hits3]
-        ANDB    [hits2], [hits3], [hits2]
+        keep_where CMPLTV, [lane_low], [e3], hits2, hits3
         .endm
 
 ; Replaces tin by the candidates that are nearer.
         .macro  patch_candidate rational
         patch_distance \rational, candidate_none\@
         VXTOV   [lane_at], [tin], [e4]
-        CMPLTV  [e3], [e4], [hits3]
-        ANDB    [hits2], [hits3], [hits2]
+        keep_where CMPLTV, [e3], [e4], hits2, hits3
         VTOVX   [lane_at], [e3], [tin] ? [hits2]
         VTOVX   [lane_at], [candidate_s], [patch_s] ? [hits2]
         VTOVX   [lane_at], [candidate_t], [patch_t] ? [hits2]
@@ -146,8 +142,7 @@ candidate_none\@:
         .macro  patch_crossing rational
         patch_distance \rational, crossing_none\@
         EX      s0, PATCH_CROSSINGS * QUEUE
-        CMPLTV  [lane_at], s0, [hits3]
-        ANDB    [hits2], [hits3], [hits2]
+        keep_where CMPLTV, [lane_at], s0, hits2, hits3
         VTOVX   [lane_at], [e3], [tin] ? [hits2]
         VTOVX   [lane_at], [candidate_s], [patch_s] ? [hits2]
         VTOVX   [lane_at], [candidate_t], [patch_t] ? [hits2]

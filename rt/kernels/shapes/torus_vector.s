@@ -9,12 +9,10 @@
         ADDNV   [w9], [w1], [w9]
         SUBN    r0, sh9, s0
         CMPLTV  sh9, [w8], [bits1]
-        CMPLTV  sh9, [w9], [bits2]
-        ANDB    [bits1], [bits2], [bits1]
+        keep_where CMPLTV, sh9, [w9], bits1, bits2
         ANDNB   [bits0], [bits1], [bits0]
         CMPLTV  [w8], s0, [bits1]
-        CMPLTV  [w9], s0, [bits2]
-        ANDB    [bits1], [bits2], [bits1]
+        keep_where CMPLTV, [w9], s0, bits1, bits2
         ANDNB   [bits0], [bits1], [bits0]
         if_none bits0, m, \miss
         .endm

@@ -56,18 +56,13 @@ hit:            .space 2                ; distance, primitive
         .include "light/fog.s"
         .endif
 
-        .macro  of_level offset
-        RTOR    level, main_at
-        IX      main_at, 64 * (\offset)
-        .endm
-
         .macro  set_level offset, register
-        of_level \offset
+        address_of level, \offset, main_at
         STO     [main_at], \register
         .endm
 
         .macro  get_level offset, register
-        of_level \offset
+        address_of level, \offset, main_at
         LOD     [main_at], \register
         .endm
 
@@ -80,15 +75,13 @@ hit:            .space 2                ; distance, primitive
         .endm
 
         .macro  call_level routine, list
-        RTOR    level, arguments
-        IX      arguments, 64 * \list
+        address_of level, \list, arguments
         call_routine \routine, link
         .endm
 
 ; Makes an argument: `number` words of the level's record from `offset` on.
         .macro  level_argument position, offset, number
-        RTOR    level, main_t
-        IX      main_t, 64 * (\offset)
+        address_of level, \offset, main_t
         ELEN    main_t, \number
         set_level \position, main_t
         .endm
@@ -128,18 +121,18 @@ levels_next:
         IX      level, 64 * LEVEL_SIZE
         IBXNE   levels_left, m_index_minus_one, r0, levels_next, levels_left
         RTOR    first_level, level
-        of_level L_MIN
+        address_of level, L_MIN, main_at
         load_word k_lower, main_t
         STO     [main_at], m_tmin
         STO     [main_at, m_index_one], main_t
         .if     INTERIORS
         set_level L_PASSED, r0
-        of_level L_INSIDE
+        address_of level, L_INSIDE, main_at
         STO     [main_at], m_minus_one
         STO     [main_at, m_index_one], m_one
         .endif
         .if     HIDDEN
-        of_level L_CLASS
+        address_of level, L_CLASS, main_at
         ES      main_t, IMAGE_RAYS
         STO     [main_at], main_t
         .endif
@@ -169,8 +162,7 @@ trace_hit:
         .endkernel
         .kernel spawn
         IBXEQ   levels_left, r0, m_index_one, trace_ended
-        RTOR    hit_primitive, main_at
-        IX      main_at, 64 * P_MIRROR
+        address_of hit_primitive, P_MIRROR, main_at
         LOD     [main_at], main_t
         LOD     [main_at, m_index_one], main_red
         OR      main_t, main_red, main_t
@@ -181,7 +173,7 @@ trace_hit:
         IBXEQ   main_t, r0, r0, trace_waiting
         add_to_word rays_reflected, m_index_one, main_at, main_t
         .if     HIDDEN
-        of_level LEVEL_SIZE + L_CLASS
+        address_of level, LEVEL_SIZE + L_CLASS, main_at
         ES      main_t, REFLECTED_RAYS
         STO     [main_at], main_t
         .endif
@@ -197,10 +189,9 @@ trace_waiting:
 trace_class:
         set_level LEVEL_SIZE + L_CLASS, main_t
         .endif
-        of_level L_WAITING
+        address_of level, L_WAITING, main_at
         ELEN    main_at, CHILD_SIZE
-        RTOR    level, main_t
-        IX      main_t, 64 * (LEVEL_SIZE + L_RAY)
+        address_of level, LEVEL_SIZE + L_RAY, main_t
         ELEN    main_t, CHILD_SIZE
         SWAP    [main_at], r32, [r0]
         SWAP    [r0], r32, [main_t]

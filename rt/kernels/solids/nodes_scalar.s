@@ -84,8 +84,7 @@ intersect_events:
         LOD     [l_first_state], w_in
         CFPGE   w_in, m_big, intersect_missed
         STO     [w_chain], n_primitive
-        RTOR    n_primitive, w_chain
-        IX      w_chain, 64 * P_NEXT_HIT
+        address_of n_primitive, P_NEXT_HIT, w_chain
         ES      w_hit, 1
         IBXEQ   n_needed, r0, r0, intersect_next
         IBXEQ   l_segments, r0, r0, intersect_next

@@ -266,8 +266,7 @@ node_listed:
         load_record P_SEGMENTS, 4, leaf_segments
         find_segments leaf_first_state
         RTOR    leaf_segments, segments_wanted
-        RTOR    primitive, shape_at
-        IX      shape_at, 64 * P_STATE_KERNEL
+        address_of primitive, P_STATE_KERNEL, shape_at
         call_kernel
         .if     MESH_CROSSINGS
 

@@ -24,8 +24,7 @@
 ; Makes descriptors of a value of the tree, before and after an event.
         .macro  value_of address, value, value_after
         ADDLEN  \address, near, \value
-        RTOR    \value, \value_after
-        IX      \value_after, 64 * QUEUE_BIT_WORDS
+        address_of \value, QUEUE_BIT_WORDS, \value_after
         .endm
 
 ; The rays in object space.

@@ -109,8 +109,7 @@ sparse_leaf:
         IBXEQ   s0, r0, r0, node_next
         load_field P_FIRST_STATE, s0
         store_word s0, sparse_first, s3
-        RTOR    primitive, shape_at
-        IX      shape_at, 64 * P_STATE_KERNEL
+        address_of primitive, P_STATE_KERNEL, shape_at
         call_routine sparse_kernel, link_sparse
         BIM     node_next
 

@@ -71,8 +71,7 @@
 ; [bits] = rays with the crossing [slot] between E - delta and E + delta.
         .macro  crossing_near bits, work
         CMPGEV  [slot], [before], [\bits]
-        CMPGEV  [after], [slot], [\work]
-        ANDB    [\bits], [\work], [\bits]
+        keep_where CMPGEV, [after], [slot], \bits, \work
         .endm
 
 ; Loads an active leaf and its value.
@@ -100,8 +99,7 @@
 ; and advances to the next slot.
         .macro  nearer_event vector
         CMPLTV  [last], [\vector], [bits0]
-        CMPLTV  [\vector], [event], [bits1]
-        ANDB    [bits0], [bits1], [bits0]
+        keep_where CMPLTV, [\vector], [event], bits0, bits1
         if_none bits0, s0, event_later\@
         VTOV    [\vector], [event] ? [bits0]
         VTOV    identity, [event_primitive] ? [bits0]
@@ -259,8 +257,7 @@ other_leaf:
         ANDB    [bits0], [visible_rays], [bits0]
         if_none bits0, s1, other_next
         load_field P_ID, identity
-        CMPNEV  [event_primitive], identity, [bits1]
-        ANDB    [bits0], [bits1], [bits0]
+        keep_where CMPNEV, [event_primitive], identity, bits0, bits1
         ORB     [inside], [bits0], [inside]
         IBXNE   shadows, r0, r0, other_next
         mark_tested
@@ -429,8 +426,7 @@ found_counted_next:
         describe s7, found_bits + 64 * QUEUE_BIT_WORDS * 2, s2
         CMPEQV  [taken_distance], [s3], [s6]
         VXTOV   [taken_at], [nearest_primitive], [s3]
-        CMPLTV  [taken_primitive], [s3], [s7]
-        ANDB    [s6], [s7], [s6]
+        keep_where CMPLTV, [taken_primitive], [s3], s6, s7
         ORB     [s4], [s6], [s4]
         if_none s4, s0, found_none
         CPSV    [taken_at], [taken_at] ? [s4]
