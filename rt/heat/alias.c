@@ -17,9 +17,9 @@ static void put_column(struct columns *columns, const double *share, size_t i)
         columns->list[columns->count - ++columns->ample] = i;
 }
 
-/* Fills each scarce column from an ample column. The ample column loses the same
- * amount, and moves to the list of its new share. Each step completes one column, so
- * the time is linear. */
+/* Fills each column whose share is below 1 from a column with a larger share. The
+ * larger column loses the same amount, and moves to the list of its new share. Each
+ * step completes one column, so the time is linear. */
 static void fill_columns(struct columns *columns, double *share, size_t *alias)
 {
     while (columns->scarce > 0 && columns->ample > 0) {

@@ -11,10 +11,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Builds the table of `count` weights. No weight is negative, and at least one is
- * positive. The probability of an item is its weight divided by the sum of the weights.
- * share and alias have `count` elements. Shares are from 0 to 1. Returns false if out
- * of memory. */
+/* Builds the alias table for `count` items. `weights` contains the weight of each item:
+ * none is negative, and at least one is positive. The probability of an item is its
+ * weight divided by the sum of the weights. `share` and `alias` have `count` elements.
+ * Shares are from 0 to 1. Returns false if out of memory. */
 bool alias_build(const double *weights, size_t count, double *share, size_t *alias);
 
 #endif

@@ -1,4 +1,5 @@
-/* chords.c - generates random lines through a sphere, by the emission of the sphere. */
+/* chords.c - generates random lines through a sphere. Each line contains a ray that a
+ * point of the sphere emits. */
 #include "rt/heat/chords.h"
 
 #include <math.h>

@@ -12,8 +12,8 @@
 #include "rt/heat/emission.h"
 #include "rt/trace/ray_query.h"
 
-/* A line ends on the sphere. It begins outside, at this distance from its end, in
- * radii. */
+/* A line ends on the sphere. A ray query of the line begins at this distance before the
+ * end, in radii of the sphere. This position is outside the sphere. */
 #define CHORDS_BEHIND 2.01
 
 struct chords {
@@ -28,12 +28,13 @@ bool chords_begin(struct chords *chords, const struct emission_options *emits,
                   c205_error *error);
 void chords_end(struct chords *chords);
 
-/* Returns the area that a crossing of a line represents: 2 pi R^2. */
+/* Returns 2 pi R^2, where R is the radius of the sphere. The area of a surface is this
+ * value times the mean number of crossings of a line with the surface. */
 double chords_weight(const struct chords *chords);
 
-/* Generates chords->count lines. Also writes the end points of the lines to `planes`:
- * one array for each quantity of enum emitted. Threads may call this function concurrently. Returns false after a
- * trap, or if out of memory. */
+/* Generates chords->count lines. The points at which the lines end are stored in
+ * `planes`, in the order of enum emitted. Threads may call this function concurrently.
+ * Returns false after a trap, or if out of memory. */
 bool chords_run(const struct chords *chords, const struct emission_choice *choice,
                 c205_word *planes, struct scene_ray *lines, struct accounts *accounts,
                 c205_error *error);

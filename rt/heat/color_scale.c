@@ -4,8 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Sizes in dots: a letter, a letter and the space after it. Then the heights from top
- * to bottom: margin, bar, lines of text with spacing, margin. */
+/* Lengths in dots, the squares of which letters consist. ADVANCE is the distance
+ * between the starts of two letters, and LINE the distance between two lines of text.
+ * From top to bottom, a scale has a margin, the bar, the lines of text from BAR_END on,
+ * and a margin. */
 enum {
     LETTER_WIDTH = 5,
     LETTER_HEIGHT = 7,

@@ -14,8 +14,9 @@
 struct color_scale {
     const char *title; /* may only have the letters in color_scale.c */
     double least, most;
-    /* Computes the colour of a value, which is `share` times `most`. If `least` is
-     * negative, its share is -1. */
+    /* Computes the colour at a position of the scale. The share 0 is the value 0, and
+     * the share 1 is the value `most`. If `least` is negative, the share -1 is the
+     * value `least`. */
     void (*color)(const void *context, double share, double color[3]);
     const void *context;
 };

@@ -1,4 +1,5 @@
-/* emission.c - generates points on a surface, and directions, on a machine. */
+/* emission.c - generates points on a surface, and the directions in which it radiates,
+ * on a machine. */
 #include "rt/heat/emission.h"
 
 #include <math.h>
@@ -58,8 +59,8 @@ static void put_place(struct record *record, const struct primitive *primitive,
     put_to_face(record, &inverse, primitive->inverted);
 }
 
-/* Fills the columns of the table in this order: shares, aliases, words of the
- * pieces. */
+/* Fills the columns of the alias table: the shares, then the aliases, then a column for
+ * each word of a piece. */
 static void fill_columns(const struct emitter *emitter, const double *share,
                          const size_t *alias, c205_word *columns)
 {
@@ -215,7 +216,8 @@ void emission_free(struct emission *emission)
 static bool load_choice(const struct emission *emission, c205 *machine,
                         const struct emission_choice *choice, c205_error *error)
 {
-    /* These are integers of the machine: words with the exponent 0. */
+    /* The machine represents integers by words with the exponent 0, so these integers
+     * need no conversion. */
     const c205_word words[] = { choice->seed, choice->first, choice->m, choice->shift };
     return c205_load(machine, &emission->program->program, error)
            && image_load(&emission->image, machine, error)

@@ -26,8 +26,8 @@ struct emission_options {
     const c205_model *model; /* must outlive the emission */
 };
 
-/* Selects points: the numbers first, first + 1, .. of a random stream with this seed.
- * With the lattice they are numbers of the 2^m points with this shift. */
+/* Selects points of a random stream with this seed: the numbers first, first + 1, .. If
+ * a lattice is used, selects the same numbers of its 2^m points with this shift. */
 struct emission_choice {
     uint64_t seed, first, m, shift;
 };
@@ -65,15 +65,16 @@ struct emission *emission_new(const struct primitive *primitive,
                               c205_error *error);
 void emission_free(struct emission *emission);
 
-/* Generates options->points points on a new machine: EMITTED_PLANES planes. Adds the
- * machine's accounts to `accounts`, unless it is NULL. Threads may run the same
- * emission concurrently. Returns false after a trap, or if out of memory. */
+/* Generates options->points points on a new machine, and writes their EMITTED_PLANES
+ * planes to `planes`. Adds the machine's accounts to `accounts`, unless it is NULL.
+ * Threads may run the same emission concurrently. Returns false after a trap, or if out
+ * of memory. */
 bool emission_run(const struct emission *emission, const struct emission_choice *choice,
                   c205_word *planes, struct accounts *accounts, c205_error *error);
 
 const struct object *emission_program(const struct emission *emission);
-/* Returns a machine that has been loaded for a run as of emission_run, but has not run.
- * The caller frees it. */
+/* Returns a machine with the program and the input of emission_run, before its first
+ * instruction. The caller frees the machine. */
 c205 *emission_load(const struct emission *emission,
                     const struct emission_choice *choice, c205_error *error);
 

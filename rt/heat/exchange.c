@@ -41,7 +41,8 @@ static bool check_exchange(const struct exchange_given *given, c205_error *error
     return true;
 }
 
-/* Returns the columns of factors, followed by the planes of the surfaces. */
+/* Returns the input of the program: the columns of the matrix of factors, then the
+ * planes of areas, emissivities and temperatures. */
 static c205_word *lay_words(const struct exchange_given *given)
 {
     size_t n = given->count;

@@ -71,8 +71,9 @@ void factor_row_free(struct factor_row *row)
 
 /* ---- Pieces --------------------------------------------------------------- */
 
-/* The number of points of a piece. If the points are crossings of lines, a line may
- * have several; up to four on average are fewer than MAX_EMISSION. */
+/* The number of points of a piece. If the points are crossings of lines, this is the
+ * number of lines. A piece may then have up to MAX_EMISSION crossings, almost four for
+ * each line. */
 enum { PIECE = 1 << 14 };
 
 static size_t piece_count(const struct sampling_options *options)
@@ -96,7 +97,7 @@ static size_t find_piece(const struct sampling_options *options, size_t piece,
                                               : options->points - *first;
 }
 
-/* The input for a row: the packets of all repeats. */
+/* All packets of an emitter, from which a row of factors is computed. */
 struct repeats {
     size_t count, pieces, points, receivers;
     const struct packet *packets;
@@ -145,7 +146,8 @@ static bool count_rays(const struct repeats *repeats, struct factor_row *row)
     return good;
 }
 
-/* Computes a row from its packets. Returns false if out of memory. */
+/* Computes the row of factors of an emitter from its packets. Returns false if out of
+ * memory. */
 static bool conclude(const struct packet_programs *programs,
                      const struct packet *packets, struct factor_row *row)
 {
@@ -258,8 +260,8 @@ static bool begin_coming(const struct rows_work *work, struct coming *coming)
     return good;
 }
 
-/* Takes a packet. The last packet of an emitter completes its row; all packets of the
- * row are then freed. */
+/* Stores the packet that a unit has computed. The last packet of an emitter completes
+ * its row; all packets of the row are then freed. */
 static bool take_unit(void *context, size_t unit, struct serialized_result *words,
                       c205_error *error)
 {

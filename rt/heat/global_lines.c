@@ -201,7 +201,7 @@ static bool make_lines(struct global_packet *packet)
     return true;
 }
 
-/* The planes of a gap's end, as in gaps.s. */
+/* The planes in which the ends of gaps are stored, in the order of gaps.s. */
 enum { GAP_DISTANCE, GAP_SURFACE, GAP_SCENE_DEPTH, GAP_PLANES };
 
 struct ends {
@@ -247,7 +247,8 @@ static bool lay_ends(const struct global_packet *packet, struct ends *ends)
     return words != NULL;
 }
 
-/* Adds the `count` gaps that begin with end `first` to the packet's counts. */
+/* Counts the gaps among the `count` intervals between successive ends, from the end
+ * `first` on. Adds them to the counts of the packet. */
 static bool count_gaps(struct global_packet *packet, const struct ends *ends,
                        size_t first, size_t count)
 {
@@ -365,7 +366,8 @@ static bool run_unit(void *context, size_t job, size_t unit,
     return good;
 }
 
-/* Adds gaps. A gap from i to j is also a gap from j to i. */
+/* Adds `count` gaps between the surfaces i and j, which `cell` encodes. A gap from i to
+ * j is also a gap from j to i. */
 static void add_gaps(const struct global_work *work, size_t unit, uint64_t cell,
                      uint64_t count)
 {
@@ -512,9 +514,10 @@ uint64_t global_lines_count(const struct global_lines *found, size_t i, size_t j
     return sum;
 }
 
-/* Returns the standard error of a sum over repeats. `squares` is the sum of squared
- * deviations. All repeats of a lattice may have the same counts. A change by one line,
- * with its two ends, in one repeat is therefore the least error. */
+/* Returns the standard error of a sum over the repeats. `squares` is the sum of the
+ * squared deviations of the repeats from their mean. Even if all repeats of a lattice
+ * have the same counts, the error is at least the effect of one more line, with its two
+ * ends, in one repeat. */
 static double error_of(const struct global_lines *found, double squares)
 {
     double n = (double)found->repeats;
@@ -534,7 +537,9 @@ struct estimate global_lines_area(const struct global_lines *found, size_t i)
     return (struct estimate){ unit * sum, unit * error_of(found, squares) };
 }
 
-/* Returns a ratio. Its error is the error of the sum of count - factor * row. */
+/* The factor is the ratio of two counts of gap ends: the ends at surface i that face
+ * surface j (`count`), and all ends at surface i (`row`). Its error is the error of the
+ * sum of count - factor * row over the repeats, divided by `row`. */
 struct estimate global_lines_factor(const struct global_lines *found, size_t i,
                                     size_t j)
 {

@@ -33,16 +33,17 @@ struct global_lines {
     uint64_t clocks[HEAT_STEPS]; /* clocks of all machines for each step */
 };
 
-/* Counts the gaps. If this process does not collect results (job_set_collects), the
- * counts stay 0. Returns false for invalid options, if the scene has no surface or an
- * unbounded surface, after a trap, if out of memory, or if a file belongs to another
- * run. */
+/* Counts the gaps between surfaces along random lines through the scene. If this
+ * process does not collect results (job_set_collects), the counts stay 0. Returns false
+ * for invalid options, if the scene has no surface or an unbounded surface, after a
+ * trap, if out of memory, or if a file belongs to another run. */
 bool global_lines_find(const struct scene *scene,
                        const struct sampling_options *options,
                        struct global_lines *found, c205_error *error);
 void global_lines_free(struct global_lines *found);
 
-/* Returns n_ij, summed over all repeats. */
+/* Returns the number of ends of gaps at surface i that face surface j, over all
+ * repeats. */
 uint64_t global_lines_count(const struct global_lines *found, size_t i, size_t j);
 struct estimate global_lines_area(const struct global_lines *found, size_t i);
 /* Returns the factor from surface i to surface j, or NAN if no line hit surface i. */

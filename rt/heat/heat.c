@@ -288,7 +288,7 @@ static bool find_exchange(const struct heat_work *work)
     return true;
 }
 
-/* Converts areas, and the flows of whole surfaces, to the file's unit of length. */
+/* Converts areas and flows from the unit of the scene to the unit of the scene file. */
 static void enlarge(struct heat *heat)
 {
     double unit = ldexp(1, 2 * heat->scene->unit_log);

@@ -9,9 +9,10 @@ struct heat_request {
     enum trace_mode mode;
     size_t queue, jobs;
     enum surfaces_by by;
-    /* The number drawn for each repeat. For rays it is the number of points on each
-     * primitive, 1 .. MAX_FACTORS_POINTS. For lines it is the number of lines through
-     * the scene, a power of two; every primitive can then emit. */
+    /* `drawn` is the number of samples in each repeat. If by_lines is false, the
+     * samples are points on each primitive, 1 .. MAX_FACTORS_POINTS. If by_lines is
+     * true, they are lines through the scene: their number is a power of two, and every
+     * primitive can emit. */
     bool by_lines;
     size_t drawn;
     size_t repeats; /* at least 2 */
@@ -54,9 +55,10 @@ struct heat {
  * either case. */
 bool heat_begin(const struct scene *scene, const struct heat_request *request,
                 struct heat *heat, c205_error *error);
-/* Computes the results. If this process does not collect packets, only the number of
- * packets is set. Returns false after a trap, if out of memory, if a file belongs to
- * another run, or after an error of factors.h, global_lines.h or thermal.h. */
+/* Computes the factors and, on request, the exchange. If this process does not collect
+ * packets, only the number of packets is set. Returns false after a trap, if out of
+ * memory, if a file belongs to another run, or after an error of factors.h,
+ * global_lines.h or thermal.h. */
 bool heat_find(struct heat *heat, c205_error *error);
 void heat_free(struct heat *heat);
 

@@ -119,8 +119,8 @@ static void mix(const double (*way)[3], size_t count, double share, double color
         color[k] = way[i][k] + (at - (double)i) * (way[i + 1][k] - way[i][k]);
 }
 
-/* Computes the colour of a value as a share: -1 is the largest gain, and 1 is the
- * largest loss or the largest factor. */
+/* Computes the colour for a share of the largest value: -1 is the largest gain, and 1
+ * is the largest loss or the largest factor. */
 static void color_at(const void *given, double share, double color[3])
 {
     const struct heat_drawing *drawing = given;
@@ -156,8 +156,8 @@ static void color_of(const struct heat_drawing *drawing, size_t surface,
         color_at(drawing, share, color);
 }
 
-/* Gives a primitive one colour. Half of the colour is emitted, so it does not depend on
- * light. */
+/* Gives a primitive one colour. Half of the colour is emitted, so that a face that is
+ * nearly parallel to the lamp's rays is not dark. */
 static void paint(struct primitive *primitive, const double color[3])
 {
     primitive->pigment = (struct pigment){ .kind = PIGMENT_COLOR };

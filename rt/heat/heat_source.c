@@ -1,4 +1,4 @@
-/* heat_source.c - generates points of any bounded primitive. */
+/* heat_source.c - generates points on any bounded primitive. */
 #include "rt/heat/heat_source.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@ struct heat_source {
     struct emission_options options;
     struct emission *emission; /* NULL: points come from lines */
     struct chords chords;
-    /* A scene that contains only the primitive, for lines. */
+    /* A scene that contains only the primitive. The ray query of the lines uses it. */
     struct scene alone;
     struct tree_node node;
     struct region region;
@@ -30,7 +30,8 @@ struct heat_source {
 /* ---- Refusals ----------------------------------------------------------------- */
 
 /* Sets the bounds of a region's primitives from the bounds of its nodes. A primitive
- * gets the smallest bound of its leaves, or else the bound of the region. */
+ * gets the smallest bound of the leaves that contain it, or the bound of the region if
+ * these leaves are unbounded. */
 static void bound_in(const struct scene *scene, const struct region *region,
                      const struct bound *nodes, struct bound *bounds)
 {
@@ -186,7 +187,8 @@ void source_free(struct heat_source *source)
 
 /* ---- By lines ----------------------------------------------------------------- */
 
-/* The planes of a crossing, as in spots.s. */
+/* The planes in which the crossings of the lines are stored, in the order of
+ * spots.s. */
 enum {
     CROSSED_DISTANCE,
     CROSSED_LINE,

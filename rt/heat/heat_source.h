@@ -3,9 +3,10 @@
  * through it.
  *
  * The lines go through a sphere around the primitive, or around its region if that is
- * smaller. They only cross the primitive. Each crossing is a point, and its ray
- * continues along the line. Every bounded surface can therefore radiate. A surface
- * without an inside and without an emission radiates from both sides equally often.
+ * smaller. Only their crossings with this primitive count. Each crossing is a point,
+ * and its ray continues along the line. Every bounded surface can therefore radiate. A
+ * surface without an inside and without an emission radiates from both sides equally
+ * often.
  */
 #ifndef RT_SOURCE_H
 #define RT_SOURCE_H
@@ -19,17 +20,18 @@ const char **source_refusals(const struct scene *scene);
 
 struct heat_source;
 
-/* Returns a source. options->mode may be any of the three modes. options->points is the
- * number of points of an emission, or of lines. If the primitive cannot radiate, for
- * invalid options, or if out of memory, sets the error and returns NULL. The scene must
- * outlive the source. */
+/* Returns a source. All three modes are permitted in options->mode. options->points is
+ * the number of points that an emission generates, or else the number of lines. If the
+ * primitive cannot radiate, for invalid options, or if out of memory, sets the error
+ * and returns NULL. The scene must outlive the source. */
 struct heat_source *source_new(const struct scene *scene, size_t primitive,
                                const struct emission_options *options,
                                c205_error *error);
 void source_free(struct heat_source *source);
 
-/* The output: EMITTED_PLANES planes of count words, which the caller frees. The sum of
- * the weights divided by options->points is the area. */
+/* The points that source_run generates: EMITTED_PLANES planes with a word for each
+ * point. The caller frees the planes. The area of the primitive is the sum of the
+ * weights of the points, divided by options->points. */
 struct sourced {
     size_t count;
     c205_word *planes;

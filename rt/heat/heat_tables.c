@@ -48,8 +48,8 @@ size_t heat_invisible(const struct heat *heat)
     return count;
 }
 
-/* Returns the number of decimals of an area. It depends on the size of the scene's
- * unit, squared. */
+/* Returns the number of decimals of an area in the unit of the scene file. The
+ * precision in the unit of the scene is always the same. */
 static int decimals_of(const struct heat *heat, const struct table_column *column)
 {
     return column->decimals - (int)(2 * heat->scene->unit_log * log10(2));

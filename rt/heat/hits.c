@@ -131,7 +131,8 @@ static bool run_hits(struct hits_work *work)
     return single_run_end(&run, made, work->reported, points, &clocks);
 }
 
-/* Computes three sums of weights: rays that miss, rays that strike, all rays. */
+/* Computes three sums of weights: of the rays that miss the cylinders, of the rays that
+ * strike one, and of all rays. */
 static bool run_received(struct hits_work *work, size_t repeat)
 {
     enum { RECEIVERS = 2, SUMS = 2 * RECEIVERS + 1 };

@@ -32,9 +32,9 @@ struct hits {
     uint64_t projected;       /* clocks of this program on the other machine */
 };
 
-/* Computes the fraction and its error. Returns false with the error if nothing has the
- * name options->from, if a shape cannot emit or is not a cylinder, after a trap, or if
- * out of memory. */
+/* Computes the fraction of the radiation that strikes the cylinders, and its error.
+ * Returns false with the error if nothing has the name options->from, if a shape cannot
+ * emit or is not a cylinder, after a trap, or if out of memory. */
 bool hits_find(const struct scene *scene, const struct named_parts *parts,
                const struct hits_options *options, struct hits *hits,
                c205_error *error);

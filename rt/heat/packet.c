@@ -7,7 +7,7 @@
 #include "rt/layout/single_run.h"
 #include "rt/trace/form.h"
 
-/* Lines along the normals begin at this distance below their points. */
+/* A line along the normal at a point begins at this distance before the point. */
 static const double below = 1e-3;
 
 /* ---- Setup ---------------------------------------------------------------- */
@@ -108,7 +108,7 @@ struct packet_work {
     c205_error *error;
 };
 
-/* Charges the clocks since the last call to a step. */
+/* Attributes to `step` the clocks that have passed since the previous call. */
 static void charge(const struct packet_work *work, enum heat_step step)
 {
     heat_charge(work->packet->clocks, &work->packet->accounts, step);
@@ -130,8 +130,8 @@ static bool emit_points(struct packet_work *work)
     return true;
 }
 
-/* Runs a query along the lines of the first count points. Their directions are the
- * planes from `direction` on. */
+/* Runs a query along lines through the first `count` points. The directions of the
+ * lines are in three planes, from the plane `direction` on. */
 static bool follow(const struct packet_work *work, const struct ray_query *lines,
                    const c205_word *planes, enum emitted direction, size_t count,
                    struct ray_hits *found)
@@ -159,7 +159,8 @@ static void begin_run(const struct packet_work *work, const struct object *progr
     run->accounts = &work->packet->accounts;
 }
 
-/* The planes of a crossing, as in faces.s. */
+/* The planes in which the crossings of the lines are stored, in the order of
+ * faces.s. */
 enum { FACE_DISTANCE, FACE_PRIMITIVE, FACE_POINT, FACE_SIGN, FACE_PLANES };
 
 static c205_word *lay_crossings(const struct ray_hits *found)

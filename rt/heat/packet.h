@@ -47,8 +47,8 @@ struct packet {
 bool packet_begin(struct packet *packet, const struct packet_programs *programs);
 void packet_free(struct packet *packet);
 
-/* Selects the points of a packet: points of a repeat of a primitive, from number
- * `first` on. */
+/* Selects the points of a packet: the points of one repeat on one primitive, from the
+ * number `first` on. */
 struct packet_choice {
     size_t primitive, repeat, first;
 };

@@ -19,8 +19,8 @@ struct sampling_options {
     uint64_t seed;
     size_t jobs;             /* number of packets computed concurrently; 0: one */
     struct job_set *job_set; /* as in job_set_work */
-    /* Called at intervals with the number of finished packets and of all packets.
-     * Returns whether to continue. May be NULL. */
+    /* Called at intervals with the number of finished packets and the number of all
+     * packets. Returns whether to continue. May be NULL. */
     bool (*progress)(void *context, size_t done, size_t all);
     void *context;
     /* The surface of each primitive, a number below `surfaces`. NULL: each primitive is

@@ -42,7 +42,8 @@ static void lay_columns(const double *rows, size_t n, c205_word *words)
             words[j * n + i] = c205_from_double(rows[i * (n + 1) + j]);
 }
 
-/* Returns the input words: two matrices and a plane. */
+/* Returns the input of the program: the matrices of flows and of their variances, then
+ * the plane of areas. */
 static c205_word *lay_words(const struct smooth_given *given)
 {
     size_t n = given->count, size = n * (n + 1);
@@ -56,7 +57,8 @@ static c205_word *lay_words(const struct smooth_given *given)
     return words;
 }
 
-/* Returns the number of output words: columns, a plane and a word. */
+/* Returns the number of words that the program writes: n + 1 columns of adjusted flows,
+ * a plane, and a word. */
 static size_t made_size(size_t n)
 {
     return n * (n + 1) + n + 1;
@@ -138,7 +140,8 @@ static struct estimate flow_of(const struct surface *from, size_t to)
                               from->area.value * error };
 }
 
-/* Returns the mean of the flows in both directions, weighted by their variances. */
+/* Returns the mean of the flows that were estimated in the two directions. Each has the
+ * reciprocal of its variance as its weight. */
 static struct estimate flow_between(const struct smoothing *smoothing, size_t i,
                                     size_t j)
 {

@@ -19,16 +19,17 @@ struct smooth_given {
     const c205_model *model;
 };
 
-/* Computes adjusted flows [count][count + 1]. The sum of each row is the area. Returns
- * false for invalid numbers, if there is no solution (the error then names the
- * surface), after a trap, or if out of memory. */
+/* Computes the adjusted flows: `count` rows of count + 1 flows. The sum of a row is the
+ * area of its surface. Returns false for invalid numbers, if there is no solution (the
+ * error then names the surface), after a trap, or if out of memory. */
 bool smooth_flows(const struct smooth_given *given, double *flows,
                   struct accounts *accounts, c205_error *error);
 
-/* Sets surface.smooth of all visible surfaces. A flow has an estimate in each
- * direction, which are weighted by their variances. If neither surface hit the other,
- * the flow is 0. Adds the machine's accounts. Returns false after an error of
- * smooth_flows, or if a surface only receives; the error then names the surface. */
+/* Sets surface.smooth of all visible surfaces. The flow between two surfaces is
+ * estimated in both directions, and each estimate has the reciprocal of its variance as
+ * its weight. If neither surface hit the other, the flow is 0. Adds the machine's
+ * accounts. Returns false after an error of smooth_flows, or if a primitive of a
+ * surface has no emission; the error then names the surface. */
 bool smooth_surfaces(struct surfaces *surfaces, enum trace_mode mode,
                      const c205_model *model, struct accounts *accounts,
                      c205_error *error);

@@ -1,5 +1,6 @@
-/* step.h - the steps of a heat computation, and the clocks of each step: the steps of a
- * packet of rays or lines, and the steps after all packets. */
+/* step.h - the steps of a heat computation, and the clocks of each step. The first
+ * steps are repeated for each packet of rays or lines, and the last two follow all
+ * packets. */
 #ifndef RT_HEAT_STEP_H
 #define RT_HEAT_STEP_H
 
@@ -16,8 +17,8 @@ enum heat_step {
 };
 const char *heat_step_name(enum heat_step step);
 
-/* Adds the clocks that the accounts have gained since the last call to the clocks of a
- * step. All clocks must be zero before the first call. */
+/* Attributes to `step` the clocks by which the accounts have grown since the previous
+ * call. All elements of `clocks` must be zero before the first call. */
 void heat_charge(uint64_t clocks[HEAT_STEPS], const struct accounts *accounts,
                  enum heat_step step);
 

@@ -107,8 +107,9 @@ static void add_row(struct surface *surface, const struct factor_row *row)
     }
 }
 
-/* Adds the errors of F = sum of A_i F_i / A, which depend on the errors of all F_i and
- * A_i. */
+/* Adds the contribution of a primitive i to the errors of its surface's factors. A
+ * factor of the surface is F = sum of A_i F_i / A, so it depends on the errors of all
+ * F_i and A_i. */
 static void add_errors(struct surface *surface, const struct factor_row *row)
 {
     for (size_t j = 0; j < row->receivers; j++) {

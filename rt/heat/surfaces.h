@@ -42,19 +42,22 @@ bool surfaces_find(const struct scene *scene, const struct named_parts *parts,
                    enum surfaces_by by, struct surfaces *surfaces);
 void surfaces_free(struct surfaces *surfaces);
 
-/* Computes areas and factors from the rows of all primitives. The receivers of the rows
- * are surfaces. A primitive without emission has an empty row. */
+/* Computes the areas of the surfaces and the factors between them from the rows of all
+ * primitives. The receivers of the rows are surfaces. A primitive without emission has
+ * an empty row. */
 void surfaces_combine(struct surfaces *surfaces, const struct factor_row *rows);
 
-/* Computes areas and factors from the counts of lines. */
+/* Computes the areas of the surfaces and the factors between them from the counts of
+ * lines. */
 void surfaces_take_lines(struct surfaces *surfaces, const struct global_lines *found);
 
-/* Returns a factor, which is the smoothed factor if available. */
+/* Returns the smoothed factor if it is available, else the factor. */
 double surface_factor(const struct surface *from, size_t to);
 
-/* Returns the difference between A F in one direction and A F in the other, in standard
- * errors. Returns NaN if both surfaces are the same, or if the other direction has no
- * estimate. */
+/* Compares the flows between two surfaces in both directions. A flow is the area of a
+ * surface times its factor to the other surface. Returns the difference of the flows in
+ * standard errors. Returns NaN if both surfaces are the same, or if the other direction
+ * has no estimate. */
 double surfaces_reciprocity(const struct surfaces *surfaces, size_t from, size_t to);
 
 #endif

@@ -16,7 +16,8 @@ static bool is_temperature(double value)
     return value >= 0 && isfinite(value);
 }
 
-/* A value that is not a temperature, because temperatures are not negative. */
+/* The value that represents the word "adiabatic" among temperatures, which are never
+ * negative. */
 enum { ADIABATIC = -1 };
 
 const struct value_kind emissivity_kind = { .name = "emissivity",

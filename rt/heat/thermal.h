@@ -22,10 +22,10 @@ struct thermal {
     struct exchange exchange;
 };
 
-/* Finds the values of the surfaces and computes their exchange. Returns false if a
- * surface has no temperature, has parts with different temperatures, or only receives;
- * if the exchange has no solution; after a trap; or if out of memory. The error names
- * the surface. */
+/* Assigns an emissivity and a temperature to each surface, and computes the exchange
+ * between the surfaces. Returns false if a surface has no temperature, has parts with
+ * different temperatures, or has a primitive without emission; if the exchange has no
+ * solution; after a trap; or if out of memory. The error names the surface. */
 bool thermal_find(const struct surfaces *surfaces, const struct named_parts *parts,
                   const struct named_values *emissivities,
                   const struct named_values *temperatures, enum trace_mode mode,
