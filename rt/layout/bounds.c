@@ -17,9 +17,8 @@ static size_t gather(const struct scene *scene, size_t node, const struct bound 
     return count;
 }
 
-/* Computes the bound of a leaf in a tree. An endless shape in a tree has no bound. A
- * primitive that is a region by itself has a bound around its visible part
- * (bound_alone). */
+/* Computes the bound of a primitive. An endless shape has no bound in a tree;
+ * bound_alone bounds its visible part if it is a region by itself. */
 static void bound_leaf(const struct primitive *primitive, struct bound *bound)
 {
     if (shape_of(primitive)->endless)

@@ -81,8 +81,8 @@ static void put_slope(const struct slope_stop *stop, const struct slope_stop *ne
     row[5] = stop->slope + next->slope - 2 * rise;
 }
 
-/* Writes the heights of a list, to whose entries the kernels assign equally spaced
- * values from 0 to 1. */
+/* Writes the heights of a list. The kernels assign equally spaced values from 0 to 1 to
+ * the entries of the list. */
 static void put_listed(const struct bump *bump, size_t count,
                        double rows[][HEIGHT_SIZE])
 {
@@ -124,8 +124,8 @@ static void put_heights(struct record *record, const struct bump *bump)
 
 /* ---- Spaces -------------------------------------------------------------- */
 
-/* Writes the pattern's function. A slope pattern along an axis has a separate routine
- * for this axis. */
+/* Writes the pattern of a bump: its space, its routines, their parameters and its
+ * heights. */
 static void put_pattern(struct record *record, const struct bump *bump,
                         const struct transform *to_local)
 {
@@ -175,7 +175,7 @@ static void put_corners(struct record *record, const struct bump *bump)
     record_numbers(record, "BUMP_CORNERS", words, CORNERS * CORNER_WORDS);
 }
 
-/* Writes the transposed linear part of a map. */
+/* Writes the transposed linear part of a map to the field. */
 static void put_back(struct record *record, const struct transform *map,
                      const char *field)
 {
@@ -186,7 +186,8 @@ static void put_back(struct record *record, const struct transform *map,
     record_numbers(record, field, words, 9);
 }
 
-/* Writes the transposed linear part of the inverse map, multiplied by a length. */
+/* Writes the transposed linear part of the map from local to world space, multiplied by
+ * `length`. */
 static void put_carry(struct record *record, const struct transform *to_local,
                       double length)
 {
@@ -201,9 +202,10 @@ static void put_carry(struct record *record, const struct transform *to_local,
     }
 }
 
-/* Writes a bump. Its pattern's space is nested in the space `around`, unless `around`
- * is NULL. If the length of a normal matters, lengths are in the unit of the scene
- * file. */
+/* Writes a bump. `to_local` maps points to the space of the bump. If `around` is not
+ * NULL, the bump belongs to a map, and `around` first maps the points to the space of
+ * this map. If `unscaled` is true, the length of a normal matters, and lengths are in
+ * the unit of the scene file. */
 static void put_bump(struct record *record, const struct bump *bump,
                      const struct transform *around, const struct transform *to_local,
                      bool unscaled, double unit)
@@ -236,9 +238,10 @@ static const struct bump_entry *entry_of(const struct bump_list *list, size_t ro
     return &list->entries[row < list->count ? row : list->count - 1];
 }
 
-/* Writes the values of the map for which an entry has weight. From BUMP_FROM to BUMP_TO
- * the entry is the upper of two, from BUMP_TO on the lower. The first entry is always
- * the lower one, and the last is always the upper one; their ranges are unbounded. */
+/* Writes the range of map values for which entry i has weight. Between BUMP_FROM and
+ * BUMP_TO the entry is the upper one of the two that are mixed, and above BUMP_TO the
+ * lower one. The first entry is always the lower one, and the last is always the upper
+ * one; their ranges are unbounded. */
 static void put_share(struct record *record, const struct bump_list *list, size_t i)
 {
     size_t last = entry_rows(list) - 1;
@@ -291,8 +294,8 @@ static void put_bumps(struct record *record, const struct bumps *bumps, double u
 
 /* ---- The whole scene ----------------------------------------------------- */
 
-/* Counts the records and the words of heights. Consecutive equal bumps are counted
- * once. */
+/* Counts the records of bumps, and the words of their height tables. Consecutive equal
+ * bumps are counted once. */
 static void count_bumps(const struct scene *scene, size_t *records, size_t *words)
 {
     const struct bumps *before = NULL;

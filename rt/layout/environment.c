@@ -27,8 +27,8 @@ static void put_sky_map(struct record_layout *layout, const struct pigment *sky,
     layout_words(layout, layout_symbol(layout, "sky_map"), words, 2 + MAP_NUMBERS + 2);
 }
 
-/* Writes a sky with a pattern other than a gradient. `stops` contains the address and
- * the number of its stops. */
+/* Writes a sky whose pattern is not a gradient. `stops` contains the address and the
+ * number of the colour stops. */
 static void layout_sky_pattern(struct record_layout *layout, const struct pigment *sky,
                                const c205_word stops[2])
 {
@@ -79,7 +79,7 @@ void layout_sky(struct record_layout *layout, const struct scene *scene,
     free(stops);
 }
 
-/* Writes a fog for the formula in light/fog.s. */
+/* Writes the numbers of a fog that the formula in light/fog.s uses. */
 static void put_fog(struct record *record, const struct fog *fog)
 {
     double scale = -1 / (fog->distance * elementary_log(2)), pass[3];

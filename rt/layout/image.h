@@ -32,8 +32,8 @@ bool image_reserve(struct image *image, uint64_t address, size_t count);
  * if out of memory. */
 bool image_write(struct image *image, uint64_t address, const c205_word *words,
                  size_t count);
-/* Ends the writing. Machines then share the blocks that they only read, if memory
- * permits. */
+/* Ends the writing of the image. The machines then share the blocks that they only
+ * read, if memory permits. */
 void image_share(struct image *image);
 /* Loads the image into a machine's memory. The image must outlive all use of the
  * machine. */

@@ -7,8 +7,9 @@
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"
 
-/* A chain can have this many straight transmitted rays in addition to max_trace_level.
- * A straight ray has the level of the previous ray. */
+/* The largest number of rays of a chain that pass a surface without refraction. Such a
+ * ray has the level of the previous ray, so max_trace_level does not limit these
+ * rays. */
 enum { MAX_STRAIGHT = 64 };
 
 /* Returns true if light passes through a surface of the scene. The kernels then
@@ -24,7 +25,9 @@ struct interiors {
 /* Numbers the bodies of a scene. Returns false if out of memory. */
 bool interiors_find(const struct scene *scene, struct interiors *interiors);
 void interiors_free(struct interiors *interiors);
-/* Returns the number of a primitive's body, or 0 if rays need not store it. */
+/* Returns the number of the body that a primitive bounds. Returns 0 if the primitive is
+ * invisible or neither transmits light nor reflects by Fresnel's formulas, because rays
+ * then need not store the body. */
 size_t interiors_number(const struct interiors *interiors,
                         const struct primitive *primitive);
 void interiors_layout(struct record_layout *layout, const struct interiors *interiors,

@@ -51,8 +51,8 @@ static void layout_camera(struct record_layout *layout, const struct scene *scen
     layout_words(layout, layout_symbol(layout, "scene_background"), words, 3);
 }
 
-/* Writes the settings for samples that are averaged in linear light, and for the
- * lens. */
+/* Writes the settings for pixels whose samples are averaged in linear light, and the
+ * settings for the camera's lens. */
 static void layout_samples(struct record_layout *layout, double gamma,
                            const struct camera *camera, struct frame_layout *frame)
 {
@@ -72,15 +72,17 @@ static size_t count_rays(const struct ray_grid *grid)
     return grid->columns * grid->rows;
 }
 
-/* The rays without a threshold: one for each sample of each pixel. */
+/* Returns the grid of camera rays without adaptive sampling: samples x samples rays for
+ * each pixel. */
 static struct ray_grid all_samples(const struct frame_layout *frame, size_t samples)
 {
     return (struct ray_grid){ frame->width * samples, frame->first_row * samples,
                               frame->rows * samples };
 }
 
-/* The first rays with a threshold: one for each pixel of the band, and for its
- * neighbours on the left and above, with which pixels are compared. */
+/* Returns the grid of the first camera rays of adaptive sampling: one ray for each
+ * pixel of the band, and for the neighbours on its left and above, with which pixels
+ * are compared. */
 static struct ray_grid first_rays(const struct frame_layout *frame)
 {
     return (struct ray_grid){ frame->width + 1, frame->first_row, frame->rows + 1 };

@@ -10,7 +10,7 @@
 #include "rt/layout/bounding.h"
 #include "rt/scene/scene.h"
 
-/* The position of the frame's planes in memory. */
+/* The position of a frame in memory, and its size. */
 struct frame_layout {
     uint64_t address;       /* FRAME_CHANNELS planes of width x rows words */
     size_t width, height;   /* size of the whole frame in pixels */
@@ -24,9 +24,9 @@ struct frame_layout {
 /* The part of memory that all machines share. */
 struct scene_layout;
 
-/* Lays a scene out. go_on may be NULL. It is called at intervals; if it returns false,
- * the layout stops with an error. Returns NULL if out of memory, or if a number is out
- * of range. */
+/* Writes the scene for a program into memory that machines can share. go_on may be
+ * NULL. It is called at intervals; if it returns false, the layout stops with an error.
+ * Returns NULL if out of memory, or if a number is out of range. */
 struct scene_layout *layout_new(const struct object *program, const struct scene *scene,
                                 enum bounding bounding, bool (*go_on)(void *context),
                                 void *context, c205_error *error);

@@ -23,7 +23,7 @@
 #include "rt/scene/elementary.h"
 #include "rt/scene/vector3.h"
 
-/* Maps a point of the square to the unit disk. */
+/* Maps the point (a, b) of the square [-1, 1] x [-1, 1] to the unit disk. */
 static void disk_point(double a, double b, double point[2])
 {
     bool by_a = fabs(a) > fabs(b);

@@ -5,8 +5,8 @@
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"
 
-/* Writes the lens points of a pixel with samples x samples rays. The words are named in
- * rt/kernels/frame/lens.s. */
+/* Writes the lens points of a pixel's samples x samples rays to the words that
+ * rt/kernels/frame/lens.s defines. */
 void layout_lens(struct record_layout *layout, const struct camera *camera,
                  size_t samples);
 

@@ -4,7 +4,7 @@
 #include "rt/scene/elementary.h"
 #include "rt/scene/vector3.h"
 
-/* The least width of a soft edge. An edge that is sharper gets this width. */
+/* The smallest width of the soft edge of a beam. A sharper edge gets this width. */
 #define MIN_EDGE 1e-9
 
 static bool fades(const struct light *light)
@@ -84,9 +84,9 @@ static double place_on_side(size_t at, size_t size)
     return size > 1 ? (double)at / (double)(size - 1) - .5 : 0;
 }
 
-/* Maps a point of the square to the disk, as in POV-Ray. The border is mapped to the
- * inscribed circle, and each line from the centre is scaled evenly. The offset avoids a
- * division by 0 at the centre. */
+/* Maps a point of the square from -.5 to .5 to the inscribed disk, as in POV-Ray. The
+ * border of the square is mapped to the circle, and each line from the centre is scaled
+ * evenly. The added .001 avoids a division by 0 at the centre. */
 static void draw_together(double place[2])
 {
     double most;
@@ -134,8 +134,8 @@ static void layout_points(struct record_layout *layout, const struct scene *scen
 
 /* ---- Beams --------------------------------------------------------------- */
 
-/* Writes the value of q (light/beam.s) at which the edge begins, and the slope of the
- * edge. */
+/* Writes the value of q (light/beam.s) at which the soft edge of the beam begins, and
+ * the reciprocal of the width of the edge in q. */
 static void put_edge(struct record *record, const struct light *light)
 {
     double edge[2] = { -1, 1 }; /* no edge */

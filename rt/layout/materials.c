@@ -12,7 +12,7 @@ struct material {
     uint64_t address;
 };
 
-/* A hash table with open addressing. An entry of places is 0, or the index of a row
+/* A hash table with open addressing. An element of `places` is 0, or the index of a row
  * plus 1. */
 struct material_table {
     size_t count, mask;

@@ -1,7 +1,8 @@
 /* materials.h - finds primitives with equal materials, so that the kernels shade them
  * together.
  *
- * A material is a row of words. Its address is in the first primitive that has it.
+ * A material is a row of words. The address of the first primitive that has the
+ * material identifies it.
  */
 #ifndef RT_MATERIALS_H
 #define RT_MATERIALS_H

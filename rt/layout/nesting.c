@@ -46,9 +46,9 @@ static void close_node(struct nesting *nesting, size_t node)
 
 /* ---- Parts --------------------------------------------------------------- */
 
-/* Returns the solid that `child` adds to a union, or that it subtracts from an
- * intersection as a complement. Returns 0 if the child is neither, or if the solid is
- * unbounded. */
+/* Returns the solid that `child` adds to a union, or that `child` subtracts as a
+ * complement from an intersection. Returns 0 for any other child, and for an unbounded
+ * solid. */
 static size_t part_of(const struct nesting *nesting, size_t parent, size_t child)
 {
     const struct tree_node *nodes = nesting->scene->nodes;
@@ -101,11 +101,13 @@ static void put_some(struct nesting *nesting, const struct part_list *parts,
         nest_node(nesting, parts->nodes[parts->hierarchy.order[first + i]]);
 }
 
-/* Writes the parts below a node of the hierarchy as children of the current node. */
+/* Writes the parts below a node of the hierarchy as children of the CSG node that was
+ * opened last. */
 static void put_below(struct nesting *nesting, const struct part_list *parts,
                       size_t number);
 
-/* Writes a node of the hierarchy as one child of the current node. */
+/* Writes the parts below a node of the hierarchy as one child of the CSG node that was
+ * opened last: a union, or the part itself if there is only one. */
 static void put_group(struct nesting *nesting, const struct part_list *parts,
                       size_t number)
 {
@@ -139,9 +141,9 @@ static void put_all(struct nesting *nesting, const struct part_list *parts)
         put_some(nesting, parts, 0, parts->count);
 }
 
-/* Writes the `count` parts of a node as groups. The parts of a union become its
- * children. The solids that a difference subtracts become the complement of their
- * union. */
+/* Writes the `count` parts of a node, grouped by the hierarchy. In a union, the groups
+ * become children of the node. In a difference, the subtracted solids become the
+ * complement of one union of groups. */
 static void nest_parts(struct nesting *nesting, size_t node, size_t count)
 {
     struct part_list parts = { .count = count };
@@ -192,8 +194,8 @@ static void nest_regions(struct nesting *nesting)
     }
 }
 
-/* Allocates the nested scene. A group of n parts adds up to n - 1 nodes, and two nodes
- * around them. */
+/* Allocates the nested scene. The groups of n parts are at most n - 1 nodes, and the
+ * complement and the union around them are two nodes. */
 static bool take_room(const struct scene *scene, struct nested_scene *nested)
 {
     size_t nodes = 3 * scene->node_count + 1, regions = scene->region_count;

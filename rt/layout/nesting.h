@@ -19,8 +19,7 @@ struct nested_scene {
     struct bound *bounds;
 };
 
-/* Groups the parts of a scene's trees. The recursion is as deep as the trees. Returns
- * false if out of memory. */
+/* Groups the parts in the trees of a scene. Returns false if out of memory. */
 bool nesting_make(const struct scene *scene, struct nested_scene *nested);
 void nesting_free(struct nested_scene *nested);
 

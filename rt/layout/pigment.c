@@ -8,7 +8,8 @@
 #include "rt/shapes/primitive.h"
 #include "rt/scene/vector3.h"
 
-/* A row has the fields STOP_AT, STOP_SLOPE, STOP_COLOR and STOP_CHANGE. */
+/* The number of words in a row, which describes one stop by the fields STOP_AT,
+ * STOP_SLOPE, STOP_COLOR and STOP_CHANGE. */
 enum { STOP_SIZE = 8 };
 #define STEP 1e-30 /* a smaller distance counts as 0 */
 
@@ -114,7 +115,8 @@ static void put_stop(const struct color_stop *stop, const struct color_stop *nex
         row[5 + i] = far > STEP ? next->color[i] - stop->color[i] : 0;
 }
 
-/* Returns the rows of the stops, after a copy of the first stop at -1. */
+/* Returns the rows of the map's stops. The first row is a copy of the first stop at the
+ * position -1. */
 c205_word *stops_words(const struct pigment *pigment)
 {
     c205_word *words = calloc(stops_size(pigment) + 1, sizeof *words);

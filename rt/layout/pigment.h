@@ -6,8 +6,9 @@
 #include "rt/scene/scene.h"
 #include "vm/c205.h"
 
-/* Numbers of words: P_PATTERN of a gradient without its stops, P_PATTERN of a pattern,
- * and the numbers in P_MAP. */
+/* Numbers of words in the record of a primitive. In the field P_PATTERN, a gradient has
+ * GRADIENT_STOPS words before its stops, and any other pattern has PATTERN_ROWS words.
+ * The field P_MAP contains MAP_NUMBERS parameters. */
 enum { GRADIENT_STOPS = 4, PATTERN_ROWS = 12, MAP_NUMBERS = 4 };
 
 /* Returns true if a pigment or normal of the scene needs light/pattern.s. */

@@ -8,8 +8,9 @@
 
 #include "asm/text/assemble.h"
 
-/* Assembles a kernel. The defines are its constants, as in asm_options. Returns NULL
- * with the first error, which indicates an error in the build. */
+/* Assembles a kernel with the constants in `defines`, as in asm_options. If the kernel
+ * has an error, sets the first error and returns NULL; the build of the program is then
+ * defective. */
 struct object *program_assemble(const char *kernel, const struct asm_define *defines,
                                 c205_error *error);
 

@@ -17,8 +17,8 @@ struct query_layout {
     size_t objects;
 };
 
-/* Writes the primitives. Plain surfaces have no images, and lines have no common
- * viewpoint. */
+/* Writes the primitives without images, because the surfaces are plain, and without
+ * viewpoints, because the lines have no common origin. */
 static void layout_bare_solids(struct record_layout *layout, const struct scene *scene,
                                enum bounding bounding)
 {

@@ -21,11 +21,12 @@ struct packet_layout {
     uint64_t found;  /* address of RAY_HIT_SIZE planes for each crossing */
 };
 
-/* The part of memory that all machines share. In the scene all surfaces must be plain,
- * and every_crossing must be set. */
+/* The part of memory that all machines share. All surfaces of its scene must be plain,
+ * and scene.every_crossing must be set. */
 struct query_layout;
 
-/* Lays a scene out. Returns NULL if out of memory, or if a number is out of range. */
+/* Writes the scene for a program of queries into memory that machines can share.
+ * Returns NULL if out of memory, or if a number is out of range. */
 struct query_layout *query_layout_new(const struct object *program,
                                       const struct scene *scene, enum bounding bounding,
                                       c205_error *error);

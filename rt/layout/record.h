@@ -38,8 +38,9 @@ struct row {
     size_t size;    /* words of each item */
 };
 
-/* Reserves several rows at consecutive addresses, starting at a new page. Each size is
- * the name of a symbol of the program. */
+/* A row that layout_reserve_rows reserves. All rows have consecutive addresses, from
+ * the start of a page on. `size` is the name of the program's symbol that defines the
+ * size of an item. */
 struct row_wanted {
     struct row *row;
     const char *size;
@@ -60,11 +61,13 @@ struct record {
     uint64_t table; /* next free address of the tables */
 };
 
-/* Starts a row. The size is the name of a symbol of the program. Reserves `count`
- * records, and `more` words for tables after them. */
+/* Starts a row of `count` records, and reserves memory for them and for `more` words of
+ * tables after them. `size` is the name of the program's symbol that defines the size
+ * of a record. */
 void record_begin(struct record *record, struct record_layout *layout, const char *size,
                   size_t count, size_t more);
-/* Returns the row. Call this before the first record is written. */
+/* Returns the row of the records. Call this before the first call of record_write,
+ * which advances the address. */
 struct row record_row(const struct record *record);
 void record_write(struct record *record);
 void record_end(struct record *record);
@@ -83,7 +86,8 @@ void record_address(struct record *record, const char *name, uint64_t address);
 /* Sets the field to the address of a routine. */
 void record_routine(struct record *record, const char *name, const char *routine);
 void record_bound(struct record *record, const char *name, const struct bound *bound);
-/* Appends words to the tables, and sets the field to their address. */
+/* Appends words to the tables after the records, and sets the field to the address of
+ * these words. */
 void record_table(struct record *record, const char *name, const c205_word *table,
                   size_t count);
 

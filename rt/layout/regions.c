@@ -47,8 +47,8 @@ static void layout_step(struct record *record, const struct row *values,
     record_write(record);
 }
 
-/* Writes the steps of a region, after the `before` steps of previous regions. Returns
- * the new number of steps. */
+/* Writes the evaluation steps of region i, after the `before` steps of previous
+ * regions. Returns the new number of steps. */
 static size_t layout_tree(struct record *record, struct places *places, size_t i,
                           struct tree_step *steps, size_t before)
 {
@@ -88,8 +88,8 @@ static void layout_steps(struct record_layout *layout, struct places *places)
 
 /* ---- Nodes --------------------------------------------------------------- */
 
-/* Marks the needed nodes: the root, and each child of a needed intersection.
- * Complements are marked, too, but have no records. */
+/* Marks the nodes that must be true for their tree to be true: the root, and each child
+ * of a marked intersection. Complements are marked, too, but have no records. */
 static void find_needed(const struct scene *scene, const struct region *region,
                         bool *needed)
 {
@@ -270,8 +270,8 @@ static void layout_clear(struct record_layout *layout, struct places *places)
     layout_word(layout, "scene_clear_count", c205_from_integer((int64_t)count));
 }
 
-/* Returns true if the region is an opaque sphere in world space, without yield, that
- * casts a shadow and that all rays can see. */
+/* Returns true if the region is an opaque sphere in world space that casts a full
+ * shadow, is visible to all rays, and has the yield 0 (rt/shapes/coincident.h). */
 static bool is_sphere(const struct scene *scene, const struct region *region)
 {
     const struct primitive *first = &scene->primitives[region->first_primitive];
@@ -331,7 +331,7 @@ static void layout_hierarchy(struct record_layout *layout, struct places *places
     layout_word(layout, "scene_hierarchy", hierarchy->node_count > 0 ? row.first : 0);
 }
 
-/* Writes the regions in the order of the hierarchy. */
+/* Writes the regions in the order in which the bounding volume hierarchy lists them. */
 static void layout_ordered(struct record_layout *layout, struct places *places)
 {
     const struct scene *scene = places->scene;

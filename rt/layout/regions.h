@@ -6,7 +6,7 @@
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"
 
-/* The rows that a region's record refers to. */
+/* The rows of other records to which the record of a region refers. */
 struct region_places {
     struct row primitives;
     struct row values; /* values of a tree */

@@ -46,7 +46,8 @@ static bool run_on(struct single_run *run, c205 *machine, uint64_t from,
            && c205_read(machine, from, words, count);
 }
 
-/* Adds the projected clocks of all accounts of the run. */
+/* Adds the clocks of all accounts, projected for the other machine model, to
+ * *run->projected. */
 static bool add_projected(const struct single_run *run, const c205 *machine,
                           const c205_projection *projection)
 {

@@ -27,9 +27,9 @@ void single_run_begin(struct single_run *run, const struct object *program,
 void single_run_word(struct single_run *run, const char *name, size_t value);
 void single_run_number(struct single_run *run, const char *name, size_t i,
                        double value);
-/* Reserves words from the start of a page on. Writes their address to the word with
- * this name, and returns the address. The words are copied from `words`; NULL: they are
- * zeros. */
+/* Reserves words, from the start of a page on. Stores their address in the word with
+ * this name, and returns the address. The words are copied from `words`, or are zeros
+ * if `words` is NULL. */
 uint64_t single_run_room(struct single_run *run, const char *name,
                          const c205_word *words, size_t count);
 /* Runs the program, reads count words from the address `from`, and adds the clocks of

@@ -14,7 +14,8 @@
 #include "rt/layout/trees.h"
 #include "rt/shapes/shape_words.h"
 
-/* Converts a table that contains integers. Returns false if out of memory. */
+/* Converts the elements of a primitive's table that represent integers to the integer
+ * format of the machine. Returns false if out of memory. */
 static bool put_integers(const struct primitive *primitive,
                          const struct viewpoints *viewpoints, const double *table,
                          size_t count, c205_word *words)
@@ -54,7 +55,7 @@ static void put_shape_table(struct record *record, const struct primitive *primi
     free(words);
 }
 
-/* Returns the value of P_ON_PATCH for a mesh, which states whether the mesh is
+/* Returns the value of P_ON_PATCH for a mesh. The value states whether the mesh is
  * invisible, and whether it has an outside. */
 static size_t mesh_sort(const struct primitive *primitive,
                         const struct shape_words *shape)
@@ -116,8 +117,8 @@ static size_t space_of(const struct scene *scene, size_t i, size_t before)
                : i + 1;
 }
 
-/* Writes the finish. Its ambient, emission and diffuse light is multiplied by the
- * opacity here, unless the colours of the record have been multiplied. */
+/* Writes the finish. Its ambient, emission and diffuse light is multiplied by
+ * `opacity`, which is 1 if the colours in the record already contain the opacity. */
 static void put_finish(struct record *record, const struct scene *scene,
                        const struct finish *finish, double opacity)
 {
@@ -133,8 +134,8 @@ static void put_finish(struct record *record, const struct scene *scene,
     record_numbers(record, "P_FINISH", words, 8);
 }
 
-/* Writes the part of a finish that depends on the angle, if the program has its
- * kernel. */
+/* Writes the part of a finish that depends on the angle, if the program contains
+ * light/gloss.s. */
 static void put_gloss(struct record *record, const struct finish *finish)
 {
     const double gloss[2] = { finish->brilliance, finish->metallic };
@@ -150,8 +151,8 @@ static void put_gloss(struct record *record, const struct finish *finish)
     record_integer(record, "P_REFLECTION_KIND", surface_mirror_kind(finish));
 }
 
-/* Writes the stops of the pigment's map, unless the previous map has equal stops.
- * Updates the map and its address. */
+/* Writes the stops of the pigment's map, and records the pigment and the address of the
+ * stops in `map`. Does nothing if `map` has recorded equal stops. */
 static void put_stops(struct record *record, const struct pigment *pigment,
                       struct map_place *map)
 {
@@ -250,8 +251,8 @@ static void put_interior(struct record *record, const struct interiors *interior
         record_numbers(record, "P_INTERIOR", &number, 1);
 }
 
-/* Regions with transparent parts are numbered by ranks. The rank orders coincident
- * faces (docs/solids.md). */
+/* The state while ranks are assigned. Each region with a transparent part gets a rank,
+ * which orders its faces among coincident faces (docs/solids.md). */
 struct clear_ranks {
     size_t region; /* the next region */
     size_t end;    /* end of the previous region's primitives */
@@ -276,8 +277,9 @@ static struct clear_ranks ranks_of(const struct scene *scene)
     return ranks;
 }
 
-/* Writes the rank and the yield of primitive i. Primitives are in the order of
- * their regions. */
+/* Writes the rank and the tie offset of primitive i, which order coincident faces. Must
+ * be called for all primitives in ascending order, which is the order of their
+ * regions. */
 static void put_rank(struct record *record, const struct scene *scene, size_t i,
                      struct clear_ranks *ranks)
 {
@@ -356,7 +358,8 @@ static uint64_t material_of(struct record *record, const struct primitive *primi
     return material;
 }
 
-/* Writes the positions of a primitive's crossings, and of its value in the tree. */
+/* Writes the addresses at which the kernels store the crossings of a primitive and its
+ * value in the tree. */
 static void put_part(struct record *record, const struct leaf_plan *plan,
                      const struct row *crossings, const struct row *values)
 {
@@ -414,8 +417,9 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
     return row;
 }
 
-/* Reserves the values and the lists of leaves and branches. The kernels may write one
- * unused entry after the end of a list. */
+/* Reserves the memory in which the kernels evaluate a tree: the values, and the lists
+ * of leaves and branches. The kernels may write one unused entry after the end of a
+ * list. */
 static struct row layout_values(struct record_layout *layout, const struct scene *scene)
 {
     size_t most = most_leaves(scene);

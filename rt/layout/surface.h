@@ -12,15 +12,17 @@ bool surface_is_mirror(const struct finish *finish);
 enum mirror_kind surface_mirror_kind(const struct finish *finish);
 /* Returns true if a finish of the scene needs the kernel light/gloss.s. */
 bool scene_is_glossy(const struct scene *scene);
-/* Computes the fraction of light that is transmitted in each channel, for one colour of
- * the pigment. */
+/* Computes the fraction of light that the colour `which` of the pigment transmits, for
+ * each channel. */
 void surface_passing(const struct pigment *pigment, int which, double passing[3]);
-/* Returns the weight of a transmitted ray: its largest channel, or a negative number if
- * its brightness is at most `least`, so that it is not traced. */
+/* Returns the weight of a transmitted ray, which is the largest channel of `passing`.
+ * Returns a negative number if the brightness of `passing` is at most `least`, because
+ * such a ray is not traced. */
 double surface_passing_weight(const double passing[3], double least);
-/* Returns the fraction of the light that is not transmitted. */
+/* Returns the fraction of the light that the colour `which` of the pigment does not
+ * transmit. */
 double surface_opacity(const struct pigment *pigment, int which);
-/* Computes the pigment's colour times its opacity. */
+/* Computes the colour `which` of the pigment, multiplied by its opacity. */
 void surface_color(const struct pigment *pigment, int which, double color[3]);
 /* Returns true if the opacity multiplies the finish, not the colour, because a metal
  * reflects in its full colour. This is impossible if the two colours of a checker have

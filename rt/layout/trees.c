@@ -5,8 +5,9 @@
 
 #include "rt/shapes/shape_words.h"
 
-/* The number of crossings for which a ray has room in a scene with meshes in trees. A
- * mesh may have any number of crossings; its kernel writes as many as fit. */
+/* The number of crossings that the kernels can store for a primitive if
+ * scene_has_crossed_meshes is true. A mesh may have more crossings; its kernel then
+ * stores as many as fit. */
 enum { CROSSINGS_WITH_MESHES = 8 };
 
 bool primitive_is_mesh(const struct primitive *primitive)
@@ -51,10 +52,9 @@ static size_t place_mesh(const struct primitive *primitive,
     return next + (primitive->invisible ? 1 : 2) * shape->events;
 }
 
-/* Assigns positions to the crossings of a primitive. The visible crossings of a solid
- * are the ends of its segments. Other shapes have one list of the ends and another of
- * the visible crossings. The two parameters of each crossing of a patch follow the
- * crossings. */
+/* Assigns positions to the crossings of a primitive: the ends of its segments, and its
+ * visible crossings. These are the same positions in a solid, and two lists in other
+ * shapes. In a patch, the two parameters of each visible crossing follow the lists. */
 static size_t place_leaf(const struct primitive *primitive, size_t next,
                          struct leaf_plan *plan)
 {
@@ -159,8 +159,8 @@ struct evaluation {
     struct tree_term *stack;
 };
 
-/* Computes x and y. De Morgan's rules avoid steps for complements. Each step has its
- * own value, so that all values can be inspected afterwards. */
+/* Returns the conjunction of x and y. De Morgan's rules avoid steps for complements.
+ * Each step has its own value, so that all values can be inspected afterwards. */
 static struct tree_term both(struct evaluation *evaluation, struct tree_term x,
                              struct tree_term y)
 {
@@ -177,7 +177,7 @@ static struct tree_term both(struct evaluation *evaluation, struct tree_term x,
     return (struct tree_term){ result, x.complement && y.complement };
 }
 
-/* Computes x or y as the complement of (not x and not y). */
+/* Returns the disjunction of x and y: the complement of (not x and not y). */
 static struct tree_term either(struct evaluation *evaluation, struct tree_term x,
                                struct tree_term y)
 {

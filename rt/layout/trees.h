@@ -29,8 +29,8 @@ struct leaf_plan {
     size_t value;       /* its index among the tree's values */
 };
 
-/* Plans each of the scene's primitives. Returns the largest number of crossings of
- * a region. */
+/* Fills the plan of each primitive of the scene. Returns the largest number of
+ * crossings that a region needs. */
 size_t plan_leaves(const struct scene *scene, struct leaf_plan *plans);
 /* Returns the largest number of crossings of a primitive. If it exceeds MAX_CROSSINGS
  * of records.s, the kernels need more room. */
@@ -47,9 +47,10 @@ struct tree_step {
                                  * the steps' values */
 };
 
-/* For a node: the index of its value or of its complement's value, and the steps that
- * compute this value from the values of the node's children. A node with a bound is not
- * a complement, so its value is false for rays that miss the bound. */
+/* The steps that compute the value of a node from the values of its children, and the
+ * index of the result. The result is the value of the node or of its complement. A node
+ * with a bound is not a complement, so its value is false for rays that miss the
+ * bound. */
 struct tree_join {
     size_t value, first_step, step_count;
 };
