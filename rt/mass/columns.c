@@ -167,7 +167,7 @@ struct columns_packet {
     c205_error *error;
 };
 
-/* Returns the axis s, p or q of a view, for which = 0, 1 or 2. The axes are in cyclic
+/* Returns the axis s, p or q of a view if `which` is 0, 1 or 2. The axes are in cyclic
  * order. */
 static size_t axis_of(size_t view, size_t which)
 {
@@ -517,7 +517,7 @@ void columns_sums_free(struct columns_sums *sums)
 
 /* ---- Integrals ----------------------------------------------------------- */
 
-/* Returns the integral that belongs to the sum at index `place` of a view and a
+/* Returns the integral over space for the sum at index `place` of a view and a
  * shift. */
 static double integral_of(const struct columns_sums *sums, size_t view, size_t repeat,
                           size_t place)

@@ -43,7 +43,7 @@ enum {
     MAX_COLUMNS_PARTS = (65535 - MAX_COLUMNS_PAIRS) / MOMENTS - 1
 };
 
-/* The steps on the machines, in order. */
+/* The stages of the computation on the machines, in their order. */
 enum columns_stage {
     STAGE_RAYS,
     STAGE_CROSSINGS,
@@ -87,15 +87,16 @@ struct columns_sums {
     uint64_t crossings;
 };
 
-/* Computes the sums. If the job set does not collect packets, the words stay 0. Returns
- * false for invalid options; if the scene has no bodies, an unbounded body or an open
- * surface, which the error names; after a trap; or if progress returned false. */
+/* Computes the sums over the rays of all views and shifts. If the job set does not
+ * collect packets, the words stay 0. Returns false for invalid options; if the scene
+ * has no bodies, an unbounded body or an open surface, which the error names; after a
+ * trap; or if progress returned false. */
 bool columns_sum(const struct scene *scene, const struct columns_options *options,
                  struct columns_sums *sums, c205_error *error);
 void columns_sums_free(struct columns_sums *sums);
 
-/* Returns the integral over space that belongs to a sum over the rays of a shift: the
- * sum times the area of a ray. */
+/* Converts the sum of a moment over the rays of a shift to an integral over space:
+ * multiplies it by the area of a ray. */
 double columns_integral(const struct columns_sums *sums, size_t view, size_t repeat,
                         size_t part, enum moment moment);
 /* Returns the volume that both parts of a pair occupy. */

@@ -26,7 +26,7 @@ struct integrals {
 };
 enum { INTEGRALS = sizeof(struct integrals) / sizeof(double) };
 
-/* Returns the index of the product of two axes in `second`. */
+/* Returns the index in integrals.second of the product of the axes i and k. */
 static size_t product_place(size_t i, size_t k)
 {
     return i == k ? i : i + k + 2;
@@ -43,7 +43,8 @@ static double integral(const struct summand *summand, enum moment moment)
                             summand->part, moment);
 }
 
-/* Adds a third of a view's integrals for a part with this density. */
+/* Adds a view's integrals for a part with this density, divided by 3 for the mean of
+ * the three views. */
 static void add_view(const struct summand *summand, double density,
                      struct integrals *sum)
 {
@@ -180,15 +181,16 @@ static double student(double freedom)
     return sum;
 }
 
-/* Returns half the width of the 95 % confidence interval by the jackknife. Each value
- * is computed without one of the `count` shifts. `squares` is the sum of the squared
- * deviations of these values from their mean. */
+/* Returns half the width of the 95 % confidence interval of a figure, by the jackknife.
+ * The figure has been computed `count` times, each time without a different shift.
+ * `squares` is the sum of the squared deviations of these values from their mean. */
 static double interval(double squares, double count)
 {
     return count > 3 ? student(count - 1) * sqrt((count - 1) / count * squares) : NAN;
 }
 
-/* Computes the figures without each of the shifts, then their errors. */
+/* Computes the figures once without each shift, and from these values the errors of the
+ * figures. */
 static void find_errors(const struct mass_body *body, const struct integrals *shifts,
                         const struct integrals *sum, struct mass_figures *figures,
                         double (*without)[FIGURES])
@@ -307,7 +309,8 @@ bool mass_overlap_of(const struct columns_sums *sums, size_t pair, double *volum
     return fabs(*volume) > TOUCHING * width[0] * width[1] * width[2];
 }
 
-/* Returns the value to which the error of a figure is relative. */
+/* Returns the value by which the error of a figure is divided to compute its relative
+ * error. */
 static double scale_of(const struct mass_figures *figures,
                        const struct columns_sums *sums, size_t figure)
 {

@@ -13,9 +13,9 @@
 
 #include "rt/mass/columns.h"
 
-/* Lengths are in the scene's unit. A density is a mass per cube of this unit. Products
- * of inertia have the sign of the tensor's elements: Ixy = - integral of density x
- * y. */
+/* Lengths are in the unit of the scene, and densities are masses per cube of this unit.
+ * A product of inertia has the sign of the element in the tensor: Ixy is minus the
+ * integral of density * x * y. */
 enum figure {
     FIGURE_VOLUME,
     FIGURE_AREA,
@@ -47,7 +47,8 @@ struct mass_body {
     const double *about;   /* the reference point of the inertia */
 };
 
-/* Computes the figures. Returns false if out of memory. */
+/* Computes the mass properties of a body, with their errors. Returns false if out of
+ * memory. */
 bool mass_figures_find(const struct mass_body *body, struct mass_figures *figures);
 /* Converts figures to a unit of length that is smaller by the factor 2^log. */
 void mass_figures_enlarge(struct mass_figures *figures, int log);
@@ -58,9 +59,10 @@ void mass_overlap(const struct columns_sums *sums, double *volume, double *error
  * zero within rounding errors. */
 bool mass_overlap_of(const struct columns_sums *sums, size_t pair, double *volume,
                      double *error);
-/* Returns the largest relative error. Sets *figure to its figure. Errors of moments are
- * relative to the largest principal moment. Errors of the centroid are relative to the
- * diagonal of the box. */
+/* Returns the largest relative error. Sets *figure to its figure. The error of a moment
+ * is relative to the largest principal moment or, if it is larger, to the largest
+ * moment about the requested point. Errors of the centroid are relative to the diagonal
+ * of the box. */
 double mass_worst(const struct mass_figures *figures, const struct columns_sums *sums,
                   size_t *figure);
 

@@ -60,7 +60,8 @@ static struct mass_row *find_row(struct mass *mass, const char *name)
     return row;
 }
 
-/* Makes a row for each name. If there are several, also makes a row for all of them. */
+/* Makes a row for each name of a part or material. If there are several names, also
+ * makes a row for all parts together. */
 static bool make_rows(struct mass *mass)
 {
     size_t count = mass->parts.count;
@@ -137,7 +138,8 @@ static bool find_figures(struct mass *mass, c205_error *error)
     return true;
 }
 
-/* Returns the logarithm of a view's rays for each shift. `rays` is the total number. */
+/* Returns the binary logarithm of the number of rays that a view needs for each shift.
+ * `rays` is the number of rays for all shifts. */
 static size_t log_of_rays(size_t rays, size_t repeats)
 {
     size_t log = 0;

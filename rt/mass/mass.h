@@ -38,7 +38,7 @@ struct mass_request {
     void *context;
 };
 
-/* A part, a material, or all of them together. */
+/* The mass properties of a part, of a material, or of all parts together. */
 struct mass_row {
     const char *name;
     double *density; /* density of each part; 0: the part is not in the row */
@@ -67,8 +67,8 @@ struct mass {
  * out of memory. Call mass_free in either case. */
 bool mass_begin(const struct scene *scene, const struct mass_request *request,
                 struct mass *mass, struct diagnostics *reports, c205_error *error);
-/* Computes the results. If the job set does not collect packets, only their number is
- * set. Returns false after an error of columns_sum. */
+/* Computes the mass properties of all rows. If the job set does not collect packets,
+ * only the number of packets is set. Returns false after an error of columns_sum. */
 bool mass_find(struct mass *mass, c205_error *error);
 void mass_free(struct mass *mass);
 

@@ -66,8 +66,7 @@ static void add_figure(struct table *table, const struct mass_units *units,
     table_text(table, text);
 }
 
-/* Returns the volume of a cube of the scene's unit length, in cubes of the file's
- * unit. */
+/* Returns the volume of one cubic scene unit in cubic units of the scene file. */
 static double cube_of(const struct mass *mass)
 {
     return ldexp(1, 3 * mass->scene->unit_log);

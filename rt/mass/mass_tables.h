@@ -7,10 +7,10 @@
 #include "rt/mass/mass.h"
 
 struct table *mass_table_of_figures(const struct mass *mass);
-/* Returns the pairs of parts that overlap. */
+/* Returns a table of the pairs of parts that overlap. */
 struct table *mass_table_of_overlaps(const struct mass *mass);
 struct table *mass_table_of_axes(const struct mass *mass);
-/* Returns the clocks of each stage. */
+/* Returns a table of the clocks of each stage. */
 struct table *mass_table_of_clocks(const struct mass *mass);
 
 #endif

@@ -9,7 +9,8 @@
 
 /* ---- Objects and their boxes --------------------------------------------- */
 
-/* The boxes of a scene. Also the objects with bodies, grouped by part. */
+/* The boxes of the objects and parts of a scene, and the objects with bodies, grouped
+ * by part. */
 struct boxes {
     struct bound *of_objects; /* an empty box for objects without a body */
     struct bound *of_parts;
@@ -153,12 +154,14 @@ void overlaps_free(struct overlaps *overlaps)
 
 /* ---- The machine's tables ------------------------------------------------ */
 
-/* The bits per word of fields, and the levels per part, as in overlaps.s. */
+/* The number of bits in the word of a group, and the largest number of levels of a
+ * part, as in overlaps.s. */
 enum { GROUP_BITS = 47, LEVELS_OF_PART = 2 };
 
 struct part_field {
     size_t group, shift, width; /* width 0: the part is in no pair */
-    /* The range of the part's levels. A level without pairs is omitted. */
+    /* The part's range in the table of levels. A level that no pair uses is not in the
+     * table. */
     size_t first_level, level_count;
     bool asked[LEVELS_OF_PART];
 };
@@ -187,10 +190,10 @@ static bool is_own(const struct overlap_pair *pair)
     return pair->parts[0] == pair->parts[1];
 }
 
-/* Assigns a field and levels to a part. Several parts form a group, whose word has a
- * field for each part. The field contains the number of the part's objects that contain
- * the ray (overlaps.s). A field is wide enough for all objects of the part, so it never
- * overflows, and one addition updates all parts of a group. */
+/* Assigns a bit field and levels (overlaps.s) to a part. The field contains the number
+ * of the part's objects that contain the ray, and is wide enough for all of them, so it
+ * never overflows. The fields of several parts share the word of a group, so one
+ * addition updates all of them. */
 static void place_field(struct tables *tables, struct part_field *field, size_t objects,
                         size_t *end)
 {
@@ -252,8 +255,9 @@ static void give_groups(struct tables *tables)
     record_end(&record);
 }
 
-/* Lists the pairs of a level. A pair has the address of the other level and the number
- * of the pair. Returns the number of pairs. */
+/* Lists the pairs that contain a level of the part: its second level if `own` is true,
+ * else its first level. Each entry has the address of the other level and the number of
+ * the pair. Returns the number of entries. */
 static size_t list_partners(struct tables *tables, size_t part, bool own)
 {
     const struct overlaps *overlaps = tables->overlaps;

@@ -24,14 +24,14 @@ struct overlaps {
     size_t *objects; /* for each part: number of objects with bodies */
 };
 
-/* Lists the pairs of a scene, whose bodies must be bounded. part_of has the part of
- * each object. Returns false if out of memory. */
+/* Lists the pairs of parts that may overlap. All bodies of the scene must be bounded.
+ * part_of contains the part of each object. Returns false if out of memory. */
 bool overlaps_find(const struct scene *scene, const size_t *part_of, size_t part_count,
                    struct overlaps *overlaps);
 void overlaps_free(struct overlaps *overlaps);
 
-/* Writes the input of overlaps.s, except the crossings. After an error, the run
- * fails. */
+/* Writes the input of overlaps.s, except the crossings. If this fails, single_run_end
+ * reports the error. */
 void overlaps_give(const struct overlaps *overlaps, struct single_run *run);
 
 #endif

@@ -24,8 +24,8 @@ const char *mass_unit_name(size_t i);
 
 /* Converts a density to mass units per cube of the length unit. */
 double mass_units_density(const struct mass_units *units, double density);
-/* Formats a unit such as "mm^3" or "g mm^2". `mass` and `length` are the exponents;
- * `mass` is 0 or 1. */
+/* MASS_UNIT is the size of a text such as "mm^3" or "g mm^2", which mass_units_text
+ * formats. `mass` and `length` are the exponents of the units; `mass` is 0 or 1. */
 enum { MASS_UNIT = 32 };
 void mass_units_text(const struct mass_units *units, int mass, int length,
                      char text[MASS_UNIT]);
