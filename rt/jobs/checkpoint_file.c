@@ -309,8 +309,8 @@ static bool add_units(struct checkpoint_file *file, FILE *stream, c205_error *er
     return good;
 }
 
-/* Opens another file with a shared lock. It must not be the same file, because closing
- * it would release the lock on the same file. */
+/* Opens another file with a shared lock. Rejects the file that is already open, because
+ * closing its second stream would release the lock of the first. */
 static FILE *open_other(const struct checkpoint_file *file, const char *path,
                         c205_error *error)
 {

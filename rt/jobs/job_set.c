@@ -223,8 +223,8 @@ static size_t begin_hands(struct hand *hands, size_t first, size_t count)
 
 /* ---- Ranks --------------------------------------------------------------- */
 
-/* The number of units that each other rank has requested. It runs one unit while the
- * next is sent.
+/* The number of units that rank 0 assigns to another rank in advance. A rank can thus
+ * run one unit while the next unit is sent.
  *
  * Each other rank begins with this number of requests. Rank 0 answers a request with a
  * unit, or with RANK_ENDS if there is none. The result of a unit is also a request for
@@ -277,7 +277,7 @@ static void receive_failure(struct service *service, size_t from, uint64_t unit,
     close_asked(service, from, service->open[from]);
 }
 
-/* Takes the words of a unit. They follow the first two words of the message. */
+/* Stores the result of a unit: the words after the first two words of the message. */
 static void receive_unit(struct service *service, uint64_t unit,
                          struct serialized_result *message)
 {
@@ -352,7 +352,7 @@ static bool do_for_other(const struct job_set_work *work, size_t unit,
     return good;
 }
 
-/* Does the work of a rank other than 0. */
+/* Runs the units that rank 0 assigns to this rank. */
 static bool work_for_first(const struct job_set_work *work, c205_error *error)
 {
     struct ranks *ranks = work->job_set->ranks;
@@ -374,8 +374,8 @@ static bool work_for_first(const struct job_set_work *work, c205_error *error)
 
 /* ---- All units ----------------------------------------------------------- */
 
-/* Runs all units. If there are other ranks, this thread serves them. Otherwise it is
- * the first job. */
+/* Runs all units. If there are other ranks, this thread serves them. Otherwise this
+ * thread is the first of the threads that run units. */
 static void do_all(struct pool *pool, struct hand *hands, size_t count)
 {
     struct ranks *ranks = pool->work->job_set->ranks;

@@ -43,13 +43,13 @@ struct job_set_work {
     struct job_set *job_set; /* NULL: threads of this process, without checkpoints */
     size_t count;            /* number of units */
     size_t jobs;             /* number of threads; 0: one */
-    /* A unit has the number first + unit in the file, so that a file can hold several
-     * works. */
+    /* The file stores a unit under the number first + unit, so that one file can hold
+     * the units of several rounds of a run. */
     uint64_t first;
     /* Runs a unit in the thread of the job, and writes the result to `words`. */
     bool (*run)(void *context, size_t job, size_t unit, struct serialized_result *words,
                 c205_error *error);
-    /* Takes a result. Calls never overlap. */
+    /* Receives the result of a unit. Calls never overlap. */
     bool (*take)(void *context, size_t unit, struct serialized_result *words,
                  c205_error *error);
     /* Called at intervals with the number of finished units. Calls never overlap. To

@@ -14,8 +14,8 @@ bool ranks_are_many(void)
     return count && strtol(count, NULL, 10) > 1;
 }
 
-/* Opens the adapter with global symbols, because plugins of the MPI library look up
- * names of the library. */
+/* Opens the MPI adapter with global symbols, because plugins of the MPI library refer
+ * to symbols of the library. */
 static const struct ranks_adapter *find_adapter(c205_error *error)
 {
     char path[ADAPTER_PATH];

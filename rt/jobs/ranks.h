@@ -15,7 +15,7 @@
 #define RANKS_FILE "rt205_mpi.so"
 #define RANKS_SYMBOL "rt205_ranks_adapter"
 struct ranks_adapter {
-    /* Starts the communication. Called once. Returns false if there are no ranks. */
+    /* Starts the communication. Called once. Returns false if MPI cannot start. */
     bool (*begin)(size_t *rank, size_t *count);
     void (*send)(size_t to, const uint64_t *words, size_t count);
     /* Returns true if a message has arrived. Sets its sender and its number of
@@ -33,8 +33,9 @@ struct ranks {
 
 /* Returns true if the environment indicates that this process is one of several. */
 bool ranks_are_many(void);
-/* Joins the other ranks. Returns false if there is no adapter. The error then names the
- * package that contains it. */
+/* Opens the MPI adapter, and joins the other ranks. Returns false if the adapter is
+ * missing, or if MPI cannot start. If the adapter is missing, the error names the
+ * package to install. */
 bool ranks_join(struct ranks *ranks, c205_error *error);
 /* Ends the work. Rank 0 releases all other ranks. Another rank reports its failure, if
  * any, and waits for the release. */
@@ -58,12 +59,14 @@ void ranks_send(const struct ranks *ranks, size_t to, enum rank_message message,
  * the index of its first word. */
 bool ranks_receive(const struct ranks *ranks, size_t *from,
                    struct serialized_result *message);
-/* Returns the next message from rank 0 to this rank. */
+/* Waits for the next message from rank 0. Returns its kind, and sets *word to the word
+ * after the kind. */
 enum rank_message ranks_await(struct ranks *ranks, uint64_t *word);
 /* Reports to rank 0 the reason why a unit failed. */
 void ranks_fail(const struct ranks *ranks, uint64_t unit, const char *failure);
-/* Sleeps for 50 us at first, then twice as long each time, up to 4 ms, so that a long
- * wait polls rarely. Start with { 0 }, and again after each message. */
+/* The length of the next sleep. ranks_wait sleeps for 50 us at first, then twice as
+ * long each time, up to 4 ms, so that a long wait polls rarely. Set the length to 0 at
+ * first and after each message. */
 struct ranks_pause {
     long nanoseconds;
 };

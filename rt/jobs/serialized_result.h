@@ -1,5 +1,5 @@
-/* serialized_result.h - writes and reads a growing sequence of 64-bit words. It is the
- * result of a unit of work, in files and messages. */
+/* serialized_result.h - writes and reads a growing sequence of 64-bit words: the form
+ * in which files and messages contain the result of a unit of work. */
 #ifndef RT_FARM_WORDS_H
 #define RT_FARM_WORDS_H
 
