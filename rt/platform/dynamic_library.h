@@ -18,8 +18,9 @@ enum { ADAPTER_PATH = 4096 + 64 };
  * false, and the error lists the folders. */
 bool dynamic_find(const char *file, char path[ADAPTER_PATH], c205_error *error);
 
-/* Opens the object at the path, and returns its table with this name. shared: all other
- * objects can see the object's names. On failure sets the error and returns NULL. */
+/* Opens the shared object at the path, and returns the table that it exports with this
+ * name. If `shared` is true, other objects can use its symbols, too. On failure sets
+ * the error and returns NULL. */
 const void *dynamic_open(const char *path, const char *table, bool shared,
                          c205_error *error);
 

@@ -28,8 +28,8 @@ static int open_nameless(size_t bytes)
     return -1;
 }
 
-/* Maps a part of the file. If the part has been mapped, its memory is released, but its
- * contents stay. */
+/* Maps a part of the file. If the part is already mapped at `where`, its memory is
+ * released, and its contents stay in the file. */
 static void *map_part(const struct frame_planes *planes, void *where, size_t begin,
                       size_t end)
 {

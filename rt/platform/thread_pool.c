@@ -7,10 +7,10 @@
 #include "vm/error.h"
 #include "rt/platform/threads.h"
 
-/* The number of steps of the common progress. */
+/* The number of steps in which the common progress of all tasks is reported. */
 enum { STEPS = 1000000 };
 
-/* The state of a task. */
+/* The progress of a task, and its weight in the common progress. */
 struct state {
     struct crew *crew;
     size_t number;
@@ -44,8 +44,8 @@ static bool wanted(const struct crew *crew, size_t number)
     return !crew->cancelled && number < crew->failed;
 }
 
-/* Reports the progress, but never all steps, because thread_pool_run reports the end
- * once. */
+/* Reports the common progress. The number of reported steps stays below the total,
+ * because thread_pool_run reports the end once. */
 static bool report_progress(void *context, size_t done, size_t all)
 {
     struct state *state = context;
