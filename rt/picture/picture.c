@@ -42,7 +42,8 @@ static const char *const channel_names[FRAME_CHANNELS] = {
     "R", "G", "B", "Z", "N.X", "N.Y", "N.Z", "id",
 };
 
-/* The name with which a picture for stdout is opened. It selects the kind. */
+/* The file name with which a picture for stdout is opened. Its ending selects the
+ * format. */
 static const char stream_name[] = "-.png";
 
 static const struct picture_kind *kind_of(const char *path)
@@ -115,7 +116,8 @@ static bool is_color(size_t channel)
     return channel <= CHANNEL_BLUE;
 }
 
-/* Returns the plane of a channel. The number after the last channel is the layer. */
+/* Returns the plane of a channel, or the layer for the number after the last
+ * channel. */
 static const double *plane_of(const struct frame *frame, size_t channel)
 {
     return channel < FRAME_CHANNELS ? frame->channel[channel] : frame->value;
@@ -175,7 +177,8 @@ static const struct picture_adapter *adapter(c205_error *error)
     return table;
 }
 
-/* The thread that loads the adapter, or NULL if it could not be started. */
+/* A thread that opens the OpenImageIO adapter. It is NULL if it could not be
+ * started. */
 struct picture_loader {
     struct thread *thread;
 };

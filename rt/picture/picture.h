@@ -35,8 +35,8 @@ struct frame {
     double *channel[FRAME_CHANNELS];
     bool gamma_off; /* the colours are displayed without correction, so files store them
                      * unchanged */
-    /* An additional plane and its name. Pictures with linear colours have it as a
-     * channel. The caller owns both. NULL: no such plane. */
+    /* An additional plane of values, and its name. Pictures with linear colours contain
+     * it as a channel. The caller owns the plane and the name. NULL: no such plane. */
     const char *layer;
     double *value;
 };
@@ -101,7 +101,8 @@ bool picture_read_note(const char *path, const char *name, char *text, size_t si
 /* Encodes linear light from 0 to 1 as in 8-bit pictures. Other values are clipped. NaN
  * becomes black. */
 double picture_srgb(double linear);
-/* Returns the value, from 0 to 1, of a colour in a file with 8-bit samples. */
+/* Returns the value from 0 to 1 that a file with 8-bit samples stores for a colour of
+ * the frame. */
 double picture_shown(const struct frame *frame, double color);
 
 /* Decodes the bytes of an image file for the scene reader. It does not change the

@@ -35,7 +35,7 @@ struct picture_adapter {
      * order. */
     bool (*rows)(void *picture, size_t first, size_t last, const float *samples,
                  c205_error *error);
-    /* Finishes the picture if it is complete. Frees the state in all cases. */
+    /* Finishes the picture if `whole` is true. Frees the state in all cases. */
     bool (*end)(void *picture, bool whole, c205_error *error);
 
     /* Reads an image. It has the channels in image->names, in this order. Channels that
@@ -45,8 +45,8 @@ struct picture_adapter {
     bool (*read_note)(const char *path, const char *name, char *text, size_t size,
                       c205_error *error);
 
-    /* Decodes an image with integer samples from the bytes of a file. The samples have
-     * 8 or 16 bits, which `most` indicates. */
+    /* Decodes an image with integer samples from the bytes of a file. Stores the
+     * largest possible sample, 255 or 65535, in raster.most. */
     raster_reader *read_raster;
 };
 
