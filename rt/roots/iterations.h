@@ -1,7 +1,7 @@
 /* iterations.h - counts the steps of the root solver's refinement.
  *
- * It listens to the machine's events. At the labels of falsi_scalar.s and
- * falsi_vector.s it reads registers. This costs the machine no clocks.
+ * The counter listens to the events of the machine, and reads registers at the labels
+ * of falsi_scalar.s and falsi_vector.s. This costs the machine no clocks.
  */
 #ifndef RT_ITERATIONS_H
 #define RT_ITERATIONS_H
@@ -13,7 +13,8 @@ const char *stage_name(enum stage stage);
 
 enum { MAX_ITERATIONS = 128 };
 
-/* The counts of one stage. A stage finds the roots of f' (knots) or of f. */
+/* The counts of one stage of the root solver. The first stage finds the roots of the
+ * derivative f', and the second stage the roots of f. */
 struct stage_count {
     uint64_t brackets; /* number of refined brackets */
     uint64_t passes;   /* number of passes of the loop over all lanes */
@@ -21,7 +22,8 @@ struct stage_count {
     uint64_t lanes;    /* number of lanes in the loop, summed over the passes */
     uint64_t halvings; /* number of times that exponents of wide brackets are halved,
                         * before the refinement */
-    /* For each pass of a refinement, from 0: active brackets, and lanes in the loop. */
+    /* Counts for each pass of the refinement: the active brackets, and the lanes in the
+     * loop. */
     uint64_t active[MAX_ITERATIONS], in_loop[MAX_ITERATIONS];
 };
 
@@ -42,8 +44,8 @@ void iterations_listen(void *iterations, const c205 *machine, const c205_event *
  * Returns false if a label is missing. */
 bool iterations_begin(struct iterations *iterations, const struct object *program,
                       bool vector);
-/* Returns an observer that sums over all bands of a frame. The caller first sets the
- * sum to zero, except its form. */
+/* Returns an observer that adds the counts of all bands of a frame to `sum`. Before the
+ * run the caller sets sum->vector, and all other members to zero. */
 struct observer iterations_observer(struct iterations *sum);
 
 #endif

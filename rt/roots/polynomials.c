@@ -147,8 +147,8 @@ static bool add_polynomial(struct polynomials *polynomials, size_t line,
                         sizeof *polynomial);
 }
 
-/* Sets the line that begins at `text`, without its line end. Returns the start of the
- * next line. */
+/* Sets `line` to the line that begins at `text`, without its line end. Returns the
+ * start of the next line. */
 static const char *cut_line(struct polynomial_line *line, const char *text,
                             const char *end)
 {

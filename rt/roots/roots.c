@@ -183,7 +183,8 @@ bool roots_watch(struct root_search *search, struct iterations *iterations)
            && c205_listen(search->machine, iterations_listen, iterations);
 }
 
-/* Returns the first polynomial without a number of roots, by binary search. */
+/* Returns the index of the first polynomial whose roots are not yet computed, by binary
+ * search. Its number of roots in the machine's memory is indefinite. */
 static size_t done(const struct root_search *search)
 {
     uint64_t counts = plane_address(search, search->results, search->planes.count);

@@ -25,8 +25,8 @@ enum falsi {
 const char *falsi_name(enum falsi rule);
 bool falsi_named(const char *name, enum falsi *rule);
 
-/* Returns the rule with which a program was assembled. If it has none, the result is
- * FALSI_DEFAULT. */
+/* Returns the regula falsi rule with which a program was assembled, or FALSI_DEFAULT if
+ * the program defines no rule. */
 enum falsi falsi_of(const struct object *program);
 
 /* The polynomial c[0] t^4 + c[1] t^3 + ... + c[4]. Only roots above the bound are
@@ -58,8 +58,8 @@ struct roots_options {
 
 struct root_search;
 
-/* Prepares a search. The polynomials are copied. On failure sets the error and returns
- * NULL. */
+/* Prepares the search for the roots of polynomials, which are copied. On failure sets
+ * the error and returns NULL. */
 struct root_search *roots_new(const struct polynomial *polynomials, size_t count,
                               const struct roots_options *options, c205_error *error);
 void roots_free(struct root_search *search);
@@ -75,7 +75,7 @@ bool roots_run(struct root_search *search, c205_error *error);
 /* Reads the roots of all polynomials, in the order of the polynomials. */
 bool roots_read(const struct root_search *search, struct polynomial_roots *roots,
                 c205_error *error);
-/* Returns the rule with which the program was assembled. */
+/* Returns the regula falsi rule with which the program of the search was assembled. */
 enum falsi roots_falsi(const struct root_search *search);
 const c205 *roots_machine(const struct root_search *search);
 
