@@ -144,9 +144,9 @@ static struct twofold cosine_of(struct twofold r)
     return series(one, minus(multiply(r, r)), 1, 2);
 }
 
-/* Subtracts the nearest multiple k pi / 2 from x, and sets the quadrant k mod 4. The
- * three doubles of pi / 2 are subtracted one by one, so that the difference keeps its
- * bits. */
+/* Returns x minus the nearest multiple k pi / 2, and sets the quadrant k mod 4. pi / 2
+ * is the sum of three doubles. k times each of them is subtracted in turn, so that
+ * cancellation leaves enough accurate bits. */
 static struct twofold reduce(double x, int *quadrant)
 {
     double k = floor(x / quarter[0] + .5);
@@ -229,9 +229,9 @@ static struct twofold log_of(double x)
     return add_twofold(by(ln2, k), add_twofold((struct twofold){ y, 0 }, off));
 }
 
-/* Returns the angle of a point other than the origin. The result of the C library is
- * corrected by the tangent of its error, which is computed from the sine and cosine of
- * the result. */
+/* Returns the angle of a point other than the origin. The C library computes the angle
+ * first. The error of this angle is corrected by its tangent, which is computed from
+ * the sine and cosine of the angle and the point. */
 static struct twofold angle_of(struct twofold y, struct twofold x)
 {
     double angle = atan2(y.high, x.high);
@@ -254,7 +254,8 @@ static bool is_plain(double x)
     return isfinite(x) && x != 0;
 }
 
-/* Returns true if x is so small that the function equals x. */
+/* Returns true if |x| is so small that the C library returns the correctly rounded
+ * result, such as x for sin x and 1 for cos x. */
 static bool is_tiny(double x)
 {
     return fabs(x) < 0x1p-200;

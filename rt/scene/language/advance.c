@@ -149,7 +149,9 @@ static bool carry_out(struct reader *reader)
     return done;
 }
 
-/* Looks up the word at the current token, and calls it if it is a macro. */
+/* Looks up the word at the current token. If it is a macro, calls the macro and returns
+ * true. If it is an array, reads the index of an element. *done becomes false if a call
+ * or an index has an error. */
 static bool resolve(struct reader *reader, bool *done)
 {
     struct scene_token *token = &reader->token;

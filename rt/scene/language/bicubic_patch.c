@@ -56,8 +56,8 @@ struct piece {
 
 /* ---- The surface --------------------------------------------------------- */
 
-/* Computes the weights of the four points at t, and the weights of their three
- * differences in the derivative at t. */
+/* Computes the weights of the four control points of a Bezier curve at t, and the
+ * weights of their three differences in the derivative at t. */
 static void weigh(double t, double points[4], double differences[3])
 {
     double s = 1 - t;

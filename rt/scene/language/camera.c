@@ -52,7 +52,8 @@ static bool read_angle(struct reader *reader, const struct item *item)
                                "the angle must be at least 0 and below 180 degrees"));
 }
 
-/* Reads `perspective` or `orthographic`. detail: true for orthographic */
+/* Reads the keyword `perspective` or `orthographic`. keyword->detail is true for
+ * `orthographic`. */
 static bool read_kind(struct reader *reader, const struct item *item)
 {
     struct camera_reading *reading = item->subject;
@@ -61,8 +62,8 @@ static bool read_kind(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Sets the radius of the lens to a quarter of the aperture, the largest distance from
- * the location at which POV-Ray's rays start, as measured. */
+/* Sets the radius of the lens to a quarter of the aperture. Measurements show that
+ * POV-Ray's rays start at most at this distance from the location. */
 static bool read_aperture(struct reader *reader, const struct item *item)
 {
     struct camera_reading *reading = item->subject;
@@ -135,8 +136,8 @@ static void apply_angle(struct camera *camera, double angle)
 }
 
 /* Scales an orthographic camera so that it shows as much at look_at as a perspective
- * camera. A camera whose size is set by right or up is only scaled if it has an angle.
- * A named camera has been scaled. */
+ * camera. If the scene sets right or up, the camera is scaled only if it also sets an
+ * angle. A copy of a declared camera has been scaled before. */
 static void apply_distance(struct camera_reading *reading)
 {
     struct camera *camera = &reading->setting.camera;
