@@ -60,8 +60,8 @@ int cmd_check_pixel(const struct trace_arguments *shared,
 /* Parses a share of the units of a run, such as "1/4", into job_set->part and
  * job_set->parts. Returns false if the text is not a share. */
 bool cmd_is_part(const char *text, struct job_set *job_set);
-/* Reports how many of the `units` of a run this process's share has finished. Returns
- * CMD_DONE. */
+/* Reports that this process has finished its share of a run, and how many of the
+ * `units` of the run its file contains. Returns CMD_DONE. */
 int cmd_print_share(const char *command, const struct job_set *job_set, size_t units);
 
 /* ---- Rows of options ----------------------------------------------------- */
@@ -117,8 +117,8 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
       .offset = CMD_SHARED(trace.order), .choice = cmd_order_choice, \
       .preset = usual, .help = "order of the pixels; by default tiles in vector form" }
 
-/* The parameter of the rows below is the offset of a group of arguments in the
- * command's arguments. */
+/* The parameter of each macro below is the offset of a group of arguments, such as
+ * struct scene_arguments, in the arguments of the command. */
 #define CMD_SCENE(scene) \
     { .value = "SCENE", .kind = COMMAND_INPUT, \
       .offset = (scene) + offsetof(struct scene_arguments, path), \
@@ -174,8 +174,8 @@ struct trace_session {
  * either case. */
 int session_open(struct trace_session *session, struct trace_arguments *shared,
                  struct job_arguments *jobs);
-/* Closes everything that is open. JSON is written if the code is CMD_DONE, else
- * discarded. Returns the exit code. */
+/* Closes everything that the session has open. JSON is written if the code is CMD_DONE,
+ * else discarded. Returns the exit code. */
 int session_close(struct trace_session *session, int code);
 
 /* Reads the scene, which the session frees. Prints its diagnostics on stderr. Returns
