@@ -11,7 +11,7 @@
 #include "rt/heat/heat_source.h"
 #include "rt/scene/named_values.h"
 
-/* The temporary state of a computation. */
+/* The data that is needed only while the factors and the exchange are computed. */
 struct heat_work {
     struct heat *heat;
     size_t emitter_count, *emitters; /* indices of primitives, in increasing order */
