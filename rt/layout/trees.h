@@ -64,8 +64,9 @@ struct tree_plan {
     struct tree_join *joins;
 };
 
-/* Plans a region's tree. The caller provides a step for each primitive of the region,
- * and a join for each node. Returns false if out of memory. */
+/* Plans the evaluation of a region's tree. The caller allocates plan->steps with an
+ * element for each primitive of the region, and plan->joins with an element for each
+ * node. Returns false if out of memory. */
 bool plan_tree(const struct scene *scene, const struct region *region,
                struct tree_plan *plan);
 /* Returns n, the largest number of primitives of a region. A tree of n primitives has n
