@@ -11,7 +11,8 @@
 #include "rt/jobs/serialized_result.h"
 #include "vm/c205.h"
 
-/* The functions of the adapter, which exports them under the name RANKS_SYMBOL. */
+/* The functions of the MPI adapter, which exports this structure under the name
+ * RANKS_SYMBOL. */
 #define RANKS_FILE "rt205_mpi.so"
 #define RANKS_SYMBOL "rt205_ranks_adapter"
 struct ranks_adapter {
