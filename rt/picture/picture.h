@@ -68,8 +68,8 @@ struct picture *picture_begin(const char *path, size_t width, size_t height,
 bool picture_rows(struct picture *picture, const struct frame *part, c205_error *error);
 bool picture_end(struct picture *picture, bool good, c205_error *error);
 
-/* picture_load loads the adapter in a thread, for a picture that is written later.
- * Other functions wait for the adapter. picture_load returns NULL if there is no
+/* picture_load loads the OpenImageIO adapter in a thread, for a picture that is written
+ * later. Other functions wait for the adapter. picture_load returns NULL if there is no
  * adapter. The writing functions report any other error. picture_loaded waits for the
  * thread, and frees the loader. Call picture_loaded before the program ends. */
 struct picture_loader *picture_load(c205_error *error);
