@@ -136,8 +136,8 @@ static void apply_angle(struct camera *camera, double angle)
 }
 
 /* Scales an orthographic camera so that it shows as much at look_at as a perspective
- * camera. If the scene sets right or up, the camera is scaled only if it also sets an
- * angle. A copy of a declared camera has been scaled before. */
+ * camera. A camera whose size is set by right or up is only scaled if it has an angle.
+ * A camera that is the value of a name has already been scaled. */
 static void apply_distance(struct camera_reading *reading)
 {
     struct camera *camera = &reading->setting.camera;
@@ -190,9 +190,9 @@ static bool apply_look_at(struct reader *reader, const struct scene_token *at,
     return true;
 }
 
-/* Sets the distance of the sharp plane to the distance of the focal point, also if the
- * point is not ahead. As measured in POV-Ray, the distance is computed before the
- * transforms. */
+/* Sets the distance of the plane that is in focus to the distance of the focal point,
+ * even if this point is not in front of the camera. As measured in POV-Ray, the
+ * distance is computed before the transforms. */
 static void apply_focal_point(struct reader *reader, const struct scene_token *at,
                               struct camera_reading *reading)
 {
@@ -219,7 +219,7 @@ static void apply_placement(struct camera *camera, const struct transform *trans
     transform_direction(transform, camera->up);
 }
 
-/* Returns true if all lengths are finite and the picture has an area. */
+/* Returns true if the vectors of a camera are finite and its picture has an area. */
 static bool is_sound(const struct camera *camera)
 {
     double volume = handedness(camera);

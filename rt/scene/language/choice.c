@@ -29,7 +29,8 @@ bool switch_begin(struct reader *reader, const struct item *item)
     return to_next(reader, condition);
 }
 
-/* Reads "(" value, or "(" lowest, highest. The current token is then ")". */
+/* Reads "(" value for #case, or "(" lowest "," highest for #range. The current token is
+ * then ")". */
 static bool read_bounds(struct reader *reader, bool range, double *lowest,
                         double *highest)
 {

@@ -2,9 +2,10 @@
  *
  *   clipped_by { OBJECT ... }    bounded_by { OBJECT ... }
  *
- * The clipped object is the part of OBJECT that is inside all clipping objects.
- * Clipping objects are invisible. POV-Ray tests a bound before the bounded object. A
- * bound changes the picture if the object is a compound and extends beyond the bound.
+ * clipped_by removes the part of the object that is outside at least one of the listed
+ * objects. These clipping objects are invisible. bounded_by lists objects, the bounds,
+ * that POV-Ray tests before the object. A bound changes the picture if the object is a
+ * compound and extends beyond the bound.
  */
 #include "rt/scene/language/scene_statement.h"
 
@@ -16,7 +17,7 @@
 
 /* ---- Objects in the braces ----------------------------------------------- */
 
-/* The objects that have been read. Each is one solid. */
+/* The objects in the braces of clipped_by or bounded_by. Each is one solid. */
 struct clipping {
     struct scene_object solids; /* first member: the subject of transforms */
     bool is_clip;               /* bounded_by { clipped_by }, which has no effect */
@@ -60,7 +61,7 @@ static const struct keyword bounded_by_word[] = {
     { NULL, NULL, 0 },
 };
 
-/* A transform moves all objects that precede it. */
+/* In clipped_by, a transform moves all objects that precede it. */
 static const struct grammar of_clip = { "an object to clip by",
                                         { bounded_by_word },
                                         .object = read_solid,
@@ -108,7 +109,7 @@ static bool make_whole(struct reader *reader, struct scene_object *object)
            || reader_no_memory(reader);
 }
 
-/* Joins each solid of the object with its clipping objects. */
+/* Clips each solid of the object by the objects in `by`. */
 static bool clip(struct reader *reader, struct scene_object *object,
                  struct scene_object *by, const struct scene_token *at)
 {
@@ -209,7 +210,7 @@ static bool holds_sphere(const struct primitive *bound, const struct bound *abou
     return length3(from) + about->radius <= radius_in_world(bound) * (1 + SLACK);
 }
 
-/* Computes the bound of a part, without the margin for rays. */
+/* Computes the bound of a primitive, without the margin that bound_primitive adds. */
 static void bound_part(const struct primitive *primitive, struct bound *bound)
 {
     const struct shape *shape = shape_of(primitive);

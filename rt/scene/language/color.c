@@ -12,7 +12,8 @@
 
 enum { RED, GREEN, BLUE, FILTER, TRANSMIT };
 
-/* The components that a keyword selects, in the order of the numbers. */
+/* The components of a colour that follow a keyword, in the order in which their numbers
+ * are written. */
 static const struct color_order {
     const char *word;
     int count;
@@ -83,7 +84,7 @@ static bool read_ordered(struct reader *reader, const struct color_order *order,
     return true;
 }
 
-/* Reads components (red, green, ..) while there are any. */
+/* Reads components of a colour, such as red .5, as long as their keywords follow. */
 static bool read_terms(struct reader *reader, struct numbers *color)
 {
     const struct color_order *order = TOKEN_ROW(&reader->token, orders);

@@ -29,8 +29,8 @@ static bool add_stop(struct reader *reader, struct color_map *map, size_t *room,
     return put_stop(reader, map, room, at, color);
 }
 
-/* Reads the stops of an entry: one, or in the oldest form two, with two values and two
- * colours. */
+/* Reads the stops of a color_map entry: one, or in the oldest form two, with two values
+ * and two colours. */
 static bool read_stops(struct reader *reader, struct color_map *map, size_t *room)
 {
     struct numbers color;

@@ -24,8 +24,9 @@ item_reader condition_break;
 /* Reports the conditions that are still open at the end of the innermost frame. */
 void conditions_close(struct reader *reader);
 
-/* Skips text up to one of the words that belongs to the outermost of the `depth`
- * innermost directives. This word becomes the current token, and is not interpreted. At
+/* Skips text up to one of the directives in `words`, such as "else end". Only words at
+ * the right nesting count: depth 1 means that they belong to the innermost open
+ * directive, depth 2 to the one around it. The word found becomes the current token. At
  * the end of the frame, reports an error and returns false. */
 bool condition_skip(struct reader *reader, const struct scene_token *at,
                     const char *words, size_t depth);
@@ -38,15 +39,17 @@ bool condition_leave_out(struct reader *reader, const struct scene_token *at);
 /* Reads "(" condition. The current token is then ")". */
 bool condition_read(struct reader *reader, double *value);
 bool condition_holds(double value);
-/* Seals the open conditions, so that they cannot be closed while a condition is read.
- * Returns the previous value, with which the caller then restores reader->sealed. */
+/* Prevents directives from closing the open conditions while the arguments of a
+ * directive are read. Returns the previous value of reader->sealed, which the caller
+ * then restores. */
 size_t condition_seal(struct reader *reader);
 /* Pushes a condition on the stack. Returns NULL after an error. */
 struct scene_condition *condition_push(struct reader *reader, enum condition_kind kind,
                                        const struct scene_token *at);
 /* Returns the innermost condition if it belongs to the current frame, else NULL. */
 struct scene_condition *condition_top(struct reader *reader);
-/* Skips to the token after the condition's #end, and pops it. */
+/* Skips to the token after the #end of the condition, and pops the condition from the
+ * stack. */
 bool condition_leave(struct reader *reader, struct scene_condition *condition);
 /* Handles the #end of a loop: starts the next iteration, or ends the loop. */
 bool loop_end(struct reader *reader, struct scene_condition *loop);

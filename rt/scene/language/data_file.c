@@ -2,9 +2,9 @@
  * files.
  *
  * A file is found as by #include, and read value by value: floats, vectors and strings,
- * with or without commas in between. After the last value its name is undeclared, as in
- * POV-Ray, so that `defined` detects the end. #write is ignored, because reading a
- * scene must not write files.
+ * with or without commas in between. After the last value has been read, the name of
+ * the file is undeclared, as in POV-Ray, so that `defined` detects the end of the file.
+ * #write is ignored, because reading a scene must not write files.
  */
 #include "rt/scene/language/directive.h"
 
@@ -88,8 +88,9 @@ static const struct data_file *expect_file(struct reader *reader)
     return NULL;
 }
 
-/* Removes the name of a file. If the name is a parameter of a macro, its target is
- * closed instead; the parameter is removed with the macro. */
+/* Undeclares the name of a file. If the name is a parameter of a macro, the variable
+ * that it refers to becomes a closed file instead, and the name is undeclared when the
+ * macro ends. */
 static void forget(struct reader *reader, const struct scene_token *name)
 {
     const struct declared_name *own = symbols_find(&reader->symbols, name->text,
@@ -115,8 +116,8 @@ bool data_file_close(struct reader *reader, const struct item *item)
 
 /* ---- #read --------------------------------------------------------------- */
 
-/* A value that is being read. The lexer is in the file, one token ahead of the
- * value. */
+/* The state while a value is read from a file: `token` is the next token of the
+ * file. */
 struct datum {
     struct reader *reader;
     struct scene_token token;
@@ -218,7 +219,8 @@ static bool read_datum(struct reader *reader, struct data_file *file,
     return false;
 }
 
-/* Reads into the next target. A target is not changed after the end of the file. */
+/* Reads a value of the file into the next variable of a #read. After the end of the
+ * file, the variable is not changed. */
 static bool read_next(struct reader *reader, struct data_file *file)
 {
     struct target target = { .local = false };

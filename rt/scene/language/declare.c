@@ -68,7 +68,7 @@ bool item_statement(struct reader *reader, const struct item *item)
     }
 }
 
-/* Reads a declared value. detail: the kind of value */
+/* Reads a declared value. The keyword's detail is the kind of the value. */
 static bool declare(struct reader *reader, const struct item *item)
 {
     struct scene_value *value = item->subject;
@@ -88,7 +88,8 @@ static bool declare_function(struct reader *reader, const struct item *item)
     return value->is.formula;
 }
 
-/* Skips a feature that is not supported. It is reported where it is used. */
+/* Skips the block of a declared value whose kind is not supported. Only uses of the
+ * name are reported. */
 static bool declare_look(struct reader *reader, const struct item *item)
 {
     struct scene_value *value = item->subject;
@@ -189,7 +190,8 @@ static bool read_statement(struct reader *reader, struct scene_value *value)
     return copy_named(reader, value);
 }
 
-/* Reads a value and its warnings, which are reported only if the value is used. */
+/* Reads a value. Warnings are attached to the value, and are reported only if the value
+ * is used. */
 static bool read_noted(struct reader *reader, struct scene_value *value)
 {
     struct warning_page page;

@@ -7,13 +7,14 @@
 item_reader read_declare; /* detail: true for #local */
 item_reader read_undef;
 
-/* The target of an assignment: a name, or an element. */
+/* The target of an assignment: a name, or an element of an array. */
 struct target {
     struct scene_token name;
     bool is_element, local;
     size_t level; /* level of the frame that contains the directive */
 };
-/* Reads a target, and passes its last token by reader_step. */
+/* Reads the target of an assignment. Uses reader_step to advance past its last
+ * token. */
 bool target_read(struct reader *reader, struct target *target);
 /* Assigns a value. As in POV-Ray, #declare changes the innermost symbol with the name,
  * and #local changes the symbol at its own level. Takes ownership of the value even
@@ -26,7 +27,7 @@ bool value_read(struct reader *reader, struct scene_value *value);
 
 /* Returns true if the token is a keyword of the language, which cannot be a name. */
 bool is_reserved(const struct scene_token *token);
-/* Checks that the token `name` can be declared. */
+/* Reports an error if the token `name` cannot be declared. */
 bool name_expected(struct reader *reader, const struct scene_token *name);
 
 #endif

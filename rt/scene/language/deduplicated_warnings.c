@@ -23,8 +23,8 @@ struct scene_warning {
     size_t page; /* serial number of the last page that contains it */
 };
 
-/* A node of a list: a warning, or the list of another value. `rest` is the next
- * node. */
+/* An entry of a list of warnings: one warning (`warning`), or the list of another value
+ * (`used`). `rest` is the next entry. */
 struct value_warnings {
     struct scene_warning *warning;
     struct value_warnings *used, *rest;
@@ -184,8 +184,8 @@ static void write_down(struct deduplicated_warnings *book,
     book->page->list = list;
 }
 
-/* Marks an entry with the current page. Returns false if it was marked with this page:
- * a loop records the same warning in each iteration. */
+/* Returns true if the entry was not yet recorded in the current page, and marks it as
+ * recorded there. A loop can record the same warning in each iteration. */
 static bool is_new(const struct deduplicated_warnings *book, size_t *page)
 {
     bool fresh = *page != book->page->serial;

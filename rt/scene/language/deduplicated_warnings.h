@@ -20,18 +20,19 @@
 #define MAX_REPORTS 200
 enum { MAX_WARNINGS = 100000, WARNING_BUCKETS = 4096 };
 
-/* The warnings of a value, which live as long as the deduplicated_warnings. */
+/* The warnings of a value. They are freed together with the struct
+ * deduplicated_warnings. */
 struct value_warnings;
 
-/* The place of a warning. */
+/* The place in the text to which a warning refers. */
 struct warning_place {
     const struct scene_source *source;
     size_t at; /* offset in the source */
     struct position position;
 };
 
-/* The warnings of a value that is being read. The page is a local variable of the
- * function that reads the value. */
+/* The warnings of a value that is being read. Values nest, so each function that reads
+ * a value has its own page, as a local variable. */
 struct warning_page {
     struct warning_page *outer; /* page of the enclosing value */
     size_t serial;
@@ -61,16 +62,16 @@ void scene_warning_report(struct deduplicated_warnings *book,
                           const struct warning_place *place, const char *words,
                           const char *calls);
 
-/* Begin and end a value. Warnings that are recorded between the calls belong to the
- * value. value_warnings_end returns NULL if there are none. */
+/* These functions begin and end the reading of a value. Warnings that are recorded in
+ * between belong to the value. value_warnings_end returns NULL if there are none. */
 void value_warnings_begin(struct deduplicated_warnings *book,
                           struct warning_page *page);
 struct value_warnings *value_warnings_end(struct deduplicated_warnings *book);
-/* Adds the warnings of a value that the current value uses. */
+/* Adds the warnings of a value to the value that is being read, which uses it. */
 void value_warnings_use(struct deduplicated_warnings *book,
                         struct value_warnings *list);
 
-/* Adds the reports to `reports`, with this severity. */
+/* Adds one report for each cause of warnings to `reports`, with this severity. */
 void warnings_report(const struct deduplicated_warnings *book, enum severity severity,
                      struct diagnostics *reports);
 /* Returns true if warnings were lost because there was no memory. */

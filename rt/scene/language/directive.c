@@ -13,9 +13,9 @@
 
 enum { MESSAGE_SAYS, MESSAGE_WARNS, MESSAGE_IS_ERROR };
 
-/* Reads a file name, the last token of its directive. The text of the file comes before
- * the text after the name. reader_hold therefore makes reader_pass step to the next
- * token, without executing a directive or calling a macro there. */
+/* Reads the file name at the end of a directive. The text of this file is read before
+ * the text that follows the name, so reader_hold prevents the tokens after the name
+ * from being executed. */
 static char *read_file_name(struct reader *reader, size_t depth)
 {
     size_t hold = reader_hold(reader);

@@ -44,7 +44,8 @@ static void below(const struct field_body *body, const double point[3], double f
 
 /* ---- Walls --------------------------------------------------------------- */
 
-/* An edge. Its ends are in lexicographic order. */
+/* An edge of a triangle. Its ends are in lexicographic order, so that equal edges of
+ * two triangles compare equal. */
 struct field_edge {
     const double *ends[2];
 };
@@ -129,8 +130,8 @@ static void add_ground(struct field_body *body, size_t count)
     }
 }
 
-/* Computes a corner of the column. Bit 0 of its number selects x, bit 1 y and bit 2
- * z. */
+/* Computes a corner of the column below the ground. Bit 0 of its number selects x, bit
+ * 1 y and bit 2 z. */
 static void column_corner(const struct field_body *body, int number, double corner[3])
 {
     corner[0] = number & 1;
@@ -164,7 +165,8 @@ static void fill(struct field_body *body, const struct triangles *surface,
     add_column(body);
 }
 
-/* Allocates space for two triangles of a wall for each edge. */
+/* Builds the body below a surface. There is space for the surface, for the ground, and
+ * for a wall of two triangles below each of the three edges of a triangle. */
 static bool make_body(struct reader *reader, const struct triangles *surface,
                       struct field_body *body)
 {

@@ -36,7 +36,8 @@ static const struct keyword words[] = {
     { "distance", item_number, offsetof(struct fog_setting, fog.distance) },
     { "fog_type", read_type, 0 },
     { COLOR_WORDS, read_fog_color, 0 },
-    /* Words of ground fog, and of turbulence. Only `turbulence` itself is reported. */
+    /* Keywords of ground fog and of turbulence. Only the keyword `turbulence` itself is
+     * reported. */
     { "fog_alt fog_offset lambda octaves omega turb_depth up", item_ignored, 0 },
     { "turbulence", item_left_out, 0 },
     { NULL, NULL, 0 },
@@ -44,7 +45,7 @@ static const struct keyword words[] = {
 
 static const struct grammar grammar = { "a keyword of fog", .tables = { words } };
 
-/* Reads a named colour at the start of the block. */
+/* Reads the optional name of a colour at the start of a fog block. */
 static bool read_first_color(struct reader *reader, struct fog *fog)
 {
     struct numbers color;

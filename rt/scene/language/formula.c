@@ -72,7 +72,8 @@ struct compiler {
     size_t depth; /* number of floats on the stack after the last step */
 };
 
-/* Appends a step that replaces the top `takes` floats by one float. */
+/* Appends a step to the code. The step replaces the top `takes` floats of the stack by
+ * one float. */
 static bool add_step(struct compiler *compiler, const struct formula_step *step,
                      size_t takes)
 {
@@ -121,7 +122,8 @@ static bool read_function(struct compiler *compiler, const struct function *func
            && add_step(compiler, &step, step.count);
 }
 
-/* Reads the component of a transformed point. */
+/* Reads ".x", ".y" or ".z" after the call of a transform function, and sets *term to
+ * the index of the component. */
 static bool read_term(struct reader *reader, size_t *term)
 {
     static const char names[] = "xyz";
@@ -362,7 +364,8 @@ const struct formula *formula_read(struct reader *reader)
 
 /* ---- Values -------------------------------------------------------------- */
 
-/* A call. It is the place of errors in the function and in nested calls. */
+/* A call of a function. Errors in the function, and in the functions that it calls, are
+ * reported at this place. */
 struct formula_caller {
     struct reader *reader;
     const struct scene_token *at;
@@ -461,7 +464,7 @@ static bool evaluate(const struct formula_caller *call, const struct formula *fo
     return done;
 }
 
-/* Reads "(" floats ")" after the name of a function. */
+/* Reads the arguments of a function of floats, in parentheses. */
 static bool take_arguments(struct reader *reader, size_t count, double *arguments)
 {
     reader_next(reader);

@@ -45,7 +45,8 @@ static double power(double base, double exponent)
     return base == 0 && exponent == 0 ? (double)NAN : elementary_pow(base, exponent);
 }
 
-/* Returns the bits of the truncated value, or 0 if it is out of range. */
+/* Truncates a value to an integer for the bitwise functions. Returns 0 if it is out of
+ * range. */
 static long bits_of(const struct numbers *number)
 {
     double value = number->n[0];

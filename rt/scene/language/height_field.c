@@ -23,7 +23,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* In POV-Ray the components of a normal are integers in units of 1 / NORMAL_STEPS. */
+/* POV-Ray stores the components of a normal of a height field as integers, in units of
+ * 1 / NORMAL_STEPS. */
 #define NORMAL_STEPS 32767.
 
 struct height_field {
@@ -41,8 +42,9 @@ struct field_point {
 
 /* ---- Points -------------------------------------------------------------- */
 
-/* Adds the unit normal of the triangle of a point and its neighbours in x and z. A step
- * of the grid and a step of the height have the same length. */
+/* Adds the unit normal of the triangle that consists of a point, its neighbour in x and
+ * its neighbour in z. The normal is in units of the grid: 1 is the distance of
+ * neighbours in x and z, and one step of the heights in y. */
 static void add_normal(const struct heights *heights, size_t x, size_t z, int right,
                        int up, double sum[3])
 {
@@ -90,7 +92,7 @@ static struct field_point point_of(const struct height_field *field, size_t x, s
 
 /* ---- Triangles ----------------------------------------------------------- */
 
-/* Sets the corners of the lower or the upper half of a cell. */
+/* Sets the corners of the lower or the upper half of a cell of a height field. */
 static void take_corners(const struct height_field *field, size_t x, size_t z,
                          bool upper, struct field_point corners[3])
 {
@@ -146,8 +148,8 @@ static void put_triangle(struct height_field *field, const struct field_point *a
     field->triangles.count++;
 }
 
-/* Adds the triangles of a half of a cell. If there is no list of triangles, only counts
- * them. */
+/* Adds the triangles of half a cell of the grid. If there is no list of triangles yet,
+ * only counts them. */
 static void add_half(struct height_field *field, size_t x, size_t z, bool upper)
 {
     struct field_point corners[3], left[4];

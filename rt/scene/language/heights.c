@@ -2,13 +2,13 @@
  *
  * A height is an integer from 0 to 65535. The rules of POV-Ray 3.7 were measured:
  *
- *     grey                  the fraction of white, times 65535
- *     grey, 8-bit PNG       the same, of .297 g + .589 g + .114 g in 32 bits
+ *     grey                  65535 f, where f is the sample as a fraction from 0 to 1
+ *     grey, 8-bit PNG       65535 (.297 f + .589 f + .114 f), in 32-bit floats
  *     colours, 8 bits       256 red + green
  *     colours, 16 bits      .297 red + .589 green + .114 blue, times 65535
  *     indexed colours       256 times the index
  *
- * Fractions are truncated. TIFF is read as 8 bits.
+ * Results are truncated to integers. TIFF is read as 8 bits.
  */
 #include "rt/scene/language/heights.h"
 
@@ -43,7 +43,8 @@ double height_at(const struct heights *heights, size_t x, size_t z)
     return heights->list[z * heights->columns + x];
 }
 
-/* Checks the size. A field has at least one cell, and two triangles per cell. */
+/* Checks the size of a height field. A field has at least one cell, and two triangles
+ * per cell. */
 static bool check_size(struct reader *reader, const struct scene_token *at,
                        double columns, double rows)
 {
@@ -111,7 +112,8 @@ static void cut_to_bytes(struct raster *raster)
     raster->most = UINT8_MAX;
 }
 
-/* Takes the heights from the pixels. The lowest row of the image is at z = 0. */
+/* Computes the heights of a field from the pixels of an image. The lowest row of the
+ * image is at z = 0. */
 static bool take_pixels(struct reader *reader, const struct scene_token *at,
                         struct pixels *pixels, struct heights *heights)
 {
@@ -130,7 +132,8 @@ static bool take_pixels(struct reader *reader, const struct scene_token *at,
 
 /* ---- Images -------------------------------------------------------------- */
 
-/* Decodes an image. It may modify `bytes`. */
+/* Decodes an image. In an image with a colour table, the samples become the indices of
+ * the colours; `bytes` is modified for this. */
 static bool read_pixels(struct reader *reader, const struct image_file *file,
                         char *bytes, struct pixels *pixels)
 {

@@ -14,7 +14,7 @@ struct heights {
 
 /* Reads the heights of an image or a function. A keyword for the kind of an image may
  * precede the name of the image. The keyword `function` precedes a function. The caller
- * frees the list, even after an error. */
+ * frees heights->list, even after an error. */
 bool heights_read(struct reader *reader, struct heights *heights);
 double height_at(const struct heights *heights, size_t x, size_t z);
 

@@ -45,7 +45,7 @@ static double *decode(struct reader *reader, const struct raster *raster,
     return light;
 }
 
-/* Stores the samples. A grey pixel has three equal samples. */
+/* Stores the samples of an image. A grey pixel gets three equal samples. */
 static bool take_samples(struct reader *reader, const struct raster *raster,
                          struct kept_image *kept)
 {
@@ -64,7 +64,8 @@ static bool take_samples(struct reader *reader, const struct raster *raster,
     return true;
 }
 
-/* Checks the size. Decoding counts as reading, because a loop may repeat it. */
+/* Checks the number of images and pixels. The pixels are added to the cost of reading,
+ * because a loop may decode images repeatedly. */
 static bool check_size(struct reader *reader, const struct raster *raster,
                        const struct scene_token *at)
 {
@@ -131,7 +132,7 @@ static const struct kept_image *image_of(struct reader *reader,
 
 /* ---- Words --------------------------------------------------------------- */
 
-/* Reads the mapping, which has one of POV-Ray's numbers 0, 1, 2 and 5. */
+/* Reads the mapping of an image, which is one of POV-Ray's numbers 0, 1, 2 and 5. */
 static bool read_type(struct reader *reader, const struct item *item)
 {
     static const int types[IMAGE_MAPPINGS] = { 0, 1, 2, 5 };
@@ -186,7 +187,7 @@ static void report_opaque(struct reader *reader, const struct scene_token *at)
     reader_report(reader, at, "a transparent image is drawn opaque");
 }
 
-/* Reads filter or transmit, for one palette index or for all. */
+/* Skips filter or transmit of an image, which apply to one palette index or to all. */
 static bool read_passing(struct reader *reader, const struct item *item)
 {
     report_opaque(reader, &item->at);
@@ -210,7 +211,8 @@ static const struct grammar grammar = { "a keyword of image_map", .tables = { wo
 
 /* ---- The pigment --------------------------------------------------------- */
 
-/* Sets the colours of the pigment. The outside of a bounded image is transparent. */
+/* Sets the colours of a pigment from an image. The outside of a bounded image is
+ * transparent. */
 static void show(const struct image_map *map, struct pigment *pigment)
 {
     const struct image_table *table = map->table;
@@ -254,7 +256,8 @@ static bool take_image(struct reader *reader, struct image_reading *reading,
     return true;
 }
 
-/* Reads a vector that selects the axes of the image, in the oldest form. */
+/* Reads the optional vector before the file name, by which old scenes select the axes
+ * of the image. */
 static bool read_way(struct reader *reader)
 {
     static const double usual[3] = { 1, -1, 0 };
@@ -272,7 +275,8 @@ static bool read_way(struct reader *reader)
     return true;
 }
 
-/* Skips an image whose source is not a file, or is a file of an unsupported kind. */
+/* Skips an image that is not in a file, or whose kind is not supported. The pigment
+ * becomes black. */
 static bool leave_out(struct reader *reader, const struct block *block,
                       struct pigment *pigment, const char *what)
 {
@@ -285,8 +289,8 @@ static bool leave_out(struct reader *reader, const struct block *block,
     return block_finish(reader, block);
 }
 
-/* As in POV-Ray, the frequency becomes 0, and a pattern that replaces the image has
- * this frequency. */
+/* Reads an image as the pigment. As in POV-Ray, it sets the frequency to 0, which a
+ * later pattern in the same pigment then keeps. */
 bool image_map_read(struct reader *reader, const struct item *item)
 {
     struct image_reading reading = { .map = { .mapping = IMAGE_PLANAR } };

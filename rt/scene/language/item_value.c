@@ -1,4 +1,5 @@
-/* item_value.c - reads the value of a word into a member of the subject. */
+/* item_value.c - reads the value after a keyword, and stores it in the member of the
+ * subject that the keyword sets. */
 #include "rt/scene/language/scene_block.h"
 
 #include "rt/scene/language/scene_expression.h"

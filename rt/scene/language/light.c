@@ -10,7 +10,8 @@
  * the kernels in range. */
 enum { MIN_TIGHTNESS = -100 };
 
-/* Sets a member of all lights of the subject. detail: offset of the member */
+/* Sets a member of all lights of the subject. The keyword's detail is the offset of the
+ * member. */
 static void set_member(const struct item *item, const void *value, size_t size)
 {
     const struct scene_object *object = item->subject;
@@ -49,7 +50,8 @@ static bool read_looks_like(struct reader *reader, const struct item *item)
     return done;
 }
 
-/* Sets the kind of beam and its default edge, as measured in POV-Ray. */
+/* Makes lights cones or cylinders, with the default edges that were measured in
+ * POV-Ray. */
 static bool read_beam(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
@@ -106,7 +108,8 @@ static bool read_measure(struct reader *reader, const struct item *item)
     return read_fading(reader, item);
 }
 
-/* Reads the number of points along a side. As in POV-Ray, it is truncated. */
+/* Reads the number of points along a side of an area light. As in POV-Ray, it is
+ * truncated. */
 static bool read_side(struct reader *reader, const struct item *item, size_t *size)
 {
     double number;
@@ -155,8 +158,8 @@ static const struct keyword words[] = {
     { "tightness", read_measure, offsetof(struct light, tightness) },
     { "fade_distance", read_fading, offsetof(struct light, fade_distance) },
     { "fade_power", read_fading, offsetof(struct light, fade_power) },
-    /* Words about unsupported features, which are reported, and about adaptive sampling
-     * of areas, which is not needed because all points of an area are used. */
+    /* item_ignored: features that are reported at other keywords, and adaptive
+     * sampling, which is not needed because all points of an area are used. */
     { "adaptive media_attenuation media_interaction photons", item_ignored, 0 },
     { "area_illumination jitter orient projected_through", item_left_out, 0 },
     { NULL, NULL, 0 },
@@ -199,7 +202,7 @@ static bool check_beams(struct reader *reader, const struct scene_object *object
     return true;
 }
 
-/* Rejects areas that are errors in POV-Ray, too. */
+/* Reports an error for an area light that POV-Ray rejects, too. */
 static bool check_areas(struct reader *reader, const struct scene_object *object,
                         const struct scene_token *at)
 {

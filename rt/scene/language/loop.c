@@ -3,7 +3,8 @@
 #include "rt/scene/language/declare.h"
 #include "rt/scene/language/scene_expression.h"
 
-/* Checks that the head of the loop ends in the frame in which it began. */
+/* Reports an error if the head of the loop does not end in the file or macro in which
+ * it began. */
 static bool same_frame(struct reader *reader, const struct scene_condition *loop)
 {
     return lexer_top(&reader->lexer)->serial == loop->frame
@@ -12,7 +13,8 @@ static bool same_frame(struct reader *reader, const struct scene_condition *loop
                            "it begins");
 }
 
-/* Starts or skips the body. The current token is the last token before the body. */
+/* Starts an iteration of the loop if its condition holds, or else skips its body. The
+ * current token is the last token before the body. */
 static bool turn(struct reader *reader, struct scene_condition *loop, bool good,
                  bool holds)
 {
@@ -63,7 +65,8 @@ static bool set_variable(struct reader *reader, const struct scene_token *name,
                         symbols_assign(&reader->symbols, symbol, level, name, &value));
 }
 
-/* Reads the variable, because the body may have changed it, as in POV-Ray. */
+/* Reads the current value of the loop variable. As in POV-Ray, the body may have
+ * changed it. */
 static bool get_variable(struct reader *reader, const struct scene_token *name,
                          double *number)
 {
@@ -93,7 +96,7 @@ static bool read_step(struct reader *reader, double *step)
            && (*step != 0 || reader_fault(reader, &at, "the step must not be 0"));
 }
 
-/* Reads "(" name, start, end [, step]. The current token is then ")". */
+/* Reads "(" name, start, end [, step] of a #for. The current token is then ")". */
 static bool read_head(struct reader *reader, struct scene_condition *loop,
                       double *start)
 {

@@ -163,8 +163,8 @@ static void take_normals(const struct mesh2_reading *mesh, const size_t indices[
     triangle->smooth = mesh_is_smooth(triangle);
 }
 
-/* Reads a face. If there are as many normals as vertices, a normal has the index of its
- * vertex, unless normal_indices overrides it. */
+/* Reads a face of mesh2. If there are as many normals as vertices, a normal has the
+ * index of its vertex, unless normal_indices overrides it. */
 static bool read_face(struct reader *reader, struct mesh2_reading *mesh)
 {
     const struct section_vectors *vertices = mesh->vectors + SECTION_VERTICES;
@@ -183,7 +183,8 @@ static bool read_face(struct reader *reader, struct mesh2_reading *mesh)
     return read_looks(reader, mesh) && mesh_add(reader, &mesh->mesh, &triangle, &at);
 }
 
-/* Reads uv indices. Without uv_vectors POV-Ray assumes a single vector. */
+/* Reads the uv indices of a face, which are not used. If uv_vectors is missing, POV-Ray
+ * assumes a single vector. */
 static bool read_uv_index(struct reader *reader, struct mesh2_reading *mesh)
 {
     size_t count = mesh->vectors[SECTION_UVS].count, ignored[3];
@@ -191,7 +192,7 @@ static bool read_uv_index(struct reader *reader, struct mesh2_reading *mesh)
 }
 
 /* Reads the indices of a face's normals. As in POV-Ray, the last faces may have none;
- * they are flat. */
+ * these faces are flat. */
 static bool read_normal_index(struct reader *reader, struct mesh2_reading *mesh)
 {
     struct triangles *triangles = &mesh->mesh.triangles;
@@ -225,8 +226,8 @@ static const struct section_rule {
 };
 enum { RANK_INSIDE = 4 };
 
-/* Checks the order that POV-Ray requires. If a section of vectors is repeated, POV-Ray
- * uses the second; here it is an error. */
+/* Checks that the sections of mesh2 have the order that POV-Ray requires. If a section
+ * of vectors is repeated, POV-Ray uses the second; here it is an error. */
 static bool check_order(struct reader *reader, const struct mesh2_reading *mesh,
                         enum section section, const struct scene_token *at)
 {
@@ -244,8 +245,8 @@ static bool check_order(struct reader *reader, const struct mesh2_reading *mesh,
                            rules[rule->after].word, rule->word);
 }
 
-/* Checks the number of rows: one of uv_indices for each face, and up to one of
- * normal_indices for each face. */
+/* Checks the number of rows of a section. uv_indices has one row for each face,
+ * normal_indices at most one. */
 static bool check_count(struct reader *reader, const struct mesh2_reading *mesh,
                         enum section section, const struct scene_token *at,
                         size_t count)
@@ -347,7 +348,8 @@ static const struct grammar grammar = { "a keyword of mesh2 or an object modifie
 
 /* ---- The statement ------------------------------------------------------- */
 
-/* Checks that vectors have indices, unless there are as many vectors as vertices. */
+/* Reports missing indices: vectors need indices if there are more than `most` of them,
+ * unless there is one vector for each vertex. */
 static bool check_indices(struct reader *reader, const struct mesh2_reading *mesh,
                           enum section of, enum section indices, size_t most)
 {

@@ -30,8 +30,9 @@ static bool read_amount(struct reader *reader, struct normal_reading *reading)
            || read_number(reader, &reading->list.bump.amount);
 }
 
-/* Reads a pattern. In a pattern with a list, each cell has its own normal. Without
- * normals, the index of the cell is a height. */
+/* Reads the pattern of a normal. A pattern with a list, such as checker, may have one
+ * normal for each kind of its cells. If it has no normals, the heights of the cells are
+ * their indices in the list. */
 static bool read_function(struct reader *reader, const struct item *item)
 {
     struct normal_reading *reading = item->subject;
@@ -80,8 +81,8 @@ static void finish_quilted(struct reader *reader, struct bump_list *list,
     list->count = 0;
 }
 
-/* Ignores the whole normal. In a map it becomes an entry without effect, which needs a
- * pattern with values. */
+/* Skips a normal whose pattern is not supported, and makes it a normal without effect.
+ * As an entry of a map it still needs a valid pattern function. */
 static bool read_unsupported(struct reader *reader, const struct item *item)
 {
     struct normal_reading *reading = item->subject;

@@ -6,7 +6,8 @@
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/pattern.h"
 
-/* Reads the value of an entry. It is raised to the value of the previous entry. */
+/* Reads the value of a map entry. If it is below the value of the previous entry, it is
+ * raised to that value. */
 static bool read_place(struct reader *reader, size_t count, double before, double *at)
 {
     if (!read_number(reader, at))
@@ -55,7 +56,7 @@ bool slope_map_read(struct reader *reader, struct bump *bump)
     return map_read(reader, &slopes, bump);
 }
 
-/* Rejects a map in a list. As in POV-Ray, a list has no maps. */
+/* Rejects a map in a normal that has a list of normals, as POV-Ray does. */
 static bool has_place(struct reader *reader, const struct normal_reading *reading,
                       const struct item *item)
 {
@@ -76,8 +77,8 @@ bool read_slope_map(struct reader *reader, const struct item *item)
 
 /* ---- normal_map ---------------------------------------------------------- */
 
-/* Stores an entry. If its normal is a list or a map, only the first entry of this list
- * or map is used. */
+/* Stores the normal of a map entry as one bump. If the normal is a list or a map, only
+ * the first entry of this list or map is used. */
 static void take_entry(struct reader *reader, const struct normal_reading *from,
                        const struct scene_token *at, struct bump *bump)
 {
@@ -101,7 +102,8 @@ static void begin_entry(const struct reader *reader, struct normal_reading *read
     normal_begin(reading, &reader->default_texture.bumps);
 }
 
-/* Reads an entry. In an average the number is optional. */
+/* Reads an entry of a normal_map. In an average, the number before the normal is
+ * optional. */
 static bool read_entry(struct reader *reader, void *map, size_t *room)
 {
     struct bump_list *list = map;

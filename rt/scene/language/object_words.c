@@ -1,4 +1,4 @@
-/* object_words.c - the keywords of objects. */
+/* object_words.c - the table of the keywords that begin an object. */
 #include "rt/scene/language/scene_statement.h"
 
 bool item_object(struct reader *reader, const struct item *item)

@@ -19,7 +19,8 @@
 
 enum { MAX_NAME = 200 };
 
-/* Stores a float whose name consists of the part and the word, such as Lid_Density. */
+/* Stores a float of the scene. Its name consists of the name of the part and the
+ * keyword, such as Lid_Density. */
 static bool read_value(struct reader *reader, const struct item *item)
 {
     const char *part = item->subject, *word = item->at.text;

@@ -15,7 +15,7 @@
     "pigment_pattern ripples slope spiral1 spiral2 spotted square tiling " \
     "triangular waves wood wrinkles"
 
-/* Sets a pigment to a pattern with its own defaults. */
+/* Makes the pigment a pattern with the default parameters of this function. */
 void pattern_begin(struct pigment *pigment, enum pattern_function function);
 /* Each function reads a pattern and its modifiers into a pigment. */
 item_reader map_pattern_read, list_pattern_read, checker_pattern_read,
@@ -40,19 +40,22 @@ body_reader pigment_body, texture_body, normal_body;
  * kind. */
 bool map_first(struct reader *reader, enum scene_value_kind kind, body_reader *body,
                void *subject, size_t size);
-/* A normal that is being read. The space of the normal is in the pattern of its bump.
- * The bump is the first member, so that the words of patterns modify it. */
+/* A normal that is being read. The pattern of list.bump is at the start of the struct,
+ * so that the keywords that modify patterns apply to it. Its to_local maps to the space
+ * of the normal. */
 struct normal_reading {
     struct bump_list list;
     bool unscaled;
     const struct block *block; /* the block that is being read */
 };
 void normal_begin(struct normal_reading *reading, const struct bumps *bumps);
-/* These functions read the maps of a normal, and the normals of a list. */
+/* The first two functions read the maps of a normal. normal_list_read reads the `count`
+ * normals of a pattern with a list, such as checker. */
 item_reader read_slope_map, read_normal_map;
 bool normal_list_read(struct reader *reader, struct normal_reading *reading,
                       size_t count);
-/* A kind of map: { [ .. ] .. } or { NAME }. */
+/* A kind of map, such as color_map. A map is written as { [ entry ] ... }, or as the
+ * name of a map in braces. */
 struct map_kind {
     enum scene_value_kind kind; /* kind of a named map */
     void (*take)(void *map, const struct scene_value *named);
@@ -61,7 +64,8 @@ struct map_kind {
 };
 /* Reads the entries of a map, or the name of a map, into *map, which is empty. */
 bool map_read(struct reader *reader, const struct map_kind *kind, void *map);
-/* Returns false, after an error report, if a map has the maximum number of entries. */
+/* map_has_room returns false, after an error report, if a map has the maximum number of
+ * entries. */
 enum { MAX_ENTRIES = 256 }; /* as in POV-Ray */
 bool map_has_room(struct reader *reader, size_t count);
 /* A map from black to white, and a map from cyan to yellow, magenta and cyan. */

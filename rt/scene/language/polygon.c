@@ -24,10 +24,11 @@
 #define SQUARE_NONE 1e-10
 #define POINT_SAME 1e-10
 #define PLANE_SAME 1e-10
-/* Lengths below this fraction of the greatest component are rounding errors. */
+/* Lengths below ROUNDING times the greatest coordinate are rounding errors. */
 #define ROUNDING 1e-14
 
-/* CROSSING_COST is the cost of a crossing, which limits the memory. */
+/* Each crossing adds CROSSING_COST to the cost of reading. The limit of this cost also
+ * limits the memory for crossings. */
 enum { MIN_POINTS = 3, MAX_POINTS = 100000, CROSSING_COST = 256 };
 
 /* An edge, which points upwards. Horizontal edges are dropped. */
@@ -158,7 +159,8 @@ static void choose_axes(struct polygon *polygon, const double normal[3])
     polygon->up = (seen + 2) % 3;
 }
 
-/* Returns the reason why POV-Ray does not show the polygon, or NULL. */
+/* Finds the plane of the polygon, and chooses the axes of the projection. Returns the
+ * reason why POV-Ray does not show the polygon, or NULL. */
 static const char *find_plane(struct polygon *polygon)
 {
     double normal[3];
@@ -186,7 +188,7 @@ static void add_edge(struct polygon *polygon, const double *a, const double *b)
     polygon->edge_count++;
 }
 
-/* Closes the last loop if its first point is not repeated. */
+/* Closes the last loop of a polygon if its first point is not repeated. */
 static bool close_part(struct polygon *polygon, size_t first)
 {
     if (first + 1 == polygon->count)
@@ -273,8 +275,8 @@ static bool add_height(struct polygon *polygon, double height)
            || reader_no_memory(polygon->reader);
 }
 
-/* Adds the crossing of two edges that change sides. Edges that only touch do so at a
- * point of the outline, and its height has been added. */
+/* Adds the height at which two edges cross. Edges that touch without crossing do so at
+ * a point of the outline, whose height has already been added. */
 static bool add_crossing(struct polygon *polygon, const struct polygon_edge *a,
                          const struct polygon_edge *b)
 {
@@ -305,7 +307,7 @@ static int compare_heights(const void *a, const void *b)
     return compare(*one, *other);
 }
 
-/* Sorts the heights and removes duplicates. */
+/* Sorts the heights at which the slabs begin and end, and removes duplicates. */
 static void sort_heights(struct polygon *polygon)
 {
     double *heights = polygon->heights;
@@ -367,8 +369,8 @@ static bool end_trapezoid(struct polygon *polygon, struct polygon_edge *left,
     return add_trapezoid(polygon, low, high);
 }
 
-/* Removes the edges that end at this height, and completes the trapezoids to their
- * right. */
+/* Removes the edges that end at this height, and completes the trapezoids of which they
+ * are the left sides. */
 static bool end_edges(struct polygon *polygon, double height)
 {
     struct polygon_edge **active = polygon->active;
@@ -429,7 +431,7 @@ static bool pair_edges(struct polygon *polygon, double height)
     return true;
 }
 
-/* Processes the slab above height i. */
+/* Finds the left and right edges of the trapezoids in the slab above height i. */
 static bool take_slab(struct polygon *polygon, size_t i)
 {
     double low = polygon->heights[i], high = polygon->heights[i + 1];

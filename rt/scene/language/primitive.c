@@ -1,4 +1,5 @@
-/* primitive.c - parses the arguments of primitives, which their descriptors define. */
+/* primitive.c - parses the arguments of primitives, which are listed in the fields of
+ * their shapes (rt/shapes). */
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/scene_statement.h"
 #include "rt/shapes/shape.h"
@@ -65,8 +66,8 @@ static bool read_count(struct reader *reader, size_t least, size_t *count)
 }
 
 /* Reads a count, then that many points. A point is a vector, of which the first two
- * components are used. The array has twice the space, for handles between the
- * points. */
+ * components are used. The array has space for twice as many points, because curves
+ * have handles between their points. */
 static bool read_path(struct reader *reader, size_t least, struct outline *path)
 {
     double vector[3];
@@ -167,8 +168,8 @@ static bool read_field(struct reader *reader, const struct shape_field *field,
     return read_row(reader, field, first, to);
 }
 
-/* Replaces the primitive by an empty sphere. Like the empty set, a sphere has an
- * inside. */
+/* Replaces the primitive by a sphere that is marked as the empty set. A sphere is used
+ * because it has an inside, as solids require. */
 void primitive_leave_out(struct reader *reader, struct primitive *primitive,
                          const struct scene_token *at, const char *reason)
 {
@@ -221,15 +222,16 @@ static bool read_order(struct reader *reader, int *order)
     return true;
 }
 
-/* Returns the number of coefficients of a polynomial in x, y and z. */
+/* Returns the number of coefficients of a polynomial of this order in x, y and z. */
 static size_t terms_of(int order)
 {
     size_t n = (size_t)order;
     return (n + 1) * (n + 2) * (n + 3) / 6;
 }
 
-/* Makes a quartic from a polynomial of lower order. Its coefficients have the order of
- * a quartic's, without the terms of higher degree. */
+/* Makes a quartic from a polynomial of lower order. The coefficients of the polynomial
+ * have the same order as those of a quartic, but terms of higher degree are missing and
+ * become 0. */
 static void make_quartic(const double *terms, int order, struct primitive *primitive)
 {
     double *quartic = primitive->shape.quartic.coefficients;
@@ -240,8 +242,8 @@ static void make_quartic(const double *terms, int order, struct primitive *primi
                 *quartic++ = x + y + z <= order ? *terms++ : 0;
 }
 
-/* Reorders x2 xy xz x y2 yz y z2 z 1 to the order of quadrics, x2 y2 z2 xy xz yz x y z
- * 1. */
+/* Reorders the coefficients of x^2 xy xz x y^2 yz y z^2 z 1 to the order of quadrics,
+ * x^2 y^2 z^2 xy xz yz x y z 1. */
 static void make_quadric(const double *terms, struct primitive *primitive)
 {
     static const size_t places[QUADRIC_TERMS] = { 0, 3, 4, 6, 1, 5, 7, 2, 8, 9 };

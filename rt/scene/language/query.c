@@ -86,8 +86,8 @@ static bool read_file_exists(struct reader *reader, double *value)
 
 /* ---- Names and arrays ---------------------------------------------------- */
 
-/* Returns true if the token is a shape or another keyword that POV-Ray does not
- * have. */
+/* Returns true if the token is a keyword that POV-Ray does not have: part, or some of
+ * the shapes. */
 static bool is_own_word(const struct scene_token *token)
 {
     if (is_token(token, "part"))
@@ -99,8 +99,9 @@ static bool is_own_word(const struct scene_token *token)
     return false;
 }
 
-/* Keywords that POV-Ray does not have count as defined, so that a scene can test for
- * them. As in POV-Ray, its own keywords do not count as defined. */
+/* Sets *value to 1 if the name is declared. Keywords that only this program has count
+ * as declared, so that a scene can test for them. As in POV-Ray, the keywords of
+ * POV-Ray do not. */
 bool read_defined(struct reader *reader, double *value)
 {
     if (reader->token.kind != TOKEN_WORD)
@@ -136,7 +137,8 @@ static bool read_dimensions(struct reader *reader, double *value)
     return true;
 }
 
-/* Reads the size of a dimension. It is 0 if the array does not have the dimension. */
+/* Reads the arguments of dimension_size, an array and the number of a dimension. The
+ * value is 0 if the array does not have this dimension. */
 static bool read_dimension_size(struct reader *reader, double *value)
 {
     const struct array *array = expect_array(reader);
@@ -176,7 +178,8 @@ static bool read_seed(struct reader *reader, double *value)
            || reader_no_memory(reader);
 }
 
-/* Reads rand(stream). POV-Ray's generator is linear congruential modulo 2^32. */
+/* Evaluates rand(stream) with POV-Ray's generator, which is linear congruential modulo
+ * 2^32. */
 static bool read_rand(struct reader *reader, double *value)
 {
     struct scene_token at = reader->token;

@@ -35,7 +35,8 @@ enum {
                      * it to 1 GiB */
 };
 
-/* An open directive, whose #end has not been read. */
+/* The conditions and loops that an #end closes. A struct scene_condition is one of them
+ * whose #end has not been read. */
 enum condition_kind {
     CONDITION_IF, /* also #ifdef and #ifndef */
     CONDITION_WHILE,
@@ -121,14 +122,14 @@ struct reader {
 void reader_next(struct reader *reader);
 
 /* These functions advance within a directive. The effect of a directive decides which
- * text follows it. Its last token must therefore be passed by reader_step, which reads
- * the next token without interpreting it. The next token may be a directive, the name
- * of a macro or the end of a frame. reader_resolve then executes directives and calls
- * macros, up to the token that reader_next would return. */
+ * text follows it, so the token after the directive must not be interpreted before this
+ * effect. reader_step reads the next token without interpreting it: it may be a
+ * directive, the name of a macro or the end of a frame. reader_resolve then executes
+ * directives and calls macros, up to the token that reader_next would return. */
 void reader_step(struct reader *reader);
 void reader_resolve(struct reader *reader);
-/* Advances past the last token of a value. Calls reader_step and, unless a directive
- * ends with this token (reader_hold), reader_resolve. */
+/* Advances past the last token of a value. Executes directives and calls macros that
+ * follow, unless the value ends a directive (reader_hold). */
 void reader_pass(struct reader *reader);
 /* Returns the token after the current token in the frame, without consuming it. */
 struct scene_token reader_peek(struct reader *reader);
@@ -142,11 +143,12 @@ void reader_jump(struct reader *reader, const struct text_place *place);
  * directives. */
 void reader_close_frames(struct reader *reader, size_t depth);
 enum { HOLD_NONE = -1 };
-/* Marks that a value ends the current directive unless it is within further braces.
- * Returns the previous state for reader_release. */
+/* Begins the last argument of a directive. After the last token of this argument,
+ * reader_pass does not execute a directive or call a macro. Returns the previous state
+ * for reader_release. */
 size_t reader_hold(struct reader *reader);
-/* Marks that no value ends the current directive. Returns the previous state for
- * reader_release. */
+/* Begins a construct, such as parentheses, within which no token can end the directive.
+ * Returns the previous state for reader_release. */
 size_t reader_nest(struct reader *reader);
 void reader_release(struct reader *reader, size_t hold);
 /* Stops reading without a further report. Returns false. */

@@ -18,7 +18,7 @@ struct blob_reading {
                                  * the texture of the object's part */
 };
 
-/* A component and its texture. */
+/* A component of a blob and its texture. */
 struct part_reading {
     struct blob_part part;
     struct texture texture;
@@ -117,7 +117,8 @@ static void take_look(struct blob_reading *blob, const struct part_reading *read
     part->primitive.finish = reading->texture.finish;
 }
 
-/* Reads a component. detail: true for a cylinder */
+/* Reads a component. The keyword's detail is true for a cylinder, false for a
+ * sphere. */
 static bool read_component(struct reader *reader, const struct item *item)
 {
     struct part_reading reading = { .texture = reader->default_texture,
@@ -134,7 +135,7 @@ static bool read_component(struct reader *reader, const struct item *item)
     return add_part(reader, item->subject, &reading.part, &item->at);
 }
 
-/* Reads the old form of a component: strength, radius, centre. */
+/* Reads a blob component in the old form: strength, radius, centre. */
 static bool read_bare_component(struct reader *reader, const struct item *item)
 {
     struct blob_part part = { .to_blob = placement_none.to_world,
@@ -178,7 +179,7 @@ static bool begin(struct reader *reader, struct blob_reading *blob,
     return shape_add(reader, &blob->object, &primitive, &item->at);
 }
 
-/* Copies the components to storage of the scene. */
+/* Copies the components of a blob to storage that the scene owns. */
 static bool keep(struct reader *reader, struct blob_reading *blob)
 {
     struct primitive *primitive = &blob->object.parts->primitive;
@@ -188,7 +189,8 @@ static bool keep(struct reader *reader, struct blob_reading *blob)
     if (!list)
         return false;
     primitive->shape.blob.parts = (struct blob_parts){ count, list };
-    /* The result is the same as in POV-Ray if only one component has a texture. */
+    /* A blob of one component without a texture of its own needs no report, because the
+     * texture of the component is then the texture of the blob, as in POV-Ray. */
     if (count != 1 || blob->object.textured)
         shape_choose_texture(reader, &blob->object, &blob->look_at, "blob components",
                              "the texture of the blob");

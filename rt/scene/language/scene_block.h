@@ -42,9 +42,10 @@ struct grammar {
                                  * not allowed */
     const struct grammar *then; /* grammar of the keywords that may follow */
 };
-/* A block without keywords after its arguments. */
+/* The grammar of a block that has no keywords after its arguments. */
 extern const struct grammar no_words;
-/* The keywords of objects, whose detail is an enum shape_word, and of transforms. */
+/* The keywords of objects, whose `detail` member is an enum shape_word, and the
+ * keywords of transforms. */
 extern const struct keyword object_words[], step_words[];
 
 struct block {
@@ -53,7 +54,7 @@ struct block {
     int closing;  /* closing sign; 0: the end of the file */
 };
 
-/* Returns the row of the token's text in a table, or NULL. */
+/* Returns the row of the table whose keywords include the token, or NULL. */
 const struct keyword *keyword_find(const struct keyword *table,
                                    const struct scene_token *token);
 const struct keyword *grammar_find(const struct grammar *grammar,
@@ -88,15 +89,17 @@ void block_pass(struct reader *reader, const struct block *block);
 /* Skips from '{' to the matching '}'. */
 void block_skip(struct reader *reader);
 
-/* Returns the member of the subject at the offset `detail`. */
+/* Returns the member of the subject that the keyword sets: item->keyword->detail is its
+ * offset. */
 void *item_member(const struct item *item);
-/* These functions read a member: a float, a float above 0, and a float that is 1 if no
- * number follows the keyword. */
+/* These functions read a float into a member of the subject. item_above_0 reports an
+ * error if it is not positive. item_number_or_1 sets 1 if no number follows the
+ * keyword. */
 item_reader item_number, item_above_0, item_number_or_1;
-/* These functions read a member: a vector of three components, and the red, green and
- * blue of a colour. */
+/* These functions read a value into a member of the subject: item_vector a vector of
+ * three components, item_rgb the red, green and blue of a colour. */
 item_reader item_vector, item_rgb;
-/* Sets a bool to true. */
+/* Sets a bool member of the subject to true. */
 item_reader item_flag;
 
 /* Reports and ignores a keyword that has no effect here. */

@@ -20,18 +20,19 @@ bool is_expression_word(const struct scene_token *token);
 /* Reads a sum. Comparisons, logic and ?: need parentheses. */
 bool read_expression(struct reader *reader, struct numbers *value);
 bool read_number(struct reader *reader, double *value);
-/* Reads an expression in brackets, with comparisons, logic and ?:. */
+/* Reads an expression that may contain comparisons, logic and ?: without parentheses
+ * around them. */
 bool read_full(struct reader *reader, struct numbers *value);
 bool read_full_number(struct reader *reader, double *value);
-/* Floats are equal if their difference is smaller. A float is false if its absolute
- * value is smaller. */
+/* Two floats are equal if they differ by less than EXPRESSION_SAME. A float is false if
+ * its absolute value is less than EXPRESSION_SAME. */
 #define EXPRESSION_SAME 1e-10
 /* Reads a vector. A float is expanded to three equal components. A zero is added to a
  * vector of two components. */
 bool read_vector(struct reader *reader, double vector[3]);
 /* Reads vectors with optional commas in between. */
 bool read_vectors(struct reader *reader, double (*vectors)[3], size_t count);
-/* Reads a colour with all five components. */
+/* Reads a colour in any form, and returns its five components. */
 bool read_color(struct reader *reader, struct numbers *color);
 /* Like read_color, after the first word of the colour has been read. */
 bool read_color_after(struct reader *reader, const struct scene_token *word,
@@ -42,10 +43,11 @@ bool read_rgb(struct reader *reader, double rgb[3]);
 /* ---- Functions about strings, files, names, arrays and random numbers ---- */
 
 bool is_query_word(const struct scene_token *token);
-/* Reads a call. The current token is the keyword of the function. */
+/* Evaluates a call of a function that returns a float, such as strlen. The current
+ * token is the keyword of the function. */
 bool query_read(struct reader *reader, double *value);
-/* Reads the argument of `defined` between the brackets: a name or an element of an
- * array, which is not interpreted. */
+/* Reads a name or an element of an array, the argument of `defined`. Sets *value to 1
+ * if it is defined, else to 0. */
 bool read_defined(struct reader *reader, double *value);
 double string_order(const char *a, const char *b);
 void queries_free(struct reader *reader);
@@ -58,8 +60,8 @@ bool operand_read(struct reader *reader, struct numbers *value);
 bool spline_call(struct reader *reader, struct numbers *value);
 
 /* operand_float reports an error if the value is not a float. Both functions report an
- * error if the value is not finite, which is the result of an overflow, or of an
- * argument outside of a function's domain. */
+ * error if the value is not finite, because of an overflow or an argument outside of a
+ * function's domain. */
 bool operand_float(struct reader *reader, const struct scene_token *at,
                    const struct numbers *value);
 bool operand_finite(struct reader *reader, const struct scene_token *at,
@@ -70,7 +72,7 @@ bool operand_found_vector(struct reader *reader, const struct scene_token *at,
 
 /* ---- Functions of floats and vectors ------------------------------------- */
 
-/* A function of the language. */
+/* A function that expressions of a scene can call, such as sin or vcross. */
 struct function {
     const char *name;
     const char *takes; /* kinds of its arguments: f a float, v a vector, ? an optional

@@ -34,7 +34,7 @@ static bool read_parameter(struct reader *reader, struct scene_macro *macro)
     return true;
 }
 
-/* Reads from "(" to the start of the body. */
+/* Reads the parameters of a macro, from "(" to the start of its body. */
 static bool read_parameters(struct reader *reader, struct scene_macro *macro)
 {
     if (!reader_require_sign(reader, '('))
@@ -134,7 +134,7 @@ static bool read_arguments(struct reader *reader, struct call *call)
     return reader_require_sign(reader, ')');
 }
 
-/* Declares the parameters at the level of the body. */
+/* Declares the parameters of the macro in the scope of its body. */
 static bool bind(struct reader *reader, struct call *call)
 {
     const char *fault = NULL;

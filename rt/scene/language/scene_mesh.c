@@ -1,4 +1,5 @@
-/* scene_mesh.c - parses triangle, smooth_triangle and mesh, one primitive each. */
+/* scene_mesh.c - parses triangle, smooth_triangle and mesh. Each of them becomes one
+ * primitive. */
 #include "rt/scene/language/scene_mesh.h"
 
 #include "base/array.h"
@@ -170,7 +171,7 @@ static bool leave_out(struct reader *reader, struct mesh_reading *mesh)
     return true;
 }
 
-/* Copies the triangles to storage of the scene. */
+/* Copies the triangles of a mesh to storage that the scene owns. */
 static bool keep(struct reader *reader, struct mesh_reading *mesh)
 {
     struct primitive *primitive = &mesh->object.parts->primitive;
@@ -243,7 +244,7 @@ static bool read_texture(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Reads three names of textures, one for each corner. */
+/* Reads the names of three textures, one for each corner of a triangle. */
 static bool read_names(struct reader *reader, struct mesh_reading *mesh,
                        const struct item *item)
 {
@@ -275,7 +276,7 @@ static const struct keyword triangle_words[] = {
 static const struct grammar triangle_grammar = { "a keyword of a mesh triangle",
                                                  .tables = { triangle_words } };
 
-/* Reads a triangle. detail: true if it is smooth */
+/* Reads a triangle. The keyword's detail is true for smooth_triangle. */
 static bool read_triangle(struct reader *reader, const struct item *item)
 {
     bool smooth = item->keyword->detail;
@@ -319,8 +320,8 @@ static const struct grammar mesh_grammar = { "a triangle or an object modifier",
 
 /* ---- The statements ------------------------------------------------------ */
 
-/* Reads a triangle that is a statement of its own. As in POV-Ray, it stays smooth if
- * its normals are equal. */
+/* Reads a triangle that is not inside a mesh. As in POV-Ray, it stays smooth even if
+ * its three normals are equal. */
 static bool read_lone(struct reader *reader, struct mesh_reading *mesh, bool smooth)
 {
     struct triangle triangle;

@@ -28,7 +28,8 @@ bool mesh_end(struct reader *reader, struct mesh_reading *mesh, bool good,
 
 /* Returns the number of triangles in all meshes of an object. */
 size_t mesh_triangles(const struct scene_object *object);
-/* Counts further triangles. Reports an error above MAX_TRIANGLES. */
+/* Adds `more` to the number of triangles in the scene. Reports an error at `at` if the
+ * sum exceeds MAX_TRIANGLES. */
 bool mesh_count(struct reader *reader, size_t more, const struct scene_token *at);
 /* Counts a triangle and adds it to a list that the scene owns. */
 bool mesh_keep_triangle(struct reader *reader, struct triangles *triangles,
@@ -46,7 +47,7 @@ void mesh_look(struct mesh_reading *mesh, const struct texture *texture,
                const struct scene_token *at);
 /* Normalises a normal of a mesh. A zero normal is replaced, with a warning. */
 void mesh_direct(struct reader *reader, const struct scene_token *at, double normal[3]);
-/* Returns true if the normals of the triangle make it smooth. */
+/* Returns true if the three normals of the triangle are not all equal. */
 bool mesh_is_smooth(const struct triangle *triangle);
 /* Reads the closing '}'. No other token may precede it. */
 bool mesh_close(struct reader *reader, const struct block *block, bool good);

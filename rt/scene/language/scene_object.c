@@ -40,8 +40,8 @@ static bool add_branch(struct scene_object *object, enum tree_operation operatio
     return array_add(&object->branches, &object->branch_count, &branch, sizeof branch);
 }
 
-/* These functions append branches of another object, and the parts that are their
- * leaves. */
+/* add_branches appends branches of another object, add_parts appends the parts that are
+ * their leaves. */
 static bool add_branches(struct scene_object *object, const struct branch *branches,
                          size_t count)
 {
@@ -291,8 +291,8 @@ bool object_clip(struct scene_object *object, const struct scene_object *clip)
 /* The content of a branch after its empty parts have been removed. */
 enum content { CONTENT_NOTHING, CONTENT_ALL, CONTENT_SOME };
 
-/* The state while a tree is pruned in place: the read positions, and the numbers of
- * items that stay. */
+/* The state while a tree is pruned in place: the next branch and part to read, and the
+ * numbers of branches and parts that have been kept. */
 struct pruning {
     struct scene_object *object;
     size_t branch, part;

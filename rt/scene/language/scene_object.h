@@ -73,10 +73,11 @@ bool object_add_light(struct scene_object *object, const struct light *light);
 /* Adds the solids of a child. Parts without a texture or interior get the texture or
  * interior of the child. The hidden_from of the child applies to all its parts. */
 bool object_add(struct scene_object *object, const struct scene_object *child);
-/* Adds one solid of a child, or its complement, as the object's `joining` requires. */
+/* Adds a child to the object. Unless `joining` is JOIN_APART, the child is first joined
+ * to one solid, and after the first child of a difference it is also inverted. */
 bool object_add_child(struct scene_object *object, struct scene_object *child);
-/* Returns the rays to which the object or at least one of its visible parts is
- * invisible. */
+/* Returns the kinds of rays that do not see the object, or do not see at least one of
+ * its parts. Clipping parts are not considered. */
 unsigned object_hidden_from(const struct scene_object *object);
 /* Makes all parts except clipping parts visible to all rays. */
 void object_show(struct scene_object *object);
@@ -85,14 +86,13 @@ bool object_join(struct scene_object *object);
 /* Joins all solids of an object, and swaps inside and outside. Clipping does not
  * change. */
 bool object_invert(struct scene_object *object);
-/* Clips each solid by all solids of another object. The other object becomes
- * invisible. */
+/* Intersects each solid of the object with all solids of `clip`. */
 bool object_clip(struct scene_object *object, const struct scene_object *clip);
 /* Removes empty parts, and simplifies the solids that contain them. */
 void object_prune(struct scene_object *object);
 bool object_copy(struct scene_object *copy, const struct scene_object *object);
-/* Gives a copy new interiors, numbered from *last + 1. Sets *last to the greatest
- * number. */
+/* Renumbers the interiors of a copied object from *last + 1, so that it shares no
+ * interior with the original. Sets *last to the greatest new number. */
 bool object_renumber(struct scene_object *object, size_t *last);
 void scene_object_free(struct scene_object *object);
 

@@ -53,8 +53,8 @@ bool operand_found_vector(struct reader *reader, const struct scene_token *at,
                         value->count, plural((uint64_t)value->count));
 }
 
-/* Rejects the result of an overflow, or of a function whose argument is outside of its
- * domain. */
+/* Reports an error for a value that is not finite, because of an overflow or an
+ * argument outside of a function's domain. */
 bool operand_finite(struct reader *reader, const struct scene_token *at,
                     const struct numbers *value)
 {
@@ -100,8 +100,8 @@ static bool read_argument(struct reader *reader, char kind, struct numbers *argu
     return true;
 }
 
-/* Reads the arguments that `takes` describes. Returns their number, or 0 after an
- * error. */
+/* Reads the arguments, whose kinds `takes` lists as in struct function. Returns their
+ * number, or 0 after an error. */
 static size_t read_arguments(struct reader *reader, const char *takes,
                              struct numbers *arguments)
 {
@@ -215,7 +215,7 @@ static double gray(const double rgb[3])
     return dot3(weights, rgb);
 }
 
-/* Replaces a value by the component that is named after ".". */
+/* Reads the component that follows "." and replaces the value by this component. */
 static bool read_component(struct reader *reader, struct numbers *value)
 {
     static const struct component {

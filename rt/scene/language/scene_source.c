@@ -20,7 +20,7 @@ static char *copy(const char *text, size_t length)
     return own;
 }
 
-/* Adds a source to the list, which takes ownership of the text. */
+/* Creates a source from a text and adds it to the list, which then owns the text. */
 static struct scene_source *adopt(struct scene_source **list, const char *name,
                                   char *text, size_t length, bool is_text,
                                   c205_error *error)
@@ -59,7 +59,8 @@ struct scene_source *source_add(struct scene_source **list, const char *name,
     return adopt(list, name, own, length, true, error);
 }
 
-/* Reads a file. If it is missing, errno is ENOENT and the search continues. */
+/* Reads a file. If the file is missing, returns NULL with errno ENOENT, so that the
+ * caller can search for it in the next folder. */
 static struct scene_source *load(struct scene_source **list, const char *path,
                                  bool is_text, c205_error *error)
 {
@@ -121,8 +122,8 @@ static void open_path(struct search *search, const char *path)
     search->is_over = search->found || errno != ENOENT;
 }
 
-/* Reports several matches, as "'a.inc' or 'A.inc'". The message has the ends of the
- * paths, in the form in which the scene would use them. */
+/* Reports an error that lists all matches, such as "'a.inc' or 'A.inc'". Each match is
+ * printed without the search folder, as an #include would name it. */
 static void refuse_several(struct search *search, const struct folder *paths)
 {
     struct text_buffer names = { 0 };

@@ -24,7 +24,8 @@ struct scene_source {
 
 enum { SOURCE_LONGEST = 16 << 20 }; /* in bytes */
 
-/* Add a text, or the text of a file. Both return NULL after an error. */
+/* source_add adds a text to the list, source_load the text of a file. Both return NULL
+ * after an error. */
 struct scene_source *source_add(struct scene_source **list, const char *name,
                                 const char *text, size_t length, c205_error *error);
 struct scene_source *source_load(struct scene_source **list, const char *path,
@@ -44,7 +45,7 @@ struct source_request {
 struct scene_source *source_include(struct scene_source **list,
                                     const struct source_request *request,
                                     c205_error *error);
-/* Returns true if the file was found under a name of different case. */
+/* Returns true if the file was found under a name that differs from `name` in case. */
 bool source_is_other(const struct scene_source *source, const char *name);
 void sources_free(struct scene_source *list);
 

@@ -18,16 +18,17 @@ bool pigment_read(struct reader *reader, struct pigment *pigment);
 bool finish_read(struct reader *reader, struct finish *finish);
 bool normal_read(struct reader *reader, struct bumps *bumps);
 bool texture_read(struct reader *reader, struct texture *texture);
-/* Reads the part of a texture that `detail` of the item's row selects. */
+/* The parts of a texture, which the `detail` members of their keywords select.
+ * texture_part_read reads one of these parts into the texture. */
 enum texture_part { TEXTURE_PIGMENT, TEXTURE_NORMAL, TEXTURE_FINISH, TEXTURE_WHOLE };
 bool texture_part_read(struct reader *reader, const struct item *item,
                        struct texture *texture);
 item_reader item_texture_part; /* subject: the texture */
-/* Adds a layer to a texture. */
+/* Reads a texture and adds it to the top of the texture's layers. */
 bool texture_layer_read(struct reader *reader, const struct scene_token *at,
                         struct texture *texture);
-/* Reads all entries of a map. The first entry becomes the colour of the pigment, unless
- * it is a gradient. */
+/* Reads all entries of a color_map. Sets the colour of the pigment to the first entry,
+ * unless the pigment is a gradient. */
 bool color_map_read(struct reader *reader, struct pigment *pigment);
 /* These functions read all entries of a map, but use only the first. */
 bool pigment_map_read(struct reader *reader, struct pigment *pigment);
@@ -35,12 +36,13 @@ bool texture_map_read(struct reader *reader, struct texture *texture);
 /* These functions read all entries of a map, and use them. */
 bool normal_map_read(struct reader *reader, struct bump_list *list);
 bool slope_map_read(struct reader *reader, struct bump *bump);
-/* Reads the statement of the value kind that `detail` of the item's row selects. */
+/* Reads a value such as a pigment or a camera. The `detail` of the keyword is the kind
+ * of the value. */
 item_reader item_statement;
 /* Reads the block of #default, and of the statement `default`. */
 item_reader default_read;
 bool interior_read(struct reader *reader, double *ior);
-/* Reads texture and interior into an object, which may have no parts. */
+/* Reads the block of material into an object, which may have no parts. */
 bool material_read(struct reader *reader, struct scene_object *object);
 
 bool camera_read(struct reader *reader, const struct scene_token *at,
@@ -77,7 +79,8 @@ enum shape_word {
     SHAPE_SMOOTH_TRIANGLE,
     SHAPE_MESH2
 };
-/* Reads an object by the grammar of its block. */
+/* Reads an object with the function that the grammar of the block specifies for
+ * objects. */
 item_reader item_object;
 /* Reads a shape into an empty object, which the caller frees even after an error. */
 bool shape_read(struct reader *reader, struct scene_object *object,
@@ -89,7 +92,7 @@ bool primitive_read(struct reader *reader, enum primitive_kind kind,
  * shape is reported and removed. In a solid it counts as the empty set. */
 bool primitive_finish(struct reader *reader, struct primitive *primitive,
                       const struct scene_token *at);
-/* Removes a primitive as if it were invisible, and reports the reason. */
+/* Removes a primitive, so that no ray hits it, and reports the reason. */
 void primitive_leave_out(struct reader *reader, struct primitive *primitive,
                          const struct scene_token *at, const char *reason);
 /* Reads a cubic, which has order 3, or a poly, whose order is an argument. */
@@ -105,8 +108,8 @@ shape_reader text_read, bicubic_patch_read, polygon_read, height_field_read;
  * transform. */
 bool bicubic_patch_cut(struct reader *reader, struct scene_part *part,
                        const struct scene_token *at);
-/* Finishes a smooth field after its position in the world is final. Its normals are
- * normalised in world space. Afterwards the part has no transform. */
+/* Moves a smooth height field to world space when its placement is final, and
+ * normalises its normals there. Afterwards the part has no transform. */
 bool height_field_place(struct reader *reader, struct scene_part *part);
 /* Adds a body to the height fields of an object that becomes part of a solid, or is
  * inverted. */
@@ -119,7 +122,8 @@ bool blob_read(struct reader *reader, struct scene_object *object,
  * primitive. */
 bool mesh_read(struct reader *reader, struct scene_object *object,
                const struct item *item);
-/* Counts further primitives and lights. Reports an error above MAX_PRIMITIVES. */
+/* Adds `more` to the number of primitives and lights in the scene. Reports an error at
+ * `at` if the sum exceeds MAX_PRIMITIVES. */
 bool shape_count(struct reader *reader, size_t more, const struct scene_token *at);
 /* Adds a primitive. `at` is its keyword. Reports an error above MAX_PRIMITIVES. */
 bool shape_add(struct reader *reader, struct scene_object *object,
@@ -127,20 +131,20 @@ bool shape_add(struct reader *reader, struct scene_object *object,
 /* Skips an invisible shape, and reports the reason why it is invisible. */
 bool shape_leave_out(struct reader *reader, struct scene_object *object,
                      const struct scene_token *at, const char *reason);
-/* Chooses the texture of a mesh or blob whose pieces have textures. It is the object's
- * own texture, or else the first texture of a piece, which its only part has. Reports
- * the choice at `at`. Does nothing if no piece has a texture. */
+/* Chooses one texture for a mesh or blob whose pieces have textures of their own: the
+ * texture of the object if it has one, or else the texture of the first such piece.
+ * Reports the choice at `at`. Does nothing if no piece has a texture. */
 void shape_choose_texture(struct reader *reader, struct scene_object *object,
                           const struct scene_token *at, const char *pieces,
                           const char *own);
 bool light_read(struct reader *reader, struct scene_object *object);
-/* Reads the block of looks_like. The position of the light becomes the origin of the
- * object in the block. */
+/* Reads the block of looks_like. The object in the block is moved by `position`, the
+ * position of the light. */
 bool looks_like_read(struct reader *reader, struct scene_object *object,
                      const double position[3]);
-/* Gives an object its own interior with this refractive index. */
+/* Gives an object a new interior with this refractive index. */
 void object_fill(struct reader *reader, struct scene_object *object, double ior);
-/* Keywords that modify an object, which is the subject. */
+/* These functions read keywords that modify an object, which is the subject. */
 item_reader part_read, clipped_by_read, bounded_by_read;
 /* Copies an object. The copy has its own interiors. Reports an error above
  * MAX_PRIMITIVES. */

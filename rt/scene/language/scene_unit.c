@@ -21,7 +21,7 @@
 
 #define MIN_ORDINARY 0x1p-1
 #define MAX_ORDINARY 0x1p22
-/* An object is small if its distance exceeds this number of radii. */
+/* An object is small if its distance exceeds SIGHT times its radius. */
 #define SIGHT 64
 /* Up to this distance, the rounding error of the squared distance to a light is smaller
  * than the start distance of shadow rays. */
@@ -42,8 +42,8 @@ static int compare_reaches(const void *a, const void *b)
     return (one->distance > other->distance) - (one->distance < other->distance);
 }
 
-/* Returns the reach of a plane. Its distance is the distance of its nearest point, but
- * at least the distance `nearest` of the nearest light. */
+/* Returns the distance and size of a plane. A plane has no farthest point, so the
+ * distance of its nearest point is used, or `nearest` if this is greater. */
 static struct reach reach_plane(const struct primitive *primitive, const double from[3],
                                 double nearest)
 {
@@ -62,7 +62,8 @@ static struct reach reach_plane(const struct primitive *primitive, const double 
     return reach;
 }
 
-/* Bounds a mesh by only two of its corners, because a large mesh has too many. */
+/* Computes an approximate bound of a mesh from two of its corners, because a large mesh
+ * has too many corners to consider all. */
 static void bound_corners(const struct primitive *mesh, struct bound *bound)
 {
     const struct triangles *triangles = &mesh->shape.mesh.triangles;
@@ -73,7 +74,8 @@ static void bound_corners(const struct primitive *mesh, struct bound *bound)
     bound_about(mesh, first, length3(way), bound);
 }
 
-/* Returns the reach of a primitive. Its distance is 0 if it is unknown. */
+/* Returns the distance and size of a primitive. The distance is 0 if the primitive has
+ * no bound. A plane is not nearer than `nearest`. */
 static struct reach find_reach(const struct primitive *primitive, const double from[3],
                                double nearest)
 {
@@ -108,7 +110,8 @@ static double find_nearest(const struct scene *scene, const struct scene_object 
     return nearest;
 }
 
-/* Returns the median object by distance. Of two middle objects it is the nearer one. */
+/* Returns the distance and size of the object whose distance is the median. If the
+ * number of objects is even, this is the nearer of the two middle objects. */
 static struct reach find_size(const struct scene *scene,
                               const struct scene_object *world)
 {
@@ -154,7 +157,7 @@ static void scale_camera(struct camera *camera, double by)
     camera->focal_distance *= by;
 }
 
-/* Scales the lengths that object_move does not change. */
+/* Scales the lengths of a light that object_move does not scale. */
 static void scale_light(struct light *light, double by)
 {
     light->fade_distance *= by;
@@ -211,8 +214,8 @@ static void shrink_about(const double center[3], double share, double point[3])
         point[i] = center[i] + (point[i] - center[i]) * share;
 }
 
-/* Moves a light towards the centre if it is farther than LIGHT_FARTHEST away. Scaling
- * about the centre preserves all angles and ratios. */
+/* Moves a light to LIGHT_FARTHEST from the centre if it is farther away. Everything
+ * about the light is scaled about the centre, which preserves all angles and ratios. */
 static void bring_point(struct light *light, const double center[3])
 {
     double way[3], share;
@@ -227,9 +230,9 @@ static void bring_point(struct light *light, const double center[3])
     light->fade_distance *= share;
 }
 
-/* Moves a parallel light along its rays if its distance along them is greater than
- * LIGHT_FARTHEST. A cylinder keeps its axis. If the axis itself is farther than
- * LIGHT_FARTHEST from the centre, it is scaled, too. */
+/* Moves a parallel light to at most LIGHT_FARTHEST from the centre, measured along its
+ * rays. If its axis is farther than LIGHT_FARTHEST from the centre, the distance of the
+ * axis is reduced, too, and a cylinder is scaled with it. */
 static void bring_parallel(struct light *light, const double center[3])
 {
     double beside[3], axis[3], along, near, share;
@@ -255,8 +258,9 @@ static void bring_parallel(struct light *light, const double center[3])
         light->fade_distance *= near / along;
 }
 
-/* Limits the axes of an area light. If the axes are longer than the limit, all its
- * points are in the direction of the axes. */
+/* Shortens each axis of an area light to LIGHT_FARTHEST. An area with longer axes has
+ * the same effect, because its points are so far away that only their directions
+ * matter. */
 static void shrink_area(struct light *light)
 {
     for (int i = 0; i < 2; i++) {

@@ -34,7 +34,7 @@ static struct scene_token next(struct reader *reader)
     return lexer_next(&reader->lexer);
 }
 
-/* Skips the brackets of a directive's condition, or of a macro's arguments. */
+/* Skips the parenthesized condition of a directive, or the arguments of a macro. */
 static void skip_brackets(struct reader *reader)
 {
     struct scene_token token;
@@ -46,7 +46,7 @@ static void skip_brackets(struct reader *reader)
     } while (open && token.kind != TOKEN_END);
 }
 
-/* Skips from a branch of a condition to the end of the condition. */
+/* Skips the branches of a condition that are not read, up to its #end. */
 static void skip_branches(struct reader *reader)
 {
     struct scene_token token;
@@ -58,7 +58,8 @@ static void skip_branches(struct reader *reader)
     } while (open && token.kind != TOKEN_END);
 }
 
-/* Skips a directive that ends with ';', such as an assignment. */
+/* Skips a directive that ends with ';', such as an assignment. Returns false if there
+ * is no such ';'. */
 static bool skip_statement(struct reader *reader)
 {
     struct scene_token token;
@@ -107,9 +108,9 @@ static bool continues_value(const struct scene_token *token)
 
 static bool frame_below_leads_on(struct reader *reader);
 
-/* Returns true if the value continues: the token is an operator or ';', or directives
- * and macros precede such a token. The lookahead executes nothing, and restores the
- * cursors of the frames. */
+/* Returns true if an operator or ';' follows the value, directly or after directives
+ * and macros. The lookahead executes nothing, and restores the cursors of the
+ * frames. */
 static bool leads_on(struct reader *reader, struct scene_token token)
 {
     struct lexer *lexer = &reader->lexer;

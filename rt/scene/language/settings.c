@@ -45,8 +45,8 @@ static const struct keyword words[] = {
     { "max_trace_level", read_trace_level, 0 },
     { "adc_bailout", item_number, offsetof(struct scene, adc_bailout) },
     { "charset", read_charset, 0 },
-    /* Words about noise, iridescence, or the internals of POV-Ray, which have no effect
-     * here. */
+    /* Keywords for noise, iridescence and the internals of POV-Ray, which have no
+     * effect here. */
     { "hf_gray_16 irid_wavelength max_intersections mm_per_unit noise_generator "
       "number_of_waves",
       item_ignored, 0 },

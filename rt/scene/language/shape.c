@@ -68,8 +68,9 @@ static void take_ior(struct reader *reader, struct scene_object *object)
         object_fill(reader, object, object->texture.finish.ior);
 }
 
-/* Reads a texture. A texture after the first is a layer. Pigment, finish and normal
- * modify the texture of the object, which initially is the default texture. */
+/* Reads texture, pigment, normal or finish. A texture after the first is added as a
+ * layer. The other keywords modify the texture of the object, which initially is the
+ * default texture. */
 static bool read_texture(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
@@ -104,7 +105,7 @@ static bool read_interior(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Checks the size of an object before it becomes one solid. */
+/* Checks the number of primitives in an object before it becomes one solid. */
 static bool check_solid(struct reader *reader, const struct scene_object *object,
                         const struct scene_token *at)
 {
@@ -129,8 +130,9 @@ static bool read_no_shadow(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Reads a switch. A number may follow its keyword; a number that is not positive
- * switches it off. */
+/* Reads a keyword such as no_image, which makes the object invisible to some rays. A
+ * number may follow the keyword; a number that is not positive switches the effect
+ * off. */
 static bool read_hidden(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
@@ -152,7 +154,7 @@ static bool read_sturm(struct reader *reader, const struct item *item)
     return !starts_expression(reader) || read_number(reader, &ignored);
 }
 
-/* Transforms the texture that the material has at this point. */
+/* Transforms the texture that has been read so far in a material block. */
 static void material_move(void *subject, const struct placement *step)
 {
     struct scene_object *object = subject;
@@ -209,8 +211,8 @@ static const struct keyword modifiers[] = {
     { "part", part_read, 0 },
     { "clipped_by", clipped_by_read, 0 },
     { "bounded_by", bounded_by_read, 0 },
-    /* Words about media, photons, radiosity and light groups, which are reported
-     * elsewhere, and about the internals of POV-Ray. They have no effect here. */
+    /* Keywords for media, photons, radiosity and light groups, which are reported at
+     * other statements, and for the internals of POV-Ray. */
     { "global_lights hierarchy hollow no_radiosity photons split_union", item_ignored,
       0 },
     { "color colour cutaway_textures double_illuminate interior_texture radiosity "
@@ -236,9 +238,9 @@ static void report_patches(struct reader *reader, const struct scene_object *chi
         }
 }
 
-/* Reports hidden parts of a solid. POV-Ray hides parts of a merge from all these rays.
- * It hides a child of a union that is in a solid from reflections. Here these parts
- * stay visible. */
+/* Reports a child of a solid that is invisible to some rays, which is not supported:
+ * the child stays visible here. In POV-Ray the children of a merge can be invisible to
+ * all kinds of rays, those of a union within a solid only to reflections. */
 static void report_hidden(struct reader *reader, enum joining joining,
                           const struct scene_object *child,
                           const struct scene_token *at)

@@ -21,7 +21,7 @@ static bool accept_kind(struct reader *reader, enum spline_kind *kind)
     return false;
 }
 
-/* Reads a point: t, value. */
+/* Reads a point of a spline: the parameter t, then the value. */
 static bool read_point(struct reader *reader, struct spline *spline)
 {
     struct numbers value;

@@ -22,8 +22,8 @@ static bool read_scaling(struct reader *reader, const struct item *item,
     return true;
 }
 
-/* Replaces a column of zeros, which would flatten everything, by a column with a 1, as
- * POV-Ray does. */
+/* Replaces a zero column of a matrix, which would flatten everything, by a column with
+ * a 1, as POV-Ray does. */
 static void fill_columns(struct reader *reader, const struct item *item,
                          double values[12])
 {
@@ -81,7 +81,8 @@ static bool read_step(struct reader *reader, const struct item *item,
     return true;
 }
 
-/* Reads a step and applies it to the subject with the mover of the block's grammar. */
+/* Reads a transform such as rotate, and applies it to the subject with the function
+ * that the grammar of the block specifies. */
 static bool item_step(struct reader *reader, const struct item *item)
 {
     struct placement step;

@@ -36,7 +36,7 @@ static void add(struct made_string *buffer, const char *text, size_t length)
     grown[buffer->length] = '\0';
 }
 
-/* Returns the text as a string. After an error, it frees the text. */
+/* Moves the text of the buffer to *string, or frees it after an error. */
 static bool give(struct reader *reader, const struct scene_token *at,
                  struct made_string *buffer, bool good, char **string)
 {
@@ -143,8 +143,8 @@ static bool read_concat(struct reader *reader, struct made_string *buffer)
     return true;
 }
 
-/* Reads ", L, P". L is the width; a negative width selects zero padding. P is the
- * number of decimals; a negative number selects 6. */
+/* Reads ", L, P" of str(A, L, P). L is the width; a negative width selects zero
+ * padding. P is the number of decimals; a negative number selects 6. */
 static bool read_format(struct reader *reader, int *width, int *digits)
 {
     struct scene_token at = reader->token;
@@ -250,7 +250,8 @@ static bool read_substr(struct reader *reader, struct made_string *buffer)
     return done;
 }
 
-/* Converts the 26 letters from `first` on to the other case. */
+/* Reads a string, and changes the case of its letters that are among the 26 letters
+ * from `first` on. */
 static bool read_cased(struct reader *reader, struct made_string *buffer, char first,
                        int change)
 {
@@ -297,7 +298,8 @@ bool starts_string(const struct reader *reader)
            || reader_value_of(reader, VALUE_STRING);
 }
 
-/* Reads a call. Its closing bracket stays the current token. */
+/* Reads a call of a string function. Its closing parenthesis stays the current
+ * token. */
 static bool read_call(struct reader *reader, const struct string_function *function,
                       struct made_string *buffer)
 {

@@ -18,7 +18,8 @@ bool string_read(struct reader *reader, char **string);
 bool file_name_read(struct reader *reader, char **name);
 /* Decodes the quoted text of a token. */
 bool quoted_read(struct reader *reader, const struct scene_token *token, char **string);
-/* Reads a string that is part of another expression. */
+/* Reads a string that is followed by more of the same expression, so that it cannot end
+ * a directive. */
 bool string_read_within(struct reader *reader, char **string);
 
 #endif

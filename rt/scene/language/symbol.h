@@ -17,7 +17,7 @@ struct declared_names {
                                    * the first */
 };
 
-/* Returns the symbol with this name at the innermost level, or NULL. */
+/* Returns the innermost symbol with this name, or NULL. */
 struct declared_name *symbols_find(const struct declared_names *symbols,
                                    const char *name, size_t length);
 /* Returns the symbol with this name at this level, or NULL. */
@@ -46,12 +46,14 @@ const char *symbols_refer(struct declared_names *symbols, size_t level,
                           const char *name, size_t length,
                           const struct reference *reference);
 
-/* Adds a reference to a symbol, which then outlives its removal from the table. */
+/* Increments the reference count of a symbol, so that the symbol outlives its removal
+ * from the table. */
 void symbol_hold(struct declared_name *symbol); /* a NULL symbol has no effect, here and
                                                  * in the functions below */
-/* Drops a reference. Returns false if it was the last one. */
+/* Decrements the reference count of a symbol. Returns false if this was the last
+ * reference. */
 bool symbol_release(struct declared_name *symbol);
-/* Returns the name, which has no NUL at its end. */
+/* Returns the name of a symbol, which has no NUL at its end. */
 const char *symbol_name(const struct declared_name *symbol, size_t *length);
 /* Calls `visit` for each symbol of level 0 that is not an alias, in an unspecified
  * order. */
@@ -61,7 +63,7 @@ void symbols_walk(const struct declared_names *symbols,
                   void *context);
 /* Removes the innermost symbol with this name. Returns false if there is none. */
 bool symbols_remove(struct declared_names *symbols, const char *name, size_t length);
-/* Removes all symbols of scopes that are deeper than the level. */
+/* Removes all symbols whose level is above this level. */
 void symbols_leave(struct declared_names *symbols, size_t level);
 void symbols_free(struct declared_names *symbols);
 

@@ -42,8 +42,8 @@ static bool make_prism(struct text_reading *text, const struct glyph *glyph,
     return shapes[PRIMITIVE_PRISM]->finish(prism) == NULL;
 }
 
-/* Makes a prism with parabolas. Its path is final, because it is not made from a
- * spline. Returns false if the glyph is invisible. */
+/* Makes a prism whose outline consists of parabolas. The points of the glyph are used
+ * unchanged. Returns false if the glyph is invisible. */
 static bool make_quadratic_prism(struct text_reading *text, const struct glyph *glyph,
                                  struct primitive *prism)
 {
@@ -138,7 +138,7 @@ static bool read_extent(struct text_reading *text)
     return read_vector(reader, text->offset);
 }
 
-/* Reads the arguments after the strings, and adds the characters. */
+/* Reads thickness and offset, then adds the characters of the string in this font. */
 static bool read_with(struct text_reading *text, const struct scene_source *source,
                       const char *string)
 {

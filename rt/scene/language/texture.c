@@ -138,7 +138,7 @@ bool item_texture_part(struct reader *reader, const struct item *item)
     return texture_part_read(reader, item, item->subject);
 }
 
-/* Replaces the map by the texture of its first entry. */
+/* Reads a texture_map, and uses only the texture of its first entry. */
 bool texture_map_read(struct reader *reader, struct texture *texture)
 {
     return map_first(reader, VALUE_TEXTURE_MAP, texture_body, texture, sizeof *texture);

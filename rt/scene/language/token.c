@@ -314,9 +314,9 @@ static bool is_kept(const struct kept_token *kept, const struct open_text *frame
            && kept->behind.at <= frame->end;
 }
 
-/* Caches a token. The lexer looks at up to two bytes after a token (1e+5). A token that
- * ends closer to the end of its frame is not cached, because it may continue in a
- * longer frame. */
+/* Caches a token. To find the end of a token, the lexer looks at up to two bytes after
+ * it (as in 1e+5). A token that is closer to the end of its frame is not cached,
+ * because in a longer frame it may be longer. */
 static void keep(struct kept_token *kept, const struct scene_token *token, size_t from,
                  const struct open_text *frame)
 {
@@ -327,7 +327,8 @@ static void keep(struct kept_token *kept, const struct scene_token *token, size_
     *kept = (struct kept_token){ from, *token, frame->place };
 }
 
-/* Returns a cached token, with the depth and line of the current frame. */
+/* Returns a cached token, and updates its depth and line to those of the current
+ * frame. */
 static struct scene_token again(struct lexer *lexer, const struct kept_token *kept)
 {
     struct scene_token token = kept->token;

@@ -24,7 +24,8 @@ enum scene_token_kind {
     TOKEN_BAD
 };
 
-/* The code of a sign of one character is the code of the character. */
+/* The codes of signs with several characters, such as "!=". The code of any other sign
+ * is its character. */
 enum sign { SIGN_UNEQUAL = 256, SIGN_NOT_ABOVE, SIGN_NOT_BELOW };
 
 /* A position between two tokens of a source. */
@@ -111,7 +112,7 @@ void lexer_jump(struct lexer *lexer, const struct text_place *place);
 struct open_text *lexer_top(struct lexer *lexer);
 struct scene_token lexer_next(struct lexer *lexer);
 
-/* Returns true if the token's text is this word. Both must begin with the same byte. */
+/* Returns true if the token's text is this word. */
 bool token_is_text(const struct scene_token *token, const char *word);
 /* Returns true if the token is this word. The first byte is compared inline, because
  * each token is compared with many words. */

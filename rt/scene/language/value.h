@@ -21,7 +21,8 @@ struct numbers numbers_of(double value);
 void numbers_widen(struct numbers *numbers, int count);
 bool numbers_are_finite(const struct numbers *numbers);
 
-/* A camera. look_at may have been applied to its vectors. */
+/* A camera: the value of a name, or a camera whose block is being read. After its
+ * block, look_at and the transforms have been applied to its vectors. */
 struct camera_setting {
     struct camera camera;
     double sky[3];
@@ -134,7 +135,8 @@ void value_free(struct scene_value *value);
 /* Copies a value. Returns the reason of the failure, or NULL. */
 const char *value_copy(struct scene_value *copy, const struct scene_value *value);
 
-/* Functions that return text return the reason of a failure, or NULL. */
+/* In this file, a function that returns a string returns the reason of a failure, or
+ * NULL if there was none. no_memory is one of these reasons. */
 extern const char no_memory[];
 
 /* Returns an array without values. Returns NULL if all arrays together would have more
@@ -142,7 +144,7 @@ extern const char no_memory[];
 struct array *array_new(size_t dimensions, const size_t *sizes, size_t *cells);
 const char *array_copy(struct array **copy, const struct array *array);
 void array_free(struct array *array);
-/* Takes ownership of the value even after a failure. */
+/* Sets an element of the array. Takes ownership of the value even after a failure. */
 const char *array_set(struct array *array, size_t element, struct scene_value *value);
 /* Returns the depth of nested arrays, including this one. */
 size_t array_nesting(const struct array *array);

@@ -55,8 +55,8 @@ static bool check_part(struct reader *reader, const struct scene_part *part,
     return true;
 }
 
-/* Determines the material. Inverted parts are ignored, because only their texture is
- * visible. */
+/* Determines the material of an object from its parts. Inverted parts are ignored,
+ * because only their texture is visible. */
 static void find_material(const struct scene_part *parts, size_t count,
                           struct world_object *object)
 {
@@ -72,7 +72,7 @@ static void find_material(const struct scene_part *parts, size_t count,
     }
 }
 
-/* Records the name and the material of an object. */
+/* Adds the name and the material of an object to the scene's list of objects. */
 static bool scene_warning_object(struct reader *reader, size_t first,
                                  const struct scene_object *object,
                                  const struct scene_token *at)
@@ -100,8 +100,8 @@ static void leave_out_extremes(struct reader *reader, struct primitive *primitiv
     primitive_leave_out(reader, primitive, at, reason);
 }
 
-/* Removes empty parts. Patches are tessellated first, to find out whether they are
- * empty. */
+/* Removes empty parts, and parts whose numbers exceed the machine's range. Patches are
+ * tessellated first, to find out whether they are empty. */
 static bool prune(struct reader *reader, struct scene_object *object,
                   const struct scene_token *at)
 {
@@ -216,7 +216,8 @@ static bool take_primitives(struct reader *reader)
     return true;
 }
 
-/* Writes the nodes. The parts are the leaves in order. */
+/* Copies the Boolean trees of the world to the nodes of the scene. The leaves refer to
+ * the primitives in order. */
 static void fill_nodes(struct scene *scene, const struct scene_object *world)
 {
     size_t leaf = 0;
