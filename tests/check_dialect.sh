@@ -6,6 +6,8 @@
 # - A pointer is tested by if (!p), not by a comparison with NULL.
 # - No blank line is between the declarations at the beginning of a block and its
 #   statements (blank_lines.awk).
+# - The include guard of a header ends with the name of the header, and no other header
+#   has the same guard. (A guard of vm/c205_NAME.h ends with API_NAME_H.)
 # - Values of scenes are computed with elementary.h, not with functions of the host.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -22,6 +24,15 @@ sources | xargs awk -v blank="$blank" '
         failed++
     }
     FNR == 1 { files++ }
+    FILENAME ~ /\.h$/ && /^#ifndef [A-Z0-9_]+_H$/ {
+        name = toupper(FILENAME)
+        sub(/.*\//, "", name)
+        sub(/\.H$/, "_H", name)
+        if (FILENAME ~ /c205_/)
+            sub(/^C205_/, "API_", name)
+        if (guards[$2]++ || ("_" $2) !~ "_" name "$")
+            complain("the include guard " $2)
+    }
     /^ +const [a-z_0-9 ]+ [a-z_0-9]+ = *[^{]*$/ && !/= [^;]*{/ &&
         !/^ +const struct [a-z_]+ [a-z_]+ =$/ {
         complain("a local value that is const")

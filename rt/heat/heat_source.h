@@ -8,8 +8,8 @@
  * surface without an inside and without an emission radiates from both sides equally
  * often.
  */
-#ifndef RT_SOURCE_H
-#define RT_SOURCE_H
+#ifndef RT_HEAT_SOURCE_H
+#define RT_HEAT_SOURCE_H
 
 #include "rt/heat/emission.h"
 #include "rt/scene/scene.h"

@@ -5,8 +5,8 @@
  * An incomplete unit at the end is dropped. The key identifies the run. It is a hash of
  * all data that the units depend on.
  */
-#ifndef RT_FARM_CHECKPOINT_FILE_H
-#define RT_FARM_CHECKPOINT_FILE_H
+#ifndef RT_CHECKPOINT_FILE_H
+#define RT_CHECKPOINT_FILE_H
 
 #include "rt/jobs/serialized_result.h"
 

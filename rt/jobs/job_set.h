@@ -6,8 +6,8 @@
  * (checkpoint_file.h). Units that are in the file are not run again. A process may run
  * a share of the units. The shares are then merged from their files.
  */
-#ifndef RT_FARM_H
-#define RT_FARM_H
+#ifndef RT_JOB_SET_H
+#define RT_JOB_SET_H
 
 #include "rt/jobs/ranks.h"
 #include "rt/jobs/checkpoint_file.h"

@@ -5,8 +5,8 @@
  * run has several ranks, because it takes long to load and need not be installed. Only
  * one thread of a process calls the adapter.
  */
-#ifndef RT_FARM_RANKS_H
-#define RT_FARM_RANKS_H
+#ifndef RT_RANKS_H
+#define RT_RANKS_H
 
 #include "rt/jobs/serialized_result.h"
 #include "vm/c205.h"

@@ -1,7 +1,7 @@
 /* serialized_result.h - writes and reads a growing sequence of 64-bit words: the form
  * in which files and messages contain the result of a unit of work. */
-#ifndef RT_FARM_WORDS_H
-#define RT_FARM_WORDS_H
+#ifndef RT_SERIALIZED_RESULT_H
+#define RT_SERIALIZED_RESULT_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -6,8 +6,8 @@
  * values come from options of the form NAME=VALUE, from a file, and from floats of the
  * scene whose names have a fixed ending.
  */
-#ifndef RT_GIVEN_VALUES_H
-#define RT_GIVEN_VALUES_H
+#ifndef RT_NAMED_VALUES_H
+#define RT_NAMED_VALUES_H
 
 #include "base/diagnostic.h"
 #include "rt/scene/scene_internal.h"

@@ -12,8 +12,8 @@
  * where `object_depth` is above 0. It is outside of all objects where `scene_depth` is
  * 0.
  */
-#ifndef RT_LINES_H
-#define RT_LINES_H
+#ifndef RT_RAY_QUERY_H
+#define RT_RAY_QUERY_H
 
 #include "base/accounts.h"
 #include "rt/layout/query_layout.h"

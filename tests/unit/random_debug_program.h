@@ -1,7 +1,7 @@
 /* random_debug_program.h - makes random programs of scalar and vector instructions, some
  * with a loop that ends. */
-#ifndef TESTS_DRAWN_PROGRAM_H
-#define TESTS_DRAWN_PROGRAM_H
+#ifndef TESTS_RANDOM_DEBUG_PROGRAM_H
+#define TESTS_RANDOM_DEBUG_PROGRAM_H
 
 #include <stdint.h>
 

@@ -3,8 +3,8 @@
  * The exercise is y := 2 x over n elements of one kind. For bits it is y := not x. An
  * answer is correct in all tests except one, in which it makes the mistake.
  */
-#ifndef TESTS_DRAWN_LESSON_H
-#define TESTS_DRAWN_LESSON_H
+#ifndef TESTS_RANDOM_LESSON_H
+#define TESTS_RANDOM_LESSON_H
 
 #include "asm/lesson/lesson.h"
 

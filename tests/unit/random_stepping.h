@@ -1,7 +1,7 @@
 /* random_stepping.h - random programs for a debugger to step through: loops with vector
  * instructions, calls, stores and prints. */
-#ifndef TESTS_DRAWN_WALK_H
-#define TESTS_DRAWN_WALK_H
+#ifndef TESTS_RANDOM_STEPPING_H
+#define TESTS_RANDOM_STEPPING_H
 
 #include <stdint.h>
 

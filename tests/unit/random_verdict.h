@@ -1,6 +1,6 @@
 /* random_verdict.h - the verdict of a random answer, from its known mistake. */
-#ifndef TESTS_DRAWN_WORDS_H
-#define TESTS_DRAWN_WORDS_H
+#ifndef TESTS_RANDOM_VERDICT_H
+#define TESTS_RANDOM_VERDICT_H
 
 #include "base/sink.h"
 #include "tests/unit/random_lesson.h"

@@ -1,6 +1,6 @@
 /* array_element.h - parses arrays and the indices of their elements. */
-#ifndef RT_SCENE_ELEMENT_H
-#define RT_SCENE_ELEMENT_H
+#ifndef RT_ARRAY_ELEMENT_H
+#define RT_ARRAY_ELEMENT_H
 
 #include "rt/scene/language/reader.h"
 

@@ -10,8 +10,8 @@
  * and shows the first place. A library file, which the scene's author did not write,
  * counts as one place.
  */
-#ifndef RT_SCENE_NOTE_H
-#define RT_SCENE_NOTE_H
+#ifndef RT_DEDUPLICATED_WARNINGS_H
+#define RT_DEDUPLICATED_WARNINGS_H
 
 #include "base/arena.h"
 #include "base/diagnostic.h"
