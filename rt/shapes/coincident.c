@@ -112,7 +112,8 @@ static int compare_places(const void *a, const void *b)
  * of objects at one position, comparing all pairs would take minutes. */
 enum { COMPARED_MAX = 64 };
 
-/* Pairs the faces that have nearly the same key. Sorts them by their left ends. */
+/* Adds the pairs of regions that have coincident faces, among faces with nearly the
+ * same key. Sorts these faces by their left ends. */
 static void pair_group(struct pair_list *pairs, struct face *faces, size_t count)
 {
     qsort(faces, count, sizeof *faces, compare_places);
@@ -150,9 +151,9 @@ static int compare_pairs(const void *a, const void *b)
     return (one->earlier < other->earlier) - (one->earlier > other->earlier);
 }
 
-/* Computes the depths, then divides them to get the yields. The pairs are sorted in
- * descending order of the earlier region, so the depth of a later region is final when
- * it is used. */
+/* Computes the depth of each region in its member `yield`, then divides all depths by 1
+ * + the greatest depth. The pairs are sorted in descending order of the earlier region,
+ * so the depth of a later region is final when it is used. */
 static void put_yields(const struct pair_list *list, struct region *regions,
                        size_t count)
 {

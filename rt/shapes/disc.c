@@ -30,8 +30,8 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
     bound_hull(&hull, bound);
 }
 
-/* Writes the words of the disc's plane, then the centre and the squares of both
- * radii. */
+/* Writes the words of the disc's plane, then its centre, then the squares of the radii
+ * of the disc and of its hole. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     double radius = primitive->shape.disc.radius, hole = primitive->shape.disc.hole;

@@ -9,10 +9,11 @@
 
 #include "rt/shapes/primitive.h"
 
-/* A frustum has these words: the height of its start, the rise, the radius at the
+/* The words of a frustum are the height of its start, the rise, the radius at the
  * start, the radius at the end, and the components of the normal across the axis and
- * along it. A triangle has four vectors: the first corner, the edges from it to the
- * second and the third corner, and the normal. */
+ * along it. The words of a triangle are four vectors: the first corner, the edges from
+ * it to the second and the third corner, and the normal. EMITTER_FORM is the largest
+ * number of other parameters of a kernel. */
 enum { FRUSTUM_WORDS = 6, TRIANGLE_WORDS = 12, EMITTER_FORM = 24 };
 
 struct emitter {
@@ -28,7 +29,8 @@ struct emitter {
 };
 void emitter_free(struct emitter *emitter);
 
-/* Reserves space for pieces. Returns false if out of memory. */
+/* Reserves space for up to `most` pieces of `words` words each. Returns false if out of
+ * memory. */
 bool emitter_begin(struct emitter *emitter, const char *kernel, size_t most,
                    size_t words);
 /* Adds a frustum from height y1 and radius r1 to height y2 and radius r2. In a drawing
@@ -46,12 +48,12 @@ void emitter_add_triangle(struct emitter *emitter, const double a[3], const doub
  * if out of memory. */
 bool emitter_about_axis(struct emitter *emitter, const double base[3],
                         const double cap[3], double *half_length);
-/* Sets a cylinder or a cone, with its discs unless it is open. Returns NULL, or the
- * reason of a failure. */
+/* Describes a cylinder or a cone, with its end discs unless `open` is true. Returns
+ * NULL, or an error message. */
 const char *emitter_cone(const double base[3], double base_radius, const double cap[3],
                          double cap_radius, bool open, struct emitter *emitter);
-/* Sets a torus about the y axis with an elliptical tube. Returns NULL, or the reason
- * why the torus cannot emit. */
+/* Describes a torus about the y axis with an elliptical tube. Returns NULL, or the
+ * reason why the torus cannot emit. */
 const char *emitter_torus(double major, double radial, double axial,
                           struct emitter *emitter);
 

@@ -90,7 +90,9 @@ static void add_closing(struct closed *closed, double radius, double height)
     closed->count++;
 }
 
-/* Returns the radius of the vertical closing segment. */
+/* Returns the radius of the vertical segment that closes an open path: the least radius
+ * of the path. It is reduced a little (ASIDE) if the path has a vertical segment
+ * there. */
 static double closing_radius(const struct outline *path)
 {
     double least = INFINITY;
@@ -102,8 +104,8 @@ static double closing_radius(const struct outline *path)
     return stands ? least * (1 - ASIDE) : least;
 }
 
-/* Returns the height of the level closing segment at an end of the path. If the path is
- * also level at this end, the closing segment is moved. */
+/* Returns the height of the level segment that closes an open path at this end. It is
+ * moved a little (ASIDE) if the path is level at this end, too. */
 static double closing_height(const double *end, const double *neighbour)
 {
     return end[1] == neighbour[1] && neighbour[0] < end[0] ? end[1] + ASIDE * end[0]
@@ -210,9 +212,10 @@ static bool bulges_on(const struct bulge *bulge, const double along[2])
     return turn * sense >= 0;
 }
 
-/* Returns the largest number of segments of a ray inside the lathe. In the plane of
- * radius and height the ray is a hyperbola, and the area on its far side is convex. It
- * therefore crosses a run at most twice, and a level run at most once. */
+/* Returns the largest number of segments of a ray inside the lathe. In coordinates of
+ * radius and height, a ray is a hyperbola, and the area on its side away from the axis
+ * is convex. The ray therefore crosses each run of segments (struct bulge) at most
+ * twice, and a level run at most once. */
 static size_t segments(const struct primitive *primitive)
 {
     struct closed closed = close_path(primitive);
@@ -261,7 +264,8 @@ static bool is_inside(const struct closed *closed, size_t segment,
 
 enum { ROW = 16 };
 
-/* The order of the words, as in rt/kernels/frame/records.s. */
+/* The offsets of the words in a row of the lathe's table
+ * (rt/kernels/frame/records.s). */
 enum lathe_word {
     SQUARE,
     HEIGHT,
@@ -295,7 +299,7 @@ static void put_normal(const double along[2], double length, double *normal)
     normal[1] = along[1] == 0 ? 1 : -sign * along[0] / length;
 }
 
-/* Writes the segment from point i back to point i - 1. */
+/* Writes the row of the segment from point i back to point i - 1. */
 static void put_segment(const struct closed *closed, size_t i, double middle,
                         double *row)
 {
@@ -330,8 +334,8 @@ static double middle_of(const struct primitive *primitive)
  * lathe. */
 #define NEAR 1e-3
 
-/* Writes the bounding cylinder. Its radius and half its height are enlarged by more
- * than the rounding errors. */
+/* Writes the bounding cylinder, the numbers of rows, and the greatest distance of a hit
+ * from its surface. The cylinder is enlarged by more than the rounding errors. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     struct cylinder_about about = cylinder_of(primitive);

@@ -11,7 +11,8 @@
 #include "rt/bvh/mesh_hierarchy.h"
 #include "rt/bvh/screen_bounds.h"
 
-/* rt/scene/language/scene_mesh.c and mesh2.c parse the arguments. */
+/* There are no fields, because rt/scene/language/scene_mesh.c and mesh2.c parse the
+ * arguments of meshes. */
 static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
@@ -63,8 +64,8 @@ static bool has_body(const struct primitive *primitive)
 
 /* ---- In the world -------------------------------------------------------- */
 
-/* Transforms a normal. A normal of unit length gets the length that the transform gives
- * it. */
+/* Transforms the unit vector of a normal to world space, where its length may differ
+ * from 1. */
 static void carry_normal(const struct primitive *primitive, double normal[3])
 {
     double length = length3(normal);
@@ -139,8 +140,8 @@ static void bound_many(const struct primitive *primitive,
     }
 }
 
-/* Bounds the mesh. A mesh of few triangles gets a smaller sphere. If a mesh has a body,
- * the body contains the whole surface. */
+/* Bounds the triangles of the mesh, or those of its body, which contains the whole
+ * surface. If there are few, the bound of their hull has a smaller sphere. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     const struct triangles *triangles = has_body(primitive)
@@ -159,9 +160,9 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 /* ---- Words and table ----------------------------------------------------- */
 
 /* The table consists of four parts: the end row, the rows of the nodes, the rows of the
- * triangles in the order of the leaves, and the windows of the viewpoints. The end row
- * ends a traversal; it is zero except for the words about viewpoints. A row is
- * identified by its offset in words. records.s defines the rows. */
+ * triangles in the order of the leaves, and the screen bounds. The end row ends a
+ * traversal; it is zero except for the offset and the number of the viewpoints. A row
+ * is identified by its offset in words. records.s defines the rows. */
 enum {
     NODE_ROW = 25,
     NODE_LINKS = 6, /* this word and those after it are integers */
@@ -241,7 +242,8 @@ static void share_gradient(const struct triangle *triangle, int k, int a, int b,
     scale3(1 / dot3(gradient, gradient), gradient);
 }
 
-/* Writes the normal at the first corner and the three rows of its gradient. */
+/* Writes the normal at the first corner and the gradient of the normal, which has three
+ * rows. */
 static void put_smooth(const struct triangle *triangle, double *row)
 {
     double shares[2][3];
@@ -264,8 +266,9 @@ static void turn_up(const struct primitive *primitive, double normal[3])
         scale3(-1, normal);
 }
 
-/* Writes a triangle. A triangle that has no area in the world gets an arbitrary normal.
- * In a mesh with a body, normals point upwards, away from the body. */
+/* Writes the row of a triangle. A triangle that has no area in the world gets an
+ * arbitrary normal. In a mesh with a body, normals point upwards, away from the
+ * body. */
 static void put_triangle(const struct primitive *primitive,
                          const struct triangles *triangles, size_t i, double *row)
 {
@@ -281,7 +284,8 @@ static void put_triangle(const struct primitive *primitive,
         turn_up(primitive, row + 9);
 }
 
-/* Writes the links for the rays whose directions have these signs. */
+/* Writes the links of the nodes for rays in a combination of signs: bit 0, 1 or 2 of
+ * `direction` is set if x, y or z is negative. */
 static void put_links(const struct mesh_table *table, size_t direction,
                       unsigned char *orders)
 {
@@ -339,7 +343,8 @@ static bool plan(const struct primitive *primitive, const struct triangles *tria
     return good;
 }
 
-/* Return the number of words before the triangles, and of the whole table. */
+/* nodes_size returns the number of words before the rows of the triangles. table_size
+ * returns the number of words including these rows. */
 static size_t nodes_size(const struct triangles *triangles)
 {
     return NODE_ROW * (mesh_hierarchy_nodes(triangles->count) + 1);
@@ -369,7 +374,8 @@ static bool put_screen_bounds(const struct primitive *primitive,
     return good;
 }
 
-/* Writes the nodes and the triangles. The windows are at the offset `place`. */
+/* Writes the rows of the nodes and the triangles, and, at the offset `place`, the
+ * screen bounds. */
 static bool put_hierarchy(const struct primitive *primitive,
                           const struct triangles *triangles,
                           const struct viewpoints *viewpoints, size_t place,
@@ -400,7 +406,8 @@ size_t mesh_row(const struct primitive *mesh, size_t words)
     return (words - nodes_size(&mesh->shape.mesh.triangles)) / row_size(mesh);
 }
 
-/* Returns the number of words of the windows of the visible triangles. */
+/* Returns the size in words of the screen bounds of the visible triangles. Sets *seeing
+ * to the number of viewpoints outside the mesh. */
 static size_t bounds_size(const struct primitive *primitive,
                           const struct viewpoints *viewpoints, size_t *seeing)
 {
@@ -410,7 +417,8 @@ static size_t bounds_size(const struct primitive *primitive,
                               seeing);
 }
 
-/* Returns the offset of the windows, after the visible triangles and the body. */
+/* Returns the offset of the screen bounds in the table. They follow the rows of the
+ * visible triangles and of the body. */
 static size_t bounds_place(const struct primitive *primitive)
 {
     const struct triangles *body = &primitive->shape.mesh.body;
@@ -418,8 +426,8 @@ static size_t bounds_place(const struct primitive *primitive)
            + (body->count > 0 ? table_size(primitive, body) : 0);
 }
 
-/* Writes the visible triangles, the body and the windows. Returns 0 if out of
- * memory. */
+/* Writes the rows of the visible triangles, the rows of the body, and the screen bounds
+ * (rt/bvh/screen_bounds.h). Returns the number of words, or 0 if out of memory. */
 static size_t put_table(const struct primitive *primitive,
                         const struct viewpoints *viewpoints, double *table)
 {
@@ -435,8 +443,8 @@ static size_t put_table(const struct primitive *primitive,
     return place + bounds_size(primitive, viewpoints, &seeing);
 }
 
-/* Checks the words of the triangles. The boxes need no check, because they are between
- * the corners. */
+/* Checks the words of the triangles. The words of the boxes need no check, because they
+ * are averages of the coordinates of corners. */
 static bool is_finite(const struct primitive *primitive)
 {
     const struct triangles *triangles = &primitive->shape.mesh.triangles;
@@ -450,7 +458,7 @@ static bool is_finite(const struct primitive *primitive)
     return true;
 }
 
-/* Marks the links of the nodes, which are integers after the words of the boxes. */
+/* Marks the words after the box of each node, which are integers. */
 static void mark_links(const struct triangles *triangles, bool *marks)
 {
     size_t size = nodes_size(triangles);

@@ -25,8 +25,9 @@ static size_t cubic_monomial(int i, int j, int k)
     return numbers[s][t];
 }
 
-/* Sets up the linear system for L. The unknowns are the twelve entries of L, row by
- * row. Each cubic monomial gives one equation. */
+/* Sets up the linear system for the moving planes L (moving_planes.h). The unknowns are
+ * the twelve entries of L, row by row. Each cubic monomial of p . (L H(p)) = 0 gives
+ * one equation. */
 static void set_up(const double points[6][4], struct singular *equations)
 {
     memset(equations, 0, sizeof *equations);
@@ -50,7 +51,8 @@ static size_t least_column(const struct singular *singular, size_t taken)
     return least;
 }
 
-/* Computes the common point of all planes of L1 and L2. */
+/* Computes the triple point: the common point of the planes that are the rows of L1 and
+ * L2. */
 static void find_triple(struct moving_planes *planes)
 {
     struct singular singular = { .rows = 6, .columns = 4 };
@@ -63,7 +65,8 @@ static void find_triple(struct moving_planes *planes)
         planes->triple[i] = singular.right[i][column];
 }
 
-/* Computes L H(p), whose elements are the coefficients of s, t and u. */
+/* Computes the product of the moving plane l and the position H(p) (moving_planes.h).
+ * Its elements are the coefficients of s, t and u. */
 static void plane_at(const double points[6][4], const double l[3][4], const double p[3],
                      double row[3])
 {
@@ -86,8 +89,9 @@ static bool is_flat(const double points[6][4])
     return singular_nullity(&singular, NOTHING) > 0;
 }
 
-/* Returns true if p is proportional to (L1 H) x (L2 H) at one of the points. A single
- * point may fail, because two parameters may share it. If all points fail, the surface
+/* Returns true if the moving planes determine the parameters p of a point: the products
+ * of both moving planes with H(p) (plane_at) are not parallel. This may fail at a
+ * single place, if another p has the same H(p). If it fails at all places, the surface
  * is a quadric that is covered twice. */
 static bool is_simple(const double points[6][4], const struct moving_planes *planes)
 {

@@ -23,9 +23,9 @@ struct moving_planes {
     double triple[4];  /* triple point of this surface */
 };
 
-/* Computes the moving planes. `points` are x, y, z and w of the coefficients of ss, tt,
- * uu, st, tu and us, where the coefficients of mixed terms are halved. x, y, z and w
- * are of the order of 1. */
+/* Computes the moving planes of the patch H(s, t, u). The rows of `points` are the
+ * coefficients of ss, tt, uu, st, tu and us in H; those of st, tu and us are halved.
+ * Each has the elements x, y, z and w, of the order of 1. */
 void moving_planes_find(const double points[6][4], struct moving_planes *planes);
 
 #endif

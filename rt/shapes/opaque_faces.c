@@ -1,9 +1,9 @@
-/* opaque_faces.c - collects the faces of opaque surfaces, and the sides on which they
- * are solid.
+/* opaque_faces.c - collects the faces of opaque surfaces, and the side of each face on
+ * which its body is solid.
  *
  * If one closed opaque body rests on another, the common face is inside their union,
- * and no ray from outside reaches it. A face has a side only if all rays of the camera
- * start outside of its body.
+ * and no ray from outside reaches it. The side is therefore recorded, but only for
+ * bodies that no ray enters.
  */
 #include "rt/shapes/opaque_faces.h"
 
@@ -54,8 +54,8 @@ static struct face *add_face(struct face_search *search, enum face_sort sort,
     return face;
 }
 
-/* Computes a linear combination whose coefficients are unlikely to match the planes and
- * points of a scene. */
+/* Computes a linear combination of three coordinates. Its irregular factors make it
+ * unlikely that it is 0, or equal for different planes or points of a scene. */
 static double mix3(const double numbers[3])
 {
     return .5377 * numbers[0] + .6413 * numbers[1] + .5473 * numbers[2];
@@ -64,7 +64,8 @@ static double mix3(const double numbers[3])
 /* ---- Flat faces ---------------------------------------------------------- */
 
 /* Adds a flat face. The normal is in the primitive's own space, and its length is
- * arbitrary. `box` bounds the face. */
+ * arbitrary. If `outward` is true, it points out of the body; otherwise the side of the
+ * body is unknown. `box` bounds the face. */
 static void add_flat(struct face_search *search, const double normal[3],
                      const double point[3], bool outward, const struct bound *box)
 {
@@ -88,7 +89,7 @@ static void add_flat(struct face_search *search, const double normal[3],
     face->key = face->plane[3] + mix3(way);
 }
 
-/* Adds a flat face that contains `point`, and is bounded by the hull of points. */
+/* Adds a flat face that contains `point`, and is bounded by the hull. */
 static void add_hull(struct face_search *search, const double normal[3],
                      const double point[3], bool outward, const struct hull *hull)
 {
@@ -204,7 +205,8 @@ static bool is_solid_above(const struct outline *path, size_t edge)
     return solid;
 }
 
-/* Adds the rings that are perpendicular to the axis. */
+/* Adds the level rings of a lathe, which are perpendicular to its axis, as flat
+ * faces. */
 static void add_rings(struct face_search *search)
 {
     const struct outline *path = &search->primitive->shape.lathe.path;

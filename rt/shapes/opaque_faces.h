@@ -30,7 +30,8 @@ struct face_list {
  * have no faces. */
 void opaque_faces_add(struct face_list *list, const struct scene *scene, size_t region);
 
-/* Compares two faces for qsort: by sort, key, left end and region. */
+/* Compares two faces for qsort: first `sort`, then the keys, the left ends of the
+ * boxes, and the regions. */
 int face_compare(const void *a, const void *b);
 
 /* Returns true if the keys of two faces are nearly equal. The faces must be adjacent in

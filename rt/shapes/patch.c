@@ -7,7 +7,9 @@ struct homogeneous {
     double xyz[3], w;
 };
 
-/* Returns row i at p, which is the sum of b_ij p_j. H is the sum of p_i times row i. */
+/* Returns corner i of the last triangle of de Casteljau's algorithm at p, in
+ * homogeneous coordinates: the sum of p[j] times the control point between corners i
+ * and j. */
 static struct homogeneous row_at(const struct primitive *patch, int i,
                                  const double p[3])
 {
@@ -23,10 +25,10 @@ static struct homogeneous row_at(const struct primitive *patch, int i,
     return sum;
 }
 
-/* Returns true if the patch has a tangent plane at p. The three rows are the last
- * triangle of de Casteljau's algorithm, which is in the tangent plane. The patch is
- * regular at p if the corners of this triangle are not collinear. The edges are scaled
- * to the size of the triangle, because products of small edges may underflow. */
+/* Returns true if the patch has a tangent plane at p: if the corners of the last
+ * triangle of de Casteljau's algorithm (row_at), which is in this plane, are not
+ * collinear. The edges are scaled to the size of the triangle, because products of
+ * small edges may underflow. */
 static bool is_regular(const struct primitive *patch, const double p[3])
 {
     double least = 1e-12; /* least height relative to the length */
@@ -46,8 +48,9 @@ static bool is_regular(const struct primitive *patch, const double p[3])
     return length3(normal) > least;
 }
 
-/* Tests the determinant of the three rows, a cubic polynomial in s, t and u. It is 0
- * everywhere if it is 0 at the ten points of a grid with spacing 1/3. */
+/* Tests a grid of ten points with spacing 1/3. If the last triangles of de Casteljau's
+ * algorithm have no area there, they have none anywhere, because the determinant of
+ * their corners is a cubic polynomial in s, t and u. */
 bool patch_has_area(const struct primitive *patch)
 {
     for (int i = 0; i <= 3; i++)

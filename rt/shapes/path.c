@@ -38,7 +38,7 @@ bool path_next(struct path_walk *walk)
 
 /* ---- Bounds -------------------------------------------------------------- */
 
-/* Bounds a circle around the path at both ends. */
+/* Bounds a cylinder that contains the path swept between the two heights. */
 void path_bound(const struct primitive *primitive, const struct outline *path,
                 double low_end, double high_end, struct bound *bound)
 {
@@ -75,8 +75,8 @@ static int side_of(const struct path_walk *edge, const double direction[2])
                         : -1;
 }
 
-/* Counts how often successive edges of a loop change sides. An edge that is parallel to
- * the direction counts as on either side. */
+/* The state of a count: how often successive edges of a loop change sides. An edge that
+ * is parallel to the direction counts as on either side. */
 struct changes {
     int first, last;        /* side of the first and of the last edge that is not
                              * parallel */
@@ -85,8 +85,9 @@ struct changes {
     size_t count;
 };
 
-/* Returns the largest number of changes between edges on the sides a and b, with
- * `along` parallel edges between them. */
+/* Returns the largest number of times that successive edges change sides, from side a
+ * to side b with `along` parallel edges between them. Each parallel edge may count as
+ * on either side. */
 static size_t changes_between(int a, int b, size_t along)
 {
     return along + 1 - ((along + 1) % 2 != (size_t)(a != b));
@@ -108,7 +109,8 @@ static void add_edge(struct changes *changes, int side)
     changes->between = 0;
 }
 
-/* Adds the changes from the last edge of a loop to the first. */
+/* Returns the number of changes in the whole loop, including those from its last edge
+ * to its first. */
 static size_t close_changes(const struct changes *changes)
 {
     if (changes->last == 0)
@@ -118,8 +120,9 @@ static size_t close_changes(const struct changes *changes)
                              changes->between + changes->before);
 }
 
-/* Returns the largest number of crossings for lines in a direction. Such a line crosses
- * each run of edges on one side of the direction at most once. */
+/* Returns the largest number of crossings of the path with a line in this direction.
+ * The line crosses a sequence of edges that all turn to the same side of the direction
+ * at most once. */
 static size_t crossings_along(const struct outline *path, size_t apart,
                               const double direction[2])
 {
@@ -136,8 +139,8 @@ static size_t crossings_along(const struct outline *path, size_t apart,
     return count + close_changes(&changes);
 }
 
-/* Tries the directions that are parallel to an edge, because the number of runs changes
- * only there. */
+/* Tries only the directions of the edges, because the result of crossings_along has its
+ * maximum at one of them. */
 size_t path_crossings(const struct outline *path, size_t apart)
 {
     struct path_walk walk = { .path = path, .apart = apart };

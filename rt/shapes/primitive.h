@@ -45,7 +45,7 @@ struct blob_part {
                                          * space, and the inverse */
 };
 
-/* A list of components. The scene owns them. */
+/* A list of the components of a blob. The scene owns them. */
 struct blob_parts {
     size_t count;
     struct blob_part *list;

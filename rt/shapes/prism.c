@@ -26,7 +26,7 @@ static const struct shape_field fields[] = {
 /* ---- The path ------------------------------------------------------------ */
 
 /* Copies the loop that begins at `first`, without points that repeat their predecessor,
- * and ends it with exactly its first point. The copy is appended at *kept. A loop of
+ * and ends it with a copy of its first point. The loop is appended at *kept. A loop of
  * fewer than three edges has no area and is dropped. Returns the index after the
  * loop. */
 static size_t close_loop(struct outline *path, size_t first, double closeness,

@@ -70,8 +70,9 @@ static bool add_loop(struct outline *path, struct spline_points *spline)
     return false;
 }
 
-/* Converts the spline in place, after a copy to the upper half of the array. The
- * result, with handles, has fewer than twice as many points. */
+/* Replaces the spline by its parabolas. The array has space for twice as many points,
+ * and the parabolas with their handles need less. The spline is first copied to the
+ * upper half of the array. */
 static const char *make_parabolas(struct outline *path)
 {
     struct spline_points spline = { (const double(*)[2])path->points + path->count,
@@ -113,7 +114,7 @@ static size_t segments(const struct primitive *primitive)
 
 /* ---- One parabola -------------------------------------------------------- */
 
-/* The point at w, from 0 to 1, is from + (bend w + 2 lead) w. */
+/* A parabola. Its point at parameter w, 0 <= w <= 1, is from + (bend w + 2 lead) w. */
 struct parabola {
     const double *from, *to;
     double bend[2], lead[2];
@@ -152,7 +153,8 @@ static double along(const struct parabola *parabola, int k, double w)
     return (parabola->bend[k] * w + 2 * parabola->lead[k]) * w;
 }
 
-/* Returns true if the point at w is ahead of `point` in the direction. */
+/* Returns true if the parabola's point at parameter w is ahead of `point` in the
+ * direction. */
 static bool is_ahead(const struct parabola *parabola, double w, const double point[2],
                      const double direction[2])
 {
@@ -161,10 +163,10 @@ static bool is_ahead(const struct parabola *parabola, double w, const double poi
     return dot(direction, way) > 0;
 }
 
-/* Returns how often the ray from a point crosses the parabola. As in
- * quadratic_prism.s, the sides of the ray on which the two ends are decide. If
- * `own` is true, the point is on this parabola at its middle, and the crossing at the
- * point is not counted. */
+/* Returns how often the ray from a point crosses the parabola. As in quadratic_prism.s,
+ * the number depends on the sides of the ray on which the two ends of the parabola are.
+ * If `own` is true, the point is on this parabola at its middle, and the crossing at
+ * the point is not counted. */
 static size_t crossings_ahead(const struct parabola *parabola, bool own,
                               const double point[2], const double direction[2])
 {
@@ -203,7 +205,8 @@ static bool is_inside(const struct outline *path, size_t number, const double po
 
 enum { ROW = 16 };
 
-/* The order of the words, as in rt/kernels/frame/records.s. */
+/* The offsets of the words in a row of the prism's table
+ * (rt/kernels/frame/records.s). */
 enum quadratic_word {
     POINT,
     BEGINS = POINT + 2,
@@ -220,8 +223,9 @@ enum quadratic_word {
  * is below this value. */
 #define STRAIGHT 1e-8
 
-/* Writes the words for the normal of a straight edge. It covers a line, which may
- * extend beyond the two end points. */
+/* Writes the words for the normal of a parabola that is nearly a straight line. The
+ * parabola may turn back, so its part of the line may extend beyond the two end
+ * points. */
 static void put_straight(const struct parabola *parabola, double *row)
 {
     const double *lead = parabola->lead, *bend = parabola->bend;

@@ -6,7 +6,7 @@
 #include "rt/shapes/primitive.h"
 
 bool quadric_face_is_there(const struct primitive *primitive);
-/* Returns a key. Faces that are nearly equal have nearly equal keys. */
+/* Returns a sort key of the quadric. Nearly equal quadrics have nearly equal keys. */
 double quadric_face_key(const struct primitive *primitive);
 /* Compares two faces within the distance `reach` from a point. Returns 1 if they are
  * equal within COINCIDENT, -1 if they are equal but the inside of one face is the

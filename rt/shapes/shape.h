@@ -1,10 +1,10 @@
 /* shape.h - the descriptor of a kind of primitive, through which all other code handles
  * the primitive.
  *
- * Each kind has one descriptor, in its own file. It has the arguments in the scene
- * language, the bound, the words for the machine, and the routines among the kernels.
- * rt/shapes/shapes.def lists the kinds. If a row has no descriptor, the program does
- * not link.
+ * Each kind has one descriptor, in its own file. The descriptor lists the arguments in
+ * the scene language and the names of the kernels. Its functions compute the bound and
+ * the words that the kernels read. rt/shapes/shapes.def lists the kinds. If a row has
+ * no descriptor, the program does not link.
  */
 #ifndef RT_SHAPE_H
 #define RT_SHAPE_H
@@ -85,7 +85,8 @@ struct shape {
     const char *(*finish)(struct primitive *primitive);
     const char *povray; /* name in POV-Ray; NULL: not in POV-Ray */
 
-    /* Computes the bound in world space, or sets bound_none. */
+    /* Computes the bound in world space, or sets it to bound_none if the shape is
+     * unbounded. */
     void (*bound)(const struct primitive *primitive, struct bound *bound);
     bool endless; /* the inside that trees use extends beyond the bound */
 
@@ -106,16 +107,19 @@ struct shape {
     /* Returns true if all words are finite, faster than by computing them. NULL: there
      * is no faster method. */
     bool (*is_finite)(const struct primitive *primitive);
-    /* Returns true if the shape needs no space of its own, because its words are in
-     * world space or are converted to it. NULL: it needs a space of its own. */
+    /* Converts the words to world space, unless they already are in it. Returns false
+     * if this is impossible; the shape then keeps an object space. NULL: it is never
+     * possible. */
     bool (*carry)(const struct primitive *primitive, double *words);
 
-    /* Returns the largest number of segments. NULL: it is kernels.segments. */
+    /* Returns the largest number of segments of a ray inside the shape. NULL: it is
+     * kernels.segments. */
     size_t (*segments)(const struct primitive *primitive);
-    /* Returns true if the primitive has an invisible body. NULL: it has no body. */
+    /* Returns true if the primitive is a surface whose inside is defined by an
+     * invisible body. NULL: it has no body. */
     bool (*has_body)(const struct primitive *primitive);
-    /* Returns the largest number of crossings of a ray, each of which has a triangle.
-     * NULL: hits have no triangle. */
+    /* For a shape that consists of triangles: returns the largest number of crossings
+     * of a ray. NULL: hits of the shape have no triangle. */
     size_t (*crossings)(const struct primitive *primitive);
     const char *region; /* name of the region of its kernels in accounts */
     /* A symbol that is 1 in scenes with this shape. The kernels of the shape are
@@ -129,11 +133,13 @@ struct shape {
     /* Returns true if the kernel of 1984 supports the primitive. NULL: it supports all,
      * if there is such a kernel. */
     bool (*is_historical)(const struct primitive *primitive);
-    /* Writes the words of the kernel of 1984. NULL: they are the same as `words`. */
+    /* Writes the words for the kernel of 1984. NULL: they are the same as those of
+     * `words`. */
     size_t (*historical_words)(const struct primitive *primitive, double *words);
-    /* Describes how points are distributed over the surface. The caller frees the
-     * emitter. Returns NULL, or the reason why this is not possible. The member is NULL
-     * if the surface can only be sampled by lines. */
+    /* Describes the surface for the kernels that choose random points of it. The caller
+     * frees the emitter. Returns NULL, or the reason why this is not possible. The
+     * member is NULL if random points can only be found by intersecting lines with the
+     * surface. */
     const char *(*emit)(const struct primitive *primitive, struct emitter *emitter);
 };
 

@@ -11,14 +11,15 @@ void bound_primitive(const struct primitive *primitive, struct bound *bound);
 
 /* ---- For the descriptors of shapes --------------------------------------- */
 
-/* Points in world space whose convex hull contains a shape. */
+/* Points in world space whose convex hull contains a shape. A circle has RING of
+ * them. */
 enum { RING = 16, MAX_HULL = 2 * RING };
 struct hull {
     size_t count;
     struct bound points[MAX_HULL];
 };
 
-/* Adds a point, which is in the primitive's own space. */
+/* Adds a point of the primitive's own space, which is transformed to world space. */
 void hull_point(struct hull *hull, const struct primitive *primitive,
                 const double point[3]);
 /* Adds RING points: the corners of a polygon around a circle. */
@@ -29,11 +30,12 @@ void hull_rings(struct hull *hull, const struct primitive *primitive,
                 const double base[3], double base_radius, const double cap[3],
                 double cap_radius);
 void bound_hull(const struct hull *hull, struct bound *bound);
-/* Sets only the box of the bound to the box around the hull. */
+/* Sets the box of the bound to the box around the hull, but leaves the sphere
+ * unchanged. */
 void bound_hull_box(const struct hull *hull, struct bound *bound);
 
-/* Returns the greatest length, in world space, of a vector whose components divided by
- * the weights form a unit vector. */
+/* Returns the greatest length, in world space, of a vector (x a, y b, z c), where (a,
+ * b, c) is a unit vector. */
 double bound_stretch(const struct primitive *primitive, double x, double y, double z);
 /* Bounds a sphere. Its centre is in the primitive's own space, its radius `reach` in
  * world space. */

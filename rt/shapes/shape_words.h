@@ -26,11 +26,12 @@ struct shape_words {
     size_t events;               /* largest number of visible crossings of a ray */
 };
 
-/* Describes a primitive for the default kernels. */
+/* Computes the data for the kernels of shape_kernels_of, which are not those of
+ * 1984. */
 void shape_words(const struct primitive *primitive, struct shape_words *words);
-/* Describes a primitive that is not in a tree, for the program of 1984. If this program
- * has no kernel for the primitive, writes the words of shape_words and returns
- * false. */
+/* Computes the data for the kernel of 1984. The primitive must not be in a tree. If
+ * there is no such kernel for the primitive, computes the same data as shape_words and
+ * returns false. */
 bool shape_words_historical(const struct primitive *primitive,
                             struct shape_words *words);
 /* shape_table_count returns the size of the table in words. shape_table computes a

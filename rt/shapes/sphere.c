@@ -64,7 +64,8 @@ static bool carry(const struct primitive *primitive, double *words)
     return true;
 }
 
-/* Describes the sphere as the unit sphere, scaled by the radius. */
+/* Describes the surface for the kernels that sample it (emitter.h): as the unit sphere,
+ * scaled by the radius. */
 static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     emitter->kernel = "emit_sphere";

@@ -7,14 +7,16 @@
 #include "rt/scene/vector3.h"
 #include "rt/shapes/shape.h"
 
-/* Control points as x, y, z and w, relative to the centre, in the order b200 b020 b002
- * b110 b011 b101 of struct primitive. */
+/* The six control points, in the order of the monomials ss, tt, uu, st, tu and us. A
+ * control point has x, y and z, relative to the centre and multiplied by the weight,
+ * and the weight w. */
 struct patch {
     double point[STEINER_POINTS][4];
     double center[3], bound;
 };
 
-/* The coefficients K0 .. K5 of the polynomial H(s, t). */
+/* The coefficients of H(s, t) = K0 + K1 s + K2 t + K3 s^2 + K4 s t + K5 t^2. Each has
+ * the elements x, y, z and w. */
 struct patch_polynomials {
     double k[6][4];
 };
@@ -70,7 +72,7 @@ static void read_patch(const struct primitive *primitive, struct patch *patch)
     }
 }
 
-/* Rotates the corners so that the corner `first` is s, and the next corner is t. */
+/* Rotates the control points so that corner `first` becomes the first corner. */
 static void turn_patch(const struct patch *patch, int first, struct patch *turned)
 {
     *turned = *patch;
@@ -100,8 +102,8 @@ static void form_polynomials(const struct patch *patch,
     }
 }
 
-/* Selects the rotation with the greatest second difference. Returns the rotated patch
- * and its polynomials. */
+/* Reads the patch in the rotation in which K5 is longest, and its polynomials. K5 is
+ * the second difference along the edge from the second to the third corner. */
 static void read_best(const struct primitive *primitive, struct patch *best,
                       struct patch_polynomials *polynomials)
 {
@@ -120,8 +122,8 @@ static void read_best(const struct primitive *primitive, struct patch *best,
     }
 }
 
-/* Computes a vector perpendicular to K5. The vector is also perpendicular to the first
- * of K2, K4, K1, K3 and K0 that is not parallel to K5. */
+/* Computes a vector perpendicular to K5 and to the first of K2, K4, K1, K3 and K0 that
+ * is not parallel to K5. Returns false if there is no such coefficient. */
 static bool square_to_last(const double (*k)[3], double *square)
 {
     static const int order[] = { 2, 4, 1, 3, 0 };
@@ -134,10 +136,11 @@ static bool square_to_last(const double (*k)[3], double *square)
     return false;
 }
 
-/* Computes a vector for rays along K5. Planes that are parallel to the vector and
- * contain the ray separate the curves s = const. The vector is perpendicular to K5 and
- * K2, or to K5 and K4 if K2 is parallel to K5. If K5 is 0, every ray uses the vector;
- * it is then perpendicular to K2, in the plane of the patch. */
+/* Computes a vector for rays that are parallel to K5. The kernel uses the plane through
+ * the ray and the vector, which must cross the curves of constant s. The vector is
+ * therefore perpendicular to K5 and K2, or to K5 and K4 if K2 is parallel to K5. If K5
+ * is 0, every ray uses the vector; it is then perpendicular to K2, in the plane of the
+ * patch. */
 static void other_plane(const struct patch_polynomials *polynomials, double bound,
                         double *other)
 {
@@ -170,8 +173,10 @@ void steiner_shape(const struct primitive *primitive, double *shape)
     shape[6] = ROOT_RESOLUTION * patch.bound;
 }
 
-/* Writes L1, L2 and T, then the forms Qx Qy Qz Qw. They are computed for the patch
- * scaled to size 1. */
+/* Writes the implicit form (rt/kernels/shapes/steiner_implicit.s): the moving planes L1
+ * and L2, the triple point T, and the quadratic forms of x, y, z and w. L1, L2 and T
+ * are computed for the patch scaled to size 1, and then scaled back. Returns 0 if the
+ * degree of the surface is not four. */
 static size_t put_implicit(const struct patch *patch, double *table)
 {
     struct moving_planes planes;

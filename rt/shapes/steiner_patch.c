@@ -58,8 +58,9 @@ static bool is_historical(const struct primitive *primitive)
     return put_table(primitive, NULL, NULL) > STEINER_TABLE;
 }
 
-/* Describes the surface by the polynomials K0 .. K5, axis by axis. K3 and K5, the
- * coefficients of the squares, are doubled. */
+/* Describes the surface by the coefficients K0 .. K5 of its polynomial: six for x, then
+ * for y, z and w. rt/kernels/heat/emit_steiner_patch.s expects twice K3 and K5, the
+ * coefficients of the squares. */
 static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     static const double times[STEINER_POINTS] = { 1, 1, 1, 2, 1, 2 };

@@ -5,8 +5,8 @@
 
 #include "rt/shapes/primitive.h"
 
-/* Checks that a coefficient other than the constant, which is the last one, is not 0.
- * The result is as for `finish` in shape.h. */
+/* Checks that at least one coefficient is not 0, apart from the last, which is the
+ * constant term. Returns the same as `finish` in shape.h. */
 const char *terms_finish(struct primitive *primitive, const double *coefficients,
                          size_t count);
 /* Enlarges the space of a quartic by 2^log. The surface in world space does not

@@ -27,8 +27,8 @@ static const char *finish(struct primitive *primitive)
     return NULL;
 }
 
-/* Computes the sphere around a circle about the y axis that is enlarged by the tube,
- * and the box around two circles at both ends of the tube. */
+/* Bounds a torus by a sphere about its centre, and by the box around a cylinder that
+ * contains the torus. */
 void torus_bound(const struct primitive *primitive, double major, double radial,
                  double axial, struct bound *bound)
 {
