@@ -39,8 +39,8 @@ struct ceres_outcome {
     char message[256];
 };
 
-/* Replaces the values by those with the least cost. On failure sets the message and
- * returns false. */
+/* Replaces the values by those with the least cost. On failure sets outcome->message
+ * and returns false. */
 bool ceres_fit(const struct ceres_problem *problem, double *values,
                struct ceres_outcome *outcome);
 

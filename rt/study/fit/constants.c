@@ -16,7 +16,7 @@ static const struct {
     double width;
 } widths[] = { { 'P', .02 }, { 'D', .05 }, { 'S', .1 }, { 'R', .4 } };
 
-/* The model that contains a machine's priors. */
+/* For each machine, the model that contains its priors. */
 static const struct {
     const char *machine, *model;
 } priors[] = {

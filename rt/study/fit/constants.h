@@ -47,7 +47,9 @@ void constants_free(struct constants *constants);
 const c205_model *constants_prior(const struct constants *constants,
                                   const char *machine);
 
-/* Convert a place to the value of the first member, and a value to a place. */
+/* A constant's place is its distance from its prior, in widths of the prior.
+ * constant_value returns the value of the first member at a place. constant_place
+ * returns the place at which the first member has a value. */
 double constant_value(const struct free_constant *constant, double place);
 double constant_place(const struct free_constant *constant, double value);
 /* Returns true if a model is this machine or a variant of it. The name of a variant,
@@ -56,8 +58,8 @@ bool model_is_of(const c205_model *model, const char *machine, size_t length);
 /* Returns true if the constant belongs to this model. */
 bool constant_is_of(const struct free_constant *constant, const c205_model *model);
 
-/* Lists the settings of a model for the places of all constants. Returns the number of
- * settings. */
+/* constants_settings lists the settings that give the free constants of a model their
+ * values at these places (constant_value), and returns the number of settings. */
 enum { MAX_SETTINGS = MAX_FREE * MAX_MEMBERS };
 size_t constants_settings(const struct constants *constants, const double *places,
                           const c205_model *model, c205_setting settings[MAX_SETTINGS]);

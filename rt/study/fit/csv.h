@@ -27,11 +27,11 @@ bool csv_read(struct csv *csv, const char *path, const char *const *columns,
               size_t count, struct diagnostics *diagnostics);
 void csv_free(struct csv *csv);
 
-/* Reports an error in a field. Returns false. */
+/* Reports an error in a field. Always returns false. */
 bool csv_wrong(const struct csv *csv, const struct csv_row *row, size_t field,
                const char *message, struct diagnostics *diagnostics);
-/* Reads a positive number from a field. Otherwise reports an error and returns
- * false. */
+/* Reads a field that must be a positive number. If it is not, reports an error and
+ * returns false. */
 bool csv_positive(const struct csv *csv, const struct csv_row *row, size_t field,
                   double *value, struct diagnostics *diagnostics);
 

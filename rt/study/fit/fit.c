@@ -27,7 +27,8 @@ struct point {
     double clocks[MAX_FIT_TIMINGS][MAX_RUN_REGIONS];
 };
 
-/* Programs that are timed at points. Threads share the work. */
+/* The clocks to compute: those of each timing, with the constants of each point.
+ * Threads share the work. */
 struct work {
     const struct fit *fit;
     const bool *needed; /* for each timing: true if the timing is needed */
@@ -117,8 +118,8 @@ static bool time_points(const struct fit *fit, const bool *needed, struct point 
     return !work.failed;
 }
 
-/* Makes the first point. Then makes a point for each constant, which is changed by
- * STEP. */
+/* Returns an array of points. The first has the given places. Each other point differs
+ * from it in one constant, by STEP. Returns NULL if out of memory. */
 static struct point *points_at(const struct fit *fit, const double *places,
                                size_t *count, c205_error *error)
 {
@@ -166,8 +167,8 @@ static double error_at(const struct asked *asked, size_t i, struct point *point)
                                                point->clocks));
 }
 
-/* Returns the part that weigh_errors subtracts from an error: b times the mean of a
- * column of errors over the rows of its group. */
+/* Returns the part that weigh_errors subtracts from an error of a row: the factor b
+ * times the mean error of the rows of its group. */
 static double shared_error(const struct asked *asked, size_t i, const double *errors,
                            size_t columns)
 {
@@ -230,8 +231,9 @@ static void find_derivatives(const struct asked *asked, struct point *points,
         prior[i * constants + i] = 1 / prior_width(asked, i);
 }
 
-/* The callback for Ceres. It reuses the clocks of the last point if the places are the
- * same, because Ceres often requests the derivatives of a point after its residuals. */
+/* The callback for Ceres. It reuses the clocks of the last point if `places` has not
+ * changed, because Ceres often requests the derivatives of a point after its
+ * residuals. */
 static bool evaluate(void *context, const double *places, double *residuals,
                      double *derivatives)
 {
@@ -273,8 +275,8 @@ bool fit_predict(const struct fit *fit, const double *places,
     return good;
 }
 
-/* Marks a constant as idle in a program if the clocks of the program do not change when
- * the constant changes by one width. */
+/* Marks constant k as idle in each timing whose clocks do not change when the constant
+ * changes by one width of its prior. */
 static void find_idle(struct fit *fit, const struct point *points, size_t k)
 {
     for (size_t i = 0; i < fit->observations->timing_count; i++)
@@ -283,7 +285,8 @@ static void find_idle(struct fit *fit, const struct point *points, size_t k)
                           == 0;
 }
 
-/* Marks a constant as idle in the programs of other machines. */
+/* Marks, for each timing, the constants of other machines, which cannot affect its
+ * clocks. */
 static void set_strangers_idle(struct fit *fit)
 {
     const struct observations *all = fit->observations;

@@ -49,16 +49,17 @@ struct fit_outcome {
     bool converged;
 };
 
-/* Prepares the fit. On failure sets the error and returns false. */
+/* Prepares the fit: finds the constants that do not affect a timing. On failure sets
+ * the error and returns false. */
 bool fit_begin(struct fit *fit, c205_error *error);
 
-/* Computes the fit, starting at the given places. On failure sets the error and returns
- * false. */
+/* Computes the fit. `places` are the start values of the free constants, as places
+ * (constants.h). On failure sets the error and returns false. */
 bool fit_solve(const struct fit *fit, const struct fit_change *change,
                const double *places, struct fit_outcome *outcome, c205_error *error);
 
-/* Predicts the observations for constants at these places. On failure sets the error
- * and returns false. */
+/* Predicts the observations with the free constants at these places (constants.h). On
+ * failure sets the error and returns false. */
 bool fit_predict(const struct fit *fit, const double *places,
                  double predicted[MAX_FIT_OBSERVATIONS], c205_error *error);
 

@@ -152,8 +152,8 @@ static void fill_ranges(const struct study *study, const double *written,
     }
 }
 
-/* Adds the range of one figure over the consecutive rows of its group. The rows are
- * alternative programs for the figure. Returns the number of rows. */
+/* Adds the range of a figure that has several rows, one for each alternative program.
+ * The rows are consecutive, starting with row `first`. Returns their number. */
 static size_t add_span(const struct study *study, size_t first, struct table *table)
 {
     const struct observations *all = study->fit.observations;

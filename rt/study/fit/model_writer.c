@@ -39,8 +39,8 @@ static int decimals(const c205_constant *prior)
     return strcmp(prior->unit, "clk") == 0 ? 0 : 4;
 }
 
-/* Lists the constants of a model as they are written, which is rounded. Returns the
- * number of constants. */
+/* Lists the free constants of a model with the values in its file, which are rounded.
+ * Returns the number of constants. */
 static size_t written_settings(const struct study *study, const c205_model *model,
                                c205_setting settings[MAX_SETTINGS])
 {

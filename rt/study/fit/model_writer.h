@@ -9,13 +9,13 @@
  * sets the error and returns false. */
 bool written_check(const struct study *study, const char *path, c205_error *error);
 
-/* Predicts the observations with the constants as they are written. Times in clk are
- * rounded to whole clocks, because the machine needs whole clocks. */
+/* Predicts the observations with the constants of the written model. Constants in clk
+ * are rounded to whole clocks, because the machine needs whole clocks. */
 bool written_predict(const struct study *study, double predicted[MAX_FIT_OBSERVATIONS],
                      c205_error *error);
 
-/* Writes the model to the path, with the errors of these predictions. On failure sets
- * the error and returns false. */
+/* Writes the fitted model to the path, with the error of each prediction in
+ * `predicted`. On failure sets the error and returns false. */
 bool written_model(const struct study *study,
                    const double predicted[MAX_FIT_OBSERVATIONS], const char *path,
                    c205_error *error);

@@ -41,7 +41,8 @@ static const struct fit_run *find_run(struct observations *all, const char *prog
     return *added;
 }
 
-/* Finds the model of a machine before any fit. The machine may have no such model. */
+/* Sets the name to MACHINE-prior, the model before any fit, if there is such a model.
+ * Otherwise sets it to the machine. */
 static void name_prior(const char *machine, char name[MAX_TEXT])
 {
     const char *const *names = c205_model_names();
@@ -156,8 +157,8 @@ static const struct unit {
     { "ratio", COUNTED_NOTHING, NULL, false, 1 },
 };
 
-/* Finds the count in a unit: the value of a symbol of the program, the number of rays,
- * or the clock period. */
+/* Finds the number to which a unit such as s/100000 or Mflop/s refers: the value of a
+ * symbol of the program, the number of rays, or the clock period; otherwise 1. */
 static bool find_count(const struct run_timing *timing, const struct unit *unit,
                        double *count, c205_error *error)
 {

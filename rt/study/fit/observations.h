@@ -37,7 +37,8 @@ struct run_timing {
     const c205_model *model;
 };
 
-/* The seconds that some regions of a timing take. */
+/* A time from which an observation is predicted: the seconds of the chosen regions of a
+ * timing. */
 struct term {
     size_t timing;
     bool chosen[MAX_RUN_REGIONS];
@@ -77,12 +78,13 @@ bool observations_read(struct observations *observations, const char *path,
                        struct diagnostics *diagnostics);
 void observations_free(struct observations *observations);
 
-/* Returns the length of the part of a name that a group of observations shares: up to a
- * comma, or up to the last word. */
+/* Returns the length of the part of the name that all observations of a group share:
+ * the name up to its comma, or up to its last space if it has no comma. */
 size_t observation_group(const struct observation *observation);
 bool observation_same_group(const struct observation *one,
                             const struct observation *other);
-/* Returns the total uncertainty of a row: its own and the shared uncertainty. */
+/* Returns the total uncertainty of a row, from its own uncertainty and the shared
+ * uncertainty: the root of the sum of their squares. */
 double observation_uncertainty(const struct observation *observation);
 
 /* Predicts an observation from the clocks of the timings' regions. */

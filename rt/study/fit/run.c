@@ -1,5 +1,5 @@
-/* run.c - runs each program once and records it, and computes its time for other timing
- * constants from the record. */
+/* run.c - runs each program once and records it. Computes its clocks with other timing
+ * constants from the recording. */
 #include "rt/study/fit/run.h"
 #include "vm/error.h"
 

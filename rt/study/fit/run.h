@@ -1,8 +1,8 @@
 /* run.h - runs a program once on the machine, and times it again with other constants.
  *
  * Programs have the names that observations use. "SUBJECT scalar" and "SUBJECT vector"
- * are frames of rt205 speedup. "FILE.s" is a source file, which words NAME=VALUE may
- * follow.
+ * are frames of rt205 speedup. "FILE.s NAME=VALUE .." is a source file and the
+ * constants that are defined for its assembly.
  */
 #ifndef RT_FIT_RUN_H
 #define RT_FIT_RUN_H
@@ -52,8 +52,8 @@ bool run_select(const struct fit_run *run, const char *name,
  * that a tenth of a clock affects a derivative. */
 enum { RUN_WHOLE = 1, RUN_FINE = 1000 };
 
-/* Computes the clocks of a run's regions with changed constants. Time advances in
- * ticks. */
+/* Computes the clocks of a run's regions with changed constants. There are `ticks`
+ * steps of time per clock. */
 bool run_time(const struct fit_run *run, const c205_model *model,
               const c205_setting *settings, size_t count, unsigned ticks,
               double clocks[MAX_RUN_REGIONS], c205_error *error);

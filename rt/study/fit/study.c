@@ -85,8 +85,8 @@ static void add_to_groups(struct study *study, const struct observation *item)
     group->rows++;
 }
 
-/* Lists the groups of several rows. For a group of one row, leave_rows_out has the
- * fit. */
+/* Lists the groups of several rows. Groups of one row are omitted, because
+ * leave_rows_out computes the fits without one row. */
 static void find_groups(struct study *study)
 {
     const struct observations *all = study->fit.observations;

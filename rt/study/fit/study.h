@@ -46,13 +46,14 @@ bool study_is_fitted(const struct study *study, size_t observation);
 bool study_is_of(const struct study_group *group,
                  const struct observation *observation);
 
-/* Return the number of constants that the data determine. Each constant counts as the
- * fraction of its certainty that does not come from its prior. */
+/* study_known_of returns 1 - v, where v is the variance of a constant after the fit,
+ * relative to the variance of its prior. study_known returns the sum for all constants:
+ * the number of constants that the observations determine. */
 double study_known(const struct study *study);
 double study_known_of(const struct study *study, size_t constant);
 
-/* Returns the row of a primitive in a form on a machine, or the number of observations
- * if there is no such row. */
+/* Returns the index of the observation of a primitive in this form on this machine, or
+ * the number of observations if there is none. */
 size_t study_row(const struct study *study, const struct speedup_subject *subject,
                  enum trace_mode mode, const char *machine);
 

@@ -9,14 +9,15 @@
 
 typedef double region_clocks[MAX_RUN_REGIONS];
 
-/* Data that the tests of all constants share. */
+/* The fit whose constants are tested, and the clocks of its timings before a constant
+ * changes. */
 struct question {
     const struct fit *fit;
     const struct fit_change *change;
     region_clocks *before; /* clocks of each timing */
 };
 
-/* A larger relative change of a time counts as a change. */
+/* The smallest relative change of a time that counts as a change. */
 #define CHANGED .01
 
 static double sum_of(const struct term *term, const struct fit_run *run,
@@ -29,8 +30,8 @@ static double sum_of(const struct term *term, const struct fit_run *run,
     return sum;
 }
 
-/* Returns true if a new value of the constant changes a time. A value that the model
- * rejects counts as no change. */
+/* Returns true if the time of a term changes when the constant is doubled, halved or
+ * divided by eight. A value that the model rejects counts as no change. */
 static bool changes(const struct question *question, const struct term *term,
                     const char *name)
 {
@@ -104,7 +105,8 @@ static void add_machine(const struct question *question, const char *machine,
     }
 }
 
-/* Adds each machine once, although several observations may have it. */
+/* Adds the unidentifiable constants of each machine that has a free constant, once per
+ * machine. */
 static void add_machines(const struct question *question,
                          struct unidentifiable_list *unidentifiable)
 {
