@@ -1,4 +1,4 @@
-/* formulations.c - makes a table of the cylinder in several formulations. */
+/* formulations.c - compares formulations of the cylinder kernel in a table. */
 #include "rt/study/formulations.h"
 
 #include <string.h>

@@ -32,13 +32,14 @@
     { "active_percent", "% active", TABLE_NUMBER, 1 }
 /* clang-format on */
 
-/* Adds the cells of ITERATIONS_COLUMNS for a stage. */
+/* Adds the cells of a row of ITERATIONS_COLUMNS: the counts of a stage. */
 void iterations_add(struct table *table, const struct iterations *iterations,
                     enum stage stage);
 
 /* Returns the number of passes of a stage's longest refinement. */
 size_t iterations_passes(const struct iterations *iterations, enum stage stage);
-/* Adds the cells of ITERATIONS_PASS_COLUMNS for a pass. The first pass is 0. */
+/* Adds the cells of a row of ITERATIONS_PASS_COLUMNS: the counts of a pass. The first
+ * pass is 0. */
 void iterations_add_pass(struct table *table, const struct iterations *iterations,
                          enum stage stage, size_t pass);
 

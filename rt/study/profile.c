@@ -22,7 +22,8 @@ static const char *const part_names[PROFILE_PARTS] = {
     [PART_REST] = "rest",
 };
 
-/* The regions that kernels in rt/kernels/ declare with .kernel. */
+/* A region that kernels in rt/kernels/ declare with .kernel, and the part of the frame
+ * to which it belongs. */
 struct profile_region {
     const char *name; /* NULL: the regions of the shapes */
     enum profile_part part;
@@ -295,7 +296,8 @@ static const struct table_column speedup_columns[] = {
     { "measured", "measured", TABLE_NUMBER, 2 },
 };
 
-/* The parts that have the vector form in a stage, in order of importance. */
+/* For each stage after the scalar one: the parts that it computes in vector form, in
+ * order of importance. */
 static const struct {
     int stage;
     size_t count;

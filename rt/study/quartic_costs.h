@@ -21,11 +21,12 @@ struct quartic_costs {
 bool quartic_costs_print(const struct quartic_costs *costs,
                          const struct command_output *results);
 
-/* Prints a table. Returns false if out of memory. */
+/* Prints a table, and adds it to the JSON under the key. Text output has # before each
+ * line. Returns false if out of memory. */
 bool quartic_costs_part(const struct command_output *results, const struct table *table,
                         const char *key, const char *heading);
 
-/* Prints the reliability of the model, in the same format. */
+/* Prints the reliability of the model. Text output has # before each line. */
 void quartic_costs_model(const struct command_output *results, const c205_model *model);
 
 #endif

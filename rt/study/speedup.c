@@ -16,8 +16,8 @@ const char *const speedup_projections[SPEEDUP_PROJECTIONS] = {
     [SPEEDUP_720] = "cyber720", [SPEEDUP_6600] = "cdc6600"
 };
 
-/* Selects fitted models or priors as in `model`. The model of the 6600 has no fitted
- * constants. */
+/* Selects the fitted model of the machine if `model` is fitted, and otherwise the model
+ * with its priors. The model of the 6600 has no fitted constants. */
 const char *speedup_projection_model(const c205_model *model,
                                      enum speedup_projection machine)
 {
@@ -172,7 +172,8 @@ static bool sum_accounts(const struct accounts *accounts,
 
 /* ---- Projections to other machines --------------------------------------- */
 
-/* The clocks of the subject's regions in a projection to another machine. */
+/* The state of a projection of the scalar form to another machine. The clocks are those
+ * of the subject's regions. */
 struct projecting {
     c205_model *model;
     const struct speedup_subject *subject;

@@ -46,7 +46,7 @@ struct speedup_subject {
 
 extern const struct speedup_subject speedup_subjects[];
 extern const size_t speedup_subject_count;
-/* Returns true if the name is the name of a row, either complete or up to its comma.
+/* Returns true if the name is that of the subject, either complete or up to its comma.
  * Case is ignored. */
 bool speedup_is_named(const struct speedup_subject *subject, const char *name);
 /* Returns the first row with this name, or NULL. */
@@ -57,7 +57,7 @@ const struct speedup_subject *speedup_subject_named(const char *name);
 extern const struct speedup_subject speedup_formulations[];
 extern const size_t speedup_formulation_count;
 
-/* The region whose fraction of the time the paper reports. */
+/* The name of the root solver's region. The paper reports its fraction of the time. */
 extern const char speedup_solver[];
 
 /* The view of Table 1. It is so narrow that all rays hit, because the paper refers to
@@ -65,7 +65,7 @@ extern const char speedup_solver[];
 #define SPEEDUP_DISTANCE 5.0
 #define SPEEDUP_ANGLE 10.0
 
-/* The position and direction of the eye. */
+/* The camera of a frame. Its direction from the origin is a member of the subject. */
 struct speedup_view {
     double distance; /* distance from the origin */
     double angle;    /* horizontal angle of view in degrees */
@@ -85,8 +85,9 @@ struct speedup_measure {
     struct iterations iterations; /* iterations of the root solver */
 };
 
-/* Returns the frame of a subject as one band, before it runs. The caller frees it, then
- * the scene. On failure sets the error and returns NULL; the scene may be NULL, too. */
+/* Returns a new trace of the subject's frame in one band. On failure sets the error and
+ * returns NULL. The caller frees the trace and then the scene, even after a failure;
+ * *scene may be NULL. */
 struct trace *speedup_trace(const struct speedup_subject *subject,
                             const struct speedup_view *view,
                             const struct trace_options *options, struct scene **scene,
@@ -103,7 +104,7 @@ bool speedup_measure(const struct speedup_subject *subject,
                      const struct trace_options *options,
                      struct speedup_measure *measure, c205_error *error);
 
-/* Measures count subjects in both forms. Runs options.jobs frames concurrently.
+/* Measures all subjects in both forms. Traces options.jobs frames concurrently.
  * measures[i] belongs to subjects[i]. On failure, or if the frames of the two forms
  * differ, sets the error and returns false. */
 bool speedup_measure_all(const struct speedup_subject *subjects, size_t count,

@@ -239,7 +239,8 @@ static void add_times(struct table *table, const struct speedup_subject *subject
     table_number(table, quotient(measure->total, measure->rays));
 }
 
-/* Adds the projection to the 6600. The projection to the CYBER 720 is in Table 1. */
+/* Adds a row for the projection to the 6600. The projection to the CYBER 720 is in
+ * Table 1. */
 static void add_projected(struct speedup_report *report,
                           const struct speedup_subject *subject,
                           const struct speedup_measure measures[TRACE_FORMS])

@@ -23,7 +23,7 @@ void speedup_figures(const c205_model *model,
                      double figures[SPEEDUP_FIGURES]);
 void speedup_paper_figures(const struct speedup_paper *paper,
                            double figures[SPEEDUP_FIGURES]);
-/* Returns the error of a figure in percent. */
+/* Returns the error of a figure in percent of the reported figure. */
 double speedup_error(double figure, double reported);
 
 struct speedup_report;

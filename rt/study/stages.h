@@ -21,7 +21,7 @@ typedef bool stages_function(const void *found, enum trace_mode mode,
                              uint64_t clocks[MAX_STAGES_STEPS], bool *same,
                              c205_error *error);
 
-/* Runs all stages except the mode `there`, whose clocks have been set. If a stage fails
+/* Runs all stages except `there`, whose clocks and result are known. If a stage fails
  * or has a different result, sets the error and returns false. */
 bool stages_find(struct stages *stages, enum trace_mode there, stages_function *find,
                  const void *found, c205_error *error);

@@ -101,13 +101,15 @@ static size_t hits_at(const struct scout *scout, ptrdiff_t shift)
     return hits;
 }
 
-/* Returns the direction towards the side of the frame that is nearer to the square. */
+/* Returns the sign of the direction towards the side of the frame that is nearer to the
+ * square: -1 or 1. */
 static ptrdiff_t direction(const struct scout *scout)
 {
     return 2 * scout->column + scout->side < SIDE ? -1 : 1;
 }
 
-/* Returns true if the primitive may continue beyond this side of the frame. */
+/* Returns true if the primitive reaches the side of the frame that is nearer to the
+ * square. It may then continue beyond the frame. */
 static bool reaches_side(const struct scout *scout)
 {
     size_t column = direction(scout) < 0 ? 0 : SIDE - 1;
@@ -152,16 +154,16 @@ static void normalise(double vector[3])
         vector[i] /= length;
 }
 
-/* Returns the width of the largest frame in a square, relative to the width of the
- * square. */
+/* Returns the width of the largest frame with these proportions in a square, as a
+ * fraction of the side of the square. */
 static double width_of_square(const struct trace_options *trace)
 {
     return trace->width < trace->height ? (double)trace->width / (double)trace->height
                                         : 1;
 }
 
-/* Computes the view like the camera of the scene language: y is up, and `right` points
- * to the right. */
+/* Computes the view of the scout's square after a shift by columns. As in the camera of
+ * the scene language, y is up, and `right` points to the right. */
 static struct speedup_view look(const struct sweep *sweep, const struct scout *scout,
                                 ptrdiff_t shift)
 {

@@ -67,7 +67,8 @@ static size_t first_with(const struct sweep *sweep, double speedup)
     return i;
 }
 
-/* Measures all lengths between the first and the last that have not been measured. */
+/* Measures the lengths from `first` to `last`, except those that have been measured
+ * already. */
 static bool run_between(struct sweep *sweep, size_t first, size_t last,
                         c205_error *error)
 {
@@ -107,8 +108,8 @@ static double best_speedup(const struct sweep *sweep)
     return best;
 }
 
-/* Bisects the interval before the first measure with this speedup, until its ends are
- * adjacent. */
+/* Bisects the interval before the first measure with at least this speedup, until its
+ * ends are adjacent. */
 static bool approach_speedup(struct sweep *sweep, double speedup, c205_error *error)
 {
     for (;;) {
@@ -138,8 +139,8 @@ static bool measure(struct sweep *sweep, c205_error *error)
 
 /* ---- Findings ------------------------------------------------------------ */
 
-/* Returns the last length of the sequence of consecutive measured lengths that starts
- * with measure i. */
+/* Starts at measure i, continues while each measured length is one more than the
+ * previous length, and returns the last of these lengths. */
 static size_t checked_from(const struct sweep *sweep, size_t i)
 {
     while (i + 1 < sweep->count
@@ -186,7 +187,8 @@ static bool is_asked(const struct sweep *sweep, size_t length)
     return false;
 }
 
-/* Adds the requested lengths, the findings, and the length before each finding. */
+/* Adds rows for the requested lengths, the findings, and the length before each
+ * finding. */
 static void fill_lengths(struct table *table, const struct sweep *sweep,
                          const struct sweep_lengths_found *found)
 {

@@ -21,8 +21,8 @@ static bool touched(struct sweep *sweep, size_t side, double *words, c205_error 
     return true;
 }
 
-/* Finds the number of crossings for which rt/layout/layout.c reserves room for each
- * ray. It is the number of the region with most crossings. */
+/* Computes the number of crossings for which rt/layout/layout.c reserves room for each
+ * ray: the largest number of crossings of a ray with one region. */
 static bool count_crossings(const struct scene *scene, size_t *crossings,
                             c205_error *error)
 {
@@ -34,8 +34,8 @@ static bool count_crossings(const struct scene *scene, size_t *crossings,
     return plans != NULL;
 }
 
-/* Compares two frames of the same picture with different resolutions. The difference is
- * the memory of the additional rays. */
+/* Computes the memory for a ray from two frames of the same picture, one with four
+ * times as many rays. The difference is the memory of the additional rays. */
 bool sweep_memory(struct sweep *sweep, struct sweep_memory *memory, c205_error *error)
 {
     double rays = SIDE * SIDE;

@@ -68,8 +68,8 @@ static double faster_than(const struct sweep *sweep, size_t than, size_t machine
     return (double)queued_total(sweep, than) / (double)queued_total(sweep, machine);
 }
 
-/* Returns the speedup over one pipe if only the stream of one pipe became `times` as
- * fast. */
+/* Returns the speedup over one pipe that Amdahl's law predicts if only the vector
+ * stream of one pipe becomes faster, by the factor `times`. */
 static double amdahl(const struct sweep *sweep, double times)
 {
     const struct sweep_form *one = &sweep->measures[ONE_PIPE].forms[SWEEP_QUEUED];

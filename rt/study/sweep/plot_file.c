@@ -38,7 +38,8 @@ bool plot_check_path(const char *path, c205_error *error)
     return atomic_file_check(svg, error) && atomic_file_check(path, error);
 }
 
-/* Ends a file. Returns true if `good` is true and the file has been written. */
+/* Commits the file if `good` is true; otherwise discards it. Returns true if the file
+ * has been written. */
 static bool end_plot(struct atomic_file *whole, bool good, c205_error *error)
 {
     if (good)

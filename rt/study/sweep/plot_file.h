@@ -11,7 +11,7 @@
 /* Checks that the path can be written. Call this before the measurements for a plot, to
  * reject a missing folder, or a name that does not end in .svg or .png. */
 bool plot_check_path(const char *path, c205_error *error);
-/* Returns true if the name has the ending of a plot. */
+/* Returns true if the name ends in .svg or .png. */
 bool plot_is_named(const char *path);
 
 enum { PLOT_PATH = 4096 };

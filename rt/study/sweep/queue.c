@@ -5,9 +5,9 @@
 #include "vm/error.h"
 #include "rt/study/sweep/sweep_types.h"
 
-/* Measures the queues. A band must contain the queue, or the queue would never be full.
- * For a queue that is longer than the default band, the planes are therefore longer,
- * too. */
+/* Measures the cost with each queue length. A queue is only filled if a band has at
+ * least as many pixels, so a queue that is longer than TRACE_BAND gets a longer
+ * band. */
 static bool measure(struct sweep *sweep, c205_error *error)
 {
     struct sweep_point points[MAX_SWEEP_LENGTHS];
@@ -201,8 +201,8 @@ static const enum sweep_group drawn[SWEEP_GROUPS] = { SWEEP_STREAM, SWEEP_CONFLI
                                                       SWEEP_SERIAL, SWEEP_STARTUP,
                                                       SWEEP_MISS,   SWEEP_FAULT };
 
-/* The height of the plot, as a multiple of the best cost. The plot shows the flat part
- * and its end. */
+/* The height of the plot, as a multiple of the lowest cost. The plot then shows the
+ * flat part of the curve, and where the cost begins to rise. */
 enum { SHOWN_TIMES = 3 };
 
 static void draw_queues(struct sweep_report *report, const struct trio *trio)

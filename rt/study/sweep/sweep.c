@@ -84,8 +84,9 @@ static bool read_form(const struct sweep *sweep, const struct trace *trace,
     return true;
 }
 
-/* Returns the host's cost, in rays. A vector instruction without elements costs the
- * host as much as a hundred elements. */
+/* Estimates the host's time for a frame; the unit is the time for a ray. Each queue
+ * adds the time for a hundred rays, because a vector instruction takes time even if it
+ * is short. */
 static size_t weight_of(const struct sweep_point *point, int form)
 {
     size_t rays = point->trace.width * point->trace.height;
@@ -151,8 +152,8 @@ static bool trace_form(void *context, const struct task *task, c205_error *error
 
 /* ---- Points -------------------------------------------------------------- */
 
-/* Returns true if two points have the same scalar form. The scalar form does not depend
- * on the queue. */
+/* Returns true if the scalar frames of two points are the same, because the points
+ * differ at most in the queue. */
 static bool are_one_in_scalar_form(const struct sweep_point *a,
                                    const struct sweep_point *b)
 {
@@ -161,7 +162,7 @@ static bool are_one_in_scalar_form(const struct sweep_point *a,
            && memcmp(&a->view, &b->view, sizeof a->view) == 0;
 }
 
-/* Returns the last measured point. The next point may use its scalar form, too. */
+/* Returns the last measured point. Its scalar frame may also serve the next point. */
 static const struct sweep_point *last_point(const struct sweep *sweep)
 {
     return sweep->count > 0 ? &sweep->measures[sweep->count - 1].point : NULL;
@@ -208,8 +209,8 @@ static bool finish_queued(const struct form_run *run, struct sweep_measure *meas
                      trace->queue, trace_mode_name(trace->mode));
 }
 
-/* Copies the results to the measures. A scalar form applies to all following points up
- * to the next scalar form. */
+/* Copies the results of the frames to the measures. The result of a scalar frame is
+ * also used for all following points up to the next scalar frame. */
 static bool finish_row(const struct plan *plan, c205_error *error)
 {
     struct sweep *sweep = plan->sweep;

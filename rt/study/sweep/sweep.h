@@ -49,9 +49,8 @@ struct sweep {
     size_t model_count;
 };
 
-/* The caller initialises the structure: it sets the subject or the scene, base and
- * lengths, and sets the other fields to zero. sweep_free frees the memory of the
- * sweep. */
+/* Frees the memory of a sweep. The caller has initialised the structure: it has set the
+ * subject or the scene, base and lengths, and has set the other fields to zero. */
 void sweep_free(struct sweep *sweep);
 
 /* Measures further points. Runs base.trace.jobs frames concurrently. The progress
@@ -59,13 +58,13 @@ void sweep_free(struct sweep *sweep);
 bool sweep_run(struct sweep *sweep, const struct sweep_point *points, size_t count,
                c205_error *error);
 
-/* Returns the user's model with other constants. The sweep owns the model. On failure
- * sets the error and returns NULL. */
+/* Returns a copy of the user's model with these settings. The sweep owns the copy. On
+ * failure sets the error and returns NULL. */
 const c205_model *sweep_model(struct sweep *sweep, const c205_setting *settings,
                               size_t count, c205_error *error);
 
-/* Computes the memory that the program of a point accesses for its whole frame, in
- * words of pages with page_words words. On failure sets the error and returns false. */
+/* Computes the number of words in all pages that the frame of a point accesses. The
+ * pages have page_words words each. On failure sets the error and returns false. */
 bool sweep_touched(struct sweep *sweep, const struct sweep_point *point,
                    unsigned page_words, uint64_t *words, c205_error *error);
 

@@ -55,7 +55,7 @@ struct sweep_report {
     { "miss", "miss", TABLE_NUMBER, 2 }, \
     { "fault", "page fault", TABLE_NUMBER, 2 }
 /* clang-format on */
-/* The indices of these columns, starting with 0. */
+/* The indices of SWEEP_COLUMNS, starting with 0. */
 enum sweep_column {
     SWEEP_COLUMN_HITS,
     SWEEP_COLUMN_SCALAR,
@@ -64,7 +64,7 @@ enum sweep_column {
     SWEEP_COLUMN_GROUPS /* one column for each group */
 };
 extern const char sweep_points_heading[];
-/* Adds the cells of SWEEP_COLUMNS. */
+/* Adds the cells of a row of SWEEP_COLUMNS: the values of a measure. */
 void sweep_add_cells(struct table *table, const struct sweep_measure *measure);
 
 void sweep_report_free(struct sweep_report *report);
@@ -75,7 +75,8 @@ struct table *sweep_report_table(struct sweep_report *report, const char *key,
                                  const struct table_column *columns, size_t count);
 void sweep_report_line(struct sweep_report *report, const char *format, ...);
 void sweep_report_curve(struct sweep_report *report, size_t column, const char *title);
-/* Add a mark or a level to the plot. NaN: add nothing. */
+/* Add a labelled vertical line at x, or a horizontal line at y, to the plot. NaN: add
+ * nothing. */
 void sweep_report_mark(struct sweep_report *report, double x, const char *format, ...);
 void sweep_report_level(struct sweep_report *report, double y, const char *format, ...);
 

@@ -12,8 +12,7 @@ struct sweep_kind {
     bool takes_lengths; /* uses sweep.lengths */
     /* Measures the points. On failure sets the error and returns false. */
     bool (*measure)(struct sweep *sweep, c205_error *error);
-    /* Makes the report. If out of memory, or after another failure, which sets the
-     * error, returns false. */
+    /* Makes the report. On failure sets the error and returns false. */
     bool (*report)(struct sweep *sweep, struct sweep_report *report, c205_error *error);
 };
 
@@ -23,15 +22,16 @@ extern const struct sweep_kind *const sweep_kinds[];
 
 /* ---- Queues and lengths -------------------------------------------------- */
 
-/* Lists the user's lengths that are at most `most`. The defaults are 1, 2, 4 .. 32,768,
- * 65,535 and 2,000, the paper's length. */
+/* sweep_lengths lists the user's lengths that are at most `most`, and returns their
+ * number. The defaults are 1, 2, 4 .. 32,768, 65,535 and 2,000, the paper's length. */
 enum { MAX_SWEEP_LENGTHS = 64 };
 size_t sweep_lengths(const struct sweep *sweep, size_t most,
                      size_t lengths[MAX_SWEEP_LENGTHS]);
 
 /* ---- Findings, also for tests -------------------------------------------- */
 
-/* The memory of a queue, computed from frames of one queue with the smallest pages. */
+/* The memory that a program accesses: `fixed` words, and a_ray words for each ray of
+ * its queue. They are computed from two frames that fit in one queue. */
 struct sweep_memory {
     double a_ray, fixed; /* in words */
     size_t crossings;    /* number of words of a_ray for crossings, which scenes of
