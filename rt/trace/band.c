@@ -156,10 +156,10 @@ static bool read_counters(const struct band_work *work, const c205 *machine,
     return true;
 }
 
-/* Returns the number of rows whose pixels are all final. The pixels of a call are final
- * when the next call starts. No row counts as done in two cases: samples become pixels
- * only at the end of the band, and reflected rays of a queue may wait until then. With
- * tiles the program counts the rows itself. */
+/* Returns the number of rows whose pixels are all final. The program generates rays in
+ * several calls, and the pixels of a call are final when the next call starts. No row
+ * counts as final before the end of the band if pixels have several samples, or if
+ * reflected rays may wait in queues. With tiles the program counts the rows itself. */
 static size_t rows_done(const struct band_work *work, const c205 *machine, size_t rows)
 {
     size_t calls = calls_begun(machine), done;
@@ -202,7 +202,8 @@ static void collect_rows(const struct band_work *work, const c205 *machine,
         band->rows_done = 0;
 }
 
-/* Provides the machine that traced the last band, or a new machine. */
+/* Creates the tracer's machine, with its observers, before the first band. Later bands
+ * run on the same machine. */
 static bool ready(struct band_tracer *tracer, c205_error *error)
 {
     if (tracer->machine)

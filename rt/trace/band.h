@@ -41,7 +41,8 @@ struct band {
     uint64_t rays[RAY_KINDS];
 };
 
-/* Returns a loaded machine that has not run yet, or NULL. The caller frees it. */
+/* Returns a new machine that is loaded to trace `rows` rows from first_row on, but has
+ * not run. On failure sets the error and returns NULL. The caller frees the machine. */
 c205 *band_machine(const struct band_work *work, size_t first_row, size_t rows,
                    struct frame_layout *layout, c205_error *error);
 
@@ -68,8 +69,8 @@ struct band_tracer {
 bool band_trace(struct band_tracer *tracer, struct band *band, void *progress_context,
                 bool *stopped, c205_error *error);
 /* Copies the current band of the tracer from the machine's memory. An unfinished pixel
- * has its colour so far. A frame with samples has no colours until the band ends.
- * Returns false if out of memory. The caller frees the band. */
+ * has its colour so far. If pixels have several samples, there are no colours until the
+ * band ends. Returns false if out of memory. The caller frees the band. */
 bool band_look(const struct band_tracer *tracer, struct band *band);
 void band_free(struct band *band);
 

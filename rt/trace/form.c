@@ -83,9 +83,10 @@ static bool has_fogs(const struct scene *scene)
     return scene->fog_count > 0;
 }
 
-/* Returns true if the kernels compare keys. Keys are needed if surfaces of different
- * regions may coincide, and one of the regions yields. A query of all crossings reports
- * the crossings of each region, and needs no keys. */
+/* Returns true if the kernels must order hits by keys instead of distances
+ * (docs/solids.md): if a region yields, because its surfaces may coincide with those of
+ * a later region, or if light passes through a body. A query of all crossings reports
+ * the crossings of each region, so yields do not matter. */
 static bool has_keys(const struct scene *scene)
 {
     for (size_t i = 0; !scene->every_crossing && i < scene->region_count; i++)

@@ -15,8 +15,9 @@ struct object *form_assemble(const struct trace_options *options,
  * program. */
 const char *form_program(enum trace_mode mode);
 
-/* Assembles the program for all-hits queries (ray_query.h) of a scene with plain
- * surfaces. On request the program also computes normals and object depths. */
+/* Assembles the program for all-hits queries (ray_query.h) of a scene, in which all
+ * surfaces must have the same opaque colour. On request the program also computes
+ * normals and object depths. */
 struct object *form_assemble_lines(enum trace_mode mode, size_t queue, bool normals,
                                    bool bodies, const struct scene *scene,
                                    c205_error *error);

@@ -12,7 +12,7 @@
 #include "asm/object/object.h"
 
 struct observer {
-    /* Returns NULL on failure and sets the error. */
+    /* Creates the state for a band. On failure sets the error and returns NULL. */
     void *(*begin)(void *context, const struct object *program, c205_error *error);
     c205_listener *listen; /* receives the band's state as its context */
     void (*merge)(void *context, const void *band);

@@ -139,7 +139,8 @@ void ray_hits_free(struct ray_hits *found)
     *found = (struct ray_hits){ 0 };
 }
 
-/* The offsets of a crossing's fields, in planes from the start of its column. */
+/* The k-th crossings of all lines are a column, which has a plane for each word of a
+ * crossing. A field's offset is the number of planes before it in the column. */
 struct ray_hit_fields {
     size_t size, distance, primitive, crossing, point;
     size_t normal, object_depth, scene_depth; /* present on request */
@@ -165,8 +166,7 @@ static struct ray_hit_fields find_fields(const struct ray_query *query)
     };
 }
 
-/* The planes of one column: word i of a plane belongs to the k-th crossing of line
- * i. */
+/* The k-th crossings of all lines. Word i of each plane belongs to line i. */
 struct column {
     const struct ray_query *query;
     struct ray_hit_fields fields;
@@ -184,8 +184,8 @@ static int integer_of(const struct column *column, size_t field, size_t line)
     return (int)c205_to_integer(word_of(column, field, line));
 }
 
-/* Returns the index of the triangle that was hit. For a mesh, the point of a crossing
- * contains the position of the triangle's row in the table. */
+/* Returns the index of the triangle that was hit. For a mesh, the field `point` of a
+ * crossing has the offset of the triangle's row in the mesh's table. */
 static size_t triangle_of(const struct column *column, size_t line, size_t primitive)
 {
     const struct ray_query *query = column->query;

@@ -33,8 +33,8 @@ struct ray_query_options {
     bool no_bounds, flat;    /* as in trace_options */
     const c205_model *model; /* must outlive the query */
 };
-/* Four queues. The results of these lines fill a few of the 16 pages that are in
- * memory. */
+/* The default size of a packet: the lines of four queues. Their results fill only a few
+ * of the 16 pages of real memory. */
 enum { QUERY_PACKET = 8000 };
 
 /* A crossing. Its numbers are in the machine's own format. */
@@ -85,10 +85,10 @@ const struct object *ray_query_program(const struct ray_query *query);
 c205 *ray_query_machine(const struct ray_query *query, const struct scene_ray *list,
                         size_t count, c205_error *error);
 
-/* Opens the checkpoint files of a job set (rt/jobs/job_set.h) for a run of this kind
- * along these lines, with these additional choices. Does nothing if the job set is
- * NULL, has no files, or has opened them already. Returns false if a file cannot be
- * opened, or if it belongs to another run. */
+/* Opens the checkpoint files of a job set (rt/jobs/job_set.h) for a run. Two runs are
+ * the same if the query, the kind and all choices are equal. Does nothing if the job
+ * set is NULL, has no files, or has opened them already. Returns false if a file cannot
+ * be opened, or if it belongs to another run. */
 struct job_set;
 bool ray_query_keep(const struct ray_query *query, struct job_set *job_set,
                     const char *kind, const uint64_t *choices, size_t count,

@@ -317,7 +317,7 @@ void trace_forget(struct trace *trace)
 
 /* ---- Jobs ---------------------------------------------------------------- */
 
-/* Calls the option `look`. The caller holds the lock. */
+/* Calls the callback options->look, if there is one. The caller holds the lock. */
 static void look(const struct job *job, bool done)
 {
     const struct trace_options *options = &job->trace->options;
@@ -347,8 +347,8 @@ static void keep_part(struct trace *trace, const struct band *band)
     lock_give_back(trace->lock);
 }
 
-/* Sets the reason why this band is not finished. All stopped bands have the same
- * reason. */
+/* Stores the finished rows of a stopped band, and sets the error to the reason for
+ * stopping, which all bands share. */
 static bool end_stopped(struct trace *trace, const struct band *band, c205_error *error)
 {
     keep_part(trace, band);

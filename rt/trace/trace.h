@@ -143,8 +143,8 @@ size_t trace_rows_done(const struct trace *trace);
  * frame. Colours are linear light: the machine's values raised to the power of the
  * scene's assumed_gamma. */
 void trace_read(const struct trace *trace, size_t first_row, struct frame *part);
-/* Reads the samples of a band that is traced (band_look), as trace_read does for the
- * frame. */
+/* Reads all rows of a band (band_look), which may be unfinished. Converts the samples
+ * as trace_read does. */
 void trace_read_band(const struct trace *trace, const struct band *band,
                      struct frame *part);
 /* Returns the samples of a channel in the machine's format, pixel by pixel. */
@@ -161,7 +161,7 @@ uint64_t trace_rays(const struct trace *trace, enum ray_kind kind);
 
 /* Returns the assembled program. */
 const struct object *trace_program(const struct trace *trace);
-/* Returns the options, with the number of samples that is used. */
+/* Returns the options, in which `samples` is the number of samples that is used. */
 const struct trace_options *trace_how(const struct trace *trace);
 /* Returns the machine of a band, which has been loaded but has not run. The caller
  * frees it. */
