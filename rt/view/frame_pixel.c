@@ -1,4 +1,4 @@
-/* frame_pixel.c - locates a pixel of a frame in the machine of a band. */
+/* frame_pixel.c - finds the band that contains a pixel of a frame. */
 #include "rt/view/frame_pixel.h"
 
 #include "vm/error.h"

@@ -1,4 +1,5 @@
-/* frame_pixel.h - locates a pixel of a frame in the machine of a band. */
+/* frame_pixel.h - finds the band that contains a pixel of a frame, and the index of the
+ * pixel in it. */
 #ifndef RT_FRAME_PIXEL_H
 #define RT_FRAME_PIXEL_H
 

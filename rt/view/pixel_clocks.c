@@ -7,8 +7,8 @@
 #include "rt/layout/program.h"
 #include "rt/view/pixel_rays.h"
 
-/* The state of a listener to the band's machine. The listener is done when it has found
- * the clocks. */
+/* The state of a listener that searches for a range of clocks of the band's machine. It
+ * sets `done` at the end of the search. */
 struct recording {
     const struct frame_pixel *pixel;
     struct clock_stretch stretch;
@@ -66,8 +66,8 @@ static bool may_continue(void *context, const c205 *machine)
                || how->progress(how->context, 0, how->width * how->height));
 }
 
-/* Traces the band from its start until the listener has found the clocks. Returns false
- * after an error. */
+/* Runs the band from its start until the listener has found its range of clocks, or the
+ * band ends. Returns false after an error. */
 static bool on_event(struct recording *recording, c205_listener *listen,
                      c205_error *error)
 {

@@ -20,8 +20,9 @@ struct clock_stretch {
  * false. */
 bool pixel_queue_clocks(const struct frame_pixel *pixel, struct clock_stretch *stretch,
                         c205_error *error);
-/* Finds the first part of a range in which the program counter is in the region.
- * Returns false in the cases of pixel_queue_clocks, or if there is no such part. */
+/* Replaces *stretch by the first part of it in which the program counter is in the
+ * region. Returns false if there is no such part, after a trap, or if the progress
+ * function of the trace returned false. */
 bool pixel_region_clocks(const struct frame_pixel *pixel, const char *region,
                          struct clock_stretch *stretch, c205_error *error);
 

@@ -43,7 +43,8 @@ static c205_word word_of(const struct pixel_look *look, const char *name)
     return word_at(look, value_of(look, name));
 }
 
-/* Returns the first register with this name, which is the register of queue.s. */
+/* Returns the value of the first register with this name. It is the register that
+ * queue.s declares; later declarations of the name are for other purposes. */
 static c205_word register_of(const struct pixel_look *look, const char *name)
 {
     const struct asm_register *known = look->program->registers;
@@ -89,9 +90,9 @@ static uint64_t list_vector(const struct pixel_look *look, size_t list, uint64_t
                     + vector * value_of(look, "LIST"));
 }
 
-/* Finds the current queue by the descriptor of its importances. For camera rays the
- * descriptor refers to a constant, for other rays to a vector of a list. Returns false
- * if there is no queue. */
+/* Finds the current queue by the address of its importances. For camera rays it is the
+ * address of a constant, for other rays an address in a list of rays. Returns false if
+ * there is no queue. */
 static bool find_queue(const struct pixel_look *look, struct queue *queue)
 {
     c205_word importance = word_of(look, "queue_importance");
@@ -146,7 +147,9 @@ static void notify(const struct pixel_look *look, const struct pixel_element *of
     look->listener(look->context, &element);
 }
 
-/* Reports consecutive vectors. `stride` is the distance between them. */
+/* Notifies the listener of one element of each named vector. `address` is the address
+ * of the element in the first vector. The vectors are at intervals of `stride`
+ * words. */
 static void list_words(const struct pixel_look *look, const struct pixel_element *of,
                        const char *const *names, uint64_t address, uint64_t stride)
 {
@@ -189,17 +192,17 @@ static void list_queue(const struct pixel_look *look, const struct queue *queue,
                    value_of(look, "LIST"));
 }
 
-/* Returns true if find_nearest has been called and has not returned. Its link register
- * is different in all later calls. */
+/* Returns true while find_nearest runs. Its return address, levels_found, is then in
+ * the link register; all later calls store other addresses there. */
 static bool is_seeking(const struct pixel_look *look)
 {
     return c205_descriptor_address(register_of(look, "link"))
            == value_of(look, "levels_found");
 }
 
-/* Returns true if a kernel tests the current rays, and its caller has set their
- * vectors. The kernels of pairs_vector.s test other rays. The root solver uses the
- * registers for other purposes. */
+/* Returns true if a kernel is testing rays, and the registers of queue.s describe the
+ * vectors of these rays. The kernels of pairs_vector.s test other rays. The root solver
+ * uses the registers for other values. */
 static bool meets_near(const struct pixel_look *look)
 {
     static const char *const regions[] = { "bound",     "visible",     "call",
@@ -276,9 +279,8 @@ static void list_hits(const struct pixel_look *look, const struct queue *queue,
     }
 }
 
-/* Returns true if the pixel is the current pixel. The scalar form traces pixel by
- * pixel; column and row are numbers. The record of the first level contains the ray and
- * its result. */
+/* Returns true if the scalar form is tracing this pixel and has computed its camera
+ * ray. `pixel` is the address of the column and the row of the current pixel. */
 static bool is_pixel_at_hand(const struct pixel_look *look)
 {
     uint64_t at = value_of(look, "pixel");
