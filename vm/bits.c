@@ -228,10 +228,10 @@ static size_t keep_bits(const struct bit_sieve *sieve, size_t first, size_t n,
     return count;
 }
 
-/* Checks the memory of the operands and of the result. ahead: no store overwrites an
- * operand bit before it is read. The kept bits are then counted first, and the result
- * needs room only for these. Otherwise they cannot be counted in advance, and the
- * result needs room for all n bits. */
+/* Checks the memory of the operands and of the result. If `ahead` is true, no store
+ * overwrites an operand bit before it is read; the kept bits are then counted first,
+ * and the result needs room only for these. Otherwise the result needs room for all
+ * scanned bits. */
 static c205_trap claim_sieve(struct bit_sieve *sieve, bool ahead)
 {
     struct c205 *machine = sieve->machine;

@@ -128,7 +128,8 @@ static inline unsigned execute_block(struct c205 *machine,
     return (unsigned)(insn - block->insn);
 }
 
-/* Executes a block as far as possible and charges it. Sets *insn if it traps. */
+/* Executes a block until it ends or an instruction traps, and charges the executed
+ * instructions. Sets *insn to an instruction that traps. */
 static inline c205_trap run_block(struct c205 *machine, struct code_block *block,
                                   const c205_insn **insn)
 {

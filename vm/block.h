@@ -22,7 +22,7 @@ struct code_block {
     unsigned count;       /* 0: the instruction at pc must run alone */
     uint32_t region;      /* the region of all its instructions */
     struct decoded *insn; /* `count` decoded instructions */
-    /* Cache of the clock (vm/time/schedule.h): */
+    /* Schedules that the clock has computed (vm/time/schedule.h): */
     struct schedule *schedules;
     uint64_t generation; /* the clock's generation of the schedules */
     unsigned schedule_count;
@@ -42,8 +42,7 @@ struct blocks {
     struct decoded decoded[BLOCK_DECODED];
 };
 
-/* Returns empty tables, which the caller frees. Unused parts are not cleared. NULL: out
- * of memory. */
+/* Returns tables without blocks, or NULL if out of memory. The caller frees them. */
 struct blocks *blocks_new(void);
 
 /* Executes blocks from the program counter on, without listeners. Stops before an

@@ -37,7 +37,7 @@ static c205_trap go_to(struct c205 *machine, uint64_t target)
     BRANCH_IF_HALF(branch_half_##name, half_##name)
 #include "vm/arith.def"
 
-/* Returns the bit address T + 32 S. */
+/* Returns the branch target, the bit address T + 32 S. */
 static uint64_t item_target(const struct c205 *machine, const struct decoded *decoded)
 {
     return machine->slot[decoded->c] + machine->slot[decoded->b] * INSTRUCTION_STEP;

@@ -46,7 +46,8 @@ static struct machine_breakpoints *all_stops(struct c205 *machine)
     return machine->breakpoints;
 }
 
-/* Lets the machine run at full speed if no breakpoint or watchpoint is left. */
+/* Frees the lists if no breakpoint or watchpoint is left, so that the machine no longer
+ * checks for them. */
 static void leave_none(struct c205 *machine)
 {
     struct machine_breakpoints *breakpoints = machine->breakpoints;

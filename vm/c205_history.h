@@ -34,7 +34,7 @@ c205 *c205_restore(const void *bytes, size_t count, const c205_model *model,
  */
 typedef struct c205_history c205_history;
 
-/* Returns a history that owns the machine; its current state is step 0. budget is the
+/* Returns a history that owns the machine; its current state is step 0. `budget` is the
  * maximum number of bytes of all snapshots. Two snapshots and the snapshots of
  * c205_history_changed are always kept. Fewer snapshots make going back slower. Returns
  * NULL if the host is out of memory; the machine then still belongs to the caller. */

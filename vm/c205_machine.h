@@ -79,9 +79,9 @@ void c205_shared_free(c205_shared *shared);
 bool c205_map_shared(c205 *machine, uint64_t address, const c205_shared *shared,
                      c205_error *error);
 
-/* Finds the first mapped page at or after an address. Returns false if there is none.
- * writable: the program may write to the page. touched: a C205_WHEN_TOUCHED page has
- * been used. */
+/* A mapped page. writable: the program may write to the page. touched: a
+ * C205_WHEN_TOUCHED page has been used. c205_next_page finds the first mapped page at
+ * or after an address, and returns false if there is none. */
 typedef struct c205_page {
     uint64_t address;
     bool writable, touched;
@@ -120,7 +120,7 @@ typedef enum c205_trap {
 } c205_trap;
 const char *c205_trap_name(c205_trap trap); /* for example "undefined-instruction" */
 
-/* The end of a run. */
+/* The reason for which a run stopped, and the place. */
 typedef struct c205_stop {
     c205_trap trap;        /* NONE: the program executed EXIT */
     uint64_t pc;           /* bit address of the instruction that stopped */
@@ -140,7 +140,8 @@ c205_stop c205_run(c205 *machine, uint64_t limit);
  * and its prefix count as one instruction. Returns true if the program continues;
  * otherwise *stop states the reason. */
 bool c205_step(c205 *machine, c205_stop *stop);
-/* Like c205_run, but also stops, with PAUSED, after count instructions. */
+/* Like c205_run, but also stops, with PAUSED, when `count` instructions have been
+ * executed. */
 c205_stop c205_run_steps(c205 *machine, uint64_t count, uint64_t limit);
 /* Writes a text such as "trap unmapped-address at 1000: ADDNV: address 2040: no memory
  * is mapped there". */
@@ -206,7 +207,8 @@ typedef struct c205_event {
 
 typedef void c205_listener(void *context, const c205 *machine, const c205_event *event);
 
-/* Adds a listener. Returns false if there are C205_LISTENERS already. */
+/* The largest number of listeners. c205_listen adds a listener, or returns false if
+ * there are as many already. */
 enum { C205_LISTENERS = 8 };
 bool c205_listen(c205 *machine, c205_listener *listener, void *context);
 
@@ -224,10 +226,10 @@ void c205_pause(c205 *machine);
  * begins there. set: true adds the breakpoint, false removes it. Returns false if the
  * host is out of memory. */
 bool c205_break(c205 *machine, uint64_t address, bool set);
-/* Stops a run with WATCHPOINT after an instruction that changed one of these words.
- * Writes by the host between two runs count only while a vector instruction is
- * interrupted. set: true adds the words, false removes them. Returns false if the host
- * is out of memory or the address is not mapped. */
+/* Stops a run with WATCHPOINT after an instruction that changed one of the `words`
+ * words at this address. Writes by the host between two runs count only while a vector
+ * instruction is interrupted. set: true adds the words, false removes them. Returns
+ * false if the host is out of memory or the address is not mapped. */
 bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set);
 
 #endif

@@ -25,8 +25,7 @@ typedef struct c205_constant {
     const char *remark;
 } c205_constant;
 
-/* The agreement of a model with published figures. The text of the model contains
- * it. */
+/* The agreement of a model with published figures, as its text states it. */
 typedef struct c205_belief {
     unsigned figures;  /* number of figures; 0: not compared */
     double largest;    /* error in percent, with its sign */
@@ -45,8 +44,9 @@ const char *c205_plain_text(char *text, size_t *length);
 c205_model *c205_model_find(const char *name, c205_error *error);
 bool c205_model_is_file(const char *name); /* true for the name of a file */
 c205_model *c205_model_parse(const char *name, const char *text, c205_error *error);
-/* c205_model_read parses a model for callers that show the faulty line. It returns the
- * place of an error separately from the message. Line 0: no line. */
+/* The line and the column of an error in the text of a model. c205_model_read returns
+ * them separately from the message, for callers that show the line. Line 0: the error
+ * is in no line. */
 typedef struct c205_place {
     unsigned line, column; /* count from 1 */
 } c205_place;

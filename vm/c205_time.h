@@ -81,10 +81,10 @@ typedef struct c205_piece {
     unsigned number; /* number of the register or unit, or 0 */
 } c205_piece;
 
-/* The times of one instruction, as recorded by the clock. The pieces are in the order
- * of time. They sum to the increase of the clock. The phases of a vector instruction
- * cover the time from its issue to its end, which may be after the last piece. Phases
- * of zero length are omitted. */
+/* The times of one instruction, as recorded by the clock. A piece is a span of time
+ * with one cause. The pieces are in the order of time, and their sum is the increase of
+ * the clock. The phases of a vector instruction cover the time from its issue to its
+ * end, which may be after the last piece. Phases of zero length are omitted. */
 enum { C205_PIECES = 40, C205_PHASES = 5 };
 struct c205_times {
     uint64_t pc;
@@ -111,14 +111,18 @@ struct c205_times {
  */
 typedef struct c205_projection c205_projection;
 
-/* Returns a new projection. The model must be a projection. */
+/* Returns a new projection to the machine of a model. The model must be one for which
+ * c205_model_is_projection is true. */
 c205_projection *c205_projection_new(const c205_model *model, c205_error *error);
 void c205_projection_free(c205_projection *projection);
-/* The listener of a projection, which is its context. */
+/* A listener that charges the events to a projection. Pass the projection to
+ * c205_listen as the context. */
 c205_listener c205_project;
-/* Returns the clocks of the other machine for a region, numbered as in the accounts. */
+/* Returns the clocks that the other machine takes for a region, numbered as in the
+ * accounts. */
 uint64_t c205_projected_clocks(const c205_projection *projection, size_t region);
-/* Returns false if the run had vector instructions or the host ran out of memory. */
+/* Returns true if the projected clocks are valid: the run had no vector instructions,
+ * and the host did not run out of memory. */
 bool c205_projection_holds(const c205_projection *projection, c205_error *error);
 
 /* ---- Other constants for the same run (vm/time/recording.c) ----------------
@@ -130,8 +134,8 @@ bool c205_projection_holds(const c205_projection *projection, c205_error *error)
 typedef struct c205_recording c205_recording;
 c205_recording *c205_recording_new(c205_error *error);
 void c205_recording_free(c205_recording *recording);
-/* The listener of a recording, which is its context. It must be added before the run
- * starts. */
+/* A listener that adds the events to a recording. Pass the recording to c205_listen as
+ * the context, before the run starts. */
 c205_listener c205_record;
 
 /* Computes the clocks of each region, numbered as in the accounts, with the constants

@@ -30,8 +30,9 @@ typedef uint64_t c205_word;
  * machine zero for zero and values that are too small. */
 c205_word c205_from_double(double value);
 
-/* Returns the exact value within the range of a double. Indefinite gives NaN. Values
- * beyond the range become an infinity or a zero with the same sign. */
+/* Returns the value of a word. It is exact if it is within the range of a double.
+ * Values beyond the range become an infinity or a zero with the same sign. Indefinite
+ * gives NaN. */
 double c205_to_double(c205_word word);
 
 /* Returns an integer, -2^47 .. 2^47-1, as a word with exponent 0. */
@@ -52,11 +53,11 @@ enum { C205_TEXT_SIZE = 40 };
 /* Writes the shortest decimal text that c205_from_text reads back as the same value,
  * "indefinite" for an indefinite, and "0" for every zero. */
 void c205_to_text(c205_word word, char text[C205_TEXT_SIZE]);
-/* Writes a word rounded to the nearest decimal, ties to even. FIXED has the given
- * number of digits after the point. SCIENTIFIC has the given number of digits in total,
- * with one before the point, followed by e and the power of ten. A FIXED number of more
- * than C205_DIGITS digits is written in scientific notation with the given number of
- * digits after the point. */
+/* The notations of c205_to_decimal, which rounds a word to the nearest decimal, ties to
+ * even. FIXED has the given number of digits after the point. SCIENTIFIC has the given
+ * number of digits in total, with one before the point, followed by e and the power of
+ * ten. A FIXED number of more than C205_DIGITS digits is written in scientific notation
+ * with the given number of digits after the point. */
 typedef enum c205_notation { C205_FIXED, C205_SCIENTIFIC } c205_notation;
 enum { C205_DIGITS = 17 };
 void c205_to_decimal(c205_word word, c205_notation notation, unsigned digits,
