@@ -1,5 +1,6 @@
-/* about.c - the request about, which lists models, instructions, directives and
- * lessons. */
+/* about.c - the request `about`, which lists models, instructions, directives and
+ * lessons.
+ */
 #include "asm/object/syntax.h"
 #include "web/engine/engine_internal.h"
 

@@ -1,4 +1,4 @@
-/* compare.c - the request compare: runs two programs and compares their accounts. */
+/* compare.c - the request `compare`: runs two programs and compares their accounts. */
 #include <stdlib.h>
 
 #include "asm/compare/compared.h"
@@ -38,8 +38,8 @@ void compare_drop(struct engine *engine)
 
 /* ---- Runs -------------------------------------------------------------------- */
 
-/* Runs a side for a slice. Sets *over if the run has ended and its accounts are
- * stored. */
+/* Runs one of the two programs for a slice. Sets *over if the run has ended and its
+ * accounts are stored. */
 static bool run_side(struct engine *engine, struct text_comparison *comparison,
                      bool *over, c205_error *error)
 {
@@ -85,7 +85,7 @@ static bool continue_comparison(struct engine *engine,
 
 /* ---- The reply ------------------------------------------------------------------ */
 
-/* Writes the sentence and the members of c205 compare --json. */
+/* Writes a sentence that compares the runs, and the members of c205 compare --json. */
 static bool put_comparison(const struct text_comparison *comparison, struct json *reply,
                            c205_error *error)
 {

@@ -107,7 +107,7 @@ engine_request answer_about, answer_load, answer_breaks, answer_go, answer_view,
     answer_timeline, answer_profile, answer_accounts, answer_printf, answer_sweep,
     answer_compare, answer_grade;
 
-/* Writes the lessons for the request about. */
+/* Writes the list of lessons for the request `about`. */
 bool put_lessons(struct json *reply, c205_error *error);
 
 void sweep_drop(struct engine *engine);
@@ -131,12 +131,12 @@ bool take_count(const struct json_value *request, const char *key, uint64_t *cou
  * engine. */
 bool take_limit(const struct engine *engine, const struct json_value *request,
                 uint64_t *limit, c205_error *error);
-/* Reads "ms" and "clocks", and starts a slice. */
+/* Reads "ms" and "clocks", the limits of a slice, and starts the slice. */
 bool take_slice(struct engine *engine, const struct json_value *request,
                 c205_error *error);
 /* For debugger_setup.interrupted: returns true if the slice is over. */
 bool slice_is_over(void *engine);
-/* Returns true if the slice is over, for work that counts `spent`. */
+/* Like slice_is_over, for work that counts its clocks in slice.spent. */
 bool slice_is_full(const struct engine *engine);
 
 /* Prefixes the error with a name and returns false. */
@@ -167,8 +167,8 @@ bool take_warm(const struct json_value *request, struct object *object,
 /* Checks that each defined name is used by at least one of the programs. */
 bool uses_defines(const struct asm_options *options, struct object *const *objects,
                   size_t count, c205_error *error);
-/* Returns the assembled text. NULL: the text has errors, which are in the diagnostics
- * of the engine. */
+/* Assembles a text. Returns NULL if it has errors, which are then in the diagnostics of
+ * the engine. */
 struct object *engine_assemble(struct engine *engine, const char *name,
                                const char *text, const struct asm_options *options,
                                c205_error *error);
@@ -208,13 +208,13 @@ bool put_table(struct table *table, const char *key, struct json *reply,
 
 /* The listener of the machine. It calls the listeners of the current replay. */
 c205_listener replay_listen;
-/* Starts a replay up to the step `end`, which must be known. The replay owns its
- * listeners from now on. Returns false if both are NULL, because memory is then
- * exhausted. */
+/* Starts a replay up to the step `end`, which must be known. The replay then owns the
+ * listeners, of which one may be NULL. Returns false if both are NULL, which means that
+ * memory is exhausted. */
 bool replay_begin(struct engine *engine, struct line_profile *profile,
                   struct timeline *timeline, uint64_t end, c205_error *error);
-/* Replays until the end of the slice. Calls `put` after the last slice; before it,
- * `again` is the next slice. */
+/* Continues the replay until the end of the slice. If the replay is then complete,
+ * calls `put`. Otherwise makes `again` the function of the next slice. */
 bool replay_slice(struct engine *engine, struct json *reply, engine_slice *again,
                   engine_slice *put, c205_error *error);
 /* Ends a replay, frees its listeners, and returns to the step before the replay. */

@@ -1,5 +1,6 @@
-/* go.c - the request go, which executes the program slice by slice, and the request
- * say. */
+/* go.c - the request `go`, which executes the program slice by slice, and the request
+ * `say`.
+ */
 #include <string.h>
 
 #include "web/engine/engine_internal.h"
@@ -22,7 +23,8 @@ static enum execution_end go_steps(struct engine *engine)
                            engine->execution.step - debugger_step(engine->debugger));
 }
 
-/* Steps over calls. An interrupted call continues up to its return. */
+/* Executes execution.left instructions, each call as one of them. An interrupted call
+ * continues up to its return. */
 static enum execution_end go_next(struct engine *engine)
 {
     struct execution *execution = &engine->execution;
@@ -170,8 +172,8 @@ bool answer_go(struct engine *engine, const struct json_value *request,
 
 /* ---- say ----------------------------------------------------------------- */
 
-/* Executes a line. An execution that exceeds the slice is interrupted, and the reply
- * reports this. */
+/* Executes a debugger command. A command that runs the program for longer than the
+ * slice is interrupted, and the reply reports this. */
 bool answer_printf(struct engine *engine, const struct json_value *request,
                    struct json *reply, c205_error *error)
 {

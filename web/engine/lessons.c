@@ -1,4 +1,4 @@
-/* lessons.c - the lessons of the course, and the request grade. */
+/* lessons.c - writes the lessons of the course, and answers the request `grade`. */
 #include <string.h>
 
 #include "asm/lesson/lesson.h"
@@ -69,7 +69,7 @@ static bool grade(const struct lesson *lesson, const char *name, const char *tex
     return good;
 }
 
-/* Grades in one slice. The limits of the tests end endless loops. */
+/* Grades a program in one slice. The limits of the tests end endless loops. */
 bool answer_grade(struct engine *engine, const struct json_value *request,
                   struct json *reply, c205_error *error)
 {

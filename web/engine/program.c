@@ -1,5 +1,6 @@
-/* program.c - the requests load and breaks. Assembles a program and creates its
- * debugger. */
+/* program.c - the requests `load` and `breaks`. Assembles a program and creates its
+ * debugger.
+ */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +23,8 @@ static const char *severity_name(enum severity severity)
     }
 }
 
-/* Returns the length of the word at the position. An editor underlines it. */
+/* Returns the length of the word at the column of a message, which an editor
+ * underlines. */
 static size_t length_of(const struct diagnostic *diagnostic)
 {
     const char *source = diagnostic->source;

@@ -182,7 +182,8 @@ static bool put_symbol(const struct engine *engine, const struct asm_symbol *sym
     return good;
 }
 
-/* Reads a member such as "first": { "x": 100 }. */
+/* Reads the index of the first element to write, from a member such as "first": { "x":
+ * 100 }. */
 static bool take_window(const struct json_value *request, const char *label,
                         struct window *window, c205_error *error)
 {

@@ -1,5 +1,6 @@
-/* replay.c - repeats the run for listeners. Has the request profile. Changes of the
- * state by the user are repeated at their steps.
+/* replay.c - repeats the run from its start for the listeners of a profile or a
+ * timeline, and answers the request `profile`. Changes of the state by the user are
+ * repeated at the steps at which they were made.
  */
 #include "web/engine/engine_internal.h"
 

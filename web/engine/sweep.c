@@ -1,5 +1,6 @@
-/* sweep.c - the request sweep, which runs one or two programs for many values of a
- * constant. */
+/* sweep.c - the request `sweep`, which runs one or two programs for many values of a
+ * constant.
+ */
 #include <stdlib.h>
 #include <string.h>
 
@@ -58,7 +59,8 @@ static bool put_sweep(const struct program_sweep *sweep, struct json *reply,
            && put_picture(sweep, reply, error);
 }
 
-/* Runs points until the end of the slice. The last slice writes the results. */
+/* Runs points of the sweep until the end of the slice. The last slice writes the
+ * results. */
 static bool slice(struct engine *engine, struct json *reply, c205_error *error)
 {
     struct program_sweep *sweep = &engine->laboratory->sweep;
@@ -128,8 +130,8 @@ static struct asm_options *at_first(struct laboratory *laboratory)
     return options;
 }
 
-/* Reads a program and assembles it for the first value, which reports errors and
- * warnings. */
+/* Reads a program and assembles it for the first value of the sweep, to report its
+ * errors and warnings before any run. */
 static bool take_program(struct engine *engine, const struct json_value *request,
                          const char *key, const char *name_key, c205_error *error)
 {

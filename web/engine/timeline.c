@@ -1,5 +1,5 @@
-/* timeline.c - the request timeline. The reply has the spans of a picture for the page,
- * or a file in a format of c205 timeline.
+/* timeline.c - the request `timeline`. The reply has the spans of a picture for the
+ * page, or a file in a format of c205 timeline.
  */
 #include "asm/timeline/timeline_lanes.h"
 #include "web/engine/engine_internal.h"
@@ -49,7 +49,7 @@ static void put_span(const struct timeline *timeline, struct json *reply,
     json_end(reply);
 }
 
-/* Writes the lanes and spans. The first lane has the charged causes. They are also
+/* Writes the lanes and spans. The first lane has the charged causes, which are also
  * written as a separate list. */
 static void put_lanes(const struct timeline *timeline, const struct lanes *lanes,
                       struct json *reply)
@@ -93,7 +93,7 @@ static bool put_spans(const struct engine *engine, struct json *reply,
 
 /* ---- Files --------------------------------------------------------------- */
 
-/* Writes the text of a file in the format of c205 timeline. */
+/* Writes the timeline as the text of a file in a format of c205 timeline. */
 static bool put_file(const struct engine *engine, struct json *reply, c205_error *error)
 {
     const struct replay *replay = &engine->replay;

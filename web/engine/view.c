@@ -1,5 +1,6 @@
-/* view.c - the requests view and accounts, which return the state of the program and
- * its clocks. */
+/* view.c - the requests `view` and `accounts`, which return the state of the program
+ * and its clocks.
+ */
 #include <math.h>
 
 #include "base/accounts.h"
