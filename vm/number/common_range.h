@@ -16,8 +16,8 @@ static inline uint64_t common_edges(c205_word w)
     return w ^ w << 1;
 }
 
-/* Returns true if all words of a set are common. all is the AND of the edges of all
- * words, any is their OR. */
+/* Returns true if all words of a set are common. all and any are the AND and the OR of
+ * the edges of the words (common_edges()). */
 static inline bool common_by_edges(uint64_t all, uint64_t any)
 {
     return (all & UINT64_C(0x800000000000)) && any >> 62 == 0;

@@ -89,7 +89,7 @@ static bool scale(big *number, int32_t power, int32_t *exponent)
     if (power >= 0) {
         big_multiply_power_of_5(number, power);
     } else {
-        /* 5^p < 2^(7p/3), so the quotient keeps more than 64 bits. */
+        /* 5^p < 2^(7p/3) for p = -power, so the quotient keeps more than 64 bits. */
         int32_t room = 64 + -power / 3 * 7 + 7 - big_bit_length(number);
         int32_t places = room > 0 ? room : 0;
         big_shift_left(number, places);
@@ -182,19 +182,20 @@ typedef struct digits {
     int32_t power; /* power of ten */
 } digits;
 
-/* Returns the decimal exponent p of the smallest normalised word w with a binary
- * exponent: 10^p <= w < 10^(p + 1). No power of two of this range is within 1e-5 of a
- * power of ten, relative to its value. Ten digits of log10(2) therefore suffice. */
+/* Returns the decimal exponent p of the smallest positive normalised word w with the
+ * given binary exponent: 10^p <= w < 10^(p + 1). No power of two in this range is
+ * within 1e-5 of a power of ten, relative to its value. Ten digits of log10(2)
+ * therefore suffice. */
 static int32_t power_below(word_format f, int32_t exponent)
 {
     return (int32_t)floor((exponent + f.digits - 1) * 0.301029995663981);
 }
 
-/* Returns the shortest decimal number in the interval of the word. For a positive word,
- * the near end of the interval is rounded up to a multiple of the unit. The interval
- * contains a multiple if this multiple is below the far end. For a negative word the
- * magnitudes decrease, so the near end is rounded down, and the result must be above
- * the far end. */
+/* Returns the shortest decimal number that is rounded down to the word c x 2^exponent.
+ * Such numbers are between the word and the next word, in the interval from near to
+ * far. Both ends are expressed in larger and larger powers of ten as long as the
+ * interval contains a multiple of the power. For a negative word the magnitudes
+ * decrease from near to far. */
 static digits shortest(word_format f, int64_t c, int32_t exponent)
 {
     bool negative = c < 0;
@@ -213,7 +214,7 @@ static digits shortest(word_format f, int64_t c, int32_t exponent)
     return d;
 }
 
-/* Writes plain notation if the point is near the digits, and an exponent otherwise. */
+/* Writes fixed notation if the point is near the digits, and an exponent otherwise. */
 static void write_decimal(char *text, bool negative, digits d)
 {
     enum { MIN_PLACES = -4, MAX_PLACES = 16 };
@@ -261,7 +262,7 @@ void c205_half_to_text(c205_word half, char text[C205_TEXT_SIZE])
 
 /* ---- To a given number of digits ---------------------------------------- */
 
-/* Returns the value in units of 10^power, rounded to the nearest integer, ties to
+/* Returns c x 2^exponent in units of 10^power, rounded to the nearest integer, ties to
  * even. */
 static uint64_t nearest_units(int64_t c, int32_t exponent, int32_t power)
 {

@@ -1,4 +1,5 @@
-/* half.c - instantiates the exact rule for half words, and converts between the sizes.
+/* half.c - instantiates the exact rule for half words, and converts between words and
+ * half words.
  */
 #include "vm/number/arith.h"
 
@@ -11,7 +12,8 @@
 /* The number of digits that a word has in addition to those of a half word. */
 enum { MORE_DIGITS = 24 };
 
-/* Adds a rounding term to the coefficient of a, then contracts a. */
+/* Adds a rounding term to the coefficient of a word, then contracts it to a half
+ * word. */
 static c205_word contracted(c205_word a, int64_t rounding, uint64_t *flags)
 {
     int64_t c = (word_coefficient(a) + rounding) >> MORE_DIGITS;

@@ -101,8 +101,8 @@ static inline int64_t quotient_exponent(c205_word a, c205_word b)
     return exponent(a) - exponent(b) - DIGITS;
 }
 
-/* Returns the quotient: machine zero if a is machine zero, else `result`. Marks the
- * quotient as odd if an operand is indefinite, or if the divisor has the value 0, which
+/* Returns `result`, or machine zero if a is machine zero. Marks the quotient as odd,
+ * for the exact rule, if an operand is indefinite or the divisor has the value 0, which
  * is a divide fault. */
 static inline lane special_quotient(c205_word a, c205_word b, lane result)
 {
@@ -136,8 +136,8 @@ static inline int64_t root(uint64_t n)
     return below(sqrt(to_double(n) + 0.5));
 }
 
-/* Returns the square root. The operand is normalised, and the root is shifted back by
- * the same number of places. */
+/* Returns the square root. The coefficient is first shifted left to normalise it, and
+ * the root is then shifted back by the same number of places. */
 static inline lane lane_square_root(c205_word a)
 {
     int64_t c = value(a);
@@ -153,7 +153,8 @@ static inline lane lane_square_root(c205_word a)
 
 enum { MORE_DIGITS = 24 };
 
-/* Adds a rounding term to the coefficient of a, then contracts a. */
+/* Adds a rounding term to the coefficient of a word, then contracts it to a half
+ * word. */
 static inline lane contracted(c205_word a, int64_t rounding)
 {
     int64_t e = word_exponent(a) + MORE_DIGITS;

@@ -1,5 +1,5 @@
-/* halves.c - arithmetic of half words over spans, and conversion between the sizes
- * (lanes.h).
+/* halves.c - arithmetic of half words over spans, and conversion between words and half
+ * words (lanes.h).
  */
 #include "vm/number/spans.h"
 
@@ -13,7 +13,8 @@
 #define UNARY_FAST(name) \
     UNARY_SPAN(halves_##name, lane_##name, half_##name) \
     UNARY_VERSIONS(halves_##name, halves_##name##_span)
-/* spans.c defines the functions of these rows. */
+/* spans.c defines the functions of these rows of arith.def, so they expand to
+ * nothing. */
 #define BINARY_WRITTEN(name)
 #define UNARY_WRITTEN(name)
 

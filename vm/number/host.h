@@ -73,8 +73,9 @@ static inline enum host_vectors host_vectors(void)
 
 /* ---- Rounding of doubles --------------------------------------------------- */
 
-/* A rounding mode of the host. It applies to all operations between a load and a
- * store. */
+/* A rounding mode of the host. A compiler may move arithmetic across a change of the
+ * mode, but not loads and stores. The mode therefore applies to each operation whose
+ * operands are loaded and whose result is stored before the next change. */
 typedef unsigned host_rounding;
 
 #ifdef HOST_VERSIONS

@@ -32,7 +32,8 @@ static inline uint64_t either_unnormalised(c205_word a, c205_word b)
 }
 
 /* Return a word whose first bit is 1 if the exponent is 2000 hex or more (is_large), or
- * less than -2000 hex (is_small). The sum of two other exponents is in the range. */
+ * less than -2000 hex (is_small). If neither holds for two exponents, their sum is in
+ * the range. */
 static inline uint64_t is_large(c205_word w)
 {
     return ~w & (w + UINT64_C(0x6000000000000000));
@@ -60,8 +61,8 @@ static inline lane lane_multiply_significant(c205_word a, c205_word b)
 /* ---- Divide, square root ------------------------------------------------ */
 
 /* Returns trunc(ca x 2^47 / cb). The quotient in double arithmetic is below 2^49, and
- * its error is below 1/8. The nearest integer is therefore the floor or the floor plus
- * 1, and the sign of the remainder modulo 2^64 decides which. */
+ * its error is below 1/8. The nearest integer may therefore be 1 too large; the sign of
+ * the remainder modulo 2^64 shows this. */
 static inline int64_t quotient(int64_t ca, int64_t cb)
 {
     uint64_t dividend = magnitude(ca), divisor = magnitude(cb);
@@ -81,7 +82,8 @@ static inline lane lane_divide_significant(c205_word a, c205_word b)
                   zero_if(is_zero(a), result));
 }
 
-/* Returns floor(2^23 sqrt(radicand / 2^46)), corrected like a quotient. */
+/* Returns floor(2^23 sqrt(radicand / 2^46)). The nearest integer may be 1 too large;
+ * the sign of the remainder modulo 2^64 shows this. */
 static inline int64_t root(uint64_t radicand)
 {
     uint64_t nearest = to_nearest(sqrt(to_double(radicand)) * (1 << 23));

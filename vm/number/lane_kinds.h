@@ -16,8 +16,8 @@ static inline bool is_zero(c205_word w)
     return (int64_t)w < (int64_t)MIN_NUMBER;
 }
 
-/* Returns the larger word as an integer. Its exponent is not below the exponent of the
- * other word. */
+/* Returns the larger of two words, compared as signed integers. Its exponent is not
+ * below the exponent of the other word. */
 static inline c205_word max_word(c205_word a, c205_word b)
 {
     return (int64_t)a < (int64_t)b ? b : a;

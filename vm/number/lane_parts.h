@@ -1,11 +1,11 @@
 /* lane_parts.h - the shared part of lane.h and half_lane.h: arithmetic on one lane for
  * words of a given format. It has no branches, so a compiler vectorises the loops.
  *
- * A file that includes this defines before
+ * A file defines two macros before it includes this file:
  *
  *   LANE_FORMAT   a constant word_format
  *   LANE_GUARD    guard bits that sums keep below the coefficient of the larger
- *                operand; digits plus guard bits are at most 49
+ *                 operand; digits plus guard bits are at most 49
  *
  * Each function is correct if operands and results are normalised numbers in the range
  * or machine zeros. Otherwise it marks its result as odd. All operations exist in
@@ -44,8 +44,8 @@ static inline int64_t coefficient(c205_word w)
     return format_coefficient(LANE_FORMAT, w);
 }
 
-/* Returns c x 2^LANE_GUARD. guarded() also returns the digits of machine zeros;
- * guarded_value() returns 0 for them, as arithmetic does. */
+/* Returns the coefficient x 2^LANE_GUARD. For a machine zero, guarded() returns its
+ * digits and guarded_value() returns 0, as arithmetic does. */
 static inline int64_t guarded(c205_word w)
 {
     int64_t digits = (int64_t)(w << LANE_FORMAT.exponent_bits);
@@ -94,10 +94,10 @@ static inline uint64_t to_nearest(double d)
 
 enum { LENGTH = 51 };
 
-/* Returns the places by which t, |t| < 2^51, can be shifted left until it has LENGTH
- * significant bits. The bit length of t is the exponent of the double of t, or of its
- * complement if t is negative. Half a unit is added so that 0 also has an exponent. The
- * exponent is subtracted without extracting it. */
+/* Returns LENGTH minus the bit length of t, |t| < 2^51: the places by which t can be
+ * shifted left in LENGTH bits. Let x be t, or its complement if t is negative. The
+ * exponent of x + 0.5 as a double is the bit length minus 1, also for x = 0. It is
+ * subtracted in place, without extracting it. */
 static inline uint64_t room(int64_t t)
 {
     enum { BIAS = 1023 };
@@ -136,7 +136,7 @@ static inline lane odd_if(uint64_t odd, lane result)
     return result;
 }
 
-/* Returns t x 2^e, |t| < 2^51, rounded down to a number of significant bits, at most
+/* Returns t x 2^e, |t| < 2^51, rounded down to `bits` significant bits, bits <=
  * DIGITS. */
 static inline lane significant(int64_t e, int64_t t, int64_t bits)
 {
@@ -158,16 +158,17 @@ static inline uint64_t excess(int64_t t, int digits)
     return (uint64_t)(t ^ t >> 63) >> digits;
 }
 
-/* Returns t x 2^e, |t| <= 2^(DIGITS + 1), shifted right until it fits. The first bits
- * of the coefficient are discarded, so a shift of a natural number suffices. */
+/* Returns t x 2^e, |t| <= 2^(DIGITS + 1), shifted right until it fits. The shift may be
+ * unsigned, because number() drops the bits above the coefficient. */
 static inline lane fitted(int64_t e, int64_t t)
 {
     uint64_t places = excess(t, DIGITS);
     return number(e + (int64_t)places, (int64_t)((uint64_t)t >> places));
 }
 
-/* Applies the rules for special factors. An indefinite factor makes the result odd, and
- * a machine zero makes it zero. Machine zeros are the smallest words. */
+/* Applies the rules for special factors. An indefinite factor marks the result as odd,
+ * for the exact rule. Otherwise a machine zero makes the result zero. Machine zeros are
+ * the smallest words. */
 static inline lane special_product(c205_word a, c205_word b, lane result)
 {
     return odd_if(indefinite(max_word(a, b)), zero_if(is_zero(min_word(a, b)), result));
@@ -191,10 +192,10 @@ static inline int64_t shifted(int64_t c, uint64_t distance)
 }
 
 /* Returns the sum, rounded down to LANE_GUARD bits below the coefficient of the larger
- * operand. A normalised result needs no further bits if the larger operand is
- * normalised. The difference of the exponents is the reason: up to 1 nothing is lost,
- * and beyond 1 normalisation shifts the sum by at most one place. If the guard holds
- * all digits, the sum is exact. */
+ * operand. If the larger operand is normalised, a normalised result needs no further
+ * bits: no bit is lost if the exponents differ by at most 1, and otherwise
+ * normalisation shifts the sum left by at most one place. If the guard holds all
+ * digits, the sum is exact. */
 static inline int64_t sum_of(c205_word l, int64_t value_l, c205_word s, int64_t value_s)
 {
     return value_l + shifted(value_s, apart(l, s, 63));
@@ -206,8 +207,8 @@ static inline int64_t sum(c205_word a, c205_word b)
     return sum_of(l, guarded_value(l), s, guarded_value(s));
 }
 
-/* Returns the difference, rounded down like a sum. The subtrahend is cut at the end of
- * the register (DIGITS places down) before its sign changes. */
+/* Returns the difference, rounded down as in sum_of. The subtrahend is cut at the end
+ * of the register (DIGITS places down) before its sign changes. */
 static inline int64_t difference_of(c205_word l, int64_t value_l, c205_word s,
                                     int64_t value_s, bool is_subtrahend)
 {
@@ -225,8 +226,8 @@ static inline int64_t difference(c205_word a, c205_word b)
                          (int64_t)b <= (int64_t)a);
 }
 
-/* Returns the upper sum. An indefinite operand makes the result odd, because its
- * exponent is out of range. */
+/* Returns the upper sum. If an operand is indefinite, the exponent is out of range,
+ * which marks the result as odd, for the exact rule. */
 static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
 {
     c205_word l = max_word(a, b);
@@ -234,7 +235,8 @@ static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
 }
 
 /* Returns a word whose first bit is 1 if the exponent is in the outer half of its
- * field, as for machine zeros. The sum of two other exponents is in the range. */
+ * field, as for machine zeros. If neither of two exponents is, their sum is in the
+ * range. */
 static inline uint64_t is_extreme(c205_word w)
 {
     return w + UINT64_C(0x4000000000000000);

@@ -5,8 +5,8 @@
 #include "vm/number/lane.h"
 #include "vm/number/fast_path.h"
 
-/* The BLOCK_ macros name the function that an operation with a fast path tries first.
- * The function computes a block if all words of the block are of one kind. */
+/* Functions that compute a block if all of its words are of one kind and return false
+ * otherwise. BLOCK_COMMON gives the function that an operation tries first. */
 ROUND_DOWN_BLOCK(round_down_add_block, round_down_add)
 ROUND_DOWN_BLOCK(round_down_subtract_block, round_down_subtract)
 ROUND_DOWN_BLOCK(round_down_multiply_block, round_down_multiply)
@@ -25,7 +25,7 @@ COMMON_BLOCK(common_block_divide_significant, common_divide_significant)
 #define BLOCK_REGISTERS(name) NEVER_COMMON
 #define BLOCK_VECTORS(name) NEVER_COMMON
 
-/* An operation with a fast path runs it word by word on a host without vector units.
+/* On a host without vector units, an operation with a fast path runs it word by word.
  * kind is BINARY or UNARY. */
 #define VERSIONS_COMMON(kind, name) \
     static kind##_WORDS(lanes_##name##_words, fast_##name) \
@@ -42,7 +42,8 @@ COMMON_BLOCK(common_block_divide_significant, common_divide_significant)
 #define UNARY_FAST(name, registers) \
     UNARY_SPAN(lanes_##name, lane_##name, arith_##name) \
     VERSIONS_##registers(UNARY, name)
-/* spans.c defines the functions of these rows. */
+/* spans.c defines the functions of these rows of arith.def, so they expand to
+ * nothing. */
 #define BINARY_WRITTEN(name, registers)
 #define UNARY_WRITTEN(name, registers)
 

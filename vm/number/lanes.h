@@ -2,10 +2,10 @@
  *
  * c[i] = a[i] op b[i] for i < n. The result c must not begin above an operand that it
  * overlaps. The bits of a comparison and the destination of lanes_store_masked must not
- * overlap any input. Result and flags equal arith.h, bit for bit, for
- * every word. Normalised operands and machine zeros are the fast path. The loops are
- * plain C that compilers vectorise. Each is compiled for several instruction sets of
- * the host (host.h).
+ * overlap any input. Result and flags equal arith.h, bit for bit, for every word.
+ * Normalised operands and machine zeros are the fast path. The loops are plain C that
+ * compilers vectorise. Each is compiled for several instruction sets of the host
+ * (host.h).
  *
  * lanes_NAME takes words, halves_NAME half words, one at the left of each c205_word.
  */
@@ -21,7 +21,7 @@ typedef void lanes_unary(c205_word *c, const c205_word *a, size_t n, uint64_t *f
  * Unused bits of the last word are zero. */
 typedef void lanes_compare(uint64_t *bits, const c205_word *a, const c205_word *b,
                            size_t n);
-/* Combines a with *accumulator, in the order of elements. */
+/* Combines *accumulator with the n words of a, one after another. */
 typedef void lanes_reduction(c205_word *accumulator, const c205_word *a, size_t n,
                              uint64_t *flags);
 
@@ -41,7 +41,8 @@ typedef void lanes_reduction(c205_word *accumulator, const c205_word *a, size_t 
 /* c[i] = word */
 void lanes_fill(c205_word *c, c205_word word, size_t n);
 
-/* c[i] = a[i] if bit i of bits is 1 (as in lanes_compare) */
+/* c[i] = a[i] for each i whose bit is 1. Bits are numbered as the results of
+ * lanes_compare. */
 void lanes_store_masked(c205_word *c, const c205_word *a, const uint64_t *bits,
                         size_t n);
 

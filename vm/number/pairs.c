@@ -40,8 +40,8 @@ enum constants { NO_CONSTANT, CONSTANT_A, CONSTANT_B };
      size_t n, uint64_t *flags)
 #define PAIR_ARGUMENTS (done, c, a, b, d, n, flags)
 
-/* Tests the first words only, because a span with other words than moderate words
- * mostly has one at its start. Two constant operands are rare and not supported. */
+/* Tests the first words only, because a span that contains a word that is not moderate
+ * usually begins with one. Two constant operands are rare and not supported. */
 static inline bool may_be_done(pair_operand a, pair_operand b, const c205_word *d,
                                size_t n)
 {
@@ -73,8 +73,8 @@ static inline bool pair_meets(const c205_word *c, pair_operand operand, size_t n
             copy_block(c, space, n); \
     }
 
-/* handed is the result of the first operation. other is the second source of the second
- * operation. */
+/* `second` is an expression in `handed`, the result of the first operation, and
+ * `other`, the other source of the second operation. */
 #define PAIR(name, first, second) \
     PAIR_BLOCK(name, first, second) \
     PAIR_SPAN(name) \

@@ -10,7 +10,7 @@
 
 #include "vm/number/lanes.h"
 
-/* An operand of a span. Lane i takes word i, or all lanes take the first word. */
+/* An operand of n elements: n words, or one word that all elements use. */
 typedef struct pair_operand {
     const c205_word *words;
     bool is_constant;
@@ -26,9 +26,9 @@ enum { PAIR_LENGTH = 512 }; /* largest number of words in a span */
 typedef void lanes_pair(bool *done, c205_word *c, pair_operand a, pair_operand b,
                         const c205_word *d, size_t n, uint64_t *flags);
 
-/* Returns the function for two operations, or NULL if there is none. hands_a: the first
- * result is the first operand of the second operation. hands_b: it is the second
- * operand. */
+/* Returns the function that executes two operations in one pass, or NULL if there is
+ * none. hands_a: the first result is operand A of the second operation. hands_b: it is
+ * operand B. */
 lanes_pair *lanes_pair_of(lanes_binary *first, lanes_binary *second, bool hands_a,
                           bool hands_b);
 

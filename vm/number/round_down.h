@@ -34,8 +34,9 @@ static inline uint64_t double_exponent(int e)
 
 /* ---- Moderate words ------------------------------------------------------ */
 
-/* Returns true if each word of a set is moderate (a common word whose exponent begins
- * with eight equal bits) or machine zero. all and any are as in common_by_edges(). */
+/* Returns true if each word of a set is machine zero or moderate: a common word whose
+ * exponent begins with eight equal bits. all and any are the AND and the OR of the
+ * edges of the words (moderate_edges()). */
 static inline bool moderate_by_edges(uint64_t all, uint64_t any)
 {
     return common_by_edges(all, any) && any >> 57 == 0;
@@ -52,9 +53,10 @@ static inline bool moderate_pair(c205_word a, c205_word b)
     return moderate_by_edges(x & y, x | y);
 }
 
-/* Returns the exact value. The coefficient goes into the last digits of a large number
- * with this exponent, and the large number is subtracted again. The large number is
- * 2^52 + 2^47, so a negative coefficient does not shorten it. */
+/* Returns the exact value as a double. `large` is (2^52 + 2^47) x 2^exponent. Its last
+ * bits are combined with the coefficient in two's complement, which gives large +
+ * value. A negative coefficient clears the bit of 2^47 and does not change the
+ * exponent. The difference is the value. */
 static inline double moderate_value(c205_word w)
 {
     uint64_t exponent = w >> ROUND_DOWN_PLACE << DOUBLE_DIGITS;
@@ -63,10 +65,10 @@ static inline double moderate_value(c205_word w)
     return double_of_bits(large ^ (w & WORD_COEFFICIENT_MASK)) - double_of_bits(large);
 }
 
-/* Returns a nonzero double as a normalised word, rounded down. The coefficient may be
- * -2^47 but not -2^46, so a negative number counts as one place shorter if all digits
- * after its first digit are 0. The value is scaled to the exponent of a coefficient and
- * added to a large number. The last digits of the sum are the floor. */
+/* Returns a nonzero double as a normalised word, rounded down. The value is scaled so
+ * that its integer part is the coefficient. A large number is then added, and the last
+ * digits of the sum are the coefficient. Normalised coefficients include -2^47 but not
+ * -2^46, so a negative power of two gets the next lower exponent. */
 static inline c205_word round_down_word(double value)
 {
     uint64_t bits = bits_of_double(value);
@@ -104,8 +106,8 @@ static inline round_down round_down_add(double x, double y)
     return sum;
 }
 
-/* Subtracts. The result is odd for every positive subtrahend below the last digit of x,
- * because the machine cuts off some of them completely. */
+/* Subtracts. Marks the result as odd, for the exact rule, if a positive subtrahend is
+ * below the last digit of x, because the machine cuts off some of these completely. */
 static inline round_down round_down_subtract(double x, double y)
 {
     const round_down difference = { x - y, (x + y == x) & (y > 0) };
@@ -127,7 +129,8 @@ enum { MIN_ROUND_DOWN = 32 };
 /* Properties of a block that are known only after all of its words are computed. */
 typedef struct round_down_block {
     uint64_t all, any; /* AND and OR of the edges */
-    /* Sums, because clang 14 vectorises + but not | here. */
+    /* Counts of odd and zero results. They are sums because clang 14 vectorises + but
+     * not | here. */
     uint64_t odd, zeros;
 } round_down_block;
 
@@ -153,8 +156,8 @@ static inline c205_word result_word(double value)
     return value == 0 ? C205_MACHINE_ZERO : word;
 }
 
-/* Ends a block that is computed, and sets its flags. Returns false if a word is not
- * moderate or odd, so another method must compute the block. */
+/* Ends a computed block and sets its flags. Returns false if some word was not moderate
+ * or some result is odd; another method must then compute the block. */
 static inline bool round_down_end(const round_down_block *block, uint64_t *flags)
 {
     if (!moderate_by_edges(block->all, block->any) || block->odd)

@@ -1,7 +1,7 @@
 /* rule.h - the exact rule of arithmetic, one word at a time, for words of any format;
  * see docs/arithmetic.md.
  *
- * A file that includes this defines before
+ * A file defines two macros before it includes this file:
  *
  *   RULE_FORMAT   a constant word_format
  *   RULE(name)    the names of the functions of arith.h in this format
@@ -17,8 +17,8 @@
 #define MIN_COEFFICIENT format_coefficient_min(RULE_FORMAT)
 #define MAX_COEFFICIENT (-(MIN_COEFFICIENT + 1))
 
-/* A double-length number, (hi x 2^d + lo) x 2^exponent with lo in [0, 2^d). It holds
- * every exact result before it is cut to a word. */
+/* A double-length number, (hi x 2^DIGITS + lo) x 2^exponent with lo in [0, 2^DIGITS).
+ * It holds every exact result before it is cut to a word. */
 typedef struct wide {
     int64_t hi, lo;
     int32_t exponent;
@@ -121,7 +121,7 @@ static c205_word wide_cut(wide w, int32_t places, uint64_t *flags)
     return ranged(w.exponent + places, wide_floor(w, places), flags);
 }
 
-/* Returns w with the given number of significant bits, or machine zero if w is zero. */
+/* Returns w with `bits` significant bits, or machine zero if w is zero. */
 static c205_word wide_significant(wide w, int32_t bits, uint64_t *flags)
 {
     if (wide_is_zero(w))
@@ -129,8 +129,8 @@ static c205_word wide_significant(wide w, int32_t bits, uint64_t *flags)
     return wide_cut(w, wide_significant_bits(w) - bits, flags);
 }
 
-/* Returns the high part of w. If it does not fit, returns half of it with the next
- * exponent. */
+/* Returns the high part of w. If it does not fit a coefficient, returns half of it with
+ * the next higher exponent. */
 static c205_word wide_upper(wide w, uint64_t *flags)
 {
     bool fits = word_significant_bits(w.hi) <= DIGITS;
@@ -144,8 +144,8 @@ static c205_word wide_lower(wide w, uint64_t *flags)
 
 /* ---- Add, subtract ----------------------------------------------------- */
 
-/* Returns c x 2^d shifted right in the register of 2d + 1 bits. Bits shifted out of the
- * register are lost. */
+/* Returns c x 2^DIGITS, shifted right by the given places, in the double-length
+ * register. Bits shifted out of the register are lost. */
 static wide aligned(int64_t c, int32_t places)
 {
     wide w = { c >> 63, 0, 0 };
@@ -160,8 +160,8 @@ static wide aligned(int64_t c, int32_t places)
     return w;
 }
 
-/* Returns the sum, or the difference, in double length. A machine zero has coefficient 0
- * and the smallest exponent, so the other operand is never aligned to it. */
+/* Returns the sum, or the difference, in double length. A machine zero has coefficient
+ * 0 and the smallest exponent, so the other operand is never aligned to it. */
 static wide sum(c205_word a, c205_word b, bool subtract)
 {
     int32_t distance = exponent_of(a) - exponent_of(b);
@@ -182,8 +182,8 @@ static wide sum(c205_word a, c205_word b, bool subtract)
     return w;
 }
 
-/* Returns the sum w, cut to the register of 2d + 1 bits: a longer sum loses its last
- * bit. */
+/* Returns the sum w, shortened by its last bit if it has more than 2 DIGITS + 1 bits,
+ * the size of the double-length register. */
 static wide fitted(wide w)
 {
     if (word_significant_bits(w.hi) > DIGITS) {
@@ -274,9 +274,9 @@ c205_word RULE(average_difference)(c205_word a, c205_word b, uint64_t *flags)
 
 /* ---- Multiply ---------------------------------------------------------- */
 
-/* Returns the product. It is computed from halves of h = (d + 1) / 2 bits, of which the
- * high halves are signed. For ca = a1 x 2^h + a0 and cb = b1 x 2^h + b0, it is a1 b1 x
- * 2^(d + 1) + (a1 b0 + a0 b1) x 2^h + a0 b0. */
+/* Returns the product of the coefficients, computed from halves of h = (DIGITS + 1) / 2
+ * bits, of which the high halves are signed. For ca = a1 x 2^h + a0 and cb = b1 x 2^h +
+ * b0, it is a1 b1 x 2^(2 h) + (a1 b0 + a0 b1) x 2^h + a0 b0. */
 static wide product(c205_word a, c205_word b)
 {
     int32_t half = (DIGITS + 1) / 2;
@@ -292,7 +292,8 @@ static wide product(c205_word a, c205_word b)
     return w;
 }
 
-/* Returns true and sets *special if a special operand determines the result. */
+/* Returns true and sets *special if a factor is indefinite or machine zero, which
+ * determines the product. */
 static bool special_product(c205_word a, c205_word b, c205_word *special,
                             uint64_t *flags)
 {
@@ -340,9 +341,9 @@ c205_word RULE(multiply_significant)(c205_word a, c205_word b, uint64_t *flags)
 
 /* ---- Divide ------------------------------------------------------------ */
 
-/* Returns trunc(ca x 2^d / cb) by long division. The first digit has d + 1 bits. The d
- * bits below it follow in groups of up to 16 bits, for which the remainder leaves room
- * in 64 bits. */
+/* Returns trunc(ca x 2^DIGITS / cb) by long division, for the coefficients ca and cb.
+ * The first step computes the first DIGITS + 1 bits. The other DIGITS bits follow in
+ * groups of up to 16 bits, for which the remainder leaves room in 64 bits. */
 static wide quotient(c205_word a, c205_word b)
 {
     int64_t ca = coefficient_of(a), cb = coefficient_of(b);
@@ -360,8 +361,9 @@ static wide quotient(c205_word a, c205_word b)
     return (ca < 0) != (cb < 0) ? wide_negate(w) : w;
 }
 
-/* Returns true and sets *special if a special operand determines the result. A divisor
- * with value 0 is a divide fault for every dividend that is not indefinite. */
+/* Returns true and sets *special if an operand determines the quotient: it is
+ * indefinite, machine zero, or a divisor with the value 0. Such a divisor is a divide
+ * fault unless the dividend is indefinite. */
 static bool special_quotient(c205_word a, c205_word b, c205_word *special,
                              uint64_t *flags)
 {
@@ -396,9 +398,9 @@ c205_word RULE(divide_significant)(c205_word a, c205_word b, uint64_t *flags)
 
 /* ---- Square root ------------------------------------------------------- */
 
-/* Returns floor(sqrt(c x 2^k)) of a normalised c. The radicand is below 2^2d. The root
- * in double arithmetic is at most 1 too large. The sign of the remainder modulo 2^64
- * gives the correction. */
+/* Returns floor(sqrt(c x 2^k)) of a normalised c. The radicand is below 2^(2 DIGITS).
+ * The root in double arithmetic is at most 1 too large. The sign of the remainder
+ * modulo 2^64 gives the correction. */
 static int64_t root(int64_t c, int32_t k)
 {
     uint64_t estimate = (uint64_t)sqrt(ldexp((double)c, k));
@@ -423,7 +425,7 @@ c205_word RULE(square_root)(c205_word a, uint64_t *flags)
 
 /* ---- Parts of a number, sign ------------------------------------------- */
 
-/* Returns a unchanged and sets the flags for its class. */
+/* Returns the operand as the result, and sets the flags for its class. */
 static c205_word kept(c205_word a, uint64_t *flags)
 {
     if (word_is_machine_zero(a))
@@ -454,8 +456,9 @@ c205_word RULE(truncate)(c205_word a, uint64_t *flags)
     return coefficient_of(a) < 0 ? RULE(ceiling)(a, flags) : RULE(floor)(a, flags);
 }
 
-/* Negates. A normalised number stays normalised. The negatives of two coefficients need
- * another exponent: 2^d does not fit, and -2^(d - 1) is not normalised. */
+/* Negates. A normalised number stays normalised. The exponent changes for two
+ * coefficients: the negative of MIN_COEFFICIENT does not fit, and the negative of
+ * -MIN_COEFFICIENT / 2 is not normalised. */
 c205_word RULE(negate)(c205_word a, uint64_t *flags)
 {
     int32_t exponent = exponent_of(a);

@@ -10,7 +10,7 @@ enum { BITS = 64 /* bits of a word */ };
 
 /* ---- Words as bits, which set no flags ---------------------------------- */
 
-/* x and y are the words. f is their format. */
+/* `result` is an expression in the two words x and y and their format f. */
 #define LOGICAL_SPAN(name, format, result) \
     LANEWISE void name##_block(c205_word *restrict to, const c205_word *a, \
                                const c205_word *b, size_t n) \
@@ -78,8 +78,9 @@ static inline uint64_t unnormalised(word_format f, c205_word number)
     return number == MIN_NUMBER ? 0 : ~(digits ^ digits << 1);
 }
 
-/* Returns a word that is ordered as an integer. The exponents of negative numbers are
- * complemented, so normalised numbers of one sign have the order of integers. */
+/* Returns an integer for the comparison of normalised numbers of the same sign: the
+ * order of the integers is the order of the numbers. For negative numbers, the exponent
+ * is complemented. */
 static inline c205_word order(word_format f, c205_word w)
 {
     c205_word exponent = ~format_coefficient_mask(f);
@@ -107,19 +108,21 @@ static inline int64_t coefficient_bits(word_format f, c205_word w)
     return (int64_t)(w << f.exponent_bits);
 }
 
-/* Returns 0 for a number with exponent 0 and for a zero from zero_as_number(). */
+/* Returns the exponent field in place, or 0 for a machine zero that zero_as_number()
+ * has converted. Exponent 0 also gives 0. */
 static inline uint64_t exponent_bits(word_format f, c205_word w)
 {
     return w == MIN_NUMBER ? 0 : w & ~format_coefficient_mask(f);
 }
 
-/* x and y are the words. f is their format. */
+/* Relations of two words x and y of the format f. The first bit of the value is 1 if
+ * the relation holds. */
 #define NOT_EQUAL(f, x, y) ((x ^ y) | (0 - (x ^ y)))
 #define EQUAL(f, x, y) ~NOT_EQUAL(f, x, y)
 #define LESS(f, x, y) less_number(f, x, y)
 #define NOT_LESS(f, x, y) ~LESS(f, x, y)
 
-/* Masks for the bits of a word, from the left. */
+/* Eight masks of one bit each, from bit i on, counted from the left. */
 #define PLACES(i) \
     FIRST >> (i), FIRST >> (i + 1), FIRST >> (i + 2), FIRST >> (i + 3), \
         FIRST >> (i + 4), FIRST >> (i + 5), FIRST >> (i + 6), FIRST >> (i + 7)
@@ -133,8 +136,9 @@ static inline uint64_t copied(uint64_t bit)
     return (uint64_t)((int64_t)bit >> 63);
 }
 
-/* Computes the bits of a block by comparing ranks. The relation is false for an
- * indefinite word. inverse is 1 for the negated relation. */
+/* Compares the words of a block by their ranks (format_rank()), one result bit each.
+ * The relation is false for an indefinite word. inverse is 1 for the negated
+ * relation. */
 #define BY_RANK(format, relation, inverse) \
     for (size_t j = 0; j < length; j++) { \
         c205_word x = a[i + j], y = b[i + j]; \
@@ -144,9 +148,9 @@ static inline uint64_t copied(uint64_t bit)
         word |= (holds ^ inverse) << (BITS - 1 - j); \
     }
 
-/* Computes the bits of a block by comparing coefficients. This is valid for zeros and
- * for words with exponent 0, such as indices. `exponents` becomes nonzero if the block
- * has other words. */
+/* Compares the words of a block by their coefficients, one result bit each. This is
+ * valid for zeros and for words with exponent 0, such as indices. `exponents` becomes
+ * nonzero if the block has other words. */
 #define BY_COEFFICIENT(format, relation, inverse) \
     for (size_t j = 0; j < length; j++) { \
         c205_word x = zero_as_number(a[i + j]); \
@@ -161,9 +165,9 @@ static inline uint64_t copied(uint64_t bit)
     (uint64_t *restrict bits, const c205_word *restrict a, \
      const c205_word *restrict b, size_t n)
 
-/* Compares a span block by block. A block with other words than normalised numbers and
- * machine zeros is compared again, by coefficients if possible and otherwise by
- * rank. */
+/* Compares a span block by block. A block that contains words other than normalised
+ * numbers and machine zeros is compared again, by coefficients if possible and
+ * otherwise by rank. */
 #define COMPARE_SPAN(name, format, is, relation, inverse) \
     LANEWISE void name##_span COMPARE_PARAMETERS \
     { \

@@ -56,8 +56,8 @@ static inline void unary_again(arith_unary *exact, c205_word *c, const c205_word
             *flags |= FLAG_MACHINE_ZERO;
 }
 
-/* A span of lanes (lane_parts.h) is processed block by block. In a block with an odd
- * lane, the exact rule computes that lane again.
+/* Spans are processed block by block. If the fast arithmetic of lane_parts.h marks a
+ * result of a block as odd, the exact rule computes that result again.
  *
  * If the result overlaps an operand, a block is computed in a temporary array first, so
  * the operands are read before the result is stored. LANES is the number of words that
@@ -187,7 +187,7 @@ LANEWISE bool common_lanes(const c205_word *a, const c205_word *b, size_t n)
 }
 
 /* Tests whether all words are common. It tests the first words separately, because a
- * block with a word that is not common mostly has one at its start. */
+ * block that contains a word that is not common usually has one at its start. */
 LANEWISE bool common_pairs(const c205_word *a, const c205_word *b, size_t n)
 {
     enum { FIRST_ONES = 2 * LANES };
