@@ -15,8 +15,8 @@ struct clock_accounts {
     char *names;        /* consecutive strings, each ending with '\0' */
 };
 
-/* Opens zeroed accounts for these regions and closes the previous accounts. Returns
- * false, without effect, if the host is out of memory. */
+/* Closes the previous accounts and opens accounts for the named regions, with all
+ * clocks zero. Returns false, without effect, if the host is out of memory. */
 bool accounts_open(struct clock_accounts *accounts, const char *const *names,
                    size_t count);
 void accounts_close(struct clock_accounts *accounts);
@@ -26,7 +26,8 @@ void accounts_clear(struct clock_accounts *accounts);
 void accounts_keep(struct clock_accounts *accounts);
 void accounts_put_back(struct clock_accounts *accounts);
 
-/* Return the sum of all clocks, and the sum of all clocks of the copy. */
+/* Return the sum of all clocks, and the same sum in the copy that accounts_keep
+ * made. */
 uint64_t accounts_sum(const struct clock_accounts *accounts);
 uint64_t accounts_sum_kept(const struct clock_accounts *accounts);
 

@@ -1,10 +1,10 @@
 /* banks.c - computes the conflicts of a list of accesses to interleaved memory banks.
  *
- * An access can wait only for the LATEST accesses before it if a bank is busy for at
- * most LATEST + 1 accesses. In this case no table of banks is needed and the loops
- * vectorise. Otherwise a table contains the time at which each bank becomes free. The
- * conflicts of a list are cached, because records are gathered with one list from
- * several tables.
+ * If a bank is busy for at most the time of LATEST + 1 accesses, an access can wait
+ * only for one of the LATEST accesses before it. The loops then vectorise and need no
+ * table of banks. Otherwise a table contains the time at which each bank becomes free.
+ * The conflicts of the latest list of indices are cached, because programs use the same
+ * list for several tables.
  */
 #include "vm/time/banks.h"
 

@@ -1,4 +1,4 @@
-/* banks.h - computes the delays of gather and scatter by busy memory banks.
+/* banks.h - computes the delays that busy memory banks cause to gather and scatter.
  *
  * Word w is in bank w mod count. An access makes its bank busy for some clocks (80 ns,
  * from a primary source). An access to a busy bank waits, and so do all later accesses.
@@ -9,9 +9,9 @@
 
 #include "vm/time/index_list.h"
 
-/* The bank conflicts of the latest list of indices with a table. They are the same for
- * every whole table. A whole table starts at a word, has a step of one word, and does
- * not reach the end of the address space. */
+/* The bank conflicts of the latest list of indices. They are the same for all tables
+ * from which the list accesses whole words without reaching the end of the address
+ * space. */
 struct bank_list {
     uint64_t number; /* number of the list; 0: none */
     bool whole;
@@ -29,8 +29,8 @@ struct banks {
 bool banks_init(struct banks *banks, size_t count, uint64_t access, uint64_t busy);
 void banks_free(struct banks *banks);
 
-/* Returns the delay by conflicts of the accesses to table + step x index, in this
- * order. All banks are free at the start. */
+/* Returns the delay that bank conflicts cause in a sequence of accesses to the
+ * addresses table + step x index. All banks are free at the start. */
 uint64_t banks_conflicts(struct banks *banks, uint64_t table, unsigned step,
                          const struct index_list *list);
 

@@ -9,7 +9,7 @@
 
 /* ---- The time line ------------------------------------------------------- */
 
-/* Why an instruction waits. The record contains the reason. */
+/* The reason why an instruction waits, for the record of its times. */
 struct wait_reason {
     c205_wait wait;
     unsigned number;
@@ -19,7 +19,7 @@ static const struct wait_reason no_wait = { C205_WAIT_NONE, 0 },
                                 for_results = { C205_WAIT_RESULTS, 0 },
                                 for_vector = { C205_WAIT_VECTOR, 0 };
 
-/* Adds a piece of time to the record of the listener. */
+/* Adds clocks with their cause, region and reason to the record of the listener. */
 static void note(const struct clock *clock, uint64_t clocks, c205_cause cause,
                  size_t region, uint64_t pc, struct wait_reason reason)
 {
@@ -57,8 +57,8 @@ static inline void wait_until(struct clock *clock, uint64_t until, c205_cause ca
         spend_for(clock, until - clock->now, cause, reason);
 }
 
-/* Waits until a clock at which the vector unit is still busy. Each piece of the wait is
- * charged to the cause and region of the phase that it falls in. */
+/* Waits for a clock at which the vector unit is still busy. The part of the wait in
+ * each phase of the vector unit is charged to the cause and region of that phase. */
 static inline void wait_through_phases(struct clock *clock, uint64_t until,
                                        struct wait_reason reason)
 {
@@ -133,7 +133,8 @@ static void note_times(const struct clock *clock, uint64_t ready, uint64_t unit_
     clock->record->unit_free = unit_free;
 }
 
-/* Issues the instruction to a unit. Returns the clock at which the result is ready. */
+/* Waits for the unit of the instruction, then issues it. Returns the clock at which its
+ * result is ready. */
 static uint64_t issue(struct clock *clock, const struct decoded *decoded,
                       c205_cause awaits)
 {
@@ -242,7 +243,7 @@ static void charge_branch(struct clock *clock, const struct decoded *decoded,
     spend(clock, clock->branch_out_of_stack, C205_BRANCH);
 }
 
-/* Charges a request. The monitor runs until it has served the request. */
+/* Charges a monitor call. The scalar unit waits until the monitor has served it. */
 static void charge_monitor(struct clock *clock, const struct decoded *decoded)
 {
     uint64_t done = issue(clock, decoded, C205_OPERAND_WAIT);
@@ -260,7 +261,7 @@ static void note_phase(const struct clock *clock, uint64_t clocks, c205_cause ca
     record->phase[i].cause = cause;
 }
 
-/* Appends a phase to the work of the vector unit, whose end increases. */
+/* Appends a phase at the end of the work of the vector unit. */
 static inline void add_phase(struct clock *clock, uint64_t clocks, c205_cause cause)
 {
     struct phase *phase = &clock->phase[clock->phase_count];
@@ -276,8 +277,8 @@ static inline void add_phase(struct clock *clock, uint64_t clocks, c205_cause ca
     clock->phase_count++;
 }
 
-/* Drops the phases that have ended, except a stream that overlaps the start-up of the
- * next instruction. */
+/* Drops the phases that have ended. The stream of the previous instruction may remain,
+ * because it may overlap the start-up of the next instruction. */
 static inline void drop_phases(struct clock *clock)
 {
     size_t kept = 0;
@@ -309,8 +310,8 @@ static inline struct rate class_rate(const struct clock *clock,
     return half ? timing->half_stream : timing->stream;
 }
 
-/* Returns the rate of a linked pair, which is the rate of its slower member. Both
- * members have the same size. */
+/* Returns the rate of a linked pair, which is the rate of its slower member. The
+ * elements of both members have the same size. */
 static struct rate pair_rate(const struct clock *clock, const struct decoded *decoded)
 {
     const struct decoded *const *linked = decoded->linked;

@@ -74,11 +74,13 @@ uint64_t clock_issued(const struct clock *clock);
  * only after execution. */
 size_t clock_elements(const struct clock *clock, const struct decoded *decoded,
                       uint64_t until);
-/* clock_show shows the clock at a given time within the next vector instruction.
- * clock_show_drained shows it when everything in flight is done. */
+/* clock_show sets the clock to a given time within the next vector instruction, without
+ * charging this time. clock_show_drained sets it to the time when everything in flight
+ * is done. */
 void clock_show(struct clock *clock, const struct decoded *decoded, uint64_t until);
 void clock_show_drained(struct clock *clock);
-/* clock_go_back returns to the charged time. clock_commit charges the time shown. */
+/* clock_go_back returns from the time that is shown to the charged time. clock_commit
+ * charges the time that is shown. */
 void clock_go_back(struct clock *clock);
 void clock_commit(struct clock *clock);
 

@@ -37,7 +37,7 @@ static void read_constants(struct clock *clock, const c205_model *model)
     clock->swap_word = model_rate(model, CONSTANT_SWAP_WORD);
 }
 
-/* Returns an integer constant. constants.def limits it. */
+/* Returns an integer constant. Its maximum in constants.def fits a size_t. */
 static size_t model_count(const c205_model *model, enum constant id)
 {
     return (size_t)model_whole(model, id);

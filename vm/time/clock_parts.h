@@ -30,7 +30,7 @@ struct phase {
 enum { PHASES = 6 };
 
 /* The cause of waiting for a register is C205_OPERAND_WAIT, C205_MEMORY_WAIT, or
- * FOR_VECTOR for the vector unit. */
+ * FOR_VECTOR if the register waits for the vector unit. */
 enum { FOR_VECTOR = C205_CAUSES };
 
 /* The instruction stack: the last words of code that were executed in sequence. */
@@ -46,7 +46,8 @@ static inline void stack_begin(struct stack *stack, uint64_t address)
     stack->low = stack->high = address >> WORD_SHIFT;
 }
 
-/* Extends the stack to the next address and limits it to a capacity in words. */
+/* Extends the instruction stack to the next address and limits it to a capacity in
+ * words. */
 static inline void stack_extend(struct stack *stack, uint64_t next, uint64_t words)
 {
     uint64_t word = (next - 1) >> WORD_SHIFT;

@@ -46,7 +46,8 @@ static void walk_accounts(struct clock *clock, struct serializer *serializer)
                        wrong_account);
 }
 
-/* Serializes the charged time and accounts if the clock shows a later time. */
+/* Serializes the charged time and accounts if the clock shows a later time than the
+ * charged time. */
 static void walk_charged(struct clock *clock, struct serializer *serializer)
 {
     size_t ahead = clock->ahead;
@@ -96,7 +97,7 @@ static void walk_register(struct clock *clock, size_t slot,
         clock->awaits[slot] = (uint8_t)awaits;
 }
 
-/* Serializes the loads, the oldest first. */
+/* Serializes the loads in flight, the oldest first. */
 static void walk_loads(struct clock *clock, struct serializer *serializer)
 {
     size_t loads = (size_t)clock->loads_in_flight, oldest = 0;
@@ -147,8 +148,8 @@ static bool phases_are_sound(const struct clock *clock)
     return true;
 }
 
-/* Returns true if each pending register of the vector unit is ready by the end of its
- * work. */
+/* Returns true if each register that waits for the vector unit is ready when the vector
+ * unit is. */
 static bool output_are_sound(const struct clock *clock)
 {
     for (size_t i = 0; i < SLOTS; i++)

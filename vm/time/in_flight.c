@@ -1,4 +1,6 @@
-/* in_flight.c - stores states in flight in a hash table, and reads and writes them. */
+/* in_flight.c - stores the states in flight of the scalar unit in a hash table, and
+ * reads and writes them.
+ */
 #include "vm/time/in_flight.h"
 
 #include "vm/hash.h"

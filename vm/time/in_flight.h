@@ -18,7 +18,8 @@ struct pending {
     uint16_t awaits; /* the cause of waiting for a register */
 };
 
-/* A state in flight. All times are in clocks from now. */
+/* The pending results, units and loads of the scalar unit at some time. All times are
+ * in clocks from then on. */
 struct in_flight {
     uint64_t results_done, loads_done;
     uint64_t latest;                     /* maximum of all pending times */
@@ -45,7 +46,7 @@ const struct in_flight *in_flight_named(struct in_flight_table *flights,
 /* in_flight_init must be called first. The array flight need not be zeroed. */
 void in_flight_init(struct in_flight_table *flights);
 void in_flight_clear(struct in_flight_table *flights);
-/* Writes a state to the fields that in_flight_look reads. */
+/* Writes a state to the fields of a clock from which in_flight_look reads it. */
 void in_flight_show(struct clock *clock, const struct in_flight *flight);
 
 #endif

@@ -18,8 +18,8 @@ struct index_list {
     size_t kept_count, room;
 };
 
-/* Makes these indices the current list and sets its number. The struct must be zeroed
- * before the first call. */
+/* Makes `indices` the current list. A list that differs from the previous list gets a
+ * new number. The struct must be zeroed before the first call. */
 void index_list_meet(struct index_list *list, const c205_word *indices, size_t count);
 void index_list_free(struct index_list *list);
 

@@ -21,7 +21,8 @@
         "stream." #name, RATE, "", 0, MILLION \
     }
 
-/* The rules for machines, followed by the rules for projections. */
+/* The constraints on the constants of machines, followed by those on the constants of
+ * projections. */
 static const struct rule rules[CONSTANTS + PROJECTION_CONSTANTS] = {
 #define CONSTANT(id, name, kind, unit, least, most) { name, kind, unit, least, most },
 #include "vm/time/constants.def"
@@ -118,8 +119,8 @@ bool model_check_whole(const struct rule *rule, const char *text, uint64_t milli
                         text);
 }
 
-/* Checks that a value is a valid page size: small pages (reconstructed), or large pages
- * (primary source). */
+/* Checks that a value is a valid page size: the size of a small page (reconstructed) or
+ * of a large page (primary source). */
 static bool check_page(const struct rule *rule, const char *text, uint64_t millionths,
                        c205_error *error)
 {
@@ -181,7 +182,7 @@ bool model_find_rule(const c205_model *model, const char *name, size_t *index)
     return false;
 }
 
-/* Parses: name value unit source # remark */
+/* Parses a line of the form "name value unit source # remark". */
 static bool read_constant(struct model_reader *reader, const char *name, char *line,
                           char *remark)
 {
@@ -486,7 +487,8 @@ static bool is_shared(const c205_model *model, enum constant id)
     return !strcmp(model->constant[id].shown.unit, shared_rate);
 }
 
-/* Returns the rate if each pipe takes at_once elements per clock. */
+/* Returns a rate of the model. A rate that the pipes share is divided by the number of
+ * pipes and by the constant at_once, the elements that each pipe takes per clock. */
 static struct rate rate_of(const c205_model *model, enum constant id,
                            enum constant at_once)
 {

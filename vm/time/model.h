@@ -16,7 +16,7 @@ enum constant {
     TIMING_CONSTANTS, /* two constants for each timing class follow */
     CONSTANTS = TIMING_CONSTANTS + 2 * C205_TIMINGS
 };
-/* The constants of a projection. model_whole reads them, too. */
+/* The constants of a projection. They can be read with model_whole, too. */
 enum projection_constant {
 #define CONSTANT(id, name, kind, unit, least, most) PROJECTION_##id,
 #include "vm/time/projection.def"

@@ -42,7 +42,8 @@ static bool check_value(const struct rule *rule, const char *text, uint64_t mill
            && model_check_range(rule, text, millionths, error);
 }
 
-/* Sets a constant. Fills text, which must exist as long as the model. */
+/* Sets a constant of a model. Writes its value to text, which must exist as long as the
+ * model. */
 static bool set_value(c205_model *model, const c205_setting *setting, bool whole,
                       char *text, c205_error *error)
 {
@@ -89,7 +90,7 @@ static c205_model *copy_model(const c205_model *model, size_t count)
     return NULL;
 }
 
-/* Sets a name such as "NAME with machine.pipes 4, page.words 512". */
+/* Names the changed model, for example "NAME with machine.pipes 4, page.words 512". */
 static bool name_change(c205_model *changed, const c205_setting *settings, size_t count)
 {
     const char *name = changed->like->name;

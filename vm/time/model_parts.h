@@ -8,7 +8,7 @@
 
 enum constant_kind { WHOLE, DECIMAL, RATE, PAGE };
 
-/* The constraints on a constant. */
+/* The constraints on a constant of a machine model. */
 struct rule {
     const char *name;
     enum constant_kind kind;

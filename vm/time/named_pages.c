@@ -73,8 +73,8 @@ static void find_last(const struct page_walk *walk, const struct index_list *lis
     }
 }
 
-/* Inserts a page in the order of `last`. Insertion sort suffices, because the list is
- * short. */
+/* Inserts a page. The pages are in the order of their last references, `last`.
+ * Insertion sort suffices, because the list is short. */
 static void add_page(struct named_pages *named, uint64_t low, const uint32_t *last,
                      uint64_t page)
 {

@@ -8,8 +8,8 @@
 
 enum { MAX_NAMED = 64 };
 
-/* The pages of the latest list in a table of elements of 2^places bits. They are the
- * same for a table that begins up to `slack` bits later. */
+/* The pages that the latest list of indices accesses in a table of elements of 2^places
+ * bits. They are the same for a table that begins up to `slack` bits later. */
 struct named_pages {
     uint64_t number; /* number of the list; 0: none */
     unsigned places;

@@ -1,4 +1,6 @@
-/* pages.c - translates addresses with associative registers and real memory. */
+/* pages.c - keeps the list of pages in the associative registers and in real memory,
+ * and counts translation misses and page faults.
+ */
 #include "vm/time/pages.h"
 
 #include "vm/memory.h"
@@ -53,8 +55,8 @@ void pages_forget(struct pages *pages)
 
 /* ---- The hash table ----------------------------------------------------- */
 
-/* Returns the first page with the same hash. The hash spreads neighbouring pages and
- * the pages of any stride. */
+/* Returns the head of the list of pages that have the same hash as a page. The hash
+ * spreads neighbouring pages and the pages of any stride. */
 static uint32_t *hashed(const struct pages *pages, uint64_t page)
 {
     uint64_t hash = page * UINT64_C(0x9E3779B97F4A7C15);
@@ -106,8 +108,8 @@ static void put_in_front(struct pages *pages, uint32_t at)
     resident[second].newer = resident[HEAD].older = at;
 }
 
-/* Enters the front page into the registers. If they are full, the page at the edge
- * drops out. */
+/* Enters the latest page into the associative registers. If they are full, the page at
+ * the edge, their least recently used page, leaves them. */
 static void learn(struct pages *pages, uint32_t at)
 {
     if (pages->registers == 0)
@@ -194,9 +196,9 @@ static bool all_known(const struct pages *pages, const struct named_pages *named
     return true;
 }
 
-/* Looks up the pages of a list. If the registers hold all of them, no page drops out.
- * The final order then depends only on the last reference to each page, so one look-up
- * per page suffices. */
+/* Looks up the pages that a list of indices accesses. If the associative registers hold
+ * all of them, no page drops out. The final order then depends only on the last
+ * reference to each page, so one look-up per page suffices. */
 void pages_touch_indexed(struct pages *pages, uint64_t table, unsigned step,
                          const struct index_list *list, struct translation *met)
 {

@@ -57,7 +57,7 @@ void pages_forget(struct pages *pages);
 /* Looks up a page by its number and adds its miss and fault to *met. Looking up the
  * pages in memory from the oldest to the latest rebuilds the same list. */
 void pages_look_up(struct pages *pages, uint64_t page, struct translation *met);
-/* Returns true if the registers hold the page. */
+/* Returns true if the associative registers hold the page. */
 bool pages_know(const struct pages *pages, uint64_t page);
 /* Looks up every page of a range of bits, in order. */
 void pages_touch_all(struct pages *pages, uint64_t address, uint64_t bits,

@@ -18,8 +18,8 @@ enum unit_kind {
 };
 enum { MAX_UNITS = 4 };
 
-/* The time and units of each timing class. Vector classes have none, because the other
- * machine has no vector unit. */
+/* The time and the kind of unit of each timing class on the other machine. Vector
+ * classes have none, because the other machine has no vector unit. */
 static const struct class
 {
     bool known;
@@ -124,9 +124,8 @@ static uint64_t operands_ready(const c205_projection *projection,
     return ready;
 }
 
-/* Returns the maximum of the given times of the result registers. With ready, it is the
- * time from which they may be reserved again; with read, the time from which they may
- * be written. */
+/* Returns the maximum of `times` over the result registers: the time at which all of
+ * them can be reserved (projection->ready) or written (projection->read). */
 static uint64_t results_free(const uint64_t *times, const struct decoded *decoded)
 {
     uint64_t free_at = 0;
@@ -171,8 +170,8 @@ static void operate(c205_projection *projection, const struct decoded *decoded)
         projection->now += time;
 }
 
-/* Charges the loads and stores of a SWAP in sequence. With units, they begin at the
- * rate of the units that compute their addresses. */
+/* Charges the loads and stores of a SWAP, one after another. If operations overlap,
+ * they begin at the rate at which the units compute their addresses. */
 static void swap(c205_projection *projection, const struct effect *effect)
 {
     uint64_t loads = effect->swapped - effect->saved;

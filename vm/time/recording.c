@@ -2,8 +2,8 @@
  * clocks.
  *
  * The record consists of decoded instructions and their effects. Each executed
- * instruction is a word, | 16 flags | 16 touches | 32 instruction |, followed by the
- * words of its effect in the order of the flags.
+ * instruction is recorded as a word, | 16 flags | 16 touches | 32 instruction |,
+ * followed by the words of its effect in the order of the flags.
  */
 #include "vm/time/recording.h"
 #include "vm/error.h"
@@ -63,7 +63,7 @@ void c205_recording_free(c205_recording *recording)
 
 /* ---- Recording ----------------------------------------------------------- */
 
-/* Doubles an array. Returns NULL if the host is out of memory. */
+/* Doubles the size of an array. Returns NULL if the host is out of memory. */
 static void *grown(void *items, size_t *room, size_t size)
 {
     size_t more = *room ? 2 * *room : 1024;
@@ -98,7 +98,8 @@ static bool grow_instructions(c205_recording *recording)
     return kept;
 }
 
-/* Returns the number of an instruction, or 0 if the host is out of memory. */
+/* Stores an instruction. Returns its number in the recording, or 0 if the host is out
+ * of memory. */
 static uint32_t store_instruction(c205_recording *recording,
                                   const struct decoded *decoded)
 {

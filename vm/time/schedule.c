@@ -1,7 +1,9 @@
-/* schedule.c - finds, follows and creates the schedules of blocks.
+/* schedule.c - finds the schedule of a block, charges the block by it, and creates new
+ * schedules.
  *
- * A full table of schedules or states is cleared as a whole. The generation of the
- * clock then changes, which invalidates the schedules of every block.
+ * When the table of schedules or the table of states is full, both are cleared. The
+ * clock then gets a new generation number, which invalidates the schedules of every
+ * block.
  */
 #include "vm/time/schedule.h"
 
@@ -49,9 +51,9 @@ static void forget_all(struct clock *clock)
 
 /* ---- Lazy clocks -------------------------------------------------------- */
 
-/* Makes the clock lazy. Reading the state in flight takes time, so it is postponed if
- * the state may soon be empty or the vector unit soon busy again. Returns false if the
- * clock is not lazy. */
+/* Makes the clock lazy (schedule.h). Reading the state in flight takes time, so it is
+ * postponed if the state may soon be empty or the vector unit soon busy again. Returns
+ * false if the clock is not lazy afterwards. */
 static bool fold(struct clock *clock)
 {
     struct in_flight_table *flights = &clock->schedules->flights;
@@ -144,8 +146,9 @@ uint64_t clock_all_done(const struct clock *clock)
 
 /* ---- Blocks -------------------------------------------------------------- */
 
-/* Touches known pages, which changes only their order. Touching a page twice has no
- * further effect. Returns false if a page is not known. */
+/* Looks up the pages that a block touches. Returns false if the associative registers
+ * do not hold one of them. Otherwise only the order of the pages changes. Looking up a
+ * page twice has no further effect. */
 static bool reach_known_pages(struct pages *pages, const struct effect *effect)
 {
     struct translation met = { 0, 0 };
@@ -173,8 +176,9 @@ static struct schedule *find_schedule(const struct clock *clock,
     return schedule;
 }
 
-/* Charges a block instruction by instruction. Each instruction that touches memory has
- * one touch, in order. The last one has all remaining touches. */
+/* Charges a block instruction by instruction. effect->touch has the memory ranges of
+ * all instructions, in order: one for each instruction that accesses memory, and any
+ * number for the last instruction. */
 static void charge_each(struct clock *clock, const struct code_block *block,
                         unsigned count, const struct effect *effect)
 {
@@ -247,8 +251,8 @@ static void check_generation(const struct clock *clock, struct code_block *block
     block->schedule_count = 0;
 }
 
-/* Charges a block by a schedule. Returns false if it must be charged instruction by
- * instruction. */
+/* Charges a block with the stored costs of a schedule. Returns false if this is not
+ * possible, so that each instruction must be charged. */
 static bool charge_whole(struct clock *clock, struct code_block *block, unsigned count,
                          const struct effect *effect)
 {
