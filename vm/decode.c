@@ -16,8 +16,8 @@ static semantics *const functions[] = {
 
 /* ---- Fetch -------------------------------------------------------------- */
 
-/* Returns a half word of code. The code of an interrupted instruction is its saved
- * copy. */
+/* Returns a half word of code. The code of an interrupted instruction is read from its
+ * saved copy, because memory may have changed. */
 static c205_trap fetch_half(struct c205 *machine, uint64_t address, c205_word *half)
 {
     uint64_t skip = address % WORD_BITS;
@@ -34,7 +34,7 @@ static c205_trap fetch_half(struct c205 *machine, uint64_t address, c205_word *h
     return C205_TRAP_NONE;
 }
 
-/* Returns the word of the instruction in the form that c205_decode expects. */
+/* Fetches the word of the instruction at pc, in the form that c205_decode expects. */
 static c205_trap fetch(struct c205 *machine, uint64_t pc, const c205_insn **insn,
                        c205_word *word)
 {
@@ -85,14 +85,15 @@ static char result_letter(const c205_insn *insn)
     return insn->operands[commas];
 }
 
-/* Returns true if Z of this instruction may be an input or a result. */
+/* Returns true if Z of this instruction is an input or a result, depending on its G
+ * bit. */
 static bool may_be_given(const c205_insn *insn)
 {
     return has_letter(insn->operands, "g");
 }
 
-/* Returns true if the result may have an offset. The same G bit means a given Z for
- * some instructions. */
+/* Returns true if the result may have an offset. The G bit for the offset has another
+ * meaning if Z may be an input. */
 static bool may_have_offset(const c205_insn *insn)
 {
     char letter = result_letter(insn);
@@ -167,8 +168,8 @@ static uint16_t slot_of(struct decoded *decoded, unsigned number, char letter,
     return (uint16_t)number;
 }
 
-/* Returns the operand letter of this instruction: a capital for a 32-bit operand, and b
- * or o in place of g. */
+/* Returns the operand letter for this instruction: a capital letter if the operand has
+ * 32 bits. The letter g becomes b if Z is an input, and o if Z is a result. */
 static char sized(const struct decoded *decoded, char letter)
 {
     bool half = decoded->insn->flags & C205_INSN_HALF
@@ -187,7 +188,7 @@ static uint8_t operand_width(char letter)
     return is_one_of(letter, "beo") ? 1 : WORD_BITS;
 }
 
-/* Binds the operand A, B or C, or R, S or T of the short formats. */
+/* Binds operand A, B or C, or R, S or T of the short formats, to a register. */
 static uint16_t bind_operand(struct decoded *decoded, unsigned operand, unsigned number,
                              char letter, bool broadcast)
 {
@@ -254,8 +255,9 @@ static void bind(struct decoded *decoded, char field, char letter)
     }
 }
 
-/* Walks over the syntax and the operand letters in parallel. An offset (+X) has no
- * operand letter. */
+/* Binds the operands of an instruction to registers: walks over the syntax of its
+ * format and over its operand letters in parallel. An offset (+X) has no operand
+ * letter. */
 static void bind_all(struct decoded *decoded)
 {
     const c205_insn *insn = decoded->insn;

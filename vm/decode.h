@@ -49,8 +49,9 @@ struct touch {
     uint64_t address, bits;
     bool stored; /* the range was stored, in whole or in part */
 };
-/* A vector instruction has at most six touches. Each instruction of a block has one
- * touch, but a SWAP at its end has two. */
+/* The effect of a vector instruction has at most six touches, which are ranges of
+ * memory. Each instruction of a block has at most one touch, except that a SWAP at the
+ * end of the block has two. */
 enum { BLOCK_INSNS = 32, EFFECT_TOUCHES = BLOCK_INSNS + 1 };
 
 /* The effect of an instruction. Its semantics fill it; the clock and the events read
@@ -81,7 +82,7 @@ struct effect {
 #define TABLE_BITS 14
 #endif
 
-/* A direct-mapped cache of decoded instructions by address. Entries are not cleared
+/* A direct-mapped cache of decoded instructions by address. Only pc is initialised
  * before use, because many machines run only for a short time. */
 enum { DECODE_ENTRIES = 1 << TABLE_BITS, INSTRUCTION_STEP = 32 };
 #define NOT_DECODED UINT64_MAX

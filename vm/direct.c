@@ -27,7 +27,7 @@ struct place {
     c205_word word; /* the word of the register */
 };
 
-/* The sources of one instruction. */
+/* The sources of an instruction in the host's memory. */
 struct direct_sources {
     const struct operation *operation;
     struct place a, b;
@@ -48,8 +48,8 @@ static inline bool find_source(struct place *place, struct c205 *machine,
     return place->words;
 }
 
-/* Finds both sources. handed_a and handed_b are chunks that replace A and B, or
- * NULL. */
+/* Finds both sources in the host's memory. handed_a and handed_b, if not NULL, are
+ * chunks of earlier results that replace A and B. */
 static inline bool find_sources(struct direct_sources *sources, struct c205 *machine,
                                 const struct decoded *decoded,
                                 const struct operation *operation, size_t n,
@@ -179,7 +179,8 @@ static inline void operate_all(struct c205 *machine, const struct operation *ope
         operation->binary(c, a, b, n, &machine->data_flags);
 }
 
-/* Stores the results of a chunk. Copied elements need no temporary array. */
+/* Stores the results of a chunk. A copy under a control vector needs no temporary array
+ * unless the result overlaps the source. */
 static inline void store_chunk(const struct direct_result *result,
                                const struct operation *operation, const c205_word *a,
                                const c205_word *b, size_t first, size_t n)
@@ -212,7 +213,7 @@ static inline void take_chunk(const struct direct_result *result,
         compare_chunk(result, sources->operation, a, b, first, n);
 }
 
-/* The state of a linked pair. */
+/* The two instructions of a linked pair and what passes between them. */
 struct direct_both {
     struct direct_sources one, two;
     c205_word handed[CHUNK]; /* results of the first instruction */
@@ -225,7 +226,8 @@ static inline pair_operand operand_at(struct place place, size_t first)
     return operand;
 }
 
-/* Returns false if the two operations must run separately. */
+/* Executes both operations of a linked pair in one pass. Returns false if they must run
+ * separately. */
 static inline bool take_in_one_pass(const struct direct_result *result,
                                     const struct direct_both *pair, size_t first,
                                     size_t n)

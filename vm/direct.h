@@ -29,7 +29,8 @@ static inline size_t direct_length(c205_word descriptor)
     return (size_t)(descriptor >> LENGTH_SHIFT);
 }
 
-/* Returns true if the instruction starts in this turn and completes in it. */
+/* Returns true if an instruction of n elements runs from its first to its last element
+ * without an interruption by the clock limit. */
 static inline bool direct_turn(const struct c205 *machine, size_t n)
 {
     return n > 0 && n <= machine->allowed && machine->resume.first == 0;
@@ -110,7 +111,8 @@ static inline uint64_t leading_bits(size_t n)
     return UINT64_MAX << (WORD_BITS - n);
 }
 
-/* Reads n bits from position first, a multiple of 64. Unused bits are zero. */
+/* Reads n bits from position first, which must be a multiple of 64. Unused bits of the
+ * last word are zero. */
 static inline void direct_read_bits(struct direct_bits string, size_t first,
                                     uint64_t *bits, size_t n)
 {
@@ -125,7 +127,8 @@ static inline void direct_read_bits(struct direct_bits string, size_t first,
     }
 }
 
-/* Reads the permitted elements from a control vector, like control_read. */
+/* Reads which of n elements a control vector permits. blocked: all ones if a one bit
+ * blocks its element, otherwise 0. */
 static inline void direct_read_control(struct direct_bits control, uint64_t blocked,
                                        size_t first, uint64_t *permitted, size_t n)
 {
@@ -141,7 +144,7 @@ static inline void direct_merge(c205_word *word, uint64_t bits, uint64_t mask)
     *word ^= (*word ^ bits) & mask;
 }
 
-/* Writes n bits from position first, under a mask (NULL: all). */
+/* Writes those of n bits from position first that are permitted (NULL: all). */
 static inline void direct_write_bits(struct direct_bits string, size_t first,
                                      const uint64_t *bits, const uint64_t *permitted,
                                      size_t n)
@@ -163,13 +166,13 @@ static inline void direct_write_bits(struct direct_bits string, size_t first,
 
 struct operation;
 
-/* Executes the instruction. Returns false, without effect, if the instruction is not
- * simple. */
+/* Executes the instruction in the host's memory. Returns false, without effect, if
+ * operand.h must execute it. */
 bool direct_elementwise(struct c205 *machine, const struct decoded *decoded,
                         const struct operation *operation);
-/* Executes a linked pair. The result of the first instruction is A (hand_a), B (hand_b)
- * or both of the second. Returns false, without effect, if one of the two instructions
- * is not simple. */
+/* Executes a linked pair in the host's memory. The result of the first instruction
+ * replaces A (hand_a), B (hand_b) or both of the second. Returns false, without effect,
+ * if operand.h must execute one of the two instructions. */
 bool direct_pair(struct c205 *machine, const struct decoded *const *linked, bool hand_a,
                  bool hand_b);
 

@@ -7,8 +7,8 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-/* Declares that a parameter is a printf format, and gives the number of its first
- * value. */
+/* Declares that a parameter is a printf format. `first` is the number of the first
+ * argument that it formats. */
 #if defined(__GNUC__)
 #define PRINTF_FORMAT(format_at, first) \
     __attribute__((format(printf, format_at, first)))

@@ -27,7 +27,8 @@ static void describe_register(c205_event *event, unsigned slot)
         event->written[slot / 64] |= UINT64_C(1) << slot % 64;
 }
 
-/* Returns the range from the lowest to the highest address of a list of indices. */
+/* Returns the range from the lowest to the highest address that an instruction with an
+ * index list accesses. */
 static c205_range indexed_range(const struct effect *effect)
 {
     uint64_t least = UINT64_MAX, greatest = 0;
@@ -109,8 +110,9 @@ bool c205_listen(c205 *machine, c205_listener *listener, void *context)
 
 /* ---- The machine's own listeners ---------------------------------------- */
 
-/* c205_project and c205_record pass on the input of the clock, to which other listeners
- * have no access. */
+/* Returns true for the events that charge clocks. For them, c205_project and
+ * c205_record use the decoded instruction and its effect, which other listeners cannot
+ * access. */
 static bool was_executed(const c205_event *event)
 {
     return event->kind == C205_EVENT_INSTRUCTION || event->kind == C205_EVENT_REQUEST;

@@ -5,9 +5,9 @@
 #include "vm/number/host.h"
 #include "vm/vector.h"
 
-/* A is the index list, or the distance between indices. Indices count elements from the
- * start of a table. Gather moves elements from the table to the result C, scatter moves
- * them from the source B to the table. */
+/* A gather or scatter instruction. A is the index list, or the distance between
+ * indices. Indices count elements from the start of a table. Gather moves elements from
+ * the table to the result C, scatter moves them from the source B to the table. */
 struct transfer {
     struct stream stream;
     bool gather, periodic;
@@ -25,8 +25,8 @@ static uint64_t table_address(const struct transfer *transfer, c205_word index)
 
 /* ---- The index list ----------------------------------------------------- */
 
-/* Returns n indices. A constant distance A has the indices 0, A, 2A, ..., which are not
- * in memory. */
+/* Returns n indices from position first. If a constant distance replaces the index
+ * list, the index at position i is i x distance. */
 static const c205_word *read_indices(struct transfer *transfer, size_t first, size_t n)
 {
     struct source *a = &transfer->stream.a;
@@ -170,8 +170,8 @@ static c205_trap transfer_chunks(struct transfer *transfer)
 
 /* ---- One element at a time ---------------------------------------------- */
 
-/* The overwritten words. They are restored if a later element traps or belongs to a
- * later turn. */
+/* The words that a scatter has overwritten. They are restored if a later element traps
+ * or belongs to a later turn. */
 struct undo {
     c205_word *old;
     c205_word *address;
@@ -211,8 +211,9 @@ static void put_back(struct transfer *transfer, const struct undo *undo, size_t 
                       undo->old[transfer->count - 1]);
 }
 
-/* Transfers all elements, so a trap of any element occurs before the instruction has an
- * effect. The elements of later turns are then restored. */
+/* Transfers all elements, including those of later turns, so a trap of any element
+ * occurs before the instruction has an effect. Then restores the elements of later
+ * turns or, after a trap, all elements. */
 static c205_trap transfer_one_by_one(struct transfer *transfer)
 {
     struct stream *stream = &transfer->stream;
@@ -446,7 +447,8 @@ static c205_trap execute_scatter(struct transfer *transfer)
     return trap == C205_TRAP_NONE ? run_transfer(transfer) : trap;
 }
 
-/* Describes the operands of a gather, in which B is a table and not a stream. */
+/* Evaluates the descriptors of the operands of a gather, in which B is a table and not
+ * a stream. */
 static c205_trap describe_gather(struct transfer *transfer, struct c205 *machine,
                                  const struct decoded *decoded)
 {

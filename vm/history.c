@@ -10,11 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A snapshot is taken after this number of instructions or clocks. The limit in clocks
- * is for long vector instructions. Running from a snapshot to the next takes some
- * milliseconds. */
+/* A snapshot is taken after STEPS_APART instructions or CLOCKS_APART clocks, whichever
+ * comes first. The limit in clocks is for long vector instructions. Running from a
+ * snapshot to the next takes some milliseconds. */
 enum { STEPS_APART = 512, CLOCKS_APART = 1 << 20 };
-/* The instructions and clocks between snapshots are doubled up to this limit. */
+/* The distances between snapshots, in steps and in clocks, are doubled up to this
+ * limit. */
 #define MAX_STEPS_APART (UINT64_C(1) << 50)
 
 struct snapshot {
@@ -138,7 +139,8 @@ static bool store_snapshot(struct c205_history *history, c205_error *error)
     return true;
 }
 
-/* Drops the snapshots of this step and later ones, which are no longer valid. */
+/* Drops the snapshots of the current step and later steps, which are no longer
+ * valid. */
 static void forget_later(struct c205_history *history)
 {
     while (history->count > 0
@@ -249,7 +251,7 @@ static c205 *restore(const struct c205_history *history, const struct snapshot *
     return c205_restore(from->bytes, from->size, history->machine->model, error);
 }
 
-/* Restores the changed state if the host changed the machine at this step. */
+/* If the host changed the machine at this step, restores the state after the change. */
 static bool take_change(struct c205_history *history)
 {
     const struct snapshot *here = &history->list[find_snapshot(history, history->step)];
@@ -265,7 +267,7 @@ static bool take_change(struct c205_history *history)
 
 /* ---- Forward ------------------------------------------------------------ */
 
-/* Executes one step. A step that is repeated has the same result. */
+/* Executes one step. A step that was executed before has the same result again. */
 static bool forward(struct c205_history *history, c205_stop *stop)
 {
     bool goes_on;

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* Names of the flags in the table. */
+/* Short names of the instruction flags, for the rows of insn.def. */
 enum {
     SIGN = C205_INSN_SIGN,
     PADZ = C205_INSN_PADZ,

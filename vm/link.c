@@ -1,8 +1,8 @@
 /* link.c - the link prefix, which runs two vector instructions as one stream.
  *
  * The result of the first instruction goes to the second without passing through
- * memory. Memory has two read paths, so at most two of the three other sources may be
- * vectors.
+ * memory. Memory has two read paths, so at most two of the other sources of the pair
+ * may be vectors.
  */
 #include "vm/direct.h"
 #include "vm/vector.h"

@@ -220,8 +220,8 @@ static inline void clear_effect(struct effect *effect)
     effect->swapped = effect->saved = 0;
 }
 
-/* Limits a vector instruction to the elements that can be processed before the
- * limit. */
+/* Limits a vector instruction to the elements that it can process before the clock
+ * reaches the limit. */
 static void limit_elements(struct c205 *machine, const struct decoded *decoded,
                            uint64_t limit)
 {
@@ -258,7 +258,8 @@ static inline bool step(struct c205 *machine, uint64_t limit, c205_stop *stop)
 
 /* ---- Runs --------------------------------------------------------------- */
 
-/* Executes blocks, then one instruction. */
+/* Executes blocks as far as possible, then one instruction that cannot run in a
+ * block. */
 static inline bool continue_run(struct c205 *machine, uint64_t limit, c205_stop *stop)
 {
     const c205_insn *insn;

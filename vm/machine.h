@@ -142,7 +142,8 @@ static inline void machine_deliver(struct c205 *machine, const struct decoded *d
         machine->slot[decoded->c] = number;
 }
 
-/* Stores a result in C and the next register, or in both halves of one register. */
+/* Stores a result of two words in C and the next register, or a result of two half
+ * words in the halves of C. */
 static inline void machine_deliver_parts(struct c205 *machine,
                                          const struct decoded *decoded, c205_word upper,
                                          c205_word lower)
@@ -200,7 +201,8 @@ static inline uint64_t machine_flags(const struct c205 *machine)
 {
     return machine->data_flags | (machine_timer_has_run_out(machine) ? FLAG_TIMER : 0);
 }
-/* Returns the data flags for writing, and switches off an expired timer. */
+/* Moves the flag of an expired timer into the data flags, switches the timer off, and
+ * returns the data flags for writing. */
 uint64_t *machine_raise_flags(struct c205 *machine);
 
 static inline c205_trap rule_trap(enum rule rule)

@@ -227,7 +227,8 @@ void memory_mark_code(struct memory *memory, uint64_t address)
     page->holds_code = true;
 }
 
-/* Clears the marks. Words that still hold code are decoded again later. */
+/* Clears the marks of words that hold decoded code. A word that still holds code is
+ * decoded and marked again when it is executed. */
 void memory_change_code(struct memory *memory, struct page *page, size_t first,
                         size_t count)
 {
@@ -413,8 +414,8 @@ void memory_read_bits(const struct memory *memory, uint64_t address, uint64_t *b
     }
 }
 
-/* Returns 64 bits from any position of a string of count bits. Bits after its end are
- * zero. */
+/* Returns 64 bits from position `place` on of a string of count bits. Bits after the
+ * end of the string are zero. */
 static uint64_t bits_from(const uint64_t *bits, size_t place, size_t count)
 {
     size_t word = place / WORD_BITS, skip = place % WORD_BITS;

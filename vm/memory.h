@@ -90,8 +90,8 @@ const c205_word *memory_read_span(const struct memory *memory, uint64_t address,
                                   size_t *count);
 c205_word *memory_write_span(struct memory *memory, uint64_t address, size_t *count);
 
-/* These functions copy ranges across pages. memory_check must have succeeded for the
- * range. */
+/* These functions copy ranges that may extend over several pages. memory_check must
+ * have succeeded for the range. */
 void memory_read_words(const struct memory *memory, uint64_t address, c205_word *words,
                        size_t count);
 void memory_write_words(struct memory *memory, uint64_t address, const c205_word *words,
@@ -149,8 +149,8 @@ static inline struct page *memory_peek(const struct memory *memory, uint64_t add
     return pages ? pages[address >> PAGE_SHIFT & (DIRECTORY_PAGES - 1)] : NULL;
 }
 
-/* Allocates the page of zeros at an address, which is mapped but untouched, and returns
- * it. NULL: out of memory. */
+/* Allocates the page of an address that is mapped but untouched. Returns the page,
+ * which contains zeros. NULL: out of memory. */
 struct page *memory_touch(const struct memory *memory, uint64_t address);
 
 static inline bool memory_may_write(const struct page *page)
@@ -166,8 +166,8 @@ static inline struct page *memory_page(const struct memory *memory, uint64_t add
     return memory_is_untouched(page) ? memory_touch(memory, address) : page;
 }
 
-/* Returns the page of an address, and replaces a shared page by a copy of this machine.
- * NULL: not mapped, or out of memory. */
+/* Returns the page of an address. A shared page is first replaced by a copy that
+ * belongs to this memory. NULL: not mapped, or out of memory. */
 static inline struct page *memory_own_page(const struct memory *memory,
                                            uint64_t address)
 {

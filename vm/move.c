@@ -33,9 +33,9 @@ c205_trap execute_vector_reverse(struct c205 *machine, const struct decoded *dec
 
 /* ---- Mask, merge -------------------------------------------------------- */
 
-/* The control vector selects the source of each element, and all elements are stored.
- * Mask takes the element at the same index of that source. Merge takes its next
- * element. */
+/* A mask or merge instruction. The control vector selects the source of each element,
+ * and all elements of the result are stored. Mask takes the element at the same index
+ * of the source, merge takes the next element of the source. */
 struct choice {
     struct stream stream;
     size_t next_a, next_b;
@@ -221,9 +221,9 @@ static bool all_ahead(const struct sieve *sieve)
            && !operands_overlap(c, order);
 }
 
-/* Claims the result, which has as many elements as are kept. They are counted only if
- * there is no room for all n. They cannot be counted in advance if the result overlaps
- * unread operands, so there must be room for all n in this case. */
+/* Claims the result. Requires room for all n elements if the result overlaps unread
+ * operands, because the kept elements cannot be counted in advance. Otherwise room for
+ * the kept elements suffices; they are counted only if there is no room for n. */
 static c205_trap claim_kept(struct sieve *sieve)
 {
     struct stream *stream = &sieve->stream;

@@ -25,7 +25,8 @@ static struct vector describe(c205_word descriptor, unsigned width)
     return vector;
 }
 
-/* Adds an offset: it advances the address and shortens the length (reconstructed). */
+/* Adds an offset to a vector: its address increases and its length decreases
+ * (reconstructed). */
 static c205_trap advance(struct vector *vector, c205_word offset)
 {
     int64_t elements = c205_to_integer(offset);
@@ -58,8 +59,9 @@ static c205_word padding_of(const c205_insn *insn, unsigned width)
     return insn->flags & C205_INSN_PADZ ? C205_MACHINE_ZERO : 0;
 }
 
-/* Applies the sign control: first the magnitude, then the complement. The signs change
- * on the path to the pipe and not by an operation, so no data flags are set. */
+/* Applies the sign control to the words of a source: takes the magnitudes, then
+ * negates. The signs change on the path to the pipe and not by an operation, so no data
+ * flags are set. */
 static void control_sign(const struct source *source, c205_word *words, size_t n)
 {
     bool half = source->vector.width == HALF_BITS;
@@ -199,8 +201,8 @@ bool operand_recurs(const struct vector *read, size_t i, const struct vector *wr
            && vector_at(written, 0) < vector_at(read, i + 1);
 }
 
-/* Elements move to the same index or a lower index. A result that begins at its source
- * or below therefore overwrites only elements that have been read. */
+/* No result of element i is stored at an index above i. A result vector that does not
+ * begin above the source therefore overwrites only elements that have been read. */
 bool operand_is_ahead(const struct vector *read, const struct vector *written)
 {
     return !operands_overlap(read, written)

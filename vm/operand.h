@@ -54,16 +54,18 @@ c205_trap describe_a(struct source *source, const struct c205 *machine,
                      const struct decoded *decoded);
 c205_trap describe_b(struct source *source, const struct c205 *machine,
                      const struct decoded *decoded);
-/* Describes C and Z. An offset of C applies to both. */
+/* Evaluates the descriptors of the result C and of the control vector Z. An offset of C
+ * applies to both. */
 c205_trap describe_result(struct vector *result, struct control *control,
                           const struct c205 *machine, const struct decoded *decoded);
-/* Returns the bit vector of a descriptor, without offset. */
+/* Returns the bit vector that a descriptor specifies. No offset applies. */
 struct vector describe_bits(c205_word descriptor);
-/* Describes a bit vector. slot: the register of its descriptor. offset: the register of
- * its offset; 0: no offset. */
+/* Evaluates the descriptor of a bit vector, in register `slot`, and its offset, in
+ * register `offset` (0: no offset). */
 c205_trap describe_string(struct vector *string, const struct c205 *machine,
                           uint16_t slot, uint16_t offset);
-/* Describes Z of an instruction whose C is not a vector. */
+/* Evaluates the descriptor of the control vector Z of an instruction whose C is not a
+ * vector. */
 void describe_control(struct control *control, const struct c205 *machine,
                       const struct decoded *decoded);
 
@@ -85,8 +87,9 @@ bool operands_overlap(const struct vector *one, const struct vector *other);
  * written. */
 bool operand_recurs(const struct vector *read, size_t i, const struct vector *written,
                     size_t stored);
-/* Returns true if a whole chunk may be read before its results are stored. The result
- * of element i must not be stored at an index above i. */
+/* Returns true if a whole chunk of an operand may be read before any result of the
+ * chunk is stored. Valid for instructions that never store the result of element i at
+ * an index above i. */
 bool operand_is_ahead(const struct vector *read, const struct vector *written);
 
 /* ---- Read and store ----------------------------------------------------- */
@@ -102,8 +105,8 @@ void vector_read(const struct memory *memory, const struct vector *vector, size_
                  c205_word *words, size_t n);
 void vector_write(struct memory *memory, const struct vector *vector, size_t first,
                   const c205_word *words, size_t n);
-/* Returns the address of n elements from position first, for writing. Returns NULL if
- * they are not words or not contiguous. */
+/* Returns the address in the host of n elements from position first, for writing.
+ * Returns NULL if they are not words or not contiguous. */
 c205_word *vector_span(struct memory *memory, const struct vector *vector, size_t first,
                        size_t n);
 /* Store n elements, or only the elements that a control vector permits. */
@@ -118,7 +121,7 @@ void result_store_bits(struct c205 *machine, const struct vector *result,
  * number. */
 size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits, size_t n);
 size_t count_ones(const uint64_t *bits, size_t n);
-/* Returns the index of the first bit that is 1, or n. */
+/* Returns the index of the first of n bits that is 1, or n if all are 0. */
 size_t first_one(const uint64_t *bits, size_t n);
 
 static inline bool bit_at(const uint64_t *bits, size_t i)

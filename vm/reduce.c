@@ -12,13 +12,13 @@ static c205_trap open_sources(struct stream *stream, struct c205 *machine,
 
 /* ---- Sum, product, dot -------------------------------------------------- */
 
-/* The intermediate result in two parts, which are not normalised. A product uses the
- * upper part only. */
+/* The intermediate result of a reduction, in two parts, which are not normalised. A
+ * product uses the upper part only. */
 struct parts {
     c205_word upper, lower;
 };
 
-/* The arithmetic functions for words or for half words. */
+/* The functions with which reductions compute, for words or for half words. */
 struct arithmetic {
     c205_word one;
     arith_binary *add_upper, *add_lower;
@@ -81,7 +81,7 @@ static void fold_product(const struct arithmetic *arithmetic, struct parts *part
     arithmetic->product(&parts->upper, a, n, flags);
 }
 
-/* The elements that the control vector permits, in their order. */
+/* The permitted elements of a chunk, packed, in their order. */
 struct some {
     c205_word a[CHUNK], b[CHUNK];
 };
@@ -103,8 +103,9 @@ static size_t take_permitted(const struct stream *stream, size_t first, size_t n
     return n;
 }
 
-/* Runs from the start value or from the saved parts of an interrupted instruction.
- * Saves the parts if the turn ends before the last element. */
+/* Reduces the elements of this turn, starting with the start value or with the parts
+ * that an interruption saved. Saves the parts if the turn ends before the last
+ * element. */
 static c205_trap run_reduction(struct stream *stream, const struct reduction *reduction,
                                struct parts *parts)
 {
@@ -204,7 +205,7 @@ static void find_best(struct best *best, const c205_word *a, size_t first, size_
         }
 }
 
-/* Continues from the best element before the interruption. */
+/* Continues with the best element that was found before the interruption, if any. */
 static void resume_extreme(struct best *best, const struct resume_state *resume)
 {
     if (!resume->found)

@@ -30,7 +30,7 @@ uint32_t machine_region(const struct c205 *machine, uint64_t pc)
     return 0;
 }
 
-/* Returns the account of a name. Adds an account if the name is new. */
+/* Returns the index of the account with a name. Adds an account if the name is new. */
 static uint32_t account_of(const char **names, size_t *count, const char *name)
 {
     size_t i = 0;

@@ -62,8 +62,8 @@ static void walk_flag(bool *flag, struct serializer *serializer)
     *flag = size == 1;
 }
 
-/* Serializes the state. Reading accepts any numbers within these bounds, for which the
- * loops of the instruction remain within the claimed ranges. */
+/* Serializes the state. Reading accepts all numbers within these limits, because with
+ * any of them the instruction accesses only memory that it has claimed. */
 void resume_walk(struct resume_state *resume, struct serializer *serializer)
 {
     walk_flag(&resume->interrupted, serializer);

@@ -3,9 +3,10 @@
  * content is reconstructed.
  *
  * If the clock limit interrupts an instruction, its loop saves here the values that it
- * carries from one element to the next. Stored elements are already in memory. The
- * other operands are described and claimed again when the instruction continues. The
- * instruction is saved as well, so it continues even if its result overwrites its code.
+ * carries from one element to the next. Stored elements are already in memory. When the
+ * instruction continues, the descriptors of its operands are evaluated and their memory
+ * is checked again. The instruction is saved as well, so it continues even if its
+ * result overwrites its code.
  */
 #ifndef C205_RESUME_STATE_H
 #define C205_RESUME_STATE_H

@@ -95,7 +95,7 @@ static void walk_words(c205_word *words, struct serializer *serializer)
     }
 }
 
-/* Saves a page that was never used as a page of zeros, without allocating it. */
+/* Saves a page that was never used, which contains zeros, without allocating it. */
 static void save_untouched(struct serializer *serializer)
 {
     size_t access = C205_READ_WRITE, zeros = C205_PAGE_WORDS, words = 0;

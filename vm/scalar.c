@@ -103,8 +103,8 @@ c205_trap execute_set_timer(struct c205 *machine, const struct decoded *decoded)
 #define UNARY_COMMON(name) \
     TO_T(name, fast_##name(a, &machine->data_flags)) \
     TO_HALF(half_##name, half_##name(a, &machine->data_flags))
-/* Rows that have no register instruction, or whose register instruction is defined
- * below. */
+/* These rows of arith.def expand to nothing: they have no register instruction, or it
+ * is defined below. */
 #define BINARY_VECTORS(name)
 #define UNARY_VECTORS(name)
 
@@ -244,7 +244,7 @@ c205_trap execute_store_word(struct c205 *machine, const struct decoded *decoded
     return C205_TRAP_NONE;
 }
 
-/* Returns the bit address R + 32 S. */
+/* Returns the bit address R + 32 S of a half word. */
 static uint64_t half_address(const struct c205 *machine, const struct decoded *decoded)
 {
     return LOW(machine->slot[decoded->a] + machine->slot[decoded->b] * HALF_BITS);

@@ -26,7 +26,7 @@ static size_t search_for(struct stream *stream, c205_word word,
     return place;
 }
 
-/* Returns the number of comparisons of the machine, which stops at the element
+/* Returns the number of comparisons that the machine makes. It stops at the element
  * found. */
 static size_t compared(const struct stream *stream, size_t place)
 {

@@ -38,7 +38,8 @@ static inline bool serializer_is_read(const struct serializer *serializer)
 
 void serializer_word(struct serializer *serializer, uint64_t *word);
 void serializer_words(struct serializer *serializer, uint64_t *words, size_t count);
-/* Serializes a fixed number of words and their count. */
+/* Serializes an array of fixed length: its length, which reading checks, and its
+ * words. */
 void serializer_array(struct serializer *serializer, uint64_t *words, size_t count);
 /* Serializes a number. Reading fails if the number is above `most`. Writing does not
  * check it. */

@@ -2,8 +2,8 @@
  * present elements, packed, and of an order vector. The order vector has a one for each
  * present and a zero for each absent element.
  *
- * All order vectors are read before the first element is stored. A result whose order
- * vector is not given stores it after the last element.
+ * All order vectors are read before the first element is stored. If the order vector of
+ * the result is computed, it is stored after the last element.
  */
 #include "vm/vector.h"
 
@@ -44,8 +44,8 @@ static size_t orders_read(const struct sparse *sparse)
     return sparse->presence == GIVEN ? ORDERS : ORDERS - 1;
 }
 
-/* Returns the order vectors of an interrupted instruction, or NULL if there is none.
- * They were saved one after another, because the result may overwrite them. */
+/* Returns the saved order vectors of an interrupted instruction, one after another, or
+ * NULL if there are none. They are saved because the result may overwrite them. */
 static const uint64_t *kept_orders(const struct sparse *sparse)
 {
     struct c205 *machine = sparse->machine;
@@ -119,8 +119,8 @@ static size_t ones_from(const struct order_vector *order, size_t first, size_t n
 
 /* ---- Operands ---------------------------------------------------------- */
 
-/* Describes the packed vectors. The fields X and Y are order vectors and not offsets,
- * and the result has no offset. */
+/* Evaluates the descriptors of the packed vectors. The fields X and Y name order
+ * vectors and not offsets, and the result has no offset. */
 static c205_trap describe_packed(struct sparse *sparse, const struct decoded *decoded)
 {
     const struct c205 *machine = sparse->machine;
@@ -136,8 +136,9 @@ static c205_trap describe_packed(struct sparse *sparse, const struct decoded *de
     return trap;
 }
 
-/* Describes the order vectors. The number of positions is the length of Z if it is
- * given, and otherwise the larger length of X and Y. Further bits are ignored. */
+/* Evaluates the descriptors of the order vectors. The number of positions is the length
+ * of Z if it is given, and otherwise the larger length of X and Y. Bits after this
+ * number are ignored. */
 static void describe_orders(struct sparse *sparse, const struct decoded *decoded)
 {
     const c205_word *slot = sparse->machine->slot;
@@ -206,7 +207,8 @@ static size_t take_pairs(struct sparse *sparse, size_t first, size_t n,
     return count;
 }
 
-/* Counts the results that have an operand that an earlier element stored. */
+/* Counts the elements of the result whose operand is a word that an earlier element was
+ * stored to. */
 static void record_recurrence_of_sparse(const struct sparse *sparse)
 {
     const struct vector *a = &sparse->a.vector, *b = &sparse->b.vector;
@@ -256,8 +258,8 @@ static size_t longest(size_t a, size_t b, size_t c)
     return longer > c ? longer : c;
 }
 
-/* Returns the number of positions up to which no packed vector has more than the given
- * number of elements. */
+/* Returns the largest number of positions in which no packed vector has more than
+ * `elements` elements. */
 static size_t places_of(const struct sparse *sparse, size_t elements)
 {
     size_t x = 0, y = 0, z = 0, length = sparse->z.vector.length;

@@ -45,15 +45,15 @@ const char *machine_broken_rule(const struct c205 *machine, c205_trap trap)
 
 /* ---- The text of a stop ------------------------------------------------- */
 
-/* Returns true if the text of a stop contains its address. Traps of memory accesses
- * have address 0, too, because an uninitialised descriptor contains it. */
+/* Returns true if the text of a stop contains its address. A trap of a memory access
+ * has an address even if it is 0, the content of an uninitialised descriptor. */
 static bool has_address(const c205_stop *stop)
 {
     return stop->address || stop->trap == C205_TRAP_UNMAPPED_ADDRESS
            || stop->trap == C205_TRAP_PROTECTED_ADDRESS;
 }
 
-/* Writes ": 56000000", the half word that could not be decoded. */
+/* Writes a text such as ": 56000000" with the half word that could not be decoded. */
 static void describe_code(const c205 *machine, uint64_t pc, char text[20])
 {
     c205_word word;

@@ -99,7 +99,7 @@ c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
 
 /* ---- Recurrences -------------------------------------------------------- */
 
-/* The elements from first up to end, without end. */
+/* A range of elements from first to end - 1. */
 struct elements {
     size_t first, end;
 };
@@ -178,8 +178,8 @@ static uint64_t flags_of(const struct operation *operation, c205_word *words,
     return flags;
 }
 
-/* Returns the flags of the permitted elements. Flags are rare, so these elements are
- * compressed and computed again only if some element sets a flag. */
+/* Returns the flags that the permitted elements set. Flags are rare, so the permitted
+ * elements are compressed and computed again only if some element sets a flag. */
 static uint64_t permitted_flags(const struct operation *operation, const c205_word *a,
                                 const c205_word *b, size_t n, const uint64_t *permitted)
 {
@@ -200,8 +200,9 @@ void operate(struct c205 *machine, const struct operation *operation, c205_word 
     machine->data_flags |= flags;
 }
 
-/* Returns the memory of the result if it is contiguous, is stored completely and does
- * not overlap a source. Otherwise returns `words`. */
+/* Returns the memory of the result, for a computation in place, if it is contiguous and
+ * overlaps no source and the instruction has no control vector. Otherwise returns
+ * `words`. */
 static c205_word *result_space(struct stream *stream, size_t first, size_t n,
                                c205_word *words)
 {
@@ -245,7 +246,7 @@ static c205_trap run_stream(struct stream *stream, const struct operation *opera
     return stream_end(stream);
 }
 
-/* The operations for words and for half words. */
+/* The functions of each elementwise operation, for words and for half words. */
 static const struct operation operations[C205_OPERATIONS][2] = {
 /* clang-format off */
 #define OF_BOTH_SIZES(name, kind) \
@@ -381,7 +382,8 @@ static void evaluate(struct stream *stream, const struct horner *horner,
     }
 }
 
-/* Records the recurrence. Every element reads all coefficients. */
+/* Counts the elements of the result that must wait for an earlier one. Every element
+ * reads one element of A and all coefficients, which are B. */
 static void record_recurrence_of_polynomial(const struct stream *stream)
 {
     const struct vector *a = &stream->a.vector, *b = &stream->b.vector;

@@ -18,42 +18,42 @@ struct stream {
     bool scans_b;     /* each element of A reads all of B */
 };
 
-/* The operation on the elements. One of these pointers is not NULL. */
+/* The operation on the elements. Exactly one of these pointers is not NULL. */
 struct operation {
     lanes_unary *unary;
     lanes_binary *binary;
     lanes_compare *compare;
 };
 
-/* Returns the span function for the size of the instruction. */
+/* Returns the function of lanes.h for the element size of the instruction. */
 #define SIZED(decoded, name) \
     ((decoded)->fields.g & C205_G_HALF ? halves_##name : lanes_##name)
 
-/* Describes the operands. Sets n to the length of the result. */
+/* Evaluates the descriptors of the operands. Sets n to the length of the result. */
 c205_trap stream_describe(struct stream *stream, struct c205 *machine,
                           const struct decoded *decoded);
-/* Describes the operands of an instruction whose results are registers. Sets n to the
- * length of a source. */
+/* Evaluates the descriptors of the sources of an instruction whose results are
+ * registers. Sets n to the length of a source. */
 c205_trap stream_describe_sources(struct stream *stream, struct c205 *machine,
                                   const struct decoded *decoded);
 /* Sets n to the length of A, or to the length of B if A is broadcast. */
 c205_trap stream_take_length(struct stream *stream, const struct decoded *decoded);
-/* Claims all operands, and sets the number of elements that are processed at a time,
- * the chunk. */
+/* Claims all operands (operand.h). Sets stream->chunk to the number of elements that
+ * may be read before the first result is stored. */
 c205_trap stream_claim(struct stream *stream);
 /* Claims the sources of an instruction whose result is a register or is not stored, and
- * sets the chunk. */
+ * sets stream->chunk. */
 c205_trap stream_claim_sources(struct stream *stream);
-/* Describes and claims all operands of an instruction. */
+/* Evaluates the descriptors of all operands of an instruction and claims their
+ * memory. */
 c205_trap stream_open(struct stream *stream, struct c205 *machine,
                       const struct decoded *decoded);
-/* Describes and claims the operands of an instruction that reads all of B for each
- * element of A. */
+/* Like stream_open, for an instruction that reads all of B for each element of A. */
 c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
                            const struct decoded *decoded);
 
 /* Records in the effect how many of n elements of a result must wait for an earlier
- * result that a source reads. A pair has MAX_SOURCES sources. */
+ * result that a source reads. A linked pair has MAX_SOURCES sources. */
 enum { MAX_SOURCES = 4 };
 void record_recurrence(struct c205 *machine, const struct vector *result, size_t n,
                        const struct source *const *sources, size_t count);
@@ -82,7 +82,8 @@ void operate(struct c205 *machine, const struct operation *operation, c205_word 
 void stream_step(struct stream *stream, const struct operation *operation, size_t first,
                  size_t n, bool in_place);
 
-/* Returns the operation on elements for the size of the instruction. */
+/* Returns the operation of an instruction, for words or for half words as its G bits
+ * specify. */
 const struct operation *operation_of(const struct decoded *decoded);
 
 #endif
