@@ -24,7 +24,7 @@ echo help >"$work/help"
 # Prints the text of a card without blanks, in the notation of the table.
 plain_text() { # PDF
     pdftotext -raw "$1" - | tr -d ' \n\f' |
-        sed "s/×/x/g; s/≥/>=/g; s/≤/<=/g; s/≠/isnot/g; s/[−‐]/-/g; s/’/'/g
+        sed "s/×/x/g; s/≥/>=/g; s/≤/<=/g; s/≠/isnotequalto/g; s/[−‐]/-/g; s/’/'/g
             s/±//g; s/|/!/g"
 }
 

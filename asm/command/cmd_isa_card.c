@@ -17,11 +17,10 @@ enum { MAX_OPERANDS = 14 };
 static const struct {
     const char *written, *set;
 } signs[] = {
-    { " x ", " \\(mu " },        { ">=", "\\(>=" },
-    { "<=", "\\(<=" },           { " is not S", " \\(!= S" },
-    { " is not Z", " \\(!= Z" }, { " is not B", " \\(!= B" },
-    { " - ", " \\- " },          { "-A", "\\-A" },
-    { " -= ", " \\-= " },        { "\"", "\\(dq" },
+    { " x ", " \\(mu " }, { ">=", "\\(>=" },
+    { "<=", "\\(<=" },    { " is not equal to ", " \\(!= " },
+    { " - ", " \\- " },   { "-A", "\\-A" },
+    { " -= ", " \\-= " }, { "\"", "\\(dq" },
 };
 enum { SIGNS = sizeof signs / sizeof *signs };
 

@@ -112,23 +112,19 @@ static void put_formats(void)
 {
     char drawing[ISA_DRAWING];
     puts("## Formats\n\n"
-         "A drawing shows the fields of a format with their widths in bits, from bit "
-         "0 on the left.\n"
-         "F is the operation code, I an immediate or the distance of a branch, and - "
-         "an unused\n"
-         "field. The other fields have the letters of the operands, which follow the "
-         "drawing. A\n"
-         "capital letter is a register field. `[X]` is a register with a descriptor "
-         "or an address,\n"
-         "and `+X` an optional offset. `a` and `b` are sources: `[a]`, `[a, x]` with "
-         "an offset, or\n"
-         "a register without brackets. `?Z` is an optional control vector, and `!Z` "
-         "a required\n"
-         "control vector. The table of each instruction shows which operands are "
-         "half registers,\n"
-         "`h0` .. `h255`. If the instruction allows the suffix `,H` (bit 80 of G), "
-         "its operands are\n"
-         "32 bits long with this suffix.\n");
+         "A drawing shows the fields of a format with their widths in bits, from "
+         "bit 0 on the left. F is the operation code, I\n"
+         "an immediate or the distance of a branch, and - an unused field. Each "
+         "other field has the letter of its operand; the\n"
+         "operands are written to the right of the drawing. A capital letter is a "
+         "register field. `[X]` is a register with a\n"
+         "descriptor or an address, and `+X` an optional offset. `a` and `b` are "
+         "sources: `[a]`, `[a, x]` with an offset, or a\n"
+         "register without brackets. `?Z` is an optional control vector, and `!Z` a "
+         "required control vector. The table of each\n"
+         "instruction shows which operands are half registers, `h0` .. `h255`. If "
+         "the instruction allows the suffix `,H` (bit\n"
+         "80 of G), its operands are 32 bits long with this suffix.\n");
     for (int format = 0; format < C205_FORMATS; format++) {
         const c205_insn *insn = first_of((c205_format)format);
         if (insn) {
@@ -145,19 +141,20 @@ static void put_g_bits(void)
     puts("\n## The bits of G\n\n| G | meaning | allowed in |\n|---|---|---|");
     for (size_t i = 0; i < G_BITS; i++)
         printf("| %02X | %s | %s |\n", g_bits[i].bit, g_bits[i].text, g_bits[i].where);
-    printf("\nIf the code of an instruction is written `9D.02`, the digits after the "
-           "point are bits of G\n"
-           "that belong to the operation. In the branches B0-B5, bit %02X makes the "
-           "target a distance\n"
-           "from the branch; without this bit the target is the address (Y) + (B). "
-           "Any other bit\n"
-           "causes the trap `undefined-instruction`.\n\n"
-           "I4 of the formats ALTER, ALTERB and ALTERF is the low half of G. The high "
-           "two bits of I4\n"
-           "give the condition of the branch: never, always, the bit is one, the bit "
-           "is zero. The low\n"
-           "two bits give the change of the bit: none, invert it, make it zero, make "
-           "it one.\n",
+    printf("\n"
+           "If the code of an instruction is written `9D.02`, the digits after the "
+           "point are bits of G that belong to the\n"
+           "operation. In the branches B0-B5, bit %02X makes the target a distance "
+           "from the branch; without this bit the target\n"
+           "is the address (Y) + (B). A one in a bit of G that an instruction does "
+           "not allow causes the trap\n"
+           "`undefined-instruction`.\n"
+           "\n"
+           "The immediate I4 of the formats ALTER, ALTERB and ALTERF is the low "
+           "half of G. The high two bits of I4 give the\n"
+           "condition of the branch: 0 never, 1 always, 2 if the bit is one, 3 if "
+           "the bit is zero. The low two bits give the\n"
+           "change of the bit: 0 none, 1 invert it, 2 make it zero, 3 make it one.\n",
            C205_G_RELATIVE);
 }
 
@@ -353,19 +350,18 @@ int isa_page(const char *command, const c205_model *model)
     puts("# The instructions\n\n"
          "<!-- made from vm/insn.def and asm/isa_examples by "
          "make docs -->\n");
-    printf("This page describes all %zu instructions in the order of their table. The "
-           "rules for\n"
-           "many instructions are in [machine.md](machine.md), the bits of the "
-           "arithmetic in\n"
-           "[arithmetic.md](arithmetic.md), and the clock in [timing.md](timing.md). "
-           "The clocks are for\n"
-           "the model `%s`, rounded up; n is the number of elements, or of bits in a "
-           "bit string.\n"
-           "The rules for special values are listed if an instruction has such rules. "
-           "In every instruction a\n"
-           "result above the range is indefinite (flags 42 and 46), and a result "
-           "below the range is\n"
-           "machine zero (flag 43). The tests assemble, run and check each example.\n",
+    printf("This page describes all %zu instructions in the order of the instruction "
+           "table, `vm/insn.def`.\n"
+           "[machine.md](machine.md) has the rules that many instructions share, "
+           "[arithmetic.md](arithmetic.md) the results bit\n"
+           "by bit, and [timing.md](timing.md) the clock. The clocks are for the "
+           "model `%s`, rounded up; n is the\n"
+           "number of elements, or of bits in a bit string. The table of an "
+           "instruction lists its rules for special values, if\n"
+           "it has any. In every instruction a result above the range is indefinite "
+           "(flags 42 and 46), and a result below the\n"
+           "range is machine zero (flag 43). The tests assemble, run and check each "
+           "example.\n",
            c205_insn_count, c205_model_name(model));
     put_contents();
     put_formats();

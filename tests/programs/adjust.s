@@ -83,7 +83,7 @@
         ADJSH   half_left, h0, half_result
         half_is ADJSH, by_register_zero, 5
         both_flags ADJS, X'0000 0000 0032 0000'
-; PACK: T := low 16 bits of R as exponent, coefficient of S
+; PACK: T := low 16 bits of R, followed by low 48 bits of S
         sized_two PACK, plain, -46, X'0000 4000 0000 0000', 1.0, -22, X'0040 0000', 1.0
         both_two PACK, other_exponent, 3, 1.0, X'0003 4000 0000 0000', X'0340 0000'
         two     PACK, low_bits, X'1234000000018000', X'5678000000000007', X'8000000000000007'

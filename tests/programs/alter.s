@@ -7,7 +7,8 @@
 
         .regs   r130, count, passes, one
 
-; BAB: if the bit at address A + B is as I4 specifies go to C; alter it as I4 specifies
+; BAB: goes to C if the bit at address A + B meets the condition of I4; changes
+; the bit as I4 specifies
         .macro  BAB.one_bit name, bit, how
         .data
 cell_\name: .word pattern
@@ -31,7 +32,8 @@ BAB.altering:
         register_is BAB, r50, 6
         flags_are BAB, X'0000 0000 0000 0000'
 
-; BADF: if bit A of the data flag register is as I4 specifies go to C; alter it likewise
+; BADF: goes to C if bit A of the data flag register meets the condition of
+; I4; changes the bit as I4 specifies
         .macro  BADF.one_bit name, bit, how
         fetch   left, pattern
         fetch   right, \bit
@@ -56,7 +58,8 @@ BADF.fault:
         register_is BADF, taken, 1
         flags_are BADF, X'0000 0000 0002 0000'
 
-; BARB: if bit B of A is as I4 specifies go to C; alter it as I4 specifies
+; BARB: goes to C if bit B of A meets the condition of I4; changes the bit as I4
+; specifies
         .macro  BARB.one_bit name, bit, how
         fetch   left, pattern
         fetch   right, \bit

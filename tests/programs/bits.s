@@ -46,7 +46,7 @@ CNTOB.long: .word   X'FFFF FFFF FFFF FFFF', X'FFFF FFFF FFFF FFFF'
         register_is CNTOB, r43, 129
         register_is CNTOB, r44, 68
         register_is CNTOB, r45, 0
-; CNTLB: T := number of leading bits of R equal to its first bit
+; CNTLB: T := number of leading bits of R that are equal to the first bit
         .data
         .bitvector CNTLB.zeros_first, 12, "000001101111"
         .bitvector CNTLB.ones_first, 5, "11101"
@@ -76,7 +76,7 @@ CNTLB.long: .word   0, 0, 0
         register_is CNTLB, r45, 1
         register_is CNTLB, r46, 0
 
-; MASKB: C := A where Z has ones, B where it has zeros
+; MASKB: C := A where Z has ones, B where Z has zeros
         .macro  strings
         descriptor va, first, 100
         descriptor vb, second, 100
@@ -154,7 +154,7 @@ MRGB.chain: .word   X'8000 0000 0000 0000'
         MRGB    [va], [vb], [to] ? [vz]
 ; expect: [MRGB.chain] = X'AA80 0000 0000 0000'
         flags_are MRGB, X'0000 0000 0000 0000'
-; CPSB: C := bits of A where Z has ones; length of C := number of ones
+; CPSB: C := bits of A where Z has ones; length of C := number of ones in Z
         .data
 CPSB.ones: .word   X'FFFF FFFF FFFF FFFF', X'FFFF FFFF FFFF FFFF'
 CPSB.second_ones: .word X'5555 5555 5555 5555'

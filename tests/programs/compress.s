@@ -9,7 +9,7 @@
         .regs   r200, ones, zeros, empty, moved, scalar, zero_bits, short, in_place
         .regs   r208, room, kept, one_kept, none_kept, order
 
-; CPSV: C := A where Z has ones; length of C := number of ones
+; CPSV: C := elements of A where Z has ones; length of C := number of ones in Z
         .data
 CPSV.a: .word   1.0, 2.0, X'7ABC 0123 4567 89AB', 4.0, 5.0, 6.0
 CPSV.scalars:
@@ -68,7 +68,8 @@ CPSV.edge: .word   0
         CPSV    [va], [to] ? [vz]
 ; expect: [CPSV.edge] = 2.0
         flags_are CPSV, X'0000 0000 0000 0000'
-; ACPSV: C := A where A >= B; length of C := their number; bit Z := A >= B
+; ACPSV: bit Z(i) := 1 if A(i) >= B(i), else 0; C := elements of A where Z has
+; ones
         .data
 ACPSV.a: .word   1.0, -2.0, 3.0, 4.5, -0.5, 100.0
 ACPSV.b: .word   10.0, 0.5, -3.0, 4.5, 2.0, -0.25

@@ -43,7 +43,8 @@
         contracts CON, zero, X'8123 0000 0000 0005', 0.0
         contracts CON, indefinite, X'7123 0000 0000 0005', X'7000 0000'
         register_0 CON
-; RCON: T := R contracted to 32 bits, its coefficient rounded, a half upwards
+; RCON: T := R contracted to 32 bits, coefficient rounded to nearest, ties
+; upwards
         contracts RCON, plain, 1.5, 1.5
 ; rounded down and up
         contracts RCON, tenth, 0.1, X'E666 6666'

@@ -37,7 +37,8 @@ CONV.over: .word   1.0, 2.0, 3.0
         CONV    [va], [to]
 ; expect-halves: [CONV.over] = 1.0, 2.0, 3.0, 0, X'FFD3 6000', 0
         flags_are CONV, X'0000 0000 0032 0000'
-; RCONV: C := A contracted to 32 bits, the coefficients rounded, a half upwards
+; RCONV: C := A contracted to 32 bits, coefficients rounded to nearest, ties
+; upwards
         .data
 RCONV.a: .word   1.5, -0.1, 0.3, X'0000 0000 0080 0000', X'FFD1 7FFF FFFF FFFF'
 RCONV.word: .word   X'0057 7FFF FFFF FFFF'

@@ -1,7 +1,8 @@
 ; The output of the monitor for each request is compared with the expected lines, for
 ; words, vectors, bits and text in memory.  A wrong format or request fails.
 ; tests: EXIT
-; EXIT: request I8 to the monitor, with R and S: 0 ends the program
+; EXIT: request I8 to the monitor with the operands R and S; request 0 ends the
+; program
 
         .regs   r10, number, text, vector, bits
 

@@ -6,7 +6,7 @@
         .include "scalar.inc"
         .include "core.s"
 
-; EXTB: T := the length(S) bits of R from bit S on, right-justified
+; EXTB: T := the bit field of R that S describes, right-justified
         two     EXTB, plain, X'0123456789ABCDEF', X'0008000000000010', X'0000000000000045'
         two     EXTB, first, X'F123 4567 89AB CDEF', X'0004 0000 0000 0000', 15
         two     EXTB, last, X'0123 4567 89AB CDEF', X'0001 0000 0000 003F', 1
@@ -17,7 +17,7 @@
         word_is EXTB, register_zero, 0
         flags   EXTB, X'0000 0000 0000 0000'
 
-; INSB: the length(S) bits of T from bit S on := low bits of R
+; INSB: the bit field of T that S describes := low bits of R
         .macro  insert name, bits, field, want
         fetch   left, \bits
         fetch   right, \field

@@ -45,7 +45,7 @@ BSAVE.past:
         ES      sum, 0
 BSAVE.last:
 ; expect: r0 = 0
-; DBNZ: low 48 bits of R -= 1; if not zero go to T + 32 S
+; DBNZ: low 48 bits of R -= 1; if they are not zero, go to T + 32 S
         ES      count, 3
         ES      one, 1
         EX      target, DBNZ.loop
@@ -69,7 +69,7 @@ DBNZ.skipped:
 DBNZ.never:
         register_is DBNZ, length, X'0005 0000 0000 0000'
         register_is DBNZ, zero, 1
-; IBNZ: low 48 bits of R += 1; if not zero go to T + 32 S
+; IBNZ: low 48 bits of R += 1; if they are not zero, go to T + 32 S
         EX      count, -3
         ES      turns, 0
         ES      zero, 0

@@ -5,7 +5,7 @@
 
         .include "vector.inc"
 
-; MASKV: C := A where Z has ones, B where it has zeros
+; MASKV: C := A where Z has ones, B where Z has zeros
         .data
 MASKV.a: .word   1.0, 2.0, X'7ABC 0123 4567 89AB', 4.0, 5.0, 6.0
 MASKV.b: .word   11.0, 12.0, 13.0, 14.0, 15.0, 16.0
@@ -37,7 +37,8 @@ MASKV.chain: .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0
         MASKV   [from], [vb], [to] ? [vz]
 ; expect: [MASKV.chain] = 1.0, 1.0, 12.0, 12.0, 12.0, 15.0, 16.0
         flags_are MASKV, X'0000 0000 0000 0000'
-; MRGV: C := the next A where Z has ones, the next B where it has zeros
+; MRGV: C := the next element of A where Z has a one, the next element of B
+; where Z has a zero
         .data
 MRGV.a: .word   1.0, 2.0, X'7ABC 0123 4567 89AB', 4.0, 5.0, 6.0
 MRGV.b: .word   11.0, 12.0, 13.0, 14.0, 15.0, 16.0

@@ -19,7 +19,8 @@
         keep    DOTV.\name
         .endm
 
-; SUMV: C, C+1 := upper and lower part of the sum of A, in element order
+; SUMV: C, C+1 := upper and lower part of the sum of the elements of A, in
+; element order
         .data
 SUMV.a: .word   1.5, -2.0, 3.0, 4.5, -0.5, 100.0
 SUMV.fine: .word   1.0, X'FF96 4000 0000 0000', X'FF96 4000 0000 0000'
@@ -74,7 +75,8 @@ SUMV.odd: .word   1.0, X'7000 0000 0000 0000', 2.0
         SUMV    [va], r0
         register_is SUMV, r1, 7
         flags_are SUMV, X'0000 0000 0012 0000'
-; DOTV: C, C+1 := upper and lower part of the sum of A x B, in element order
+; DOTV: C, C+1 := upper and lower part of the sum of the products A(i) x B(i),
+; in element order
         .data
 DOTV.a: .word   1.0, -2.0, 3.0, 4.5, -0.5, 100.0
 DOTV.b: .word   10.0, 0.5, -3.0, 4.5, 2.0, -0.25
@@ -123,7 +125,7 @@ DOTV.odd_b: .word   3.0, 5.0, X'7000 0000 0000 0000'
         DOTV    [va], [vb], r0
         register_is DOTV, r1, 7
         flags_are DOTV, X'0000 0000 0012 0000'
-; PRODV: C := significant product of A, in element order
+; PRODV: C := significant product of the elements of A, in element order
         .data
 PRODV.a: .word   1.5, -2.0, 3.0, 4.0, -0.5, 8.0
 PRODV.odd: .word   2.0, X'6FFF 7FFF FFFF FFFF', 0.0
@@ -150,7 +152,7 @@ PRODV.odd: .word   2.0, X'6FFF 7FFF FFFF FFFF', 0.0
         keep    \op\().\name
         .endm
 
-; MAXV: C := greatest A; B := its index
+; MAXV: C := greatest element of A; B := its index
         .data
 MAXV.a: .word   1.0, -200.0, 3.0, 100.0, 100.0, -200.0
 MAXV.odd: .word   1.0, X'7000 0000 0000 0003', 2.0
@@ -188,7 +190,7 @@ MAXV.odd: .word   1.0, X'7000 0000 0000 0003', 2.0
 ; expect: [MAXV.held_back] = indefinite, 3
         flags_are MAXV, X'0000 0000 0002 0000'
 
-; MINV: C := least A; B := its index
+; MINV: C := least element of A; B := its index
         .macro  least source, result
         MINV    \source, index, \result
         .endm

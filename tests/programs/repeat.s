@@ -6,7 +6,7 @@
 
         .include "repeat.inc"
 
-; MRKO: T := groups of S bits; each group has R ones, followed by zeros
+; MRKO: T := groups of S bits; each group begins with R ones and ends with zeros
         uses    MRKO
 ; expect-bits: [MRKO.plain] = 111000001110000011101111
 ; expect-bits: [MRKO.any_bit] = 1111111011011011111
@@ -15,7 +15,7 @@
 ; expect-bits: [MRKO.none] = 000000001111
 ; expect-bits: [MRKO.negative] = 000000001111
 ; expect-bits: [MRKO.nothing] = 11111111
-; MRKZ: T := groups of S bits; each group has R zeros, followed by ones
+; MRKZ: T := groups of S bits; each group begins with R zeros and ends with ones
         uses    MRKZ
 ; expect-bits: [MRKZ.plain] = 000111110001111100011111
 ; expect-bits: [MRKZ.any_bit] = 1111100100100101111

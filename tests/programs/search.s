@@ -6,28 +6,32 @@
 
         .include "search.inc"
 
-; SCHEQV: C(i) := index of the first B = A(i), or the length of B
+; SCHEQV: C(i) := first index j where A(i) = B(j), or the length of B if there
+; is none
         uses    SCHEQV, 3, 0, 1, 2, 5, 5, 2
 ; expect: [SCHEQV.offset_sources] = 3, 3, 0, 3, 3, 0
 ; expect: [SCHEQV.short_source] = 3, 0, 1, 2, 2, 2
 ; expect: [SCHEQV.negated] = 5, 5, 5, 2, 5, 5
 ; expect: [SCHEQV.magnitudes] = 3, 0, 1, 2, 5, 5
 ; expect: [SCHEQV.chain] = 1, 2, 0, 1.0
-; SCHNEV: C(i) := index of the first B that A(i) is not, or the length of B
+; SCHNEV: C(i) := first index j where A(i) is not equal to B(j), or the length
+; of B if there is none
         uses    SCHNEV, 0, 1, 0, 0, 0, 0, 0
 ; expect: [SCHNEV.offset_sources] = 0, 0, 1, 0, 0, 1
 ; expect: [SCHNEV.short_source] = 0, 1, 0, 0, 0, 0
 ; expect: [SCHNEV.negated] = 0, 0, 0, 0, 0, 0
 ; expect: [SCHNEV.magnitudes] = 0, 1, 0, 0, 0, 0
 ; expect: [SCHNEV.chain] = 0, 1, 0, 1.0
-; SCHGEV: C(i) := index of the first B for which A(i) >= B, or the length
+; SCHGEV: C(i) := first index j where A(i) >= B(j), or the length of B if
+; there is none
         uses    SCHGEV, 0, 0, 0, 0, 5, 0, 0
 ; expect: [SCHGEV.offset_sources] = 3, 0, 0, 3, 0, 0
 ; expect: [SCHGEV.short_source] = 0, 0, 0, 0, 0, 0
 ; expect: [SCHGEV.negated] = 0, 0, 5, 0, 5, 5
 ; expect: [SCHGEV.magnitudes] = 2, 0, 0, 2, 5, 0
 ; expect: [SCHGEV.chain] = 0, 0, 0, 1.0
-; SCHLTV: C(i) := index of the first B for which A(i) < B, or the length
+; SCHLTV: C(i) := first index j where A(i) < B(j), or the length of B if
+; there is none
         uses    SCHLTV, 1, 1, 5, 1, 5, 5, 1
 ; expect: [SCHLTV.offset_sources] = 0, 3, 1, 3, 3, 1
 ; expect: [SCHLTV.short_source] = 1, 1, 5, 1, 1, 1

@@ -1,8 +1,8 @@
 ; Registers and memory are compared after exchanges of several lengths, also with the
 ; descriptors' own registers.  A wrong length, order or address fails.
 ; tests: SWAP
-; SWAP: registers from S on: first length(T) of them to vector T, then vector
-; R into length(R) of them
+; SWAP: saves registers from S on to vector T, then loads registers from S on
+; from vector R
 
         .regs   r10, load, save
 

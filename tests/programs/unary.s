@@ -37,21 +37,21 @@
         rounded small_negative, -1, 0, 0
         rounded integer, -7, -7, -7
         rounded unnormalised, 2, 2, 3
-; FLR: T := greatest integer not above R, exponent 0
+; FLR: T := greatest integer not above R, with exponent 0
         makes_both FLR, tiny_negative, -1, -1
         makes_both FLR, large, X'0005 4000 0000 0000', X'0540 0000'
         makes_both FLR, zero, 0.0, 0.0
         makes_both FLR, indefinite, indefinite, X'7000 0000'
         of_zero FLR
         both_flags FLR, X'0000 0000 0012 0000'
-; TRU: T := R cut to an integer towards zero, exponent 0
+; TRU: T := R truncated to an integer with exponent 0
         makes_both TRU, tiny_negative, 0, 0
         makes_both TRU, large, X'0005 4000 0000 0000', X'0540 0000'
         makes_both TRU, zero, 0.0, 0.0
         makes_both TRU, indefinite, indefinite, X'7000 0000'
         of_zero TRU
         both_flags TRU, X'0000 0000 0012 0000'
-; CLG: T := least integer not below R, exponent 0
+; CLG: T := least integer not below R, with exponent 0
         sized_one CLG, tiny, X'F000 4000 0000 0000', 1, X'9040 0000', 1
         one     CLG, least, X'FFFF 8000 0000 0000', X'0000 C000 0000 0000'
         one_half CLGH, least, X'FF80 0000', X'00C0 0000'
@@ -115,7 +115,7 @@ root_a: .word   4.0, 2.0, 0.0625, -1.0, 100.0, 6.25
 root_scalars:
         .word   8.0, 0.0
         .code
-; TRUV: C := A cut to integers towards zero, exponent 0
+; TRUV: C := A truncated to integers with exponent 0
         elements TRUV, 2, -2, 16, 0, 100, 0
         all_uses TRUV, 8, 0.0
 ; expect: [TRUV.chain] = 2.25, 2, 2, 2, 2, 2, 2
@@ -126,7 +126,7 @@ root_scalars:
         last_specials TRUV, 0.0, indefinite, X'6FFF 7FFF FFFF FFFF'
 ; expect: [TRUV.odd] = 5, -7, 2, 0.0, indefinite, X'6FFF 7FFF FFFF FFFF'
         flags_are TRUV, X'0000 0000 0012 0000'
-; FLRV: C := greatest integers not above A, exponent 0
+; FLRV: C := greatest integers not above A, with exponent 0
         elements FLRV, 2, -3, 16, -1, 100, 0
         all_uses FLRV, 8, 0.0
 ; expect: [FLRV.chain] = 2.25, 2, 2, 2, 2, 2, 2
@@ -137,7 +137,7 @@ root_scalars:
         last_specials FLRV, 0.0, indefinite, X'6FFF 7FFF FFFF FFFF'
 ; expect: [FLRV.odd] = 5, -7, 2, 0.0, indefinite, X'6FFF 7FFF FFFF FFFF'
         flags_are FLRV, X'0000 0000 0012 0000'
-; CLGV: C := least integers not below A, exponent 0
+; CLGV: C := least integers not below A, with exponent 0
         elements CLGV, 3, -2, 16, 0, 100, 1
         all_uses CLGV, 8, 0.0
 ; expect: [CLGV.chain] = 2.25, 3, 3, 3, 3, 3, 3

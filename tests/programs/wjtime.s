@@ -1,6 +1,7 @@
 ; The timer and its data flag are compared after it is set, set again and turned off.
 ; tests: WJTIME
-; WJTIME: job interval timer := low 48 bits of R, in clocks; 0 turns it off
+; WJTIME: job interval timer := low 48 bits of R, in clocks; 0 turns the timer
+; off
 
         .regs   r10, clocks, left, flags
 
