@@ -261,11 +261,11 @@ bool place_code(struct debugger *debugger, struct text_cursor *cursor,
                || debug_fault(debugger, "no instruction begins at %" PRIX64, *address));
 }
 
-/* Reads a source line or an address and sets the breakpoint there. Sets *ended to true
+/* Reads a source line or an address and sets the breakpoint there. Sets *moved to true
  * if the breakpoint is at a later line or at another instruction than the text
  * names. */
 static bool read_address(struct debugger *debugger, struct text_cursor *cursor,
-                         struct breakpoint *stop, bool *ended)
+                         struct breakpoint *stop, bool *moved)
 {
     struct line_place found = { .file = NULL };
     uint64_t address;
@@ -274,18 +274,18 @@ static bool read_address(struct debugger *debugger, struct text_cursor *cursor,
     if (*cursor->at != '*' && read_line(debugger, cursor, &found, &good)) {
         if (good)
             be_at_line(debugger, &found, stop);
-        *ended = stop->line != found.wanted;
+        *moved = stop->line != found.wanted;
         return good;
     }
     if (!place_code(debugger, cursor, &address))
         return false;
     be_at(debugger, address, stop);
-    *ended = stop->address != address;
+    *moved = stop->address != address;
     return true;
 }
 
 static bool read_place(struct debugger *debugger, struct text_cursor *cursor,
-                       struct breakpoint *stop, bool *ended)
+                       struct breakpoint *stop, bool *moved)
 {
     char name[MAX_TEXT];
     if (text_cursor_take(cursor, "insn")) {
@@ -302,7 +302,7 @@ static bool read_place(struct debugger *debugger, struct text_cursor *cursor,
         stop->region = region ? region->name : NULL;
         return region || debug_fault(debugger, "unknown region '%.60s'", name);
     }
-    return read_address(debugger, cursor, stop, ended);
+    return read_address(debugger, cursor, stop, moved);
 }
 
 static void add_position(struct breakpoint *stop)
@@ -320,16 +320,16 @@ bool place_read(struct debugger *debugger, struct text_cursor *cursor,
                 struct breakpoint *stop)
 {
     const char *from;
-    bool ended = false;
+    bool moved = false;
     if (text_cursor_end(cursor))
         return debug_fault(
             debugger,
             "expected a label, a line, FILE:LINE, *ADDRESS, insn NAME or region NAME");
     from = cursor->at;
-    if (!read_place(debugger, cursor, stop, &ended))
+    if (!read_place(debugger, cursor, stop, &moved))
         return false;
     text_cursor_text(from, cursor, stop->text);
-    if (ended)
+    if (moved)
         add_position(stop);
     return true;
 }

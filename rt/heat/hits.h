@@ -9,7 +9,7 @@
 #define RT_HITS_H
 
 #include "rt/heat/factors.h"
-#include "rt/scene/scene_internal.h"
+#include "rt/scene/named_parts.h"
 
 struct hits_options {
     enum trace_mode mode; /* scalar or vector */

@@ -10,7 +10,7 @@
 
 #include "rt/heat/factors.h"
 #include "rt/heat/global_lines.h"
-#include "rt/scene/scene_internal.h"
+#include "rt/scene/named_parts.h"
 
 enum surfaces_by { BY_PRIMITIVE, BY_PART, BY_MATERIAL, SURFACES_BY };
 

@@ -2,7 +2,7 @@
 #ifndef RT_MASS_BODIES_H
 #define RT_MASS_BODIES_H
 
-#include "rt/scene/scene_internal.h"
+#include "rt/scene/named_parts.h"
 
 /* Marks the parts that are infinite, or whose bound is unknown, as endless. Returns
  * false if out of memory. */

@@ -6,7 +6,7 @@
 #include "base/diagnostic.h"
 #include "rt/mass/figures.h"
 #include "rt/mass/units.h"
-#include "rt/scene/scene_internal.h"
+#include "rt/scene/named_parts.h"
 
 enum mass_by { MASS_BY_PART, MASS_BY_MATERIAL, MASS_BYS };
 

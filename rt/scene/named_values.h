@@ -10,7 +10,7 @@
 #define RT_NAMED_VALUES_H
 
 #include "base/diagnostic.h"
-#include "rt/scene/scene_internal.h"
+#include "rt/scene/named_parts.h"
 
 /* A quantity, such as the density. */
 struct value_kind {

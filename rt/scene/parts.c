@@ -1,5 +1,5 @@
 /* parts.c - collects the named parts of a scene. */
-#include "rt/scene/scene_internal.h"
+#include "rt/scene/named_parts.h"
 
 #include <stdio.h>
 #include <stdlib.h>

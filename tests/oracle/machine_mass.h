@@ -3,7 +3,7 @@
 #define MACHINE_MASS_H
 
 #include "rt/mass/figures.h"
-#include "rt/scene/scene_internal.h"
+#include "rt/scene/named_parts.h"
 
 enum { MEASURED_PARTS = 4 };
 

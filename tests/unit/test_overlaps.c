@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "rt/mass/figures.h"
-#include "rt/scene/scene_internal.h"
+#include "rt/scene/named_parts.h"
 #include "tests/oracle/many_scenes.h"
 #include "tests/random.h"
 #include "tests/unit/unit.h"

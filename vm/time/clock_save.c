@@ -150,7 +150,7 @@ static bool phases_are_sound(const struct clock *clock)
 
 /* Returns true if each register that waits for the vector unit is ready when the vector
  * unit is. */
-static bool output_are_sound(const struct clock *clock)
+static bool waits_are_sound(const struct clock *clock)
 {
     for (size_t i = 0; i < SLOTS; i++)
         if (clock->awaits[i] == FOR_VECTOR && clock->ready[i] > charged(clock)
@@ -166,7 +166,7 @@ static void walk_vector_unit(struct clock *clock, struct serializer *serializer)
         walk_phase(&clock->phase[i], clock->accounts.count, serializer);
     walk_time(&clock->vector_end, serializer);
     walk_time(&clock->vector_tail, serializer);
-    serializer_require(serializer, phases_are_sound(clock) && output_are_sound(clock),
+    serializer_require(serializer, phases_are_sound(clock) && waits_are_sound(clock),
                        wrong_flight);
 }
 

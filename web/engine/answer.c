@@ -13,7 +13,7 @@ bool refuse_of(c205_error *error, const char *name)
     return error_set(error, "%.80s: %.160s", name, why.message);
 }
 
-bool refuse_is_clip(struct engine *engine, c205_error *error)
+bool refuse_with_report(struct engine *engine, c205_error *error)
 {
     const char *said = debugger_report(&engine->said);
     error_set(error, "%s", *said ? said : "out of memory");
@@ -193,7 +193,7 @@ static const struct {
     { "timeline", answer_timeline, KEEPS_NOTHING, true },
     { "profile", answer_profile, KEEPS_NOTHING, true },
     { "accounts", answer_accounts, KEEPS_MOVEMENT, true },
-    { "say", answer_printf, KEEPS_NOTHING, true },
+    { "say", answer_command, KEEPS_NOTHING, true },
     { "sweep", answer_sweep, KEEPS_NOTHING, false },
     { "compare", answer_compare, KEEPS_NOTHING, false },
     { "grade", answer_grade, KEEPS_ALL, false },

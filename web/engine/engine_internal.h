@@ -104,7 +104,7 @@ struct engine {
 };
 
 engine_request answer_about, answer_load, answer_breaks, answer_go, answer_view,
-    answer_timeline, answer_profile, answer_accounts, answer_printf, answer_sweep,
+    answer_timeline, answer_profile, answer_accounts, answer_command, answer_sweep,
     answer_compare, answer_grade;
 
 /* Writes the list of lessons for the request `about`. */
@@ -142,7 +142,7 @@ bool slice_is_full(const struct engine *engine);
 /* Prefixes the error with a name and returns false. */
 bool refuse_of(c205_error *error, const char *name);
 /* Sets the error to the debugger's report and returns false. */
-bool refuse_is_clip(struct engine *engine, c205_error *error);
+bool refuse_with_report(struct engine *engine, c205_error *error);
 /* Writes the debugger's report as a member and clears it. */
 bool put_said(struct engine *engine, struct json *reply, const char *key,
               c205_error *error);

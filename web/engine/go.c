@@ -115,7 +115,7 @@ static bool continue_walk(struct engine *engine, struct json *reply, c205_error 
     enum execution_end ended = engine->execution.move(engine);
     engine->goes_on = NULL;
     if (ended == EXECUTION_FAILED)
-        return refuse_is_clip(engine, error);
+        return refuse_with_report(engine, error);
     if (ended != EXECUTION_INTERRUPTED || engine->slice.to_the_limit)
         return arrive(engine, ended, reply, error);
     engine->goes_on = continue_walk;
@@ -174,8 +174,8 @@ bool answer_go(struct engine *engine, const struct json_value *request,
 
 /* Executes a debugger command. A command that runs the program for longer than the
  * slice is interrupted, and the reply reports this. */
-bool answer_printf(struct engine *engine, const struct json_value *request,
-                   struct json *reply, c205_error *error)
+bool answer_command(struct engine *engine, const struct json_value *request,
+                    struct json *reply, c205_error *error)
 {
     const char *line;
     uint64_t limit = ENGINE_LIMIT;

@@ -57,7 +57,7 @@ bool replay_begin(struct engine *engine, struct line_profile *profile,
     if (execution_to_step(engine->debugger, 0) == EXECUTION_FAILED) {
         line_profile_free(profile);
         *replay = (struct replay){ .begun = false };
-        return refuse_is_clip(engine, error);
+        return refuse_with_report(engine, error);
     }
     replay->profile = profile;
     replay->timeline = timeline;
@@ -91,7 +91,7 @@ static bool continue_replay(struct engine *engine, bool *done, c205_error *error
             ended = EXECUTION_INTERRUPTED;
     }
     if (ended == EXECUTION_FAILED)
-        return refuse_is_clip(engine, error);
+        return refuse_with_report(engine, error);
     *done = ended != EXECUTION_INTERRUPTED;
     if (*done && replay->halted && replay->end == replay->stands
         && debugger_step(engine->debugger) == replay->end)

@@ -73,9 +73,9 @@ static void find_material(const struct scene_part *parts, size_t count,
 }
 
 /* Adds the name and the material of an object to the scene's list of objects. */
-static bool scene_warning_object(struct reader *reader, size_t first,
-                                 const struct scene_object *object,
-                                 const struct scene_token *at)
+static bool add_world_object(struct reader *reader, size_t first,
+                             const struct scene_object *object,
+                             const struct scene_token *at)
 {
     struct scene *scene = reader->scene;
     const struct scene_part *parts = reader->world.parts;
@@ -136,7 +136,7 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
             return false;
     }
     return reader->world.part_count == first
-           || scene_warning_object(reader, first, object, at);
+           || add_world_object(reader, first, object, at);
 }
 
 static bool read_object(struct reader *reader, const struct item *item)

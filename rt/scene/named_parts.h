@@ -1,12 +1,12 @@
-/* scene_internal.h - the named parts of a scene, and their materials.
+/* named_parts.h - the named parts of a scene, and their materials.
  *
  * A statement of the scene file adds an object to the world. The name of an object is
  * the name of its #declare; its material is the name of its texture. Objects with the
  * same name and material are one part. An object without a name is named after its
  * line.
  */
-#ifndef RT_SCENE_INTERNAL_H
-#define RT_SCENE_INTERNAL_H
+#ifndef RT_NAMED_PARTS_H
+#define RT_NAMED_PARTS_H
 
 #include "rt/scene/scene.h"
 #include "vm/c205.h"
