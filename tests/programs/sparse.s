@@ -8,7 +8,7 @@
 
         .include "sparse.inc"
 
-; ADDNS: C := normalised(A + B) where A or B is present
+; ADDNS: C := normalised(A + B) where A or B has an element
         where_one ADDNS, 11.0, -2.0, -3.0, 9.0, -0.25
         fewer ADDNS, 11.0, -2.0, -3.0, 4.5, 4.5, -0.25, 9.0, 3.0
 ; The result starts one word after A, so stored elements are read.  Z overwrites X.
@@ -38,27 +38,27 @@ packed: .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0
         ADDNS   |[va, vx]|, |[vb, vy]|, [to] ? [vz]
 ; expect: [third] = 3.0, 9.0
         flags_are ADDNS, X'0000 0000 0010 0000'
-; ADDUS: C := upper(A + B) where A or B is present
+; ADDUS: C := upper(A + B) where A or B has an element
         where_one ADDUS, 11.0, -2.0, -3.0, 9.0, -0.25
         fewer ADDUS, 11.0, -2.0, -3.0, 4.5, 4.5, -0.25, 9.0, 3.0
         flags_are ADDUS, X'0000 0000 0010 0000'
-; ADDLS: C := lower(A + B) where A or B is present
+; ADDLS: C := lower(A + B) where A or B has an element
         where_one ADDLS, zero.90, zero.93, zero.92, zero.90, zero.96
         fewer ADDLS, zero.90, zero.93, zero.92, zero.91, zero.91, zero.96, zero.90, zero.92
         flags_are ADDLS, X'0000 0000 0010 0000'
-; SUBNS: C := normalised(A - B) where A or B is present
+; SUBNS: C := normalised(A - B) where A or B has an element
         where_one SUBNS, -9.0, -2.0, 3.0, 0.0, 0.25
         fewer SUBNS, -9.0, -2.0, 3.0, 4.5, -4.5, 0.25, -11.0, -3.0
         flags_are SUBNS, X'0000 0000 0010 0000'
-; SUBUS: C := upper(A - B) where A or B is present
+; SUBUS: C := upper(A - B) where A or B has an element
         where_one SUBUS, -9.0, -2.0, 3.0, zero.44, 0.25
         fewer SUBUS, -9.0, -2.0, 3.0, 4.5, -4.5, 0.25, -11.0, -3.0
         flags_are SUBUS, X'0000 0000 0010 0000'
-; SUBLS: C := lower(A - B) where A or B is present
+; SUBLS: C := lower(A - B) where A or B has an element
         where_one SUBLS, zero.90, zero.93, zero.92, zero.91, zero.95
         fewer SUBLS, zero.90, zero.93, zero.92, zero.91, zero.91, zero.95, zero.90, zero.92
         flags_are SUBLS, X'0000 0000 0010 0000'
-; MPYSS: C := significant(A x B) where A and B are present
+; MPYSS: C := significant(A x B) where A and B have elements
         where_both MPYSS
 ; expect: [MPYSS.plain] = 10.0, 20.25, 9.0
 ; expect: [MPYSS.given] = 10.0, 0.0, 0.0, 0.0, 9.0, 9.0
@@ -76,7 +76,7 @@ MPYSS.chain:  .word   1.0, -2.0, 4.5, 9.0
         MPYSS   [va, vx], [vb, vy], [to], [order]
 ; expect: [MPYSS.chain] = 1.0, 10.0, 20.25, 9.0
         flags_are MPYSS, X'0000 0000 0010 0000'
-; MPYUS: C := upper(A x B) where A and B are present
+; MPYUS: C := upper(A x B) where A and B have elements
         where_both MPYUS
 ; expect: [MPYUS.plain] = X'FFD6 2800 0000 0000', X'FFD7 2880 0000 0000', 9.0
 ; expect: [MPYUS.given] = X'FFD6 2800 0000 0000', 0.0, 0.0, 0.0, 9.0, 9.0
@@ -84,7 +84,7 @@ MPYSS.chain:  .word   1.0, -2.0, 4.5, 9.0
 ; expect: [MPYUS.short_order] = X'FFD6 2800 0000 0000', 9.0
 ; expect: [MPYUS.short_packed] = X'FFD6 2800 0000 0000', X'FFD5 2400 0000 0000', 9.0
         flags_are MPYUS, X'0000 0000 0010 0000'
-; MPYLS: C := lower(A x B) where A and B are present
+; MPYLS: C := lower(A x B) where A and B have elements
         where_both MPYLS
 ; expect: [MPYLS.plain] = zero.89, zero.88, 9.0
 ; expect: [MPYLS.given] = zero.89, 0.0, 0.0, 0.0, 9.0, 9.0
@@ -92,7 +92,7 @@ MPYSS.chain:  .word   1.0, -2.0, 4.5, 9.0
 ; expect: [MPYLS.short_order] = zero.89, 9.0
 ; expect: [MPYLS.short_packed] = zero.89, zero.90, 9.0
         flags_are MPYLS, X'0000 0000 0010 0000'
-; DIVSS: C := significant(A / B) where A and B are present
+; DIVSS: C := significant(A / B) where A and B have elements
         where_both DIVSS
 ; expect: [DIVSS.plain] = X'FFCE 6666 6666 6666', 1.0, 9.0
 ; expect: [DIVSS.given] = X'FFCE 6666 6666 6666', indefinite, indefinite, indefinite
@@ -101,7 +101,7 @@ MPYSS.chain:  .word   1.0, -2.0, 4.5, 9.0
 ; expect: [DIVSS.short_order] = X'FFCE 6666 6666 6666', 9.0
 ; expect: [DIVSS.short_packed] = X'FFCE 6666 6666 6666', X'FFCF 71C7 1C71 C71C', 9.0
         flags_are DIVSS, X'0000 0000 0052 0000'
-; DIVUS: C := upper(A / B) where A and B are present
+; DIVUS: C := upper(A / B) where A and B have elements
         where_both DIVUS
 ; expect: [DIVUS.plain] = X'FFCE 6666 6666 6666', 1.0, 9.0
 ; expect: [DIVUS.given] = X'FFCE 6666 6666 6666', indefinite, indefinite, indefinite
