@@ -27,7 +27,7 @@ static const char two_to_routine[] = "        RTOR    value, p_x\n"
                                      "        BSAVE   power_link, [target]\n"
                                      "        RTOR    p_x, value\n";
 static const char sine_routine[] =
-    "        load_at pattern_constants, PATTERN_CONSTANTS, turn\n"
+    "        load_words pattern_constants, PATTERN_CONSTANTS, turn\n"
     "        RTOR    value, y_0\n"
     "        sine_of_turn\n"
     "        RTOR    y_0, value\n";
@@ -46,7 +46,7 @@ static const char before[] = "        .include \"frame/records.s\"\n"
                              "        .regs   r240, x_at, y_at, left, value\n"
                              "        .entry  start\n"
                              "start:  load_main_constants\n"
-                             "        load_at power_constants, POWER_CONSTANTS, p_47\n"
+                             "        load_words power_constants, POWER_CONSTANTS, p_47\n"
                              "        EX      x_at, xs\n"
                              "        EX      y_at, ys\n"
                              "        EX      left, 2000\n"

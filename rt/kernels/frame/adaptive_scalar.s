@@ -94,9 +94,9 @@ visit_equal\@:
 
 fine_next:
         load_planes
-        load_at fine_left, 1, visit_count
+        load_words fine_left, 1, visit_count
         IBXNE   visit_count, r0, r0, fine_chunk
-        load_at scene_threshold, 1, fine_limit
+        load_words scene_threshold, 1, fine_limit
         ADDX    fine_stride, fine_stride, visit_two
         ES      visit_block, FINE_BLOCK
         of_plane fine_plane, FINE_REFINED, fine_at
@@ -182,7 +182,7 @@ mean_powers:    .space 3
 
 fine_average:
         begin_means m_one, fine_at
-        load_at fine_frame, 1, mean_first
+        load_words fine_frame, 1, mean_first
 fine_mean:
         LOD     [mean_list], fine_pixel
         SHIFTI  fine_pixel, 6, fine_pixel

@@ -31,7 +31,8 @@
 ;
 ; The including program names the registers primitive and shape_at, an address.
 ; record has the address of the record, and an offset is in words. at gets the
-; address and the number, count that of the bits that are one.
+; address and the number; it is image_at by default. count of if_none gets the
+; number of the bits that are one.
 
         .ifndef common.s
         .equ    common.s, 1
@@ -52,7 +53,7 @@
         SWAP    [\at], \first, [r0]
         .endm
 
-        .macro  load_words label, number, first, at
+        .macro  load_words label, number, first, at=image_at
         EX      \at, \label
         load_from \at, \number, \first
         .endm
@@ -67,7 +68,7 @@
         LOD     [\register], \register
         .endm
 
-        .macro  load_part record, offset, number, first, at
+        .macro  load_part record, offset, number, first, at=image_at
         address_of \record, \offset, \at
         load_from \at, \number, \first
         .endm
@@ -90,7 +91,7 @@
         load_record P_SHAPE, \number, sh0
         .endm
 
-        .macro  store_word register, label, at
+        .macro  store_word register, label, at=image_at
         EX      \at, \label
         STO     [\at], \register
         .endm
@@ -100,12 +101,12 @@
         SWAP    [r0], \first, [\at]
         .endm
 
-        .macro  store_words first, number, label, at
+        .macro  store_words first, number, label, at=image_at
         EX      \at, \label
         store_to \first, \number, \at
         .endm
 
-        .macro  store_part first, number, record, offset, at
+        .macro  store_part first, number, record, offset, at=image_at
         address_of \record, \offset, \at
         store_to \first, \number, \at
         .endm

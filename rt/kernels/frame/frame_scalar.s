@@ -76,7 +76,7 @@ frame_sample_number: .word 0            ; number of the sample that is traced
         .kernel frame
 frame:
         load_main_constants
-        load_at power_constants, POWER_CONSTANTS, p_47
+        load_words power_constants, POWER_CONSTANTS, p_47
         call_routine camera, link
         call_routine levels_begin, trace_link
         EX      main_at, shadow_ray + 64 * 6
@@ -87,14 +87,14 @@ frame:
         RTOR    first_level, main_t
         ELEN    main_t, 6
         store_word main_t, generate_place, main_at
-        load_at scene_band, 2, row
+        load_words scene_band, 2, row
         load_word scene_width, width
         load_word scene_pixels, plane_size
         store_word plane_size, rays_primary, main_at
         SHIFTI  plane_size, 6, plane_size
         load_word scene_frame, plane_at
         .if     ADAPTIVE
-        load_at scene_wide, 1, width
+        load_words scene_wide, 1, width
         load_place_steps
         through_middle width, width
         through_middle row, row
@@ -138,7 +138,7 @@ frame_store:
         store_sample hit_id
         IX      plane_at, 64
         .if     ADAPTIVE
-        load_at fine_list, 1, main_t
+        load_words fine_list, 1, main_t
         IBXNE   main_t, r0, r0, frame_sample_traced
         load_place_steps
         ADDN    column, place_step, column
@@ -148,11 +148,11 @@ frame_store:
         call_routine fine_begin, link
 frame_refine:
         call_routine fine_next, link
-        load_at fine_rays, 1, plane_size
+        load_words fine_rays, 1, plane_size
         IBXEQ   plane_size, r0, r0, frame_refined
         add_to_word rays_primary, plane_size, main_at, main_t
         SHIFTI  plane_size, 6, plane_size
-        load_at scene_frame, 1, plane_at
+        load_words scene_frame, 1, plane_at
         ES      main_t, 0
 frame_sample:
         store_word main_t, frame_sample_number, main_at
@@ -162,9 +162,9 @@ frame_sample:
         through_sample place_rest, place_width, column, row
         BIM     frame_pixel
 frame_sample_traced:
-        load_at frame_sample_number, 1, main_t
+        load_words frame_sample_number, 1, main_t
         IX      main_t, 1
-        load_at fine_rays, 1, main_at
+        load_words fine_rays, 1, main_at
         IBXNE   main_t, r0, main_at, frame_sample
         call_routine fine_average, link
         BIM     frame_refine

@@ -32,19 +32,19 @@ generate:
         pass_operands aox, 3, 4
         .endif
         to_scalar
-        load_at operands, 4, first_pixel
+        load_words operands, 4, first_pixel
         .if     ORIGINS_DIFFER
-        load_at operands + 64 * 4, 3, to_ox
+        load_words operands + 64 * 4, 3, to_ox
         .endif
         RTOR    n, loop_count
         ES      loop_index, 0
         .if     ADAPTIVE
-        load_at scene_wide, 1, width
+        load_words scene_wide, 1, width
         load_place_steps
         .else
         load_word scene_width, width
         .endif
-        load_at queue_order, 1, tile_places
+        load_words queue_order, 1, tile_places
         IBXNE   tile_places, r0, r0, generate_tiles
         ADDN    first_pixel, r0, column
         over_floor_normal column, width, row
@@ -52,7 +52,7 @@ generate:
 generate_next:
         EX      loop_at, pixel
         .if     ADAPTIVE
-        load_at fine_list, 1, place_list
+        load_words fine_list, 1, place_list
         IBXNE   place_list, r0, r0, generate_sample
         through_middle column, place_column
         through_middle row, place_down
@@ -64,10 +64,10 @@ generate_aimed:
         STO     [loop_at, m_index_one], row
         .endif
         call    generate_ray, generate_list
-        load_at result_ray + 64 * 3, 3, result_dx
+        load_words result_ray + 64 * 3, 3, result_dx
         store_three to_dx, to_dy, to_dz, loop_index, result_dx, result_dy, result_dz
         .if     ORIGINS_DIFFER
-        load_at result_ray, 3, result_ox
+        load_words result_ray, 3, result_ox
         store_three to_ox, to_oy, to_oz, loop_index, result_ox, result_oy, result_oz
         .endif
         IBXNE   tile_places, r0, r0, generate_next_of_tile

@@ -42,7 +42,7 @@ hit_save:       .space SURFACE_REGISTERS
         .code
 
         .macro  enter_hit arguments_count, registers
-        store_words r32, \registers, hit_save, image_at
+        store_words r32, \registers, hit_save
         load_from arguments, \arguments_count, a_hit
         .endm
 
@@ -53,7 +53,7 @@ hit_save:       .space SURFACE_REGISTERS
         .kernel shade
 surface:
         enter_hit 1, SURFACE_REGISTERS
-        load_part a_hit, HIT_RAY, HIT_INDEX, ox, image_at
+        load_part a_hit, HIT_RAY, HIT_INDEX, ox
         RTOR    hit_primitive, primitive
         RTOR    hit_distance, t0
         find_surface
@@ -106,7 +106,7 @@ surface:
 towards:
         enter_hit 2, TOWARDS_REGISTERS
         load_from a_light, LIGHT_SIZE, light_x
-        load_part a_hit, HIT_SAMPLE, SAMPLE_SIZE, red, image_at
+        load_part a_hit, HIT_SAMPLE, SAMPLE_SIZE, red
         towards_light towards_none
         BIM     towards_found
 towards_none:
@@ -123,19 +123,19 @@ shine:
         load_from a_light, LIGHT_SIZE, light_x
         .if     BEAMS
         IBXEQ   light_beam, r0, r0, shine_all_around
-        load_part a_hit, HIT_ATTENUATION, 1, attenuation, image_at
+        load_part a_hit, HIT_ATTENUATION, 1, attenuation
         attenuate_light
 shine_all_around:
         .endif
-        load_part a_hit, HIT_RAY, HIT_INDEX, ox, image_at
+        load_part a_hit, HIT_RAY, HIT_INDEX, ox
         RTOR    hit_primitive, primitive
         .if     BUMPS
-        load_part a_hit, HIT_SAMPLE, SAMPLE_SIZE, red, image_at
-        load_part a_hit, HIT_LIGHT, 6, lx, image_at
+        load_part a_hit, HIT_SAMPLE, SAMPLE_SIZE, red
+        load_part a_hit, HIT_LIGHT, 6, lx
         .else
-        load_part a_hit, HIT_SAMPLE, SAMPLE_SIZE + 6, red, image_at
+        load_part a_hit, HIT_SAMPLE, SAMPLE_SIZE + 6, red
         .endif
-        load_part a_hit, HIT_PIGMENT, 3, color0r, image_at
+        load_part a_hit, HIT_PIGMENT, 3, color0r
         load_record P_FINISH, 8, f_ambientr
         .if     GLOSS
         load_record P_GLOSS, 2, f_brilliance

@@ -71,13 +71,8 @@ image_minus_big: .word -1e30
         call_routine \routine, link
         .endm
 
-; Loads the words at `label` into `number` registers from `first` on.
-        .macro  load_at label, number, first
-        load_words \label, \number, \first, image_at
-        .endm
-
         .macro  load_main_constants
-        load_at constants, CONSTANTS, m_one
+        load_words constants, CONSTANTS, m_one
         SUBN    r0, m_one, m_minus_one
         ES      m_index_one, 1
         ES      m_index_minus_one, -1

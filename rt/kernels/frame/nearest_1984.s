@@ -45,7 +45,7 @@ light_left:     .space 3 * QUEUE        ; transmitted light of each shadow ray
         .macro  load_tie primitive, tie
         address_of \primitive, P_TIE_OFFSET, loop_at
         LOD     [loop_at], segment_out
-        load_at k_delta, 1, ray_limit
+        load_words k_delta, 1, ray_limit
         MPYS    segment_out, ray_limit, \tie
         .endm
         .endif
@@ -76,7 +76,7 @@ find_nearest:
 simple_hit:
         pass_rays
         to_scalar
-        load_at operands, SIMPLE_OPERANDS, to_nearest
+        load_words operands, SIMPLE_OPERANDS, to_nearest
         RTOR    near, loop_count
         ES      loop_index, 0
         LOD     [from_least], w_lower

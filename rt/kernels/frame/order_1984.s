@@ -21,13 +21,13 @@
 
 ; Computes the first pixel: its column, its row, its position in the planes.
         .macro  tiles_begin
-        load_at strip_state, 5, strip_number
-        load_at scene_band, 2, band_row
+        load_words strip_state, 5, strip_number
+        load_words scene_band, 2, band_row
         SUBN    band_rows, band_row, band_rows
         IBXNE   strip_number, r0, r0, tiles_strip
         next_strip band_rows, strips, loop_work
 tiles_strip:
-        store_word strip_row, strips_done, image_at
+        store_word strip_row, strips_done
         strip_rows
         FLR     width, columns
         ADDN    strip_at, r0, column
@@ -64,5 +64,5 @@ tiles_strip:
         .endm
 
         .macro  tiles_end
-        store_words strip_number, 4, strip_state, image_at
+        store_words strip_number, 4, strip_state
         .endm

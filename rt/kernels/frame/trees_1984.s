@@ -73,7 +73,7 @@ found_ray_index\@:
         pass_operands region, 1, 11
         pass_operands aox, 6, 12
         to_scalar
-        load_at operands, TREE_OPERANDS, to_nearest
+        load_words operands, TREE_OPERANDS, to_nearest
         \prepare
         RTOR    near, loop_count
         ES      loop_index, 0
@@ -84,10 +84,10 @@ found_ray_index\@:
         EX      stride, STRIDE
         EX      apart, CROSSING_SIZE
         load_two_delta
-        load_at scene_leaves, 2, first_leaf     ; first_leaf, leaves_last
+        load_words scene_leaves, 2, first_leaf     ; first_leaf, leaves_last
         IBXEQ   first_leaf, r0, leaves_last, tree_end
         load_word branches_end, loop_work
-        store_word loop_work, span + 64 * 2, image_at
+        store_word loop_work, span + 64 * 2
 tree_next:
         LOD     [from_limit, loop_index], w_end
         SHIFTI  loop_index, 6, w_crossings
@@ -132,7 +132,7 @@ tree_leaf_next:
         IX      w_out, 64 * P_FIRST_EVENT
         LOD     [w_out], loop_work
         ADDX    w_crossings, loop_work, point_at
-        load_at k_delta, 1, ray_limit
+        load_words k_delta, 1, ray_limit
         SUBN    w_in, ray_limit, next_in
         ADDN    w_in, ray_limit, next_out
 tree_crossing:
@@ -175,7 +175,7 @@ tree_sided:
         IX      w_out, 64 * P_FIRST_EVENT
         LOD     [w_out], loop_work
         ADDX    w_crossings, loop_work, point_at
-        load_at k_delta, 1, segment_out
+        load_words k_delta, 1, segment_out
         SUBN    w_in, segment_out, next_in
         ADDN    w_in, segment_out, next_out
         ES      segment_out, 0

@@ -19,21 +19,21 @@ area_store:     .space 3 * QUEUE        ; sum of the transmitted light
         .code
 
         .macro  area_loop
-        load_at area_rays, 1, loop_count
+        load_words area_rays, 1, loop_count
         ES      loop_index, 0
         .endm
 
 ; Stores the next point of the area and the number of points left.
         .macro  area_continue
-        store_words area_next_at, 2, area_at, image_at
+        store_words area_next_at, 2, area_at
         .endm
 
 ; Replaces the rays to the light by rays to the point in area_at.
         .macro  area_rays_to_point
-        load_at area_at, 1, area_next_at
-        store_word area_next_at, shade_shadows, image_at
+        load_words area_at, 1, area_next_at
+        store_word area_next_at, shade_shadows
         load_from area_next_at, LIGHT_POINT_SIZE, area_x
-        load_at shade_light + 64 * LIGHT_COLOR, 3, area_r
+        load_words shade_light + 64 * LIGHT_COLOR, 3, area_r
         area_loop
 area_ray\@:
         load_lanes lit_store, 0, loop_index, area_dx, area_dy, area_dz
@@ -45,7 +45,7 @@ area_ray\@:
         store_lane lit_store, 6, loop_index, area_distance
         store_lanes light_left, 0, loop_index, area_r, area_g, area_b
         loop_next area_ray\@
-        load_at area_rays, 1, loop_at
+        load_words area_rays, 1, loop_at
         RTOR    loop_at, n
         .endm
 
@@ -65,8 +65,8 @@ area_ray\@:
 ; If shade_light has an area, makes the rays to its first point.
         .macro  area_begin
         EX      loop_at, shade_light
-        store_word loop_at, shade_shadows, image_at
-        load_at shade_light + 64 * LIGHT_BEAM, 1, loop_at
+        store_word loop_at, shade_shadows
+        load_words shade_light + 64 * LIGHT_BEAM, 1, loop_at
         ES      area_next_at, 0
         IBXEQ   loop_at, r0, r0, area_begin\@
         IX      loop_at, 64 * BEAM_POINTS
@@ -74,7 +74,7 @@ area_ray\@:
 area_begin\@:
         area_continue
         IBXEQ   area_next_at, r0, r0, area_begun\@
-        store_word lit_count, area_rays, image_at
+        store_word lit_count, area_rays
         area_loop
 area_zero\@:
         store_lanes area_store, 0, loop_index, m_zero, m_zero, m_zero
@@ -86,7 +86,7 @@ area_begun\@:
 ; Adds the light from a point of the area and continues at walk with the next
 ; point.
         .macro  area_next walk
-        load_at area_at, 1, area_next_at
+        load_words area_at, 1, area_next_at
         IBXEQ   area_next_at, r0, r0, area_done\@
         IX      area_next_at, 64 * LIGHT_POINT_WEIGHT
         LOD     [area_next_at], area_weight
@@ -99,7 +99,7 @@ area_ray\@:
         area_add 2
 area_dark\@:
         loop_next area_ray\@
-        load_at area_at, 2, area_next_at
+        load_words area_at, 2, area_next_at
         IX      area_next_at, 64 * LIGHT_POINT_SIZE
         IX      area_next_left, -1
         area_continue

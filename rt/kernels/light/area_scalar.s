@@ -12,7 +12,7 @@
 ; to none if it has no area.
         .macro  area_of_light none
         IBXEQ   light_beam, r0, r0, \none
-        load_part light_beam, BEAM_POINTS, 2, area_at, image_at
+        load_part light_beam, BEAM_POINTS, 2, area_at
         IBXEQ   area_at, r0, r0, \none
         .endm
 

@@ -13,8 +13,8 @@ fog_rays:
         pass_operands out_red, 3, 1
         pass_operands n, 1, 4
         to_scalar
-        load_at operands, 4, fog_depths_at
-        load_at operands + 64 * 4, 1, loop_count
+        load_words operands, 4, fog_depths_at
+        load_words operands + 64 * 4, 1, loop_count
         ES      loop_index, 0
 fog_ray:
         LOD     [fog_depths_at, loop_index], fog_distance

@@ -245,7 +245,7 @@ bumped_seek\@:
         IX      bump_at, 64 * BUMP_SIZE
         BIM     bumped_seek\@
 bumped_between\@:
-        load_part bump_at, BUMP_FROM, 4, bump_from, image_at
+        load_part bump_at, BUMP_FROM, 4, bump_from
         lowered_scale bump_value, bump_low, bump_rise, bump_share
         not_below_number m_zero, bump_share
         not_above_number m_one, bump_share

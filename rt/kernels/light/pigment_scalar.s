@@ -133,7 +133,7 @@ pattern_coloured\@:
 
         .kernel shade
 pigment_cell:
-        store_words r32, PIGMENT_REGISTERS, pigment_save, image_at
+        store_words r32, PIGMENT_REGISTERS, pigment_save
         load_from arguments, 3, a_point
         SWAP    [a_point], px, [r0]
         .if     IMAGES

@@ -29,7 +29,7 @@
 add_children:
         pass_operands level
         to_scalar
-        load_at operands, 1, child_level
+        load_words operands, 1, child_level
         LOD     [child_level], loop_count
         ES      loop_index, 0
         list_address LIST_PARENT, children_at
@@ -43,10 +43,10 @@ add_children:
         SUBX    color0_at, loop_work, parents_at
         EX      parent_stride, 64 * LIST
         SUBX    child_level, loop_work, child_level
-        load_at scene_levels, 1, loop_at
+        load_words scene_levels, 1, loop_at
         IBXNE   child_level, r0, loop_at, resolve_child
-        load_at scene_frame, 1, parents_at
-        load_at scene_pixels, 1, parent_stride
+        load_words scene_frame, 1, parents_at
+        load_words scene_pixels, 1, parent_stride
         SHIFTI  parent_stride, 6, parent_stride
 resolve_child:
         LOD     [children_at, loop_index], parent_index

@@ -46,7 +46,7 @@ lit_store:      .space 7 * QUEUE        ; rays to a light, and their limits
         .code
 
         .macro  begin_hits
-        load_at shade_operands, SHADE_OPERANDS, of_nearest
+        load_words shade_operands, SHADE_OPERANDS, of_nearest
         load_word shade_hits, loop_count
         EX      hit_at, hits
         ES      loop_index, 0
@@ -64,7 +64,7 @@ lit_store:      .space 7 * QUEUE        ; rays to a light, and their limits
 
 ; pixel_of: the pixel of a ray, by its index in the queue.
         .macro  load_order
-        load_at queue_order, 1, of_order
+        load_words queue_order, 1, of_order
         .endm
 
         .macro  pixel_of ray, pixel
@@ -100,9 +100,9 @@ shade_first:
         to_scalar
 
 ; Computes for each ray the surface of its hit, or the background.
-        load_at shade_operands, SHADE_OPERANDS, of_nearest
-        load_at scene_background, 3, back_red
-        load_at scene_sky + 64 * 4, 1, of_sky
+        load_words shade_operands, SHADE_OPERANDS, of_nearest
+        load_words scene_background, 3, back_red
+        load_words scene_sky + 64 * 4, 1, of_sky
         load_order
         RTOR    n, loop_count
         ES      loop_index, 0
@@ -130,34 +130,34 @@ shade_surface:
         IX      hit_at, 64 * HIT_SIZE
 shade_ray_next:
         loop_next shade_ray
-        store_word lit_count, shade_hits, image_at
+        store_word lit_count, shade_hits
         IBXEQ   lit_count, r0, r0, shade_done
         call_routine spawn_hits, loop_link
-        load_at scene_lights, 2, new_ox
-        store_words new_ox, 2, shade_light_at, image_at
+        load_words scene_lights, 2, new_ox
+        store_words new_ox, 2, shade_light_at
         IBXEQ   new_oy, r0, r0, shade_store
 
 ; Finds for each light the hits that face it.
 shade_towards:
-        load_at shade_light_at, 1, loop_at
+        load_words shade_light_at, 1, loop_at
         load_from loop_at, LIGHT_SIZE, new_ox
-        store_words new_ox, LIGHT_SIZE, shade_light, image_at
+        store_words new_ox, LIGHT_SIZE, shade_light
         begin_hits
         ES      lit_count, 0
         load_word k_shadow, lit_least
 shade_towards_hit:
         call_hit towards
-        load_part hit_at, HIT_NDOTL, 3, lit_ndotl, image_at ; D . L, distance
+        load_part hit_at, HIT_NDOTL, 3, lit_ndotl ; D . L, distance
         CFPGE   r0, lit_ndotl, shade_towards_next
-        load_at shade_light + 64 * 3, 4, lit_red ; lit_red .. lit_highlights
+        load_words shade_light + 64 * 3, 4, lit_red ; lit_red .. lit_highlights
         CFPEQ   lit_highlights, r0, shade_towards_next
         SUBN    lit_distance, lit_least, lit_limit
         store_lanes light_left, 0, lit_count, lit_red, lit_green, lit_blue
         .if     BUMPS
-        load_part hit_at, HIT_SAMPLE + SAMPLE_POINT, 3, new_ox, image_at
-        load_part hit_at, HIT_LIGHT, 3, new_dx, image_at
+        load_part hit_at, HIT_SAMPLE + SAMPLE_POINT, 3, new_ox
+        load_part hit_at, HIT_LIGHT, 3, new_dx
         .else
-        load_part hit_at, HIT_SAMPLE + SAMPLE_POINT, 6, new_ox, image_at ; point, L
+        load_part hit_at, HIT_SAMPLE + SAMPLE_POINT, 6, new_ox ; point, L
         .endif
         store_lanes lit_store, 0, lit_count, new_ox, new_oy, new_oz
         store_lanes lit_store, 3, lit_count, new_dx, new_dy, new_dz
@@ -215,9 +215,9 @@ shade_shine:
         begin_hits
         ES      lit_count, 0
 shade_shine_hit:
-        load_part hit_at, HIT_NDOTL, 1, lit_ndotl, image_at
+        load_part hit_at, HIT_NDOTL, 1, lit_ndotl
         CFPGE   r0, lit_ndotl, shade_shine_next
-        load_at shade_light + 64 * 6, 1, lit_highlights
+        load_words shade_light + 64 * 6, 1, lit_highlights
         CFPEQ   lit_highlights, r0, shade_shines
         load_lane lit_store, 6, lit_count, lit_limit
         load_lanes light_left, 0, lit_count, lit_red, lit_green, lit_blue
@@ -227,15 +227,15 @@ shade_shine_hit:
         CFPNE   lit_green, r0, shade_some
         CFPEQ   lit_blue, r0, shade_shine_next
 shade_some:
-        store_words lit_red, 3, shade_light + 64 * 3, image_at
+        store_words lit_red, 3, shade_light + 64 * 3
 shade_shines:
         call_hit shine
 shade_shine_next:
         next_hit shade_shine_hit
-        load_at shade_light_at, 2, new_ox       ; also the number of lights left
+        load_words shade_light_at, 2, new_ox       ; also the number of lights left
         IX      new_ox, 64 * LIGHT_SIZE
         IX      new_oy, -1
-        store_words new_ox, 2, shade_light_at, image_at
+        store_words new_ox, 2, shade_light_at
         IBXNE   new_oy, r0, r0, shade_towards
 
 ; Stores the colours of the hits.
@@ -243,8 +243,8 @@ shade_store:
         begin_hits
         load_order
 shade_store_hit:
-        load_part hit_at, HIT_DISTANCE, 3, new_distance, image_at ; primitive, place
-        load_part hit_at, HIT_SAMPLE, 6, new_ox, image_at ; colour, normal
+        load_part hit_at, HIT_DISTANCE, 3, new_distance ; primitive, place
+        load_part hit_at, HIT_SAMPLE, 6, new_ox ; colour, normal
         pixel_of new_index, loop_ray_index
         store_three of_red, of_green, of_blue, loop_ray_index, new_ox, new_oy, new_oz
         IBXEQ   of_first, r0, r0, shade_store_next

@@ -42,7 +42,7 @@ shadow_light:   .space 3
 cast_to_place\@:
         .endif
         STO     [here, m_index_one], t1
-        store_words light_r, 3, shadow_light, image_at
+        store_words light_r, 3, shadow_light
         call    shadow, shadow_list
         EX      here, shadow_light
         .endm
@@ -53,7 +53,7 @@ cast_to_place\@:
 
         .kernel shade
 shade:
-        store_words r32, SHADE_REGISTERS, shade_save, image_at
+        store_words r32, SHADE_REGISTERS, shade_save
         RTOR    link, link_saved
         load_from arguments, SHADE_ARGUMENTS, a_ray
         .if     GLOSS
@@ -67,7 +67,7 @@ shade:
         store_to color0r, 3, a_pigment
         load_record P_GLOSS, 2, f_brilliance
         .endif
-        load_at scene_lights, 2, t0
+        load_words scene_lights, 2, t0
         RTOR    t0, light_at
         RTOR    t1, lights_left
         IBXEQ   lights_left, r0, r0, shade_store
@@ -75,7 +75,7 @@ shade_light:
         load_from light_at, LIGHT_SIZE, light_x
         towards_light shade_next_light
         CFPEQ   light_highlights, r0, shade_lit
-        store_words px, 6, shadow_ray, image_at
+        store_words px, 6, shadow_ray
         .if     AREAS
         area_of_light shade_point_light
         light_of_area

@@ -17,26 +17,26 @@ sky_colour:     .space 3
 ; Sets the three registers from `first` on to the colour in the direction that
 ; the three registers from `from` on hold.
         .macro  see_sky from, first
-        store_words \from, 3, sky_direction, image_at
+        store_words \from, 3, sky_direction
         call    sky, sky_list
-        load_at sky_colour, 3, \first
+        load_words sky_colour, 3, \first
         .endm
 
         .kernel shade
 sky:
-        store_words r32, SKY_REGISTERS, pigment_save, image_at
+        store_words r32, SKY_REGISTERS, pigment_save
         LOD     [arguments], a_point
         LOD     [arguments, m_index_one], a_color
         SWAP    [a_point], px, [r0]
         .if     PATTERNS
-        load_at sky_map, MAP_SIZE, map_function
+        load_words sky_map, MAP_SIZE, map_function
         IBXEQ   map_function, r0, r0, sky_gradient
-        load_at sky_pattern, 12, sh0
+        load_words sky_pattern, 12, sh0
         pattern_colour
         BIM     sky_found
 sky_gradient:
         .endif
-        load_at scene_sky, 6, sh0
+        load_words scene_sky, 6, sh0
         gradient_colour
 sky_found:
         SWAP    [r0], color0r, [a_color]

@@ -40,7 +40,7 @@ spawn_children: .space 2 * CHILD_SIZE
         .macro  spawn_argument number, offset, words
         address_of hit_at, \offset, loop_work
         ELEN    loop_work, \words
-        store_word loop_work, spawn_list + 64 * \number, image_at
+        store_word loop_work, spawn_list + 64 * \number
         .endm
 
         .macro  list_next value
@@ -50,7 +50,7 @@ spawn_children: .space 2 * CHILD_SIZE
 
 ; Appends a child of spawn_children to the list, with its kind.
         .macro  append child, kind, counter
-        load_at spawn_children + 64 * CHILD_SIZE * \child, CHILD_SIZE, child_ox
+        load_words spawn_children + 64 * CHILD_SIZE * \child, CHILD_SIZE, child_ox
         LOD     [of_next], list_index
         SHIFTI  list_index, 6, list_place
         ADDX    list_at, list_place, list_place
@@ -98,7 +98,7 @@ spawn_hits:
         .endif
         load_order
 spawn_hit:
-        load_part hit_at, HIT_PRIMITIVE, 2, new_primitive, image_at ; also its index
+        load_part hit_at, HIT_PRIMITIVE, 2, new_primitive ; also its index
         address_of new_primitive, P_MIRROR, loop_at
         LOD     [loop_at], is_mirror
         LOD     [loop_at, m_index_one], is_clear
@@ -121,13 +121,13 @@ spawn_hit:
         SHIFTI  new_index, 6, loop_work
         ADDX    hit_weight_at, loop_work, loop_work
         .endif
-        store_word loop_work, spawn_list + 64 * 3, image_at
+        store_word loop_work, spawn_list + 64 * 3
         call    spawn, spawn_list
         ADDX    new_index, of_position, parent
         IBXEQ   of_order, r0, r0, spawn_in_rows
         LOD     [of_order, new_index], parent
 spawn_in_rows:
-        load_at spawn_followed, 2, is_reflected
+        load_words spawn_followed, 2, is_reflected
         .if     HIDDEN
         ES      child_class, REFLECTED_RAYS
         .endif

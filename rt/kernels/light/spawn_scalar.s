@@ -136,7 +136,7 @@ mirror_is_outside\@:
 
         .kernel spawn
 spawn:
-        store_words r32, SPAWN_REGISTERS, spawn_save, image_at
+        store_words r32, SPAWN_REGISTERS, spawn_save
         load_from arguments, SPAWN_ARGUMENTS, sp_ray
         .if     GLOSS
         RTOR    sp_dx, g_pigment
@@ -163,7 +163,7 @@ spawn:
 
         .if     INTERIORS
         ES      sp_passed, 0
-        load_at scene_interiors, INTERIORS_OF_SIZE, in_table
+        load_words scene_interiors, INTERIORS_OF_SIZE, in_table
         CFPGE   sp_own_level, in_levels, spawn_done
         load_field P_INTERIOR, in_body
         IBXNE   sp_clear, r0, r0, spawn_interiors

@@ -23,8 +23,8 @@ transmitted_cell: .space 1
         IBXEQ   s_clear, r0, r0, \dark
         three_by MPYS, w_in, w_dx, w_dy, w_dz, w_t0, w_t1, w_t2
         three   ADDN, w_ox, w_oy, w_oz, w_t0, w_t1, w_t2, w_t0, w_t1, w_t2
-        store_words w_t0, 3, transmitted_point, image_at
-        store_word w_out, transmitted_primitive, image_at
+        store_words w_t0, 3, transmitted_point
+        store_word w_out, transmitted_primitive
         call    pigment_cell, transmitted_list
         EX      w_at, transmitted_cell
         LOD     [w_at], w_t0

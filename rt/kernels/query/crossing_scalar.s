@@ -33,9 +33,9 @@ crossing_found\@:
         EX      w_at, normal_list
         STO     [w_at], \ray
         STO     [w_at, m_index_one], w_leaf
-        store_word c_distance, normal_distance, image_at
+        store_word c_distance, normal_distance
         call    normal_at_hit, normal_list
-        load_at normal_found, 3, c_nx
+        load_words normal_found, 3, c_nx
         .endm
 
 ;       CALL NORMAL_THERE (RAY, PRIMITIVE, DISTANCE, NORMAL)
@@ -44,7 +44,7 @@ crossing_found\@:
 ; DISTANCE (1). NORMAL = of length one, against the ray (3).
         .kernel shade
 normal_at_hit:
-        store_words r32, SHADE_REGISTERS, normal_save, image_at
+        store_words r32, SHADE_REGISTERS, normal_save
         RTOR    link, link_saved
         load_from arguments, 4, a_ray
         load_from a_ray, 6, ox

@@ -92,7 +92,7 @@ lines:
         load_word query_counts, query_counts_at
         load_word query_hits, query_hits_at
         load_word query_list, query_work
-        store_word query_work, query_hits_buffer, image_at
+        store_word query_work, query_hits_buffer
         SHIFTI  query_left, 6, query_stride
         ES      query_step, RAY_HIT_SIZE
         MPYX    query_step, query_stride, query_step
@@ -113,7 +113,7 @@ query_next:
         move_behind query_oy, query_dy
         move_behind query_oz, query_dz
 query_begin:
-        store_words query_ox, 8, query_ray, image_at
+        store_words query_ox, 8, query_ray
         call    find_ray_hits, query_arguments
         begin_ray_hits
         STO     [query_counts_at], ray_hits_left

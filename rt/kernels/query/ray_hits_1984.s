@@ -25,13 +25,13 @@ query_ray:      .space 6
         .code
 
         .macro  load_query_operands
-        load_at query_operands, QUERY_OPERANDS, to_stride
+        load_words query_operands, QUERY_OPERANDS, to_stride
         .endm
 
 ; Stores the ray for the normals.
         .macro  load_query_ray
         load_ray
-        store_words w_ox, 6, query_ray, image_at
+        store_words w_ox, 6, query_ray
         .endm
 
 ; Sets c_first_hit to the address of the ray's first crossing.
@@ -102,7 +102,7 @@ walk_tree:
         .endif
 tree_visible:
         find_crossing
-        load_at k_delta, 1, c_least
+        load_words k_delta, 1, c_least
         ADDN    w_in, c_least, c_least          ; within delta: the same place
         RTOR    r0, segment_in
         RTOR    r0, segment_out

@@ -32,7 +32,7 @@ query_save:     .space QUERY_REGISTERS
 point_stored\@:
         load_of w_leaf, P_ON_PATCH, w_t0
         IBXEQ   w_t0, r0, r0, point_found\@
-        load_part w_leaf, P_PATCH_POINT, 2, c_s, image_at
+        load_part w_leaf, P_PATCH_POINT, 2, c_s
 point_found\@:
         .endm
 

@@ -160,7 +160,7 @@ clear_less\@:
         store_words d4, 8, roots_passed, s0
         EX      arguments, quartic_list
         BSAVE   link, [routine]
-        load_at roots_arguments, 5, root0
+        load_words roots_arguments, 5, root0
         .endm
 
         .macro  append root
@@ -202,6 +202,7 @@ roots_refused:
 
         .regs   r1, link, link_kernel, link_inner
         .regs   r6, s0, s1, s2, s3, s4, s5, s6, s7, s8, s9    ; scratch
+        .reg    image_at, s0
         .include "roots/quartic_vector.s"
 
         .regs   r16, one, two, three, four, forty_six, most_above
@@ -243,10 +244,6 @@ roots_bits:     .space ROOTS_BIT_WORDS * ROOTS_BITS
         .align  64
 roots_planes:   .space QUEUE * ROOTS_VECTORS
         .code
-
-        .macro  load_at label, number, first
-        load_words \label, \number, \first, s0
-        .endm
 
 ; Moves the coefficients down while the last is 0.
         .macro  remove_zeros
@@ -339,8 +336,8 @@ roots_last:
         EX      s1, roots_descriptors
         ELEN    s1, ROOTS_VECTORS + ROOTS_BITS
         ORV     [s0], s2, [s1]
-        load_at roots_descriptors, ROOTS_VECTORS, d4
-        load_at roots_bits_at, ROOTS_BITS, at_zero
+        load_words roots_descriptors, ROOTS_VECTORS, d4
+        load_words roots_bits_at, ROOTS_BITS, at_zero
         INTVLV  r0, index_one, [ray_index]
         clear   found
         .endm
@@ -420,7 +417,7 @@ leave_out\@:
         .entry  roots_begin
         .kernel quartic
 roots_begin:
-        load_at scaling_constants, SCALING_CONSTANTS, one
+        load_words scaling_constants, SCALING_CONSTANTS, one
         load_word roots_polynomials, polynomials
         load_word roots_wanted, wanted
         begin_list

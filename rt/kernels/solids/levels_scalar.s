@@ -145,13 +145,13 @@ trace:
         RTOR    first_level, level
         load_word scene_level_count, levels_left
         call_level nearest, L_NEAREST
-        load_at hit, 2, distance
+        load_words hit, 2, distance
         RTOR    distance, first_distance
         RTOR    hit_primitive, first_primitive
         BIM     trace_hit
 trace_next:
         call_level nearest, L_NEAREST
-        load_at hit, 2, distance
+        load_words hit, 2, distance
 trace_hit:
         IBXEQ   hit_primitive, r0, r0, trace_background
         .if     FOG
@@ -208,7 +208,7 @@ trace_background:
         load_word fog_far, main_t
         set_level L_DISTANCE, main_t
         .endif
-        load_at scene_background, 3, own_red
+        load_words scene_background, 3, own_red
         IBXEQ   sky_stops, r0, r0, trace_no_sky
         load_level L_RAY + 3, 3, own_red
         see_sky own_red, own_red

@@ -54,7 +54,7 @@ seeds:          .space PHOTONS
 
         .entry  photons
 photons:
-        load_at photon_constants, PHOTON_CONSTANTS, offset
+        load_words photon_constants, PHOTON_CONSTANTS, offset
         stream_load at
         stream_vector_load
         ES      minus, -1
@@ -74,7 +74,7 @@ sow:    MPYL    seed, jump, seed
         run     by_hand
         run     all_at_a_time
 
-        load_at common_tallies, 3, reflected
+        load_words common_tallies, 3, reflected
         ES      failed, 1
         compare reflected
         compare transmitted
