@@ -17,6 +17,12 @@
 ;       store_part first, number, record, offset, at
 ;       add_to_word label, count, at, work      count is a register
 ;       describe register, address, count       the descriptor of a vector
+;       vector_bases vectors, store, bits, bit_store
+;                                               descriptors of length 0: of vectors
+;                                               of QUEUE words, then of QUEUE bits
+;       lengthen_table bases, table, number, count, base_at, at, high
+;                                               table = the number descriptors at
+;                                               bases, with the length count
 ;       at_most most, left, count               count = the minimum of most and left
 ;       advance_by address, count, work         to the address after count words
 ;       if_none bits, count, label              to the label if no bit is one
@@ -121,6 +127,24 @@
         .macro  describe register, address, count
         EX      \register, \address
         ADDLEN  \register, \count, \register
+        .endm
+
+        .macro  vector_bases vectors, store, bits=0, bit_store=0
+        .rept   \vectors
+        .descriptor 0, \store + 64 * QUEUE * \+
+        .endr
+        .rept   \bits
+        .descriptor 0, \bit_store + 64 * ((QUEUE + 63) / 64) * \+
+        .endr
+        .endm
+
+        .macro  lengthen_table bases, table, number, count, base_at, at, high
+        SHIFTI  \count, 48, \high
+        EX      \base_at, \bases
+        ELEN    \base_at, \number
+        EX      \at, \table
+        ELEN    \at, \number
+        ORV     [\base_at], \high, [\at]
         .endm
 
         .macro  at_most most, left, count

@@ -121,16 +121,6 @@
 
         .equ    QUEUE_BIT_WORDS, (QUEUE + 63) / 64
 
-; Defines a table of vectors of length 0, followed by bit vectors.
-        .macro  vector_bases vectors, store, bits, bit_store
-        .rept   \vectors
-        .descriptor 0, \store + 64 * QUEUE * \+
-        .endr
-        .rept   \bits
-        .descriptor 0, \bit_store + 64 * QUEUE_BIT_WORDS * \+
-        .endr
-        .endm
-
         .data
 near_bases:
         vector_bases NEAR_VECTORS - 3, near_store, 3, near_bit_store
@@ -169,12 +159,7 @@ depth_store:    .space QUEUE            ; hit distances without P_TIE_OFFSET
 ; Sets the length of the `number` descriptors of a table to `count`, an integer,
 ; and loads them into registers from `first` on.
         .macro  set_lengths count, high, bases, descriptors, number, first
-        SHIFTI  \count, 48, \high
-        EX      s0, \bases
-        ELEN    s0, \number
-        EX      s1, \descriptors
-        ELEN    s1, \number
-        ORV     [s0], \high, [s1]
+        lengthen_table \bases, \descriptors, \number, \count, s0, s1, \high
         SWAP    [s1], \first, [r0]
         .endm
 

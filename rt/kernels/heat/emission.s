@@ -78,9 +78,7 @@ emission_results: .space POINTS * EMITTED_SIZE
 
         .data
 emission_bases:
-        .rept   EMISSION_WORK
-        .descriptor 0, emission_store + 64 * QUEUE * \+
-        .endr
+        vector_bases EMISSION_WORK, emission_store
 emission_descriptors:
         .space  EMISSION_WORK
 emission_bits:  .space (QUEUE + 63) / 64
@@ -132,12 +130,7 @@ emission_next:
         IBXGE   emission_left, r0, points_queue, emission_full
         RTOR    emission_left, emission_now
 emission_full:
-        SHIFTI  emission_now, 48, emission_high
-        EX      emission_plane, emission_bases
-        ELEN    emission_plane, EMISSION_WORK
-        EX      piece_at, emission_descriptors
-        ELEN    piece_at, EMISSION_WORK
-        ORV     [emission_plane], emission_high, [piece_at]
+        lengthen_table emission_bases, emission_descriptors, EMISSION_WORK, emission_now, emission_plane, piece_at, emission_high
         SWAP    [piece_at], local_spot_x, [r0]
         describe emission_mask, emission_bits, emission_now
         emission_planes points_results, STREAM_DRAWS, draw\+

@@ -115,12 +115,7 @@
 
         .data
 solver_bases:
-        .rept   QUARTIC_VECTORS
-        .descriptor 0, solver_store + 64 * QUEUE * \+
-        .endr
-        .rept   QUARTIC_BITS
-        .descriptor 0, solver_bits + 64 * QUARTIC_BIT_WORDS * \+
-        .endr
+        vector_bases QUARTIC_VECTORS, solver_store, QUARTIC_BITS, solver_bits
 solver_image:
         .space  QUARTIC_DESCRIBED
         quartic_constants
@@ -439,12 +434,7 @@ search_alive\@:
 ; 1e30.
         .macro  enter_search places
         LTOR    s0, q_length
-        SHIFTI  q_length, 48, q_length
-        EX      q_table_at, solver_bases
-        ELEN    q_table_at, QUARTIC_DESCRIBED
-        EX      q_image_at, solver_image
-        ELEN    q_image_at, QUARTIC_DESCRIBED
-        ORV     [q_table_at], q_length, [q_image_at]
+        lengthen_table solver_bases, solver_image, QUARTIC_DESCRIBED, q_length, q_table_at, q_image_at, q_length
         ELEN    q_image_at, QUARTIC_LOADED
         EX      q_save_at, solver_save
         ELEN    q_save_at, QUARTIC_REGISTERS

@@ -228,14 +228,8 @@ roots_refused:
         vector_form , bits0
 
         .data
-roots_vector_bases:
-        .rept   ROOTS_VECTORS
-        .descriptor 0, roots_planes + 64 * QUEUE * \+
-        .endr
-roots_bits_bases:
-        .rept   ROOTS_BITS
-        .descriptor 0, roots_bits + 64 * ROOTS_BIT_WORDS * \+
-        .endr
+roots_bases:
+        vector_bases ROOTS_VECTORS, roots_planes, ROOTS_BITS, roots_bits
 roots_descriptors:
         .space  ROOTS_VECTORS
 roots_bits_at:
@@ -330,12 +324,7 @@ roots_last:
         ADDX    plane, s1, plane
         describe_plane counts
         describe_plane roots
-        SHIFTI  batch, 48, s2
-        EX      s0, roots_vector_bases
-        ELEN    s0, ROOTS_VECTORS + ROOTS_BITS
-        EX      s1, roots_descriptors
-        ELEN    s1, ROOTS_VECTORS + ROOTS_BITS
-        ORV     [s0], s2, [s1]
+        lengthen_table roots_bases, roots_descriptors, ROOTS_VECTORS + ROOTS_BITS, batch, s0, s1, s2
         load_words roots_descriptors, ROOTS_VECTORS, d4
         load_words roots_bits_at, ROOTS_BITS, at_zero
         INTVLV  r0, index_one, [ray_index]
