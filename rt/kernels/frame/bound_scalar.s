@@ -1,7 +1,8 @@
 ; bound_scalar.s - tests whether a ray comes near a bounding sphere.
 ;
-; bound_vector.s gives the formula and its source. R = big: no bound. The products
-; do not depend on each other. The distance takes longest, so it is tested last.
+; bound_vector.s gives the formula and its source. R = big: no bound. The
+; products do not depend on each other. The distance takes longest, so it is
+; tested last.
 ;
 ; The ray, the limit and the temporaries are in the registers of the routines
 ; that walk through the regions.
@@ -86,8 +87,8 @@ near\@:
         .endm
 
 ; Branches for a region that is not only simple: to `tree` if it has no box, to
-; `box_missed` if the ray misses the box, to `simple` if it is simple with a box.
-; Otherwise continues: a tree in its box.
+; `box_missed` if the ray misses the box, to `simple` if it is simple with a
+; box. Otherwise continues: a tree in its box.
         .macro  test_box tree, simple, box_missed
         IBXEQ   w_flags, r0, r0, \tree
         skip_if_box_missed \box_missed

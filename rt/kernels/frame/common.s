@@ -1,44 +1,44 @@
 ; common.s - sequences of instructions that many kernels share.
 ;
-;       option name, value                      a constant, unless it is defined
-;       load_word label, register               the word at the label
-;       load_words label, number, first, at     words, to registers from first on
-;       load_from at, number, first             the same, from the address in at
-;       load_of record, offset, register        the word of a record
+;       option name, value                   a constant, unless it is defined
+;       load_word label, register            the word at the label
+;       load_words label, number, first, at  words, to registers from first on
+;       load_from at, number, first          the same, from the address in at
+;       load_of record, offset, register     the word of a record
 ;       load_part record, offset, number, first, at
-;       load_field field, register              the same of the record of primitive
+;       load_field field, register           the same of the record of primitive
 ;       load_record field, number, first
 ;       store_field field, register
-;       load_shape number                       its shape, to registers from sh0 on
-;       address_of record, offset, register     of a word of the record
+;       load_shape number                    its shape, to registers from sh0 on
+;       address_of record, offset, register  of a word of the record
 ;       store_word register, label, at
 ;       store_words first, number, label, at
 ;       store_to first, number, at
 ;       store_part first, number, record, offset, at
-;       add_to_word label, count, at, work      count is a register
-;       describe register, address, count       the descriptor of a vector
+;       add_to_word label, count, at, work   count is a register
+;       describe register, address, count    the descriptor of a vector
 ;       vector_bases vectors, store, bits, bit_store
-;                                               descriptors of length 0: of vectors
-;                                               of QUEUE words, then of QUEUE bits
+;                                            descriptors of length 0: of vectors
+;                                            of QUEUE words, then of QUEUE bits
 ;       lengthen_table bases, table, number, count, base_at, at, high
-;                                               table = the number descriptors at
-;                                               bases, with the length count
-;       at_most most, left, count               count = the minimum of most and left
-;       advance_by address, count, work         to the address after count words
-;       if_none bits, count, label              to the label if no bit is one
-;       keep_where test, a, b, bits, work       clears the bits for which the
-;                                               comparison of a with b is false
-;       call_routine routine, link              the routine returns by link
-;       copy_three a, b, c, x, y, z, op         op a, x; op b, y; op c, z; default RTOR
-;       three op, a, b, c, d, e, f, x, y, z     op a, d, x; op b, e, y; op c, f, z
-;       three_by op, k, a, b, c, x, y, z        op k, a, x; op k, b, y; op k, c, z
-;       no_code name                            the operation name, without code,
-;                                               for one of two forms
+;                                            table = the number descriptors at
+;                                            bases, with the length count
+;       at_most most, left, count            the minimum of most and left
+;       advance_by address, count, work      to the address after count words
+;       if_none bits, count, label           to the label if no bit is one
+;       keep_where test, a, b, bits, work    clears the bits for which the
+;                                            comparison of a with b is false
+;       call_routine routine, link           the routine returns by link
+;       copy_three a, b, c, x, y, z, op      op a, x; op b, y; op c, z
+;       three op, a, b, c, d, e, f, x, y, z  op a, d, x; op b, e, y; op c, f, z
+;       three_by op, k, a, b, c, x, y, z     op k, a, x; op k, b, y; op k, c, z
+;       no_code name                         the operation name, without code,
+;                                            for one of two forms
 ;
 ; The including program names the registers primitive and shape_at, an address.
 ; record has the address of the record, and an offset is in words. at gets the
 ; address and the number; it is image_at by default. count of if_none gets the
-; number of the bits that are one.
+; number of the bits that are one. op of copy_three is RTOR by default.
 
         .ifndef common.s
         .equ    common.s, 1

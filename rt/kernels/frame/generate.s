@@ -13,8 +13,8 @@
 ; RAY = O, D (6 words).
 ;
 ; The vector form generates n rays. Pixel k of the frame is in row
-; floor(k / width) and column k - width row. The division truncates towards zero,
-; so its floor is the row for every k. Queues of tiles: order_vector.s.
+; floor(k / width) and column k - width row. The division truncates towards
+; zero, so its floor is the row for every k. Queues of tiles: order_vector.s.
 ;
 ; In:  position (the first k, relative to the band's first pixel), n; view.
 ; Out: adx ady adz; if ORIGINS_DIFFER also aox aoy aoz.

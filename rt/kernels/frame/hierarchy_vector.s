@@ -11,8 +11,8 @@
 ; their limits. The first set is the queue itself. The others are stored
 ; consecutively in an arena, each after its parent. The next node to visit
 ; belongs to an earlier set, and the memory after that set is free. Each set has
-; less than SPARSE / SPARSE_OF = 3/4 of the rays of its parent, so all sets together
-; have fewer than n (3/4 + 9/16 + ..) = 3 n rays. A ray has 8 words.
+; less than SPARSE / SPARSE_OF = 3/4 of the rays of its parent, so all sets
+; together have fewer than n (3/4 + 9/16 + ..) = 3 n rays. A ray has 8 words.
 ;
 ; The limits of a set are those of its rays when it was formed. They are
 ; gathered again after a region has received hits (walk_last).

@@ -289,9 +289,9 @@
 ; viewpoints. A row is identified by its offset in words. A node has two links
 ; for each combination of signs of a ray's direction (1: x below 0, 2: y, 4: z):
 ; the next node for rays that come near it, and for other rays. 0 is the end. At
-; a leaf the two are equal, but MESH_LEAF_HIT is added to the first. MESH_FIRST and
-; MESH_COUNT of the first row are the offset and number of the viewpoints' rows
-; (rt/bvh/screen_bounds.h).
+; a leaf the two are equal, but MESH_LEAF_HIT is added to the first. MESH_FIRST
+; and MESH_COUNT of the first row are the offset and number of the viewpoints'
+; rows (rt/bvh/screen_bounds.h).
         .record MESH
         .field  MESH_BOX, 6        ; centre 3, half sides 3
         .field  MESH_LINKS, 16     ; near, not near; for each of eight signs

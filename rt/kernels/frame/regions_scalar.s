@@ -16,10 +16,10 @@
 ; another may be equally near. Regions that the ray does not come near cost only
 ; the test.
 ;
-; With KEYS the least key wins: a distance plus P_TIE_OFFSET times k_delta. w_limit
-; is the least key so far, w_depth the distance of that hit. With INTERIORS a
-; ray that has passed a clear surface hits regions of a lower rank from -k_delta
-; on (docs/solids.md).
+; With KEYS the least key wins: a distance plus P_TIE_OFFSET times k_delta.
+; w_limit is the least key so far, w_depth the distance of that hit. With
+; INTERIORS a ray that has passed a clear surface hits regions of a lower rank
+; from -k_delta on (docs/solids.md).
 ;
 ; The parameters of a hit on a patch are stored in the primitive's
 ; P_PATCH_POINT. In a tree they are those of the first crossing within delta of

@@ -3,10 +3,10 @@
 ;       CALL TRANSFORMED (RAY, PRIMITIVE, SEGMENT)
 ;
 ; Arguments as in sphere_scalar.s, method as in transform_vector.s. The ray and
-; its least distance are transformed into local_ray. The kernel for object space,
-; whose address is in inner, is called with this ray. The length of SEGMENT is
-; the number of crossings. For neighbouring primitives in one space, the ray is
-; transformed once. The caller clears local_space for each new ray.
+; its least distance are transformed into local_ray. The kernel for object
+; space, whose address is in inner, is called with this ray. The length of
+; SEGMENT is the number of crossings. For neighbouring primitives in one space,
+; the ray is transformed once. The caller clears local_space for each new ray.
 
         .share  local
         .regs   r68, local_ox, local_oy, local_oz, local_dx, local_dy, local_dz

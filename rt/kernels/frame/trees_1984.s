@@ -2,8 +2,8 @@
 ;
 ; The vector kernels intersected all current rays with each leaf that any of
 ; them comes near. Before VISIBLE is called for a ray, its leaves are examined
-; once: P_NEXT_HIT chains those that it hits, and required leaves narrow its span
-; (span_scalar.s), as in nodes_scalar.s.
+; once: P_NEXT_HIT chains those that it hits, and required leaves narrow its
+; span (span_scalar.s), as in nodes_scalar.s.
 ;
 ; The including file processes the crossings:
 ;

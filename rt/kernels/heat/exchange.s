@@ -13,8 +13,8 @@
 ; An adiabatic surface has the emissivity 0: it reflects its whole irradiation.
 ;
 ; Elimination (elimination.s) solves (I - (1 - e) F) J = b. A diagonal below
-; MIN_DIAGONAL occurs if an exchange has no solution: adiabatic surfaces that see only
-; each other.
+; MIN_DIAGONAL occurs if an exchange has no solution: adiabatic surfaces that
+; see only each other.
 ;
 ; In:  the words below.
 ; Out: exchange_results: planes J, H, Q of n words, then Q_e, the sum of all

@@ -6,7 +6,8 @@
 ;       fold address, m, one, low       the word at the address = the sum of the
 ;                                       m words there, which change
 ;
-; m, 1 or more, and one = 1 are registers with integers; m becomes 1. low changes.
+; m, 1 or more, and one = 1 are registers with integers; m becomes 1. low
+; changes.
 
         .regs   r70, fold_half, fold_upper, fold_word, fold_i
 

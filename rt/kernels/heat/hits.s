@@ -84,8 +84,8 @@ hits_results:   .word 0                 ; address of a plane
         ES      hit_reported, 0
         .endm
 
-; Branch to `passed` if s^2 < 0, if all g t are below 0, or if both g h are below
-; 0 or both above g L.
+; Branch to `passed` if s^2 < 0, if all g t are below 0, or if both g h are
+; below 0 or both above g L.
         .macro  keep_near passed
         CFPLT   square, r0, \passed
         .endm

@@ -4,8 +4,8 @@
 ;
 ;   count_r = number of i with receiver_i = r      sum_r = sum of their weight_i
 ;
-; It also computes the sum of all weights. A sum is formed by halves (fold.s), in
-; the order of points.
+; It also computes the sum of all weights. A sum is formed by halves (fold.s),
+; in the order of points.
 ;
 ; In:  the words below.
 ; Out: received_sums: the sum of each receiver, then that of all;

@@ -1,5 +1,5 @@
-; beam.s - lights that do not shine in all directions or that fade, in both forms
-; (BEAMS = 1).
+; beam.s - lights that do not shine in all directions or that fade, in both
+; forms (BEAMS = 1).
 ;
 ; The light at P shines along its axis; the unit vector A points the opposite
 ; way, towards the light.  With parallel rays L = A for all points X, and the

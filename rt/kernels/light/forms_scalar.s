@@ -105,7 +105,8 @@ mirror_enters:
         SQRT    \x, \x
         .endm
 
-; Computes L and N . L.  Branches to none if the light does not face the surface.
+; Computes L and N . L.  Branches to none if the light does not face the
+; surface.
         .macro  towards_light none
         find_light_direction
         CFPGE   r0, ndotl, \none

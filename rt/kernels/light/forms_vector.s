@@ -162,8 +162,8 @@
         MASKV   [\x], one, [\x] ? [hits2]
         .endm
 
-; image.s: v5 v6 v7 = x, y, z; map_function .. = P_MAP; link_pattern.  Results in
-; cr cg cb.  Changes v0-v7, red, green, blue, hits1-hits3, s0-s9.
+; image.s: v5 v6 v7 = x, y, z; map_function .. = P_MAP; link_pattern.  Results
+; in cr cg cb.  Changes v0-v7, red, green, blue, hits1-hits3, s0-s9.
         .share
         .regs   r7, row_words, pixel_words, edge_before, edge_after, last_column
         .endshare

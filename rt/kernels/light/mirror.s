@@ -1,5 +1,5 @@
-; mirror.s - the colour and weight of a mirror that depends on the angle, in both
-; forms (gloss.s).
+; mirror.s - the colour and weight of a mirror that depends on the angle, in
+; both forms (gloss.s).
 
         .macro  mirror_metallic pigment, channel
         metal_colour g_sheen, \pigment, g_work

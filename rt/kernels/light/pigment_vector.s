@@ -1,4 +1,5 @@
-; pigment_vector.s - computes the colours of a primitive at m points (pigment.s).
+; pigment_vector.s - computes the colours of a primitive at m points
+; (pigment.s).
 ;
 ; In:  px py pz; the primitive's record; for find_gradient the words of
 ;      P_PATTERN or scene_sky in m00 .. m11.

@@ -30,8 +30,8 @@ shadow_light:   .space 3
         .equ    SHADE_ARGUMENTS, 4
         .endif
 
-; Traces the ray of shadow_ray up to limit.  position = the address of its target.
-; here = the address of the remaining light.
+; Traces the ray of shadow_ray up to limit.  position = the address of its
+; target.  here = the address of the remaining light.
         .macro  cast_shadow limit, position
         store_word \limit, shadow_limit, here
         RTOR    \position, t1

@@ -1,8 +1,8 @@
 ; shade_vector.s - computes the colours of a queue of rays.
 ;
 ; The h rays that hit something are sorted by material, for all primitives in a
-; list of those that may have been hit, which mark_tested makes.  The hits of one
-; material are selected by a compare and a compress.  Points, directions,
+; list of those that may have been hit, which mark_tested makes.  The hits of
+; one material are selected by a compare and a compress.  Points, directions,
 ; normals and so on are vectors of length h in which the parts of the materials
 ; are contiguous; a table has their starts.  Operations that are equal for all
 ; hits are done at once, the others part by part.  At a point X with the unit
@@ -62,8 +62,8 @@
         IBXNE   parts_left, minus_one_index, r0, \again, parts_left
         .endm
 
-; Branches to other if the rays are not camera rays.  Without ORIGINS_DIFFER these
-; are the only ones that start at one point.
+; Branches to other if the rays are not camera rays.  Without ORIGINS_DIFFER
+; these are the only ones that start at one point.
         .macro  unless_first_level other
         .if     ORIGINS_DIFFER
         load_word scene_levels, s0

@@ -186,7 +186,8 @@ crossed_full\@:
         VTOV    col_minus_one, [col_w] ? [b_enter]
         .endm
 
-; The same for crossings at which the ray enters or leaves by the count `bodies`.
+; The same for crossings at which the ray enters or leaves by the count
+; `bodies`.
         .macro  find_weight bodies, invisible
         find_visible \bodies
         find_weights

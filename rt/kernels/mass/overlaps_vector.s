@@ -70,8 +70,8 @@ add_next\@:
         .endm
 
 ; Sets [b_enter] to the crossings where the pair at ovl_at turns on, and
-; [b_visible] to those where it changes. The bits after the crossings begin one bit
-; later than the bits before them.
+; [b_visible] to those where it changes. The bits after the crossings begin one
+; bit later than the bits before them.
         .macro  find_changes
         load_two ovl_at                 ; PAIR_LEVELS
         find_bits ovl_first, b_level

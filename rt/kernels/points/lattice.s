@@ -73,8 +73,8 @@ lattice_vector:
         .endr
         .endm
 
-; [words] := y of one coordinate, 0 .. 5, of the points with the numbers [i], which
-; are integers in any order.
+; [words] := y of one coordinate, 0 .. 5, of the points with the numbers [i],
+; which are integers in any order.
         .macro  lattice_coordinate i, coordinate, words
         LINKV
         MPYLV   [\i], lattice_z\coordinate, [\words]

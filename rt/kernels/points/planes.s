@@ -2,8 +2,8 @@
 ; forms.
 ;
 ; The form is scalar if the constant SCALAR is defined, otherwise vector. The
-; scalar form is a loop over the words of planes; the vector form processes whole
-; planes.
+; scalar form is a loop over the words of planes; the vector form processes
+; whole planes.
 ;
 ;       planes index, one, count, scratch, bits
 ;

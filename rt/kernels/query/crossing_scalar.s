@@ -1,4 +1,5 @@
-; crossing_scalar.s - computes the direction and the normal of a visible crossing.
+; crossing_scalar.s - computes the direction and the normal of a visible
+; crossing.
 
         .data
 normal_save:    .space SHADE_REGISTERS

@@ -23,7 +23,8 @@
         ADDX    depth_at, query_work, depth_at
         .endm
 
-; Sets depth_at to the address of the count for the object crossed at ray_hit_at.
+; Sets depth_at to the address of the count for the object crossed at
+; ray_hit_at.
         .macro  find_object
         LOD     [ray_hit_at, to_primitive], depth_at
         find_count

@@ -1,8 +1,8 @@
-; queue_vector.s - the main program of ray queries in queues, for the vector form
-; and the kernels mode.
+; queue_vector.s - the main program of ray queries in queues, for the vector
+; form and the kernels mode.
 ;
-; The including program defines two macros: begin_form prepares its routines, and
-; order_crossings orders the crossings that walk_regions found.
+; The including program defines two macros: begin_form prepares its routines,
+; and order_crossings orders the crossings that walk_regions found.
 
         .include "frame/records.s"
         .include "frame/queue.s"

@@ -3,8 +3,8 @@
 ; The next crossing of a ray with k crossings goes to column k, so no ray
 ; occurs twice in one scatter.
 ;
-; found_crossings: In: the crossings of the rays of [visible_rays] at [event], on
-;                  event_primitive; the values of the region's tree after them.
+; found_crossings: In: the crossings of the rays of [visible_rays] at [event],
+;                  on event_primitive; the values of the region's tree after them.
 ;                  Out: [visible_rays] is empty, so all rays continue.
 ; Source: derived here.
 

@@ -1,5 +1,5 @@
-; values.s - computes values of polynomials by Horner's rule.  These macros are a
-; part of quartic_scalar.s and quartic_vector.s.
+; values.s - computes values of polynomials by Horner's rule.  These macros are
+; a part of quartic_scalar.s and quartic_vector.s.
 
         .macro  horner_step x, fx, c
         solver_times \fx, \x, \fx

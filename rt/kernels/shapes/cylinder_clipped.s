@@ -58,8 +58,8 @@
         cross_constant \x0, \x1, \x2, sh3, sh4, sh5, \c0, \c1, \c2, t8
         .endm
 
-; Computes tin, tout of the infinite cylinder.  Independent operations run during
-; divisions and square roots of the scalar form.
+; Computes tin, tout of the infinite cylinder.  Independent operations run
+; during divisions and square roots of the scalar form.
         .macro  find_side miss
         across_axis dx, dy, dz, t0, t1, t2
         three   ray_lower, ox, oy, oz, sh0, sh1, sh2, t4, t5, t6

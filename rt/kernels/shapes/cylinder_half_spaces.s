@@ -1,9 +1,10 @@
-; cylinder_half_spaces.s - cuts rays at the ends of a cylinder as two half spaces.
+; cylinder_half_spaces.s - cuts rays at the ends of a cylinder as two half
+; spaces.
 ;
 ; This is one of the formulations that were tried for Table 1 (docs/table1.md).
 ; The side is computed as in cylinder_vector.s.  Each end is a half space, whose
-; segment of the ray is computed as in plane.s.  The result is the maximum of the
-; entries and the minimum of the exits.
+; segment of the ray is computed as in plane.s.  The result is the maximum of
+; the entries and the minimum of the exits.
 
 ; Intersects tin, tout with the half space o + t d <= at.
         .macro  half_space o, d, at, miss=

@@ -2,9 +2,9 @@
 ; rays.
 ;
 ; A shape NAME.s is written once, with the operations below and those of forms.s
-; with the prefix ray_.  The scalar form (forms_scalar.s) intersects one ray, the
-; vector form the near rays of the queue.  Both call words of the ray and of its
-; segment by the same names: ox oy oz dx dy dz tin tout, and t0 .. t9.
+; with the prefix ray_.  The scalar form (forms_scalar.s) intersects one ray,
+; the vector form the near rays of the queue.  Both call words of the ray and of
+; its segment by the same names: ox oy oz dx dy dz tin tout, and t0 .. t9.
 ;
 ; A set of rays is a bit vector.  In the scalar form a ray that does not belong
 ; to the set branches to `out`; only sets that are turned are words there, 0
@@ -159,8 +159,8 @@
         XORB    [\set], [\set], [\set]
         .endm
 
-; The following operations are for the rays of a set that is a word in the scalar
-; form.
+; The following operations are for the rays of a set that is a word in the
+; scalar form.
         no_code in_set
 
         .macro  skip_empty set, out
@@ -378,8 +378,8 @@ slab_crossed\@:
         VTOV    r0, [\disc] ? [bits0]
         .endm
 
-; tin, tout = the roots of the side of a cone, from disc in t2.  bits0 = the rays
-; that hit it.  With a = 0, k_along = -b; without a root a ray is inside
+; tin, tout = the roots of the side of a cone, from disc in t2.  bits0 = the
+; rays that hit it.  With a = 0, k_along = -b; without a root a ray is inside
 ; everywhere, and a = 1, or nowhere.
         .macro  cone_roots miss
         quadratic_roots quad_a, quad_b, quad_c, t2, t0, t1
@@ -501,8 +501,8 @@ solid_stored\@:
         DIVSV   [\a], [\divisor], [\c]
         .endm
 
-; t counts for the rays of bits0 with |a| <= k, or with a <= k: tin is the smallest
-; such t, tout the greatest.
+; t counts for the rays of bits0 with |a| <= k, or with a <= k: tin is the
+; smallest such t, tout the greatest.
         .macro  candidate_within a, k, t
         CMPGEV  \k, |[\a]|, [bits1]
         candidate \t

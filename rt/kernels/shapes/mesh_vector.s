@@ -332,8 +332,8 @@ side_bases:
         .include "shapes/mesh_screen_bounds_vector.s"
         .endif
 
-; Traverses to the end.  The routine `intersect` tests the pairs; limits = 1: it may
-; change limits.  first = the offset of a leaf's triangles from the links.
+; Traverses to the end.  The routine `intersect` tests the pairs; limits = 1: it
+; may change limits.  first = the offset of a leaf's triangles from the links.
         .macro  walk_mesh intersect, limits, bounds=boxes, first=MESH_FIRST - MESH_LINKS
 mesh_step\@:
         step_\bounds

@@ -7,7 +7,8 @@
 ;   side 0    | x . x - r^2 | / (2 r)         N = x / r
 ;   bottom 1  | p . X + q |                   N = p
 ;   top 2     the same with the other plane
-; If no surface is recorded (CYLINDER_UNRECORDED), it is the nearest of the three.
+; If no surface is recorded (CYLINDER_UNRECORDED), it is the nearest of the
+; three.
 
         .kernel shade
 ; X - B in t0-t2; x in nx, ny, nz.

@@ -10,7 +10,8 @@
         .kernel shade
 
 ; t0 = the smallest square of a distance so far.  Lowers it to that of the edge;
-; begins a case, up to end_if farther, of the points to which the edge is nearer.
+; begins a case, up to end_if farther, of the points to which the edge is
+; nearer.
         .macro  nearest_edge x, z, foot_x, foot_z, back_x, back_z, length, out_x, out_z, farther
         lower   \x, \foot_x, t1
         lower   \z, \foot_z, t2

@@ -17,9 +17,9 @@
 ;
 ; Spheres with less than half of the region's radius are tested. Those of
 ; required nodes are not smaller than that. If few rays come near a node, those
-; rays are gathered for everything below it (sparse_vector.s). After each primitive
-; the walk continues at node_hit, with the segments in tin .., and after all
-; primitives at walk_tree.
+; rays are gathered for everything below it (sparse_vector.s). After each
+; primitive the walk continues at node_hit, with the segments in tin .., and
+; after all primitives at walk_tree.
 ;
 ; After an earlier hit, crossings slightly beyond the limits are computed too.
 ; If two regions are hit at one distance, the first primitive wins, as

@@ -1,8 +1,8 @@
 ; span_scalar.s - the span of a ray in which a tree can be visible.
 ;
-; span_vector.s gives the formula. A ray that misses a required part does not see
-; the tree. These macros are parts of the walks (bound_scalar.s). w_least and
-; w_end are the ends of the span.
+; span_vector.s gives the formula. A ray that misses a required part does not
+; see the tree. These macros are parts of the walks (bound_scalar.s). w_least
+; and w_end are the ends of the span.
 
         .macro  load_two_delta
         load_word k_delta, w_two_delta

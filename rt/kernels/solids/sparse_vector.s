@@ -1,4 +1,5 @@
-; sparse_vector.s - processes a tree node that few of the current rays come near.
+; sparse_vector.s - processes a tree node that few of the current rays come
+; near.
 ;
 ; These rays are gathered, and only they are current for everything below the
 ; node. Below it no further gathering takes place. Kernels intersect these rays.

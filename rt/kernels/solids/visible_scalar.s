@@ -7,14 +7,14 @@
 ; and leaves each segment, and from P_FIRST_EVENT on its events, the crossings
 ; that may be visible. They are CROSSING_SIZE words apart. A miss is big,
 ; minus_big. SPAN = last, limit, address after the last active branch, and the
-; first leaf that the ray hits; P_NEXT_HIT chains the other leaves (4 words). The
-; value of a missed leaf is 0. EVENT = the least visible distance with last <
-; distance < limit, and the record of its primitive; big, 0 if there is none (2
-; words).
+; first leaf that the ray hits; P_NEXT_HIT chains the other leaves (4 words).
+; The value of a missed leaf is 0. EVENT = the least visible distance with last
+; < distance < limit, and the record of its primitive; big, 0 if there is none
+; (2 words).
 ;
 ; visible_vector.s gives the rule of visibility and its source. Both bits of a
-; value are in one word: 2 before, 1 after. Events are examined in order until one
-; is visible. If only the bits of the event's own leaf differ, it shows.
+; value are in one word: 2 before, 1 after. Events are examined in order until
+; one is visible. If only the bits of the event's own leaf differ, it shows.
 
         .share  local
         .regs   r32, v_region, v_crossings, v_span, v_event
