@@ -17,11 +17,19 @@ sphere_save:    .space SPHERE_REGISTERS
         .kernel sphere
 sphere:
         enter_kernel sphere_save, SPHERE_REGISTERS, 4, index_one
-        three   SUBN, sh0, sh1, sh2, ox, oy, oz, t0, t1, t2 ; L = C - O
+        SUBN    sh0, ox, t0             ; L = C - O
+        SUBN    sh1, oy, t1
+        SUBN    sh2, oz, t2
         dot     t0, t1, t2, dx, dy, dz, t3, t4  ; b = L . D
-        three_by MPYS, t3, dx, dy, dz, t4, t5, t6
-        three   SUBN, t4, t5, t6, t0, t1, t2, t0, t1, t2 ; w = b D - L
-        three   MPYS, t0, t1, t2, t0, t1, t2, t0, t1, t2
+        MPYS    t3, dx, t4
+        MPYS    t3, dy, t5
+        MPYS    t3, dz, t6
+        SUBN    t4, t0, t0              ; w = b D - L
+        SUBN    t5, t1, t1
+        SUBN    t6, t2, t2
+        MPYS    t0, t0, t0
+        MPYS    t1, t1, t1
+        MPYS    t2, t2, t2
         ADDN    t1, t0, t0
         ADDN    t2, t0, t1
         SUBN    sh3, t1, t0             ; h = r^2 - w . w

@@ -42,7 +42,9 @@
         .kernel sphere
 sphere:
         load_record P_SHAPE, 4, sh0
-        three   SUBNV, sh0, sh1, sh2, [ox], [oy], [oz], [w0], [w1], [w2]
+        SUBNV   sh0, [ox], [w0]
+        SUBNV   sh1, [oy], [w1]
+        SUBNV   sh2, [oz], [w2]
         sphere_segment w0, w1, w2, dx, dy, dz, sh3, w3, w4, tin, tout, bits0
         BIM     0, link_kernel
         .endkernel
