@@ -15,6 +15,7 @@
 ;       store_words first, number, label, at
 ;       store_to first, number, at
 ;       store_part first, number, record, offset, at
+;       store_step register, at, step        the address advances by step bits
 ;       add_to_word label, count, at, work   count is a register
 ;       describe register, address, count    the descriptor of a vector
 ;       vector_bases vectors, store, bits, bit_store
@@ -115,6 +116,11 @@
         .macro  store_part first, number, record, offset, at=image_at
         address_of \record, \offset, \at
         store_to \first, \number, \at
+        .endm
+
+        .macro  store_step register, at, step
+        STO     [\at], \register
+        ADDX    \at, \step, \at
         .endm
 
         .macro  add_to_word label, count, at, work

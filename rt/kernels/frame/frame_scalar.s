@@ -67,11 +67,6 @@ frame_sample_number: .word 0            ; number of the sample that is traced
         .include "frame/places.s"
         .endif
 
-        .macro  store_sample word
-        STO     [main_at], \word
-        ADDX    main_at, plane_size, main_at
-        .endm
-
         .entry  frame
         .kernel frame
 frame:
@@ -128,14 +123,14 @@ frame_background:
         RTOR    m_zero, hit_id
 frame_store:
         RTOR    plane_at, main_at
-        store_sample own_red
-        store_sample own_green
-        store_sample own_blue
-        store_sample first_distance
-        store_sample main_red           ; the normal
-        store_sample main_green
-        store_sample main_blue
-        store_sample hit_id
+        store_step own_red, main_at, plane_size
+        store_step own_green, main_at, plane_size
+        store_step own_blue, main_at, plane_size
+        store_step first_distance, main_at, plane_size
+        store_step main_red, main_at, plane_size ; the normal
+        store_step main_green, main_at, plane_size
+        store_step main_blue, main_at, plane_size
+        store_step hit_id, main_at, plane_size
         IX      plane_at, 64
         .if     ADAPTIVE
         load_words fine_list, 1, main_t

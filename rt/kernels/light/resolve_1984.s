@@ -11,18 +11,13 @@
         .regs   r167, color0_at, color1_at, color2_at
         .endshare
 
-        .macro  list_address vector, address
-        address_of child_level, LEVEL_LIST + (\vector) * LIST, \address
-        .endm
-
         .macro  add_channel factor_at, color_at
         LOD     [\factor_at, loop_index], child_factor
         LOD     [\color_at, loop_index], child_color
         LOD     [parent_index], own_color
         MPYS    child_factor, child_color, child_color
         ADDN    own_color, child_color, own_color
-        STO     [parent_index], own_color
-        ADDX    parent_index, parent_stride, parent_index
+        store_step own_color, parent_index, parent_stride
         .endm
 
         .kernel resolve
@@ -32,13 +27,13 @@ add_children:
         load_words operands, 1, child_level
         LOD     [child_level], loop_count
         ES      loop_index, 0
-        list_address LIST_PARENT, children_at
-        list_address LIST_WEIGHT, factor0_at
-        list_address LIST_WEIGHT + 1, factor1_at
-        list_address LIST_WEIGHT + 2, factor2_at
-        list_address LIST_COLOR, color0_at
-        list_address LIST_COLOR + 1, color1_at
-        list_address LIST_COLOR + 2, color2_at
+        list_vector child_level, LIST_PARENT, children_at
+        list_vector child_level, LIST_WEIGHT, factor0_at
+        list_vector child_level, LIST_WEIGHT + 1, factor1_at
+        list_vector child_level, LIST_WEIGHT + 2, factor2_at
+        list_vector child_level, LIST_COLOR, color0_at
+        list_vector child_level, LIST_COLOR + 1, color1_at
+        list_vector child_level, LIST_COLOR + 2, color2_at
         EX      loop_work, 64 * LEVEL_SIZE
         SUBX    color0_at, loop_work, parents_at
         EX      parent_stride, 64 * LIST

@@ -43,37 +43,32 @@ spawn_children: .space 2 * CHILD_SIZE
         store_word loop_work, spawn_list + 64 * \number
         .endm
 
-        .macro  list_next value
-        STO     [list_place], \value
-        ADDX    list_place, list_stride, list_place
-        .endm
-
 ; Appends a child of spawn_children to the list, with its kind.
         .macro  append child, kind, counter
         load_words spawn_children + 64 * CHILD_SIZE * \child, CHILD_SIZE, child_ox
         LOD     [of_next], list_index
         SHIFTI  list_index, 6, list_place
         ADDX    list_at, list_place, list_place
-        list_next child_ox
-        list_next child_oy
-        list_next child_oz
-        list_next child_dx
-        list_next child_dy
-        list_next child_dz
-        list_next child_red
-        list_next child_green
-        list_next child_blue
-        list_next child_weight
+        store_step child_ox, list_place, list_stride
+        store_step child_oy, list_place, list_stride
+        store_step child_oz, list_place, list_stride
+        store_step child_dx, list_place, list_stride
+        store_step child_dy, list_place, list_stride
+        store_step child_dz, list_place, list_stride
+        store_step child_red, list_place, list_stride
+        store_step child_green, list_place, list_stride
+        store_step child_blue, list_place, list_stride
+        store_step child_weight, list_place, list_stride
         .if     INTERIORS
-        list_next child_inside
-        list_next child_level
-        list_next child_passed
+        store_step child_inside, list_place, list_stride
+        store_step child_level, list_place, list_stride
+        store_step child_passed, list_place, list_stride
         .endif
         .if     HIDDEN
-        list_next child_class
+        store_step child_class, list_place, list_stride
         .endif
-        list_next \kind
-        list_next parent
+        store_step \kind, list_place, list_stride
+        store_step parent, list_place, list_stride
         IX      list_index, 1
         STO     [of_next], list_index
         EX      loop_at, \counter

@@ -49,11 +49,6 @@ query_ray:      .space 6
         ADDX    c_plane, to_stride, c_plane
         .endm
 
-        .macro  put_word register
-        STO     [c_plane], \register
-        ADDX    c_plane, to_stride, c_plane
-        .endm
-
 ; Inserts crossing number c_count of the ray.
         .macro  put_in_order
         MPYX    c_count, to_step, c_slot
@@ -77,15 +72,15 @@ put_move\@:
         BIM     put_next\@
 put_here\@:
         RTOR    c_slot, c_plane
-        put_word c_distance
-        put_word c_primitive
-        put_word c_crossing
-        put_word c_s
-        put_word c_t
+        store_step c_distance, c_plane, to_stride
+        store_step c_primitive, c_plane, to_stride
+        store_step c_crossing, c_plane, to_stride
+        store_step c_s, c_plane, to_stride
+        store_step c_t, c_plane, to_stride
         .if     NORMALS
-        put_word c_nx
-        put_word c_ny
-        put_word c_nz
+        store_step c_nx, c_plane, to_stride
+        store_step c_ny, c_plane, to_stride
+        store_step c_nz, c_plane, to_stride
         .endif
         .endm
 

@@ -76,7 +76,7 @@ class_image:    .space QUEUE            ; class of the first level's rays
 
 ; Computes the address of a vector of a level's list.
         .macro  list_vector level, vector, address
-        address_of \level, LEVEL_LIST + \vector * LIST, \address
+        address_of \level, LEVEL_LIST + (\vector) * LIST, \address
         .endm
 
 ; The same from the position in the list on, which is s4 bits after its start.
