@@ -44,7 +44,7 @@ normal_blob:
         clear   nx
         clear   ny
         clear   nz
-        load_table
+        load_field P_TABLE, table
         IX      table, 64 * BLOB_STRENGTH
 normal_blob_row:
         load_from table, 14, sh0

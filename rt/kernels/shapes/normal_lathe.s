@@ -36,7 +36,7 @@ normal_lathe:
         greatest_of t7, height_high
         SUBN    height_low, sh6, height_low
         ADDN    height_high, sh6, height_high
-        load_table
+        load_field P_TABLE, table
         IX      table, 64 * LATHE_HEIGHT
 normal_lathe_row:
         load_from table, 4, foot_height         ; foot_height .. foot_high

@@ -14,7 +14,7 @@
 
         .macro  find_triangle
         load_point_s
-        load_table
+        load_field P_TABLE, table
         three_of_triangle TRIANGLE_NORMAL, nx, ny, nz
         .endm
 

@@ -66,7 +66,7 @@ normal_\name:
         nearest_cap
 normal_\name\()_sides:
         set     m_zero, nz
-        load_table
+        load_field P_TABLE, table
         .endm
 
         begin_normals prism

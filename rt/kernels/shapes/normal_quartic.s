@@ -62,7 +62,7 @@
         .endm
 
 normal_quartic:
-        load_table
+        load_field P_TABLE, table
         set     m_zero, nx
         set     m_zero, ny
         set     m_zero, nz

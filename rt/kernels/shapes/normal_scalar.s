@@ -15,11 +15,6 @@
         matrix_rows \x0, \x1, \x2, \y0, \y1, \y2, t3, t4, t5, t6
         .endm
 
-; table = the address of the primitive's table.
-        .macro  load_table
-        load_field P_TABLE, table
-        .endm
-
 ; The parameters of the hit on a patch.
         .macro  load_point_s
         load_field P_PATCH_POINT, point_s

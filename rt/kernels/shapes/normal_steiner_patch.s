@@ -21,7 +21,7 @@
         .macro  tangents
         load_point_s
         load_point_t
-        load_table
+        load_field P_TABLE, table
         load_from table, 18, row0
         tangent point_s, point_t, kx1, ky1, kz1, kx3, ky3, kz3, t0, t1, t2
         tangent point_t, point_s, kx2, ky2, kz2, kx5, ky5, kz5, t3, t4, t5
@@ -38,7 +38,7 @@
 
 normal_rational_steiner:
         load_shape 3
-        load_table
+        load_field P_TABLE, table
         IX      table, 64 * 18
         load_from table, 6, sh3                 ; K0.w .. K5.w
         tangents

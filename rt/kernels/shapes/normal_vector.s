@@ -55,10 +55,6 @@
         cross   \a0, \a1, \a2, \b0, \b1, \b2, \c0, \c1, \c2, v7
         .endm
 
-        .macro  load_table
-        load_field P_TABLE, table
-        .endm
-
         .macro  load_point_s
         VXTOV   [at], [hit_s], [point_s]
         .endm
