@@ -53,7 +53,7 @@ done <<'END'
 2-silver yes silver ^    It took [0-9]* clocks, [0-9]* more than the 25000 of gold\.$
 3-bronze yes bronze ^    The largest part is vector stream: [0-9]* clocks, 9[0-9] %\.
 4-slow no - ^large: right, [0-9]* clocks: too slow (
-5-untouched no - ^    All 5 elements of y are wrong: element 0 is 0 and should be 2,
+5-untouched no - ^    All 5 elements of y are wrong: element 0 was not stored and should be 2,
 6-endless no - It was at line 23: here:
 7-trap no - ^    drawer/7-trap.s:23:2: error: trap unmapped-address
 8-bad no - ^    drawer/8-bad.s:23:9: error: .* did you mean MPYSH?$

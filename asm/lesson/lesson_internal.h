@@ -22,6 +22,11 @@ const char *lesson_source(const char *line);
 
 /* ---- test_data.c: data of a test and an answer --------------------------- */
 
+/* Results that a test does not set are filled with this word before the run. It is an
+ * indefinite, as are both of its halves. No operation computes it, because the indefinite
+ * result of an operation has a zero coefficient. */
+#define LESSON_POISON UINT64_C(0x7BAD205B7BAD205B)
+
 /* The data of a label that both test and answer have. */
 struct test_item {
     const char *label; /* label in the answer */
@@ -32,6 +37,7 @@ struct test_item {
     /* Expected values, and values of the answer before and after the run. Each element
      * is left-aligned in a word. NULL for inputs. */
     c205_word *expected, *initial, *actual;
+    bool poisoned; /* initial is LESSON_POISON */
 };
 
 struct lesson_test_data {
@@ -46,7 +52,8 @@ struct lesson_test_data {
     struct arena *kept;
 };
 
-/* Copies the inputs to the answer and lists the results to compare. Returns false if
+/* Copies the inputs to the answer, lists the results to compare, and fills those that
+ * the test does not set with LESSON_POISON. Returns false if
  * labels are missing, too small or of another type. Each such label has a report. */
 bool test_data_begin(struct lesson_test_data *test_data);
 /* Compares the results after the run. Returns false with a report if a result is

@@ -53,6 +53,18 @@ static bool is_untouched(const struct test_item *item, size_t i)
     return item->actual[i] == item->initial[i];
 }
 
+/* Bits and bytes may equal those of LESSON_POISON by coincidence. */
+static bool is_unstored(const struct test_item *item, size_t i)
+{
+    return item->poisoned && is_untouched(item, i)
+           && (item->contents == ASM_WORDS || item->contents == ASM_HALF_WORDS);
+}
+
+static bool is_missing(const struct test_item *item, size_t i)
+{
+    return is_right(item, i) || is_unstored(item, i);
+}
+
 static bool is_zero(const struct test_item *item, size_t i)
 {
     return plain_number(item, item->actual[i]) == 0;
@@ -217,6 +229,7 @@ static const struct likeness {
     of_result *whole; /* or if this is true of the whole result */
     const char *sentence;
 } likenesses[] = {
+    { is_unstored, NULL, "Nothing was stored there." },
     { is_untouched, NULL,
       "The run did not change it: nothing was stored there, or only the same values." },
     { is_zero, NULL, "It contains only zeros." },
@@ -237,9 +250,11 @@ static const struct likeness {
     { is_little_off, NULL,
       "Only the last bits are wrong: different operations, or the same in another "
       "order, round differently." },
+    { is_missing, NULL, "Nothing was stored at the wrong elements." },
     { is_indefinite, NULL,
       "Indefinite results from a division by zero, the root of a negative number, or "
-      "an operation on another indefinite." },
+      "an operation on another indefinite.  Results that the test does not set are "
+      "indefinite before the run." },
     { NULL, lost_bits,
       "They are not normalised: an integer operand, such as 2 instead of 2.0, makes "
       "a result lose bits." },
@@ -277,8 +292,12 @@ static void print_element(const struct test_item *item, size_t i,
 {
     c205_word expected = item->expected[i], actual = item->actual[i];
     bool with_bits = is_equal(item, i);
-    sink_put(sink, " is ");
-    print_value(item, actual, with_bits, sink);
+    if (is_unstored(item, i)) {
+        sink_put(sink, " was not stored");
+    } else {
+        sink_put(sink, " is ");
+        print_value(item, actual, with_bits, sink);
+    }
     sink_put(sink, " and should be ");
     print_value(item, expected, with_bits, sink);
 }

@@ -137,9 +137,41 @@ static bool begin_label(struct lesson_test_data *test_data,
     test_data->count++;
     if (expected)
         begin_wanted(test_data, item);
-    else
-        put_elements(test_data, item);
     return true;
+}
+
+/* Returns true if the test has initial data for the results at a label. */
+static bool is_set(const struct lesson_test_data *test_data, const char *label)
+{
+    const struct asm_symbol *symbol = object_symbol(test_data->test, label);
+    return symbol && holds_data(symbol);
+}
+
+/* Fills the results that the test does not set. */
+static void poison_elements(const struct lesson_test_data *test_data,
+                            struct test_item *item)
+{
+    unsigned width = contents_width(item->contents);
+    item->poisoned = true;
+    for (size_t i = 0; i < item->count; i++) {
+        uint64_t at = item->actual_at + i * width;
+        set_element(test_data->machine, at, width,
+                    LESSON_POISON << at % 64 & mask_of(width));
+    }
+}
+
+/* Writes the data before the run. Inputs come last, because results of the answer may
+ * share their storage. */
+static void set_items(const struct lesson_test_data *test_data)
+{
+    for (size_t i = 0; i < test_data->count; i++) {
+        struct test_item *item = &test_data->items[i];
+        if (item->expected && !is_set(test_data, item->label))
+            poison_elements(test_data, item);
+    }
+    for (size_t i = 0; i < test_data->count; i++)
+        if (!test_data->items[i].expected)
+            put_elements(test_data, &test_data->items[i]);
 }
 
 bool test_data_begin(struct lesson_test_data *test_data)
@@ -155,6 +187,7 @@ bool test_data_begin(struct lesson_test_data *test_data)
             good = begin_label(test_data, &test->symbols[i]) && good;
     if (!good || test_data->kept->failed)
         return false;
+    set_items(test_data);
     for (size_t i = 0; i < test_data->count; i++)
         if (test_data->items[i].expected)
             get_elements(test_data->machine, test_data->items[i].actual_at,

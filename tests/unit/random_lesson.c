@@ -148,6 +148,7 @@ static void put_fault(const struct random_lesson *drawn, const struct sink *sink
                        "        VREVV   [xs], [ys]\n");
         return;
     case FAULT_SIGN:
+        sink_print(sink, "        SUBNV%s [xs], [xs], [ys]\n", half);
         for (int i = 0; i < 2; i++)
             sink_print(sink, "        SUBNV%s [ys], [xs], [ys]\n", half);
         return;

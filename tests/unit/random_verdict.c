@@ -17,11 +17,18 @@ static void format_value(const struct random_lesson *drawn, c205_word element,
     sink_put(sink, text);
 }
 
+/* An element that the answer does not store. */
+#define UNSTORED UINT64_C(0x7BAD205B7BAD205B)
+
 static void format_element(const struct random_lesson *drawn, c205_word found,
                            c205_word wanted, const struct sink *sink)
 {
-    sink_put(sink, " is ");
-    format_value(drawn, found, sink);
+    if (found == UNSTORED) {
+        sink_put(sink, " was not stored");
+    } else {
+        sink_put(sink, " is ");
+        format_value(drawn, found, sink);
+    }
     sink_put(sink, " and should be ");
     format_value(drawn, wanted, sink);
 }
@@ -31,8 +38,8 @@ static c205_word found_at(const struct random_lesson *drawn, size_t i)
 {
     const struct random_test *test = &drawn->tests[drawn->faulty];
     switch (drawn->fault) {
-    case FAULT_NOTHING: return 0;
-    case FAULT_LATE: return i > 0 ? test->wanted[i - 1] : 0;
+    case FAULT_NOTHING: return UNSTORED;
+    case FAULT_LATE: return i > 0 ? test->wanted[i - 1] : UNSTORED;
     case FAULT_BACKWARDS: return test->wanted[test->n - 1 - i];
     case FAULT_SIGN:
         return drawn->kind == DRAWN_WORDS
@@ -99,9 +106,7 @@ const char *random_likeness(const struct random_lesson *drawn)
         [FAULT_LAST_BIT] =
             "  Only the last bits are wrong: different operations, or the same in "
             "another order, round differently.",
-        [FAULT_NOTHING] =
-            "  The run did not change it: nothing was stored there, or only the same "
-            "values.",
+        [FAULT_NOTHING] = "  Nothing was stored there.",
         [FAULT_LATE] =
             "  The right elements are one place too late: element 1 has the value "
             "that element 0 should have.",

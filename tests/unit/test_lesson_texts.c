@@ -195,18 +195,20 @@ TEST(any)
                                "        .equ    n, 3\n        .data\n"
                                "x:      .word   1.0, 2.0, 3.5\n"
                                "want_y: .word   2.0, 4.0, 7.0\n"
-                               "        .bitvector want_z, n, \"101\"\n"
+                               "        .bitvector want_z, n, \"111\"\n"
                                "; expect: r1 = 0\n; expect-print: 3\n";
     static const char answer[] = "        .include \"core.s\"\n"
                                  "        .ifndef n\n        .equ    n, 5\n"
                                  "        .endif\n        .data\n"
                                  "        .vector x, n\n"
                                  "        .vector y, n\n"
-                                 "        .bitvector z, n, \"101\"\n"
-                                 "        .code\n        .regs   r16, a, b\n"
+                                 "        .bitvector z, n\n"
+                                 "        .code\n        .regs   r16, a, b, c\n"
                                  "        descriptor a, x, n\n"
                                  "        descriptor b, y, n\n"
+                                 "        descriptor c, z, n\n"
                                  "        ADDNV   [a], [a], [b]\n"
+                                 "        CMPGEV  [a], r0, [c]\n"
                                  "        ES      r5, n\n"
                                  "        EXIT    r5, r0, 2\n        EXIT\n";
     check_run(test, answer, NULL);
@@ -222,7 +224,8 @@ TEST(any)
 
 enum { ELEMENTS = 16 };
 
-/* Reads elements: "1.0" is a number, "2" an integer, "i" indefinite, "0 1" bits. */
+/* Reads elements: "1.0" is a number, "2" an integer, "i" indefinite, "0 1" bits,
+ * "p" LESSON_POISON. */
 static size_t take_elements(const char *text, enum asm_contents contents,
                             c205_word elements[ELEMENTS])
 {
@@ -230,8 +233,9 @@ static size_t take_elements(const char *text, enum asm_contents contents,
     for (; *text; text += strspn(text, " ")) {
         size_t length = strcspn(text, " ");
         const char *end;
-        elements[count++] = contents == ASM_BITS ? (c205_word)(*text == '1') << 63
-                            : *text == 'i'       ? C205_INDEFINITE
+        elements[count++] = *text == 'p'           ? LESSON_POISON
+                            : contents == ASM_BITS ? (c205_word)(*text == '1') << 63
+                            : *text == 'i'         ? C205_INDEFINITE
                             : memchr(text, '.', length) ? c205_from_text(text, &end)
                                                         : c205_from_integer(atoi(text));
         text += length;
@@ -273,6 +277,9 @@ TEST(likeness)
         { ASM_WORDS, "9.0 9.0 9.0", "1.0 2.0 3.0", "1.0 9.0 9.0",
           "Nothing new was stored after" },
         { ASM_WORDS, "9.0 9.0 9.0", "1.0 2.0 3.0", "1.0 9.0 8.0", NULL },
+        { ASM_WORDS, "p p", "1.0 2.0", "p p", "Nothing was stored there." },
+        { ASM_WORDS, "p p", "1.0 2.0", "1.0 p", "Nothing was stored at the wrong" },
+        { ASM_WORDS, "p p p", "1.0 2.0 3.0", "p i 3.0", "Indefinite results from" },
     };
     for (size_t i = 0; i < COUNT(rows); i++) {
         c205_word before[ELEMENTS], wanted[ELEMENTS], found[ELEMENTS];
@@ -282,6 +289,7 @@ TEST(likeness)
                                   .contents = rows[i].contents,
                                   .expected = wanted,
                                   .initial = before,
+                                  .poisoned = *rows[i].before == 'p',
                                   .actual = found };
         take_elements(rows[i].before, rows[i].contents, before);
         take_elements(rows[i].found, rows[i].contents, found);
