@@ -97,9 +97,10 @@ $(BUILD)/asm/isa_example_texts.c: texts_in = asm/isa_examples
 $(BUILD)/asm/isa_example_texts.c: $(wildcard asm/isa_examples/*.s)
 $(BUILD)/asm/card_texts.c: texts_in = asm/card
 $(BUILD)/asm/card_texts.c: $(wildcard asm/card/*.roff)
-# Solutions are not included.
+# The page has no fresh tests.
+lesson_files = lesson.md start.s test-*.s $(if $(TITLES),,fresh.s solution.s)
 $(BUILD)/asm/lesson_texts.c: texts_in = docs/course
-$(BUILD)/asm/lesson_texts.c: $(sort $(foreach file,lesson.md start.s test-*.s,\
+$(BUILD)/asm/lesson_texts.c: $(sort $(foreach file,$(lesson_files),\
 	$(wildcard docs/course/*/$(file)))) $(wildcard docs/course/ docs/course/*/)
 $(BUILD)/rt/kernel_texts.c: texts_in = rt/kernels
 $(BUILD)/rt/kernel_texts.c: $(wildcard rt/kernels/*/*.s)

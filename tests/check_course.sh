@@ -1,7 +1,8 @@
 #!/bin/sh
 # check_course.sh BUILD - checks every lesson against docs/grading.md. All parts must
-# exist. The starting program must assemble, run and fail, the solution must get gold,
-# and other answers in the text must be correct.
+# exist. The starting program must assemble, run and fail, the solution must get gold
+# with fresh tests, and other answers in the text must be correct. With THOROUGH these
+# answers must keep their medals with fresh tests.
 set -u
 build=$(cd "$1" && pwd)
 . "$(dirname "$0")/count.sh"
@@ -9,6 +10,8 @@ cd "$(dirname "$0")/.." || exit 1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 said=$work/said
+draws=${THOROUGH:+4}
+draws=${draws:-1}
 
 # Runs c205 WORD .., records its exit code, and writes its output to `said`.
 c205() {
@@ -22,7 +25,7 @@ headings() {
 }
 
 check_parts() { # FOLDER: checks the files of a lesson
-    for file in lesson.md start.s solution.s; do
+    for file in lesson.md start.s solution.s fresh.s; do
         expect "$1 has no $file" [ -f "$1/$file" ]
     done
     find "$1" -mindepth 1 ! -name '*.s' ! -name '*.inc' ! -name '*.svg' \
@@ -54,13 +57,18 @@ check_programs() { # FOLDER LESSON
     c205 check "$2" "$1/start.s"
     [ $? -eq 1 ] && grep -q -e ': not right (' -e 'too slow (' "$said"
     verdict $? "$1/start.s is not graded, or passes"
-    c205 check "$2" "$1/solution.s" && grep -q ': passed, gold$' "$said"
+    c205 check "$2" "$1/solution.s" --fresh "$draws" && grep -q ': passed, gold$' "$said"
     verdict $? "$1/solution.s does not get gold"
     for answer in "$1"/answers/*.s; do
         [ -f "$answer" ] || continue
         c205 check "$2" "$answer"
         grep -q ': right' "$said" && ! grep -q ': not right (' "$said"
         verdict $? "$answer is not right"
+        [ "$draws" -gt 1 ] || continue
+        tail -n 1 "$said" >"$work/medal"
+        c205 check "$2" "$answer" --fresh "$draws"
+        tail -n 1 "$said" | cmp -s - "$work/medal"
+        verdict $? "$answer gets another medal with fresh tests"
     done
     c205 check "$2"
     verdict $? "$2 is not printed"

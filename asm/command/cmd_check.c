@@ -8,12 +8,22 @@
 
 /* ---- An answer ------------------------------------------------------------- */
 
-bool check_grade(const struct lesson *lesson, const char *path,
-                 struct lesson_verdict *verdict, c205_error *error)
+/* Returns the draws of fresh tests. A folder has one by default. */
+static struct lesson_draws draws_of(const struct check_arguments *args)
+{
+    size_t least = !args->no_fresh && (args->folder || args->seed > 0);
+    return (struct lesson_draws){ args->fresh > least ? args->fresh : least,
+                                  args->seed };
+}
+
+bool check_grade(const struct check_command *check, const struct lesson *lesson,
+                 const char *path, struct lesson_verdict *verdict, c205_error *error)
 {
     size_t length;
     char *text = text_file_read(path, FILE_LARGEST, &length, error);
-    bool good = text && lesson_grade(verdict, lesson, path, text, length, error);
+    bool good = text
+                && lesson_grade(verdict, lesson, draws_of(check->args), path, text,
+                                length, error);
     free(text);
     return good;
 }
@@ -80,7 +90,7 @@ static int check_answer(const struct check_command *check, bool *passed)
     struct lesson_verdict verdict = { 0 };
     c205_error error;
     const char *path = check->args->answer;
-    int code = check_grade(check->lesson, path, &verdict, &error)
+    int code = check_grade(check, check->lesson, path, &verdict, &error)
                    ? show_verdict(check, &verdict)
                    : cmd_failed(check->args->shared.command, "%s: %s", path,
                                 error.message);
@@ -126,6 +136,9 @@ static int check_usage(const struct check_arguments *args)
                ? cmd_usage(
                    command,
                    "--hints requires a LESSON, without ANSWER, --folder or --start")
+           : args->no_fresh && (args->fresh > 0 || args->seed > 0)
+               ? cmd_usage(command,
+                           "--no-fresh cannot be combined with --fresh or --fresh-seed")
            : args->folder && args->answer
                ? cmd_usage(command, "an ANSWER cannot be combined with --folder")
                : CMD_DONE;
@@ -162,6 +175,12 @@ static const struct command_option options[] = {
     { OPTION_ROW("folder", "DIR", COMMAND_FOLDER, PLACE(folder),
                  "grade all hand-ins: DIR/STUDENT/LESSON.s, DIR/LESSON.s, "
                  "or DIR/STUDENT.s of one lesson") },
+    { OPTION_COUNT("fresh", PLACE(fresh), 1, 100, 0,
+                   "also test with N draws of fresh inputs; 1 with --folder") },
+    { OPTION_COUNT("fresh-seed", PLACE(seed), 1, 1000000000, 0,
+                   "number of the first draw; without it, each answer has its own") },
+    OPTION_FLAG("no-fresh", PLACE(no_fresh),
+                "grade hand-ins without fresh inputs, for lessons that have none"),
     CMD_RESULTS,
     COMMAND_END
 };

@@ -12,7 +12,8 @@ struct check_arguments {
     const char *folder;          /* folder of answers, or NULL */
     const char *output;          /* destination of the program to complete; NULL:
                                     stdout */
-    bool hints, start;
+    bool hints, start, no_fresh;
+    size_t fresh, seed; /* draws of fresh tests, and the number of the first; 0: none */
 };
 
 struct check_command {
@@ -26,10 +27,9 @@ struct check_command {
 /* Reads a lesson from a folder. The lesson must be zeroed. Returns false if the folder
  * is not a lesson. The lesson must be freed in all cases. */
 bool check_read_lesson(struct lesson *lesson, const char *path, c205_error *error);
-/* Grades the answer in a file. The error message does not contain the name of the
- * file. */
-bool check_grade(const struct lesson *lesson, const char *path,
-                 struct lesson_verdict *verdict, c205_error *error);
+/* Grades a file. The error does not contain its name. */
+bool check_grade(const struct check_command *check, const struct lesson *lesson,
+                 const char *path, struct lesson_verdict *verdict, c205_error *error);
 /* Appends all sentences of a report to a buffer, as one line. */
 void check_join(struct text_buffer *buffer, const struct lesson_report *report);
 

@@ -172,7 +172,7 @@ static void grade(struct handed_in *all, const char *student,
         refuse(all, student, lesson, path,
                file_ends_with(path, ".s") ? "its name is not the name of a lesson"
                                           : "its name does not end in '.s'");
-    } else if (!check_grade(lesson, path, &verdict, &error)) {
+    } else if (!check_grade(all->check, lesson, path, &verdict, &error)) {
         refuse(all, student, lesson, path, error.message);
     } else {
         add(all, student, &verdict);

@@ -45,19 +45,30 @@ static bool take_title(struct lesson *lesson, c205_error *error)
     return lesson->title || error_set(error, "out of memory");
 }
 
-static bool take_test(struct lesson *lesson, const char *name, size_t name_length,
-                      const char *text, size_t length, c205_error *error)
+/* Reads a test of a file. The length of its name in the name of the file may be 0. */
+static bool take_test(struct lesson *lesson, struct lesson_test *test, const char *file,
+                      const char *name, size_t name_length, const char *text,
+                      size_t length, c205_error *error)
 {
-    struct lesson_test *test = arena_add(&lesson->kept, &lesson->tests,
-                                         &lesson->test_count, &lesson->test_capacity,
-                                         NULL, sizeof *test);
-    if (test)
-        test->name = arena_text(&lesson->kept, name, name_length);
-    if (!test || !test->name)
+    *test = (struct lesson_test){
+        .name = arena_text(&lesson->kept, name, name_length),
+        .file = arena_text(&lesson->kept, file, strlen(file)),
+        .text = text,
+        .length = length,
+    };
+    if (!test->name || !test->file)
         return error_set(error, "out of memory");
-    test->text = text;
-    test->length = length;
     return lesson_read_notes(lesson, test, error);
+}
+
+static bool take_fresh(struct lesson *lesson, const char *text, size_t length,
+                       c205_error *error)
+{
+    return take_test(lesson, &lesson->fresh, "fresh.s", "fresh", strlen("fresh"), text,
+                     length, error)
+           && (!lesson->fresh.has_goals
+               || error_set(error, "%.80s/fresh.s has goals, which the tests define",
+                            lesson->folder));
 }
 
 bool lesson_take(struct lesson *lesson, const char *file, const char *text,
@@ -68,22 +79,30 @@ bool lesson_take(struct lesson *lesson, const char *file, const char *text,
     bool is_test = name > around && strncmp(file, before, sizeof before - 1) == 0
                    && strcmp(file + name - (sizeof behind - 1), behind) == 0;
     bool is_text = strcmp(file, "lesson.md") == 0;
+    bool is_fresh = strcmp(file, "fresh.s") == 0;
     bool is_start = strcmp(file, "start.s") == 0;
+    const char **place = is_start                          ? &lesson->start
+                         : is_text                         ? &lesson->text
+                         : strcmp(file, "solution.s") == 0 ? &lesson->solution
+                                                           : NULL;
     const char *kept;
-    if (!is_test && !is_text && !is_start)
+    struct lesson_test *test;
+    if (!is_test && !is_fresh && !place)
         return true;
     kept = arena_text(&lesson->kept, text, length);
     if (!kept)
         return error_set(error, "out of memory");
-    if (is_test)
-        return take_test(lesson, file + sizeof before - 1, name - around, kept, length,
-                         error);
-    if (is_start) {
-        lesson->start = kept;
-        return true;
+    if (is_fresh)
+        return take_fresh(lesson, kept, length, error);
+    if (place) {
+        *place = kept;
+        return !is_text || take_title(lesson, error);
     }
-    lesson->text = kept;
-    return take_title(lesson, error);
+    test = arena_add(&lesson->kept, &lesson->tests, &lesson->test_count,
+                     &lesson->test_capacity, NULL, sizeof *test);
+    return test ? take_test(lesson, test, file, file + sizeof before - 1, name - around,
+                            kept, length, error)
+                : error_set(error, "out of memory");
 }
 
 static int compare_tests(const void *a, const void *b)

@@ -14,8 +14,9 @@
  *   ; tolerance: L 1e-12       numbers at L may differ by this; without it: same words
  *   ; goals: gold 700, silver 900, bronze 4000   clocks at most; bronze passes
  *
- * A test may also use the expectations of expect.h, for registers and output.
- * docs/grading.md describes the rest. These functions neither print nor access files.
+ * A test may also use the expectations of expect.h, for registers and output. The file
+ * fresh.s is a test without expected data, from which the grader makes tests with new
+ * inputs. docs/grading.md describes the rest. These functions neither print nor access files.
  */
 #ifndef ASM_LESSON_H
 #define ASM_LESSON_H
@@ -39,6 +40,7 @@ struct lesson_tolerance {
 
 struct lesson_test {
     const char *name; /* the NAME in test-NAME.s */
+    const char *file; /* name of the file */
     const char *text;
     size_t length;
     const char *tries;
@@ -55,6 +57,8 @@ struct lesson {
     const char *title, *text, *start;
     size_t test_count, test_capacity;
     struct lesson_test *tests; /* tests with goals come last */
+    const char *solution;      /* solution.s, or NULL */
+    struct lesson_test fresh;  /* fresh.s; its text is NULL if there is none */
     struct arena kept;
 };
 
@@ -104,6 +108,7 @@ struct lesson_report {
 /* The result of a test. */
 struct lesson_trial {
     const struct lesson_test *test;
+    uint64_t draw;    /* number of the draw of a fresh test; 0: a test of the lesson */
     bool right;       /* all results are correct */
     bool passed;      /* correct, and within the clocks for bronze */
     uint64_t clocks;  /* 0: the answer did not run */
@@ -119,18 +124,30 @@ struct lesson_verdict {
     enum medal medal;   /* the lowest medal of all tests */
     uint64_t clocks;    /* maximum clocks of a correct test with goals */
     size_t count;
-    struct lesson_trial *trials;
+    struct lesson_trial *trials; /* the tests of the lesson, then its fresh tests */
     struct lesson_report report; /* reports about more than one test */
     struct arena kept;
 };
+
+/* The draws of fresh tests. Each draw has a fresh test for every test of the lesson,
+ * and one more of other lengths. */
+struct lesson_draws {
+    size_t count; /* 0: no fresh tests */
+    uint64_t
+        first; /* number of the first draw; 0: derived from the text of the answer */
+};
+
+/* Returns true if the lesson has fresh tests. */
+bool lesson_has_fresh(const struct lesson *lesson, c205_error *error);
 
 /* Grades an answer. The verdict must be zeroed, and must be freed in all cases. The
  * lesson and the name must outlive it. Returns false and sets the error if the lesson
  * is invalid or memory is exhausted. */
 bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
-                  const char *name, const char *text, size_t length, c205_error *error);
-/* Sets the verdict of an answer that cannot be graded: not passed, with the reason as
- * its report. lesson is NULL if the lesson is unknown. */
+                  struct lesson_draws draws, const char *name, const char *text,
+                  size_t length, c205_error *error);
+/* Sets the verdict of an answer that cannot be graded. It has not passed, and the
+ * reason is its report. lesson is NULL if it is unknown. */
 void lesson_refuse(struct lesson_verdict *verdict, const struct lesson *lesson,
                    const char *name, const char *reason);
 void lesson_verdict_free(struct lesson_verdict *verdict);

@@ -5,6 +5,8 @@
 
 #include "asm/lesson/lesson.h"
 #include "asm/measure/line_profile.h"
+#include "asm/text/assemble.h"
+#include "asm/view/print.h"
 #include "vm/error.h"
 
 /* Reads the comments of a test, whose name and text are set (notes.c). */
@@ -17,14 +19,36 @@ bool lesson_read_notes(struct lesson *lesson, struct lesson_test *test,
 void report_printf(struct lesson_report *report, const char *format, ...)
     PRINTF_FORMAT(2, 3);
 void report_buffer(struct lesson_report *report, struct text_buffer *buffer);
+/* Reports a sentence and all diagnostics of a severity. */
+void report_diagnostics(struct lesson_report *report, const char *sentence,
+                        const struct diagnostics *said, enum severity severity);
 /* Returns a source line without leading blanks. */
 const char *lesson_source(const char *line);
+
+/* ---- test_source.c: a test that is ready to run ----------------------------- */
+
+struct test_case {
+    const struct lesson_test *notes;
+    struct object *object;
+    struct asm_define *defines; /* constants for the answer; the last has no name */
+    c205_model *model;
+    c205 *data; /* machine with the data of the test */
+};
+
+/* Assembles a test, after the definition of constants (NULL: none). A fresh test is like
+ * another test: the answer receives only the constants that both have, and the test runs
+ * on the model of the other test unless it has its own. NULL: not a fresh test. Must be
+ * closed in all cases. */
+bool test_case_open(struct test_case *test, const struct lesson_test *notes,
+                    const struct asm_define *defines, const struct object *like,
+                    c205_error *error);
+void test_case_close(struct test_case *test);
 
 /* ---- test_data.c: data of a test and an answer --------------------------- */
 
 /* Results that a test does not set are filled with this word before the run. It is an
- * indefinite, as are both of its halves. No operation computes it, because the indefinite
- * result of an operation has a zero coefficient. */
+ * indefinite, as are both of its halves. No operation computes it, because the
+ * indefinite result of an operation has a zero coefficient. */
 #define LESSON_POISON UINT64_C(0x7BAD205B7BAD205B)
 
 /* The data of a label that both test and answer have. */
@@ -59,6 +83,58 @@ bool test_data_begin(struct lesson_test_data *test_data);
 /* Compares the results after the run. Returns false with a report if a result is
  * wrong. */
 bool test_data_end(struct lesson_test_data *test_data);
+/* Copies the results of the solution to the expected data of the test. Returns false if
+ * the solution has not stored a result. */
+bool test_data_keep(const struct lesson_test_data *test_data, c205 *data,
+                    c205_error *error);
+
+/* ---- answer_run.c: an answer in a test --------------------------------------- */
+
+struct answer_run {
+    const char *name, *text;
+    size_t length;
+    const struct test_case *test;
+    struct lesson_report *report, *general; /* reports about this test, and about all
+                                               tests */
+    struct arena *kept;
+    c205_error *error; /* error of the lesson */
+
+    struct object *object; /* the answer with the constants of the test */
+    c205 *machine;
+    struct line_profile *profile;
+    struct lesson_test_data data;
+    struct printer printer;
+    struct text_buffer printed;
+    c205_stop stop;
+    uint64_t clocks;
+    bool ended; /* the run ended as expected */
+};
+
+/* Runs an answer in a test. Reports why it cannot run, or does not end as the test
+ * expects. Returns false if memory is exhausted. Must be freed in all cases. */
+bool answer_run(struct answer_run *run);
+/* Returns true if the results are correct, and otherwise reports them. */
+bool answer_is_right(struct answer_run *run);
+void answer_run_free(struct answer_run *run);
+
+/* ---- fresh.c: tests with new inputs ------------------------------------------ */
+
+/* The number of draws from which the first draw of an answer is selected. */
+enum { LESSON_DRAWS = 1000000 };
+
+struct fresh_test {
+    struct lesson_test notes;
+    struct test_case test;
+};
+
+/* Makes the fresh test of a draw, with the constants of the test `like`, or with its
+ * own if `like` is NULL. The expected data are the results of the solution. The goals are
+ * those of `like`, times the ratio of the clocks of the solution. Must be closed in all
+ * cases. */
+bool fresh_open(struct fresh_test *fresh, const struct lesson *lesson,
+                const struct lesson_test *like, uint64_t draw, struct arena *kept,
+                c205_error *error);
+void fresh_close(struct fresh_test *fresh);
 
 /* ---- Reports ------------------------------------------------------------- */
 

@@ -19,8 +19,8 @@ struct test_note {
 
 static bool refuse(const struct test_note *note, const char *what)
 {
-    return error_set(note->error, "%.80s/test-%.40s.s:%zu: %.100s",
-                     note->lesson->folder, note->test->name, note->line, what);
+    return error_set(note->error, "%.80s/%.48s:%zu: %.100s", note->lesson->folder,
+                     note->test->file, note->line, what);
 }
 
 static void skip_blanks(struct test_note *note)

@@ -5,6 +5,7 @@
 
 #include "asm/lesson/lesson_internal.h"
 #include "asm/view/vector_view.h"
+#include "vm/error.h"
 
 /* ---- Elements -------------------------------------------------------------- */
 
@@ -223,4 +224,36 @@ bool test_data_end(struct lesson_test_data *test_data)
     if (!good)
         print_missing(test_data);
     return good;
+}
+
+/* Returns true if results are poison after the run. Bits and bytes may equal those of
+ * the poison by coincidence. */
+static bool is_unstored(const struct lesson_test_data *test_data,
+                        const struct test_item *item)
+{
+    unsigned width = contents_width(item->contents);
+    size_t i = 0;
+    while (i < item->count
+           && get_element(test_data->machine, item->actual_at + i * width, width)
+                  != item->initial[i])
+        i++;
+    return i < item->count && item->poisoned && width >= 32;
+}
+
+bool test_data_keep(const struct lesson_test_data *test_data, c205 *data,
+                    c205_error *error)
+{
+    for (size_t i = 0; i < test_data->count; i++) {
+        const struct test_item *item = &test_data->items[i];
+        unsigned width = contents_width(item->contents);
+        if (item->expected && is_unstored(test_data, item))
+            return error_set(error,
+                             "solution.s fails in %.48s: it stores nothing at %s",
+                             test_data->notes->file, item->label);
+        for (size_t k = 0; item->expected && k < item->count; k++)
+            set_element(data, item->expected_at + k * width, width,
+                        get_element(test_data->machine, item->actual_at + k * width,
+                                    width));
+    }
+    return true;
 }

@@ -1,5 +1,6 @@
 /* test_source.c - assembles the text of a test and checks it. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "asm/check/expect.h"
@@ -59,9 +60,8 @@ static bool check_wanted(const struct lesson_test *test, const struct object *ob
         const struct asm_symbol *symbol = &object->symbols[i];
         const char *wanted = lesson_wanted(symbol->name);
         if (symbol->is_label && wanted && (!*wanted || symbol->contents == ASM_CODE))
-            return error_set(error,
-                             "test-%.40s.s: expected data at want_LABEL, not %.60s",
-                             test->name, *wanted ? "instructions" : symbol->name);
+            return error_set(error, "%.48s: expected data at want_LABEL, not %.60s",
+                             test->file, *wanted ? "instructions" : symbol->name);
     }
     return true;
 }
@@ -73,13 +73,13 @@ static bool check_labels(const struct lesson_test *test, const struct object *ob
     if (!check_wanted(test, object, error))
         return false;
     if (!is_wanted(object, NULL) && !expect_anything(object))
-        return error_set(error, "test-%.40s.s expects nothing", test->name);
+        return error_set(error, "%.48s expects nothing", test->file);
     while (tolerance && is_wanted(object, tolerance->label))
         tolerance = tolerance->next;
     return !tolerance
-           || error_set(
-               error, "test-%.40s.s has a tolerance for %.40s, but no label want_%.40s",
-               test->name, tolerance->label, tolerance->label);
+           || error_set(error,
+                        "%.48s has a tolerance for %.40s, but no label want_%.40s",
+                        test->file, tolerance->label, tolerance->label);
 }
 
 static bool check_model(const struct lesson_test *test, const struct object *object,
@@ -90,7 +90,7 @@ static bool check_model(const struct lesson_test *test, const struct object *obj
     c205_model *model = name ? model_find(name, &why) : NULL;
     bool good = !name || (model && !c205_model_is_projection(model));
     c205_model_free(model);
-    return good || error_set(error, "test-%.40s.s: %.160s", test->name, why.message);
+    return good || error_set(error, "%.48s: %.160s", test->file, why.message);
 }
 
 static void print_first(const struct diagnostics *said, c205_error *error)
@@ -105,15 +105,13 @@ static void print_first(const struct diagnostics *said, c205_error *error)
                   first->column, first->message);
 }
 
-struct object *lesson_assemble_test(const struct lesson_test *test, c205_error *error)
+static struct object *assemble(const struct lesson_test *test,
+                               const struct asm_define *defines, c205_error *error)
 {
-    static const struct asm_options options = { .sealed = true };
+    struct asm_options options = { .defines = defines, .sealed = true };
     struct diagnostics said = { 0 };
-    struct text_line name = { 0 };
-    struct sink sink = text_line_sink(&name);
-    struct object *object;
-    sink_print(&sink, "test-%s.s", test->name);
-    object = assemble_bytes(name.text, test->text, test->length, &options, &said);
+    struct object *object = assemble_bytes(test->file, test->text, test->length,
+                                           &options, &said);
     if (!object)
         print_first(&said, error);
     diagnostics_free(&said);
@@ -124,4 +122,54 @@ struct object *lesson_assemble_test(const struct lesson_test *test, c205_error *
         return NULL;
     }
     return object;
+}
+
+struct object *lesson_assemble_test(const struct lesson_test *test, c205_error *error)
+{
+    return assemble(test, NULL, error);
+}
+
+/* Returns the constants of the test for the answer. A fresh test passes only constants
+ * of the names that the other test has. Returns NULL if memory is exhausted. */
+static struct asm_define *make_defines(const struct object *object,
+                                       const struct object *like)
+{
+    struct asm_define *defines = calloc(object->symbol_count + 1, sizeof *defines);
+    size_t count = 0;
+    for (size_t i = 0; defines && i < object->symbol_count; i++) {
+        const struct asm_symbol *symbol = &object->symbols[i];
+        const struct asm_symbol *other = like ? object_symbol(like, symbol->name)
+                                              : symbol;
+        if (lesson_is_constant(symbol) && other && lesson_is_constant(other))
+            defines[count++] = (struct asm_define){ symbol->name, symbol->value };
+    }
+    return defines;
+}
+
+bool test_case_open(struct test_case *test, const struct lesson_test *notes,
+                    const struct asm_define *defines, const struct object *like,
+                    c205_error *error)
+{
+    const char *model;
+    test->notes = notes;
+    test->object = assemble(notes, defines, error);
+    if (!test->object)
+        return false;
+    test->defines = make_defines(test->object, like);
+    if (!test->defines)
+        return error_set(error, "out of memory");
+    model = expect_model(test->object);
+    if (!model && like)
+        model = expect_model(like);
+    test->model = model_find(model ? model : C205_DEFAULT_MODEL, error);
+    test->data = test->model ? c205_new(test->model, error) : NULL;
+    return test->data && c205_load(test->data, &test->object->program, error);
+}
+
+void test_case_close(struct test_case *test)
+{
+    c205_free(test->data);
+    c205_model_free(test->model);
+    free(test->defines);
+    object_free(test->object);
 }

@@ -76,7 +76,10 @@ static void put_report(const struct lesson_report *report, const struct sink *si
 static void put_trial(const struct lesson_trial *trial, const struct sink *sink)
 {
     const struct lesson_test *test = trial->test;
-    sink_print(sink, "%s: %s", test->name, trial->right ? "right" : "not right");
+    sink_put(sink, test->name);
+    if (trial->draw > 0)
+        sink_print(sink, ", draw %" PRIu64, trial->draw);
+    sink_print(sink, ": %s", trial->right ? "right" : "not right");
     if (trial->right && test->has_goals)
         sink_print(sink, ", %" PRIu64 " clock%s: %s", trial->clocks,
                    plural(trial->clocks),
@@ -120,6 +123,7 @@ static void write_trial(const struct lesson_trial *trial, struct json *json)
     json_object(json, NULL);
     json_text(json, "name", trial->test->name);
     json_text(json, "tries", trial->test->tries);
+    json_count(json, "draw", trial->draw);
     json_bool(json, "passed", trial->passed);
     json_bool(json, "right", trial->right);
     json_count(json, "clocks", trial->clocks);

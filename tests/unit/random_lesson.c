@@ -276,6 +276,7 @@ void grade_well(struct lesson_verdict *verdict, const struct lesson *lesson,
                 const char *answer)
 {
     *verdict = (struct lesson_verdict){ 0 };
-    FAIL_IF(!lesson_grade(verdict, lesson, "my.s", answer, strlen(answer), &failure),
+    FAIL_IF(!lesson_grade(verdict, lesson, (struct lesson_draws){ 0 }, "my.s", answer,
+                          strlen(answer), &failure),
             "%s\n%s", failure.message, answer);
 }

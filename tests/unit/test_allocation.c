@@ -411,8 +411,8 @@ static bool grade_answer(FILE *out, c205_error *error)
                 && lesson_take(&lesson, "start.s", "", 0, error)
                 && lesson_take(&lesson, "test-a.s", test, strlen(test), error)
                 && lesson_end(&lesson, error)
-                && lesson_grade(&verdict, &lesson, "my.s", answer, strlen(answer),
-                                error);
+                && lesson_grade(&verdict, &lesson, (struct lesson_draws){ 0 }, "my.s",
+                                answer, strlen(answer), error);
     if (done && verdict.passed)
         lesson_verdict_put(&verdict, &sink);
     return done && (verdict.passed || no_memory(error));

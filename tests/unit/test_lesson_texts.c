@@ -137,8 +137,8 @@ TEST(refused)
         snprintf(message, sizeof message, "test-a.s%s%s", *wanted == ':' ? "" : " ",
                  wanted);
         assert_true(open_with(&lesson, test, &error));
-        assert_false(
-            lesson_grade(&verdict, &lesson, "my.s", answer, strlen(answer), &error));
+        assert_false(lesson_grade(&verdict, &lesson, (struct lesson_draws){ 0 }, "my.s",
+                                  answer, strlen(answer), &error));
         assert_string_equal(error.message, message);
     }
 }
@@ -179,8 +179,8 @@ static void grade_any(const char *test, const char *answer)
     SCOPED_VALUE(lesson_verdict) verdict = { 0 };
     c205_error error = { "" };
     bool good = open_with(&lesson, test, &error)
-                && lesson_grade(&verdict, &lesson, "my.s", answer, strlen(answer),
-                                &error);
+                && lesson_grade(&verdict, &lesson, (struct lesson_draws){ 0 }, "my.s",
+                                answer, strlen(answer), &error);
     FAIL_IF(good != (*error.message == '\0'), "'%s'\n%s\n%s", error.message, test,
             answer);
     FAIL_IF(good && !verdict.passed

@@ -60,8 +60,10 @@ static bool put_lesson_words(const struct lesson_verdict *verdict, struct json *
 static bool grade(const struct lesson *lesson, const char *name, const char *text,
                   struct json *reply, c205_error *error)
 {
+    static const struct lesson_draws no_draws;
     struct lesson_verdict verdict = { .lesson = NULL };
-    bool good = lesson_grade(&verdict, lesson, name, text, strlen(text), error);
+    bool good = lesson_grade(&verdict, lesson, no_draws, name, text, strlen(text),
+                             error);
     if (good)
         lesson_verdict_json(&verdict, reply);
     good = good && put_lesson_words(&verdict, reply, error);
